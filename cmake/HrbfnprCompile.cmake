@@ -1,0 +1,52 @@
+# How every translation unit of the library is compiled: hrbfnpr_compile(target).
+
+add_library(hrbfnpr_options INTERFACE)
+target_compile_features(hrbfnpr_options INTERFACE cxx_std_20)
+target_include_directories(hrbfnpr_options INTERFACE
+  "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/src")
+# GLM and Eigen as system headers, unless they are where the compiler looks anyway: moving
+# /usr/include with -isystem breaks #include_next.
+if(NOT HRBFNPR_GLM_INCLUDE_DIR IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
+  target_include_directories(hrbfnpr_options SYSTEM INTERFACE "${HRBFNPR_GLM_INCLUDE_DIR}")
+endif()
+target_link_libraries(hrbfnpr_options INTERFACE Eigen3::Eigen)
+target_compile_definitions(hrbfnpr_options INTERFACE
+  EIGEN_DONT_PARALLELIZE EIGEN_MPL2_ONLY GLM_FORCE_CTOR_INIT)
+
+# -ffp-contract=off: the same bits in vector and remainder loops.
+# -fno-math-errno: square roots inline; nothing here reads errno.
+target_compile_options(hrbfnpr_options INTERFACE
+  $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off;-fno-math-errno;-fno-trapping-math>)
+
+set(HRBFNPR_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+  -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Woverloaded-virtual -Wnull-dereference
+  -Wdouble-promotion -Wformat=2 -Wimplicit-fallthrough)
+set(HRBFNPR_GCC_WARNINGS -Wduplicated-cond -Wlogical-op)
+
+function(hrbfnpr_compile target)
+  target_link_libraries(${target} PRIVATE hrbfnpr_options)
+  set_target_properties(${target} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON
+    CXX_EXTENSIONS OFF
+    CXX_VISIBILITY_PRESET hidden
+    C_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_options(${target} PRIVATE
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:${HRBFNPR_WARNINGS}>
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:${HRBFNPR_GCC_WARNINGS}>
+    $<$<BOOL:${HRBFNPR_WERROR}>:$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Werror>>)
+  hrbfnpr_instrument(${target})
+endfunction()
+
+# Sanitizers and coverage, for the library and for everything that links it.
+function(hrbfnpr_instrument target)
+  if(HRBFNPR_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${HRBFNPR_SANITIZE} -fno-omit-frame-pointer
+      -fno-sanitize-recover=all)
+    target_link_options(${target} PRIVATE -fsanitize=${HRBFNPR_SANITIZE})
+  endif()
+  if(HRBFNPR_COVERAGE)
+    target_compile_options(${target} PRIVATE --coverage -fprofile-update=atomic)
+    target_link_options(${target} PRIVATE --coverage)
+  endif()
+endfunction()

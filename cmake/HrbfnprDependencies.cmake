@@ -1,0 +1,11 @@
+# Header-only packages, used inside the library only: nothing of them is exported.
+find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+
+# GLM by its folder, not by Debian's glm::glm target, which injects -isystem /usr/include
+# and so breaks cross builds.
+find_path(HRBFNPR_GLM_INCLUDE_DIR glm/glm.hpp REQUIRED)
+mark_as_advanced(HRBFNPR_GLM_INCLUDE_DIR)
+
+if(HRBFNPR_OPENMP)
+  find_package(OpenMP REQUIRED COMPONENTS CXX)
+endif()

@@ -1,0 +1,33 @@
+# The rooms of the house (docs/design.md): each folder of src/ is an object library, so that a
+# test of one room links that room and the rooms below it, and nothing else.
+#
+#   hrbfnpr_room(fit DEPENDS implicit)     makes hrbfnpr_fit from src/fit/*.cpp
+#   hrbfnpr_link_room(some_test fit)       links it and all that it depends on
+
+function(hrbfnpr_room name)
+  cmake_parse_arguments(arg "" "FOLDER" "DEPENDS;SOURCES" ${ARGN})
+  if(NOT arg_FOLDER)
+    set(arg_FOLDER ${name})
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${arg_FOLDER}/*.cpp")
+  add_library(hrbfnpr_${name} OBJECT ${sources})
+  hrbfnpr_compile(hrbfnpr_${name})
+  set(closure ${name})
+  foreach(dependency IN LISTS arg_DEPENDS)
+    get_property(below GLOBAL PROPERTY HRBFNPR_ROOM_${dependency})
+    list(APPEND closure ${below})
+  endforeach()
+  list(REMOVE_DUPLICATES closure)
+  set_property(GLOBAL PROPERTY HRBFNPR_ROOM_${name} "${closure}")
+endfunction()
+
+function(hrbfnpr_link_room target room)
+  get_property(closure GLOBAL PROPERTY HRBFNPR_ROOM_${room})
+  foreach(name IN LISTS closure)
+    target_link_libraries(${target} PRIVATE hrbfnpr_${name})
+  endforeach()
+  target_link_libraries(${target} PRIVATE hrbfnpr_options)
+  if(HRBFNPR_OPENMP)
+    target_link_libraries(${target} PRIVATE OpenMP::OpenMP_CXX)
+  endif()
+endfunction()

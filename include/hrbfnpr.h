@@ -1,0 +1,1047 @@
+/*
+ * hrbfnpr.h: Hermite RBF implicit surfaces, drawn in pen and ink.
+ *
+ * A few point-and-normal samples become a smooth implicit surface; marks are
+ * placed on it; each frame draws the marks into a caller's image, or hands
+ * them over as vertex arrays.  The method is that of
+ *
+ *   Vital Brazil, Macedo, Sousa, Velho, de Figueiredo: "A Few Good Samples:
+ *   Shape & Tone Depiction for Hermite RBF Implicits", NPAR 2010,
+ *
+ * cited below as [NPAR] with a section number.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef HRBFNPR_H
+#define HRBFNPR_H
+
+#include <stdint.h>
+
+/*
+ * ==========================================================================
+ * 0  CONTRACTS that hold for every function below
+ * ==========================================================================
+ *
+ * Handles.  A handle is an opaque pointer.  A call that takes `const T*` may
+ *   run at the same time on several threads with the same handle; a call that
+ *   takes `T*` needs the handle for itself.  Exceptions are named where they
+ *   stand (retain, release and hrbfnpr_operation_cancel run on any thread).
+ *
+ * Ownership.  `_create`, `_fit`, `_generate` and `_load` return a handle with
+ *   one reference, `_retain` adds one, `_release` takes one away and accepts
+ *   NULL.  A child keeps what it needs of its parent alive, so handles may be
+ *   released in any order.  Input arrays are read during the call only; no
+ *   call keeps a pointer to caller memory unless it says so.  Nothing that
+ *   this library returns has to be freed by the caller.
+ *
+ * Descriptors.  A struct whose first field is `struct_size` is set up with
+ *   its `_init(desc, sizeof *desc)` function, which fills in every default.
+ *   Structs only ever grow at their end.  A shorter (older) struct gets the
+ *   defaults for the fields it lacks; a longer (newer) one is refused with
+ *   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
+ *   zero.  Output structs (`_info`) are filled up to their `struct_size`.
+ *   Fields named `reserved` must be zero.
+ *
+ * Failure.  Calls that can fail return a status and take, last, a nullable
+ *   hrbfnpr_error.  A failed call leaves caller's arrays and output structs
+ *   untouched, sets `*out_handle` to NULL, and says in the message which
+ *   argument was wrong, how, and what would be right.  No C++ exception, no
+ *   abort and no signal leaves the library; it prints nothing.  One
+ *   exception is stated: a CANCELLED or failed batch call (evaluate, project,
+ *   curvature) may already have written a part of its output arrays.
+ *
+ * Arrays.  Strides are in bytes and may be negative or larger than the
+ *   element; 0 means packed.  Elements need no alignment beyond one byte.
+ *   count * stride is checked for overflow before anything is touched.
+ *   Input and output arrays of one call must not overlap unless the call
+ *   says that they may.
+ *
+ * Geometry.  Frames are right-handed.  Matrices are column-major, 16 doubles,
+ *   and act on column vectors (OpenGL's layout).  Pixel (i, j) covers
+ *   [i, i+1) x [j, j+1), its centre at (i + 0.5, j + 0.5); j grows downward
+ *   from the first row that is given.  Lengths are in the unit of the caller's
+ *   samples unless a comment says pixels.  Normals point outward.  "Diagonal"
+ *   always means the length of the diagonal of the samples' bounding box.
+ *
+ * Determinism.  The same input gives the same bits for any thread count, with
+ *   or without a `run_tasks` hook, on one build and instruction set.
+ *
+ * Threads.  The library starts no thread but those of its OpenMP backend, and
+ *   none at all with thread_count 1 or with a `run_tasks` hook.  Callbacks run
+ *   only on the thread that entered the library, unless flagged thread-safe.
+ *   After fork() a child runs serially.  No call changes the caller's floating-
+ *   point state, locale or OpenMP settings.
+ *
+ * Callbacks.  A callback must return normally: it must not throw, longjmp, or
+ *   call back into the library with the same non-const handle.
+ */
+
+#if defined(_WIN32)
+#if defined(HRBFNPR_BUILD)
+#define HRBFNPR_API __declspec(dllexport)
+#elif defined(HRBFNPR_STATIC)
+#define HRBFNPR_API
+#else
+#define HRBFNPR_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define HRBFNPR_API __attribute__((visibility("default")))
+#else
+#define HRBFNPR_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * ==========================================================================
+ * 1  VERSION
+ * ==========================================================================
+ */
+
+/* The header's version.  HRBFNPR_ABI_VERSION is the number in the shared
+ * library's SONAME; it moves only when an existing binary would break. */
+enum {
+    HRBFNPR_VERSION_MAJOR = 0,
+    HRBFNPR_VERSION_MINOR = 1,
+    HRBFNPR_VERSION_PATCH = 0,
+    HRBFNPR_ABI_VERSION = 0
+};
+
+/* The library's version as major * 10000 + minor * 100 + patch. */
+HRBFNPR_API uint32_t hrbfnpr_version(void);
+
+/* The library's ABI version; compare it with HRBFNPR_ABI_VERSION. */
+HRBFNPR_API uint32_t hrbfnpr_abi_version(void);
+
+/* "major.minor.patch", static, UTF-8, never NULL. */
+HRBFNPR_API const char* hrbfnpr_version_string(void);
+
+/*
+ * ==========================================================================
+ * 2  STATUS AND ERRORS
+ * ==========================================================================
+ */
+
+/* 0 is success, negative numbers are failures; numbers are fixed for ever.
+ * Treat a number that is not in this list like INTERNAL. */
+typedef int32_t hrbfnpr_status;
+
+enum {
+    HRBFNPR_STATUS_OK = 0,
+    HRBFNPR_STATUS_INVALID_ARGUMENT = -1,   /* the message names the argument and the remedy */
+    HRBFNPR_STATUS_OUT_OF_MEMORY = -2,      /* the allocator said no */
+    HRBFNPR_STATUS_BUFFER_TOO_SMALL = -3,   /* the needed size has been written, nothing else */
+    HRBFNPR_STATUS_UNSUPPORTED_STRUCT = -4, /* struct_size too small, or an unknown tail is not zero */
+    HRBFNPR_STATUS_SINGULAR_SYSTEM = -5,    /* the fit has no (numerically) unique solution */
+    HRBFNPR_STATUS_NOT_CONVERGED = -6,      /* an iteration ended short of its goal */
+    HRBFNPR_STATUS_CANCELLED = -7,          /* by hrbfnpr_operation_cancel */
+    HRBFNPR_STATUS_IO = -8,                 /* a read or write callback failed */
+    HRBFNPR_STATUS_CORRUPT_DATA = -9,       /* a stream is not ours, truncated or damaged */
+    HRBFNPR_STATUS_VERSION_MISMATCH = -10,  /* a stream, or the caller's header, is too new */
+    HRBFNPR_STATUS_CALLBACK = -11,          /* a caller's callback returned non-zero */
+    HRBFNPR_STATUS_INTERNAL = -99           /* a bug in the library: please report it */
+};
+
+/* Name of a status, such as "INVALID_ARGUMENT"; "UNKNOWN" for a number that is
+ * not in the list.  Static, never NULL. */
+HRBFNPR_API const char* hrbfnpr_status_name(hrbfnpr_status status);
+
+/* A failure in words.  The caller owns it and sets struct_size (by
+ * hrbfnpr_error_init) before the first use; it can be used again and again.
+ * A successful call leaves it untouched. */
+typedef struct hrbfnpr_error {
+    uint32_t struct_size;
+    hrbfnpr_status status;
+    char message[248]; /* UTF-8, always terminated, cut at a character if too long */
+} hrbfnpr_error;
+
+/* Sets struct_size, OK and an empty message.
+ * INVALID_ARGUMENT if `error` is NULL, UNSUPPORTED_STRUCT if struct_size < 256. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t struct_size);
+
+/* What this build is, as one JSON object: version, abi, compiler,
+ * instruction_sets, thread_backend, dependencies.  Writes up to `capacity`
+ * bytes with a terminating zero; `*needed` (nullable) gets the bytes needed.
+ * BUFFER_TOO_SMALL writes nothing to `destination`.  destination may be NULL
+ * when capacity is 0. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed);
+
+/*
+ * ==========================================================================
+ * 3  VIEWS of caller's memory
+ * ==========================================================================
+ */
+
+enum {
+    HRBFNPR_SCALAR_FLOAT32 = 1,
+    HRBFNPR_SCALAR_FLOAT64 = 2,
+    HRBFNPR_SCALAR_UINT8 = 3,
+    HRBFNPR_SCALAR_UINT32 = 4
+};
+
+/* `count` elements of `components` scalars each, `stride` bytes apart.
+ * An array with data NULL and count 0 is "not given".  Never owns. */
+typedef struct hrbfnpr_array {
+    const void* data;
+    int64_t count;
+    int64_t stride;      /* bytes from one element to the next; 0 = packed; may be negative */
+    uint32_t scalar;     /* HRBFNPR_SCALAR_... */
+    uint32_t components; /* scalars in an element, packed side by side */
+} hrbfnpr_array;
+
+/* The same for memory that a call writes. */
+typedef struct hrbfnpr_array_out {
+    void* data;
+    int64_t count;
+    int64_t stride;
+    uint32_t scalar;
+    uint32_t components;
+} hrbfnpr_array_out;
+
+/* Byte order in memory; 8 bits a channel.  PREMULTIPLIED: colour times alpha. */
+enum {
+    HRBFNPR_FORMAT_RGBA8 = 1,
+    HRBFNPR_FORMAT_BGRA8 = 2,
+    HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED = 3,
+    HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4
+};
+
+/* An image of the caller's.  `pixels` is the top-left pixel, whatever the sign
+ * of row_stride; a bottom-up image passes its last row and a negative stride. */
+typedef struct hrbfnpr_image {
+    uint32_t struct_size;
+    uint32_t format; /* HRBFNPR_FORMAT_... */
+    int32_t width;   /* pixels, 1 .. 32768 */
+    int32_t height;
+    void* pixels;
+    int64_t row_stride; /* bytes from a row to the one below; 0 = packed; |row_stride| >= 4 * width */
+} hrbfnpr_image;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_image_init(hrbfnpr_image* image, uint32_t struct_size);
+
+/*
+ * ==========================================================================
+ * 4  CONTEXT: allocator, threads, log.  Everything else hangs on one.
+ * ==========================================================================
+ */
+
+typedef struct hrbfnpr_context hrbfnpr_context;
+
+/* Returns `size` bytes aligned to `alignment` (a power of two), or NULL.
+ * Called from any thread that runs the library's work. */
+typedef void* (*hrbfnpr_allocate_fn)(void* user, uint64_t size, uint64_t alignment);
+/* Gives back what allocate returned, with the same size and alignment. */
+typedef void (*hrbfnpr_deallocate_fn)(void* user, void* memory, uint64_t size, uint64_t alignment);
+
+enum { HRBFNPR_LOG_DEBUG = 0, HRBFNPR_LOG_INFO = 1, HRBFNPR_LOG_WARNING = 2 };
+
+/* Runs on the thread that entered the library.  `message` is UTF-8 and lives
+ * for the call only. */
+typedef void (*hrbfnpr_log_fn)(void* user, int32_t level, const char* message);
+
+/* One task of the library's: call it once for every index in [0, count). */
+typedef void (*hrbfnpr_task_fn)(void* task_context, int64_t index);
+/* The host's job runner: calls task(task_context, i) once for every
+ * i in [0, task_count), on any threads, in any order, and returns when all
+ * have ended.  It may be called again from inside a task's thread. */
+typedef void (*hrbfnpr_run_tasks_fn)(void* user, hrbfnpr_task_fn task, void* task_context,
+                                     int64_t task_count);
+
+/* Instruction sets, for `highest_instruction_set` and `instruction_set`. */
+enum {
+    HRBFNPR_INSTRUCTION_SET_AUTO = 0,     /* the best that build and processor have */
+    HRBFNPR_INSTRUCTION_SET_BASELINE = 1, /* what the library was compiled for */
+    HRBFNPR_INSTRUCTION_SET_AVX2 = 2,
+    HRBFNPR_INSTRUCTION_SET_AVX512 = 3,
+    HRBFNPR_INSTRUCTION_SET_NEON = 4
+};
+
+typedef struct hrbfnpr_context_desc {
+    uint32_t struct_size;
+    uint32_t abi_version;  /* _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
+    int32_t thread_count;  /* 0 = all processors (default), 1 = serial; at most 256 are used */
+    uint32_t flags;        /* must be 0 */
+    uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
+    uint32_t reserved;
+    hrbfnpr_allocate_fn allocate;     /* both or none; none = aligned operator new */
+    hrbfnpr_deallocate_fn deallocate;
+    void* allocator_user;
+    hrbfnpr_log_fn log; /* may be NULL */
+    void* log_user;
+    hrbfnpr_run_tasks_fn run_tasks; /* may be NULL: built-in OpenMP backend */
+    void* run_tasks_user;
+} hrbfnpr_context_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size);
+
+/* `desc` may be NULL for all defaults.  The callbacks and their user pointers
+ * must outlive the context and everything that was made from it. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc,
+                                                  hrbfnpr_context** out_context, hrbfnpr_error* error);
+HRBFNPR_API void hrbfnpr_context_retain(hrbfnpr_context* context);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_context_release(hrbfnpr_context* context); /* any thread; NULL is ignored */
+
+typedef struct hrbfnpr_context_info {
+    uint32_t struct_size;
+    int32_t thread_count;     /* threads that a large call will use */
+    uint32_t instruction_set; /* the one in use */
+    uint32_t reserved;
+    int64_t bytes_now;  /* allocated through this context at present */
+    int64_t bytes_peak; /* the most there ever were */
+} hrbfnpr_context_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_context_info_init(hrbfnpr_context_info* info, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context,
+                                                    hrbfnpr_context_info* info, hrbfnpr_error* error);
+
+/*
+ * ==========================================================================
+ * 5  OPERATION: progress and cancelling of one long call
+ * ==========================================================================
+ *
+ * Pass one to a long call; poll and cancel it from any thread.  It may serve
+ * one call at a time, and further calls one after the other: each resets the
+ * progress to 0.  A cancelled operation stays cancelled and makes each further
+ * call that it is passed to return CANCELLED at once.
+ */
+
+typedef struct hrbfnpr_operation hrbfnpr_operation;
+
+/* Runs on the thread that entered the long call, at irregular intervals, with
+ * a progress in [0,1] that never falls within a call.  Return 0 to go on,
+ * anything else to cancel (the call then returns CANCELLED). */
+typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context,
+                                                    hrbfnpr_operation** out_operation,
+                                                    hrbfnpr_error* error);
+HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation);
+/* Any thread, any time, more than once; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_operation_cancel(hrbfnpr_operation* operation);
+/* 1 after a cancel, else 0.  Any thread. */
+HRBFNPR_API int32_t hrbfnpr_operation_is_cancelled(const hrbfnpr_operation* operation);
+/* Progress of the call in [0,1].  Any thread. */
+HRBFNPR_API double hrbfnpr_operation_progress(const hrbfnpr_operation* operation);
+/* Not while a call that uses the operation runs.  `callback` NULL removes it. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation,
+                                                          hrbfnpr_progress_fn callback, void* user,
+                                                          hrbfnpr_error* error);
+
+/*
+ * Streams, for saving and loading.  Both run on the thread that entered.
+ */
+
+/* Writes all `size` bytes; returns 0, or anything else for failure (IO). */
+typedef int32_t (*hrbfnpr_write_fn)(void* user, const void* data, uint64_t size);
+/* Reads up to `size` bytes into `data` and returns how many, 0 at the end,
+ * negative for failure (IO). */
+typedef int64_t (*hrbfnpr_read_fn)(void* user, void* data, uint64_t size);
+
+/*
+ * ==========================================================================
+ * 6  MODEL: an implicit surface f = 0, immutable          [NPAR 4]
+ * ==========================================================================
+ */
+
+typedef struct hrbfnpr_model hrbfnpr_model;
+
+/* Radial functions phi(r) [NPAR 4.1]. */
+enum {
+    HRBFNPR_KERNEL_TRIHARMONIC = 0, /* r^3 (default); no parameter */
+    HRBFNPR_KERNEL_GAUSSIAN = 1,    /* exp(-r^2 / 2 radius^2) */
+    HRBFNPR_KERNEL_WENDLAND_C2 = 2, /* (1 - r/radius)^4_+ (4 r/radius + 1) */
+    HRBFNPR_KERNEL_CUSTOM = 3       /* reported for a model made by _create_custom */
+};
+
+enum {
+    HRBFNPR_SOLVER_AUTO = 0,
+    HRBFNPR_SOLVER_DIRECT = 1 /* dense factorisation; memory 128 N^2 bytes, time O(N^3) */
+};
+
+/* What to fit: N points with N outward normals.
+ *
+ * The fit is in double precision, in normalised coordinates (centred, mean
+ * sample spacing 1), whatever the caller's unit.  Accepted repairs, counted in
+ * hrbfnpr_model_info: normals that are not of unit length are normalised;
+ * samples that coincide (within 1e-9 diagonals) and agree in their normal
+ * (within 1 degree) are merged.  Samples that coincide and disagree are an
+ * INVALID_ARGUMENT that names both indices, as are NaN, infinity, zero
+ * normals, and an empty or mismatched array.  One sample is a plane. */
+typedef struct hrbfnpr_fit_desc {
+    uint32_t struct_size;
+    uint32_t kernel;         /* HRBFNPR_KERNEL_...; TRIHARMONIC */
+    hrbfnpr_array points;    /* N x 3, FLOAT32 or FLOAT64 */
+    hrbfnpr_array normals;   /* N x 3, FLOAT32 or FLOAT64, outward */
+    double kernel_radius;    /* sigma or rho, in units of the points; 0 = from the sample spacing */
+    int32_t polynomial_degree; /* -1 (none) .. 3; 1.  TRIHARMONIC is well-posed from 1 on
+                                  (Duchon 1977); below that a pivoted LU is tried. */
+    uint32_t solver;         /* HRBFNPR_SOLVER_...; AUTO */
+    double regularization;   /* >= 0; 0 interpolates.  Added to the diagonal of the system in
+                                coordinates whose diagonal is 1: larger is smoother */
+    double tolerance;        /* reserved for iterative solvers; 0 */
+    int64_t maximum_centres; /* more samples than this are an INVALID_ARGUMENT; 0 = as many as
+                                memory allows */
+    int32_t iteration_limit; /* steps of iterative refinement after a direct solve; 2 */
+    uint32_t reserved;
+} hrbfnpr_fit_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
+
+/* Fits f with f(x_i) = 0 and grad f(x_i) = n_i, so that f < 0 inside, f > 0
+ * outside and |grad f| is near 1 at the surface [NPAR 4.1, equations 1, 2].
+ * operation may be NULL.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY (the message gives the bytes),
+ * SINGULAR_SYSTEM, CANCELLED. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc,
+                                             hrbfnpr_operation* operation, hrbfnpr_model** out_model,
+                                             hrbfnpr_error* error);
+
+/* Evaluates the caller's implicit at `count` points (packed x,y,z doubles).
+ * Fills `value` (count), and, where the pointer is not NULL, `gradient`
+ * (count x 3) and `hessian` (count x 6: xx xy xz yy yz zz).  Returns 0, or
+ * anything else to fail the whole call with CALLBACK. */
+typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* points, double* value,
+                                       double* gradient, double* hessian);
+
+enum {
+    HRBFNPR_CUSTOM_HAS_GRADIENT = 1, /* else gradient is always NULL and differenced */
+    HRBFNPR_CUSTOM_HAS_HESSIAN = 2,  /* else hessian is always NULL and differenced */
+    HRBFNPR_CUSTOM_THREAD_SAFE = 4   /* may be called from several threads at once */
+};
+
+/* Any implicit function in place of a fit: every operator below works on it
+ * [NPAR 8].  It should be negative inside and of a gradient near 1 at the
+ * surface; it must be finite inside twice the bounds. */
+typedef struct hrbfnpr_custom_desc {
+    uint32_t struct_size;
+    uint32_t flags; /* HRBFNPR_CUSTOM_..., or-ed; 0 */
+    hrbfnpr_implicit_fn function;
+    void* user;
+    void (*release)(void* user); /* may be NULL; called once, with the last reference, on the
+                                    thread that releases it; not called when creation fails */
+    double bounds_min[3];        /* the box that the surface lies in */
+    double bounds_max[3];
+    double difference_step;      /* for differences; 0 = 1e-4 (Hessian 1e-3) of the diagonal */
+} hrbfnpr_custom_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context,
+                                                       const hrbfnpr_custom_desc* desc,
+                                                       hrbfnpr_model** out_model, hrbfnpr_error* error);
+
+HRBFNPR_API void hrbfnpr_model_retain(const hrbfnpr_model* model);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_model_release(const hrbfnpr_model* model); /* any thread; NULL is ignored */
+
+typedef struct hrbfnpr_model_info {
+    uint32_t struct_size;
+    uint32_t kernel;
+    int32_t polynomial_degree;
+    uint32_t solver;          /* the one used */
+    int64_t samples;          /* as given */
+    int64_t centres;          /* after merging */
+    int64_t merged_samples;   /* samples that were merged into another */
+    int64_t rescaled_normals; /* normals whose length was off 1 by more than 1e-4 */
+    double bounds_min[3];     /* of the samples */
+    double bounds_max[3];
+    double spacing;           /* mean distance of a sample to its nearest neighbour */
+    double kernel_radius;     /* as used */
+    double regularization;
+    double value_residual_max;    /* max |f(x_i)|, in units of the points */
+    double value_residual_rms;
+    double gradient_residual_max; /* max |grad f(x_i) - n_i| */
+    double gradient_residual_rms;
+    double solver_residual;       /* relative residual of the linear system, 2-norm */
+    double condition_estimate;    /* 1-norm, of the factored matrix */
+    int32_t iterations;           /* refinement steps taken */
+    uint32_t fallback;            /* 1: the matrix was not definite and a pivoted LU was used */
+    double seconds_assemble;
+    double seconds_solve;
+    double seconds_total;
+    int64_t bytes; /* kept by the model */
+} hrbfnpr_model_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info,
+                                                  hrbfnpr_error* error);
+
+enum {
+    HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, /* the centres, FLOAT64 x 3 */
+    HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1    /* their unit normals, FLOAT64 x 3 */
+};
+
+/* A zero-copy view of the merged samples, valid while the model lives.
+ * Empty for a custom model. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32_t attribute,
+                                              hrbfnpr_array* out_view, hrbfnpr_error* error);
+
+/* f, grad f and the Hessian at n points.
+ * points:   n x 3, FLOAT32 or FLOAT64, finite.
+ * value:    n x 1, gradient: n x 3, hessian: n x 6 (xx xy xz yy yz zz), each
+ *           FLOAT32 or FLOAT64, or NULL.  At a sample the Hessian leaves out
+ *           that sample's own (direction-dependent, zero-mean) term. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_array* points,
+                                                  const hrbfnpr_array_out* value,
+                                                  const hrbfnpr_array_out* gradient,
+                                                  const hrbfnpr_array_out* hessian,
+                                                  hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+enum {
+    HRBFNPR_PROJECTION_CONVERGED = 0,
+    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* iteration limit, or no step lowers f^2 */
+    HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, /* stuck at a critical point off the surface */
+    HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient was not finite */
+};
+
+typedef struct hrbfnpr_project_desc {
+    uint32_t struct_size;
+    int32_t iteration_limit; /* evaluations per point, 1 .. 1000; 50 */
+    double tolerance;        /* stop when |f| / |grad f| <= tolerance * diagonal; 1e-9 */
+    double armijo_slope;     /* sigma in (0, 0.5); 1e-4 */
+    double armijo_factor;    /* beta in (0, 1); 0.5 */
+} hrbfnpr_project_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size);
+
+/* Projects n points on the surface by steepest descent on f^2 with Armijo's
+ * rule, first step f^2's Newton step along the gradient [NPAR 4.2].
+ * desc may be NULL.  position and normal (the unit gradient): n x 3, FLOAT32
+ * or FLOAT64, or NULL; status: n x 1, UINT8 or UINT32 (HRBFNPR_PROJECTION_...),
+ * or NULL; converged (nullable) gets the number that converged.
+ * A point that fails keeps its last iterate.  position may be points itself. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
+                                                 const hrbfnpr_project_desc* desc,
+                                                 const hrbfnpr_array_out* position,
+                                                 const hrbfnpr_array_out* normal,
+                                                 const hrbfnpr_array_out* status, int64_t* converged,
+                                                 hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+/* Principal curvatures and directions of the level set through each of n
+ * points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
+ * G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
+ * from its normal (a sphere with outward normals) has negative curvature,
+ * -1/radius.  d1, d2: unit, orthogonal, tangent, of arbitrary sign.
+ * confidence = (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal) clamped to [0,1]:
+ * 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
+ * k1, k2, confidence: n x 1; d1, d2: n x 3; FLOAT32 or FLOAT64; each or NULL.
+ * Where the gradient vanishes all of them are 0. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
+                                                   const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2,
+                                                   const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
+                                                   const hrbfnpr_array_out* confidence,
+                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+/* Saving and loading.  The stream is little-endian, versioned and checksummed;
+ * a loaded model evaluates to the same bits.  A custom model cannot be saved
+ * (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
+ * that is too small is BUFFER_TOO_SMALL and writes nothing else. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write,
+                                              void* user, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* destination,
+                                                     int64_t capacity, int64_t* size,
+                                                     hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
+                                              hrbfnpr_model** out_model, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* data,
+                                                     int64_t size, hrbfnpr_model** out_model,
+                                                     hrbfnpr_error* error);
+
+/*
+ * ==========================================================================
+ * 7  POINT SET: marks on a surface, immutable            [NPAR 4.2, 5]
+ * ==========================================================================
+ */
+
+typedef struct hrbfnpr_point_set hrbfnpr_point_set;
+
+/* The three groups of marks [NPAR 5]. */
+enum {
+    HRBFNPR_GROUP_STIPPLE = 0,   /* scattered marks */
+    HRBFNPR_GROUP_CURVATURE = 1, /* strokes along d1 (set 0) and d2 (set 1) */
+    HRBFNPR_GROUP_COMBING = 2,   /* strokes along Stark's two directions, r (set 0), u (set 1) */
+    HRBFNPR_GROUP_COUNT = 3
+};
+
+enum {
+    /* Stipples evenly spread over the area in a progressive order, each prefix
+     * of which is evenly spread; strokes start from such points and are shown
+     * whole.  The default. */
+    HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0,
+    /* The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
+     * drawn independently at random [NPAR 5, 6.2]. */
+    HRBFNPR_DISTRIBUTION_PAPER = 1
+};
+
+enum {
+    HRBFNPR_SEED_AUTO = 0,    /* SAMPLES if the model has well-spread ones, else BOX */
+    HRBFNPR_SEED_SAMPLES = 1, /* the model's samples; INVALID_ARGUMENT for a custom model */
+    HRBFNPR_SEED_BOX = 2,     /* jittered grid in the bounds, projected */
+    HRBFNPR_SEED_POINTS = 3   /* seed_points, projected */
+};
+
+enum {
+    HRBFNPR_GROUP_SEED_SEEDS = 0,   /* a group starts from the seeds */
+    HRBFNPR_GROUP_SEED_STIPPLES = 1 /* ... from the stipples up to level seed_level */
+};
+
+/* How one group grows. */
+typedef struct hrbfnpr_group_desc {
+    int32_t levels;      /* refinement steps, 0 .. 12.  PAPER: stipples 4, strokes 3.  BLUE_NOISE
+                            ignores it for stipples; a stroke has 3^levels marks */
+    uint32_t seeds;      /* HRBFNPR_GROUP_SEED_...; PAPER only, not for STIPPLE */
+    int32_t seed_level;  /* with _STIPPLES: the last stippling level used; 0 */
+    uint32_t reserved;
+    int64_t budget;      /* the most marks; 0 = no limit for PAPER, 40000 for BLUE_NOISE.  PAPER
+                            thins the level that exceeds it at random and stops there */
+} hrbfnpr_group_desc;
+
+enum {
+    HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES = 1, /* fill CURVATURE for stipples too */
+    HRBFNPR_GENERATE_CURVATURE_OF_COMBING = 2   /* ... and for combing marks */
+};
+
+typedef struct hrbfnpr_generate_desc {
+    uint32_t struct_size;
+    uint32_t groups;         /* bit (1 << HRBFNPR_GROUP_...) each; 1 (stipples only) */
+    uint32_t distribution;   /* HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
+    uint32_t seed_source;    /* HRBFNPR_SEED_...; AUTO */
+    uint32_t flags;          /* HRBFNPR_GENERATE_...; 0 */
+    uint32_t box_resolution; /* R: cells along the longest side, 1 .. 256; 8 [NPAR 4.2] */
+    double box_jitter;       /* alpha: in cell sides, 0 .. 0.5; 0.25 */
+    double initial_step;     /* rho_0; 0 = voxel diameter for BOX, mean empty-ball diameter of the
+                                seeds for others [NPAR 5.1].  BLUE_NOISE: the length of a
+                                stroke is 3 initial_step; 0 = 2.5 % of the diagonal */
+    double projection_tolerance; /* as in hrbfnpr_project_desc; 1e-7 */
+    uint64_t random_seed;    /* any number; 1 */
+    hrbfnpr_array seed_points; /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
+    hrbfnpr_group_desc group[3];
+} hrbfnpr_generate_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint32_t struct_size);
+
+/* Places marks on the surface.  desc may be NULL, operation may be NULL.
+ * Marks whose projection fails or strays are dropped and counted in the info;
+ * a set whose seeds are all dropped is an error (NOT_CONVERGED).
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, NOT_CONVERGED, CANCELLED, CALLBACK. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, const hrbfnpr_model* model,
+                                                      const hrbfnpr_generate_desc* desc,
+                                                      hrbfnpr_operation* operation,
+                                                      hrbfnpr_point_set** out_point_set,
+                                                      hrbfnpr_error* error);
+
+/* What is known of each mark, per group. */
+enum {
+    HRBFNPR_ATTRIBUTE_POSITION = 0,  /* FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin */
+    HRBFNPR_ATTRIBUTE_NORMAL = 1,    /* FLOAT32 x 3, unit, outward */
+    HRBFNPR_ATTRIBUTE_DIRECTION = 2, /* FLOAT32 x 3, unit, tangent: along the stroke; for a stipple
+                                        the u of its basis [NPAR 5.2] */
+    HRBFNPR_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
+    HRBFNPR_ATTRIBUTE_RANK = 4,      /* FLOAT32: the u of [NPAR 6.2], uniform in [0,1): a mark is
+                                        shown where u >= tau */
+    HRBFNPR_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed it, 0 = a seed */
+    HRBFNPR_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: stroke (2 * seed + set), and the mark's place
+                                        along it, 0 .. 3^levels - 1, the seed in the middle; for a
+                                        stipple its seed and 0 */
+    HRBFNPR_ATTRIBUTE_COUNT = 7
+};
+
+/* A group of ready-made marks.  position and normal are needed; the others may
+ * be left empty: direction = stipple basis, rank = random, level = 0, stroke =
+ * one for each mark, curvature = absent.  Types and components as in the list
+ * above, FLOAT64 accepted for FLOAT32. */
+typedef struct hrbfnpr_group_arrays {
+    hrbfnpr_array position; /* absolute, not relative to an origin */
+    hrbfnpr_array normal;
+    hrbfnpr_array direction;
+    hrbfnpr_array curvature;
+    hrbfnpr_array rank;
+    hrbfnpr_array level;
+    hrbfnpr_array stroke;
+} hrbfnpr_group_arrays;
+
+typedef struct hrbfnpr_point_set_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    uint64_t random_seed; /* for ranks that are not given; 1 */
+    hrbfnpr_group_arrays group[3];
+} hrbfnpr_point_set_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_t struct_size);
+/* Marks from the caller's arrays (copied).  Errors: INVALID_ARGUMENT naming
+ * the array and the index, OUT_OF_MEMORY. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_create_from_arrays(hrbfnpr_context* context,
+                                                                const hrbfnpr_point_set_desc* desc,
+                                                                hrbfnpr_point_set** out_point_set,
+                                                                hrbfnpr_error* error);
+
+HRBFNPR_API void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);  /* any thread */
+HRBFNPR_API void hrbfnpr_point_set_release(const hrbfnpr_point_set* set); /* any thread */
+
+/* What became of one level's candidates: attempted = placed + all dropped. */
+typedef struct hrbfnpr_level_info {
+    int64_t attempted;
+    int64_t placed;
+    int64_t dropped_not_converged; /* projection ended short of the tolerance */
+    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step */
+    int64_t dropped_degenerate;    /* zero gradient or not finite */
+    int64_t dropped_budget;        /* over the group's budget */
+} hrbfnpr_level_info;
+
+typedef struct hrbfnpr_group_info {
+    int64_t count;         /* marks in the group */
+    int64_t strokes;       /* strokes in the group; 0 for stipples */
+    int64_t full_count;    /* what the counts would be if nothing had been dropped (PAPER) */
+    int32_t levels;        /* refinement steps taken */
+    uint32_t reserved;
+    double step;           /* initial step rho_0 used */
+    double seconds;
+    hrbfnpr_level_info level[13];
+} hrbfnpr_group_info;
+
+typedef struct hrbfnpr_point_set_info {
+    uint32_t struct_size;
+    uint32_t distribution;
+    uint32_t seed_source;   /* the one used */
+    uint32_t reserved;
+    double origin[3];       /* add to POSITION */
+    double bounds_min[3];   /* of all marks, absolute */
+    double bounds_max[3];
+    double spacing;         /* sqrt(area per mark) of the largest group, estimated: what a frame
+                               uses as the size of a mark's piece of surface */
+    double seconds_seeds;
+    double seconds_total;
+    int64_t bytes;          /* kept by the set */
+    hrbfnpr_level_info seeds;
+    hrbfnpr_group_info group[3];
+} hrbfnpr_point_set_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_info_init(hrbfnpr_point_set_info* info, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set,
+                                                      hrbfnpr_point_set_info* info, hrbfnpr_error* error);
+
+/* A zero-copy view of one attribute of one group, valid while the set lives.
+ * An empty group, or CURVATURE where it was not generated, gives count 0. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, uint32_t group,
+                                                  uint32_t attribute, hrbfnpr_array* out_view,
+                                                  hrbfnpr_error* error);
+
+/* The visual feedback for choosing the initial step [NPAR 5.1, Figure 5]:
+ * `patch_count` squares of side 2 * initial_step in tangent planes of randomly
+ * chosen seeds.  corners: patch_count x 12 (four corners, counter-clockwise
+ * seen from outside), FLOAT32 or FLOAT64, absolute.  The seeds and, if
+ * desc->initial_step is 0, the estimate are those that _generate with the same
+ * desc would use; *step (nullable) gets the step.  desc may be NULL. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context,
+                                                          const hrbfnpr_model* model,
+                                                          const hrbfnpr_generate_desc* desc,
+                                                          const hrbfnpr_array_out* corners, double* step,
+                                                          hrbfnpr_operation* operation,
+                                                          hrbfnpr_error* error);
+
+/* As for models. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_write_fn write,
+                                                  void* user, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_save_memory(const hrbfnpr_point_set* set, void* destination,
+                                                         int64_t capacity, int64_t* size,
+                                                         hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read,
+                                                  void* user, hrbfnpr_point_set** out_point_set,
+                                                  hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data,
+                                                         int64_t size, hrbfnpr_point_set** out_point_set,
+                                                         hrbfnpr_error* error);
+
+/*
+ * ==========================================================================
+ * 8  CAMERA AND STYLE: plain data
+ * ==========================================================================
+ */
+
+/* Range of window depth from near to far plane. */
+enum {
+    HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE = 0, /* clip space of OpenGL; written depth is 0 .. 1 */
+    HRBFNPR_DEPTH_ZERO_TO_ONE = 1,         /* Direct3D, Vulkan, Metal */
+    HRBFNPR_DEPTH_REVERSED = 2             /* 1 at the near plane, 0 at the far plane */
+};
+
+typedef struct hrbfnpr_camera {
+    uint32_t struct_size;
+    uint32_t depth_convention; /* HRBFNPR_DEPTH_...; of `projection` and of depth buffers */
+    double view[16];           /* world to eye, column-major; the eye looks along -z */
+    double projection[16];     /* eye to clip */
+    double viewport[4];        /* x, y of the top-left corner, width, height, in pixels */
+} hrbfnpr_camera;
+
+/* Identity matrices, viewport 0 x 0 (which _prepare refuses). */
+HRBFNPR_API hrbfnpr_status hrbfnpr_camera_init(hrbfnpr_camera* camera, uint32_t struct_size);
+/* Sets `view`: from eye towards target, up roughly along `up`; 3 doubles each.
+ * INVALID_ARGUMENT if eye = target or up is parallel to the view. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_camera_look_at(hrbfnpr_camera* camera, const double* eye,
+                                                  const double* target, const double* up,
+                                                  hrbfnpr_error* error);
+/* Sets `projection` and the viewport's size.  vertical_angle in radians, in
+ * (0, pi); 0 < near_plane < far_plane. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle,
+                                                      double width, double height, double near_plane,
+                                                      double far_plane, hrbfnpr_error* error);
+/* Sets `projection` and the viewport's size; `view_height` is the height of
+ * the visible slab in world units; near_plane < far_plane, either sign. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_height,
+                                                       double width, double height, double near_plane,
+                                                       double far_plane, hrbfnpr_error* error);
+/* Sets view, projection and viewport so that the box fills the picture but for
+ * `margin` (share of the picture on each side, 0 .. 0.45), seen along
+ * `direction` (from the eye into the scene).  vertical_angle 0 = orthographic. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* bounds_min,
+                                                     const double* bounds_max, const double* direction,
+                                                     const double* up, double vertical_angle,
+                                                     double width, double height, double margin,
+                                                     hrbfnpr_error* error);
+
+enum {
+    HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, /* painted over by paper, layer by layer [NPAR 6.1] */
+    HRBFNPR_HIDDEN_LINES_HIDE = 1,      /* marks behind a nearer sheet are not drawn */
+    HRBFNPR_HIDDEN_LINES_SHOW = 2       /* nothing is painted over (lambda = 0) */
+};
+
+enum {
+    HRBFNPR_TONE_NONE = 0,    /* tau = 0: all front marks are shown */
+    HRBFNPR_TONE_LIGHT = 1,   /* tau = max(0, n . l)^tone_exponent [NPAR 6.2] */
+    HRBFNPR_TONE_CALLBACK = 2 /* tau from tone_function */
+};
+
+enum {
+    /* A front mark is shown if u >= 1 - (1 - tau) * tau_d * scale * share: all effects thin
+     * one and the same order of marks, so that a blue-noise order stays one. */
+    HRBFNPR_TONE_RULE_SHARE = 0,
+    /* As published, test by test: u >= tau, u < tau_d, u < scale, u < share. */
+    HRBFNPR_TONE_RULE_PAPER = 1
+};
+
+enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
+
+/* Any illumination model: fills tau (count, 1 = light, 0 = dark; clamped to
+ * [0,1], NaN is CALLBACK) from world positions and unit normals (count x 3
+ * each).  Runs on the thread that called _prepare.  Non-zero fails it. */
+typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions,
+                                   const float* normals, float* tau);
+
+/* One group's ink.  Colours are straight RGBA in [0,1], sRGB-encoded. */
+typedef struct hrbfnpr_group_style {
+    uint32_t shown; /* 1 or 0: whether front marks of the group are drawn */
+    uint32_t sets;  /* bit 0: first directions, bit 1: second; 3 */
+    float share;    /* 0 .. 1: share of the group's marks that is used at all; 1 */
+    float radius;   /* of a mark, pixels, > 0 */
+    float radius_zoom; /* 0: radius is in pixels at any zoom; 1: grows with the zoom; between */
+    float ink[4];
+} hrbfnpr_group_style;
+
+typedef struct hrbfnpr_style {
+    uint32_t struct_size;
+    uint32_t hidden_lines;       /* HRBFNPR_HIDDEN_LINES_...; ATTENUATE */
+    double silhouette_threshold; /* delta in (0,1): front n.v < -delta, back n.v > delta, else
+                                    silhouette, v from the camera to the mark [NPAR 6]; 0.2 */
+    double attenuation_front;    /* lambda of alpha_f = nu^2 lambda; 1 */
+    double attenuation_back;     /* lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1 */
+    float cover_radius;          /* of the paper that front marks paint, pixels; 0 = from the
+                                    marks' spacing on the screen */
+    float halo_width;            /* how much wider the paper of back marks is, pixels; 2 */
+    float cover_layers;          /* n > 0: a sheet is as opaque as n overlapping marks of opacity alpha,
+                                    1 - (1 - alpha)^n, whatever the marks' density and the zoom; 0: each
+                                    mark paints with alpha itself, as published; 8 */
+    uint32_t reserved;
+    uint32_t tone;               /* HRBFNPR_TONE_...; LIGHT */
+    uint32_t tone_rule;          /* HRBFNPR_TONE_RULE_...; SHARE */
+    uint32_t light_space;        /* HRBFNPR_LIGHT_...; CAMERA */
+    uint32_t silhouette_groups;  /* groups whose silhouette marks are drawn, bit (1 << group); 7 */
+    double light[3];             /* towards the light, normalised on use; (-0.4, 0.6, 0.7) */
+    double tone_exponent;        /* lambda of the tone law, > 0; 1 */
+    hrbfnpr_tone_fn tone_function; /* for CALLBACK */
+    void* tone_user;
+    double depth_min;  /* distance from the camera where depth attenuation starts, > 0 */
+    double depth_max;  /* ... and where nothing is shown any more; 0 and 0 = off (default) */
+    double zoom_reference; /* pixels per world unit at which marks are shown in full; 0 = off.
+                              Below it the chance to be shown is scale = zoom^zoom_exponent,
+                              exponential in the zoom level ln zoom; the area of the paper
+                              of back marks scales alike [NPAR 6.2] */
+    double zoom_exponent;  /* >= 0; 2 keeps the ink per area */
+    float paper[4];        /* straight RGBA; alpha 0 = transparent; white */
+    float silhouette_ink[4];
+    float silhouette_radius;      /* pixels; 1 */
+    float silhouette_radius_zoom; /* as radius_zoom; 0 */
+    hrbfnpr_group_style group[3];
+} hrbfnpr_style;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
+
+/* Named styles.  Each is a full set of fields that a caller goes on changing.
+ * generate_groups: which groups of marks the style needs, as for
+ * hrbfnpr_generate_desc.groups. */
+enum {
+    HRBFNPR_STYLE_STIPPLE = 0,             /* stipples by light, no contours */
+    HRBFNPR_STYLE_HATCH = 1,               /* second principal direction by light, contours */
+    HRBFNPR_STYLE_CROSS_HATCH = 2,         /* both principal directions by light, contours */
+    HRBFNPR_STYLE_COMBING = 3,             /* combing strokes by light, contours */
+    HRBFNPR_STYLE_SILHOUETTE = 4,          /* contours only, hidden ones attenuated */
+    HRBFNPR_STYLE_CONTOUR_AND_STIPPLE = 5, /* contours and stipples */
+    HRBFNPR_STYLE_XRAY = 6,                /* contours only, hidden ones shown */
+    HRBFNPR_STYLE_FULL = 7,                /* stipples, cross hatching, contours and halo: Figure 1 (e) */
+    HRBFNPR_STYLE_COUNT = 8
+};
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size,
+                                                     uint32_t preset, uint32_t* generate_groups,
+                                                     hrbfnpr_error* error);
+/* "stipple", "hatch", "cross-hatch", ...; NULL for a number out of range. */
+HRBFNPR_API const char* hrbfnpr_style_preset_name(uint32_t preset);
+
+/*
+ * ==========================================================================
+ * 9  RENDERER: scratch of one thread                     [NPAR 6]
+ * ==========================================================================
+ */
+
+typedef struct hrbfnpr_renderer hrbfnpr_renderer;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer,
+                                                   hrbfnpr_error* error);
+HRBFNPR_API void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
+
+/* One thing to draw.  Everything it points to is read during _prepare only,
+ * but the point set is retained until the next _prepare or release. */
+typedef struct hrbfnpr_item {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const hrbfnpr_point_set* point_set;
+    const hrbfnpr_style* style; /* NULL = default style */
+    double transform[16];       /* object to world, column-major, affine, invertible */
+} hrbfnpr_item;
+
+/* NULL pointers and the identity transform. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
+
+/* What a frame did. */
+typedef struct hrbfnpr_frame_info {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t marks;       /* in all items, of the groups that the styles use */
+    int64_t outside;     /* outside the frustum */
+    int64_t front;       /* of those inside: by class */
+    int64_t back;
+    int64_t silhouette;
+    int64_t shown;         /* drawn as ink */
+    int64_t dropped_tone;  /* front marks not shown because of light or share */
+    int64_t dropped_depth; /* front and silhouette marks not shown because of depth attenuation */
+    int64_t dropped_zoom;  /* front marks not shown because of tone scaling */
+    int64_t dropped_hidden; /* marks not drawn with HIDDEN_LINES_HIDE */
+    int64_t painted;       /* discs of paper */
+    int64_t nanoseconds_classify; /* transform, classify, tone */
+    int64_t nanoseconds_visibility;
+    int64_t nanoseconds_sort;
+    int64_t nanoseconds_draw; /* the last _draw_image; 0 in _prepare's own info */
+    int64_t scratch_bytes;
+} hrbfnpr_frame_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_frame_info_init(hrbfnpr_frame_info* info, uint32_t struct_size);
+
+/* Classifies, shades and orders the marks of `item_count` items (items are
+ * `item_stride` bytes apart, 0 = packed by the first one's struct_size) for
+ * one camera.  info may be NULL.  Styles of one frame must have the same
+ * paper; INVALID_ARGUMENT otherwise. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_prepare(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
+                                                    int64_t item_count, int64_t item_stride,
+                                                    const hrbfnpr_camera* camera,
+                                                    hrbfnpr_frame_info* info, hrbfnpr_error* error);
+
+enum {
+    HRBFNPR_DRAW_OVER = 1 /* lay the drawing over the image's contents instead of replacing them
+                             inside the viewport; wants a style with transparent paper */
+};
+
+/* Class of what is nearest at a pixel, in class outputs and vertices. */
+enum {
+    HRBFNPR_CLASS_NONE = 0,
+    HRBFNPR_CLASS_FRONT = 1,
+    HRBFNPR_CLASS_BACK = 2,
+    HRBFNPR_CLASS_SILHOUETTE = 3
+};
+
+/* Optional inputs and outputs of _draw_image: width * height elements of one
+ * component each, row by row from the top-left pixel of the image, stride
+ * between elements as in every array.  Data NULL and count 0 = not wanted. */
+typedef struct hrbfnpr_draw_desc {
+    uint32_t struct_size;
+    uint32_t flags;           /* HRBFNPR_DRAW_...; 0 */
+    hrbfnpr_array host_depth; /* FLOAT32, camera's convention: marks behind it are not drawn */
+    hrbfnpr_array_out depth;  /* FLOAT32, camera's convention: the nearest surface, the far plane
+                                 where there is none */
+    hrbfnpr_array_out id;     /* UINT32: 1 + running number of the nearest drawn mark, counted over
+                                 items and groups in order; 0 = none */
+    hrbfnpr_array_out class_; /* UINT8 or UINT32: HRBFNPR_CLASS_... of that mark */
+} hrbfnpr_draw_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_draw_desc_init(hrbfnpr_draw_desc* desc, uint32_t struct_size);
+
+/* Draws the prepared frame.  The viewport (clipped to the image) is filled
+ * with paper and marks far to near; pixels outside it are not touched.
+ * desc may be NULL.  May be called again, also with other images.
+ * INVALID_ARGUMENT before the first _prepare. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw_image(hrbfnpr_renderer* renderer, const hrbfnpr_image* image,
+                                                       const hrbfnpr_draw_desc* desc, hrbfnpr_error* error);
+
+/* Info of the last _prepare and _draw_image. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_get_info(const hrbfnpr_renderer* renderer,
+                                                     hrbfnpr_frame_info* info, hrbfnpr_error* error);
+
+/* What a vertex can carry, and the types it can have. */
+enum {
+    HRBFNPR_VERTEX_POSITION = 0,  /* world, FLOAT32 x 3 */
+    HRBFNPR_VERTEX_WINDOW = 1,    /* pixel x, pixel y, depth; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_RADIUS = 2,    /* pixels; FLOAT32 */
+    HRBFNPR_VERTEX_COLOR = 3,     /* straight RGBA; FLOAT32 x 4, or UINT8 x 4 */
+    HRBFNPR_VERTEX_NORMAL = 4,    /* world, unit; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_DIRECTION = 5, /* world, unit; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ID = 6,        /* as in hrbfnpr_draw_desc; UINT32 */
+    HRBFNPR_VERTEX_CLASS = 7,     /* HRBFNPR_CLASS_...; UINT8 or UINT32 */
+    HRBFNPR_VERTEX_IS_PAPER = 8,  /* 1 = a disc of paper, 0 = ink; UINT8 or UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_COUNT = 9
+};
+
+typedef struct hrbfnpr_vertex_attribute {
+    uint32_t attribute; /* HRBFNPR_VERTEX_... */
+    uint32_t scalar;    /* HRBFNPR_SCALAR_... */
+    uint32_t offset;    /* bytes from the start of the vertex */
+    uint32_t reserved;
+} hrbfnpr_vertex_attribute;
+
+typedef struct hrbfnpr_vertex_layout {
+    uint32_t struct_size;
+    uint32_t attribute_count; /* 1 .. 16 */
+    int64_t stride;           /* bytes of a vertex; 0 = up to the end of its last attribute */
+    hrbfnpr_vertex_attribute attributes[16];
+} hrbfnpr_vertex_layout;
+
+/* No attributes. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint32_t struct_size);
+
+/* How many vertices the prepared frame has. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_vertex_bound(const hrbfnpr_renderer* renderer, int64_t* count,
+                                                         hrbfnpr_error* error);
+
+/* Writes the prepared frame as points, far to near: discs of paper and of ink.
+ * A host that paints them in this order as round anti-aliased points with
+ * ordinary "source over" blending gets the picture of _draw_image (without
+ * its host_depth).  With transparent paper, the discs of paper must erase:
+ * destination times (1 - alpha).  `capacity` is in vertices; *count gets the number written,
+ * or needed with BUFFER_TOO_SMALL. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_write_vertices(const hrbfnpr_renderer* renderer,
+                                                           const hrbfnpr_vertex_layout* layout,
+                                                           void* destination, int64_t capacity,
+                                                           int64_t* count, hrbfnpr_error* error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* HRBFNPR_H */

@@ -1,0 +1,36 @@
+// The floating-point state: the library computes with the default one (round to
+// nearest, subnormals kept, nothing trapped) and gives the caller's back.
+#pragma once
+
+#include <cfenv>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace hrbfnpr::base {
+
+class FpGuard {
+public:
+#if defined(__SSE2__)
+    static constexpr unsigned default_state = 0x1F80U; // all exceptions masked, nearest, no FTZ, no DAZ
+    FpGuard() noexcept : saved_(_mm_getcsr()) { _mm_setcsr(default_state); }
+    ~FpGuard() { _mm_setcsr(saved_); }
+#else
+    FpGuard() noexcept {
+        std::fegetenv(&saved_);
+        std::fesetenv(FE_DFL_ENV);
+    }
+    ~FpGuard() { std::fesetenv(&saved_); }
+#endif
+    FpGuard(const FpGuard&) = delete;
+    FpGuard& operator=(const FpGuard&) = delete;
+
+private:
+#if defined(__SSE2__)
+    unsigned saved_;
+#else
+    std::fenv_t saved_;
+#endif
+};
+
+} // namespace hrbfnpr::base

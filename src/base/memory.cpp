@@ -1,0 +1,42 @@
+#include "base/memory.h"
+
+#include <new>
+
+namespace hrbfnpr::base {
+namespace {
+
+void* default_allocate(void* /*user*/, std::uint64_t size, std::uint64_t alignment) {
+    return ::operator new (size, std::align_val_t{alignment}, std::nothrow);
+}
+
+void default_deallocate(void* /*user*/, void* memory, std::uint64_t /*size*/, std::uint64_t alignment) {
+    ::operator delete (memory, std::align_val_t{alignment});
+}
+
+} // namespace
+
+Memory::Memory() noexcept : Memory(nullptr, nullptr, nullptr) {}
+
+Memory::Memory(AllocateFn allocate, DeallocateFn deallocate, void* user) noexcept
+    : allocate_(allocate != nullptr ? allocate : default_allocate),
+      deallocate_(deallocate != nullptr ? deallocate : default_deallocate), user_(user) {}
+
+void* Memory::allocate(std::uint64_t size) {
+    void* memory = allocate_(user_, size, alignment);
+    if (memory == nullptr)
+        fail(Status::out_of_memory, "the allocator returned NULL for %llu bytes",
+             static_cast<unsigned long long>(size));
+    const auto now =
+        now_.fetch_add(static_cast<std::int64_t>(size), std::memory_order_relaxed) + static_cast<std::int64_t>(size);
+    auto peak = peak_.load(std::memory_order_relaxed);
+    while (now > peak && !peak_.compare_exchange_weak(peak, now, std::memory_order_relaxed)) {
+    }
+    return memory;
+}
+
+void Memory::deallocate(void* memory, std::uint64_t size) noexcept {
+    deallocate_(user_, memory, size, alignment);
+    now_.fetch_sub(static_cast<std::int64_t>(size), std::memory_order_relaxed);
+}
+
+} // namespace hrbfnpr::base

@@ -1,0 +1,54 @@
+// Progress and cancelling of one long call, and the part of it that a stage sees.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+namespace hrbfnpr::base {
+
+using ProgressFn = std::int32_t (*)(void* user, double progress);
+
+class Operation {
+public:
+    // Called by the boundary when a long call enters; throws Error{cancelled} if cancelled before.
+    void begin();
+    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+    [[nodiscard]] bool is_cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+    [[nodiscard]] double progress() const noexcept { return progress_.load(std::memory_order_relaxed); }
+    void set_callback(ProgressFn callback, void* user) noexcept {
+        callback_ = callback;
+        user_ = user;
+    }
+
+    // From any thread.  Progress never falls; the callback runs only on the thread of begin().
+    void report(double progress) noexcept;
+
+private:
+    std::atomic<bool> cancelled_{false};
+    std::atomic<double> progress_{0.0};
+    ProgressFn callback_ = nullptr;
+    void* user_ = nullptr;
+    std::thread::id entered_;
+};
+
+// A stage's share [from, to] of an operation's progress.  Copied freely; default: nobody watches.
+class Progress {
+public:
+    Progress() noexcept = default;
+    explicit Progress(Operation* operation) noexcept : operation_(operation) {}
+
+    // The part of this stage between two fractions of it.
+    [[nodiscard]] Progress part(double from, double to) const noexcept;
+    // Reports that `fraction` of this stage is done and throws Error{cancelled} after a cancel.
+    void update(double fraction) const;
+    // Only looks for a cancel.
+    void check() const;
+
+private:
+    Operation* operation_ = nullptr;
+    double from_ = 0.0;
+    double to_ = 1.0;
+};
+
+} // namespace hrbfnpr::base

@@ -1,0 +1,18 @@
+#include "base/runtime.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace hrbfnpr::base {
+
+void Runtime::log(LogLevel level, const char* format, ...) const noexcept {
+    if (log_ == nullptr) return;
+    char text[512];
+    std::va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    log_(log_user_, static_cast<std::int32_t>(level), text);
+}
+
+} // namespace hrbfnpr::base

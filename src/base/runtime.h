@@ -1,0 +1,32 @@
+// What every stage is given of the context: memory, threads, log.
+#pragma once
+
+#include "base/memory.h"
+#include "base/parallel.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::base {
+
+enum class LogLevel : std::int32_t { debug = 0, info = 1, warning = 2 };
+using LogFn = void (*)(void* user, std::int32_t level, const char* message);
+
+class Runtime {
+public:
+    Runtime() noexcept = default; // all threads, no log
+    Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel parallel, LogFn log,
+            void* log_user) noexcept
+        : memory(allocate, deallocate, allocator_user), parallel(parallel), log_(log), log_user_(log_user) {}
+
+    // Call from the thread that entered the library only.
+    [[gnu::format(printf, 3, 4)]] void log(LogLevel level, const char* format, ...) const noexcept;
+
+    mutable Memory memory;
+    Parallel parallel{0, nullptr, nullptr};
+
+private:
+    LogFn log_ = nullptr;
+    void* log_user_ = nullptr;
+};
+
+} // namespace hrbfnpr::base

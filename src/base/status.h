@@ -1,0 +1,47 @@
+// Failures inside the library: one exception type that carries a status and a message.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+
+namespace hrbfnpr {
+
+// Same numbers as HRBFNPR_STATUS_... in hrbfnpr.h (src/api checks it at compile time).
+enum class Status : std::int32_t {
+    ok = 0,
+    invalid_argument = -1,
+    out_of_memory = -2,
+    buffer_too_small = -3,
+    unsupported_struct = -4,
+    singular_system = -5,
+    not_converged = -6,
+    cancelled = -7,
+    io = -8,
+    corrupt_data = -9,
+    version_mismatch = -10,
+    callback = -11,
+    internal = -99
+};
+
+// Holds its message in place, so that throwing one never allocates a string.
+class Error : public std::exception {
+public:
+    static constexpr int message_capacity = 248;
+
+    Error(Status status, const char* message) noexcept;
+
+    [[nodiscard]] Status status() const noexcept { return status_; }
+    [[nodiscard]] const char* what() const noexcept override { return message_; }
+
+private:
+    Status status_;
+    char message_[message_capacity];
+};
+
+// Throws an Error with a printf-formatted message.
+[[noreturn]] [[gnu::format(printf, 2, 3)]] void fail(Status status, const char* format, ...);
+
+// Copies `text` into `destination` (terminated), cutting at a UTF-8 character boundary.
+void copy_message(char* destination, int capacity, const char* text) noexcept;
+
+} // namespace hrbfnpr

@@ -1,0 +1,74 @@
+// Strided views of caller's memory, read as and written from doubles.  src/api checks
+// them before anything below sees one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace hrbfnpr::base {
+
+// Same numbers as HRBFNPR_SCALAR_...
+enum class Scalar : std::uint32_t { float32 = 1, float64 = 2, uint8 = 3, uint32 = 4 };
+
+[[nodiscard]] constexpr std::int64_t size_of(Scalar scalar) noexcept {
+    return scalar == Scalar::float64 ? 8 : scalar == Scalar::uint8 ? 1 : 4;
+}
+
+namespace detail {
+
+template <class T>
+[[nodiscard]] inline double read_as(const std::byte* from) noexcept {
+    T value;
+    std::memcpy(&value, from, sizeof value); // caller's elements need not be aligned
+    return static_cast<double>(value);
+}
+
+template <class T>
+inline void write_as(std::byte* to, double number) noexcept {
+    const T value = static_cast<T>(number);
+    std::memcpy(to, &value, sizeof value);
+}
+
+} // namespace detail
+
+struct InView {
+    const std::byte* data = nullptr;
+    std::int64_t count = 0;
+    std::int64_t stride = 0; // bytes, never 0 when count > 0
+    Scalar scalar = Scalar::float64;
+    std::uint32_t components = 0;
+
+    [[nodiscard]] bool empty() const noexcept { return count == 0; }
+    [[nodiscard]] double get(std::int64_t i, std::uint32_t component) const noexcept {
+        const std::byte* at = data + i * stride + static_cast<std::int64_t>(component) * size_of(scalar);
+        switch (scalar) {
+        case Scalar::float32: return detail::read_as<float>(at);
+        case Scalar::float64: return detail::read_as<double>(at);
+        case Scalar::uint8: return detail::read_as<std::uint8_t>(at);
+        case Scalar::uint32: return detail::read_as<std::uint32_t>(at);
+        }
+        return 0.0;
+    }
+};
+
+struct OutView {
+    std::byte* data = nullptr; // nullptr: the caller does not want it
+    std::int64_t count = 0;
+    std::int64_t stride = 0;
+    Scalar scalar = Scalar::float64;
+    std::uint32_t components = 0;
+
+    [[nodiscard]] explicit operator bool() const noexcept { return data != nullptr; }
+    void set(std::int64_t i, std::uint32_t component, double number) const noexcept {
+        std::byte* at = data + i * stride + static_cast<std::int64_t>(component) * size_of(scalar);
+        switch (scalar) {
+        case Scalar::float32: detail::write_as<float>(at, number); break;
+        case Scalar::float64: detail::write_as<double>(at, number); break;
+        case Scalar::uint8: detail::write_as<std::uint8_t>(at, number); break;
+        case Scalar::uint32: detail::write_as<std::uint32_t>(at, number); break;
+        }
+    }
+};
+
+} // namespace hrbfnpr::base

@@ -1,0 +1,51 @@
+// From point-normal samples to the coefficients of a Hermite RBF implicit.   [NPAR 4.1]
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "base/view.h"
+#include "implicit/hrbf.h"
+
+namespace hrbfnpr::fit {
+
+// Same meaning as hrbfnpr_fit_desc, whose message names the fields are checked under.
+// Views have 3 components, float32 or float64, equal counts >= 1 (the boundary checks).
+struct FitInput {
+    base::InView points;
+    base::InView normals;
+    kernel::Kind kernel = kernel::Kind::triharmonic;
+    double kernel_radius = 0.0; // 0 = automatic
+    std::int32_t polynomial_degree = 1;
+    double regularization = 0.0;
+    std::int32_t iteration_limit = 2;
+    std::int64_t maximum_centres = 0; // 0 = no limit
+};
+
+struct FitReport {
+    std::int64_t samples = 0;
+    std::int64_t merged_samples = 0;
+    std::int64_t rescaled_normals = 0;
+    double kernel_radius = 0.0; // caller's unit
+    double regularization = 0.0;
+    double value_residual_max = 0.0;
+    double value_residual_rms = 0.0;
+    double gradient_residual_max = 0.0;
+    double gradient_residual_rms = 0.0;
+    double solver_residual = 0.0;
+    double condition_estimate = 0.0;
+    std::int32_t iterations = 0;
+    bool fallback = false;
+    double seconds_assemble = 0.0;
+    double seconds_solve = 0.0;
+    double seconds_total = 0.0;
+};
+
+struct FitResult {
+    implicit::HrbfData data;
+    FitReport report;
+};
+
+// Throws Error{invalid_argument, singular_system, out_of_memory, cancelled}.
+[[nodiscard]] FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::Progress& progress);
+
+} // namespace hrbfnpr::fit

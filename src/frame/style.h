@@ -1,0 +1,65 @@
+// A style as the frame sees it: checked by the boundary, meaning of every field as in
+// hrbfnpr_style.                                                         [NPAR 6]
+#pragma once
+
+#include "geometry/vec.h"
+
+#include <array>
+#include <cstdint>
+
+namespace hrbfnpr::frame {
+
+enum class HiddenLines : std::uint32_t { attenuate = 0, hide = 1, show = 2 };
+enum class Tone : std::uint32_t { none = 0, light = 1, callback = 2 };
+enum class ToneRule : std::uint32_t { share = 0, paper = 1 };
+enum class LightSpace : std::uint32_t { world = 0, camera = 1 };
+using ToneFn = std::int32_t (*)(void* user, std::int64_t count, const float* positions, const float* normals,
+                                float* tau);
+
+struct GroupStyle {
+    bool shown = true;
+    std::uint32_t sets = 3;
+    float share = 1.0F;
+    float radius = 1.0F;
+    float radius_zoom = 0.0F;
+    glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
+};
+
+struct Style {
+    HiddenLines hidden_lines = HiddenLines::attenuate;
+    double silhouette_threshold = 0.2;
+    double attenuation_front = 1.0;
+    double attenuation_back = 1.0;
+    float cover_radius = 0.0F;
+    float halo_width = 2.0F;
+    float cover_layers = 8.0F;
+    Tone tone = Tone::light;
+    ToneRule tone_rule = ToneRule::share;
+    LightSpace light_space = LightSpace::camera;
+    std::uint32_t silhouette_groups = 7;
+    glm::dvec3 light{-0.4, 0.6, 0.7};
+    double tone_exponent = 1.0;
+    ToneFn tone_function = nullptr;
+    void* tone_user = nullptr;
+    double depth_min = 0.0;
+    double depth_max = 0.0;
+    double zoom_reference = 0.0;
+    double zoom_exponent = 2.0;
+    glm::vec4 paper{1.0F};
+    glm::vec4 silhouette_ink{0.0F, 0.0F, 0.0F, 1.0F};
+    float silhouette_radius = 1.0F;
+    float silhouette_radius_zoom = 0.0F;
+    std::array<GroupStyle, 3> group;
+};
+
+// The named styles.  `needed_groups`: bit (1 << group) for each group of marks that it draws.
+struct Preset {
+    const char* name;
+    std::uint32_t needed_groups;
+    Style style;
+};
+inline constexpr std::uint32_t preset_count = 8;
+[[nodiscard]] Preset preset(std::uint32_t number); // number < preset_count
+[[nodiscard]] const char* preset_name(std::uint32_t number) noexcept;
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,36 @@
+// A caller's implicit function; what it does not provide is differenced.
+#pragma once
+
+#include "implicit/implicit.h"
+
+namespace hrbfnpr::implicit {
+
+// See hrbfnpr_implicit_fn.
+using CustomFn = std::int32_t (*)(void* user, std::int64_t count, const double* points, double* value, double* gradient,
+                                  double* hessian);
+
+struct CustomFunction {
+    CustomFn function = nullptr;
+    void* user = nullptr;
+    void (*release)(void* user) = nullptr;
+    bool has_gradient = false;
+    bool has_hessian = false;
+    bool thread_safe = false;
+    geometry::Bounds bounds;
+    double difference_step = 0.0; // 0 = automatic
+};
+
+class Custom final : public Implicit {
+public:
+    explicit Custom(const CustomFunction& custom) noexcept : custom_(custom) {}
+    ~Custom() override;
+
+    void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
+    [[nodiscard]] bool concurrent() const noexcept override { return custom_.thread_safe; }
+    [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return custom_.bounds; }
+
+private:
+    CustomFunction custom_;
+};
+
+} // namespace hrbfnpr::implicit

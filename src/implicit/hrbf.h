@@ -1,0 +1,50 @@
+// The Hermite RBF implicit of [NPAR 4.1], equation 1.
+#pragma once
+
+#include "base/memory.h"
+#include "geometry/vec_array.h"
+#include "implicit/implicit.h"
+#include "kernel/kernel.h"
+
+namespace hrbfnpr::implicit {
+
+// f(x) = scale * g((x - centre) / scale), where
+// g(y) = sum_j alpha_j psi(y - y_j) - beta_j . grad psi(y - y_j) + p(y).
+// Plain data: what a file holds and what a fit makes.
+struct HrbfData {
+    explicit HrbfData(base::Memory& memory) noexcept
+        : sample_position(memory), sample_normal(memory), centre_position(memory), beta(memory), alpha(memory),
+          polynomial(memory) {}
+
+    kernel::Kind kernel = kernel::Kind::triharmonic;
+    double kernel_radius = 0.0; // in normalised coordinates
+    std::int32_t polynomial_degree = 1;
+    glm::dvec3 centre{0.0}; // of the normalisation
+    double scale = 1.0;
+    geometry::Bounds bounds;             // of the samples, in the caller's coordinates
+    double spacing = 0.0;                // mean distance to the nearest other sample, caller's unit; 0 for one sample
+    base::Array<double> sample_position; // 3N, packed x y z, the caller's coordinates
+    base::Array<double> sample_normal;   // 3N, unit
+    geometry::VecArray centre_position;  // N, normalised: (sample - centre) / scale
+    geometry::VecArray beta;             // N
+    base::Array<double> alpha;           // N
+    base::Array<double> polynomial;      // coefficients of kernel/polynomial.h's basis at normalised points
+
+    [[nodiscard]] std::int64_t count() const noexcept { return alpha.size(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+};
+
+class Hrbf final : public Implicit {
+public:
+    explicit Hrbf(HrbfData data) noexcept : data_(std::move(data)) {}
+
+    void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
+    [[nodiscard]] bool concurrent() const noexcept override { return true; }
+    [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data_.bounds; }
+    [[nodiscard]] const HrbfData& data() const noexcept { return data_; }
+
+private:
+    HrbfData data_;
+};
+
+} // namespace hrbfnpr::implicit

@@ -1,0 +1,66 @@
+// An implicit function f, evaluated in batches.  Everything downstream of the fit works
+// on this interface only, so that it works on any implicit.
+#pragma once
+
+#include "base/parallel.h"
+#include "geometry/vec.h"
+
+#include <array>
+#include <cstdint>
+
+namespace hrbfnpr::implicit {
+
+// Query points, structure of arrays.
+struct PointBatch {
+    const double* x = nullptr;
+    const double* y = nullptr;
+    const double* z = nullptr;
+    std::int64_t count = 0;
+};
+
+// Where results go; null pointers are not wanted.  A gradient or a Hessian is wanted
+// whole or not at all.  Hessian order: xx xy xz yy yz zz.
+struct FieldBatch {
+    double* value = nullptr;
+    std::array<double*, 3> gradient{};
+    std::array<double*, 6> hessian{};
+
+    [[nodiscard]] bool wants_gradient() const noexcept { return gradient[0] != nullptr; }
+    [[nodiscard]] bool wants_hessian() const noexcept { return hessian[0] != nullptr; }
+    // The same fields from element `begin` on.
+    [[nodiscard]] FieldBatch from(std::int64_t begin) const noexcept;
+};
+
+[[nodiscard]] PointBatch slice(const PointBatch& points, std::int64_t begin, std::int64_t end) noexcept;
+
+class Implicit {
+public:
+    Implicit() = default;
+    Implicit(const Implicit&) = delete;
+    Implicit& operator=(const Implicit&) = delete;
+    virtual ~Implicit() = default;
+
+    // On the calling thread.  The result for a point does not depend on its batch.
+    // Outputs must not alias inputs.  Throws Error{callback} where a caller's function fails.
+    virtual void evaluate(const PointBatch& points, const FieldBatch& fields) const = 0;
+
+    // Whether evaluate() may run on several threads at once, and on other threads than the caller's.
+    [[nodiscard]] virtual bool concurrent() const noexcept = 0;
+
+    // The box that the surface (or its samples) lies in; never empty, finite.
+    [[nodiscard]] virtual const geometry::Bounds& bounds() const noexcept = 0;
+
+    // Length scale of tolerances: the diagonal of the bounds, positive even for one sample.
+    [[nodiscard]] double diagonal() const noexcept;
+
+    // `parallel` if evaluate() may run on several threads, else serial.
+    [[nodiscard]] base::Parallel threads(const base::Parallel& parallel) const noexcept {
+        return concurrent() ? parallel : base::Parallel();
+    }
+};
+
+// Points that a task evaluates at a time: small enough for progress and cancelling,
+// large enough to vectorise.
+inline constexpr std::int64_t batch_size = 256;
+
+} // namespace hrbfnpr::implicit

@@ -1,0 +1,32 @@
+// Radial kernels phi(r) with the derivatives that a Hermite system needs.   [NPAR 4.1]
+#pragma once
+
+#include <cstdint>
+
+namespace hrbfnpr::kernel {
+
+// Same numbers as HRBFNPR_KERNEL_...
+enum class Kind : std::uint32_t { triharmonic = 0, gaussian = 1, wendland_c2 = 2 };
+
+// psi(d) = phi(|d|) and its derivatives are combinations of four radial functions:
+//   grad psi = a d
+//   Hess psi = a I + b d d^T
+//   third    = b (delta_ij d_k + delta_ik d_j + delta_jk d_i) + c d_i d_j d_k
+// with a = phi'/r, b = a'/r, c = b'/r.
+struct Radial {
+    double phi;
+    double a;
+    double b;
+    double c;
+};
+
+// At r = 0 the singular b and c (triharmonic, Wendland) are set to 0: their terms are odd
+// in the direction of d, so 0 is their mean over all directions.
+[[nodiscard]] Radial radial(Kind kind, double radius, double r) noexcept;
+
+// phi scales as s^exponent when the points and the radius scale by s (3 for r^3, else 0).
+[[nodiscard]] constexpr int homogeneity(Kind kind) noexcept { return kind == Kind::triharmonic ? 3 : 0; }
+
+[[nodiscard]] const char* name(Kind kind) noexcept;
+
+} // namespace hrbfnpr::kernel

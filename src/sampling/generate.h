@@ -1,0 +1,61 @@
+// Placing marks on an implicit surface.                              [NPAR 4.2, 5]
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "base/view.h"
+#include "implicit/implicit.h"
+#include "sampling/point_set.h"
+
+#include <array>
+#include <span>
+
+namespace hrbfnpr::sampling {
+
+struct GroupSettings {
+    bool wanted = false;
+    std::int32_t levels = 3;
+    bool from_stipples = false; // PAPER: start from the stipples up to `seed_level`, not from the seeds
+    std::int32_t seed_level = 0;
+    std::int64_t budget = 0;
+    bool with_curvature = false; // fill MarkGroup::curvature
+};
+
+// Checked by the boundary; defaults as in hrbfnpr_generate_desc.
+struct GenerateSettings {
+    Distribution distribution = Distribution::blue_noise;
+    SeedSource seed_source = SeedSource::automatic;
+    std::int32_t box_resolution = 8;
+    double box_jitter = 0.25;
+    double initial_step = 0.0;
+    double projection_tolerance = 1e-7;
+    std::uint64_t random_seed = 1;
+    base::InView seed_points;
+    std::array<GroupSettings, group_count> group;
+};
+
+// What is known of the samples that the implicit came from: 3n packed positions, empty
+// for a custom implicit.  (The samples lie on the surface; their normals are gradients.)
+struct SampleHint {
+    std::span<const double> position;
+    double spacing = 0.0;
+};
+
+// Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
+[[nodiscard]] PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                const SampleHint& samples, const GenerateSettings& settings,
+                                const base::Progress& progress);
+
+// Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds,
+// 12 numbers each.  Returns rho_0.
+double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
+                    const GenerateSettings& settings, const base::OutView& corners, const base::Progress& progress);
+
+// Ready-made marks; empty views as described at hrbfnpr_group_arrays.
+struct GroupArrays {
+    base::InView position, normal, direction, curvature, rank, level, stroke;
+};
+[[nodiscard]] PointSet from_arrays(const base::Runtime& runtime, const std::array<GroupArrays, group_count>& arrays,
+                                   std::uint64_t random_seed);
+
+} // namespace hrbfnpr::sampling

@@ -1,0 +1,31 @@
+// Principal curvatures and directions from gradient and Hessian.   [NPAR 5.3; Kindlmann 2003]
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "geometry/vec_array.h"
+#include "implicit/implicit.h"
+
+#include <array>
+
+namespace hrbfnpr::surface {
+
+// See hrbfnpr_model_curvature for signs, order and the confidence.
+struct Curvature {
+    double k1 = 0.0;
+    double k2 = 0.0;
+    double confidence = 0.0;
+    glm::dvec3 d1{0.0};
+    glm::dvec3 d2{0.0};
+};
+
+// hessian: xx xy xz yy yz zz.  `diagonal` sets the curvature below which a surface counts as flat.
+[[nodiscard]] Curvature principal_curvature(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
+                                            double diagonal) noexcept;
+
+// For all points, on all threads; result is resized.
+void principal_curvatures(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                          const geometry::VecArray& points, base::Array<Curvature>& result,
+                          const base::Progress& progress);
+
+} // namespace hrbfnpr::surface

@@ -1,0 +1,36 @@
+// Projection onto the surface by steepest descent on f^2 with Armijo's rule.   [NPAR 4.2]
+#pragma once
+
+#include "base/memory.h"
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "geometry/vec_array.h"
+#include "implicit/implicit.h"
+
+namespace hrbfnpr::surface {
+
+// Same numbers as HRBFNPR_PROJECTION_...
+enum class ProjectionStatus : std::uint8_t { converged = 0, not_converged = 1, zero_gradient = 2, not_finite = 3 };
+
+struct ProjectionSettings {
+    std::int32_t iteration_limit = 50; // evaluations per point
+    double tolerance = 1e-9;           // on |f| / |grad f|, in diagonals
+    double armijo_slope = 1e-4;
+    double armijo_factor = 0.5;
+};
+
+// position: in, where to start; out, the last iterate.  gradient and status: out, resized.
+// gradient is that of f (not unit) at the last iterate.
+struct Projection {
+    explicit Projection(base::Memory& memory) noexcept : position(memory), gradient(memory), status(memory) {}
+
+    geometry::VecArray position;
+    geometry::VecArray gradient;
+    base::Array<ProjectionStatus> status;
+};
+
+// Projects all points on all threads.  The bits of a point do not depend on the others.
+void project(const base::Runtime& runtime, const implicit::Implicit& implicit, const ProjectionSettings& settings,
+             Projection& points, const base::Progress& progress);
+
+} // namespace hrbfnpr::surface
