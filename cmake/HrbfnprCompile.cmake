@@ -38,7 +38,7 @@ function(hrbfnpr_compile target)
   hrbfnpr_instrument(${target})
 endfunction()
 
-# Sanitizers and coverage, for the library and for everything that links it.
+# Sanitizers, for the library and for everything that links it; the rooms alone count their lines.
 function(hrbfnpr_instrument target)
   if(HRBFNPR_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${HRBFNPR_SANITIZE} -fno-omit-frame-pointer
@@ -46,7 +46,6 @@ function(hrbfnpr_instrument target)
     target_link_options(${target} PRIVATE -fsanitize=${HRBFNPR_SANITIZE})
   endif()
   if(HRBFNPR_COVERAGE)
-    target_compile_options(${target} PRIVATE --coverage -fprofile-update=atomic)
     target_link_options(${target} PRIVATE --coverage)
   endif()
 endfunction()

@@ -1,0 +1,178 @@
+"""The rules of the house (docs/design.md), read off the sources.
+
+    house.py ROOT CHECK     prints what breaks the rule and returns 1, or 77 if it cannot tell
+
+A CHECK is a function below: floors, openmp, forbidden, sizes, abi_version, format.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+SKIPPED = 77  # CTest's SKIP_RETURN_CODE
+
+# A room may include itself and rooms of lower floors.
+FLOORS = {
+    "api": 8,
+    "output/raster": 7,
+    "output/vertex": 7,
+    "output/vector": 7,
+    "frame": 6,
+    "io": 6,
+    "sampling": 5,
+    "fit": 4,
+    "surface": 4,
+    "implicit": 3,
+    "kernel": 2,
+    "geometry": 1,
+    "base": 0,
+}
+
+# (pattern, who may all the same, why)
+ONLY_IN = [
+    (r"#\s*include\s*<hrbfnpr\.h>|#\s*include\s*\"hrbfnpr\.h\"", r"api/", "only src/api knows the public header"),
+    (r"#\s*include\s*[<\"](Eigen|unsupported)/", r"fit/", "Eigen stays inside the solver"),
+]
+OPENMP = r"#\s*pragma\s+omp\b|<omp\.h>|\b_OPENMP\b|\bomp_\w+\s*\("
+FORBIDDEN_IN_SOURCES = [
+    (r"\bthread_local\b", "a host's job system may resume a call on another thread"),
+    (r"\bmt19937|\brandom_device\b|\bstd::rand\b|\bsrand\s*\(|[^\w:.>]rand\s*\(\s*\)",
+     "random numbers come from base/random.h, keyed by seed, index and purpose"),
+]
+FORBIDDEN_FLAGS = [
+    (r"-march=native", "a shipped build must run on other processors"),
+    (r"-ffast-math|-Ofast|-funsafe-math-optimizations", "it switches the host to flush-to-zero at link"),
+]
+LONGEST_FILE = 500
+
+
+def source_files(root, folders, suffixes):
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*")):
+            hidden = any(part in ("build", "dist", "__pycache__") for part in path.relative_to(root).parts)
+            if path.suffix in suffixes and path.is_file() and not hidden:
+                yield path
+
+
+def lines(path):
+    return enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+
+
+def room_of(path):
+    """The room of a path relative to src/, or None."""
+    for depth in (2, 1):
+        room = "/".join(path.parts[:depth])
+        if len(path.parts) > depth and room in FLOORS:
+            return room
+    return None
+
+
+def broken_include(src, path, target):
+    """Why the file `path` of src/ may not include "target", or None."""
+    room = room_of(path.relative_to(src))
+    if room is None:
+        return "is in no room of the house: give its folder a floor in tests/house/house.py"
+    if (path.parent / target).is_file() and "/" not in target:
+        return None
+    below = room_of(Path(target))
+    if below is None or not (src / target).is_file():
+        return f'includes "{target}", which is no file of src/: write its path from src/'
+    if below != room and FLOORS[below] >= FLOORS[room]:
+        return f'is on floor {FLOORS[room]} ({room}) and includes "{target}" of floor {FLOORS[below]} ({below})'
+    return None
+
+
+def floors(root):
+    src = root / "src"
+    files = list(source_files(root, ["src"], {".h", ".cpp"}))
+    if not files:
+        yield "src/ has no sources"
+    for path in files:
+        if room_of(path.relative_to(src)) is None:
+            yield f"{path.relative_to(root)} is in no room of the house"
+            continue
+        for number, line in lines(path):
+            found = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
+            why = broken_include(src, path, found.group(1)) if found and found.group(1) != "hrbfnpr.h" else None
+            if why:
+                yield f"{path.relative_to(root)}:{number} {why}"
+            for pattern, allowed, reason in ONLY_IN:
+                if re.search(pattern, line) and not re.match(allowed, path.relative_to(src).as_posix()):
+                    yield f"{path.relative_to(root)}:{number} {reason}"
+
+
+def openmp(root):
+    files = list(source_files(root, ["src"], {".h", ".cpp"}))
+    owner = root / "src/base/parallel.cpp"
+    if owner not in files or not re.search(OPENMP, owner.read_text(encoding="utf-8")):
+        yield "src/base/parallel.cpp does not name OpenMP: is this check still looking for the right words?"
+    for path in files:
+        for number, line in lines(path):
+            if path != owner and re.search(OPENMP, line):
+                yield f"{path.relative_to(root)}:{number} only src/base/parallel.cpp may name OpenMP"
+
+
+def forbidden(root):
+    for path in source_files(root, ["src"], {".h", ".cpp"}):
+        for number, line in lines(path):
+            for pattern, reason in FORBIDDEN_IN_SOURCES:
+                if re.search(pattern, line.split("//")[0]):
+                    yield f"{path.relative_to(root)}:{number} {reason}"
+    build = list(source_files(root, ["cmake", "src", "tests", "bench", "examples"], {".cmake", ".txt", ".in", ".cpp", ".h"}))
+    for path in [root / "CMakeLists.txt", root / "CMakePresets.json", *build]:
+        for number, line in lines(path):
+            for pattern, reason in FORBIDDEN_FLAGS:
+                if re.search(pattern, line):
+                    yield f"{path.relative_to(root)}:{number} {reason}"
+
+
+def sizes(root):
+    folders = ["src", "tests", "bench", "examples", "bindings"]
+    for path in source_files(root, folders, {".h", ".cpp", ".c", ".py", ".cmake"}):
+        count = sum(1 for _ in lines(path))
+        if count > LONGEST_FILE:
+            yield f"{path.relative_to(root)} has {count} lines: split it ({LONGEST_FILE} at most)"
+
+
+def numbers(text, pattern):
+    return [int(number) for number in re.findall(pattern, text)]
+
+
+def abi_version(root):
+    header = (root / "include/hrbfnpr.h").read_text(encoding="utf-8")
+    cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
+    in_header = numbers(header, r"HRBFNPR_ABI_VERSION = (\d+)")
+    in_cmake = numbers(cmake, r"set\(HRBFNPR_ABI_VERSION (\d+)\)")
+    if len(in_header) != 1 or in_header != in_cmake:
+        yield f"HRBFNPR_ABI_VERSION is {in_header} in hrbfnpr.h and {in_cmake} in CMakeLists.txt"
+    version = re.findall(r"^\s*VERSION (\d+)\.(\d+)\.(\d+)$", cmake, re.MULTILINE)
+    parts = [numbers(header, rf"HRBFNPR_VERSION_{part} = (\d+)") for part in ("MAJOR", "MINOR", "PATCH")]
+    if [[int(number)] for number in (version[0] if version else ())] != parts:
+        yield f"the version is {parts} in hrbfnpr.h and {version} in CMakeLists.txt"
+
+
+def format(root):
+    tool = shutil.which("clang-format-14")
+    if tool is None:
+        print("skipped: there is no clang-format-14 here (other versions format differently)")
+        sys.exit(SKIPPED)
+    files = [str(path) for path in source_files(root, ["src", "tests", "bench", "examples"], {".h", ".cpp", ".c"})]
+    result = subprocess.run([tool, "--dry-run", "-Werror", "--style=file", *files], capture_output=True, text=True)
+    if result.returncode != 0:
+        yield "please run scripts/lint --fix; clang-format-14 says:\n" + result.stderr
+
+
+CHECKS = {check.__name__: check for check in (floors, openmp, forbidden, sizes, abi_version, format)}
+
+
+def main():
+    root, name = Path(sys.argv[1]).resolve(), sys.argv[2]
+    findings = list(CHECKS[name](root))
+    print("\n".join(findings) if findings else f"{name}: nothing breaks the rule")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,100 @@
+"""Each check of house.py passes on a small clean house and fails on each way to break it."""
+
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+import house
+
+CLEAN = {
+    "CMakeLists.txt": "project(x\n  VERSION 0.1.0\n)\nset(HRBFNPR_ABI_VERSION 3) # as in the header\n",
+    "CMakePresets.json": "{}\n",
+    "include/hrbfnpr.h": "HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0,\n"
+    "HRBFNPR_ABI_VERSION = 3\n",
+    "src/base/status.h": "#pragma once\n",
+    "src/base/parallel.cpp": '#include "base/status.h"\n#pragma omp parallel for\n',
+    "src/implicit/implicit.h": '#pragma once\n#include "base/status.h"\n',
+    "src/fit/fit.h": '#pragma once\n#include "implicit/implicit.h"\n#include <Eigen/Dense>\n',
+    "src/fit/fit.cpp": '#include "fit.h"\n',
+    "src/surface/project.h": '#pragma once\n#include "implicit/implicit.h"\n',
+    "src/output/raster/draw.h": "#pragma once\n",
+    "src/output/vertex/vertices.h": "#pragma once\n",
+    "src/api/model.cpp": '#include "fit/fit.h"\n#include "output/raster/draw.h"\n\n#include <hrbfnpr.h>\n',
+}
+
+# check, file, what to add to it
+BREAKS = [
+    ("floors", "src/base/status.h", '#include "implicit/implicit.h"\n'),
+    ("floors", "src/fit/fit.cpp", '#include "surface/project.h"\n'),
+    ("floors", "src/output/vertex/vertices.h", '#include "output/raster/draw.h"\n'),
+    ("floors", "src/surface/project.h", '  #  include "api/model.h"\n'),
+    ("floors", "src/surface/project.h", '#include "../base/status.h"\n'),
+    ("floors", "src/surface/project.h", "#include <hrbfnpr.h>\n"),
+    ("floors", "src/surface/project.h", "#include <Eigen/Core>\n"),
+    ("floors", "src/attic/ghost.cpp", "int ghost;\n"),
+    ("floors", "src/ghost.cpp", "int ghost;\n"),
+    ("openmp", "src/fit/fit.cpp", "#pragma omp parallel\n"),
+    ("openmp", "src/fit/fit.cpp", "#include <omp.h>\n"),
+    ("openmp", "src/fit/fit.cpp", "int n = omp_get_max_threads();\n"),
+    ("forbidden", "src/fit/fit.cpp", "thread_local int scratch;\n"),
+    ("forbidden", "src/fit/fit.cpp", "std::mt19937_64 engine;\n"),
+    ("forbidden", "src/fit/fit.cpp", "std::random_device device;\n"),
+    ("forbidden", "src/fit/fit.cpp", "int r = std::rand();\n"),
+    ("forbidden", "src/fit/fit.cpp", "int r = rand();\n"),
+    ("forbidden", "CMakeLists.txt", "add_compile_options(-march=" + "native)\n"),
+    ("forbidden", "CMakePresets.json", '"-ffast' + '-math"\n'),
+    ("sizes", "src/fit/fit.cpp", "\n" * house.LONGEST_FILE),
+    ("abi_version", "CMakeLists.txt", "set(HRBFNPR_ABI_VERSION 4)\n"),
+    ("abi_version", "include/hrbfnpr.h", "HRBFNPR_VERSION_MINOR = 2\n"),
+    ("format", "src/fit/fit.cpp", "int   a ;\n"),
+]
+
+
+class House(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = Path(self.folder.name)
+        for name, text in CLEAN.items():
+            self.write(name, text)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("a", encoding="utf-8") as file:
+            file.write(text)
+
+    def findings(self, check):
+        if check == "format" and shutil.which("clang-format-14") is None:
+            self.skipTest("there is no clang-format-14 here")
+        return list(house.CHECKS[check](self.root))
+
+    def test_a_clean_house_passes(self):
+        for check in sorted(house.CHECKS.keys() - {"format"}):
+            with self.subTest(check=check):
+                self.assertEqual(self.findings(check), [])
+
+    def test_each_break_is_found(self):
+        for check, name, text in BREAKS:
+            with self.subTest(check=check, file=name, text=text[:60]):
+                self.tearDown()
+                self.setUp()
+                before = self.findings(check)
+                self.write(name, text)
+                self.assertEqual(before, [])
+                self.assertNotEqual(self.findings(check), [])
+
+    def test_openmp_check_notices_that_its_words_are_gone(self):
+        (self.root / "src/base/parallel.cpp").write_text("// nothing\n")
+        self.assertNotEqual(self.findings("openmp"), [])
+
+    def test_an_empty_house_does_not_pass(self):
+        shutil.rmtree(self.root / "src")
+        self.assertNotEqual(self.findings("floors"), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

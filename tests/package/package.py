@@ -1,0 +1,130 @@
+"""Other people's projects against the installed library, moved to a path with a space in it.
+
+    package.py install BUILD WORK     installs BUILD below WORK and moves it
+    package.py STEP SOURCE WORK       one of the other steps below; SOURCE is the library's sources
+"""
+
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+VERSION = "0.1.0"
+SKIPPED = 77
+
+
+def run(*command, **options):
+    command = [str(word) for word in command]
+    print("+", shlex.join(command), flush=True)
+    result = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    print(result.stdout, flush=True)
+    if result.returncode != 0:
+        sys.exit(f"failed with {result.returncode}: {shlex.join(command)}")
+    return result.stdout
+
+
+def expect(condition, message):
+    if not condition:
+        sys.exit(message)
+
+
+def moved(work):
+    return work / "a moved place"
+
+
+def library_folder(prefix):
+    found = [path.parent for path in prefix.rglob("libhrbfnpr.*") if path.suffix in (".so", ".a")]
+    expect(len(found) == 1, f"there should be one library below {prefix}, found {found}")
+    return found[0]
+
+
+def cmake_project(source, build, *definitions):
+    shutil.rmtree(build, ignore_errors=True)
+    launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+    run("cmake", "-G", "Ninja", "-S", source, "-B", build, *launcher, *definitions)
+    run("cmake", "--build", build)
+
+
+def run_consumer(program, **environment):
+    output = run(program, env={**os.environ, **environment})
+    expect(output == f"2 {VERSION}\n", f"the program should have printed '2 {VERSION}'")
+
+
+def install(build, work):
+    shutil.rmtree(work, ignore_errors=True)
+    stage = work / "stage"
+    run("cmake", "--install", build, "--prefix", stage)
+    stage.rename(moved(work))
+    texts = [path for path in moved(work).rglob("*") if path.suffix in (".cmake", ".pc")]
+    expect(len(texts) >= 4, f"package files are missing: {texts}")
+    for path in texts:
+        text = path.read_text()
+        for leak in (str(stage), str(build), str(HERE.parent.parent), "Eigen", "glm"):
+            expect(leak not in text, f"{path.name} names {leak}")
+        expect("OpenMP::" not in text or path.name == "hrbfnprConfig.cmake", f"{path.name} names OpenMP")
+    for name in ("include/hrbfnpr.h", "share/doc/hrbfnpr/LICENSE"):
+        expect((moved(work) / name).is_file(), f"{name} was not installed")
+
+
+def find_package(language, prefix, work):
+    build = work / f"find package {language}"
+    cmake_project(HERE / language, build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run_consumer(build / "consumer")
+
+
+def pkg_config(language, prefix, work):
+    if shutil.which("pkg-config") is None:
+        print("skipped: there is no pkg-config here")
+        sys.exit(SKIPPED)
+    folder = library_folder(prefix)
+    environment = {**os.environ, "PKG_CONFIG_PATH": str(folder / "pkgconfig")}
+    flags = shlex.split(run("pkg-config", "--cflags", "--libs", "hrbfnpr", env=environment))
+    expect(run("pkg-config", "--modversion", "hrbfnpr", env=environment).strip() == VERSION, "wrong version")
+    compiler, source = {
+        "c": (["cc", "-std=c99"], HERE / "c/main.c"),
+        "cxx": (["c++", "-std=c++11"], HERE / "cxx/main.cpp"),
+    }[language]
+    program = work / f"pkg config {language}"
+    run(*compiler, "-Wall", "-Wextra", "-pedantic", "-Werror", source, *flags, "-o", program)
+    run_consumer(program, LD_LIBRARY_PATH=str(folder))
+
+
+def subdirectory(source, work):
+    """As part of a host's build, with nothing set: a shared library and nothing else."""
+    build = work / "sub directory"
+    cmake_project(HERE / "subdirectory", build, f"-DHRBFNPR_SOURCE_DIR={source}", "-DCMAKE_BUILD_TYPE=Debug")
+    seen = (build / "seen.txt").read_text()
+    expect(seen == "type=SHARED_LIBRARY\ncache-shared=\nbuild-type=Debug\n", f"unexpected: {seen}")
+    run_consumer(build / "consumer")
+
+
+def static(source, work):
+    """As a static library: installed, moved, and linked into a C and a C++ project both ways."""
+    build, stage, prefix = work / "static build", work / "static stage", work / "a static place"
+    shutil.rmtree(prefix, ignore_errors=True)
+    cmake_project(source, build, "-DBUILD_SHARED_LIBS=OFF", "-DCMAKE_BUILD_TYPE=Debug", "-DHRBFNPR_TESTS=OFF",
+                  "-DHRBFNPR_EXAMPLES=OFF", "-DHRBFNPR_WERROR=ON", "-DCMAKE_CXX_FLAGS_DEBUG=-O0")
+    run("cmake", "--install", build, "--prefix", stage)
+    stage.rename(prefix)
+    consumers = work / "static"
+    consumers.mkdir(exist_ok=True)
+    for language in ("c", "cxx"):
+        find_package(language, prefix, consumers)
+        pkg_config(language, prefix, consumers)
+
+
+def main():
+    step, first, work = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
+    work.mkdir(parents=True, exist_ok=True)
+    if step in ("install", "subdirectory", "static"):
+        {"install": install, "subdirectory": subdirectory, "static": static}[step](first, work)
+    else:
+        way, language = step.rsplit("-", 1)
+        {"find-package": find_package, "pkg-config": pkg_config}[way](language, moved(work), work)
+
+
+if __name__ == "__main__":
+    main()
