@@ -1,0 +1,100 @@
+"""What the documents say, held against the project.
+
+    docs.py links ROOT                      links to files of the project lead somewhere
+    docs.py versions ROOT                   CHANGELOG.md and CITATION.cff name the project's version
+    docs.py quickstart ROOT FILE [PROGRAM...]
+        README.md contains examples/FILE to the letter, and PROGRAM (or, for a .py, the file itself)
+        leaves a drawing in the current folder
+"""
+
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
+
+
+def documents(root):
+    return sorted([*root.glob("*.md"), *root.glob("docs/**/*.md"), *root.glob("bindings/*/*.md")])
+
+
+def broken_links(root):
+    for document in documents(root):
+        text = re.sub(r"```.*?```", "", document.read_text(encoding="utf-8"), flags=re.DOTALL)
+        for target in re.findall(r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"", text):
+            target = (target[0] or target[1]).split("#")[0]
+            if target and "://" not in target and not (document.parent / target).exists():
+                yield f"{document.relative_to(root)} links to {target}, which is not there"
+
+
+def wrong_versions(root):
+    cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
+    version = re.search(r"^\s*VERSION (\d+\.\d+\.\d+)$", cmake, re.MULTILINE).group(1)
+    changelog = (root / "CHANGELOG.md").read_text(encoding="utf-8")
+    if f"\n## [{version}]" not in changelog:
+        yield f"CHANGELOG.md has no section for {version}"
+    citation = (root / "CITATION.cff").read_text(encoding="utf-8")
+    if f"\nversion: {version}\n" not in citation:
+        yield f"CITATION.cff does not say version: {version}"
+
+
+def code_blocks(text, language):
+    return re.findall(rf"^```{language}\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
+
+
+def read_ppm(path):
+    """Width, height and RGB triples of a binary PPM with a header of one line."""
+    header, pixels = path.read_bytes().split(b"\n", 1)
+    magic, width, height, depth = header.split()
+    if (magic, depth) != (b"P6", b"255") or len(pixels) != 3 * int(width) * int(height):
+        raise ValueError(f"{path.name} is not a PPM: {header!r} and {len(pixels)} bytes")
+    return int(width), int(height), zip(*[iter(pixels)] * 3)
+
+
+def ink_share(path):
+    """The share of pixels that are not paper white."""
+    if path.suffix == ".ppm":
+        width, height, pixels = read_ppm(path)
+    else:
+        from PIL import Image
+
+        image = Image.open(path).convert("RGB")
+        (width, height), pixels = image.size, image.getdata()
+    return sum(1 for pixel in pixels if tuple(pixel) != (255, 255, 255)) / (width * height)
+
+
+def quickstart(root, name, program):
+    example = (root / "examples" / name).read_text(encoding="utf-8")
+    blocks = code_blocks((root / "README.md").read_text(encoding="utf-8"), LANGUAGES[Path(name).suffix])
+    if example not in blocks:
+        yield f"README.md does not contain examples/{name} to the letter"
+    command = program or [sys.executable, str(root / "examples" / name)]
+    with tempfile.TemporaryDirectory() as folder:
+        result = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if result.returncode != 0:
+            yield f"{name} failed with {result.returncode}: {result.stdout}"
+            return
+        drawings = [path for path in Path(folder).iterdir() if path.suffix in (".ppm", ".png")]
+        if len(drawings) != 1:
+            yield f"{name} should leave one drawing, not {drawings}"
+            return
+        share = ink_share(drawings[0])
+        print(f"{name}: {drawings[0].name}, {100 * share:.1f} % of the pixels carry ink")
+        if not 0.02 < share < 0.8:
+            yield f"{name}: a drawing with ink on {100 * share:.1f} % of its pixels is no drawing"
+
+
+def main():
+    what, root = sys.argv[1], Path(sys.argv[2]).resolve()
+    if what == "quickstart":
+        findings = list(quickstart(root, sys.argv[3], sys.argv[4:]))
+    else:
+        findings = list({"links": broken_links, "versions": wrong_versions}[what](root))
+    print("\n".join(findings) if findings else f"{what}: as it should be")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
