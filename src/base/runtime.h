@@ -14,9 +14,9 @@ using LogFn = void (*)(void* user, std::int32_t level, const char* message);
 class Runtime {
 public:
     Runtime() noexcept = default; // all threads, no log
-    Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel parallel, LogFn log,
+    Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel threads, LogFn log_function,
             void* log_user) noexcept
-        : memory(allocate, deallocate, allocator_user), parallel(parallel), log_(log), log_user_(log_user) {}
+        : memory(allocate, deallocate, allocator_user), parallel(threads), log_(log_function), log_user_(log_user) {}
 
     // Call from the thread that entered the library only.
     [[gnu::format(printf, 3, 4)]] void log(LogLevel level, const char* format, ...) const noexcept;
