@@ -7,12 +7,14 @@
         leaves a drawing in the current folder
 """
 
+import importlib.util
 import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+SKIPPED = 77  # CTest's SKIP_RETURN_CODE
 LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
 
 
@@ -70,6 +72,10 @@ def quickstart(root, name, program):
     blocks = code_blocks((root / "README.md").read_text(encoding="utf-8"), LANGUAGES[Path(name).suffix])
     if example not in blocks:
         yield f"README.md does not contain examples/{name} to the letter"
+    missing = [] if program else [name for name in ("cffi", "numpy", "PIL") if importlib.util.find_spec(name) is None]
+    if missing:
+        print(f"skipped: {sys.executable} does not have {', '.join(missing)}")
+        sys.exit(SKIPPED)
     command = program or [sys.executable, str(root / "examples" / name)]
     with tempfile.TemporaryDirectory() as folder:
         result = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
