@@ -17,6 +17,15 @@ struct Camera {
     glm::dvec4 viewport{0.0}; // x, y of the top-left corner, width, height, pixels
 };
 
+// Window depth of the far plane: where nothing is.
+[[nodiscard]] constexpr float far_depth(DepthConvention depth) noexcept {
+    return depth == DepthConvention::reversed ? 0.0F : 1.0F;
+}
+// Whether window depth a lies in front of b.  False if one of them is not a number.
+[[nodiscard]] constexpr bool nearer(float a, float b, DepthConvention depth) noexcept {
+    return depth == DepthConvention::reversed ? a > b : a < b;
+}
+
 // All throw Error{invalid_argument} naming the argument.
 [[nodiscard]] glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);
 [[nodiscard]] glm::dmat4 perspective(double vertical_angle, double width, double height, double near_plane,

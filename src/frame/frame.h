@@ -33,7 +33,12 @@ struct Disc {
     bool is_paper = false;
 };
 
-// Same fields as hrbfnpr_frame_info.
+// Same fields as hrbfnpr_frame_info.  Marks of the groups that a style draws or takes contours from:
+//   marks = outside + front + back + silhouette; of those,
+//   front + silhouette = shown + dropped_... + those whose group or set of directions is not drawn.
+// A mark is outside if no disc of it could touch the viewport, or it lies before the near or behind
+// the far plane.  A dropped mark counts once, for the first of: share and light (tone), zoom, depth,
+// hidden.  Marks that are not numbers count as outside.
 struct FrameInfo {
     std::int64_t marks = 0, outside = 0, front = 0, back = 0, silhouette = 0, shown = 0;
     std::int64_t dropped_tone = 0, dropped_depth = 0, dropped_zoom = 0, dropped_hidden = 0, painted = 0;

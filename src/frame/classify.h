@@ -1,0 +1,34 @@
+// From marks to places on the screen and classes; and which of them are drawn.     [NPAR 6, 6.2]
+#pragma once
+
+#include "base/runtime.h"
+#include "frame/scene.h"
+#include "frame/visibility.h"
+
+namespace hrbfnpr::frame {
+
+// Fills every array of scene.marks but `role`; tau only where the style's tone is not a callback.
+void classify(const base::Parallel& parallel, Scene& scene);
+
+// Asks the styles' tone callbacks for tau of the front marks that need one, on this thread.
+class ToneCalls {
+public:
+    explicit ToneCalls(base::Memory& memory) noexcept
+        : positions_(memory), normals_(memory), tau_(memory), marks_(memory) {}
+    void run(Scene& scene);
+    [[nodiscard]] std::int64_t bytes() const noexcept {
+        return positions_.bytes() + normals_.bytes() + tau_.bytes() + marks_.bytes();
+    }
+
+private:
+    void call(Scene& scene, const ItemView& item);
+
+    base::Array<float> positions_, normals_, tau_;
+    base::Array<std::int64_t> marks_;
+};
+
+// Fills `role` from tone, depth, zoom and, if not null, visibility.  counts: one for each chunk.
+void decide(const base::Parallel& parallel, Scene& scene, const VisibilityMap* visibility,
+            base::Array<FrameInfo>& counts);
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,89 @@
+// Inside of a frame: the items seen through the camera, and what is known of each mark.
+#pragma once
+
+#include "base/memory.h"
+#include "frame/frame.h"
+#include "frame/lens.h"
+#include "frame/pen.h"
+#include "frame/scratch.h"
+
+namespace hrbfnpr::frame {
+
+// One item's matrices.
+struct ItemView {
+    Style style;
+    glm::mat3 to_eye{1.0F}; // of positions relative to the set's origin
+    glm::vec3 eye_offset{0.0F};
+    glm::mat3 normal_to_eye{1.0F};   // inverse transposes, so that normals stay outward under mirrors too
+    glm::mat3 normal_to_light{1.0F}; // to the space that the light is in
+    glm::vec3 light{0.0F};           // unit
+    glm::dmat4 to_world{1.0};        // of positions relative to the set's origin
+    glm::mat3 normal_to_world{1.0F};
+};
+
+// The marks of one group of one item that take part in the frame.
+struct Run {
+    const sampling::MarkGroup* marks = nullptr;
+    std::int32_t item = 0;
+    std::int32_t group = 0;
+    std::int64_t first = 0; // place of its first mark in the arrays below
+    std::int64_t count = 0;
+    std::uint32_t first_id = 0;
+    std::uint32_t sets = 3; // of front ink
+    bool draws_front = false;
+    bool draws_silhouettes = false;
+    bool paints_paper = false; // HIDDEN_LINES_ATTENUATE
+    bool occludes = false;     // HIDDEN_LINES_HIDE
+    Pen pen;
+};
+
+// A piece of a run: the unit of work.
+struct Chunk {
+    std::int32_t run = 0;
+    std::int64_t begin = 0, end = 0; // places in the arrays
+};
+
+// One entry for each mark of the runs.
+struct Marks {
+    explicit Marks(base::Memory& memory) noexcept
+        : x(memory), y(memory), window_depth(memory), depth(memory), ppe(memory), nu(memory), tau(memory),
+          tau_depth(memory), mark_class(memory), role(memory) {}
+
+    base::Array<float> x, y;         // pixels
+    base::Array<float> window_depth; // in the camera's convention
+    base::Array<float> depth;        // eye units along the view
+    base::Array<float> ppe;          // pixels per eye unit
+    base::Array<float> nu;
+    base::Array<float> tau;
+    base::Array<float> tau_depth;
+    base::Array<MarkClass> mark_class; // none = outside
+    base::Array<std::uint8_t> role;    // what is drawn of it, bits below
+
+    void resize(std::int64_t count);
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+};
+
+inline constexpr std::uint8_t role_ink = 1;
+inline constexpr std::uint8_t role_paper = 2;
+
+struct Scene {
+    explicit Scene(base::Memory& memory) noexcept : items(memory), runs(memory), chunks(memory), marks(memory) {}
+
+    Lens lens;
+    Objects<ItemView> items;
+    base::Array<Run> runs;
+    base::Array<Chunk> chunks;
+    Marks marks;
+
+    [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+};
+
+// Fills lens, items, runs and chunks, and makes room for the marks.  Throws Error{invalid_argument}.
+void set_up(Scene& scene, std::span<const Item> items, const Camera& camera);
+
+// Where ink is painted in the order of painting, eye units along the view: pulled toward the eye by
+// about its own size, so that it lies over the paper of its own sheet.
+[[nodiscard]] inline float ink_depth(float depth, float radius, float ppe) noexcept { return depth - radius / ppe; }
+
+} // namespace hrbfnpr::frame

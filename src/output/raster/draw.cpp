@@ -1,0 +1,187 @@
+#include "output/raster/draw.h"
+
+#include "frame/tile_bins.h"
+#include "output/raster/pixels.h"
+
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::output {
+namespace {
+
+using frame::Disc;
+using frame::TileBins;
+
+constexpr std::int32_t tile_size = TileBins::tile_size;
+constexpr float smallest_radius = 0.5F;
+
+// Half-open, pixels.
+struct Rect {
+    std::int32_t left = 0, top = 0, right = 0, bottom = 0;
+    [[nodiscard]] bool empty() const noexcept { return left >= right || top >= bottom; }
+};
+
+// The pixels of the image whose centres lie in the viewport.
+[[nodiscard]] Rect drawn_rect(const glm::dvec4& viewport, const Image& image) noexcept {
+    const auto edge = [](double at, std::int32_t limit) {
+        return static_cast<std::int32_t>(std::clamp(std::ceil(at - 0.5), 0.0, static_cast<double>(limit)));
+    };
+    return {edge(viewport.x, image.width), edge(viewport.y, image.height), edge(viewport.x + viewport.z, image.width),
+            edge(viewport.y + viewport.w, image.height)};
+}
+
+[[nodiscard]] glm::vec4 premultiplied(const glm::vec4& straight) noexcept {
+    return {glm::vec3(straight) * straight.w, straight.w};
+}
+
+// One tile while it is painted; small enough for the stack of a host's job thread.
+struct Tile {
+    static constexpr std::size_t pixels = std::size_t{tile_size} * tile_size;
+    Rect rect; // in the image
+    std::array<glm::vec4, pixels> color;
+    std::array<float, pixels> nearest;     // window depth
+    std::array<std::uint32_t, pixels> top; // place of the last disc that covers the pixel's centre, plus 1
+};
+
+[[nodiscard]] constexpr std::size_t cell(std::int32_t x, std::int32_t y) noexcept {
+    return static_cast<std::size_t>(y) * tile_size + static_cast<std::size_t>(x);
+}
+
+} // namespace
+
+struct Raster::Impl {
+    explicit Impl(const base::Runtime& host) : runtime(host), bins(host.memory) {}
+
+    const base::Runtime& runtime;
+    TileBins bins;
+};
+
+namespace {
+
+// Everything that a tile's task reads.
+class Painter {
+public:
+    Painter(const TileBins& bins, const frame::Frame& frame, const Image& image, const DrawSettings& settings,
+            const Rect& rect) noexcept
+        : bins_(bins), discs_(frame.discs()), convention_(frame.camera().depth), paper_(premultiplied(frame.paper())),
+          image_(image), settings_(settings), rect_(rect),
+          wants_outputs_(settings.depth || settings.id || settings.mark_class) {}
+
+    void operator()(std::int64_t index) const {
+        Tile tile;
+        tile.rect.left = rect_.left + static_cast<std::int32_t>(index % bins_.columns()) * tile_size;
+        tile.rect.top = rect_.top + static_cast<std::int32_t>(index / bins_.columns()) * tile_size;
+        tile.rect.right = std::min(tile.rect.left + tile_size, rect_.right);
+        tile.rect.bottom = std::min(tile.rect.top + tile_size, rect_.bottom);
+        tile.color.fill(paper_);
+        if (wants_outputs_) {
+            tile.nearest.fill(frame::far_depth(convention_));
+            tile.top.fill(0);
+        }
+        bins_.for_tile(index, [&](std::uint32_t i) { paint(tile, i); });
+        for (std::int32_t y = tile.rect.top; y < tile.rect.bottom; ++y) {
+            store_row(tile, y);
+            if (wants_outputs_) store_outputs(tile, y);
+        }
+    }
+
+private:
+    void paint(Tile& tile, std::uint32_t index) const {
+        const Disc& disc = discs_[index];
+        // A disc below half a pixel keeps its ink by getting paler instead of smaller.
+        const float radius = std::max(disc.radius, smallest_radius);
+        const float dimmed = disc.radius / radius;
+        const float alpha = disc.color.w * dimmed * dimmed;
+        const glm::vec4 source = disc.is_paper ? paper_ : glm::vec4(glm::vec3(disc.color), 1.0F);
+        const float outer = radius + 0.5F;
+        const float outer_squared = outer * outer;
+        const float inner = radius - 0.5F;
+        const float inner_squared = inner * inner;
+        for (std::int32_t y = tile.rect.top; y < tile.rect.bottom; ++y) {
+            const float dy = static_cast<float>(y) + 0.5F - disc.y;
+            if (!(dy * dy < outer_squared)) continue;
+            const float half = std::sqrt(outer_squared - dy * dy);
+            const auto first = static_cast<std::int32_t>(std::clamp(
+                std::floor(disc.x - half), static_cast<float>(tile.rect.left), static_cast<float>(tile.rect.right)));
+            const auto last = static_cast<std::int32_t>(std::clamp(
+                std::ceil(disc.x + half), static_cast<float>(tile.rect.left), static_cast<float>(tile.rect.right)));
+            for (std::int32_t x = first; x < last; ++x) {
+                const float dx = static_cast<float>(x) + 0.5F - disc.x;
+                const float squared = dx * dx + dy * dy;
+                if (!(squared < outer_squared) || behind_host(disc, x, y)) continue;
+                const float coverage = squared <= inner_squared ? 1.0F : std::min(outer - std::sqrt(squared), 1.0F);
+                glm::vec4& color = tile.color[cell(x - tile.rect.left, y - tile.rect.top)];
+                color += (source - color) * (alpha * coverage);
+                if (wants_outputs_ && squared <= radius * radius)
+                    note(tile, cell(x - tile.rect.left, y - tile.rect.top), index, disc.depth);
+            }
+        }
+    }
+
+    void note(Tile& tile, std::size_t at, std::uint32_t index, float depth) const noexcept {
+        tile.top[at] = index + 1;
+        if (frame::nearer(depth, tile.nearest[at], convention_)) tile.nearest[at] = depth;
+    }
+
+    [[nodiscard]] bool behind_host(const Disc& disc, std::int32_t x, std::int32_t y) const noexcept {
+        if (settings_.host_depth.empty()) return false;
+        const auto host = static_cast<float>(settings_.host_depth.get(std::int64_t{y} * image_.width + x, 0));
+        return frame::nearer(host, disc.depth, convention_);
+    }
+
+    void store_row(const Tile& tile, std::int32_t y) const noexcept {
+        std::byte* row = image_.pixels + y * image_.row_stride;
+        for (std::int32_t x = tile.rect.left; x < tile.rect.right; ++x) {
+            std::byte* const pixel = row + std::int64_t{4} * x;
+            glm::vec4 color = tile.color[cell(x - tile.rect.left, y - tile.rect.top)];
+            if (settings_.over) color += load_pixel(pixel, image_.format) * (1.0F - color.w);
+            store_pixel(pixel, color, image_.format);
+        }
+    }
+
+    void store_outputs(const Tile& tile, std::int32_t y) const noexcept {
+        for (std::int32_t x = tile.rect.left; x < tile.rect.right; ++x) {
+            const std::size_t at = cell(x - tile.rect.left, y - tile.rect.top);
+            const std::int64_t element = std::int64_t{y} * image_.width + x;
+            const std::uint32_t top = tile.top[at];
+            const Disc nothing;
+            const Disc& disc = top == 0 ? nothing : discs_[top - 1];
+            if (settings_.depth) settings_.depth.set(element, 0, static_cast<double>(tile.nearest[at]));
+            if (settings_.id) settings_.id.set(element, 0, static_cast<double>(disc.id));
+            if (settings_.mark_class) settings_.mark_class.set(element, 0, static_cast<double>(disc.mark_class));
+        }
+    }
+
+    const TileBins& bins_;
+    std::span<const Disc> discs_;
+    frame::DepthConvention convention_;
+    glm::vec4 paper_; // premultiplied
+    const Image& image_;
+    const DrawSettings& settings_;
+    Rect rect_;
+    bool wants_outputs_;
+};
+
+} // namespace
+
+Raster::Raster(const base::Runtime& runtime) : impl_(std::make_unique<Impl>(runtime)) {}
+Raster::~Raster() = default;
+
+void Raster::draw(const frame::Frame& frame, const Image& image, const DrawSettings& settings) {
+    const Rect rect = drawn_rect(frame.camera().viewport, image);
+    if (rect.empty()) return;
+    const base::Parallel& parallel = impl_->runtime.parallel;
+    const std::span<const Disc> discs = frame.discs();
+    impl_->bins.build(parallel, rect.right - rect.left, rect.bottom - rect.top, static_cast<std::int64_t>(discs.size()),
+                      [&](std::int64_t i, TileBins::Footprint& print) {
+                          const Disc& disc = discs[static_cast<std::size_t>(i)];
+                          print = {disc.x - static_cast<float>(rect.left), disc.y - static_cast<float>(rect.top),
+                                   std::max(disc.radius, smallest_radius) + 0.5F};
+                          return true;
+                      });
+    parallel.for_each(impl_->bins.tiles(), Painter(impl_->bins, frame, image, settings, rect));
+}
+
+std::int64_t Raster::scratch_bytes() const noexcept { return impl_->bins.bytes(); }
+
+} // namespace hrbfnpr::output

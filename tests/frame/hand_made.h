@@ -1,0 +1,152 @@
+// Point sets built by hand, and cameras to look at them.
+#pragma once
+
+#include "base/random.h"
+#include "frame/frame.h"
+#include "geometry/tangent_frame.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <vector>
+
+namespace hrbfnpr::testing {
+
+inline constexpr double pi = std::numbers::pi;
+
+inline void add_mark(sampling::MarkGroup& group, const glm::dvec3& position, const glm::dvec3& normal,
+                     const glm::dvec3& direction, std::uint32_t stroke, std::uint32_t place) {
+    const auto index = static_cast<std::uint64_t>(group.count());
+    for (int k = 0; k < 3; ++k) {
+        group.position.push_back(static_cast<float>(position[k]));
+        group.normal.push_back(static_cast<float>(normal[k]));
+        group.direction.push_back(static_cast<float>(direction[k]));
+    }
+    group.rank.push_back(static_cast<float>(base::uniform4(1, index, base::Purpose::rank)[0] * 0.99999));
+    group.level.push_back(0);
+    group.stroke.push_back(stroke);
+    group.stroke.push_back(place);
+}
+
+inline void add_stipple(sampling::PointSet& set, const glm::dvec3& position, const glm::dvec3& normal) {
+    sampling::MarkGroup& group = set.group[0];
+    add_mark(group, position, normal, geometry::any_perpendicular(normal), static_cast<std::uint32_t>(group.count()),
+             0);
+    set.bounds.extend(position + set.origin);
+}
+
+inline glm::dvec3 fibonacci_direction(int i, int count) {
+    const double z = 1.0 - (2.0 * i + 1.0) / count;
+    const double angle = i * pi * (3.0 - std::sqrt(5.0));
+    const double r = std::sqrt(1.0 - z * z);
+    return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+// Evenly spread stipples.
+inline sampling::PointSet sphere(base::Memory& memory, int count, double radius = 1.0,
+                                 const glm::dvec3& centre = glm::dvec3(0.0)) {
+    sampling::PointSet set(memory);
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 n = fibonacci_direction(i, count);
+        add_stipple(set, centre + radius * n, n);
+    }
+    set.spacing = radius * std::sqrt(4.0 * pi / count);
+    return set;
+}
+
+// A square of side 2 in the plane z = 0, facing +z.
+inline sampling::PointSet plane(base::Memory& memory, int side) {
+    sampling::PointSet set(memory);
+    set.spacing = 2.0 / side;
+    for (int i = 0; i < side; ++i) {
+        for (int j = 0; j < side; ++j)
+            add_stipple(set, {(i + 0.5) * set.spacing - 1.0, (j + 0.5) * set.spacing - 1.0, 0.0}, {0.0, 0.0, 1.0});
+    }
+    return set;
+}
+
+struct TorusPoint {
+    glm::dvec3 position, normal, along, around;
+};
+
+// Major radius 1 in the plane z = 0.
+inline TorusPoint torus_point(double minor, double along, double around) {
+    const glm::dvec3 out(std::cos(along), std::sin(along), 0.0);
+    const glm::dvec3 n = std::cos(around) * out + std::sin(around) * glm::dvec3(0.0, 0.0, 1.0);
+    return {out + minor * n, n, {-std::sin(along), std::cos(along), 0.0}, glm::cross(n, {-out.y, out.x, 0.0})};
+}
+
+// Stipples in rings of even spacing.
+inline sampling::PointSet torus(base::Memory& memory, int rings, double minor = 0.45) {
+    sampling::PointSet set(memory);
+    set.spacing = 2.0 * pi * minor / rings;
+    for (int r = 0; r < rings; ++r) {
+        const double around = 2.0 * pi * r / rings;
+        const int count = static_cast<int>(2.0 * pi * (1.0 + minor * std::cos(around)) / set.spacing);
+        for (int i = 0; i < count; ++i) {
+            const TorusPoint p = torus_point(minor, 2.0 * pi * (i + 0.618 * r) / count, around);
+            add_stipple(set, p.position, p.normal);
+        }
+    }
+    return set;
+}
+
+// Strokes on the torus into `group`: set 0 the long way, set 1 around the tube.
+inline void add_torus_strokes(sampling::PointSet& set, std::size_t group, int strokes, int marks, double length,
+                              double minor = 0.45) {
+    for (int s = 0; s < strokes; ++s) {
+        const auto u = base::uniform4(7, static_cast<std::uint64_t>(s), base::Purpose::candidate);
+        double around = 2.0 * pi * u[1];
+        // Rejection-free area density: more strokes on the outer side.
+        if (u[2] > 1.0 / (1.0 + minor) * (1.0 + minor * std::cos(around)) / 1.0) around += pi;
+        for (std::uint32_t d = 0; d < 2; ++d) {
+            for (int m = 0; m < marks; ++m) {
+                const double t = (m - (marks - 1) / 2.0) / marks * length;
+                const double a = 2.0 * pi * u[0] + (d == 0 ? t / (1.0 + minor * std::cos(around)) : 0.0);
+                const TorusPoint p = torus_point(minor, a, around + (d == 1 ? t / minor : 0.0));
+                add_mark(set.group[group], p.position, p.normal, d == 0 ? p.along : p.around,
+                         static_cast<std::uint32_t>(2 * s) + d, static_cast<std::uint32_t>(m));
+                // A stroke is shown whole.
+                set.group[group].rank.back() = static_cast<float>(u[3]);
+            }
+        }
+    }
+}
+
+// Sees [-half, half] in x and y, from z = 10 along -z.
+inline frame::Camera front_camera(int width, int height, double half = 1.25) {
+    frame::Camera camera;
+    camera.view = frame::look_at({0.0, 0.0, 10.0}, glm::dvec3(0.0), {0.0, 1.0, 0.0});
+    camera.projection = frame::orthographic(2.0 * half, width, height, 1.0, 20.0, camera.depth);
+    camera.viewport = {0.0, 0.0, width, height};
+    return camera;
+}
+
+// All marks are ink, nothing is painted.
+inline frame::Style plain_style() {
+    frame::Style style;
+    style.hidden_lines = frame::HiddenLines::show;
+    style.tone = frame::Tone::none;
+    return style;
+}
+
+inline frame::Item item_of(const sampling::PointSet& set, const frame::Style& style,
+                           const glm::dmat4& transform = glm::dmat4(1.0)) {
+    frame::Item item;
+    item.set = &set;
+    item.style = style;
+    item.transform = transform;
+    return item;
+}
+
+// An allocator that counts what is asked of it.
+struct CountingAllocator {
+    std::int64_t calls = 0;
+    static void* allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
+        ++static_cast<CountingAllocator*>(user)->calls;
+        return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    }
+    static void deallocate(void*, void* memory, std::uint64_t, std::uint64_t) { std::free(memory); }
+};
+
+} // namespace hrbfnpr::testing

@@ -1,0 +1,40 @@
+// Every named style on a sphere and a torus.
+#include "raster/picture.h"
+
+#include <gtest/gtest.h>
+
+namespace hrbfnpr::testing {
+namespace {
+
+class Presets : public ::testing::TestWithParam<std::uint32_t> {
+protected:
+    base::Runtime runtime;
+};
+
+TEST_P(Presets, DrawATorus) {
+    sampling::PointSet set = torus(runtime.memory, 120);
+    add_torus_strokes(set, 1, 1500, 27, 0.3);
+    add_torus_strokes(set, 2, 1500, 27, 0.3);
+    const frame::Preset preset = frame::preset(GetParam());
+    const frame::Camera camera = frame::fit_bounds(set.bounds, {0.2, 0.75, -0.6}, {0.0, 0.0, 1.0}, 0.6, 900, 700, 0.05,
+                                                   frame::DepthConvention::negative_one_to_one);
+    const std::array items{item_of(set, preset.style)};
+    frame::FrameInfo info;
+    const Picture picture = draw(runtime, items, camera, 900, 700, &info);
+    picture.keep(std::string("torus-") + preset.name);
+    EXPECT_GT(info.shown, 1000);
+}
+
+TEST_P(Presets, DrawASphere) {
+    const sampling::PointSet set = sphere(runtime.memory, 30000);
+    const frame::Preset preset = frame::preset(GetParam());
+    const std::array items{item_of(set, preset.style)};
+    const Picture picture = draw(runtime, items, front_camera(600, 600), 600, 600);
+    picture.keep(std::string("sphere-") + preset.name);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Presets, ::testing::Range(0U, frame::preset_count),
+                         [](const auto& one) { return "number_" + std::to_string(one.param); });
+
+} // namespace
+} // namespace hrbfnpr::testing
