@@ -17,9 +17,9 @@ void default_deallocate(void* /*user*/, void* memory, std::uint64_t /*size*/, st
 
 Memory::Memory() noexcept : Memory(nullptr, nullptr, nullptr) {}
 
-Memory::Memory(AllocateFn allocate, DeallocateFn deallocate, void* user) noexcept
-    : allocate_(allocate != nullptr ? allocate : default_allocate),
-      deallocate_(deallocate != nullptr ? deallocate : default_deallocate), user_(user) {}
+Memory::Memory(AllocateFn given, DeallocateFn give_back, void* user) noexcept
+    : allocate_(given != nullptr ? given : default_allocate),
+      deallocate_(give_back != nullptr ? give_back : default_deallocate), user_(user) {}
 
 void* Memory::allocate(std::uint64_t size) {
     void* memory = allocate_(user_, size, alignment);
