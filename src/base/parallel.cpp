@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <thread>
 
@@ -42,17 +43,15 @@ public:
     Job(TaskFn task, void* context) noexcept : task_(task), context_(context) {}
 
     void operator()(std::int64_t index) noexcept {
-        if (stopped_.load(std::memory_order_relaxed)) return;
+        if (index > first_failed_.load(std::memory_order_relaxed)) return;
         const FpGuard guard;
         try {
             task_(context_, index);
         } catch (...) {
             const std::lock_guard lock(mutex_);
-            if (!error_ || index < error_index_) {
-                error_ = std::current_exception();
-                error_index_ = index;
-            }
-            stopped_.store(true, std::memory_order_relaxed);
+            if (index >= first_failed_.load(std::memory_order_relaxed)) return;
+            error_ = std::current_exception();
+            first_failed_.store(index, std::memory_order_relaxed);
         }
     }
 
@@ -63,10 +62,10 @@ public:
 private:
     TaskFn task_;
     void* context_;
-    std::atomic<bool> stopped_{false};
+    // Lower indices go on after a failure, so that the same one is reported whatever the order.
+    std::atomic<std::int64_t> first_failed_{std::numeric_limits<std::int64_t>::max()};
     std::mutex mutex_;
     std::exception_ptr error_;
-    std::int64_t error_index_ = 0;
 };
 
 void run_job(void* job, std::int64_t index) { (*static_cast<Job*>(job))(index); }

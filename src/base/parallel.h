@@ -23,8 +23,8 @@ public:
     [[nodiscard]] int threads() const noexcept { return threads_; }
 
     // Calls f(i) once for each i in [0, count), concurrently, and returns when all have
-    // ended.  If some throw, the exception of the lowest index is rethrown here and
-    // indices that had not been started may be skipped.
+    // ended.  If some throw, the exception of the lowest such index is rethrown here and
+    // higher indices that had not been started are skipped.
     template <class F>
     void for_each(std::int64_t count, F&& f) const {
         using Function = std::remove_reference_t<F>;
