@@ -11,7 +11,7 @@ if(NOT HRBFNPR_GLM_INCLUDE_DIR IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
 endif()
 target_link_libraries(hrbfnpr_options INTERFACE Eigen3::Eigen)
 target_compile_definitions(hrbfnpr_options INTERFACE
-  EIGEN_DONT_PARALLELIZE EIGEN_MPL2_ONLY GLM_FORCE_CTOR_INIT)
+  EIGEN_DONT_PARALLELIZE EIGEN_MPL2_ONLY)
 
 # -ffp-contract=off: the same bits in vector and remainder loops.
 # -fno-math-errno: square roots inline; nothing here reads errno.
