@@ -1,0 +1,160 @@
+"""The context: threads, instruction set, log."""
+from __future__ import annotations
+
+import json
+import threading
+from dataclasses import dataclass
+from typing import Any, Callable, Optional
+
+from ._callbacks import CallbackState, plain_callback
+from ._errors import check, new_error, new_struct
+from ._handles import Owner, own
+from ._library import ffi, lib, library_path
+from ._names import INSTRUCTION_SETS, LOG_LEVELS, name_of, number_of
+
+RunTasks = Callable[[Callable[[int], None], int], Any]
+
+
+@dataclass(frozen=True)
+class ContextInfo:
+    """What a context really uses.
+
+    Attributes
+    ----------
+    thread_count : int
+        Threads that a large call will use.
+    instruction_set : str
+        The one in use, such as ``"avx2"``.
+    bytes_now, bytes_peak : int
+        Memory allocated through the context at present, and the most there ever was.
+    """
+
+    thread_count: int
+    instruction_set: str
+    bytes_now: int
+    bytes_peak: int
+
+
+@plain_callback("void(void *, int32_t, const char *)")
+def _on_log(user: Any, level: int, message: Any) -> None:
+    ffi.from_handle(user).function(name_of(LOG_LEVELS, level), ffi.string(message).decode("utf-8", "replace"))
+
+
+@plain_callback("void(void *, hrbfnpr_task_fn, void *, int64_t)")
+def _on_run_tasks(user: Any, task: Any, task_context: Any, count: int) -> None:
+    started = bytearray(count)
+
+    def run(index: int) -> None:
+        started[index] = 1
+        task(task_context, index)
+
+    try:
+        ffi.from_handle(user).function(run, count)
+    finally:
+        # The library cannot go on without them: a runner that fails is made good here.
+        for index in range(count):
+            if not started[index]:
+                run(index)
+
+
+class Context(Owner):
+    """Threads, instruction set and log of everything that is made with it.
+
+    Most programs need none: where a context can be given, the default is one that all calls share
+    (`default_context`).  Any number of threads may use one context at a time.
+
+    Parameters
+    ----------
+    thread_count : int, optional
+        0 = all processors (default), 1 = serial.  Results are the same bits for any number.
+    instruction_set : str, optional
+        The highest to use: ``"auto"`` (default), ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"``.
+    log : callable, optional
+        Called as ``log(level, message)`` with a level of ``"debug"``, ``"info"`` or ``"warning"``.
+    run_tasks : callable, optional
+        Runs the library's work in place of its own threads.  Called as ``run_tasks(task, count)``
+        it must call ``task(i)`` once for each i in ``range(count)``, on any threads, and return
+        when all have ended.  The tasks release the interpreter lock.
+
+    Raises
+    ------
+    InvalidArgumentError
+        For a negative thread count.
+
+    Examples
+    --------
+    >>> with ThreadPoolExecutor() as pool:
+    ...     context = hrbfnpr.Context(run_tasks=lambda task, count: list(pool.map(task, range(count))))
+    """
+
+    def __init__(
+        self,
+        thread_count: int = 0,
+        *,
+        instruction_set: str = "auto",
+        log: Optional[Callable[[str, str], Any]] = None,
+        run_tasks: Optional[RunTasks] = None,
+    ) -> None:
+        desc = new_struct("hrbfnpr_context_desc")
+        desc.thread_count = thread_count
+        desc.highest_instruction_set = number_of("instruction_set", INSTRUCTION_SETS, instruction_set)
+        keep = []
+        if log is not None:
+            keep.append(CallbackState(log).new_handle())
+            desc.log, desc.log_user = _on_log, keep[-1]
+        if run_tasks is not None:
+            keep.append(CallbackState(run_tasks).new_handle())
+            desc.run_tasks, desc.run_tasks_user = _on_run_tasks, keep[-1]
+        out, error = ffi.new("hrbfnpr_context **"), new_error()
+        check(lib.hrbfnpr_context_create(desc, out, error), error)
+        super().__init__(own(out[0], lib.hrbfnpr_context_release, *keep))
+
+    @property
+    def info(self) -> ContextInfo:
+        """Threads and instruction set really used, memory now and at peak."""
+        info, error = new_struct("hrbfnpr_context_info"), new_error()
+        check(lib.hrbfnpr_context_get_info(self._handle, info, error), error)
+        return ContextInfo(
+            thread_count=info.thread_count,
+            instruction_set=name_of(INSTRUCTION_SETS, info.instruction_set),
+            bytes_now=info.bytes_now,
+            bytes_peak=info.bytes_peak,
+        )
+
+    def __repr__(self) -> str:
+        return "<hrbfnpr.Context closed>" if self.closed else f"<hrbfnpr.Context {self.info}>"
+
+
+_default: Optional[Context] = None
+_default_lock = threading.Lock()
+
+
+def default_context() -> Context:
+    """The context that is used where none is given: all processors, made on first use."""
+    global _default
+    with _default_lock:
+        if _default is None or _default.closed:
+            _default = Context()
+        return _default
+
+
+def set_default_context(context: Optional[Context]) -> None:
+    """Let `context` be the default; None makes a new one on next use."""
+    global _default
+    with _default_lock:
+        _default = context
+
+
+def resolve(context: Optional[Context]) -> Context:
+    return default_context() if context is None else context
+
+
+def build_info() -> "dict[str, Any]":
+    """What the loaded library is: version, compiler, instruction sets, dependencies, and its path."""
+    needed = ffi.new("int64_t *")
+    lib.hrbfnpr_build_info(ffi.NULL, 0, needed)
+    text = ffi.new("char[]", needed[0])
+    check(lib.hrbfnpr_build_info(text, needed[0], ffi.NULL))
+    info: "dict[str, Any]" = json.loads(ffi.string(text).decode())
+    info["library"] = library_path
+    return info

@@ -1,0 +1,89 @@
+"""Finds and loads the C library, and checks that it is the one this package was made for."""
+from __future__ import annotations
+
+import ctypes.util
+import os
+import sys
+from pathlib import Path
+from typing import Any, List, Tuple
+
+from ._cffi import ffi as _ffi
+
+ffi: Any = _ffi
+
+_ABI_VERSION: int = ffi.integer_const("HRBFNPR_ABI_VERSION")
+
+
+def _file_names() -> Tuple[str, ...]:
+    if sys.platform == "win32":
+        return ("hrbfnpr.dll", "libhrbfnpr.dll")
+    if sys.platform == "darwin":
+        return (f"libhrbfnpr.{_ABI_VERSION}.dylib", "libhrbfnpr.dylib")
+    return (f"libhrbfnpr.so.{_ABI_VERSION}", "libhrbfnpr.so")
+
+
+def _build_tree_candidates(package: Path) -> List[Path]:
+    """Libraries built in the checkout that this package lies in: a release build before others."""
+    root = package.parents[2]
+    if not (root / "include" / "hrbfnpr.h").is_file():
+        return []
+    found = [
+        path
+        for name in _file_names()
+        for pattern in (f"build/{name}", f"build/*/{name}", f"build/*/*/{name}")
+        for path in root.glob(pattern)
+    ]
+    found.sort(key=lambda path: ("release" not in path.parts, -path.stat().st_mtime))
+    return found
+
+
+def _candidates() -> List[str]:
+    package = Path(__file__).resolve().parent
+    paths = [package / name for name in _file_names() if (package / name).is_file()]
+    paths += _build_tree_candidates(package)
+    names = [str(path) for path in paths]
+    names += _file_names()  # as the system's loader finds it
+    by_linker = ctypes.util.find_library("hrbfnpr")
+    return names + ([by_linker] if by_linker else [])
+
+
+def _open(name: str) -> Any:
+    lib = ffi.dlopen(name)
+    try:
+        abi = lib.hrbfnpr_abi_version()
+    except AttributeError as error:
+        raise OSError(f"{name} is not a hrbfnpr library: {error}") from None
+    if abi != _ABI_VERSION:
+        raise OSError(f"{name} has ABI version {abi}, this package needs {_ABI_VERSION}")
+    return lib
+
+
+def load() -> Tuple[Any, str]:
+    """The library and the name under which it was found.
+
+    The environment variable ``HRBFNPR_LIBRARY`` names one library and no other is tried; otherwise
+    the package's own folder, the build tree of the checkout, and the system's loader are tried.
+
+    Raises
+    ------
+    ImportError
+        With the reason for each candidate that did not load.
+    """
+    chosen = os.environ.get("HRBFNPR_LIBRARY")
+    failures = []
+    for name in [chosen] if chosen else _candidates():
+        try:
+            return _open(name), name
+        except OSError as error:
+            failures.append(str(error))
+    where = "HRBFNPR_LIBRARY" if chosen else "the hrbfnpr shared library"
+    remedy = (
+        "let it name a libhrbfnpr shared library"
+        if chosen
+        else "build and install it, or name it in the environment variable HRBFNPR_LIBRARY"
+    )
+    reasons = "\n  ".join(dict.fromkeys(failures))
+    raise ImportError(f"cannot load {where}; {remedy}. Tried:\n  {reasons}")
+
+
+lib, library_path = load()

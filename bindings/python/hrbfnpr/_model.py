@@ -1,0 +1,468 @@
+"""Models: implicit surfaces f = 0."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, NamedTuple, Optional, Tuple
+
+from . import _streams
+from ._arrays import Array, block_in, output, vector, wrap
+from ._callbacks import CallbackState, check
+from ._context import Context, resolve
+from ._errors import new_error, new_struct
+from ._function import FunctionState, on_evaluate, on_release
+from ._handles import Owner, own
+from ._library import ffi, lib
+from ._names import KERNELS, SOLVERS, name_of, number_of
+from ._numpy import np
+from ._operation import Operation, Progress, running
+from ._structs import read_struct
+
+Function = Callable[[Array], Any]
+Vector = Tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class ModelInfo:
+    """What a fit did.  Lengths are in the unit of the points.
+
+    Attributes
+    ----------
+    kernel, polynomial_degree, solver
+        As used.
+    samples, centres, merged_samples : int
+        Samples given; centres after merging coincident samples; how many were merged.
+    rescaled_normals : int
+        Normals whose length was off 1 by more than 1e-4.
+    bounds_min, bounds_max : tuple of float
+        Box of the samples.
+    spacing : float
+        Mean distance of a sample to its nearest neighbour.
+    kernel_radius, regularization : float
+        As used.
+    value_residual_max, value_residual_rms : float
+        Of abs(f(x_i)).
+    gradient_residual_max, gradient_residual_rms : float
+        Of the length of grad f(x_i) - n_i.
+    solver_residual : float
+        Relative residual of the linear system in the 2-norm.
+    condition_estimate : float
+        1-norm condition number of the factored matrix.
+    iterations : int
+        Refinement steps taken.
+    fallback : bool
+        Whether the matrix was not definite and a pivoted LU was used.
+    seconds_assemble, seconds_solve, seconds_total : float
+    bytes : int
+        Memory kept by the model.
+    """
+
+    kernel: str
+    polynomial_degree: int
+    solver: str
+    samples: int
+    centres: int
+    merged_samples: int
+    rescaled_normals: int
+    bounds_min: Vector
+    bounds_max: Vector
+    spacing: float
+    kernel_radius: float
+    regularization: float
+    value_residual_max: float
+    value_residual_rms: float
+    gradient_residual_max: float
+    gradient_residual_rms: float
+    solver_residual: float
+    condition_estimate: float
+    iterations: int
+    fallback: bool
+    seconds_assemble: float
+    seconds_solve: float
+    seconds_total: float
+    bytes: int
+
+
+class Evaluation(NamedTuple):
+    """Result of `Model.evaluate`; what was not asked for is None."""
+
+    value: Array
+    gradient: Optional[Array]
+    hessian: Optional[Array]
+
+    def hessian_matrix(self) -> Array:
+        """The Hessians as symmetric matrices, shape (..., 3, 3); a copy.  Needs NumPy."""
+        if self.hessian is None:
+            raise ValueError("the Hessian was not asked for: use evaluate(points, hessian=True)")
+        return np.asarray(self.hessian)[..., [[0, 1, 2], [1, 3, 4], [2, 4, 5]]]
+
+
+class Projection(NamedTuple):
+    """Result of `Model.project`.
+
+    `status` is 0 where a point converged; see `PROJECTION_STATUS` for the other numbers.
+    """
+
+    position: Array
+    normal: Array
+    status: Array
+    converged: int
+
+
+class Curvature(NamedTuple):
+    """Result of `Model.curvature`."""
+
+    k1: Array
+    k2: Array
+    d1: Array
+    d2: Array
+    confidence: Array
+
+
+def _scalar(values: Array, shape: Tuple[int, ...]) -> Any:
+    """A number for a single point."""
+    return values[()] if np is not None and shape == () else values
+
+
+def _load(data: bytes) -> Model:
+    return Model.load(data)
+
+
+class Model(Owner):
+    """An implicit surface: f < 0 inside, f > 0 outside, with a gradient near 1 at the surface [NPAR 4].
+
+    Immutable: any number of threads may use one model at a time.  Made by `fit`, `from_function` or
+    `load`; can be pickled (but for one from a function), and is then loaded in the default context.
+
+    A call that is given a single point (three numbers) returns results without the first axis;
+    arrays of points may have any shape (..., 3).  float32 and float64 arrays are used in place.
+    """
+
+    def __init__(self, handle: Any, context: Context, function: Optional[FunctionState] = None) -> None:
+        super().__init__(handle)
+        self._context = context
+        self._function = function
+
+    @classmethod
+    def fit(
+        cls,
+        points: Array,
+        normals: Array,
+        *,
+        kernel: str = "triharmonic",
+        kernel_radius: float = 0.0,
+        polynomial_degree: int = 1,
+        regularization: float = 0.0,
+        solver: str = "auto",
+        maximum_centres: int = 0,
+        iteration_limit: int = 2,
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+        context: Optional[Context] = None,
+    ) -> Model:
+        """Fit f with f(x_i) = 0 and grad f(x_i) = n_i to N samples [NPAR 4.1].
+
+        Parameters
+        ----------
+        points, normals : array of float, shape (N, 3)
+            Samples and their outward normals, in any unit.  Normals that are not of unit length are
+            normalised; samples that coincide and agree are merged.  One sample is a plane.
+        kernel : {"triharmonic", "gaussian", "wendland_c2"}
+            r^3 (default), exp(-r^2 / 2 radius^2), or (1 - r/radius)^4 (4 r/radius + 1).
+        kernel_radius : float
+            Radius of the last two, in the unit of the points; 0 = from the sample spacing.
+        polynomial_degree : int
+            -1 (none) to 3.
+        regularization : float
+            0 interpolates (default); more is smoother.
+        solver : {"auto", "direct"}
+            "direct" is a dense factorisation: 128 N^2 bytes, time N^3.
+        maximum_centres : int
+            More samples are refused; 0 = as many as memory allows.
+        iteration_limit : int
+            Steps of iterative refinement after a direct solve.
+        progress : callable or progress bar, optional
+            See `Operation`.
+        operation : Operation, optional
+            To poll or cancel the fit from another thread; instead of `progress`.
+        context : Context, optional
+
+        Raises
+        ------
+        InvalidArgumentError
+            For NaN, infinity, zero normals, coincident samples that disagree (the message names the
+            index), and mismatched or empty arrays.
+        SingularSystemError
+            If there is no (numerically) unique solution.
+        OutOfMemoryError, CancelledError
+        """
+        context = resolve(context)
+        desc = new_struct("hrbfnpr_fit_desc")
+        desc.kernel = number_of("kernel", KERNELS, kernel)
+        keep = [block_in("points", points).fill(desc.points), block_in("normals", normals).fill(desc.normals)]
+        desc.kernel_radius = kernel_radius
+        desc.polynomial_degree = polynomial_degree
+        desc.solver = number_of("solver", SOLVERS, solver)
+        desc.regularization = regularization
+        desc.maximum_centres = maximum_centres
+        desc.iteration_limit = iteration_limit
+        out, error = ffi.new("hrbfnpr_model **"), new_error()
+        with running(operation, progress, context) as (handle, state):
+            check(lib.hrbfnpr_model_fit(context._handle, desc, handle, out, error), error, state)
+        del keep
+        return cls(own(out[0], lib.hrbfnpr_model_release, context), context)
+
+    @classmethod
+    def from_function(
+        cls,
+        value: Function,
+        gradient: Optional[Function] = None,
+        hessian: Optional[Function] = None,
+        *,
+        bounds: Any,
+        difference_step: float = 0.0,
+        thread_safe: bool = False,
+        context: Optional[Context] = None,
+    ) -> Model:
+        """Any implicit function in place of a fit: every operator works on it [NPAR 8].
+
+        Parameters
+        ----------
+        value : callable
+            Takes points of shape (n, 3) and returns n values, negative inside, finite within twice
+            the bounds.
+        gradient, hessian : callable, optional
+            Return shapes (n, 3) and (n, 3, 3) or (n, 6) (xx xy xz yy yz zz); differenced if omitted.
+            The gradient should be near 1 in length at the surface.
+        bounds : (minimum, maximum)
+            Two corners of the box that the surface lies in.
+        difference_step : float
+            For differences; 0 = 1e-4 of the box's diagonal (1e-3 for the Hessian).
+        thread_safe : bool
+            Whether the functions may be called from several threads at once.  Python code gains
+            little by it; code that releases the interpreter lock does.
+        context : Context, optional
+
+        Notes
+        -----
+        An exception in a function makes the call that evaluates it raise CallbackError, with the
+        exception as its cause.
+        """
+        context = resolve(context)
+        function = FunctionState(value, gradient, hessian)
+        desc = new_struct("hrbfnpr_custom_desc")
+        desc.flags = function.flags(thread_safe)
+        desc.function, desc.release = on_evaluate, on_release
+        desc.user = user = function.keep()
+        desc.bounds_min, desc.bounds_max = (vector("bounds", corner) for corner in bounds)
+        desc.difference_step = difference_step
+        out, error = ffi.new("hrbfnpr_model **"), new_error()
+        status = lib.hrbfnpr_model_create_custom(context._handle, desc, out, error)
+        if status != 0:
+            on_release(user)
+        check(status, error)
+        return cls(own(out[0], lib.hrbfnpr_model_release, context), context, function)
+
+    def evaluate(
+        self,
+        points: Array,
+        gradient: bool = False,
+        hessian: bool = False,
+        *,
+        dtype: str = "float64",
+        out: Optional[Evaluation] = None,
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+    ) -> Evaluation:
+        """f at points, and, if asked for, its gradient and Hessian.
+
+        Parameters
+        ----------
+        points : array of float, shape (..., 3)
+        gradient, hessian : bool
+            Whether to compute them too.
+        dtype : {"float64", "float32"}
+            Type of the results; the arithmetic is float64.
+        out : Evaluation, optional
+            Arrays to write to; a field that is None is not computed, whatever the flags say.
+
+        Returns
+        -------
+        Evaluation
+            value (...), gradient (..., 3) or None, hessian (..., 6) or None: xx xy xz yy yz zz.
+        """
+        block = block_in("points", points)
+        code = _float_code(dtype)
+        wanted = (1, 3 if gradient else 0, 6 if hessian else 0)
+        if out is not None:
+            wanted = tuple(0 if given is None else n for given, n in zip(out, (1, 3, 6)))  # type: ignore[assignment]
+        given = (None, None, None) if out is None else out
+        arrays, views = [], []
+        for name, size, target in zip(("value", "gradient", "hessian"), wanted, given):
+            array, view = output(name, target, block.shape, size, code) if size else (None, ffi.NULL)
+            arrays.append(array)
+            views.append(view)
+        error = new_error()
+        with running(operation, progress, self._context) as (handle, state):
+            status = lib.hrbfnpr_model_evaluate(self._handle, block.view(), *views, handle, error)
+            self._check(status, error, state)
+        return Evaluation(_scalar(arrays[0], block.shape), arrays[1], arrays[2])
+
+    def project(
+        self,
+        points: Array,
+        *,
+        iteration_limit: int = 50,
+        tolerance: float = 1e-9,
+        armijo_slope: float = 1e-4,
+        armijo_factor: float = 0.5,
+        dtype: str = "float64",
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+    ) -> Projection:
+        """Project points on the surface by steepest descent on f^2 with Armijo's rule [NPAR 4.2].
+
+        Parameters
+        ----------
+        points : array of float, shape (..., 3)
+        iteration_limit : int
+            Evaluations per point, 1 to 1000.
+        tolerance : float
+            A point has converged when abs(f) / abs(grad f) is at most this share of the diagonal.
+        armijo_slope, armijo_factor : float
+            sigma in (0, 0.5) and beta in (0, 1) of the rule.
+        dtype : {"float64", "float32"}
+
+        Returns
+        -------
+        Projection
+            position (..., 3), normal (..., 3), status (...) and the number of points that
+            converged.  A point that fails keeps its last iterate.
+        """
+        block = block_in("points", points)
+        desc = new_struct("hrbfnpr_project_desc")
+        desc.iteration_limit, desc.tolerance = iteration_limit, tolerance
+        desc.armijo_slope, desc.armijo_factor = armijo_slope, armijo_factor
+        code = _float_code(dtype)
+        position, position_out = output("position", None, block.shape, 3, code)
+        normal, normal_out = output("normal", None, block.shape, 3, code)
+        status, status_out = output("status", None, block.shape, 1, "B")
+        converged, error = ffi.new("int64_t *"), new_error()
+        with running(operation, progress, self._context) as (handle, state):
+            result = lib.hrbfnpr_model_project(
+                self._handle, block.view(), desc, position_out, normal_out, status_out, converged, handle, error
+            )
+            self._check(result, error, state)
+        return Projection(position, normal, _scalar(status, block.shape), converged[0])
+
+    def curvature(
+        self,
+        points: Array,
+        *,
+        dtype: str = "float64",
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+    ) -> Curvature:
+        """Principal curvatures and directions of the level set through each point [NPAR 5.3].
+
+        Parameters
+        ----------
+        points : array of float, shape (..., 3)
+        dtype : {"float64", "float32"}
+
+        Returns
+        -------
+        Curvature
+            k1 >= k2 (...): negative where the surface bends away from its normal, -1/radius on a
+            sphere; d1, d2 (..., 3): unit, orthogonal, tangent, of arbitrary sign; confidence (...)
+            in [0, 1]: 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
+        """
+        block = block_in("points", points)
+        arrays, views = [], []
+        for name, size in zip(Curvature._fields, (1, 1, 3, 3, 1)):
+            array, view = output(name, None, block.shape, size, _float_code(dtype))
+            arrays.append(array if size > 1 else _scalar(array, ()) if block.shape == () else array)
+            views.append(view)
+        error = new_error()
+        with running(operation, progress, self._context) as (handle, state):
+            status = lib.hrbfnpr_model_curvature(self._handle, block.view(), *views, handle, error)
+            self._check(status, error, state)
+        return Curvature(*arrays)
+
+    @property
+    def info(self) -> ModelInfo:
+        """What the fit did."""
+        info, error = new_struct("hrbfnpr_model_info"), new_error()
+        check(lib.hrbfnpr_model_get_info(self._handle, info, error), error)
+        names = {"kernel": KERNELS, "solver": SOLVERS}
+        convert = {key: (lambda number, table=table: name_of(table, number)) for key, table in names.items()}
+        return read_struct(ModelInfo, info, {**convert, "fallback": bool})
+
+    @property
+    def bounds(self) -> Tuple[Vector, Vector]:
+        """Two corners of the box of the samples, or of the function's bounds."""
+        info = self.info
+        return info.bounds_min, info.bounds_max
+
+    def _view(self, attribute: str) -> Array:
+        view, error = ffi.new("hrbfnpr_array *"), new_error()
+        number = ffi.integer_const(f"HRBFNPR_MODEL_ATTRIBUTE_{attribute}")
+        check(lib.hrbfnpr_model_view(self._handle, number, view, error), error)
+        return wrap(view, self._handle)
+
+    @property
+    def points(self) -> Array:
+        """The centres, float64 (n, 3): a read-only view, nothing is copied.  Empty for a function."""
+        return self._view("POSITION")
+
+    @property
+    def normals(self) -> Array:
+        """The unit normals of the centres, as `points`."""
+        return self._view("NORMAL")
+
+    def save(self, target: _streams.Target) -> None:
+        """Write to a path (atomically) or a binary file object.  A function cannot be saved.
+
+        The data is versioned and checksummed; a loaded model evaluates to the same bits.
+        """
+        _streams.save(lib.hrbfnpr_model_save, self._handle, target)
+
+    def to_bytes(self) -> bytes:
+        """What `save` writes."""
+        return _streams.to_bytes(lib.hrbfnpr_model_save, self._handle)
+
+    @classmethod
+    def load(cls, source: _streams.Source, *, context: Optional[Context] = None) -> Model:
+        """Read from a path, a binary file object or bytes.
+
+        Raises
+        ------
+        CorruptDataError
+            If the data is not a saved model, or cut short or damaged.
+        VersionMismatchError
+            If it was written by a newer library.
+        """
+        context = resolve(context)
+        out = ffi.new("hrbfnpr_model **")
+        functions = lib.hrbfnpr_model_load, lib.hrbfnpr_model_load_memory
+        _streams.load(*functions, context._handle, out, source)
+        return cls(own(out[0], lib.hrbfnpr_model_release, context), context)
+
+    def __reduce__(self) -> Any:
+        return _load, (self.to_bytes(),)
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "<hrbfnpr.Model closed>"
+        info = self.info
+        return f"<hrbfnpr.Model {info.kernel}, {info.centres} centres>"
+
+    def _check(self, status: int, error: Any, state: CallbackState) -> None:
+        check(status, error, state, shared=self._function)
+
+
+def _float_code(dtype: Any) -> str:
+    name = dtype if isinstance(dtype, str) else np.dtype(dtype).name
+    codes = {"float64": "d", "float32": "f", "d": "d", "f": "f"}
+    if name not in codes:
+        raise ValueError(f"dtype must be 'float64' or 'float32', not {dtype!r}")
+    return codes[name]

@@ -1,0 +1,110 @@
+"""Progress and cancelling of long calls."""
+from __future__ import annotations
+
+import threading
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator, Optional, Tuple, cast
+
+from ._callbacks import CallbackState, callback
+from ._context import Context, resolve
+from ._errors import check as check_status
+from ._errors import new_error
+from ._handles import Owner, own
+from ._library import ffi, lib
+
+Progress = Any
+"""A function of a fraction in [0, 1], or a progress bar such as tqdm's."""
+
+
+def _reporter(progress: Progress) -> Callable[[float], Any]:
+    """What to call with a fraction: `progress` itself, or the update of a tqdm bar."""
+    if callable(progress):
+        return cast("Callable[[float], Any]", progress)
+    if not hasattr(progress, "update") or not hasattr(progress, "n"):
+        raise TypeError("progress must be callable, or a progress bar with `n` and `update` such as tqdm's")
+
+    def update(fraction: float) -> None:
+        total = progress.total if getattr(progress, "total", None) else 1.0
+        progress.update(fraction * total - progress.n)
+
+    return update
+
+
+@callback("int32_t(void *, double)", failure=1)
+def _on_progress(user: Any, fraction: float) -> int:
+    # Runs even where nobody wants progress: it is here that Python notices Ctrl-C.
+    function = ffi.from_handle(user).function
+    if function is not None:
+        function(fraction)
+    return 0
+
+
+class Operation(Owner):
+    """Progress and cancelling of one long call at a time, and of further calls one after another.
+
+    Every long call takes an `operation`, or just a `progress` and makes an operation of its own.
+    Ctrl-C during a long call on the main thread cancels it and raises KeyboardInterrupt.
+
+    Parameters
+    ----------
+    progress : callable or progress bar, optional
+        Called with a fraction in [0, 1] that never falls within a call, on the thread that made
+        the call.  What it returns is ignored; what it raises cancels the call.  A tqdm bar is taken
+        too and is filled up to its `total` (1 if it has none).
+    context : Context, optional
+        The default context if omitted.
+
+    Notes
+    -----
+    `cancel`, `cancelled` and `fraction` may be used from any thread while a call runs.  A cancelled
+    operation stays cancelled: each further call that gets it raises CancelledError at once.
+
+    Examples
+    --------
+    >>> operation = hrbfnpr.Operation()
+    >>> threading.Timer(10.0, operation.cancel).start()
+    >>> model = hrbfnpr.Model.fit(points, normals, operation=operation)
+    """
+
+    def __init__(self, progress: Optional[Progress] = None, *, context: Optional[Context] = None) -> None:
+
+        context = resolve(context)
+        self._state = CallbackState(None if progress is None else _reporter(progress))
+        user = self._state.new_handle()
+        out, error = ffi.new("hrbfnpr_operation **"), new_error()
+        check_status(lib.hrbfnpr_operation_create(context._handle, out, error), error)
+        super().__init__(own(out[0], lib.hrbfnpr_operation_release, user, context))
+        self._busy = threading.Lock()
+        status = lib.hrbfnpr_operation_set_callback(self._handle, _on_progress, user, error)
+        check_status(status, error)
+
+    def cancel(self) -> None:
+        """Make the running call, and every later one, raise CancelledError.  Any thread, any time."""
+        lib.hrbfnpr_operation_cancel(self._handle)
+
+    @property
+    def cancelled(self) -> bool:
+        """Whether `cancel` was called, or a progress callback raised."""
+        return bool(lib.hrbfnpr_operation_is_cancelled(self._handle))
+
+    @property
+    def fraction(self) -> float:
+        """Progress of the running or last call, in [0, 1]."""
+        return float(lib.hrbfnpr_operation_progress(self._handle))
+
+
+@contextmanager
+def running(
+    operation: Optional[Operation], progress: Optional[Progress], context: Context
+) -> Iterator[Tuple[Any, CallbackState]]:
+    """The handle to pass to a long call, and the state of its progress callback."""
+    if operation is not None and progress is not None:
+        raise TypeError("give either operation or progress, not both")
+    if operation is None:
+        operation = Operation(progress, context=context)
+    if not operation._busy.acquire(blocking=False):
+        raise ValueError("this operation already serves a call that is running")
+    try:
+        yield operation._handle, operation._state
+    finally:
+        operation._busy.release()

@@ -1,0 +1,23 @@
+"""Output structs of the library as frozen dataclasses of the same field names."""
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Any, Callable, Dict, Optional, Type, TypeVar
+
+from ._library import ffi
+
+T = TypeVar("T")
+Convert = Callable[[Any], Any]
+
+
+def read_struct(kind: Type[T], struct: Any, convert: Optional[Dict[str, Convert]] = None) -> T:
+    """Fill a dataclass from the struct's fields; arrays of numbers become tuples."""
+    values = {}
+    for field in fields(kind):
+        value = getattr(struct, field.name)
+        if convert and field.name in convert:
+            value = convert[field.name](value)
+        elif isinstance(value, ffi.CData):
+            value = tuple(value)
+        values[field.name] = value
+    return kind(**values)

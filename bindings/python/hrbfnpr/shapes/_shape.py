@@ -1,0 +1,79 @@
+"""What a file of points or a mesh holds."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Iterable, List, Optional, Sequence, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.int64]
+
+
+class ShapeError(ValueError):
+    """A file cannot be used; the message says why."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """Points, perhaps with normals, perhaps joined to triangles.
+
+    Attributes
+    ----------
+    points : array of float64, shape (n, 3)
+    normals : array of float64, shape (n, 3), or None
+    triangles : array of int64, shape (m, 3), or None
+    """
+
+    points: Floats
+    normals: Optional[Floats] = None
+    triangles: Optional[Integers] = None
+
+    def __post_init__(self) -> None:
+        if len(self.points) == 0:
+            raise ShapeError("there are no points")
+        if self.triangles is not None and len(self.triangles) > 0:
+            low, high = int(self.triangles.min()), int(self.triangles.max())
+            if low < 0 or high >= len(self.points):
+                wrong = low if low < 0 else high
+                raise ShapeError(f"a face names vertex {wrong}, but there are only {len(self.points)} vertices")
+
+    @property
+    def is_mesh(self) -> bool:
+        """Whether there are faces."""
+        return self.triangles is not None and len(self.triangles) > 0
+
+
+def fans(polygons: Iterable[Sequence[int]]) -> Integers:
+    """Triangles of polygons: fans about their first corner.  What has no three corners is left out."""
+    result: List[Tuple[int, int, int]] = []
+    for polygon in polygons:
+        result.extend((polygon[0], polygon[i], polygon[i + 1]) for i in range(1, len(polygon) - 1))
+    return np.array(result, dtype=np.int64).reshape(-1, 3)
+
+
+def fans_of_block(corners: Any) -> Integers:
+    """As `fans`, for an array of polygons with the same number of corners."""
+    corners = np.asarray(corners, dtype=np.int64)
+    parts = [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
+    if not parts:
+        return np.empty((0, 3), dtype=np.int64)
+    stacked: Integers = np.stack(parts, axis=1).reshape(-1, 3)
+    return stacked
+
+
+def strips(indices: Sequence[int]) -> Integers:
+    """Triangles of strips: every second one turned; -1 ends a strip."""
+    result: List[Tuple[int, int, int]] = []
+    strip: List[int] = []
+    for index in [*indices, -1]:
+        if index >= 0:
+            strip.append(index)
+            continue
+        for i in range(len(strip) - 2):
+            a, b, c = strip[i : i + 3]
+            if a != b and b != c and a != c:
+                result.append((a, b, c) if i % 2 == 0 else (b, a, c))
+        strip = []
+    return np.array(result, dtype=np.int64).reshape(-1, 3)
