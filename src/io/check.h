@@ -1,0 +1,35 @@
+// Checks on numbers that came out of a file whose checksum was right.
+#pragma once
+
+#include "geometry/vec.h"
+#include "io/decoder.h"
+
+#include <cmath>
+#include <span>
+
+namespace hrbfnpr::io {
+
+template <class T>
+void check_finite(const Decoder& decoder, const char* name, std::span<const T> numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (!std::isfinite(numbers[i])) decoder.damaged("%s[%lld] is not finite", name, static_cast<long long>(i));
+}
+
+// Unit vectors, packed; loosely, for files of other programs.
+template <class T>
+void check_unit(const Decoder& decoder, const char* name, std::span<const T> packed) {
+    for (std::size_t i = 0; i + 2 < packed.size(); i += 3) {
+        const T square = packed[i] * packed[i] + packed[i + 1] * packed[i + 1] + packed[i + 2] * packed[i + 2];
+        if (!(square > T(0.98) && square < T(1.02)))
+            decoder.damaged("%s[%lld] is not of unit length", name, static_cast<long long>(i / 3));
+    }
+}
+
+inline void check_bounds(const Decoder& decoder, const geometry::Bounds& bounds) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(std::isfinite(bounds.min[axis]) && std::isfinite(bounds.max[axis]) &&
+              bounds.min[axis] <= bounds.max[axis]))
+            decoder.damaged("its bounds are not a box");
+}
+
+} // namespace hrbfnpr::io

@@ -1,0 +1,84 @@
+// Reading a file of docs/file-format.md.  Nothing that the file says is believed before it is
+// checked, and memory grows only as bytes arrive: a hostile length costs nothing.
+#pragma once
+
+#include "base/memory.h"
+#include "base/status.h"
+#include "io/crc32.h"
+#include "io/format.h"
+#include "io/stream.h"
+
+#include <algorithm>
+#include <span>
+
+namespace hrbfnpr::io {
+
+class Decoder {
+public:
+    // Reads and checks the header.  `what` names the kind in messages: "model".
+    Decoder(Reader& reader, std::uint32_t kind, const char* what);
+
+    // A section of exactly elements.size() elements.
+    template <class T>
+    void section(std::uint32_t tag, std::span<T> elements) {
+        const std::int64_t count = begin_section(tag, element_type<T>(), sizeof(T));
+        expect_count(tag, count, static_cast<std::int64_t>(elements.size()));
+        read_elements(elements);
+    }
+
+    // A section of any number of elements.
+    template <class T>
+    void section(std::uint32_t tag, base::Array<T>& elements) {
+        const std::int64_t count = begin_section(tag, element_type<T>(), sizeof(T));
+        elements.clear();
+        elements.reserve(std::min<std::int64_t>(count, first_elements));
+        while (elements.size() < count) {
+            const std::int64_t begin = elements.size();
+            const std::int64_t room = elements.bytes() / std::int64_t{sizeof(T)};
+            elements.resize(std::min(count, begin < room ? room : 2 * room));
+            read_elements(elements.span().subspan(static_cast<std::size_t>(begin)));
+        }
+    }
+
+    // ... and of `count` of them, which the file must agree to.
+    template <class T>
+    void section(std::uint32_t tag, base::Array<T>& elements, std::int64_t count) {
+        section(tag, elements);
+        expect_count(tag, elements.size(), count);
+    }
+
+    // After the last section: the payload is used up and its checksum is right.
+    void finish();
+
+    // Throws Error{corrupt_data}: "this model file is damaged: ..."
+    [[noreturn]] [[gnu::format(printf, 2, 3)]] void damaged(const char* format, ...) const;
+
+private:
+    static constexpr std::int64_t first_elements = 16384;
+    static constexpr std::size_t buffer_size = 8192;
+
+    template <class T>
+    void read_elements(std::span<T> elements) {
+        constexpr std::size_t piece = buffer_size / sizeof(T);
+        std::uint8_t buffer[buffer_size];
+        for (std::size_t begin = 0; begin < elements.size(); begin += piece) {
+            const std::size_t count = std::min(piece, elements.size() - begin);
+            take({buffer, count * sizeof(T)});
+            for (std::size_t i = 0; i < count; ++i) elements[begin + i] = fetch<T>(buffer + i * sizeof(T));
+        }
+    }
+
+    std::int64_t begin_section(std::uint32_t tag, ElementType type, std::uint64_t element_size);
+    void expect_count(std::uint32_t tag, std::int64_t count, std::int64_t expected) const;
+    void check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind);
+    void read_exactly(std::span<std::uint8_t> bytes);
+    void take(std::span<std::uint8_t> bytes);
+
+    Reader& reader_;
+    const char* what_;
+    Crc32 crc_;
+    std::uint64_t remaining_ = 0; // of the payload
+    std::uint64_t position_ = 0;  // in the file
+};
+
+} // namespace hrbfnpr::io

@@ -1,0 +1,63 @@
+// Writing a file of docs/file-format.md: the payload is encoded twice, first to learn its length.
+#pragma once
+
+#include "io/crc32.h"
+#include "io/format.h"
+#include "io/stream.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace hrbfnpr::io {
+
+class Encoder {
+public:
+    // writer nullptr: only counts.
+    explicit Encoder(Writer* writer) noexcept : writer_(writer) {}
+
+    template <class T>
+    void section(std::uint32_t tag, std::span<const T> elements) {
+        begin_section(tag, element_type<T>(), elements.size());
+        if (writer_ == nullptr) {
+            length_ += elements.size_bytes();
+            return;
+        }
+        constexpr std::size_t piece = buffer_size / sizeof(T);
+        std::uint8_t buffer[buffer_size];
+        for (std::size_t begin = 0; begin < elements.size(); begin += piece) {
+            const std::size_t count = std::min(piece, elements.size() - begin);
+            for (std::size_t i = 0; i < count; ++i) store(buffer + i * sizeof(T), elements[begin + i]);
+            put({buffer, count * sizeof(T)});
+        }
+    }
+
+    [[nodiscard]] std::uint64_t length() const noexcept { return length_; }
+    [[nodiscard]] std::uint32_t checksum() const noexcept { return crc_.value(); }
+
+private:
+    static constexpr std::size_t buffer_size = 8192;
+
+    void begin_section(std::uint32_t tag, ElementType type, std::uint64_t count);
+    void put(std::span<const std::uint8_t> bytes);
+
+    Writer* writer_;
+    Crc32 crc_;
+    std::uint64_t length_ = 0;
+};
+
+void write_header(Writer& writer, std::uint32_t kind, std::uint64_t payload_length);
+void write_trailer(Writer& writer, std::uint32_t checksum);
+
+// encode(encoder) writes the payload's sections; it must do the same both times.
+template <class F>
+void write_file(Writer& writer, std::uint32_t kind, F&& encode) {
+    Encoder measure(nullptr);
+    encode(measure);
+    write_header(writer, kind, measure.length());
+    Encoder encoder(&writer);
+    encode(encoder);
+    write_trailer(writer, encoder.checksum());
+}
+
+} // namespace hrbfnpr::io

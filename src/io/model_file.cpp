@@ -1,0 +1,140 @@
+#include "io/check.h"
+#include "io/encoder.h"
+#include "io/files.h"
+
+namespace hrbfnpr::io {
+namespace {
+
+constexpr std::uint32_t tag_kind = tag("KIND");
+constexpr std::uint32_t tag_numbers = tag("NUMB");
+constexpr std::uint32_t tag_sample_position = tag("SPOS");
+constexpr std::uint32_t tag_sample_normal = tag("SNRM");
+constexpr std::uint32_t tag_centre[3] = {tag("CENX"), tag("CENY"), tag("CENZ")};
+constexpr std::uint32_t tag_alpha = tag("ALPH");
+constexpr std::uint32_t tag_beta[3] = {tag("BETX"), tag("BETY"), tag("BETZ")};
+constexpr std::uint32_t tag_polynomial = tag("POLY");
+constexpr std::uint32_t tag_report = tag("RPRT");
+
+constexpr std::int32_t highest_degree = 3;
+constexpr std::int64_t longest_report = 1024;
+
+// Terms of a polynomial of a degree from -1 to 3 in three variables.
+constexpr std::int64_t term_count(std::int32_t degree) noexcept {
+    return std::int64_t{degree + 1} * (degree + 2) * (degree + 3) / 6;
+}
+
+using Numbers = std::array<double, 12>;
+
+Numbers numbers_of(const implicit::HrbfData& data) noexcept {
+    const auto& [low, high] = data.bounds;
+    return {data.kernel_radius,
+            data.centre.x,
+            data.centre.y,
+            data.centre.z,
+            data.scale,
+            low.x,
+            low.y,
+            low.z,
+            high.x,
+            high.y,
+            high.z,
+            data.spacing};
+}
+
+void set_numbers(implicit::HrbfData& data, const Numbers& n) noexcept {
+    data.kernel_radius = n[0];
+    data.centre = {n[1], n[2], n[3]};
+    data.scale = n[4];
+    data.bounds = {{n[5], n[6], n[7]}, {n[8], n[9], n[10]}};
+    data.spacing = n[11];
+}
+
+void encode(Encoder& encoder, const implicit::HrbfData& data, std::span<const double> report) {
+    // The degree is -1 at least.
+    const std::array<std::uint32_t, 2> kind{static_cast<std::uint32_t>(data.kernel),
+                                            static_cast<std::uint32_t>(data.polynomial_degree + 1)};
+    encoder.section<std::uint32_t>(tag_kind, kind);
+    encoder.section<double>(tag_numbers, numbers_of(data));
+    encoder.section(tag_sample_position, data.sample_position.span());
+    encoder.section(tag_sample_normal, data.sample_normal.span());
+    encoder.section(tag_centre[0], data.centre_position.x.span());
+    encoder.section(tag_centre[1], data.centre_position.y.span());
+    encoder.section(tag_centre[2], data.centre_position.z.span());
+    encoder.section(tag_alpha, data.alpha.span());
+    encoder.section(tag_beta[0], data.beta.x.span());
+    encoder.section(tag_beta[1], data.beta.y.span());
+    encoder.section(tag_beta[2], data.beta.z.span());
+    encoder.section(tag_polynomial, data.polynomial.span());
+    encoder.section(tag_report, report);
+}
+
+void decode_kind(Decoder& decoder, implicit::HrbfData& data) {
+    std::array<std::uint32_t, 2> kind{};
+    decoder.section<std::uint32_t>(tag_kind, kind);
+    if (kind[0] > static_cast<std::uint32_t>(kernel::Kind::wendland_c2)) decoder.damaged("its kernel is unknown");
+    if (kind[1] > highest_degree + 1) decoder.damaged("its polynomial degree is unknown");
+    data.kernel = static_cast<kernel::Kind>(kind[0]);
+    data.polynomial_degree = static_cast<std::int32_t>(kind[1]) - 1;
+}
+
+void decode_arrays(Decoder& decoder, implicit::HrbfData& data) {
+    decoder.section(tag_sample_position, data.sample_position);
+    const std::int64_t count = data.sample_position.size() / 3;
+    if (count < 1 || data.sample_position.size() != 3 * count) decoder.damaged("it has no whole number of samples");
+    decoder.section(tag_sample_normal, data.sample_normal, 3 * count);
+    decoder.section(tag_centre[0], data.centre_position.x, count);
+    decoder.section(tag_centre[1], data.centre_position.y, count);
+    decoder.section(tag_centre[2], data.centre_position.z, count);
+    decoder.section(tag_alpha, data.alpha, count);
+    decoder.section(tag_beta[0], data.beta.x, count);
+    decoder.section(tag_beta[1], data.beta.y, count);
+    decoder.section(tag_beta[2], data.beta.z, count);
+    decoder.section(tag_polynomial, data.polynomial, term_count(data.polynomial_degree));
+}
+
+void check_numbers(const Decoder& decoder, const implicit::HrbfData& data) {
+    const Numbers numbers = numbers_of(data);
+    check_finite<double>(decoder, "numbers", numbers);
+    check_bounds(decoder, data.bounds);
+    if (!(data.scale > 0.0)) decoder.damaged("its scale is not positive");
+    if (data.kernel_radius < 0.0 || (data.kernel_radius == 0.0 && data.kernel != kernel::Kind::triharmonic))
+        decoder.damaged("its kernel radius is not positive");
+    if (data.spacing < 0.0) decoder.damaged("its sample spacing is negative");
+}
+
+void check_arrays(const Decoder& decoder, const implicit::HrbfData& data) {
+    check_finite(decoder, "sample_position", data.sample_position.span());
+    check_unit(decoder, "sample_normal", data.sample_normal.span());
+    check_finite(decoder, "centre.x", data.centre_position.x.span());
+    check_finite(decoder, "centre.y", data.centre_position.y.span());
+    check_finite(decoder, "centre.z", data.centre_position.z.span());
+    check_finite(decoder, "alpha", data.alpha.span());
+    check_finite(decoder, "beta.x", data.beta.x.span());
+    check_finite(decoder, "beta.y", data.beta.y.span());
+    check_finite(decoder, "beta.z", data.beta.z.span());
+    check_finite(decoder, "polynomial", data.polynomial.span());
+}
+
+} // namespace
+
+void save_model(const implicit::HrbfData& data, std::span<const double> report, Writer& writer) {
+    write_file(writer, kind_model, [&](Encoder& encoder) { encode(encoder, data, report); });
+}
+
+ModelFile load_model(base::Memory& memory, Reader& reader) {
+    Decoder decoder(reader, kind_model, "model");
+    ModelFile file(memory);
+    decode_kind(decoder, file.data);
+    Numbers numbers{};
+    decoder.section<double>(tag_numbers, numbers);
+    set_numbers(file.data, numbers);
+    decode_arrays(decoder, file.data);
+    decoder.section(tag_report, file.report);
+    decoder.finish();
+    if (file.report.size() > longest_report) decoder.damaged("its report is too long");
+    check_numbers(decoder, file.data);
+    check_arrays(decoder, file.data);
+    return file;
+}
+
+} // namespace hrbfnpr::io

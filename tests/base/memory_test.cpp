@@ -1,0 +1,169 @@
+#include "base/memory.h"
+#include "base/runtime.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace hrbfnpr::base {
+namespace {
+
+struct Ledger {
+    std::int64_t calls = 0;
+    std::int64_t bytes = 0;
+    std::uint64_t worst_alignment = 64;
+    std::int64_t allowed = -1; // calls that succeed; -1 = all
+};
+
+void* ledger_allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
+    auto& ledger = *static_cast<Ledger*>(user);
+    if (ledger.allowed >= 0 && ledger.calls >= ledger.allowed) return nullptr;
+    ++ledger.calls;
+    ledger.bytes += static_cast<std::int64_t>(size);
+    ledger.worst_alignment = std::min(ledger.worst_alignment, alignment);
+    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+}
+
+void ledger_deallocate(void* user, void* memory, std::uint64_t size, std::uint64_t /*alignment*/) {
+    static_cast<Ledger*>(user)->bytes -= static_cast<std::int64_t>(size);
+    std::free(memory);
+}
+
+TEST(Memory, CountsBytesNowAndAtPeak) {
+    Memory memory;
+    void* a = memory.allocate(100);
+    void* b = memory.allocate(50);
+    EXPECT_EQ(memory.bytes_now(), 150);
+    memory.deallocate(a, 100);
+    EXPECT_EQ(memory.bytes_now(), 50);
+    EXPECT_EQ(memory.bytes_peak(), 150);
+    memory.deallocate(b, 50);
+    EXPECT_EQ(memory.bytes_now(), 0);
+}
+
+TEST(Memory, AlignsToCacheLines) {
+    Memory memory;
+    void* a = memory.allocate(1);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(a) % Memory::alignment, 0U);
+    memory.deallocate(a, 1);
+}
+
+TEST(Memory, UsesTheGivenAllocatorWithSizeAndAlignment) {
+    Ledger ledger;
+    Memory memory(ledger_allocate, ledger_deallocate, &ledger);
+    {
+        const Array<double> array(memory, 10);
+        EXPECT_EQ(ledger.bytes, 80);
+        EXPECT_EQ(ledger.worst_alignment, Memory::alignment);
+    }
+    EXPECT_EQ(ledger.bytes, 0);
+}
+
+TEST(Memory, SaysHowManyBytesWereRefused) {
+    Ledger ledger;
+    ledger.allowed = 0;
+    Memory memory(ledger_allocate, ledger_deallocate, &ledger);
+    try {
+        [[maybe_unused]] void* block = memory.allocate(12345);
+        FAIL() << "no exception";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::out_of_memory);
+        EXPECT_NE(std::string(error.what()).find("12345"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(memory.bytes_now(), 0);
+}
+
+TEST(Array, NewElementsAreZero) {
+    Memory memory;
+    Array<int> array(memory, 3);
+    array[0] = array[1] = array[2] = 7;
+    array.resize(1);
+    array.resize(4); // within and beyond the capacity
+    EXPECT_EQ(array[0], 7);
+    EXPECT_EQ(array[1], 0);
+    EXPECT_EQ(array[3], 0);
+}
+
+TEST(Array, KeepsElementsWhenItGrows) {
+    Memory memory;
+    Array<std::int64_t> array(memory);
+    for (std::int64_t i = 0; i < 1000; ++i) array.push_back(i * i);
+    ASSERT_EQ(array.size(), 1000);
+    for (std::int64_t i = 0; i < 1000; ++i) ASSERT_EQ(array[i], i * i);
+    EXPECT_EQ(array.back(), 999 * 999);
+}
+
+TEST(Array, PushesAnElementOfItself) {
+    Memory memory;
+    Array<int> array(memory);
+    for (int i = 0; i < 16; ++i) array.push_back(i + 1);
+    array.push_back(array[0]); // has to grow while the argument points inside
+    EXPECT_EQ(array.back(), 1);
+}
+
+TEST(Array, MovesWithoutCopying) {
+    Memory memory;
+    Array<int> from(memory, 5);
+    from[4] = 9;
+    const int* data = from.data();
+    Array<int> to(std::move(from));
+    EXPECT_EQ(to.data(), data);
+    Array<int> other(memory, 2);
+    other = std::move(to);
+    EXPECT_EQ(other.data(), data);
+    EXPECT_EQ(other[4], 9);
+}
+
+TEST(Array, GivesEverythingBack) {
+    Memory memory;
+    {
+        Array<double> array(memory, 1000);
+        array.resize(100000);
+        Array<double> other(std::move(array));
+        other.release();
+        EXPECT_EQ(memory.bytes_now(), 0);
+        EXPECT_TRUE(other.empty());
+        other.push_back(1.0); // usable again
+    }
+    EXPECT_EQ(memory.bytes_now(), 0);
+}
+
+TEST(Array, RefusesSizesBeyondAnyMemory) {
+    Memory memory;
+    Array<double> array(memory);
+    EXPECT_THROW(array.resize(std::int64_t{1} << 61), Error);
+    EXPECT_THROW(array.resize(std::int64_t{1} << 62), Error);
+    EXPECT_EQ(array.size(), 0);
+}
+
+TEST(Array, IsUnchangedWhenTheAllocatorRefuses) {
+    Ledger ledger;
+    ledger.allowed = 1;
+    Memory memory(ledger_allocate, ledger_deallocate, &ledger);
+    Array<int> array(memory, 4);
+    array[3] = 42;
+    EXPECT_THROW(array.resize(100), Error);
+    EXPECT_EQ(array.size(), 4);
+    EXPECT_EQ(array[3], 42);
+}
+
+TEST(Runtime, LogsFormattedMessages) {
+    struct Seen {
+        std::int32_t level = -1;
+        std::string text;
+    } seen;
+    const LogFn log = [](void* user, std::int32_t level, const char* message) {
+        *static_cast<Seen*>(user) = {level, message};
+    };
+    const Runtime runtime(nullptr, nullptr, nullptr, Parallel(), log, &seen);
+    runtime.log(LogLevel::warning, "%d samples", 12);
+    EXPECT_EQ(seen.level, 2);
+    EXPECT_EQ(seen.text, "12 samples");
+    Runtime().log(LogLevel::info, "nobody listens");
+}
+
+} // namespace
+} // namespace hrbfnpr::base

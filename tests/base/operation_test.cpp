@@ -1,0 +1,101 @@
+#include "base/operation.h"
+#include "base/status.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+namespace hrbfnpr::base {
+namespace {
+
+struct Seen {
+    std::vector<double> values;
+    std::size_t cancel_at = 0; // the how-manieth call cancels; 0 = none
+    static std::int32_t call(void* user, double progress) {
+        auto& seen = *static_cast<Seen*>(user);
+        seen.values.push_back(progress);
+        return seen.values.size() == seen.cancel_at ? 1 : 0;
+    }
+};
+
+Status status_of(const auto& body) {
+    try {
+        body();
+    } catch (const Error& error) {
+        return error.status();
+    }
+    return Status::ok;
+}
+
+TEST(Operation, ProgressNeverFallsAndIsClamped) {
+    Operation operation;
+    operation.begin();
+    operation.report(0.5);
+    operation.report(0.25);
+    EXPECT_EQ(operation.progress(), 0.5);
+    operation.report(7.0);
+    EXPECT_EQ(operation.progress(), 1.0);
+    operation.begin();
+    EXPECT_EQ(operation.progress(), 0.0);
+    operation.report(-1.0);
+    EXPECT_EQ(operation.progress(), 0.0);
+}
+
+TEST(Operation, TheCallbackSeesARisingProgress) {
+    Operation operation;
+    Seen seen;
+    operation.set_callback(Seen::call, &seen);
+    operation.begin();
+    for (const double progress : {0.1, 0.4, 0.2, 0.9}) operation.report(progress);
+    EXPECT_EQ(seen.values, (std::vector<double>{0.1, 0.4, 0.4, 0.9}));
+}
+
+TEST(Operation, TheCallbackRunsOnlyOnTheThreadThatEntered) {
+    Operation operation;
+    Seen seen;
+    operation.set_callback(Seen::call, &seen);
+    operation.begin();
+    std::thread([&] { operation.report(0.5); }).join();
+    EXPECT_TRUE(seen.values.empty());
+    EXPECT_EQ(operation.progress(), 0.5);
+}
+
+TEST(Operation, ACallbackCanCancel) {
+    Operation operation;
+    Seen seen;
+    seen.cancel_at = 2;
+    operation.set_callback(Seen::call, &seen);
+    operation.begin();
+    const Progress progress(&operation);
+    progress.update(0.1);
+    EXPECT_EQ(status_of([&] { progress.update(0.2); }), Status::cancelled);
+    EXPECT_TRUE(operation.is_cancelled());
+}
+
+TEST(Operation, StaysCancelled) {
+    Operation operation;
+    operation.cancel();
+    EXPECT_EQ(status_of([&] { operation.begin(); }), Status::cancelled);
+    EXPECT_EQ(status_of([&] { Progress(&operation).check(); }), Status::cancelled);
+}
+
+TEST(Progress, PartsNest) {
+    Operation operation;
+    operation.begin();
+    const Progress half = Progress(&operation).part(0.5, 1.0);
+    half.update(0.5);
+    EXPECT_DOUBLE_EQ(operation.progress(), 0.75);
+    half.part(0.5, 0.75).update(1.0);
+    EXPECT_DOUBLE_EQ(operation.progress(), 0.875);
+}
+
+TEST(Progress, WithoutAnOperationNothingHappens) {
+    const Progress progress;
+    progress.update(0.5);
+    progress.check();
+    progress.part(0.0, 0.5).update(1.0);
+}
+
+} // namespace
+} // namespace hrbfnpr::base

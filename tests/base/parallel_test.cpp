@@ -1,0 +1,146 @@
+#include "base/parallel.h"
+#include "base/status.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#if defined(__unix__)
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
+namespace hrbfnpr::base {
+namespace {
+
+// A host's job runner that uses a thread for each task and goes backwards.
+struct Host {
+    std::atomic<int> calls{0};
+
+    static void run(void* user, TaskFn task, void* context, std::int64_t count) {
+        static_cast<Host*>(user)->calls.fetch_add(1);
+        std::vector<std::thread> threads;
+        for (std::int64_t i = count; i-- > 0;) threads.emplace_back([=] { task(context, i); });
+        for (std::thread& thread : threads) thread.join();
+    }
+};
+
+TEST(Parallel, VisitsEveryIndexOnce) {
+    for (const int threads : {0, 1, 2, 3, 7}) {
+        const Parallel parallel(threads, nullptr, nullptr);
+        std::vector<std::atomic<int>> visits(1000);
+        parallel.for_each(1000, [&](std::int64_t i) { visits[static_cast<std::size_t>(i)].fetch_add(1); });
+        for (const auto& count : visits) ASSERT_EQ(count.load(), 1) << threads << " threads";
+    }
+}
+
+TEST(Parallel, DoesNothingForNoElements) {
+    const Parallel parallel(4, nullptr, nullptr);
+    parallel.for_each(0, [](std::int64_t) { FAIL(); });
+    parallel.for_each(-5, [](std::int64_t) { FAIL(); });
+    parallel.for_chunks(0, 10, [](std::int64_t, std::int64_t) { FAIL(); });
+}
+
+TEST(Parallel, CutsChunksBySizeAlone) {
+    for (const int threads : {1, 3, 7}) {
+        const Parallel parallel(threads, nullptr, nullptr);
+        std::vector<std::int64_t> ends(4, -1);
+        parallel.for_chunks(
+            10, 3, [&](std::int64_t begin, std::int64_t end) { ends[static_cast<std::size_t>(begin / 3)] = end; });
+        EXPECT_EQ(ends, (std::vector<std::int64_t>{3, 6, 9, 10}));
+    }
+}
+
+TEST(Parallel, ClampsTheThreadCount) {
+    EXPECT_EQ(Parallel(1000, nullptr, nullptr).threads(), 256);
+    EXPECT_EQ(Parallel(3, nullptr, nullptr).threads(), 3);
+    EXPECT_GE(Parallel(0, nullptr, nullptr).threads(), 1);
+    EXPECT_EQ(Parallel().threads(), 1);
+}
+
+TEST(Parallel, SerialStaysOnTheCallingThread) {
+    Host host;
+    const Parallel parallel(1, Host::run, &host);
+    const auto self = std::this_thread::get_id();
+    parallel.for_each(100, [&](std::int64_t) { EXPECT_EQ(std::this_thread::get_id(), self); });
+    EXPECT_EQ(host.calls.load(), 0);
+}
+
+std::string failure_of(const Parallel& parallel, std::int64_t first) {
+    try {
+        parallel.for_each(200, [&](std::int64_t i) {
+            if (i >= first && i % 3 == 0) fail(Status::callback, "index %d", static_cast<int>(i));
+        });
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+TEST(Parallel, RethrowsTheExceptionOfTheLowestIndex) {
+    Host host;
+    for (int round = 0; round < 20; ++round) {
+        EXPECT_EQ(failure_of(Parallel(), 40), "index 42");
+        EXPECT_EQ(failure_of(Parallel(4, nullptr, nullptr), 40), "index 42");
+    }
+    EXPECT_EQ(failure_of(Parallel(4, Host::run, &host), 40), "index 42");
+    EXPECT_EQ(failure_of(Parallel(4, nullptr, nullptr), 200), "nothing");
+}
+
+TEST(Parallel, CarriesForeignExceptions) {
+    const Parallel parallel(4, nullptr, nullptr);
+    EXPECT_THROW(parallel.for_each(10, [](std::int64_t) { throw std::runtime_error("x"); }), std::runtime_error);
+    EXPECT_THROW(parallel.for_each(10, [](std::int64_t) { throw 42; }), int);
+}
+
+TEST(Parallel, UsesTheHostsJobRunner) {
+    Host host;
+    const Parallel parallel(3, Host::run, &host);
+    std::atomic<std::int64_t> sum{0};
+    parallel.for_each(50, [&](std::int64_t i) { sum.fetch_add(i); });
+    EXPECT_EQ(sum.load(), 50 * 49 / 2);
+    EXPECT_EQ(host.calls.load(), 1);
+}
+
+TEST(Parallel, Nests) {
+    const Parallel parallel(4, nullptr, nullptr);
+    std::atomic<int> count{0};
+    parallel.for_each(8, [&](std::int64_t) { parallel.for_each(8, [&](std::int64_t) { count.fetch_add(1); }); });
+    EXPECT_EQ(count.load(), 64);
+}
+
+TEST(Parallel, NamesItsBackend) { EXPECT_NE(std::string(thread_backend_name()), ""); }
+
+#if defined(__unix__)
+TEST(Parallel, IsSerialAfterAFork) {
+    const Parallel parallel(4, nullptr, nullptr);
+    std::atomic<int> warm{0};
+    parallel.for_each(100, [&](std::int64_t) { warm.fetch_add(1); });
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(20); // a hang must not outlive the test
+        std::int64_t sum = 0;
+        bool same_thread = true;
+        const auto self = std::this_thread::get_id();
+        parallel.for_each(100, [&](std::int64_t i) {
+            same_thread = same_thread && std::this_thread::get_id() == self;
+            sum += i;
+        });
+        _exit(same_thread && sum == 100 * 99 / 2 ? 0 : 1);
+    }
+    int status = -1;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+    std::atomic<int> after{0};
+    parallel.for_each(100, [&](std::int64_t) { after.fetch_add(1); });
+    EXPECT_EQ(after.load(), 100);
+}
+#endif
+
+} // namespace
+} // namespace hrbfnpr::base
