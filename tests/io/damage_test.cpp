@@ -1,0 +1,199 @@
+// Files that are truncated, flipped, hostile or from the future.
+#include "samples.h"
+
+#include <gtest/gtest.h>
+
+namespace hrbfnpr::io {
+namespace {
+
+using namespace samples;
+
+class Damage : public testing::TestWithParam<bool> {
+protected:
+    [[nodiscard]] Bytes bytes(std::int64_t count = 2) const {
+        return GetParam() ? model_bytes(count) : point_set_bytes(count);
+    }
+    Outcome load(const Bytes& bytes) { return samples::load(memory, bytes, GetParam()); }
+
+    // Where the n-th section's header starts.
+    static std::size_t section(const Bytes& bytes, int n) {
+        constexpr std::size_t sizes[] = {0, 4, 8, 1, 4, 8};
+        std::size_t at = header_size;
+        for (; n > 0; --n)
+            at += section_header_size +
+                  fetch<std::uint64_t>(&bytes[at + 8]) * sizes[fetch<std::uint32_t>(&bytes[at + 4])];
+        return at;
+    }
+
+    base::Memory memory;
+};
+
+TEST_P(Damage, TruncatedAtEveryLength) {
+    const Bytes whole = bytes();
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        const Outcome outcome = load(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)));
+        ASSERT_EQ(outcome.status, Status::corrupt_data) << length;
+        ASSERT_NE(outcome.message.find("truncated: it ends after " + std::to_string(length) + " bytes"),
+                  std::string::npos)
+            << length << ": " << outcome.message;
+    }
+}
+
+TEST_P(Damage, EverySingleBitFlip) {
+    Bytes damaged = bytes();
+    for (std::size_t bit = 0; bit < 8 * damaged.size(); ++bit) {
+        const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
+        damaged[bit / 8] ^= mask;
+        const Outcome outcome = load(damaged);
+        ASSERT_EQ(outcome.status, Status::corrupt_data) << "bit " << bit << ": " << outcome.message;
+        damaged[bit / 8] ^= mask;
+    }
+    EXPECT_EQ(load(damaged).status, Status::ok);
+}
+
+TEST_P(Damage, NewerVersionsAreNamed) {
+    Bytes newer = bytes();
+    store(&newer[12], format_version + 1);
+    sign(newer);
+    const Outcome outcome = load(newer);
+    EXPECT_EQ(outcome.status, Status::version_mismatch);
+    EXPECT_NE(outcome.message.find("has format version 2; this library reads versions up to 1"), std::string::npos)
+        << outcome.message;
+}
+
+TEST_P(Damage, HeaderFieldsAreChecked) {
+    const auto changed = [&](std::size_t at, std::uint32_t value) {
+        Bytes other = bytes();
+        store(&other[at], value);
+        sign(other);
+        return load(other);
+    };
+    EXPECT_NE(changed(8, tag("WHAT")).message.find("its kind is 'WHAT'"), std::string::npos);
+    EXPECT_NE(changed(12, 0).message.find("version is 0"), std::string::npos);
+    EXPECT_NE(changed(16, 0x04030201).message.find("byte order"), std::string::npos);
+    EXPECT_NE(changed(0, 0x46464952).message.find("not a"), std::string::npos);
+}
+
+TEST_P(Damage, TheOtherKindIsNamed) {
+    const Bytes other = GetParam() ? point_set_bytes() : model_bytes();
+    const Outcome outcome = load(other);
+    EXPECT_EQ(outcome.status, Status::corrupt_data);
+    EXPECT_NE(outcome.message.find(GetParam() ? "'PSET'" : "'MODL'"), std::string::npos) << outcome.message;
+}
+
+TEST_P(Damage, HostileLengthsAllocateNothing) {
+    for (int n = 0; n < 5; ++n) {
+        Bytes hostile = bytes();
+        store(&hostile[24], std::uint64_t{1} << 60U); // the payload
+        store(&hostile[section(hostile, n) + 8], std::uint64_t{1} << 50U);
+        sign(hostile);
+        EXPECT_EQ(load(hostile).status, Status::corrupt_data) << n;
+    }
+    EXPECT_LT(memory.bytes_peak(), 1 << 20);
+    EXPECT_EQ(memory.bytes_now(), 0);
+}
+
+TEST_P(Damage, SectionsAreChecked) {
+    const auto changed = [&](std::size_t offset, auto value) {
+        Bytes other = bytes();
+        store(&other[section(other, 1) + offset], value);
+        sign(other);
+        return load(other).message;
+    };
+    EXPECT_NE(changed(0, tag("ABCD")).find("section 'ABCD' stands where 'NUMB' belongs"), std::string::npos);
+    EXPECT_NE(changed(4, std::uint32_t{1}).find("wrong type"), std::string::npos);
+    EXPECT_NE(changed(8, std::uint64_t{11}).find("has 11 elements instead of 12"), std::string::npos);
+    EXPECT_NE(changed(8, std::uint64_t{1000000}).find("longer than the file"), std::string::npos);
+}
+
+TEST_P(Damage, BytesAfterTheLastSectionAreFound) {
+    Bytes longer = bytes();
+    longer.insert(longer.end(), 8, std::uint8_t{0});
+    store(&longer[24], fetch<std::uint64_t>(&longer[24]) + 8);
+    sign(longer);
+    EXPECT_NE(load(longer).message.find("8 bytes follow"), std::string::npos);
+}
+
+TEST_P(Damage, NumbersAreChecked) {
+    for (int at = 0; at < 12; ++at) {
+        Bytes other = bytes();
+        store(&other[section(other, 1) + section_header_size + 8 * static_cast<std::size_t>(at)],
+              std::numeric_limits<double>::quiet_NaN());
+        sign(other);
+        EXPECT_EQ(load(other).status, Status::corrupt_data) << at;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Damage, testing::Bool(),
+                         [](const auto& kind) { return kind.param ? "Model" : "PointSet"; });
+
+// Damage with right checksums: made by changing the data before they are saved.
+template <class Change>
+std::string model_message(Change&& change) {
+    base::Memory memory;
+    implicit::HrbfData data = model(memory, 3, kernel::Kind::gaussian);
+    change(data);
+    const Outcome outcome = load(memory, bytes_of(data), true);
+    EXPECT_TRUE(outcome.status == Status::corrupt_data || outcome.message.empty());
+    return outcome.message;
+}
+
+TEST(ModelFile, ContentIsChecked) {
+    using Data = implicit::HrbfData;
+    const auto expect = [](const std::string& message, const char* part) {
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
+    EXPECT_EQ(model_message([](Data&) {}), "");
+    expect(model_message([](Data& d) { d.alpha[2] = NAN; }), "alpha[2] is not finite");
+    expect(model_message([](Data& d) { d.beta.z[1] = INFINITY; }), "beta.z[1]");
+    expect(model_message([](Data& d) { d.centre_position.x[0] = NAN; }), "centre.x[0]");
+    expect(model_message([](Data& d) { d.polynomial[3] = NAN; }), "polynomial[3]");
+    expect(model_message([](Data& d) { d.sample_position[4] = NAN; }), "sample_position[4]");
+    expect(model_message([](Data& d) { d.sample_normal[0] = 2.0; }), "sample_normal[0] is not of unit length");
+    expect(model_message([](Data& d) { d.scale = 0.0; }), "scale is not positive");
+    expect(model_message([](Data& d) { d.kernel_radius = 0.0; }), "kernel radius");
+    expect(model_message([](Data& d) { d.spacing = -1.0; }), "spacing is negative");
+    expect(model_message([](Data& d) { d.bounds.max.y = -9.0; }), "not a box");
+    expect(model_message([](Data& d) { d.kernel = static_cast<kernel::Kind>(3); }), "kernel is unknown");
+    expect(model_message([](Data& d) { d.polynomial_degree = 4; }), "degree is unknown");
+    expect(model_message([](Data& d) { d.polynomial_degree = 2; }), "has 4 elements instead of 10");
+    expect(model_message([](Data& d) { d.alpha.push_back(0.0); }), "'ALPH' has 4 elements instead of 3");
+    expect(model_message([](Data& d) { d.sample_position.push_back(0.0); }), "whole number");
+    expect(model_message([](Data& d) { d.sample_position.clear(); }), "whole number");
+}
+
+template <class Change>
+std::string set_message(Change&& change) {
+    base::Memory memory;
+    sampling::PointSet set = point_set(memory, 3);
+    change(set);
+    return load(memory, bytes_of(set), false).message;
+}
+
+TEST(PointSetFile, ContentIsChecked) {
+    using Set = sampling::PointSet;
+    const auto expect = [](const std::string& message, const char* part) {
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
+    EXPECT_EQ(set_message([](Set&) {}), "");
+    expect(set_message([](Set& s) { s.group[0].rank[1] = 1.0F; }), "rank is outside");
+    expect(set_message([](Set& s) { s.group[1].rank[0] = NAN; }), "rank is outside");
+    expect(set_message([](Set& s) { s.group[0].position[5] = INFINITY; }), "position[5]");
+    expect(set_message([](Set& s) { s.group[0].normal[3] = 0.5F; }), "normal[1] is not of unit length");
+    expect(set_message([](Set& s) { s.group[1].direction[0] = NAN; }), "direction[0]");
+    expect(set_message([](Set& s) { s.group[1].curvature[0] = NAN; }), "curvature[0]");
+    expect(set_message([](Set& s) { s.group[1].curvature.push_back(0); }), "curvatures are not as many");
+    expect(set_message([](Set& s) { s.group[0].level[2] = 13; }), "level is above");
+    expect(set_message([](Set& s) { s.group[0].stroke.push_back(0); }), "'STRK' has 7 elements instead of 6");
+    expect(set_message([](Set& s) { s.group[2].report.levels = 13; }), "more than 12 levels");
+    expect(set_message([](Set& s) { s.group[2].report.level[3].placed = -1; }), "negative");
+    expect(set_message([](Set& s) { s.group[2].report.step = NAN; }), "not finite");
+    expect(set_message([](Set& s) { s.seeds.placed = -1; }), "negative");
+    expect(set_message([](Set& s) { s.spacing = -1.0; }), "spacing is negative");
+    expect(set_message([](Set& s) { s.bounds = {}; }), "not a box");
+    expect(set_message([](Set& s) { s.distribution = static_cast<sampling::Distribution>(2); }), "distribution");
+    expect(set_message([](Set& s) { s.seed_source = static_cast<sampling::SeedSource>(9); }), "seed source");
+}
+
+} // namespace
+} // namespace hrbfnpr::io

@@ -1,0 +1,151 @@
+#include "samples.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace hrbfnpr::io {
+namespace {
+
+using namespace samples;
+
+TEST(Crc32, GivesTheWellKnownCheckValue) {
+    const std::string text = "123456789";
+    EXPECT_EQ(crc_of(Bytes(text.begin(), text.end())), 0xCBF43926U);
+    EXPECT_EQ(crc_of({}), 0U);
+}
+
+TEST(Format, StoresLittleEndian) {
+    std::uint8_t bytes[8];
+    store(bytes, std::uint32_t{0x01020304});
+    EXPECT_EQ(std::vector<int>(bytes, bytes + 4), (std::vector<int>{4, 3, 2, 1}));
+    store(bytes, -2.0);
+    EXPECT_EQ(bytes[7], 0xC0);
+    EXPECT_EQ(fetch<double>(bytes), -2.0);
+    EXPECT_EQ(tag("MODL"), 0x4C444F4DU);
+}
+
+TEST(ModelFile, KeepsEveryBit) {
+    base::Memory memory;
+    for (const auto kind : {kernel::Kind::triharmonic, kernel::Kind::gaussian, kernel::Kind::wendland_c2})
+        for (const std::int32_t degree : {-1, 0, 1, 2, 3}) {
+            const Bytes first = bytes_of(model(memory, 5, kind, degree));
+            MemoryReader reader = reader_of(first);
+            const ModelFile loaded = load_model(memory, reader);
+            BytesWriter second;
+            save_model(loaded.data, loaded.report.span(), second);
+            EXPECT_EQ(first, second.bytes);
+            EXPECT_EQ(loaded.data.kernel, kind);
+            EXPECT_EQ(loaded.data.polynomial_degree, degree);
+            EXPECT_EQ(loaded.data.count(), 5);
+        }
+}
+
+TEST(ModelFile, GivesBackEveryField) {
+    base::Memory memory;
+    implicit::HrbfData data = model(memory, 3);
+    data.alpha[1] = -0.0;
+    data.beta.y[2] = std::numeric_limits<double>::denorm_min();
+    const Bytes bytes = bytes_of(data);
+    MemoryReader reader = reader_of(bytes);
+    const ModelFile file = load_model(memory, reader);
+    EXPECT_EQ(file.data.scale, data.scale);
+    EXPECT_EQ(file.data.centre, data.centre);
+    EXPECT_EQ(file.data.spacing, data.spacing);
+    EXPECT_EQ(file.data.bounds.min, data.bounds.min);
+    EXPECT_EQ(file.data.bounds.max, data.bounds.max);
+    EXPECT_TRUE(std::signbit(file.data.alpha[1]));
+    EXPECT_EQ(file.data.beta.y[2], data.beta.y[2]);
+    EXPECT_EQ(file.data.centre_position[1], data.centre_position[1]);
+    EXPECT_EQ(file.data.polynomial[3], data.polynomial[3]);
+    EXPECT_EQ(file.data.sample_position[8], data.sample_position[8]);
+    EXPECT_EQ(std::vector<double>(file.report.begin(), file.report.end()), report());
+}
+
+TEST(PointSetFile, KeepsEveryBit) {
+    base::Memory memory;
+    for (const std::int64_t count : {0, 1, 5, 3000, 20000}) {
+        const Bytes first = bytes_of(point_set(memory, count));
+        MemoryReader reader = reader_of(first);
+        EXPECT_EQ(first, bytes_of(load_point_set(memory, reader)));
+    }
+}
+
+TEST(PointSetFile, GivesBackEveryField) {
+    base::Memory memory;
+    const sampling::PointSet set = point_set(memory, 4);
+    const Bytes bytes = bytes_of(set);
+    MemoryReader reader = reader_of(bytes);
+    const sampling::PointSet loaded = load_point_set(memory, reader);
+    EXPECT_EQ(loaded.distribution, set.distribution);
+    EXPECT_EQ(loaded.seed_source, set.seed_source);
+    EXPECT_EQ(loaded.origin, set.origin);
+    EXPECT_EQ(loaded.spacing, set.spacing);
+    EXPECT_EQ(loaded.seeds.attempted, 100);
+    EXPECT_EQ(loaded.seeds.dropped_budget, 1);
+    EXPECT_EQ(loaded.seconds_total, 0.75);
+    EXPECT_EQ(loaded.group[1].report.strokes, 5);
+    EXPECT_EQ(loaded.group[1].report.level[12].dropped_strayed, 4);
+    EXPECT_EQ(loaded.group[1].curvature[5], set.group[1].curvature[5]);
+    EXPECT_TRUE(loaded.group[0].curvature.empty());
+    EXPECT_EQ(loaded.group[0].stroke[3], set.group[0].stroke[3]);
+    EXPECT_EQ(loaded.group[2].count(), 0);
+}
+
+TEST(PointSetFile, ASetWithoutMarksHasNoBox) {
+    base::Memory memory;
+    const sampling::PointSet empty(memory);
+    EXPECT_EQ(load(memory, bytes_of(empty), false).status, Status::ok);
+}
+
+TEST(Files, AreReadInPieces) {
+    base::Memory memory;
+    const Bytes bytes = point_set_bytes(100);
+    for (const std::uint64_t step : {1U, 7U, 4096U}) {
+        TrickleReader reader(bytes, step);
+        EXPECT_EQ(bytes_of(load_point_set(memory, reader)), bytes);
+    }
+}
+
+TEST(Files, NothingBehindTheEndIsRead) {
+    base::Memory memory;
+    Bytes two = model_bytes();
+    const Bytes set = point_set_bytes();
+    two.insert(two.end(), set.begin(), set.end());
+    MemoryReader reader = reader_of(two);
+    EXPECT_EQ(load_model(memory, reader).data.count(), 2);
+    EXPECT_EQ(bytes_of(load_point_set(memory, reader)), set);
+    EXPECT_EQ(reader.remaining(), 0U);
+}
+
+TEST(Files, GiveTheirMemoryBack) {
+    base::Memory memory;
+    EXPECT_EQ(load(memory, model_bytes(100), true).status, Status::ok);
+    EXPECT_EQ(load(memory, point_set_bytes(100), false).status, Status::ok);
+    EXPECT_EQ(memory.bytes_now(), 0);
+}
+
+TEST(Files, FailedWritesAreReported) {
+    class Full final : public Writer {
+        void write(const void* /*data*/, std::uint64_t size) override {
+            room_ -= static_cast<std::int64_t>(size);
+            if (room_ < 0) fail(Status::io, "full");
+        }
+        std::int64_t room_ = 300;
+    } writer;
+    base::Memory memory;
+    EXPECT_THROW(save_point_set(point_set(memory, 10), writer), Error);
+}
+
+TEST(MemoryWriter, CountsWhatDoesNotFit) {
+    std::byte room[4] = {};
+    MemoryWriter writer(room);
+    writer.write("abc", 3);
+    writer.write("de", 2);
+    EXPECT_EQ(writer.needed(), 5U);
+    EXPECT_EQ(static_cast<char>(room[2]), 'c');
+    EXPECT_EQ(room[3], std::byte{0});
+}
+
+} // namespace
+} // namespace hrbfnpr::io

@@ -1,0 +1,164 @@
+// Small models and point sets for the tests of files, and files as strings of bytes.
+#pragma once
+
+#include "base/random.h"
+#include "io/crc32.h"
+#include "io/files.h"
+#include "io/format.h"
+#include "io/memory_stream.h"
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hrbfnpr::io::samples {
+
+using Bytes = std::vector<std::uint8_t>;
+
+class BytesWriter final : public Writer {
+public:
+    void write(const void* data, std::uint64_t size) override {
+        const auto* begin = static_cast<const std::uint8_t*>(data);
+        bytes.insert(bytes.end(), begin, begin + size);
+    }
+    Bytes bytes;
+};
+
+// Gives at most `step` bytes at a time, as a pipe does.
+class TrickleReader final : public Reader {
+public:
+    TrickleReader(const Bytes& bytes, std::uint64_t step) : bytes_(bytes), step_(step) {}
+    std::uint64_t read(void* data, std::uint64_t size) override {
+        const std::uint64_t count = std::min({size, step_, bytes_.size() - at_});
+        std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at_), count, static_cast<std::uint8_t*>(data));
+        at_ += count;
+        return count;
+    }
+
+private:
+    const Bytes& bytes_;
+    std::uint64_t step_;
+    std::uint64_t at_ = 0;
+};
+
+inline double number(std::int64_t index) {
+    return base::uniform4(7, static_cast<std::uint64_t>(index), base::Purpose::candidate)[0] - 0.5;
+}
+
+inline implicit::HrbfData model(base::Memory& memory, std::int64_t count, kernel::Kind kind = kernel::Kind::triharmonic,
+                                std::int32_t degree = 1) {
+    implicit::HrbfData data(memory);
+    data.kernel = kind;
+    data.kernel_radius = kind == kernel::Kind::triharmonic ? 0.0 : 2.5;
+    data.polynomial_degree = degree;
+    data.centre = {1.0, -2.0, 3.0};
+    data.scale = 0.1;
+    data.spacing = 0.25;
+    data.bounds = {{-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}};
+    data.sample_normal.resize(3 * count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        for (int k = 0; k < 3; ++k) data.sample_position.push_back(number(3 * i + k));
+        data.sample_normal[3 * i + i % 3] = 1.0;
+        data.centre_position.push_back({number(100 + i), number(200 + i), number(300 + i)});
+        data.beta.push_back({number(400 + i), number(500 + i), number(600 + i)});
+        data.alpha.push_back(number(700 + i));
+    }
+    for (int i = 0; i < (degree + 1) * (degree + 2) * (degree + 3) / 6; ++i) data.polynomial.push_back(number(800 + i));
+    return data;
+}
+
+inline const std::vector<double>& report() {
+    static const auto& numbers = *new std::vector<double>{6.0, 1.0, 0.5, 1e300, INFINITY};
+    return numbers;
+}
+
+inline sampling::PointSet point_set(base::Memory& memory, std::int64_t count) {
+    sampling::PointSet set(memory);
+    set.distribution = sampling::Distribution::blue_noise;
+    set.seed_source = sampling::SeedSource::box;
+    set.origin = {10.0, 20.0, 30.0};
+    set.bounds = {{9.0, 19.0, 29.0}, {11.0, 21.0, 31.0}};
+    set.spacing = 0.125;
+    set.seeds = {100, 90, 4, 3, 2, 1};
+    set.seconds_total = 0.75;
+    for (std::int64_t g = 0; g < 2; ++g) { // the third stays empty
+        sampling::MarkGroup& group = set.group[static_cast<std::size_t>(g)];
+        group.report.strokes = g * 5;
+        group.report.levels = 3;
+        group.report.step = 0.5;
+        group.report.level[12] = {1, 2, 3, 4, 5, 6};
+        for (std::int64_t i = 0; i < count; ++i) {
+            group.rank.push_back(static_cast<float>(number(i) + 0.5));
+            group.level.push_back(static_cast<std::uint8_t>(i % 13));
+            for (int k = 0; k < 2; ++k) group.stroke.push_back(static_cast<std::uint32_t>(2 * i + k));
+            for (int k = 0; k < 3; ++k) {
+                group.position.push_back(static_cast<float>(number(1000 + 3 * i + k)));
+                group.normal.push_back(k == i % 3 ? 1.0F : 0.0F);
+                group.direction.push_back(k == (i + 1) % 3 ? 1.0F : 0.0F);
+                if (g == 1) group.curvature.push_back(static_cast<float>(number(2000 + 3 * i + k)));
+            }
+        }
+    }
+    return set;
+}
+
+inline Bytes bytes_of(const implicit::HrbfData& data) {
+    BytesWriter writer;
+    save_model(data, report(), writer);
+    return writer.bytes;
+}
+
+inline Bytes bytes_of(const sampling::PointSet& set) {
+    BytesWriter writer;
+    save_point_set(set, writer);
+    return writer.bytes;
+}
+
+inline MemoryReader reader_of(const Bytes& bytes) { return MemoryReader(std::as_bytes(std::span(bytes))); }
+
+inline Bytes model_bytes(std::int64_t count = 2) {
+    base::Memory memory;
+    return bytes_of(model(memory, count));
+}
+
+inline Bytes point_set_bytes(std::int64_t count = 2) {
+    base::Memory memory;
+    return bytes_of(point_set(memory, count));
+}
+
+inline std::uint32_t crc_of(std::span<const std::uint8_t> bytes) {
+    Crc32 crc;
+    crc.add(bytes);
+    return crc.value();
+}
+
+// Makes the checksums right again after a change, so that what comes after them is tested.
+inline void sign(Bytes& bytes) {
+    store(&bytes[36], crc_of(std::span(bytes).first(36)));
+    if (bytes.size() >= header_size + 4)
+        store(&bytes[bytes.size() - 4],
+              crc_of(std::span(bytes).subspan(header_size).first(bytes.size() - header_size - 4)));
+}
+
+// What loading says: "" if it succeeds.
+struct Outcome {
+    Status status = Status::ok;
+    std::string message;
+};
+
+inline Outcome load(base::Memory& memory, const Bytes& bytes, bool is_model) {
+    try {
+        MemoryReader reader = reader_of(bytes);
+        if (is_model) {
+            (void)load_model(memory, reader);
+        } else {
+            (void)load_point_set(memory, reader);
+        }
+    } catch (const Error& error) {
+        return {error.status(), error.what()};
+    }
+    return {};
+}
+
+} // namespace hrbfnpr::io::samples
