@@ -1,0 +1,36 @@
+// The polynomial term of [NPAR 4.1]: the monomials of total degree -1 (none) to 3, in the order
+// 1; x y z; xx xy xz yy yz zz; xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
+#pragma once
+
+#include "geometry/vec.h"
+
+#include <array>
+#include <cstdint>
+
+namespace hrbfnpr::kernel {
+
+inline constexpr std::int32_t polynomial_degree_max = 3;
+inline constexpr int polynomial_size_max = 20;
+
+// M = C(degree + 3, 3): 0, 1, 4, 10, 20.
+[[nodiscard]] constexpr int polynomial_size(std::int32_t degree) noexcept {
+    return degree < 0 ? 0 : (degree + 1) * (degree + 2) * (degree + 3) / 6;
+}
+
+// Values and gradients of the first polynomial_size(degree) monomials at p.
+struct PolynomialBasis {
+    std::array<double, polynomial_size_max> value;
+    std::array<glm::dvec3, polynomial_size_max> gradient;
+};
+void polynomial_basis(std::int32_t degree, const glm::dvec3& p, PolynomialBasis& basis) noexcept;
+
+struct PolynomialField {
+    double value = 0.0;
+    glm::dvec3 gradient{0.0};
+    std::array<double, 6> hessian{}; // xx xy xz yy yz zz
+};
+
+// The polynomial with polynomial_size(degree) coefficients at p.
+[[nodiscard]] PolynomialField polynomial(std::int32_t degree, const double* coefficients, const glm::dvec3& p) noexcept;
+
+} // namespace hrbfnpr::kernel

@@ -1,0 +1,79 @@
+// The kernels as inline functions, for loops that fix the kernel outside.
+#pragma once
+
+#include "kernel/kernel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::kernel {
+
+// Closer than this (squared, in units of the mean sample spacing) a point is at the centre:
+// nearer ones would overflow r^-3, and no double near a sample but the sample itself is.
+inline constexpr double at_centre = 1e-60;
+
+// Each kernel has at<order>(r2, r): phi and a always, b from order 1 on, c at order 2;
+// the rest stays 0.  r2 = r * r.  Free of branches, so that loops over points vectorise.
+
+struct Triharmonic {
+    explicit constexpr Triharmonic(double /*radius*/) noexcept {}
+
+    template <int order>
+    [[nodiscard]] Radial at(double r2, double r) const noexcept {
+        Radial result{r2 * r, 3.0 * r, 0.0, 0.0};
+        const double inverse = r2 > at_centre ? 1.0 / r : 0.0;
+        if constexpr (order >= 1) result.b = 3.0 * inverse;
+        if constexpr (order >= 2) result.c = -3.0 * inverse * inverse * inverse;
+        return result;
+    }
+};
+
+struct Gaussian {
+    explicit constexpr Gaussian(double radius) noexcept : falloff_(1.0 / (radius * radius)) {}
+
+    template <int order>
+    [[nodiscard]] Radial at(double r2, double /*r*/) const noexcept {
+        const double phi = std::exp(-0.5 * falloff_ * r2);
+        Radial result{phi, -falloff_ * phi, 0.0, 0.0};
+        if constexpr (order >= 1) result.b = -falloff_ * result.a;
+        if constexpr (order >= 2) result.c = -falloff_ * result.b;
+        return result;
+    }
+
+private:
+    double falloff_;
+};
+
+struct WendlandC2 {
+    explicit constexpr WendlandC2(double radius) noexcept : inverse_radius_(1.0 / radius) {}
+
+    template <int order>
+    [[nodiscard]] Radial at(double r2, double r) const noexcept {
+        const double s = r * inverse_radius_;
+        const double t = std::max(0.0, 1.0 - s);
+        const double t2 = t * t;
+        const double falloff = 20.0 * inverse_radius_ * inverse_radius_;
+        Radial result{t2 * t2 * (4.0 * s + 1.0), -falloff * (t2 * t), 0.0, 0.0};
+        const double inverse = r2 > at_centre ? 1.0 / r : 0.0;
+        const double cubic = 3.0 * falloff * inverse_radius_; // 60 / radius^3
+        if constexpr (order >= 1) result.b = cubic * t2 * inverse;
+        if constexpr (order >= 2) result.c = -cubic * t * (1.0 + s) * (inverse * inverse * inverse);
+        return result;
+    }
+
+private:
+    double inverse_radius_;
+};
+
+// Calls f(kernel) with the kernel's own type.
+template <class F>
+decltype(auto) with_kernel(Kind kind, double radius, F&& f) {
+    switch (kind) {
+    case Kind::gaussian: return f(Gaussian(radius));
+    case Kind::wendland_c2: return f(WendlandC2(radius));
+    case Kind::triharmonic: break;
+    }
+    return f(Triharmonic(radius));
+}
+
+} // namespace hrbfnpr::kernel
