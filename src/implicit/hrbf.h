@@ -34,6 +34,15 @@ struct HrbfData {
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
 
+// How every query and every sample is normalised, one coordinate at a time.  One formula for
+// both, so that a query at a sample is exactly at its centre.
+[[nodiscard]] inline double normalised(double coordinate, double centre, double scale) noexcept {
+    return (coordinate - centre) / scale;
+}
+
+// What Hrbf::evaluate does, for data that no Hrbf owns yet.
+void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& fields) noexcept;
+
 class Hrbf final : public Implicit {
 public:
     explicit Hrbf(HrbfData data) noexcept : data_(std::move(data)) {}
