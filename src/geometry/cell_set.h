@@ -1,0 +1,66 @@
+// A set of cells of a uniform grid: a hash set of packed cell numbers, and the grid itself.
+#pragma once
+
+#include "base/memory.h"
+#include "geometry/vec.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::geometry {
+
+// Cell (i, j, k) is origin + side * [i, i + 1] x [j, j + 1] x [k, k + 1], each number in [0, most).
+struct CellGrid {
+    static constexpr int bits = 21;
+    static constexpr std::int64_t most = std::int64_t{1} << bits;
+
+    glm::dvec3 origin{0.0};
+    double side = 1.0;
+
+    using Cell = std::array<std::int64_t, 3>;
+
+    [[nodiscard]] Cell cell_of(const glm::dvec3& p) const noexcept {
+        const glm::dvec3 at =
+            glm::clamp((p - origin) / side, glm::dvec3(0.0), glm::dvec3(static_cast<double>(most - 1)));
+        return {static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y), static_cast<std::int64_t>(at.z)};
+    }
+    [[nodiscard]] glm::dvec3 corner(const Cell& cell) const noexcept {
+        return origin + side * glm::dvec3(static_cast<double>(cell[0]), static_cast<double>(cell[1]),
+                                          static_cast<double>(cell[2]));
+    }
+    [[nodiscard]] glm::dvec3 centre(const Cell& cell) const noexcept { return corner(cell) + 0.5 * side; }
+    [[nodiscard]] static bool inside(const Cell& cell) noexcept {
+        return std::all_of(cell.begin(), cell.end(), [](std::int64_t number) { return number >= 0 && number < most; });
+    }
+    [[nodiscard]] static std::uint64_t pack(const Cell& cell) noexcept {
+        return static_cast<std::uint64_t>(cell[0]) | static_cast<std::uint64_t>(cell[1]) << bits |
+               static_cast<std::uint64_t>(cell[2]) << (2 * bits);
+    }
+    [[nodiscard]] static Cell unpack(std::uint64_t packed) noexcept {
+        constexpr auto mask = static_cast<std::uint64_t>(most - 1);
+        return {static_cast<std::int64_t>(packed & mask), static_cast<std::int64_t>((packed >> bits) & mask),
+                static_cast<std::int64_t>((packed >> (2 * bits)) & mask)};
+    }
+};
+
+class CellSet {
+public:
+    explicit CellSet(base::Memory& memory) noexcept : table_(memory) {}
+
+    [[nodiscard]] std::int64_t size() const noexcept { return size_; }
+    // Whether the cell was new.
+    bool insert(std::uint64_t packed);
+
+private:
+    // Packed cells have 63 bits; a stored one is increased by 1, so that 0 is a free place.
+    static bool place(base::Array<std::uint64_t>& table, std::uint64_t stored) noexcept;
+    void grow();
+
+    base::Array<std::uint64_t> table_; // open addressing, a power of two, at most half full
+    std::int64_t size_ = 0;
+};
+
+} // namespace hrbfnpr::geometry

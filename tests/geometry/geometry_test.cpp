@@ -1,0 +1,151 @@
+#include "geometry/cell_set.h"
+#include "geometry/eigen2.h"
+#include "geometry/point_tree.h"
+#include "geometry/tangent_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace hrbfnpr::geometry {
+namespace {
+
+base::Memory& memory() {
+    static base::Memory instance;
+    return instance;
+}
+
+glm::dvec3 pseudo_random(int i) {
+    return {std::sin(12.9898 * i), std::sin(78.233 * i + 1.0), std::sin(37.719 * i + 2.0)};
+}
+
+// Two clusters far apart, points that coincide, and points on a line.
+VecArray awkward(int count) {
+    VecArray points(memory());
+    for (int i = 0; i < count; ++i) {
+        glm::dvec3 p = pseudo_random(i / 3 * 3 + (i % 3 == 0 ? 1 : i % 3));
+        if (i % 7 == 0) p = 1e-3 * p + glm::dvec3(50.0, 0.0, 0.0);
+        if (i % 5 == 0) p = glm::dvec3(p.x, 0.0, 0.0);
+        if (i % 11 == 0) p = glm::dvec3(0.25, 0.5, 0.75);
+        points.push_back(p);
+    }
+    return points;
+}
+
+TEST(PointTree, FindsWhatBruteForceFinds) {
+    for (const int count : {1, 2, 8, 9, 17, 100, 777}) {
+        const VecArray points = awkward(count);
+        const PointTree tree(points, {});
+        ASSERT_EQ(tree.size(), count);
+        std::set<std::int64_t> seen;
+        for (int at = 0; at < count; ++at) {
+            seen.insert(tree.index(at));
+            EXPECT_EQ(tree.points()[at], points[tree.index(at)]);
+            double nearest = std::numeric_limits<double>::infinity();
+            std::vector<std::int64_t> expected;
+            for (int i = 0; i < count; ++i) {
+                const double distance = glm::distance(points[i], tree.points()[at]);
+                if (i != tree.index(at)) nearest = std::min(nearest, distance);
+                if (distance <= 0.3) expected.push_back(i);
+            }
+            EXPECT_DOUBLE_EQ(tree.nearest_other(at), nearest);
+            std::vector<std::int64_t> found;
+            tree.within(tree.points()[at], 0.3, [&](std::int64_t other, double squared) {
+                found.push_back(tree.index(other));
+                EXPECT_DOUBLE_EQ(std::sqrt(squared), glm::distance(tree.points()[at], points[tree.index(other)]));
+            });
+            std::sort(found.begin(), found.end());
+            EXPECT_EQ(found, expected);
+        }
+        EXPECT_EQ(seen.size(), static_cast<std::size_t>(count));
+    }
+}
+
+TEST(PointTree, IsEmptyForNoPoints) {
+    const PointTree tree(VecArray(memory()), {});
+    tree.within(glm::dvec3(0.0), 1e9, [](std::int64_t, double) { FAIL(); });
+    EXPECT_TRUE(tree.bounds().empty());
+}
+
+TEST(PointTree, CanBeCancelled) {
+    base::Operation operation;
+    operation.begin();
+    operation.cancel();
+    const VecArray points = awkward(10000);
+    EXPECT_THROW(PointTree(points, base::Progress(&operation)), Error);
+}
+
+TEST(CellSet, IsASet) {
+    CellSet cells(memory());
+    std::set<std::uint64_t> reference;
+    for (std::uint64_t i = 0; i < 5000; ++i) {
+        const std::uint64_t cell = i * i % 3001 * 7919 % (std::uint64_t{1} << 40U);
+        EXPECT_EQ(cells.insert(cell), reference.insert(cell).second);
+    }
+    EXPECT_TRUE(cells.insert((std::uint64_t{1} << 63U) - 1)) << "the largest cell there is";
+    EXPECT_EQ(cells.size(), static_cast<std::int64_t>(reference.size()) + 1);
+}
+
+TEST(CellGrid, PacksAndPlacesCells) {
+    const CellGrid grid{{-1.0, -2.0, -3.0}, 0.5};
+    const CellGrid::Cell cell = grid.cell_of({0.1, 0.1, 0.1});
+    EXPECT_EQ(cell, (CellGrid::Cell{2, 4, 6}));
+    EXPECT_EQ(CellGrid::unpack(CellGrid::pack(cell)), cell);
+    EXPECT_EQ(grid.centre(cell), glm::dvec3(0.25, 0.25, 0.25));
+    const CellGrid::Cell last = {CellGrid::most - 1, 0, CellGrid::most - 1};
+    EXPECT_EQ(CellGrid::unpack(CellGrid::pack(last)), last);
+    EXPECT_TRUE(CellGrid::inside(last));
+    EXPECT_FALSE(CellGrid::inside({0, -1, 0}));
+    EXPECT_FALSE(CellGrid::inside({0, CellGrid::most, 0}));
+    EXPECT_EQ(grid.cell_of({-9.0, 1e9, -3.0}), (CellGrid::Cell{0, CellGrid::most - 1, 0})) << "clamped";
+}
+
+TEST(Eigen2, SolvesTheSymmetricProblem) {
+    for (int i = 0; i < 200; ++i) {
+        const glm::dvec3 m = pseudo_random(i);
+        const Eigen2 e = symmetric_eigen2(m.x, m.y, m.z);
+        EXPECT_GE(e.high, e.low);
+        EXPECT_NEAR(m.x * e.cosine + m.y * e.sine, e.high * e.cosine, 1e-14);
+        EXPECT_NEAR(m.y * e.cosine + m.z * e.sine, e.high * e.sine, 1e-14);
+        EXPECT_NEAR(e.high + e.low, m.x + m.z, 1e-14);
+        EXPECT_NEAR(e.high * e.low, m.x * m.z - m.y * m.y, 1e-14);
+    }
+    const Eigen2 umbilic = symmetric_eigen2(2.0, 0.0, 2.0);
+    EXPECT_EQ(umbilic.high, 2.0);
+    EXPECT_EQ(umbilic.low, 2.0);
+    const Eigen2 nearly = symmetric_eigen2(1.0, 1e-20, 1.0);
+    EXPECT_EQ(nearly.high - nearly.low, 0.0) << "below rounding";
+    EXPECT_NEAR(nearly.cosine, std::sqrt(0.5), 1e-15) << "and yet the direction is right";
+}
+
+void expect_right_handed(const TangentFrame& frame, const glm::dvec3& n) {
+    EXPECT_NEAR(glm::length(frame.u), 1.0, 1e-12);
+    EXPECT_NEAR(glm::length(frame.r), 1.0, 1e-12);
+    EXPECT_NEAR(glm::distance(glm::cross(frame.u, frame.r), n), 0.0, 1e-12);
+}
+
+TEST(TangentFrame, IsOrthonormalForEveryNormal) {
+    for (int i = 0; i < 1000; ++i) {
+        const glm::dvec3 n = glm::normalize(pseudo_random(i));
+        expect_right_handed(stipple_frame(n), n);
+        expect_right_handed(combing_frame(n), n);
+        EXPECT_NEAR(glm::dot(any_perpendicular(n), n), 0.0, 1e-15);
+    }
+    for (const glm::dvec3 axis : {glm::dvec3(0.36, 0.48, 0.80), glm::dvec3(-0.36, -0.48, -0.80),
+                                  glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1.0)}) {
+        expect_right_handed(stipple_frame(axis), axis);
+        expect_right_handed(combing_frame(axis), axis);
+    }
+}
+
+// Stark: n crossed with the axis of its smallest component, so that u has no part along that axis.
+TEST(TangentFrame, CombingLeavesOutTheSmallestComponent) {
+    EXPECT_EQ(combing_frame(glm::normalize(glm::dvec3(0.1, 0.7, -0.6))).u.x, 0.0);
+    EXPECT_EQ(combing_frame(glm::normalize(glm::dvec3(0.7, -0.1, -0.6))).u.y, 0.0);
+    EXPECT_EQ(combing_frame(glm::normalize(glm::dvec3(0.7, 0.6, 0.1))).u.z, 0.0);
+}
+
+} // namespace
+} // namespace hrbfnpr::geometry
