@@ -1,0 +1,104 @@
+#include "surface/curvature.h"
+
+#include "geometry/eigen2.h"
+#include "geometry/tangent_frame.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace hrbfnpr::surface {
+namespace {
+
+// Below this confidence the principal directions go over, smoothly, into the combing field:
+// at an umbilic they are noise.
+constexpr double sure = 0.02;
+
+struct Symmetric3 {
+    const std::array<double, 6>& h; // xx xy xz yy yz zz
+
+    [[nodiscard]] glm::dvec3 times(const glm::dvec3& v) const noexcept {
+        return {h[0] * v.x + h[1] * v.y + h[2] * v.z, h[1] * v.x + h[3] * v.y + h[4] * v.z,
+                h[2] * v.x + h[4] * v.y + h[5] * v.z};
+    }
+};
+
+double smoothstep(double t) noexcept {
+    t = std::clamp(t, 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+// The first direction, as an angle in the combing frame itself, where the field is the angle 0.
+// Directions have no sign, so they are averaged as vectors of twice their angle.
+glm::dvec2 blended(double cosine, double sine, double confidence) noexcept {
+    if (confidence >= sure) return {cosine, sine};
+    const double weight = smoothstep(confidence / sure);
+    const double cosine2 = weight * (cosine * cosine - sine * sine) + (1.0 - weight);
+    const double sine2 = weight * 2.0 * sine * cosine;
+    const double angle = 0.5 * std::atan2(sine2, cosine2);
+    return {std::cos(angle), std::sin(angle)};
+}
+
+bool finite(const std::array<double, 6>& numbers) noexcept {
+    return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+}
+
+} // namespace
+
+// Kindlmann et al. 2003: G = -P H P / |g| with P = I - n n^T has the eigenvalue 0 along n and the
+// principal curvatures in the tangent plane, k = (T +- sqrt(2 F^2 - T^2)) / 2 with T the trace and
+// F the Frobenius norm of G.  In a tangent basis G is [a b; b c], T = a + c and
+// 2 F^2 - T^2 = (a - c)^2 + 4 b^2, which does not cancel near umbilics.
+Curvature principal_curvature(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
+                              double diagonal) noexcept {
+    const double slope = glm::length(gradient);
+    if (!(slope > 0.0) || !std::isfinite(slope) || !finite(hessian)) return {};
+    const glm::dvec3 n = gradient / slope;
+    const geometry::TangentFrame frame = geometry::combing_frame(n);
+    const Symmetric3 h{hessian};
+    const glm::dvec3 hr = h.times(frame.r);
+    const glm::dvec3 hu = h.times(frame.u);
+    const geometry::Eigen2 eigen = geometry::symmetric_eigen2(
+        -glm::dot(frame.r, hr) / slope, -glm::dot(frame.u, hr) / slope, -glm::dot(frame.u, hu) / slope);
+    Curvature result;
+    result.k1 = eigen.high;
+    result.k2 = eigen.low;
+    // The last term makes 0 of what is flat at the scale of the model.
+    const double scale = std::abs(eigen.high) + std::abs(eigen.low) + 1e-3 / diagonal;
+    result.confidence = std::clamp((eigen.high - eigen.low) / scale, 0.0, 1.0);
+    const glm::dvec2 first = blended(eigen.cosine, eigen.sine, result.confidence);
+    result.d1 = glm::normalize(first.x * frame.r + first.y * frame.u);
+    result.d2 = glm::cross(n, result.d1);
+    return result;
+}
+
+void principal_curvatures(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                          const geometry::VecArray& points, base::Array<Curvature>& result,
+                          const base::Progress& progress) {
+    constexpr auto size = static_cast<std::size_t>(implicit::batch_size);
+    const std::int64_t count = points.size();
+    const double diagonal = implicit.diagonal();
+    result.resize(count);
+    std::atomic<std::int64_t> done{0};
+    implicit.threads(runtime.parallel)
+        .for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            std::array<std::array<double, size>, 9> columns;
+            implicit::FieldBatch fields;
+            for (std::size_t k = 0; k < 3; ++k) fields.gradient[k] = columns[k].data();
+            for (std::size_t k = 0; k < 6; ++k) fields.hessian[k] = columns[3 + k].data();
+            implicit.evaluate(implicit::slice({points.x.data(), points.y.data(), points.z.data(), count}, begin, end),
+                              fields);
+            for (std::int64_t i = begin; i < end; ++i) {
+                const auto lane = static_cast<std::size_t>(i - begin);
+                std::array<double, 6> hessian;
+                for (std::size_t k = 0; k < 6; ++k) hessian[k] = columns[3 + k][lane];
+                result[i] =
+                    principal_curvature({columns[0][lane], columns[1][lane], columns[2][lane]}, hessian, diagonal);
+            }
+            const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
+            progress.update(static_cast<double>(now) / static_cast<double>(count));
+        });
+}
+
+} // namespace hrbfnpr::surface

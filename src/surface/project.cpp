@@ -1,0 +1,173 @@
+#include "surface/project.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+
+namespace hrbfnpr::surface {
+namespace {
+
+constexpr std::int64_t batch_size = implicit::batch_size;
+using Column = std::array<double, static_cast<std::size_t>(batch_size)>;
+
+// Below this share of the Newton step a trial no longer moves a point by more than rounding.
+constexpr double smallest_share = 1e-14;
+
+// Steepest descent on phi = f^2, whose gradient is 2 f g with g = grad f:
+//
+//   x_new = x - t grad phi = x - t 2 f g.
+//
+// Newton's step on f along g ends at x - f g / |g|^2, that is t0 = 1 / (2 |g|^2); trials are
+// t = s t0 with s = 1, b, b^2, ... (b = armijo_factor).  Armijo's rule takes the first with
+//
+//   phi(x_new) <= phi(x) - sigma t |grad phi|^2
+//               = f^2 - sigma (s / (2 |g|^2)) 4 f^2 |g|^2 = f^2 (1 - 2 sigma s).
+class Batch {
+public:
+    Batch(const implicit::Implicit& implicit, const ProjectionSettings& settings) noexcept
+        : implicit_(implicit), settings_(settings), diagonal_(implicit.diagonal()),
+          centre_(implicit.bounds().centre()) {}
+
+    void run(Projection& points, std::int64_t begin, std::int64_t end, const base::Progress& progress);
+
+private:
+    void choose_trial(std::size_t i) noexcept;
+    void evaluate(const base::Progress& progress);
+    [[nodiscard]] bool take_trial(Projection& points, std::size_t lane) noexcept;
+    [[nodiscard]] bool finished(Projection& points, std::size_t i) noexcept;
+    void end_with(Projection& points, std::size_t i, ProjectionStatus status) noexcept;
+
+    [[nodiscard]] static bool finite(double f, const glm::dvec3& g) noexcept {
+        return std::isfinite(f) && std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z);
+    }
+
+    const implicit::Implicit& implicit_;
+    const ProjectionSettings& settings_;
+    double diagonal_;
+    glm::dvec3 centre_;
+    std::int64_t begin_ = 0;
+
+    // The iterate of each point of the batch.
+    std::array<glm::dvec3, static_cast<std::size_t>(batch_size)> position_;
+    std::array<glm::dvec3, static_cast<std::size_t>(batch_size)> gradient_;
+    std::array<glm::dvec3, static_cast<std::size_t>(batch_size)> trial_;
+    Column value_;
+    Column share_; // s of the next trial; 0 before the first evaluation
+    std::array<std::int32_t, static_cast<std::size_t>(batch_size)> evaluations_;
+
+    // The points that still move, packed, and what was evaluated for them.
+    std::array<std::size_t, static_cast<std::size_t>(batch_size)> active_;
+    std::size_t active_count_ = 0;
+    Column x_, y_, z_, f_, gx_, gy_, gz_;
+};
+
+void Batch::end_with(Projection& points, std::size_t i, ProjectionStatus status) noexcept {
+    const std::int64_t at = begin_ + static_cast<std::int64_t>(i);
+    points.position.set(at, position_[i]);
+    points.gradient.set(at, gradient_[i]);
+    points.status[at] = status;
+}
+
+// Looks at a new iterate: ends its search, or picks the first trial from it.
+bool Batch::finished(Projection& points, std::size_t i) noexcept {
+    const double slope = glm::length(gradient_[i]);
+    if (!(slope > 0.0)) {
+        end_with(points, i, ProjectionStatus::zero_gradient);
+        return true;
+    }
+    if (std::abs(value_[i]) <= settings_.tolerance * diagonal_ * slope) {
+        end_with(points, i, ProjectionStatus::converged);
+        return true;
+    }
+    // Near a critical point the Newton step is arbitrarily long, but the surface is not
+    // farther away than this; beyond it f need not even be defined.
+    const double longest = diagonal_ + glm::length(position_[i] - centre_);
+    const double newton = std::abs(value_[i]) / slope;
+    share_[i] = newton > longest ? longest / newton : 1.0;
+    return false;
+}
+
+void Batch::choose_trial(std::size_t i) noexcept {
+    const glm::dvec3 g = gradient_[i];
+    trial_[i] = position_[i] - (share_[i] * value_[i] / glm::dot(g, g)) * g;
+}
+
+void Batch::evaluate(const base::Progress& progress) {
+    progress.check();
+    for (std::size_t lane = 0; lane < active_count_; ++lane) {
+        const glm::dvec3& p = trial_[active_[lane]];
+        x_[lane] = p.x;
+        y_[lane] = p.y;
+        z_[lane] = p.z;
+    }
+    implicit::FieldBatch fields;
+    fields.value = f_.data();
+    fields.gradient = {gx_.data(), gy_.data(), gz_.data()};
+    implicit_.evaluate({x_.data(), y_.data(), z_.data(), static_cast<std::int64_t>(active_count_)}, fields);
+}
+
+// Judges the evaluated trial of a lane.  Returns whether the point goes on.
+bool Batch::take_trial(Projection& points, std::size_t lane) noexcept {
+    const std::size_t i = active_[lane];
+    const double f = f_[lane];
+    const glm::dvec3 g(gx_[lane], gy_[lane], gz_[lane]);
+    const bool first = evaluations_[i]++ == 0;
+    const bool ok = finite(f, g);
+    const bool accepted =
+        first || (ok && f * f <= value_[i] * value_[i] * (1.0 - 2.0 * settings_.armijo_slope * share_[i]));
+    if (accepted) {
+        position_[i] = trial_[i];
+        gradient_[i] = g;
+        value_[i] = f;
+        if (!ok) {
+            end_with(points, i, ProjectionStatus::not_finite);
+            return false;
+        }
+        if (finished(points, i)) return false;
+    } else {
+        share_[i] *= settings_.armijo_factor;
+    }
+    if (evaluations_[i] >= settings_.iteration_limit || share_[i] < smallest_share) {
+        end_with(points, i, ProjectionStatus::not_converged);
+        return false;
+    }
+    choose_trial(i);
+    return true;
+}
+
+void Batch::run(Projection& points, std::int64_t begin, std::int64_t end, const base::Progress& progress) {
+    begin_ = begin;
+    active_count_ = static_cast<std::size_t>(end - begin);
+    for (std::size_t i = 0; i < active_count_; ++i) {
+        trial_[i] = points.position[begin + static_cast<std::int64_t>(i)];
+        evaluations_[i] = 0;
+        share_[i] = 1.0;
+        active_[i] = i;
+    }
+    while (active_count_ > 0) {
+        evaluate(progress);
+        std::size_t kept = 0;
+        for (std::size_t lane = 0; lane < active_count_; ++lane)
+            if (take_trial(points, lane)) active_[kept++] = active_[lane];
+        active_count_ = kept;
+    }
+}
+
+} // namespace
+
+void project(const base::Runtime& runtime, const implicit::Implicit& implicit, const ProjectionSettings& settings,
+             Projection& points, const base::Progress& progress) {
+    const std::int64_t count = points.position.size();
+    points.gradient.resize(count);
+    points.status.resize(count);
+    std::atomic<std::int64_t> done{0};
+    implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
+        Batch batch(implicit, settings);
+        batch.run(points, begin, end, progress);
+        const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
+        progress.update(static_cast<double>(now) / static_cast<double>(count));
+    });
+}
+
+} // namespace hrbfnpr::surface

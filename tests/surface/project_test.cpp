@@ -1,0 +1,188 @@
+#include "surface/project.h"
+
+#include "support/analytic.h"
+
+#include <gtest/gtest.h>
+
+namespace hrbfnpr::surface {
+namespace {
+
+using namespace test;
+
+base::Runtime& runtime() {
+    static base::Runtime instance;
+    return instance;
+}
+
+Projection run(const implicit::Implicit& implicit, std::initializer_list<glm::dvec3> points,
+               const ProjectionSettings& settings = {}) {
+    Projection projection(runtime().memory);
+    for (const glm::dvec3& p : points) projection.position.push_back(p);
+    project(runtime(), implicit, settings, projection, {});
+    return projection;
+}
+
+glm::dvec3 pseudo_random(int i) {
+    return {std::sin(12.9898 * i), std::sin(78.233 * i + 1.0), std::sin(37.719 * i + 2.0)};
+}
+
+TEST(Project, ReachesTheNearestPointOfASphereInOneStep) {
+    const Sphere sphere(2.0);
+    const Projection p = run(sphere, {{5.0, 0.0, 0.0}, {0.0, -0.3, 0.0}});
+    EXPECT_EQ(p.status[0], ProjectionStatus::converged);
+    EXPECT_NEAR(glm::distance(p.position[0], {2.0, 0.0, 0.0}), 0.0, 1e-14);
+    EXPECT_NEAR(glm::distance(p.position[1], {0.0, -2.0, 0.0}), 0.0, 1e-14);
+    EXPECT_NEAR(glm::distance(p.gradient[0], {1.0, 0.0, 0.0}), 0.0, 1e-14);
+    EXPECT_EQ(sphere.evaluations, 4) << "one evaluation at the start and one at the end";
+}
+
+TEST(Project, ConvergesFromEverywhereOnFunctionsThatAreNoDistance) {
+    const SquareSphere sphere(1.0);
+    Projection p(runtime().memory);
+    constexpr int count = 1000; // more than a batch, and not a multiple of it
+    for (int i = 0; i < count; ++i) p.position.push_back(3.0 * pseudo_random(i + 1));
+    project(runtime(), sphere, {}, p, {});
+    for (int i = 0; i < count; ++i) {
+        ASSERT_EQ(p.status[i], ProjectionStatus::converged) << i;
+        EXPECT_NEAR(glm::length(p.position[i]), 1.0, 1e-8);
+        EXPECT_NEAR(glm::distance(p.gradient[i], 2.0 * p.position[i]), 0.0, 1e-15);
+    }
+}
+
+TEST(Project, APointOnTheSurfaceStaysBitForBit) {
+    const glm::dvec3 on(0.6, 0.8, 0.0);
+    const Projection p = run(SquareSphere(1.0), {on});
+    EXPECT_EQ(p.position[0], on);
+    EXPECT_EQ(p.gradient[0], 2.0 * on);
+}
+
+TEST(Project, NoPointDependsOnTheOthers) {
+    const Torus torus;
+    Projection many(runtime().memory);
+    for (int i = 0; i < 700; ++i) many.position.push_back(1.5 * pseudo_random(i));
+    geometry::VecArray starts(runtime().memory);
+    for (int i = 0; i < 700; ++i) starts.push_back(many.position[i]);
+    project(runtime(), torus, {}, many, {});
+    for (int i = 0; i < 700; i += 37) {
+        const Projection alone = run(torus, {starts[i]});
+        EXPECT_EQ(alone.position[0], many.position[i]);
+        EXPECT_EQ(alone.gradient[0], many.gradient[i]);
+        EXPECT_EQ(alone.status[0], many.status[i]);
+    }
+}
+
+// The minimum of f^2 that is no zero: steepest descent must stop there and say so.
+TEST(Project, ReportsCriticalPointsAndLocalMinima) {
+    const AnyField bowl(cube(1.0), [](const glm::dvec3& p) -> Field {
+        return {glm::dot(p, p) + 0.5, 2.0 * p, identity(2.0)};
+    });
+    const Projection p = run(bowl, {{0.0, 0.0, 0.0}, {0.3, 0.2, 0.1}});
+    EXPECT_EQ(p.status[0], ProjectionStatus::zero_gradient);
+    EXPECT_NE(p.status[1], ProjectionStatus::converged);
+    EXPECT_LT(glm::length(p.position[1]), 0.1) << "the last iterate is kept, and f^2 fell";
+}
+
+TEST(Project, ReportsWhatIsNotFinite) {
+    const AnyField broken(cube(1.0), [](const glm::dvec3& p) -> Field {
+        return {p.x > 0.0 ? std::nan("") : p.x + 0.5, {1.0, 0.0, 0.0}, {}};
+    });
+    const Projection p = run(broken, {{0.5, 0.0, 0.0}, {-0.7, 0.0, 0.0}, {std::nan(""), 0.0, 0.0}});
+    EXPECT_EQ(p.status[0], ProjectionStatus::not_finite);
+    EXPECT_EQ(p.status[1], ProjectionStatus::converged);
+    EXPECT_EQ(p.status[2], ProjectionStatus::not_finite);
+}
+
+// A trial that ends where f is not finite is one that does not lower f^2: the step is halved.
+TEST(Project, BacktracksOutOfWhatIsNotFinite) {
+    // f = sqrt(x) - 2 has its zero at 4; Newton from 20 ends at x < 0.
+    const AnyField root(cube(10.0), [](const glm::dvec3& p) -> Field {
+        return {std::sqrt(p.x) - 2.0, {0.5 / std::sqrt(p.x), 0.0, 0.0}, {}};
+    });
+    const Projection p = run(root, {{20.0, 0.0, 0.0}});
+    EXPECT_EQ(p.status[0], ProjectionStatus::converged);
+    EXPECT_NEAR(p.position[0].x, 4.0, 1e-6);
+}
+
+// arctan overshoots with full Newton steps and diverges; Armijo's rule makes it converge.
+TEST(Project, ArmijoTamesNewtonSteps) {
+    const AnyField arctan(cube(5.0), [](const glm::dvec3& p) -> Field {
+        return {std::atan(p.x), {1.0 / (1.0 + p.x * p.x), 0.0, 0.0}, {}};
+    });
+    const Projection p = run(arctan, {{4.0, 0.0, 0.0}});
+    EXPECT_EQ(p.status[0], ProjectionStatus::converged);
+    EXPECT_NEAR(p.position[0].x, 0.0, 1e-7);
+}
+
+// With sigma near 1/2 only steps that lower f^2 to (nearly) nothing are taken: for f = x^2 - 1 the
+// Newton step from 2 to 1.25 lowers f^2 = 9 to 0.316, that is to 3.5 % of it.
+TEST(Project, ArmijoSlopeIsTheOneOfTheRule) {
+    const AnyField parabola(cube(1.0), [](const glm::dvec3& p) -> Field {
+        return {p.x * p.x - 1.0, {2.0 * p.x, 0.0, 0.0}, {}};
+    });
+    ProjectionSettings settings;
+    settings.iteration_limit = 2;
+    settings.armijo_slope = 0.48; // wants f^2 <= 4 %: taken
+    EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 1.25, 1e-14);
+    settings.armijo_slope = 0.49; // wants f^2 <= 2 %: not taken
+    EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 2.0, 1e-14);
+    settings.iteration_limit = 3; // half the step, to 1.625: f^2 = 2.69 is 30 % and 51 % will do
+    EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 1.625, 1e-14);
+    settings.armijo_factor = 0.25;
+    EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 1.8125, 1e-14);
+}
+
+TEST(Project, IterationLimitCountsEvaluations) {
+    const SquareSphere sphere(1.0);
+    ProjectionSettings settings;
+    for (const int limit : {1, 2, 5}) {
+        settings.iteration_limit = limit;
+        sphere.evaluations = 0;
+        const Projection p = run(sphere, {{100.0, 0.0, 0.0}}, settings);
+        EXPECT_EQ(p.status[0], ProjectionStatus::not_converged);
+        EXPECT_EQ(sphere.evaluations, limit);
+    }
+}
+
+TEST(Project, ToleranceIsInDiagonals) {
+    const double diagonal = std::sqrt(12.0);
+    const Plane plane({0.0, 0.0, 2.0}, 0.0, cube(1.0));
+    ProjectionSettings settings;
+    settings.tolerance = 0.01;
+    EXPECT_EQ(run(plane, {{0.0, 0.0, 0.0099 * diagonal}}, settings).position[0].z, 0.0099 * diagonal);
+    EXPECT_NEAR(run(plane, {{0.0, 0.0, 0.0101 * diagonal}}, settings).position[0].z, 0.0, 1e-15);
+}
+
+TEST(Project, CanBeCancelledAndReportsProgress) {
+    base::Operation operation;
+    operation.begin();
+    const Sphere sphere;
+    Projection p(runtime().memory);
+    for (int i = 0; i < 5000; ++i) p.position.push_back(2.0 * pseudo_random(i));
+    project(runtime(), sphere, {}, p, base::Progress(&operation));
+    EXPECT_DOUBLE_EQ(operation.progress(), 1.0);
+    operation.cancel();
+    try {
+        project(runtime(), sphere, {}, p, base::Progress(&operation));
+        FAIL() << "not cancelled";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::cancelled);
+    }
+}
+
+TEST(Project, ASerialFunctionRunsOnTheCallersThreadOnly) {
+    Sphere sphere;
+    sphere.is_concurrent = false;
+    Projection p(runtime().memory);
+    for (int i = 0; i < 5000; ++i) p.position.push_back(2.0 * pseudo_random(i));
+    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr), nullptr, nullptr);
+    project(threads, sphere, {}, p, {});
+    EXPECT_FALSE(sphere.strange_thread);
+}
+
+TEST(Project, NoPointsIsFine) {
+    const Projection p = run(Sphere(), {});
+    EXPECT_EQ(p.status.size(), 0);
+}
+
+} // namespace
+} // namespace hrbfnpr::surface
