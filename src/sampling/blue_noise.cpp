@@ -1,0 +1,82 @@
+#include "sampling/blue_noise.h"
+
+#include "sampling/candidates.h"
+#include "sampling/progressive_order.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::sampling {
+namespace {
+
+// Cells are never coarser than this part of the diagonal, so that they see the shape ...
+constexpr double coarsest_cells = 48.0;
+// ... nor finer than this, so that no budget asks for more cells than there is memory.
+constexpr double finest_cells = 2048.0;
+// A cell's side in spacings of marks: the candidates' layer is then one spacing to each side.
+constexpr double cell_spacings = 2.0;
+constexpr std::int64_t candidates_per_mark = 6;
+constexpr std::int64_t fewest_candidates = 6000;
+
+// The samples' box and as much around it as the surface is known beyond its samples.  Another sheet
+// that the function happens to have farther out, and an open sheet's continuation, stay outside.
+geometry::Bounds region_of(const Site& site, const Seeds& seeds, const SampleHint& samples) {
+    const geometry::Bounds& bounds = site.implicit.bounds();
+    const double diagonal = site.implicit.diagonal();
+    const double margin = bounds.diagonal() > 0.0 ? std::clamp(samples.spacing, 0.03 * diagonal, 0.10 * diagonal)
+                                                  : 0.5 * diagonal; // one sample: a square of its plane
+    geometry::Bounds region = bounds.grown(margin);
+    const auto inside = [&] {
+        for (std::int64_t i = 0; i < seeds.position.size(); ++i)
+            if (region.contains(seeds.position[i])) return true;
+        return false;
+    };
+    // Points that the caller chose are wanted wherever they are.
+    if (seeds.source == SeedSource::points || !inside())
+        for (std::int64_t i = 0; i < seeds.position.size(); ++i) region.extend(seeds.position[i]);
+    return region;
+}
+
+} // namespace
+
+SurfaceCells cover_surface(const Site& site, const Seeds& seeds, const SampleHint& samples, std::int64_t marks,
+                           const base::Progress& progress) {
+    const geometry::Bounds region = region_of(site, seeds, samples);
+    const double diagonal = region.diagonal();
+    const double coarse = diagonal / coarsest_cells;
+    SurfaceCells cells = find_surface_cells(site, seeds.position, region, coarse, progress.part(0.0, 0.2));
+    const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(std::max<std::int64_t>(1, marks)));
+    const double side = std::clamp(cell_spacings * spacing, diagonal / finest_cells, coarse);
+    if (side > 0.8 * coarse) return cells;
+    return find_surface_cells(site, seeds.position, region, side, progress.part(0.2, 1.0));
+}
+
+EvenMarks spread_evenly(const Site& site, const SurfaceCells& cells, std::int64_t wanted, Group group,
+                        const base::Progress& progress) {
+    const Candidates candidates = draw_candidates(
+        site, cells, std::max(candidates_per_mark * wanted, fewest_candidates), group, progress.part(0.0, 0.7));
+    EvenMarks marks(site.memory());
+    marks.report = candidates.report;
+    marks.area = candidates.area;
+    const base::Array<std::int64_t> order =
+        progressive_order(site, candidates.position, candidates.normal, wanted, progress.part(0.7, 1.0));
+    if (order.empty())
+        fail(Status::not_converged,
+             "no mark could be placed in %lld cells near the surface: %lld points were tried, %lld did not "
+             "converge, %lld strayed, %lld were degenerate; raise projection_tolerance or use PAPER",
+             static_cast<long long>(cells.cell.size()), static_cast<long long>(marks.report.attempted),
+             static_cast<long long>(marks.report.dropped_not_converged),
+             static_cast<long long>(marks.report.dropped_strayed),
+             static_cast<long long>(marks.report.dropped_degenerate));
+    marks.position.reserve(order.size());
+    marks.normal.reserve(order.size());
+    for (const std::int64_t i : order) {
+        marks.position.push_back(candidates.position[i]);
+        marks.normal.push_back(candidates.normal[i]);
+    }
+    marks.report.dropped_budget = marks.report.placed - order.size();
+    marks.report.placed = order.size();
+    return marks;
+}
+
+} // namespace hrbfnpr::sampling

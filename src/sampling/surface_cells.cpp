@@ -1,0 +1,101 @@
+#include "sampling/surface_cells.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::sampling {
+namespace {
+
+using Cell = geometry::CellGrid::Cell;
+
+// Calls visit on a cell and its 26 neighbours.
+template <class Visit>
+void for_neighbourhood(const Cell& cell, Visit&& visit) {
+    for (std::int64_t i = -1; i <= 1; ++i)
+        for (std::int64_t j = -1; j <= 1; ++j)
+            for (std::int64_t k = -1; k <= 1; ++k) visit(Cell{cell[0] + i, cell[1] + j, cell[2] + k});
+}
+
+class Flood {
+public:
+    Flood(const Site& site, SurfaceCells& cells)
+        : site_(site), cells_(cells), known_(site.memory()), front_(site.memory()), next_(site.memory()),
+          centre_(site.memory()), field_(site.memory()) {}
+
+    void start(const geometry::VecArray& seeds);
+    void run(const base::Progress& progress);
+
+private:
+    void offer(const Cell& cell, base::Array<std::uint64_t>& front);
+    void judge(std::int64_t i, bool first);
+
+    const Site& site_;
+    SurfaceCells& cells_;
+    geometry::CellSet known_;
+    base::Array<std::uint64_t> front_, next_; // packed cells to look at in this wave and in the next one
+    geometry::VecArray centre_;
+    FieldSamples field_;
+    std::int64_t seeded_ = 0; // cells of the first wave that hold a seed come first
+};
+
+void Flood::offer(const Cell& cell, base::Array<std::uint64_t>& front) {
+    const double side = cells_.grid.side;
+    if (!geometry::CellGrid::inside(cell)) return;
+    if (!cells_.region.grown(0.5 * side).contains(cells_.grid.centre(cell))) return; // does not meet the region
+    const std::uint64_t packed = geometry::CellGrid::pack(cell);
+    if (known_.insert(packed)) front.push_back(packed);
+}
+
+void Flood::start(const geometry::VecArray& seeds) {
+    for (std::int64_t i = 0; i < seeds.size(); ++i)
+        if (cells_.region.contains(seeds[i])) offer(cells_.grid.cell_of(seeds[i]), front_);
+    seeded_ = front_.size();
+}
+
+// A cell belongs if its centre is near enough to the surface, to first order, for some of its points
+// to be in the band.  A seed's own cell belongs in any case.
+void Flood::judge(std::int64_t i, bool first) {
+    const double distance = field_.distance(i);
+    const bool near = std::abs(distance) <= cells_.reach();
+    if (!near && !(first && i < seeded_)) return;
+    SurfaceCell cell{front_[i], std::numeric_limits<double>::quiet_NaN(), glm::dvec3(0.0)};
+    if (near) {
+        cell.distance = distance;
+        cell.normal = glm::normalize(field_.gradient[i]);
+    }
+    cells_.cell.push_back(cell);
+    for_neighbourhood(geometry::CellGrid::unpack(front_[i]), [&](const Cell& next) { offer(next, next_); });
+}
+
+void Flood::run(const base::Progress& progress) {
+    for (bool first = true; !front_.empty(); first = false) {
+        progress.check();
+        centre_.resize(front_.size());
+        for (std::int64_t i = 0; i < front_.size(); ++i)
+            centre_.set(i, cells_.grid.centre(geometry::CellGrid::unpack(front_[i])));
+        evaluate(site_, centre_, field_, progress);
+        next_.clear();
+        for (std::int64_t i = 0; i < front_.size(); ++i) judge(i, first);
+        std::swap(front_, next_);
+    }
+}
+
+} // namespace
+
+double SurfaceCells::reach() const noexcept { return 0.5 * std::sqrt(3.0) * grid.side + band; }
+
+SurfaceCells find_surface_cells(const Site& site, const geometry::VecArray& seeds, const geometry::Bounds& region,
+                                double side, const base::Progress& progress) {
+    SurfaceCells cells(site.memory());
+    cells.grid = {region.min - 2.5 * side, side};
+    cells.region = region;
+    cells.band = 0.5 * side;
+    Flood flood(site, cells);
+    flood.start(seeds);
+    flood.run(progress);
+    progress.update(1.0);
+    return cells;
+}
+
+} // namespace hrbfnpr::sampling
