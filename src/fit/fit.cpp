@@ -1,0 +1,174 @@
+#include "fit/fit.h"
+
+#include "base/clock.h"
+#include "fit/samples.h"
+#include "fit/solve.h"
+#include "fit/system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::fit {
+namespace {
+
+// Kernel radii in mean sample spacings where the caller gives none.
+constexpr double automatic_gaussian = 1.25;
+constexpr double automatic_wendland = 10.0;
+
+// Beyond these (in spacings) powers of the radius leave a double's range.
+constexpr double radius_limit = 1e30;
+
+void check(const FitInput& input) {
+    if (!(input.kernel_radius >= 0.0) || std::isinf(input.kernel_radius))
+        fail(Status::invalid_argument, "kernel_radius is %g; it must be finite and >= 0 (0 = automatic)",
+             input.kernel_radius);
+    if (!(input.regularization >= 0.0) || std::isinf(input.regularization))
+        fail(Status::invalid_argument, "regularization is %g; it must be finite and >= 0", input.regularization);
+    if (input.polynomial_degree < -1 || input.polynomial_degree > 3)
+        fail(Status::invalid_argument, "polynomial_degree is %d; it must be -1 (none) to 3",
+             static_cast<int>(input.polynomial_degree));
+    if (input.iteration_limit < 0)
+        fail(Status::invalid_argument, "iteration_limit is %d; it must be >= 0",
+             static_cast<int>(input.iteration_limit));
+    if (input.points.count < 1 || input.points.count != input.normals.count)
+        fail(Status::invalid_argument, "points has %lld and normals %lld elements; they must be as many, and not empty",
+             static_cast<long long>(input.points.count), static_cast<long long>(input.normals.count));
+}
+
+// The radius in normalised coordinates.
+[[nodiscard]] double normalised_radius(const FitInput& input, double scale) {
+    if (input.kernel == kernel::Kind::triharmonic) return 0.0;
+    if (input.kernel_radius == 0.0)
+        return input.kernel == kernel::Kind::gaussian ? automatic_gaussian : automatic_wendland;
+    const double radius = input.kernel_radius / scale;
+    if (!(radius > 1.0 / radius_limit && radius < radius_limit))
+        fail(Status::invalid_argument, "kernel_radius is %g, %g times the mean spacing of the samples; 0 chooses it",
+             input.kernel_radius, radius);
+    return radius;
+}
+
+// Regularization is defined in coordinates whose diagonal is 1.  From there to normalised ones,
+// k times as large, alpha's row and column scale by k^(m/2) each and beta's by k^(m/2 - 1), where
+// phi scales as k^m.
+[[nodiscard]] HermiteSystem::Options system_options(const FitInput& input, const implicit::HrbfData& data) {
+    const double diagonal = data.bounds.diagonal();
+    const double k = diagonal > 0.0 ? diagonal / data.scale : 1.0;
+    const int m = kernel::homogeneity(input.kernel);
+    return {input.kernel, data.kernel_radius, input.polynomial_degree, input.regularization * std::pow(k, m),
+            input.regularization * std::pow(k, m - 2)};
+}
+
+[[nodiscard]] implicit::HrbfData normalise(const base::Runtime& runtime, const FitInput& input,
+                                           const Samples& samples) {
+    const std::int64_t count = samples.position.size();
+    implicit::HrbfData data(runtime.memory);
+    data.kernel = input.kernel;
+    data.polynomial_degree = input.polynomial_degree;
+    data.bounds = samples.bounds;
+    data.spacing = samples.spacing;
+    data.centre = samples.bounds.centre();
+    data.scale = count > 1 ? samples.spacing : 1.0;
+    data.kernel_radius = normalised_radius(input, data.scale);
+    data.sample_position.resize(3 * count);
+    data.sample_normal.resize(3 * count);
+    data.centre_position.resize(count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        const glm::dvec3 p = samples.position[i];
+        const glm::dvec3 n = samples.normal[i];
+        for (glm::length_t c = 0; c < 3; ++c) {
+            data.sample_position[3 * i + c] = p[c];
+            data.sample_normal[3 * i + c] = n[c];
+        }
+        data.centre_position.set(i, {implicit::normalised(p.x, data.centre.x, data.scale),
+                                     implicit::normalised(p.y, data.centre.y, data.scale),
+                                     implicit::normalised(p.z, data.centre.z, data.scale)});
+    }
+    return data;
+}
+
+// f(x_i) = 0, grad f(x_i) = n_i; normals are the same in normalised coordinates.
+[[nodiscard]] base::Array<double> right_hand_side(base::Memory& memory, const HermiteSystem& system,
+                                                  const geometry::VecArray& normal) {
+    base::Array<double> rhs(memory, system.unknowns());
+    for (std::int64_t i = 0; i < normal.size(); ++i)
+        for (glm::length_t c = 0; c < 3; ++c) rhs[4 * i + 1 + c] = normal[i][c];
+    return rhs;
+}
+
+void store(const Solution& solution, implicit::HrbfData& data) {
+    const std::int64_t count = data.centre_position.size();
+    data.alpha.resize(count);
+    data.beta.resize(count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double* w = solution.x.data() + 4 * i;
+        data.alpha[i] = w[0];
+        data.beta.set(i, {w[1], w[2], w[3]});
+    }
+    const std::int64_t terms = solution.x.size() - 4 * count;
+    data.polynomial.resize(terms);
+    std::copy_n(solution.x.data() + 4 * count, terms, data.polynomial.data());
+}
+
+// How far f(x_i) is from 0 and grad f(x_i) from n_i, of the finished function.
+void measure_residuals(const base::Runtime& runtime, const implicit::HrbfData& data, const Samples& samples,
+                       FitReport& report, const base::Progress& progress) {
+    const std::int64_t count = data.count();
+    const implicit::PointBatch points{samples.position.x.data(), samples.position.y.data(), samples.position.z.data(),
+                                      count};
+    base::Array<double> value(runtime.memory, count);
+    geometry::VecArray gradient(runtime.memory, count);
+    const implicit::FieldBatch fields{value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}};
+    runtime.parallel.for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        implicit::evaluate(data, implicit::slice(points, begin, end), fields.from(begin));
+    });
+    double value_sum = 0.0;
+    double gradient_sum = 0.0;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double off = glm::distance(gradient[i], samples.normal[i]);
+        report.value_residual_max = std::max(report.value_residual_max, std::abs(value[i]));
+        report.gradient_residual_max = std::max(report.gradient_residual_max, off);
+        value_sum += (value[i] / data.scale) * (value[i] / data.scale); // no underflow in small units
+        gradient_sum += off * off;
+    }
+    report.value_residual_rms = data.scale * std::sqrt(value_sum / static_cast<double>(count));
+    report.gradient_residual_rms = std::sqrt(gradient_sum / static_cast<double>(count));
+}
+
+} // namespace
+
+FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::Progress& progress) {
+    const base::Stopwatch watch;
+    check(input);
+    const Samples samples = read_samples(runtime, input.points, input.normals, progress.part(0.0, 0.03));
+    if (input.maximum_centres > 0 && samples.position.size() > input.maximum_centres)
+        fail(Status::invalid_argument, "points: %lld samples are left after merging, more than maximum_centres, %lld",
+             static_cast<long long>(samples.position.size()), static_cast<long long>(input.maximum_centres));
+    FitResult result{normalise(runtime, input, samples), {}};
+    implicit::HrbfData& data = result.data;
+    FitReport& report = result.report;
+
+    const HermiteSystem system(data.centre_position, system_options(input, data));
+    const base::Array<double> rhs = right_hand_side(runtime.memory, system, samples.normal);
+    const double seconds_before = watch.seconds();
+    const Solution solution = solve(runtime, system, rhs.data(), input.iteration_limit, progress.part(0.03, 0.98));
+    store(solution, data);
+    measure_residuals(runtime, data, samples, report, progress);
+
+    report.samples = input.points.count;
+    report.merged_samples = samples.merged;
+    report.rescaled_normals = samples.rescaled_normals;
+    report.kernel_radius = data.kernel_radius * data.scale;
+    report.regularization = input.regularization;
+    report.solver_residual = solution.residual;
+    report.condition_estimate = solution.condition;
+    report.iterations = solution.iterations;
+    report.fallback = solution.fallback;
+    report.seconds_assemble = seconds_before + solution.seconds_assemble;
+    report.seconds_solve = solution.seconds_solve;
+    report.seconds_total = watch.seconds();
+    progress.update(1.0);
+    return result;
+}
+
+} // namespace hrbfnpr::fit

@@ -1,0 +1,31 @@
+// LU with row pivoting of the whole, indefinite system: what is left when the matrix is not
+// definite on the null space of its side constraints.
+#pragma once
+
+#include "fit/system.h"
+
+namespace hrbfnpr::fit {
+
+class DenseLu {
+public:
+    // Assembles and factors.  Throws Error{singular_system, out_of_memory, cancelled}.
+    DenseLu(const base::Runtime& runtime, const HermiteSystem& system, const base::Progress& progress);
+
+    [[nodiscard]] double condition() const;
+    void solve(double* x) const noexcept; // x, unknowns() long, becomes the inverse times x
+
+private:
+    void assemble(const HermiteSystem& system, const base::Progress& progress);
+    void factor(const base::Progress& progress);
+    void factor_panel(std::int64_t begin, std::int64_t end, const base::Progress& progress);
+    void update(std::int64_t begin, std::int64_t end, const base::Progress& progress);
+    [[nodiscard]] double* column(std::int64_t j) noexcept { return matrix_.data() + j * size_; }
+
+    const base::Runtime& runtime_;
+    std::int64_t size_;
+    base::Array<double> matrix_;      // column-major
+    base::Array<std::int64_t> pivot_; // row k was exchanged with row pivot_[k]
+    double norm_ = 0.0;
+};
+
+} // namespace hrbfnpr::fit

@@ -1,0 +1,183 @@
+#include "fit/samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::fit {
+namespace {
+
+// Squares and cubes of what is accepted stay far from the ends of a double's range.
+constexpr double coordinate_limit = 1e100;
+
+constexpr double coincidence = 1e-9;         // in diagonals
+constexpr double agreement = 0.999847695156; // cosine of 1 degree
+constexpr double degrees = 57.29577951308232;
+constexpr double rescaled_by = 1e-4;
+
+[[nodiscard]] glm::dvec3 read(const base::InView& view, std::int64_t i) noexcept {
+    return {view.get(i, 0), view.get(i, 1), view.get(i, 2)};
+}
+
+[[nodiscard]] double largest(const glm::dvec3& v) noexcept {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+[[nodiscard]] bool finite(const glm::dvec3& v) noexcept {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+[[nodiscard]] glm::dvec3 checked_point(const base::InView& points, std::int64_t i) {
+    const glm::dvec3 p = read(points, i);
+    const auto index = static_cast<long long>(i);
+    if (!finite(p)) fail(Status::invalid_argument, "points[%lld] is NaN or infinite; remove that sample", index);
+    if (largest(p) > coordinate_limit)
+        fail(Status::invalid_argument, "points[%lld] has a coordinate beyond 1e100; use a larger unit", index);
+    return p;
+}
+
+// Unit length, whatever the length was.
+[[nodiscard]] glm::dvec3 checked_normal(const base::InView& normals, std::int64_t i, std::int64_t& rescaled) {
+    const glm::dvec3 n = read(normals, i);
+    const auto index = static_cast<long long>(i);
+    if (!finite(n)) fail(Status::invalid_argument, "normals[%lld] is NaN or infinite; remove that sample", index);
+    const double size = largest(n);
+    if (size == 0.0)
+        fail(Status::invalid_argument, "normals[%lld] is zero; give it a direction or remove that sample", index);
+    const glm::dvec3 scaled = n / size; // so that the square of a tiny normal is not zero
+    const double length = glm::length(scaled);
+    if (!(std::abs(length * size - 1.0) <= rescaled_by)) ++rescaled;
+    return scaled / length;
+}
+
+// The samples along a fixed direction.  Only samples that are close in space are close in this
+// order (but for planes across that direction, which is why no axis or diagonal is taken).
+struct Along {
+    double key;
+    std::int64_t index;
+};
+
+[[nodiscard]] base::Array<Along> sorted_along(const geometry::VecArray& position, const geometry::Bounds& bounds) {
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(0.5257, 0.7331, 0.4313));
+    base::Array<Along> order(position.memory(), position.size());
+    for (std::int64_t i = 0; i < order.size(); ++i) order[i] = {glm::dot(direction, position[i] - bounds.min), i};
+    std::sort(order.begin(), order.end(),
+              [](const Along& a, const Along& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); });
+    return order;
+}
+
+void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
+    const double cosine = glm::dot(samples.normal[a], samples.normal[b]);
+    if (cosine >= agreement) return;
+    fail(Status::invalid_argument,
+         "points[%lld] and points[%lld] coincide but their normals differ by %.3g degrees; "
+         "remove one of them or move them apart",
+         static_cast<long long>(std::min(a, b)), static_cast<long long>(std::max(a, b)),
+         degrees * std::acos(std::clamp(cosine, -1.0, 1.0)));
+}
+
+// For each sample, the one that stands for all that coincide with it.
+[[nodiscard]] base::Array<std::int64_t> representatives(const Samples& samples) {
+    base::Memory& memory = samples.position.memory();
+    const double tolerance = coincidence * samples.bounds.diagonal();
+    const base::Array<Along> order = sorted_along(samples.position, samples.bounds);
+    base::Array<std::int64_t> representative(memory, order.size());
+    base::Array<Along> kept(memory);
+    for (const Along& sample : order) {
+        std::int64_t found = -1;
+        for (std::int64_t k = kept.size() - 1; k >= 0 && found < 0; --k) {
+            if (sample.key - kept[k].key > 1.001 * tolerance) break;
+            if (glm::distance(samples.position[sample.index], samples.position[kept[k].index]) <= tolerance)
+                found = kept[k].index;
+        }
+        if (found < 0) {
+            kept.push_back(sample);
+            found = sample.index;
+        } else {
+            require_agreement(samples, sample.index, found);
+        }
+        representative[sample.index] = found;
+    }
+    return representative;
+}
+
+// Replaces samples that coincide by their average, in the order of the first of each.
+void merge(Samples& samples) {
+    base::Memory& memory = samples.position.memory();
+    const base::Array<std::int64_t> representative = representatives(samples);
+    const std::int64_t count = samples.position.size();
+    base::Array<std::int64_t> slot(memory, count);  // 1 + where a representative's average is
+    base::Array<std::int64_t> share(memory, count); // how many samples are in it
+    std::int64_t kept = 0;
+    for (std::int64_t i = 0; i < count; ++i) {
+        std::int64_t& at = slot[representative[i]];
+        if (at == 0) {
+            at = ++kept;
+            samples.position.set(kept - 1, samples.position[i]);
+            samples.normal.set(kept - 1, samples.normal[i]);
+        } else {
+            samples.position.set(at - 1, samples.position[at - 1] + samples.position[i]);
+            samples.normal.set(at - 1, samples.normal[at - 1] + samples.normal[i]);
+        }
+        ++share[at - 1];
+    }
+    for (std::int64_t k = 0; k < kept; ++k) {
+        if (share[k] == 1) continue;
+        samples.position.set(k, samples.position[k] / static_cast<double>(share[k]));
+        samples.normal.set(k, glm::normalize(samples.normal[k]));
+    }
+    samples.position.resize(kept);
+    samples.normal.resize(kept);
+    samples.merged = count - kept;
+}
+
+// Distance from order[at] to its nearest other sample.
+[[nodiscard]] double nearest(const geometry::VecArray& position, const base::Array<Along>& order, std::int64_t at) {
+    double best = HUGE_VAL;
+    const glm::dvec3 p = position[order[at].index];
+    for (std::int64_t k = at + 1; k < order.size() && order[k].key - order[at].key < best; ++k)
+        best = std::min(best, glm::distance(p, position[order[k].index]));
+    for (std::int64_t k = at - 1; k >= 0 && order[at].key - order[k].key < best; --k)
+        best = std::min(best, glm::distance(p, position[order[k].index]));
+    return best;
+}
+
+[[nodiscard]] double mean_spacing(const base::Runtime& runtime, const Samples& samples,
+                                  const base::Progress& progress) {
+    const std::int64_t count = samples.position.size();
+    if (count < 2) return 0.0;
+    const base::Array<Along> order = sorted_along(samples.position, samples.bounds);
+    base::Array<double> distance(runtime.memory, count);
+    runtime.parallel.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t i = begin; i < end; ++i) distance[i] = nearest(samples.position, order, i);
+    });
+    double sum = 0.0;
+    for (const double d : distance) sum += d;
+    return sum / static_cast<double>(count);
+}
+
+} // namespace
+
+Samples read_samples(const base::Runtime& runtime, const base::InView& points, const base::InView& normals,
+                     const base::Progress& progress) {
+    progress.update(0.0);
+    Samples samples(runtime.memory);
+    samples.position.resize(points.count);
+    samples.normal.resize(points.count);
+    for (std::int64_t i = 0; i < points.count; ++i) {
+        samples.position.set(i, checked_point(points, i));
+        samples.normal.set(i, checked_normal(normals, i, samples.rescaled_normals));
+        samples.bounds.extend(samples.position[i]);
+    }
+    const double diagonal = samples.bounds.diagonal();
+    if (diagonal > 0.0 && diagonal < 1.0 / coordinate_limit)
+        fail(Status::invalid_argument, "points span %.3g only, less than 1e-100; use a smaller unit", diagonal);
+    progress.update(0.25);
+    merge(samples);
+    progress.update(0.5);
+    samples.spacing = mean_spacing(runtime, samples, progress);
+    progress.update(1.0);
+    return samples;
+}
+
+} // namespace hrbfnpr::fit

@@ -1,0 +1,26 @@
+// The caller's samples, checked, repaired and merged.
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "base/view.h"
+#include "geometry/vec_array.h"
+
+namespace hrbfnpr::fit {
+
+struct Samples {
+    explicit Samples(base::Memory& memory) noexcept : position(memory), normal(memory) {}
+
+    geometry::VecArray position; // the caller's coordinates
+    geometry::VecArray normal;   // unit
+    geometry::Bounds bounds;
+    double spacing = 0.0; // mean distance to the nearest other sample; 0 for one sample
+    std::int64_t merged = 0;
+    std::int64_t rescaled_normals = 0;
+};
+
+// Throws Error{invalid_argument} naming "points" or "normals" and the index.
+[[nodiscard]] Samples read_samples(const base::Runtime& runtime, const base::InView& points,
+                                   const base::InView& normals, const base::Progress& progress);
+
+} // namespace hrbfnpr::fit
