@@ -79,20 +79,12 @@ std::array<glm::dvec3, 8> corners_along(const Axes& axes, const glm::dvec3& half
     return corners;
 }
 
-// Where the eye has to be, from the box's centre, along one screen axis: far enough for the
-// corners to lie between the lines of slope +-tangent through it, shifted so that both touch.
-struct Reach {
-    double distance, shift;
-};
-
-Reach reach(const std::array<glm::dvec3, 8>& corners, int axis, double tangent) {
-    double positive = -std::numeric_limits<double>::infinity();
-    double negative = positive;
-    for (const glm::dvec3& c : corners) {
-        positive = std::max(positive, c[axis] - c.z * tangent);
-        negative = std::max(negative, -c[axis] - c.z * tangent);
-    }
-    return {(positive + negative) / (2.0 * tangent), 0.5 * (positive - negative)};
+// How far the eye has to be from the box's centre for the corners to lie between the lines of slope
+// +-tangent through it, along one screen axis.
+double reach(const std::array<glm::dvec3, 8>& corners, int axis, double tangent) {
+    double distance = 0.0;
+    for (const glm::dvec3& c : corners) distance = std::max(distance, std::abs(c[axis]) / tangent - c.z);
+    return distance;
 }
 
 void check_fit(const geometry::Bounds& bounds, const glm::dvec3& direction, double vertical_angle, double margin) {
@@ -169,8 +161,8 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     const double size = 2.0 * glm::length(half);
     const double slack = 0.05 * size;
     const std::array<glm::dvec3, 8> corners = corners_along(axes, half);
-    glm::dvec3 reach_half(0.0);
-    for (const glm::dvec3& c : corners) reach_half = glm::max(reach_half, glm::abs(c));
+    glm::dvec3 extent(0.0);
+    for (const glm::dvec3& c : corners) extent = glm::max(extent, glm::abs(c));
 
     const double used = 1.0 - 2.0 * margin;
     const double aspect = width / height;
@@ -179,21 +171,20 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     camera.viewport = {0.0, 0.0, width, height};
     if (vertical_angle == 0.0) {
         // 1e-9: a line seen end-on has no height.
-        const double view_height = 2.0 * std::max({reach_half.y, reach_half.x / aspect, 1e-9 * size}) / used;
-        const double back = reach_half.z + 2.0 * slack;
+        const double view_height = 2.0 * std::max({extent.y, extent.x / aspect, 1e-9 * size}) / used;
+        const double back = extent.z + 2.0 * slack;
         camera.view = view_matrix(axes, centre - back * axes.forward);
         camera.projection = orthographic(view_height, width, height, slack, 2.0 * back - slack, depth);
         return camera;
     }
     const double tangent = std::tan(0.5 * vertical_angle);
-    const Reach x = reach(corners, 0, tangent * aspect * used);
-    const Reach y = reach(corners, 1, tangent * used);
     // Never closer than the slack to the nearest corner, or it could touch the eye.
-    const double back = std::max({x.distance, y.distance, reach_half.z + slack});
-    camera.view = view_matrix(axes, centre + x.shift * axes.right + y.shift * axes.up - back * axes.forward);
-    const double nearest = back - reach_half.z;
+    const double back =
+        std::max({reach(corners, 0, tangent * aspect * used), reach(corners, 1, tangent * used), extent.z + slack});
+    camera.view = view_matrix(axes, centre - back * axes.forward);
+    const double nearest = back - extent.z;
     camera.projection = perspective(vertical_angle, width, height, std::max(nearest - slack, 0.5 * nearest),
-                                    back + reach_half.z + slack, depth);
+                                    back + extent.z + slack, depth);
     return camera;
 }
 

@@ -174,7 +174,7 @@ void classify(const base::Parallel& parallel, Scene& scene) {
 }
 
 void ToneCalls::run(Scene& scene) {
-    marks_.clear();
+    forget(); // what a failed frame left
     std::int32_t item = -1;
     for (const Run& run : scene.runs) {
         if (scene.item_of(run).style.tone != Tone::callback) continue;
@@ -212,6 +212,10 @@ void ToneCalls::call(Scene& scene, const ItemView& item) {
                  static_cast<long long>(i));
         scene.marks.tau[marks_[i]] = std::clamp(tau_[i], 0.0F, 1.0F);
     }
+    forget();
+}
+
+void ToneCalls::forget() noexcept {
     marks_.clear();
     positions_.clear();
     normals_.clear();

@@ -22,6 +22,7 @@ public:
 
 private:
     void call(Scene& scene, const ItemView& item);
+    void forget() noexcept;
 
     base::Array<float> positions_, normals_, tau_;
     base::Array<std::int64_t> marks_;

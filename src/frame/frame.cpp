@@ -50,7 +50,7 @@ struct Frame::Impl {
     base::Array<FrameInfo> counts;       // of each chunk
     base::Array<std::int64_t> first_key; // of each chunk
     base::Array<std::uint64_t> keys;
-    Objects<Disc> discs;
+    base::Array<Disc> discs;
 };
 
 void Frame::Impl::run(std::span<const Item> items, const Camera& new_camera) {
@@ -122,8 +122,7 @@ std::uint64_t Frame::Impl::ink_key(const Run& run, std::int64_t place) const noe
 
 std::uint64_t Frame::Impl::paper_key(const Run& run, std::int64_t place) const noexcept {
     const Marks& m = scene.marks;
-    const float depth = m.depth[place] + paper_push(cover_radius(run, place), m.nu[place], m.ppe[place]);
-    return far_first_key(depth, static_cast<std::uint32_t>(place) << 1U | 1U);
+    return far_first_key(paper_depth(m, place, cover_radius(run, place)), static_cast<std::uint32_t>(place) << 1U | 1U);
 }
 
 // A key for each disc, in the order of the marks.
@@ -148,7 +147,7 @@ void Frame::Impl::emit_keys() {
 }
 
 void Frame::Impl::build_discs() {
-    discs.resize_scratch(keys.size());
+    resize_scratch(discs, keys.size());
     runtime.parallel.for_chunks(keys.size(), disc_grain, [this](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto what = static_cast<std::uint32_t>(keys[i]);
@@ -203,7 +202,7 @@ void Frame::prepare(std::span<const Item> items, const Camera& camera) {
 bool Frame::prepared() const noexcept { return impl_->prepared; }
 const Camera& Frame::camera() const noexcept { return impl_->camera; }
 const glm::vec4& Frame::paper() const noexcept { return impl_->paper; }
-std::span<const Disc> Frame::discs() const noexcept { return impl_->discs.span(); }
+std::span<const Disc> Frame::discs() const noexcept { return std::as_const(impl_->discs).span(); }
 const FrameInfo& Frame::info() const noexcept { return impl_->info; }
 
 Frame::MarkSource Frame::source(const Disc& disc) const noexcept {

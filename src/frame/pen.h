@@ -11,8 +11,8 @@ namespace hrbfnpr::frame {
 
 // A cover this many spacings wide leaves no gaps between evenly spread marks.
 inline constexpr float cover_spacings = 1.5F;
-// tan(theta) = 8: beyond it discs are not pushed any farther.
-inline constexpr float smallest_cosine = 0.124F;
+// Nearer to the contour than this discs are not pushed any farther.
+inline constexpr float smallest_cosine = 0.05F;
 
 struct Pen {
     float spacing = 0.0F;      // of the group's marks, eye units
@@ -59,13 +59,17 @@ private:
     }
 };
 
-// How far behind its mark, in eye units, a disc of paper is painted, so that it lies behind all ink
-// of its own sheet: a tilted sheet falls back by R tan(theta) within the disc's radius R, and R more
-// makes up for its curvature.
-[[nodiscard]] inline float paper_push(float radius, float nu, float ppe) noexcept {
+// How far behind its mark, in eye units, a front mark's disc of paper is painted, so that it lies
+// behind all ink of its own sheet: within the disc's radius R a sphere of any size that faces the
+// eye under the angle theta falls back by R (1 + sin(theta)) / cos(theta) at most, be it a plane
+// (R tan(theta)) or so small that its contour is just within reach.
+[[nodiscard]] inline float front_push(float radius, float nu, float ppe) noexcept {
     const float cosine = std::clamp(std::abs(nu), smallest_cosine, 1.0F);
-    const float tangent = std::sqrt(1.0F - cosine * cosine) / cosine;
-    return radius / ppe * (1.0F + tangent);
+    return radius / ppe * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
 }
+
+// The ink that a back mark must not cover is that of the contour, where its sheet turns to the
+// front.  That is nearer to the eye, and all that is needed is some slack.
+[[nodiscard]] inline float back_push(float radius, float ppe) noexcept { return radius / ppe; }
 
 } // namespace hrbfnpr::frame

@@ -167,7 +167,7 @@ std::int64_t Scene::bytes() const noexcept { return items.bytes() + runs.bytes()
 
 void set_up(Scene& scene, std::span<const Item> items, const Camera& camera) {
     scene.lens = make_lens(camera);
-    scene.items.resize_scratch(static_cast<std::int64_t>(items.size()));
+    scene.items.clear();
     scene.runs.clear();
     scene.chunks.clear();
     std::int64_t ids = 0;
@@ -178,7 +178,7 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& camera) {
             fail(Status::invalid_argument,
                  "items[%lld].style.paper differs from that of items[0]; all styles of a frame need the same paper",
                  static_cast<long long>(index));
-        scene.items[index] = view_of(items[i], camera);
+        scene.items.push_back(view_of(items[i], camera));
         add_runs(scene, items[i], index, ids);
     }
     add_chunks(scene);

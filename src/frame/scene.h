@@ -5,7 +5,6 @@
 #include "frame/frame.h"
 #include "frame/lens.h"
 #include "frame/pen.h"
-#include "frame/scratch.h"
 
 namespace hrbfnpr::frame {
 
@@ -70,7 +69,7 @@ struct Scene {
     explicit Scene(base::Memory& memory) noexcept : items(memory), runs(memory), chunks(memory), marks(memory) {}
 
     Lens lens;
-    Objects<ItemView> items;
+    base::Array<ItemView> items;
     base::Array<Run> runs;
     base::Array<Chunk> chunks;
     Marks marks;
@@ -81,6 +80,13 @@ struct Scene {
 
 // Fills lens, items, runs and chunks, and makes room for the marks.  Throws Error{invalid_argument}.
 void set_up(Scene& scene, std::span<const Item> items, const Camera& camera);
+
+// Where a disc of paper is painted in the order of painting, eye units along the view.
+[[nodiscard]] inline float paper_depth(const Marks& marks, std::int64_t place, float radius) noexcept {
+    const float ppe = marks.ppe[place];
+    return marks.depth[place] + (marks.mark_class[place] == MarkClass::back ? back_push(radius, ppe)
+                                                                            : front_push(radius, marks.nu[place], ppe));
+}
 
 // Where ink is painted in the order of painting, eye units along the view: pulled toward the eye by
 // about its own size, so that it lies over the paper of its own sheet.

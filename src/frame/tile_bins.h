@@ -82,7 +82,7 @@ private:
             const float t = std::floor(at / static_cast<float>(tile_size));
             return static_cast<std::int32_t>(std::clamp(t, -1.0F, static_cast<float>(limit)));
         };
-        if (!(print.radius >= 0.0F) || std::isnan(print.x) || std::isnan(print.y)) return {};
+        if (!(print.radius >= 0.0F) || !std::isfinite(print.x) || !std::isfinite(print.y)) return {};
         const std::int32_t left = std::max(cell(print.x - print.radius, columns_), 0);
         const std::int32_t right = std::min(cell(print.x + print.radius, columns_), columns_ - 1) + 1;
         const std::int32_t top = std::max(cell(print.y - print.radius, rows_), 0);

@@ -44,7 +44,7 @@ void VisibilityMap::collect(const base::Parallel& parallel, const Scene& scene) 
             const float radius = run.pen.front_cover(ppe);
             occluders_[i] = {(scene.marks.x[i] - left_) * texels_per_pixel_,
                              (scene.marks.y[i] - top_) * texels_per_pixel_, radius * texels_per_pixel_,
-                             scene.marks.depth[i] + paper_push(radius, scene.marks.nu[i], ppe)};
+                             paper_depth(scene.marks, i, radius)};
         }
     });
 }

@@ -1,0 +1,194 @@
+// Cameras: matrices, depth conventions, the fit to a box, and bad arguments.
+#include "frame/hand_made.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <limits>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using frame::Camera;
+using frame::DepthConvention;
+using ::testing::HasSubstr;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array conventions{DepthConvention::negative_one_to_one, DepthConvention::zero_to_one,
+                                 DepthConvention::reversed};
+
+glm::dvec3 project(const Camera& camera, const glm::dvec3& p) {
+    const glm::dvec4 clip = camera.projection * camera.view * glm::dvec4(p, 1.0);
+    return glm::dvec3(clip) / clip.w;
+}
+
+double clip_near(DepthConvention depth) {
+    return depth == DepthConvention::negative_one_to_one ? -1.0 : depth == DepthConvention::reversed ? 1.0 : 0.0;
+}
+double clip_far(DepthConvention depth) { return depth == DepthConvention::reversed ? 0.0 : 1.0; }
+
+TEST(LookAt, PutsTheTargetOnTheNegativeZAxisAndUpUpward) {
+    const glm::dvec3 eye(1.0, 2.0, 3.0);
+    const glm::dvec3 target(4.0, -2.0, 3.0);
+    const glm::dmat4 view = frame::look_at(eye, target, {0.1, 0.0, 2.0});
+    EXPECT_LT(glm::length(glm::dvec3(view * glm::dvec4(eye, 1.0))), 1e-14);
+    const glm::dvec4 t = view * glm::dvec4(target, 1.0);
+    EXPECT_NEAR(t.x, 0.0, 1e-14);
+    EXPECT_NEAR(t.y, 0.0, 1e-14);
+    EXPECT_NEAR(t.z, -5.0, 1e-14);
+    const glm::dvec4 up = view * glm::dvec4(0.1, 0.0, 2.0, 0.0);
+    EXPECT_NEAR(up.x, 0.0, 1e-14);
+    EXPECT_GT(up.y, 0.0);
+    EXPECT_NEAR(glm::determinant(view), 1.0, 1e-14);
+}
+
+TEST(LookAt, WorksFarFromTheOriginAndWithTinyVectors) {
+    const glm::dvec3 eye(1e6, -2e6, 1e6);
+    const glm::dvec4 t = frame::look_at(eye, eye + glm::dvec3(0.0, 1.0, 0.0), {0.0, 0.0, 1e-200}) *
+                         glm::dvec4(eye + glm::dvec3(0.25, 1.0, 0.5), 1.0);
+    EXPECT_NEAR(t.x, 0.25, 1e-8);
+    EXPECT_NEAR(t.y, 0.5, 1e-8);
+    EXPECT_NEAR(t.z, -1.0, 1e-8);
+}
+
+TEST(Perspective, MapsTheFrustumToClipSpace) {
+    for (const DepthConvention depth : conventions) {
+        const glm::dmat4 p = frame::perspective(0.8, 400.0, 200.0, 0.5, 50.0, depth);
+        const double y = std::tan(0.4);
+        const auto at = [&](double fx, double fy, double z) {
+            const glm::dvec4 clip = p * glm::dvec4(fx * 2.0 * y * z, fy * y * z, -z, 1.0);
+            return glm::dvec3(clip) / clip.w;
+        };
+        EXPECT_LT(glm::length(at(1.0, 1.0, 0.5) - glm::dvec3(1.0, 1.0, clip_near(depth))), 1e-12);
+        EXPECT_LT(glm::length(at(-1.0, 1.0, 50.0) - glm::dvec3(-1.0, 1.0, clip_far(depth))), 1e-12);
+    }
+}
+
+TEST(Orthographic, MapsTheSlabToClipSpaceWithPlanesOfEitherSign) {
+    for (const DepthConvention depth : conventions) {
+        const glm::dmat4 p = frame::orthographic(4.0, 300.0, 200.0, -2.0, 6.0, depth);
+        EXPECT_LT(glm::length(glm::dvec3(p * glm::dvec4(3.0, 2.0, 2.0, 1.0)) - glm::dvec3(1, 1, clip_near(depth))),
+                  1e-12);
+        EXPECT_LT(glm::length(glm::dvec3(p * glm::dvec4(-3.0, 2.0, -6.0, 1.0)) - glm::dvec3(-1, 1, clip_far(depth))),
+                  1e-12);
+    }
+}
+
+// The box's image, from its corners: half extents around the picture's centre.
+glm::dvec2 image_reach(const Camera& camera, const geometry::Bounds& box) {
+    glm::dvec2 most(0.0);
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::dvec3 corner((i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
+                                (i & 4U) != 0 ? box.max.z : box.min.z);
+        const glm::dvec3 at = project(camera, corner);
+        most = glm::max(most, glm::abs(glm::dvec2(at)));
+        EXPECT_GT(at.z, std::min(clip_near(camera.depth), clip_far(camera.depth)));
+        EXPECT_LT(at.z, std::max(clip_near(camera.depth), clip_far(camera.depth)));
+    }
+    return most;
+}
+
+TEST(FitBounds, FillsThePictureButForTheMargin) {
+    const geometry::Bounds box{{-1.0, 2.0, 5.0}, {3.0, 3.0, 7.0}};
+    for (const DepthConvention depth : conventions) {
+        for (const double angle : {0.0, 0.3, 1.5}) {
+            for (const double margin : {0.0, 0.05, 0.45}) {
+                for (const glm::dvec2 size : {glm::dvec2(800, 300), glm::dvec2(200, 900)}) {
+                    const Camera camera =
+                        frame::fit_bounds(box, {0.3, -1.0, 0.4}, {0, 0, 1}, angle, size.x, size.y, margin, depth);
+                    const glm::dvec2 reach = image_reach(camera, box);
+                    EXPECT_NEAR(std::max(reach.x, reach.y), 1.0 - 2.0 * margin, 1e-9) << angle << " " << margin;
+                    EXPECT_EQ(camera.viewport, glm::dvec4(0.0, 0.0, size.x, size.y));
+                    EXPECT_LT(glm::length(glm::dvec2(project(camera, box.centre()))), 1e-12);
+                }
+            }
+        }
+    }
+}
+
+TEST(FitBounds, KeepsTheEyeOffTheBoxUnderAVeryWideAngle) {
+    const geometry::Bounds box{{-1.0, 2.0, 5.0}, {3.0, 3.0, 7.0}};
+    const Camera camera =
+        frame::fit_bounds(box, {0.3, -1.0, 0.4}, {0, 0, 1}, 2.8, 300, 200, 0.05, DepthConvention::zero_to_one);
+    const glm::dvec2 reach = image_reach(camera, box);
+    EXPECT_LE(std::max(reach.x, reach.y), 0.9);
+}
+
+TEST(FitBounds, ShowsFlatThinAndPointBoxes) {
+    for (const double angle : {0.0, 0.6}) {
+        for (const glm::dvec3 size : {glm::dvec3(0.0), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(1, 1, 0)}) {
+            const glm::dvec3 corner(10.0, 20.0, 30.0);
+            const Camera camera = frame::fit_bounds({corner, corner + size}, {0, 0, -1}, {0, 1, 0}, angle, 100, 100,
+                                                    0.1, DepthConvention::zero_to_one);
+            const glm::dvec2 reach = image_reach(camera, {corner, corner + size});
+            EXPECT_LE(std::max(reach.x, reach.y), 0.8 + 1e-9);
+        }
+    }
+}
+
+struct BadCamera {
+    const char* named;
+    std::function<void()> call;
+};
+
+TEST(CameraErrors, NameTheArgument) {
+    const glm::dvec3 o(0.0);
+    const glm::dvec3 x(1.0, 0.0, 0.0);
+    const glm::dvec3 y(0.0, 1.0, 0.0);
+    const glm::dvec3 bad(0.0, nan, 0.0);
+    const auto gl = DepthConvention::negative_one_to_one;
+    const geometry::Bounds box{o, glm::dvec3(1.0)};
+    const std::vector<BadCamera> table{
+        {"eye is (", [&] { (void)frame::look_at(bad, x, y); }},
+        {"target", [&] { (void)frame::look_at(o, bad, y); }},
+        {"up is (", [&] { (void)frame::look_at(o, x, bad); }},
+        {"eye and target", [&] { (void)frame::look_at(x, x, y); }},
+        {"parallel", [&] { (void)frame::look_at(o, x, -3.0 * x); }},
+        {"up is the zero", [&] { (void)frame::look_at(o, x, o); }},
+        {"vertical_angle", [&] { (void)frame::perspective(0.0, 1, 1, 1, 2, gl); }},
+        {"vertical_angle", [&] { (void)frame::perspective(pi, 1, 1, 1, 2, gl); }},
+        {"vertical_angle", [&] { (void)frame::perspective(nan, 1, 1, 1, 2, gl); }},
+        {"width", [&] { (void)frame::perspective(1.0, 0, 1, 1, 2, gl); }},
+        {"height", [&] { (void)frame::perspective(1.0, 1, nan, 1, 2, gl); }},
+        {"near_plane", [&] { (void)frame::perspective(1.0, 1, 1, 0.0, 2, gl); }},
+        {"near_plane", [&] { (void)frame::perspective(1.0, 1, 1, nan, 2, gl); }},
+        {"far_plane", [&] { (void)frame::perspective(1.0, 1, 1, 2, 2, gl); }},
+        {"far_plane", [&] { (void)frame::perspective(1.0, 1, 1, 2, HUGE_VAL, gl); }},
+        {"view_height", [&] { (void)frame::orthographic(-1.0, 1, 1, 1, 2, gl); }},
+        {"view_height", [&] { (void)frame::orthographic(nan, 1, 1, 1, 2, gl); }},
+        {"near_plane", [&] { (void)frame::orthographic(1.0, 1, 1, 3, 2, gl); }},
+        {"bounds_min is (",
+         [&] {
+             (void)frame::fit_bounds({bad, x}, x, y, 0, 1, 1, 0, gl);
+         }},
+        {"bounds_max is (",
+         [&] {
+             (void)frame::fit_bounds({o, bad}, x, y, 0, 1, 1, 0, gl);
+         }},
+        {"bounds_min[0]",
+         [&] {
+             (void)frame::fit_bounds({x, o}, x, y, 0, 1, 1, 0, gl);
+         }},
+        {"direction is (", [&] { (void)frame::fit_bounds(box, bad, y, 0, 1, 1, 0, gl); }},
+        {"direction is the zero", [&] { (void)frame::fit_bounds(box, o, y, 0, 1, 1, 0, gl); }},
+        {"up (", [&] { (void)frame::fit_bounds(box, y, y, 0, 1, 1, 0, gl); }},
+        {"vertical_angle", [&] { (void)frame::fit_bounds(box, x, y, -0.1, 1, 1, 0, gl); }},
+        {"margin", [&] { (void)frame::fit_bounds(box, x, y, 0, 1, 1, 0.5, gl); }},
+        {"margin", [&] { (void)frame::fit_bounds(box, x, y, 0, 1, 1, nan, gl); }},
+        {"width", [&] { (void)frame::fit_bounds(box, x, y, 0, -1, 1, 0, gl); }},
+    };
+    for (const BadCamera& bad_camera : table) {
+        try {
+            bad_camera.call();
+            ADD_FAILURE() << bad_camera.named << ": no error";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status(), Status::invalid_argument);
+            EXPECT_THAT(error.what(), HasSubstr(bad_camera.named));
+        }
+    }
+}
+
+} // namespace
+} // namespace hrbfnpr::testing

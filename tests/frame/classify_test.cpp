@@ -1,0 +1,284 @@
+// Where marks land, and which class they are of.
+#include "frame/hand_made.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using frame::Disc;
+using frame::Frame;
+using frame::FrameInfo;
+using frame::Item;
+using frame::MarkClass;
+using frame::Style;
+using ::testing::HasSubstr;
+
+class Classify : public ::testing::Test {
+protected:
+    const FrameInfo& prepare(const sampling::PointSet& set, const Style& style, const frame::Camera& camera,
+                             const glm::dmat4& transform = glm::dmat4(1.0)) {
+        const std::array items{item_of(set, style, transform)};
+        frame.prepare(items, camera);
+        return frame.info();
+    }
+
+    base::Runtime runtime;
+    Frame frame{runtime};
+};
+
+void expect_consistent(const FrameInfo& info) {
+    EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette);
+}
+
+TEST_F(Classify, SharesOfASphereSeenFromAfarAreThoseOfItsArea) {
+    const int count = 20000;
+    const sampling::PointSet set = sphere(runtime.memory, count);
+    for (const double threshold : {0.05, 0.2, 0.5}) {
+        Style style = plain_style();
+        style.silhouette_threshold = threshold;
+        const FrameInfo& info = prepare(set, style, front_camera(100, 100));
+        // n . v is uniform over the area of a sphere.
+        EXPECT_NEAR(static_cast<double>(info.front), count * (1.0 - threshold) / 2.0, 3.0);
+        EXPECT_NEAR(static_cast<double>(info.back), count * (1.0 - threshold) / 2.0, 3.0);
+        EXPECT_NEAR(static_cast<double>(info.silhouette), count * threshold, 3.0);
+        EXPECT_EQ(info.shown, info.front + info.silhouette);
+        EXPECT_EQ(info.painted, 0);
+        expect_consistent(info);
+    }
+}
+
+TEST_F(Classify, PerspectiveLooksFromTheEye) {
+    const int count = 20000;
+    const sampling::PointSet set = sphere(runtime.memory, count);
+    frame::Camera camera = front_camera(100, 100);
+    camera.view = frame::look_at({0.0, 0.0, 2.0}, glm::dvec3(0.0), {0.0, 1.0, 0.0});
+    camera.projection = frame::perspective(1.5, 100, 100, 0.1, 20.0, camera.depth);
+    Style style = plain_style();
+    style.silhouette_threshold = 1e-4;
+    const FrameInfo& info = prepare(set, style, camera);
+    // From a distance of two radii a quarter of the sphere is seen: (1 - 1/2) / 2.
+    EXPECT_NEAR(static_cast<double>(info.front), count * 0.25, 8.0);
+}
+
+TEST_F(Classify, AnOffAxisEyeIsTakenFromTheProjection) {
+    // A projection that contains a turn and a shift of the eye: the same picture as with the
+    // shift in the view, so the same classes.
+    const sampling::PointSet set = sphere(runtime.memory, 5000);
+    frame::Camera camera = front_camera(100, 100);
+    camera.view = frame::look_at({0.3, 0.2, 3.0}, {0.1, 0.0, 0.0}, {0.0, 1.0, 0.0});
+    camera.projection = frame::perspective(1.0, 100, 100, 0.1, 20.0, camera.depth);
+    const FrameInfo expected = prepare(set, plain_style(), camera);
+    camera.projection = camera.projection * camera.view;
+    camera.view = glm::dmat4(1.0);
+    const FrameInfo& info = prepare(set, plain_style(), camera);
+    EXPECT_EQ(info.front, expected.front);
+    EXPECT_EQ(info.back, expected.back);
+    EXPECT_EQ(info.silhouette, expected.silhouette);
+}
+
+TEST_F(Classify, MarksLandOnTheirPixels) {
+    for (const auto depth : {frame::DepthConvention::negative_one_to_one, frame::DepthConvention::zero_to_one,
+                             frame::DepthConvention::reversed}) {
+        sampling::PointSet set(runtime.memory);
+        add_stipple(set, {0.25, 0.5, 1.0}, {0, 0, 1});
+        frame::Camera camera = front_camera(200, 100, 1.0);
+        camera.depth = depth;
+        camera.projection = frame::orthographic(2.0, 200, 100, 1.0, 21.0, depth);
+        camera.viewport = {30.0, 40.0, 200.0, 100.0};
+        prepare(set, plain_style(), camera);
+        ASSERT_EQ(frame.discs().size(), 1U);
+        const Disc& disc = frame.discs()[0];
+        EXPECT_FLOAT_EQ(disc.x, 30.0F + 100.0F + 12.5F);
+        EXPECT_FLOAT_EQ(disc.y, 40.0F + 50.0F - 25.0F);
+        const float from_near = 8.0F / 20.0F; // 9 from the eye
+        EXPECT_NEAR(disc.depth, depth == frame::DepthConvention::reversed ? 1.0F - from_near : from_near, 1e-6F);
+        EXPECT_EQ(disc.mark_class, MarkClass::front);
+        EXPECT_EQ(disc.id, 1U);
+        EXPECT_FALSE(disc.is_paper);
+    }
+}
+
+TEST_F(Classify, MarksOutsideTheFrustumCountAsOutside) {
+    sampling::PointSet set(runtime.memory);
+    const glm::dvec3 n(0.0, 0.0, 1.0);
+    add_stipple(set, {0.0, 0.0, 0.0}, n);
+    add_stipple(set, {1.0, 0.0, 0.0}, n);    // on the rim
+    add_stipple(set, {1.019, 0.0, 0.0}, n);  // its disc still reaches in: 100 pixels a unit
+    add_stipple(set, {1.5, 0.0, 0.0}, n);    // beside
+    add_stipple(set, {0.0, -1.5, 0.0}, n);   // below
+    add_stipple(set, {0.0, 0.0, 9.5}, n);    // before the near plane
+    add_stipple(set, {0.0, 0.0, -10.5}, n);  // behind the far plane
+    add_stipple(set, {0.0, 0.0, 1000.0}, n); // behind the camera
+    Style style = plain_style();
+    style.group[0].radius = 1.5F;
+    const FrameInfo& info = prepare(set, style, front_camera(200, 200, 1.0));
+    EXPECT_EQ(info.marks, 8);
+    EXPECT_EQ(info.front, 3);
+    EXPECT_EQ(info.outside, 5);
+    expect_consistent(info);
+}
+
+TEST_F(Classify, AMarkAtTheCameraDoesNoHarm) {
+    sampling::PointSet set(runtime.memory);
+    set.spacing = 0.1;
+    add_stipple(set, {0.0, 0.0, 10.0}, {0, 0, 1});
+    add_stipple(set, {0.0, 0.0, 10.0 - 1e-7}, {0, 0, 1});
+    add_stipple(set, {0.0, 0.0, 10.0 - 1e-3}, {0, 0, 1});
+    frame::Camera camera = front_camera(100, 100);
+    camera.projection = frame::perspective(1.0, 100, 100, 1e-9, 20.0, camera.depth);
+    Style style;
+    style.zoom_reference = 1.0;
+    style.group[0].radius_zoom = 1.0F;
+    expect_consistent(prepare(set, style, camera));
+    for (const Disc& disc : frame.discs()) EXPECT_TRUE(std::isfinite(disc.radius) && std::isfinite(disc.x));
+}
+
+TEST_F(Classify, MarksThatAreNotNumbersAreOutside) {
+    sampling::PointSet set(runtime.memory);
+    for (int i = 0; i < 6; ++i) add_stipple(set, {0.0, 0.0, 0.0}, {0, 0, 1});
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    set.group[0].position[0] = nan;
+    set.group[0].position[3 + 1] = infinity;
+    set.group[0].position[6 + 2] = nan;
+    set.group[0].normal[9 + 1] = nan;
+    for (int k = 0; k < 3; ++k) set.group[0].normal[12 + k] = 0.0F;
+    const FrameInfo& info = prepare(set, Style{}, front_camera(100, 100));
+    EXPECT_EQ(info.outside, 5);
+    EXPECT_EQ(info.front, 1);
+}
+
+// The transform's inverse is applied to the ellipsoid's marks, so that the frame sees the sphere.
+TEST_F(Classify, NormalsFollowTheInverseTransposeAlsoUnderMirrors) {
+    const int count = 5000;
+    for (const glm::dvec3 scale : {glm::dvec3(1, 1, -1), glm::dvec3(-3, 0.5, 2), glm::dvec3(-2, -1, -0.25)}) {
+        sampling::PointSet set(runtime.memory);
+        set.spacing = 0.05;
+        for (int i = 0; i < count; ++i) {
+            const glm::dvec3 n = fibonacci_direction(i, count);
+            add_stipple(set, n / scale, glm::normalize(n * scale));
+        }
+        glm::dmat4 transform(1.0);
+        for (int k = 0; k < 3; ++k) transform[k][k] = scale[k];
+        const FrameInfo& info = prepare(set, plain_style(), front_camera(100, 100), transform);
+        EXPECT_NEAR(static_cast<double>(info.front), count * 0.4, 3.0);
+        EXPECT_NEAR(static_cast<double>(info.back), count * 0.4, 3.0);
+        for (const Disc& disc : frame.discs()) {
+            const Frame::MarkSource source = frame.source(disc);
+            ASSERT_NEAR(glm::dot(source.normal, source.position), 1.0F, 1e-4F);
+            ASSERT_NEAR(glm::length(source.direction), 1.0F, 1e-5F);
+            ASSERT_NEAR(glm::dot(source.normal, source.direction), 0.0F, 1e-4F);
+        }
+    }
+}
+
+TEST_F(Classify, TheSameFarFromTheOrigin) {
+    const sampling::PointSet near_set = sphere(runtime.memory, 3000);
+    prepare(near_set, plain_style(), front_camera(500, 500));
+    const std::vector<Disc> expected(frame.discs().begin(), frame.discs().end());
+
+    const glm::dvec3 far(1e6, -1e6, 1e6 + 0.125);
+    sampling::PointSet far_set = sphere(runtime.memory, 3000);
+    far_set.origin = far;
+    frame::Camera camera = front_camera(500, 500);
+    camera.view = frame::look_at(far + glm::dvec3(0, 0, 10), far, {0, 1, 0});
+    prepare(far_set, plain_style(), camera);
+    ASSERT_EQ(frame.discs().size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        ASSERT_NEAR(frame.discs()[i].x, expected[i].x, 1e-4F);
+        ASSERT_NEAR(frame.discs()[i].y, expected[i].y, 1e-4F);
+    }
+}
+
+TEST_F(Classify, IdsCountOverItemsAndGroupsWhateverIsUsed) {
+    sampling::PointSet first(runtime.memory);
+    add_stipple(first, {0, 0, 0}, {0, 0, 1});
+    add_stipple(first, {0, 0, 0.1}, {0, 0, 1});
+    add_mark(first.group[2], {0, 0, 0.2}, {0, 0, 1}, {1, 0, 0}, 0, 0);
+    sampling::PointSet second(runtime.memory);
+    add_stipple(second, {0, 0, 0.3}, {0, 0, 1});
+    Style no_stipples = plain_style();
+    no_stipples.group[0].shown = false;
+    no_stipples.silhouette_groups = 4;
+    const std::array items{item_of(first, no_stipples), item_of(second, plain_style())};
+    frame.prepare(items, front_camera(100, 100));
+    ASSERT_EQ(frame.discs().size(), 2U);
+    EXPECT_EQ(frame.discs()[0].id, 3U);
+    EXPECT_EQ(frame.discs()[1].id, 4U);
+    EXPECT_EQ(frame.info().marks, 2);
+    EXPECT_EQ(frame.source(frame.discs()[1]).position, glm::vec3(0.0F, 0.0F, 0.3F));
+}
+
+TEST_F(Classify, NothingToDrawIsFine) {
+    frame.prepare({}, front_camera(100, 100));
+    EXPECT_TRUE(frame.prepared());
+    EXPECT_TRUE(frame.discs().empty());
+    const sampling::PointSet empty(runtime.memory);
+    EXPECT_EQ(prepare(empty, Style{}, front_camera(100, 100)).marks, 0);
+    EXPECT_TRUE(frame.discs().empty());
+}
+
+class BadFrame : public Classify {
+protected:
+    void expect_error(const Item& item, const frame::Camera& seen_by, const char* text) {
+        const std::array items{item_of(set, Style{}), item};
+        try {
+            frame.prepare(items, seen_by);
+            ADD_FAILURE() << "no error: " << text;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status(), Status::invalid_argument);
+            EXPECT_THAT(error.what(), HasSubstr(text));
+        }
+        EXPECT_FALSE(frame.prepared());
+        EXPECT_TRUE(frame.discs().empty());
+    }
+
+    sampling::PointSet set = sphere(runtime.memory, 10);
+    Item good = item_of(set, Style{});
+    frame::Camera camera = front_camera(100, 100);
+};
+
+TEST_F(BadFrame, NamesTheMatrix) {
+    Item item = good;
+    item.transform[1][2] = std::nan("");
+    expect_error(item, camera, "items[1].transform[6]");
+    item = good;
+    item.transform[0][3] = 0.5;
+    expect_error(item, camera, "items[1].transform is not affine");
+    item = good;
+    item.transform[2] = glm::dvec4(0.0);
+    expect_error(item, camera, "items[1].transform is singular");
+}
+
+TEST_F(BadFrame, NamesTheCameraField) {
+    frame::Camera bad = camera;
+    bad.viewport = glm::dvec4(0.0);
+    expect_error(good, bad, "camera.viewport is 0 x 0");
+    bad.viewport = {0.0, std::nan(""), 10.0, 10.0};
+    expect_error(good, bad, "camera.viewport[1]");
+    bad = camera;
+    bad.view[3][0] = std::nan("");
+    expect_error(good, bad, "camera.view[12]");
+    bad = camera;
+    bad.view = glm::dmat4(0.0);
+    expect_error(good, bad, "camera.view is singular");
+    bad = camera;
+    bad.projection = glm::dmat4(0.0);
+    expect_error(good, bad, "camera.projection is singular");
+    bad = camera;
+    bad.depth = static_cast<frame::DepthConvention>(7);
+    expect_error(good, bad, "depth_convention 7");
+}
+
+TEST_F(BadFrame, NamesTheItemOfAnotherPaper) {
+    Item item = good;
+    item.style.paper = {1.0F, 1.0F, 1.0F, 0.0F};
+    expect_error(item, camera, "items[1].style.paper");
+}
+
+} // namespace
+} // namespace hrbfnpr::testing
