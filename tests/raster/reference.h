@@ -1,0 +1,75 @@
+// What a host does with the vertices, plainly: every disc over every pixel, in order.
+#pragma once
+
+#include "raster/picture.h"
+
+namespace hrbfnpr::testing {
+
+struct Splat {
+    float x, y, radius;
+    glm::vec4 color; // straight
+    bool is_paper;
+};
+
+// Straight RGBA in floats, row by row.  The paper is straight, too.
+inline std::vector<glm::dvec4> splat(const std::vector<Splat>& splats, int width, int height, const glm::vec4& paper) {
+    const glm::dvec4 clear(glm::dvec3(paper) * static_cast<double>(paper.w), static_cast<double>(paper.w));
+    std::vector<glm::dvec4> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), clear);
+    for (const Splat& s : splats) {
+        const double radius = std::max(0.5, static_cast<double>(s.radius));
+        const double dimmed = static_cast<double>(s.radius) / radius;
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const double distance =
+                    std::hypot(x + 0.5 - static_cast<double>(s.x), y + 0.5 - static_cast<double>(s.y));
+                const double coverage = std::clamp(radius + 0.5 - distance, 0.0, 1.0);
+                const double alpha = static_cast<double>(s.color.w) * coverage * dimmed * dimmed;
+                glm::dvec4& pixel =
+                    pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+                // Over opaque paper both are the same "source over".
+                const glm::dvec4 source = s.is_paper ? clear : glm::dvec4(glm::dvec3(s.color), 1.0);
+                pixel = pixel * (1.0 - alpha) + source * alpha;
+            }
+        }
+    }
+    for (glm::dvec4& pixel : pixels) {
+        pixel = pixel.w > 0.0 ? glm::dvec4(glm::dvec3(pixel) / pixel.w, pixel.w) : glm::dvec4(0.0);
+    }
+    return pixels;
+}
+
+// The largest difference in any channel of a straight RGBA picture, in steps of 1/255.  Colours
+// count as much as their alpha lets them show.
+inline double largest_difference(const Picture& picture, const std::vector<glm::dvec4>& expected) {
+    double largest = 0.0;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const glm::dvec4& e = expected[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                           static_cast<std::size_t>(x)];
+            for (int c = 0; c < 4; ++c) {
+                const double weight = c < 3 ? e.w : 1.0;
+                largest = std::max(largest, weight * std::abs(picture.at(x, y, c) - 255.0 * e[c]));
+            }
+        }
+    }
+    return largest;
+}
+
+inline std::vector<Splat> splats_of(std::span<const frame::Disc> discs) {
+    std::vector<Splat> splats;
+    for (const frame::Disc& disc : discs) splats.push_back({disc.x, disc.y, disc.radius, disc.color, disc.is_paper});
+    return splats;
+}
+
+// Pixels are world units: (x, y) from the top-left corner of a width * height image.
+inline frame::Camera pixel_camera(int width, int height) {
+    frame::Camera camera = front_camera(width, height, 0.5 * height);
+    camera.view = frame::look_at({0.5 * width, -0.5 * height, 10.0}, {0.5 * width, -0.5 * height, 0.0}, {0, 1, 0});
+    return camera;
+}
+
+inline void add_pixel_mark(sampling::PointSet& set, double x, double y, double depth = 0.0) {
+    add_stipple(set, {x, -y, -depth}, {0.0, 0.0, 1.0});
+}
+
+} // namespace hrbfnpr::testing
