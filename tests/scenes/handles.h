@@ -1,0 +1,38 @@
+// The C handles as owning C++ objects, for tests, benchmarks and examples.
+#pragma once
+
+#include <hrbfnpr.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace scenes {
+
+struct Release {
+    void operator()(hrbfnpr_context* handle) const { hrbfnpr_context_release(handle); }
+    void operator()(const hrbfnpr_model* handle) const { hrbfnpr_model_release(handle); }
+    void operator()(const hrbfnpr_point_set* handle) const { hrbfnpr_point_set_release(handle); }
+    void operator()(hrbfnpr_renderer* handle) const { hrbfnpr_renderer_release(handle); }
+};
+
+using Context = std::unique_ptr<hrbfnpr_context, Release>;
+using Model = std::unique_ptr<hrbfnpr_model, Release>;
+using PointSet = std::unique_ptr<hrbfnpr_point_set, Release>;
+using Renderer = std::unique_ptr<hrbfnpr_renderer, Release>;
+
+// A call's error record that throws in words.
+class Check {
+public:
+    Check() { hrbfnpr_error_init(&error_, sizeof error_); }
+    [[nodiscard]] hrbfnpr_error* error() { return &error_; }
+    void operator()(hrbfnpr_status status) const {
+        if (status != HRBFNPR_STATUS_OK)
+            throw std::runtime_error(std::string(hrbfnpr_status_name(status)) + ": " + error_.message);
+    }
+
+private:
+    hrbfnpr_error error_;
+};
+
+} // namespace scenes

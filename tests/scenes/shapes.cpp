@@ -1,0 +1,119 @@
+#include "scenes/shapes.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace scenes {
+namespace {
+
+using Vec = std::array<double, 3>;
+
+constexpr double tau = 2.0 * std::numbers::pi;
+
+Vec scaled(const Vec& v, double s) { return {v[0] * s, v[1] * s, v[2] * s}; }
+Vec sum(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vec cross(const Vec& a, const Vec& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vec unit(const Vec& v) { return scaled(v, 1.0 / std::hypot(v[0], v[1], v[2])); }
+
+// A tube of radius `tube` about a circle of radius 1 in the plane of e1 and e2.  The
+// angles follow the plastic number's low-discrepancy sequence; the tube angle is
+// warped so that samples are even by area (dA ~ 1 + tube cos theta).
+void add_torus(Samples& samples, int count, double tube, const Vec& centre, const Vec& e1, const Vec& e2) {
+    constexpr double plastic = 1.32471795724474602596;
+    const Vec axis = cross(e1, e2);
+    for (int i = 0; i < count; ++i) {
+        const double phi = tau * std::fmod((i + 0.5) / plastic, 1.0);
+        const double area = tau * std::fmod((i + 0.5) / (plastic * plastic), 1.0);
+        double theta = area;
+        for (int step = 0; step < 20; ++step)
+            theta -= (theta + tube * std::sin(theta) - area) / (1.0 + tube * std::cos(theta));
+        const Vec out = sum(scaled(e1, std::cos(phi)), scaled(e2, std::sin(phi)));
+        const Vec normal = sum(scaled(out, std::cos(theta)), scaled(axis, std::sin(theta)));
+        samples.add(sum(centre, sum(out, scaled(normal, tube))), normal);
+    }
+}
+
+Vec trefoil_at(double t) {
+    return {std::sin(t) + 2.0 * std::sin(2.0 * t), std::cos(t) - 2.0 * std::cos(2.0 * t), -std::sin(3.0 * t)};
+}
+
+Vec trefoil_tangent(double t) {
+    return unit(
+        {std::cos(t) + 4.0 * std::cos(2.0 * t), -std::sin(t) + 4.0 * std::sin(2.0 * t), -3.0 * std::cos(3.0 * t)});
+}
+
+} // namespace
+
+void Samples::add(const std::array<double, 3>& point, const std::array<double, 3>& normal) {
+    points.insert(points.end(), point.begin(), point.end());
+    normals.insert(normals.end(), normal.begin(), normal.end());
+}
+
+Samples sphere_6() {
+    Samples samples;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            Vec p{};
+            p[axis] = sign;
+            samples.add(p, p);
+        }
+    }
+    return samples;
+}
+
+Samples torus(int count) {
+    Samples samples;
+    add_torus(samples, count, 0.4, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    return samples;
+}
+
+Samples linked_tori(int count) {
+    Samples samples;
+    add_torus(samples, count, 0.32, {-0.5, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    add_torus(samples, count, 0.32, {0.5, 0, 0}, {0, 0, 1}, {1, 0, 0});
+    return samples;
+}
+
+Samples trefoil(int count) {
+    constexpr double radius = 0.35;
+    constexpr int around = 8;
+    Samples samples;
+    const int rings = count / around;
+    for (int ring = 0; ring < rings; ++ring) {
+        const double t = tau * ring / rings;
+        const Vec tangent = trefoil_tangent(t);
+        const Vec e1 = unit(cross(tangent, {0.3, 0.2, 1.0}));
+        const Vec e2 = cross(tangent, e1);
+        for (int k = 0; k < around; ++k) {
+            const double angle = tau * (k + 0.5 * (ring % 2)) / around; // staggered rings
+            const Vec normal = sum(scaled(e1, std::cos(angle)), scaled(e2, std::sin(angle)));
+            samples.add(sum(trefoil_at(t), scaled(normal, radius)), normal);
+        }
+    }
+    return samples;
+}
+
+// (x^2 + 9/4 y^2 + z^2 - 1)^3 - x^2 z^3 - 9/80 y^2 z^3 in the equal form with cube roots,
+// whose gradient is regular away from the z axis.
+int taubin_heart(void* /*user*/, long long count, const double* points, double* value, double* gradient,
+                 double* /*hessian*/) {
+    for (long long i = 0; i < count; ++i) {
+        const double x = points[3 * i];
+        const double y = points[3 * i + 1];
+        const double z = points[3 * i + 2];
+        const double q = x * x + 9.0 / 80.0 * y * y + 1e-6; // softens the dimple on the z axis
+        const double root = std::cbrt(q);
+        value[i] = 0.5 * (x * x + 2.25 * y * y + z * z - 1.0 - z * root);
+        if (gradient != nullptr) {
+            const double slope = z / (3.0 * root * root);
+            gradient[3 * i] = 0.5 * (2.0 * x - 2.0 * x * slope);
+            gradient[3 * i + 1] = 0.5 * (4.5 * y - 9.0 / 40.0 * y * slope);
+            gradient[3 * i + 2] = 0.5 * (2.0 * z - root);
+        }
+    }
+    return 0;
+}
+
+} // namespace scenes
