@@ -128,8 +128,6 @@ void check_group(const Decoder& decoder, const sampling::MarkGroup& group) {
     check_finite(decoder, "curvature", group.curvature.span());
     for (const float rank : group.rank.span())
         if (!(rank >= 0.0F && rank < 1.0F)) decoder.damaged("a rank is outside [0, 1)");
-    for (const std::uint8_t level : group.level.span())
-        if (level > sampling::most_levels) decoder.damaged("a mark's level is above 12");
 }
 
 void check_set(const Decoder& decoder, const sampling::PointSet& set) {

@@ -183,7 +183,6 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.group[1].direction[0] = NAN; }), "direction[0]");
     expect(set_message([](Set& s) { s.group[1].curvature[0] = NAN; }), "curvature[0]");
     expect(set_message([](Set& s) { s.group[1].curvature.push_back(0); }), "curvatures are not as many");
-    expect(set_message([](Set& s) { s.group[0].level[2] = 13; }), "level is above");
     expect(set_message([](Set& s) { s.group[0].stroke.push_back(0); }), "'STRK' has 7 elements instead of 6");
     expect(set_message([](Set& s) { s.group[2].report.levels = 13; }), "more than 12 levels");
     expect(set_message([](Set& s) { s.group[2].report.level[3].placed = -1; }), "negative");

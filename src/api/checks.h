@@ -1,0 +1,65 @@
+// Checks of a struct's fields, with messages such as
+//   fit_desc.regularization is -1; it must be a finite number of at least 0
+#pragma once
+
+#include "base/status.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace hrbfnpr::api {
+
+class Checks {
+public:
+    // owner: what the fields belong to, such as "fit_desc"; lives as long as this.
+    explicit Checks(const char* owner) noexcept : owner_(owner) {}
+
+    void finite(const char* field, double value) const {
+        if (!std::isfinite(value)) refuse(field, value, "a finite number");
+    }
+    void at_least(const char* field, double value, double low) const {
+        if (!(std::isfinite(value) && value >= low))
+            fail(Status::invalid_argument, "%s.%s is %g; it must be a finite number of at least %g", owner_, field,
+                 value, low);
+    }
+    void positive(const char* field, double value) const {
+        if (!(std::isfinite(value) && value > 0.0)) refuse(field, value, "a finite number above 0");
+    }
+    void between(const char* field, double value, double low, double high) const {
+        if (!(value >= low && value <= high))
+            fail(Status::invalid_argument, "%s.%s is %g; it must be from %g to %g", owner_, field, value, low, high);
+    }
+    void inside(const char* field, double value, double low, double high) const {
+        if (!(value > low && value < high))
+            fail(Status::invalid_argument, "%s.%s is %g; it must be between %g and %g, and neither", owner_, field,
+                 value, low, high);
+    }
+    // An enumeration 0 .. count - 1.
+    void one_of(const char* field, std::uint32_t value, std::uint32_t count, const char* names) const {
+        if (value >= count)
+            fail(Status::invalid_argument, "%s.%s is %u; it must be one of %s (0 to %u)", owner_, field, value, names,
+                 count - 1);
+    }
+    // Or-ed flags.
+    void flags(const char* field, std::uint32_t value, std::uint32_t known) const {
+        if ((value & ~known) != 0)
+            fail(Status::invalid_argument, "%s.%s is 0x%X; only the bits of 0x%X have a meaning", owner_, field, value,
+                 known);
+    }
+    void zero(const char* field, std::uint32_t value) const {
+        if (value != 0) fail(Status::invalid_argument, "%s.%s is %u; it must be 0", owner_, field, value);
+    }
+    void given(const char* field, bool is_given) const {
+        if (!is_given) fail(Status::invalid_argument, "%s.%s is NULL", owner_, field);
+    }
+
+private:
+    [[noreturn]] void refuse(const char* field, double value, const char* wanted) const {
+        fail(Status::invalid_argument, "%s.%s is %g; it must be %s", owner_, field, value, wanted);
+    }
+
+    const char* owner_;
+};
+
+} // namespace hrbfnpr::api

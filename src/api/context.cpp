@@ -1,0 +1,102 @@
+#include "api/barrier.h"
+#include "api/checks.h"
+#include "api/descriptor.h"
+#include "api/handles.h"
+
+using namespace hrbfnpr;
+
+static_assert(static_cast<std::int32_t>(base::LogLevel::debug) == HRBFNPR_LOG_DEBUG);
+static_assert(static_cast<std::int32_t>(base::LogLevel::info) == HRBFNPR_LOG_INFO);
+static_assert(static_cast<std::int32_t>(base::LogLevel::warning) == HRBFNPR_LOG_WARNING);
+
+hrbfnpr_context::hrbfnpr_context(const hrbfnpr_context_desc& desc) noexcept
+    : allocate(desc.allocate), deallocate(desc.deallocate), allocator_user(desc.allocator_user),
+      runtime(desc.allocate, desc.deallocate, desc.allocator_user,
+              base::Parallel(desc.thread_count, desc.run_tasks, desc.run_tasks_user), desc.log, desc.log_user) {}
+
+namespace hrbfnpr::api {
+
+template <>
+hrbfnpr_context_desc defaults() noexcept {
+    hrbfnpr_context_desc desc{};
+    desc.abi_version = HRBFNPR_ABI_VERSION;
+    return desc;
+}
+
+template <>
+hrbfnpr_context_info defaults() noexcept {
+    return {};
+}
+
+namespace {
+
+void check(const hrbfnpr_context_desc& desc) {
+    const Checks checks("context_desc");
+    if (desc.abi_version != HRBFNPR_ABI_VERSION)
+        fail(Status::version_mismatch,
+             "context_desc.abi_version is %u and this library's is %d: build against its "
+             "header, or set the struct up with hrbfnpr_context_desc_init",
+             desc.abi_version, static_cast<int>(HRBFNPR_ABI_VERSION));
+    checks.at_least("thread_count", desc.thread_count, 0);
+    checks.zero("flags", desc.flags);
+    checks.zero("reserved", desc.reserved);
+    checks.one_of("highest_instruction_set", desc.highest_instruction_set, HRBFNPR_INSTRUCTION_SET_NEON + 1,
+                  "HRBFNPR_INSTRUCTION_SET_...");
+    if ((desc.allocate == nullptr) != (desc.deallocate == nullptr))
+        fail(Status::invalid_argument, "context_desc.%s is NULL; give both allocate and deallocate, or neither",
+             desc.allocate == nullptr ? "allocate" : "deallocate");
+}
+
+} // namespace
+
+void release_context(const hrbfnpr_context* context) noexcept {
+    if (context == nullptr || !context->remove_reference()) return;
+    // Its own memory is not counted in its own Memory, which ends first.
+    base::Memory memory(context->allocate, context->deallocate, context->allocator_user);
+    context->~hrbfnpr_context();
+    memory.deallocate(const_cast<hrbfnpr_context*>(context), sizeof(hrbfnpr_context));
+}
+
+} // namespace hrbfnpr::api
+
+extern "C" {
+
+hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_context** out_context,
+                                      hrbfnpr_error* error) {
+    return api::guarded_create(out_context, "out_context", error, [&] {
+        const hrbfnpr_context_desc full = api::read_optional_struct(desc, "context_desc");
+        api::check(full);
+        base::Memory memory(full.allocate, full.deallocate, full.allocator_user);
+        return new (memory.allocate(sizeof(hrbfnpr_context))) hrbfnpr_context(full);
+    });
+}
+
+void hrbfnpr_context_retain(hrbfnpr_context* context) {
+    if (context != nullptr) context->add_reference();
+}
+
+void hrbfnpr_context_release(hrbfnpr_context* context) { api::release_context(context); }
+
+hrbfnpr_status hrbfnpr_context_info_init(hrbfnpr_context_info* info, uint32_t struct_size) {
+    return api::init_struct(info, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context, hrbfnpr_context_info* info,
+                                        hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const base::Runtime& runtime = api::deref(context, "context").runtime;
+        api::check_output_struct(info, "context_info");
+        hrbfnpr_context_info full{};
+        full.thread_count = runtime.parallel.threads();
+        full.instruction_set = HRBFNPR_INSTRUCTION_SET_BASELINE;
+        full.bytes_now = runtime.memory.bytes_now();
+        full.bytes_peak = runtime.memory.bytes_peak();
+        api::write_struct(info, full);
+    });
+}
+
+} // extern "C"

@@ -1,0 +1,90 @@
+// Structs that begin with struct_size and grow at their end.
+//
+// A caller may be older than the library (its struct is shorter: the rest has defaults) or newer
+// (longer: refused only if it uses what we do not know).  All structs have a member of 8 bytes, so
+// a shorter struct ends on such a boundary, too, and no pointer or double is ever cut in two.
+#pragma once
+
+#include "base/status.h"
+
+#include <hrbfnpr.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace hrbfnpr::api {
+
+inline constexpr std::uint32_t smallest_struct = 8;
+inline constexpr std::uint32_t largest_struct = 65536; // beyond it a struct was not set up at all
+
+// The defaults of each struct; struct_size need not be set.  Specialised beside its `_init`.
+template <class T>
+[[nodiscard]] T defaults() noexcept;
+
+template <class T>
+void check_struct_size(std::uint32_t size, const char* name) {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T>);
+    if (size < smallest_struct || size > largest_struct)
+        fail(Status::unsupported_struct, "%s.struct_size is %u; set the struct up with its _init(..., sizeof) function",
+             name, size);
+}
+
+// A struct's `_init` function.
+template <class T>
+hrbfnpr_status init_struct(T* given, std::uint32_t size) noexcept {
+    if (given == nullptr) return HRBFNPR_STATUS_INVALID_ARGUMENT;
+    if (size < smallest_struct || size > largest_struct) return HRBFNPR_STATUS_UNSUPPORTED_STRUCT;
+    T full = defaults<T>();
+    full.struct_size = size;
+    const std::size_t known = std::min<std::size_t>(size, sizeof full);
+    std::memcpy(static_cast<void*>(given), &full, known);
+    std::memset(reinterpret_cast<std::byte*>(given) + known, 0, size - known);
+    return HRBFNPR_STATUS_OK;
+}
+
+// The caller's struct in full: what it lacks has defaults.
+template <class T>
+[[nodiscard]] T read_struct(const T* given, const char* name) {
+    if (given == nullptr) fail(Status::invalid_argument, "%s is NULL", name);
+    std::uint32_t size = 0;
+    std::memcpy(&size, given, sizeof size);
+    check_struct_size<T>(size, name);
+    const auto* bytes = reinterpret_cast<const std::byte*>(given);
+    for (std::size_t i = sizeof(T); i < size; ++i)
+        if (bytes[i] != std::byte{0})
+            fail(Status::unsupported_struct,
+                 "%s has fields that this library (%s) does not know, and they are set: use a newer library", name,
+                 hrbfnpr_version_string());
+    T full = defaults<T>();
+    std::memcpy(static_cast<void*>(&full), given, std::min<std::size_t>(size / alignof(T) * alignof(T), sizeof full));
+    full.struct_size = sizeof full;
+    return full;
+}
+
+// ... or all defaults where it may be NULL and is.
+template <class T>
+[[nodiscard]] T read_optional_struct(const T* given, const char* name) {
+    return given != nullptr ? read_struct(given, name) : defaults<T>();
+}
+
+// Whether `out` can take a result; call before any work is done.
+template <class T>
+void check_output_struct(const T* out, const char* name) {
+    if (out == nullptr) fail(Status::invalid_argument, "%s is NULL", name);
+    check_struct_size<T>(out->struct_size, name);
+}
+
+// Fills the caller's struct up to its struct_size.
+template <class T>
+void write_struct(T* out, const T& full) noexcept {
+    const std::uint32_t size = out->struct_size;
+    const std::size_t known = std::min<std::size_t>(size, sizeof full);
+    std::memcpy(static_cast<void*>(out), &full, known);
+    std::memset(reinterpret_cast<std::byte*>(out) + known, 0, size - known);
+    out->struct_size = size;
+}
+
+} // namespace hrbfnpr::api

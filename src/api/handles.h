@@ -1,0 +1,102 @@
+// Reference-counted handles in the context's memory.  Each keeps its context alive, so that
+// handles can be released in any order.
+#pragma once
+
+#include "base/runtime.h"
+
+#include <hrbfnpr.h>
+
+#include <atomic>
+#include <cstdint>
+#include <new>
+#include <utility>
+
+namespace hrbfnpr::api {
+
+class Counted {
+public:
+    Counted() noexcept = default;
+    Counted(const Counted&) = delete;
+    Counted& operator=(const Counted&) = delete;
+
+    void add_reference() const noexcept { references_.fetch_add(1, std::memory_order_relaxed); }
+    // True if that was the last one.
+    [[nodiscard]] bool remove_reference() const noexcept {
+        return references_.fetch_sub(1, std::memory_order_acq_rel) == 1;
+    }
+
+protected:
+    ~Counted() = default;
+
+private:
+    mutable std::atomic<std::int64_t> references_{1};
+};
+
+} // namespace hrbfnpr::api
+
+struct hrbfnpr_context : hrbfnpr::api::Counted {
+    explicit hrbfnpr_context(const hrbfnpr_context_desc& desc) noexcept;
+    ~hrbfnpr_context() = default;
+
+    hrbfnpr::base::AllocateFn allocate; // what the context itself came from; NULL = default
+    hrbfnpr::base::DeallocateFn deallocate;
+    void* allocator_user;
+    hrbfnpr::base::Runtime runtime;
+};
+
+namespace hrbfnpr::api {
+
+void release_context(const hrbfnpr_context* context) noexcept; // NULL is ignored
+
+class Child : public Counted {
+public:
+    explicit Child(hrbfnpr_context& context) noexcept : context_(&context) { context.add_reference(); }
+    ~Child() { release_context(context_); }
+
+    [[nodiscard]] hrbfnpr_context& context() const noexcept { return *context_; }
+    [[nodiscard]] const base::Runtime& runtime() const noexcept { return context_->runtime; }
+
+private:
+    hrbfnpr_context* context_;
+};
+
+// A T with one reference.
+template <class T, class... Arguments>
+[[nodiscard]] T* make_handle(hrbfnpr_context& context, Arguments&&... arguments) {
+    base::Memory& memory = context.runtime.memory;
+    void* place = memory.allocate(sizeof(T));
+    try {
+        return new (place) T(context, std::forward<Arguments>(arguments)...);
+    } catch (...) {
+        memory.deallocate(place, sizeof(T));
+        throw;
+    }
+}
+
+// Takes a reference away and destroys the handle with the last one; NULL is ignored.
+template <class T>
+void release_handle(const T* handle) noexcept {
+    if (handle == nullptr || !handle->remove_reference()) return;
+    const hrbfnpr_context& context = handle->context();
+    context.add_reference(); // it has to outlive the handle's memory
+    handle->~T();
+    context.runtime.memory.deallocate(const_cast<T*>(handle), sizeof(T));
+    release_context(&context);
+}
+
+// Keeps a handle alive while a call uses it.
+template <class T>
+class Hold {
+public:
+    explicit Hold(T* handle) noexcept : handle_(handle) {
+        if (handle_ != nullptr) handle_->add_reference();
+    }
+    ~Hold() { release_handle(handle_); }
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+private:
+    T* handle_;
+};
+
+} // namespace hrbfnpr::api

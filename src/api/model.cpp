@@ -1,0 +1,239 @@
+#include "api/model.h"
+
+#include "api/barrier.h"
+#include "api/checks.h"
+#include "api/descriptor.h"
+#include "api/operation.h"
+#include "api/views.h"
+
+using namespace hrbfnpr;
+
+static_assert(static_cast<std::uint32_t>(kernel::Kind::triharmonic) == HRBFNPR_KERNEL_TRIHARMONIC);
+static_assert(static_cast<std::uint32_t>(kernel::Kind::gaussian) == HRBFNPR_KERNEL_GAUSSIAN);
+static_assert(static_cast<std::uint32_t>(kernel::Kind::wendland_c2) == HRBFNPR_KERNEL_WENDLAND_C2);
+
+namespace hrbfnpr::api {
+
+template <>
+hrbfnpr_fit_desc defaults() noexcept {
+    const fit::FitInput input;
+    hrbfnpr_fit_desc desc{};
+    desc.kernel = static_cast<std::uint32_t>(input.kernel);
+    desc.kernel_radius = input.kernel_radius;
+    desc.polynomial_degree = input.polynomial_degree;
+    desc.regularization = input.regularization;
+    desc.maximum_centres = input.maximum_centres;
+    desc.iteration_limit = input.iteration_limit;
+    return desc;
+}
+
+template <>
+hrbfnpr_custom_desc defaults() noexcept {
+    return {};
+}
+
+template <>
+hrbfnpr_model_info defaults() noexcept {
+    return {};
+}
+
+namespace {
+
+constexpr std::uint32_t custom_flags =
+    HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_HAS_HESSIAN | HRBFNPR_CUSTOM_THREAD_SAFE;
+
+fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
+    const Checks checks("fit_desc");
+    fit::FitInput input;
+    input.points = in_view(desc.points, "fit_desc.points", points_type);
+    if (input.points.empty()) fail(Status::invalid_argument, "fit_desc.points is empty; give at least one sample");
+    input.normals = in_view(desc.normals, "fit_desc.normals", points_type);
+    if (input.normals.count != input.points.count)
+        fail(Status::invalid_argument,
+             "fit_desc.normals has %lld elements and fit_desc.points has %lld; give one "
+             "normal for each point",
+             static_cast<long long>(input.normals.count), static_cast<long long>(input.points.count));
+    checks.one_of("kernel", desc.kernel, HRBFNPR_KERNEL_WENDLAND_C2 + 1, "HRBFNPR_KERNEL_...");
+    checks.at_least("kernel_radius", desc.kernel_radius, 0.0);
+    if (desc.polynomial_degree < -1 || desc.polynomial_degree > 3)
+        fail(Status::invalid_argument, "fit_desc.polynomial_degree is %d; it must be -1, 0, 1, 2 or 3",
+             static_cast<int>(desc.polynomial_degree));
+    checks.one_of("solver", desc.solver, HRBFNPR_SOLVER_DIRECT + 1, "HRBFNPR_SOLVER_...");
+    checks.at_least("regularization", desc.regularization, 0.0);
+    checks.at_least("tolerance", desc.tolerance, 0.0);
+    checks.at_least("maximum_centres", static_cast<double>(desc.maximum_centres), 0.0);
+    checks.between("iteration_limit", desc.iteration_limit, 0, 1000);
+    checks.zero("reserved", desc.reserved);
+    input.kernel = static_cast<kernel::Kind>(desc.kernel);
+    input.kernel_radius = desc.kernel_radius;
+    input.polynomial_degree = desc.polynomial_degree;
+    input.regularization = desc.regularization;
+    input.maximum_centres = desc.maximum_centres;
+    input.iteration_limit = desc.iteration_limit;
+    return input;
+}
+
+void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
+    runtime.log(base::LogLevel::info,
+                "fit: %lld samples in %.3f s, largest residual %.2g of f and %.2g of its gradient",
+                static_cast<long long>(report.samples), report.seconds_total, report.value_residual_max,
+                report.gradient_residual_max);
+    if (report.merged_samples > 0)
+        runtime.log(base::LogLevel::warning, "fit: %lld samples coincide with others and were merged",
+                    static_cast<long long>(report.merged_samples));
+    if (report.rescaled_normals > 0)
+        runtime.log(base::LogLevel::warning, "fit: %lld normals were not of unit length and were normalised",
+                    static_cast<long long>(report.rescaled_normals));
+}
+
+hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc, hrbfnpr_operation* operation) {
+    const fit::FitInput input = checked(desc);
+    const OperationUse use(operation);
+    fit::FitResult result = fit::fit(context.runtime, input, use.progress());
+    use.finish();
+    log_fit(context.runtime, result.report);
+    return make_handle<hrbfnpr_model>(context, std::move(result.data), result.report);
+}
+
+implicit::CustomFunction checked(const hrbfnpr_custom_desc& desc) {
+    const Checks checks("custom_desc");
+    checks.flags("flags", desc.flags, custom_flags);
+    checks.given("function", desc.function != nullptr);
+    for (int axis = 0; axis < 3; ++axis) {
+        checks.finite("bounds_min", desc.bounds_min[axis]);
+        checks.finite("bounds_max", desc.bounds_max[axis]);
+        if (desc.bounds_min[axis] > desc.bounds_max[axis])
+            fail(Status::invalid_argument, "custom_desc.bounds_min[%d] is %g, above bounds_max[%d], which is %g", axis,
+                 desc.bounds_min[axis], axis, desc.bounds_max[axis]);
+    }
+    checks.at_least("difference_step", desc.difference_step, 0.0);
+    implicit::CustomFunction custom;
+    custom.function = desc.function;
+    custom.user = desc.user;
+    custom.release = desc.release;
+    custom.has_gradient = (desc.flags & HRBFNPR_CUSTOM_HAS_GRADIENT) != 0;
+    custom.has_hessian = (desc.flags & HRBFNPR_CUSTOM_HAS_HESSIAN) != 0;
+    custom.thread_safe = (desc.flags & HRBFNPR_CUSTOM_THREAD_SAFE) != 0;
+    custom.bounds = {{desc.bounds_min[0], desc.bounds_min[1], desc.bounds_min[2]},
+                     {desc.bounds_max[0], desc.bounds_max[1], desc.bounds_max[2]}};
+    custom.difference_step = desc.difference_step;
+    if (!std::isfinite(custom.bounds.diagonal()) || !(custom.bounds.diagonal() > 0.0))
+        fail(Status::invalid_argument, "custom_desc.bounds_min and bounds_max span no box; its diagonal is %g",
+             custom.bounds.diagonal());
+    return custom;
+}
+
+void set_box(double* low, double* high, const geometry::Bounds& bounds) noexcept {
+    for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = bounds.min[axis];
+        high[axis] = bounds.max[axis];
+    }
+}
+
+void describe_fit(hrbfnpr_model_info& info, const fit::FitReport& report) noexcept {
+    info.samples = report.samples;
+    info.merged_samples = report.merged_samples;
+    info.rescaled_normals = report.rescaled_normals;
+    info.kernel_radius = report.kernel_radius;
+    info.regularization = report.regularization;
+    info.value_residual_max = report.value_residual_max;
+    info.value_residual_rms = report.value_residual_rms;
+    info.gradient_residual_max = report.gradient_residual_max;
+    info.gradient_residual_rms = report.gradient_residual_rms;
+    info.solver_residual = report.solver_residual;
+    info.condition_estimate = report.condition_estimate;
+    info.iterations = report.iterations;
+    info.fallback = report.fallback ? 1 : 0;
+    info.seconds_assemble = report.seconds_assemble;
+    info.seconds_solve = report.seconds_solve;
+    info.seconds_total = report.seconds_total;
+}
+
+hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
+    hrbfnpr_model_info info{};
+    info.kernel = HRBFNPR_KERNEL_CUSTOM;
+    info.polynomial_degree = -1;
+    info.bytes = sizeof(hrbfnpr_model);
+    set_box(info.bounds_min, info.bounds_max, model.implicit().bounds());
+    const implicit::HrbfData* data = model.data();
+    if (data == nullptr) return info;
+    describe_fit(info, model.report);
+    info.kernel = static_cast<std::uint32_t>(data->kernel);
+    info.polynomial_degree = data->polynomial_degree;
+    info.solver = HRBFNPR_SOLVER_DIRECT;
+    info.centres = data->count();
+    info.spacing = data->spacing;
+    info.bytes += data->bytes();
+    return info;
+}
+
+hrbfnpr_array view_of(const hrbfnpr_model& model, std::uint32_t attribute) {
+    if (attribute > HRBFNPR_MODEL_ATTRIBUTE_NORMAL)
+        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MODEL_ATTRIBUTE_... (0 or 1)",
+             attribute);
+    hrbfnpr_array view{nullptr, 0, 3 * sizeof(double), HRBFNPR_SCALAR_FLOAT64, 3};
+    if (const implicit::HrbfData* data = model.data()) {
+        const bool position = attribute == HRBFNPR_MODEL_ATTRIBUTE_POSITION;
+        view.data = (position ? data->sample_position : data->sample_normal).data();
+        view.count = data->count();
+    }
+    return view;
+}
+
+} // namespace
+} // namespace hrbfnpr::api
+
+extern "C" {
+
+hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc, hrbfnpr_operation* operation,
+                                 hrbfnpr_model** out_model, hrbfnpr_error* error) {
+    return api::guarded_create(out_model, "out_model", error, [&] {
+        return api::fit_model(api::deref(context, "context"), api::read_struct(desc, "fit_desc"), operation);
+    });
+}
+
+hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context, const hrbfnpr_custom_desc* desc,
+                                           hrbfnpr_model** out_model, hrbfnpr_error* error) {
+    return api::guarded_create(out_model, "out_model", error, [&] {
+        auto& parent = api::deref(context, "context");
+        const implicit::CustomFunction custom = api::checked(api::read_struct(desc, "custom_desc"));
+        return api::make_handle<hrbfnpr_model>(parent, custom);
+    });
+}
+
+void hrbfnpr_model_retain(const hrbfnpr_model* model) {
+    if (model != nullptr) model->add_reference();
+}
+
+void hrbfnpr_model_release(const hrbfnpr_model* model) { api::release_handle(model); }
+
+hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size) {
+    return api::init_struct(info, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info, hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(model, "model");
+        api::check_output_struct(info, "model_info");
+        api::write_struct(info, api::describe(handle));
+    });
+}
+
+hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32_t attribute, hrbfnpr_array* out_view,
+                                  hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(model, "model");
+        api::require_pointer(out_view, "out_view");
+        *out_view = api::view_of(handle, attribute);
+    });
+}
+
+} // extern "C"

@@ -1,0 +1,38 @@
+// A model as a handle: an HRBF with the report of its fit, or a caller's function.
+#pragma once
+
+#include "api/handles.h"
+#include "fit/fit.h"
+#include "implicit/custom.h"
+#include "implicit/hrbf.h"
+#include "sampling/generate.h"
+
+#include <variant>
+
+struct hrbfnpr_model : hrbfnpr::api::Child {
+    hrbfnpr_model(hrbfnpr_context& context, hrbfnpr::implicit::HrbfData&& data,
+                  const hrbfnpr::fit::FitReport& fit_report) noexcept
+        : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Hrbf>, std::move(data)), report(fit_report) {}
+    // From here on the caller's release function will be called.
+    hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr::implicit::CustomFunction& custom) noexcept
+        : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Custom>, custom) {}
+
+    [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit() const noexcept {
+        if (const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface)) return *hrbf;
+        return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
+    }
+    // nullptr for a custom model.
+    [[nodiscard]] const hrbfnpr::implicit::HrbfData* data() const noexcept {
+        const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface);
+        return hrbf != nullptr ? &hrbf->data() : nullptr;
+    }
+    // Empty for a custom model.
+    [[nodiscard]] hrbfnpr::sampling::SampleHint samples() const noexcept {
+        const auto* hrbf = data();
+        return hrbf != nullptr ? hrbfnpr::sampling::SampleHint{hrbf->sample_position.span(), hrbf->spacing}
+                               : hrbfnpr::sampling::SampleHint{};
+    }
+
+    std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Custom> surface;
+    hrbfnpr::fit::FitReport report;
+};

@@ -1,0 +1,269 @@
+// Batched evaluation, projection and curvature.  A call of any size works through blocks of
+// points, so that its scratch stays small.
+#include "api/barrier.h"
+#include "api/checks.h"
+#include "api/descriptor.h"
+#include "api/model.h"
+#include "api/operation.h"
+#include "api/views.h"
+#include "surface/curvature.h"
+#include "surface/project.h"
+
+using namespace hrbfnpr;
+
+static_assert(static_cast<int>(surface::ProjectionStatus::converged) == HRBFNPR_PROJECTION_CONVERGED);
+static_assert(static_cast<int>(surface::ProjectionStatus::not_converged) == HRBFNPR_PROJECTION_NOT_CONVERGED);
+static_assert(static_cast<int>(surface::ProjectionStatus::zero_gradient) == HRBFNPR_PROJECTION_ZERO_GRADIENT);
+static_assert(static_cast<int>(surface::ProjectionStatus::not_finite) == HRBFNPR_PROJECTION_NOT_FINITE);
+
+namespace hrbfnpr::api {
+
+template <>
+hrbfnpr_project_desc defaults() noexcept {
+    const surface::ProjectionSettings settings;
+    hrbfnpr_project_desc desc{};
+    desc.iteration_limit = settings.iteration_limit;
+    desc.tolerance = settings.tolerance;
+    desc.armijo_slope = settings.armijo_slope;
+    desc.armijo_factor = settings.armijo_factor;
+    return desc;
+}
+
+namespace {
+
+constexpr std::int64_t block_size = 65536;
+constexpr std::int64_t copy_grain = 4096;
+
+// The caller's query points, checked once and read in blocks.
+class Queries {
+public:
+    Queries(const base::Runtime& runtime, const hrbfnpr_array* points) : runtime_(runtime) {
+        view_ = in_view(deref(points, "points"), "points", points_type);
+    }
+
+    [[nodiscard]] std::int64_t count() const noexcept { return view_.count; }
+
+    // After all arguments are known to be right; takes a pass over the points.
+    void check_finite() const {
+        runtime_.parallel.for_chunks(view_.count, copy_grain, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t i = begin; i < end; ++i)
+                for (std::uint32_t axis = 0; axis < 3; ++axis)
+                    if (!std::isfinite(view_.get(i, axis)))
+                        fail(Status::invalid_argument, "points[%lld] is NaN or infinite; all points must be finite",
+                             static_cast<long long>(i));
+        });
+    }
+
+    void read(std::int64_t begin, std::int64_t end, geometry::VecArray& block) const {
+        block.resize(end - begin);
+        runtime_.parallel.for_chunks(end - begin, copy_grain, [&](std::int64_t from, std::int64_t to) {
+            for (std::int64_t i = from; i < to; ++i)
+                block.set(i, {view_.get(begin + i, 0), view_.get(begin + i, 1), view_.get(begin + i, 2)});
+        });
+    }
+
+    // work(begin, end, progress) for each block.
+    template <class F>
+    void for_blocks(const base::Progress& progress, F&& work) const {
+        const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(view_.count); };
+        for (std::int64_t begin = 0; begin < view_.count; begin += block_size) {
+            const std::int64_t end = std::min(view_.count, begin + block_size);
+            work(begin, end, progress.part(share(begin), share(end)));
+        }
+    }
+
+private:
+    const base::Runtime& runtime_;
+    base::InView view_;
+};
+
+void set_vector(const base::OutView& out, std::int64_t i, const glm::dvec3& v) noexcept {
+    for (int axis = 0; axis < 3; ++axis) out.set(i, static_cast<std::uint32_t>(axis), v[axis]);
+}
+
+struct FieldOutputs {
+    base::OutView value, gradient, hessian;
+};
+
+// One block's fields, structure of arrays.
+class FieldBlock {
+public:
+    FieldBlock(base::Memory& memory, const FieldOutputs& out, std::int64_t size)
+        : out_(out), value_(memory, out.value ? size : 0), gradient_(memory, out.gradient ? 3 * size : 0),
+          hessian_(memory, out.hessian ? 6 * size : 0) {
+        if (out.value) fields_.value = value_.data();
+        if (out.gradient)
+            for (int c = 0; c < 3; ++c) fields_.gradient[static_cast<std::size_t>(c)] = gradient_.data() + c * size;
+        if (out.hessian)
+            for (int c = 0; c < 6; ++c) fields_.hessian[static_cast<std::size_t>(c)] = hessian_.data() + c * size;
+    }
+
+    [[nodiscard]] const implicit::FieldBatch& fields() const noexcept { return fields_; }
+
+    // Element `from` of the block is element first + from of the outputs.
+    void write(std::int64_t from, std::int64_t to, std::int64_t first) const noexcept {
+        for (std::int64_t i = from; i < to; ++i) {
+            if (out_.value) out_.value.set(first + i, 0, fields_.value[i]);
+            for (std::uint32_t c = 0; out_.gradient && c < 3; ++c)
+                out_.gradient.set(first + i, c, fields_.gradient[c][i]);
+            for (std::uint32_t c = 0; out_.hessian && c < 6; ++c) out_.hessian.set(first + i, c, fields_.hessian[c][i]);
+        }
+    }
+
+private:
+    FieldOutputs out_;
+    base::Array<double> value_, gradient_, hessian_;
+    implicit::FieldBatch fields_;
+};
+
+void evaluate(const hrbfnpr_model& model, const Queries& queries, const FieldOutputs& out,
+              const base::Progress& progress) {
+    const base::Runtime& runtime = model.runtime();
+    const base::Parallel parallel = model.implicit().threads(runtime.parallel);
+    geometry::VecArray points(runtime.memory);
+    FieldBlock block(runtime.memory, out, std::min(queries.count(), block_size));
+    queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+        queries.read(begin, end, points);
+        const implicit::PointBatch batch{points.x.data(), points.y.data(), points.z.data(), points.size()};
+        parallel.for_chunks(end - begin, implicit::batch_size, [&](std::int64_t from, std::int64_t to) {
+            part.update(static_cast<double>(from) / static_cast<double>(end - begin));
+            model.implicit().evaluate(implicit::slice(batch, from, to), block.fields().from(from));
+            block.write(from, to, begin);
+        });
+    });
+}
+
+surface::ProjectionSettings checked(const hrbfnpr_project_desc& desc) {
+    const Checks checks("project_desc");
+    checks.between("iteration_limit", desc.iteration_limit, 1, 1000);
+    checks.positive("tolerance", desc.tolerance);
+    checks.inside("armijo_slope", desc.armijo_slope, 0.0, 0.5);
+    checks.inside("armijo_factor", desc.armijo_factor, 0.0, 1.0);
+    return {desc.iteration_limit, desc.tolerance, desc.armijo_slope, desc.armijo_factor};
+}
+
+struct ProjectionOutputs {
+    base::OutView position, normal, status;
+};
+
+// Returns how many converged.
+std::int64_t write(const surface::Projection& block, const ProjectionOutputs& out, std::int64_t first) noexcept {
+    std::int64_t converged = 0;
+    for (std::int64_t i = 0; i < block.status.size(); ++i) {
+        const glm::dvec3 gradient = block.gradient[i];
+        const double length = glm::length(gradient);
+        const bool has_normal = std::isfinite(length) && length > 0.0;
+        if (out.position) set_vector(out.position, first + i, block.position[i]);
+        if (out.normal) set_vector(out.normal, first + i, has_normal ? gradient / length : glm::dvec3(0.0));
+        if (out.status) out.status.set(first + i, 0, static_cast<double>(block.status[i]));
+        converged += block.status[i] == surface::ProjectionStatus::converged ? 1 : 0;
+    }
+    return converged;
+}
+
+std::int64_t project(const hrbfnpr_model& model, const Queries& queries, const surface::ProjectionSettings& settings,
+                     const ProjectionOutputs& out, const base::Progress& progress) {
+    surface::Projection block(model.runtime().memory);
+    std::int64_t converged = 0;
+    queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+        queries.read(begin, end, block.position);
+        surface::project(model.runtime(), model.implicit(), settings, block, part);
+        converged += write(block, out, begin);
+    });
+    return converged;
+}
+
+struct CurvatureOutputs {
+    base::OutView k1, k2, d1, d2, confidence;
+};
+
+void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs& out, std::int64_t first) noexcept {
+    for (std::int64_t i = 0; i < block.size(); ++i) {
+        const surface::Curvature& c = block[i];
+        if (out.k1) out.k1.set(first + i, 0, c.k1);
+        if (out.k2) out.k2.set(first + i, 0, c.k2);
+        if (out.d1) set_vector(out.d1, first + i, c.d1);
+        if (out.d2) set_vector(out.d2, first + i, c.d2);
+        if (out.confidence) out.confidence.set(first + i, 0, c.confidence);
+    }
+}
+
+void curvature(const hrbfnpr_model& model, const Queries& queries, const CurvatureOutputs& out,
+               const base::Progress& progress) {
+    geometry::VecArray points(model.runtime().memory);
+    base::Array<surface::Curvature> block(model.runtime().memory);
+    queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+        queries.read(begin, end, points);
+        surface::principal_curvatures(model.runtime(), model.implicit(), points, block, part);
+        write(block, out, begin);
+    });
+}
+
+} // namespace
+} // namespace hrbfnpr::api
+
+extern "C" {
+
+hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_array* points,
+                                      const hrbfnpr_array_out* value, const hrbfnpr_array_out* gradient,
+                                      const hrbfnpr_array_out* hessian, hrbfnpr_operation* operation,
+                                      hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(model, "model");
+        const api::Queries queries(handle.runtime(), points);
+        const std::int64_t count = queries.count();
+        const api::FieldOutputs out{api::out_view(value, "value", api::number_type, count),
+                                    api::out_view(gradient, "gradient", api::points_type, count),
+                                    api::out_view(hessian, "hessian", {6, api::float_types}, count)};
+        queries.check_finite();
+        const api::OperationUse use(operation);
+        api::evaluate(handle, queries, out, use.progress());
+        use.finish();
+    });
+}
+
+hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
+                                     const hrbfnpr_project_desc* desc, const hrbfnpr_array_out* position,
+                                     const hrbfnpr_array_out* normal, const hrbfnpr_array_out* status,
+                                     int64_t* converged, hrbfnpr_operation* operation, hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(model, "model");
+        const surface::ProjectionSettings settings = api::checked(api::read_optional_struct(desc, "project_desc"));
+        const api::Queries queries(handle.runtime(), points);
+        const std::int64_t count = queries.count();
+        const api::ProjectionOutputs out{api::out_view(position, "position", api::points_type, count),
+                                         api::out_view(normal, "normal", api::points_type, count),
+                                         api::out_view(status, "status", {1, api::uint8_or_uint32}, count)};
+        queries.check_finite();
+        const api::OperationUse use(operation);
+        const std::int64_t done = api::project(handle, queries, settings, out, use.progress());
+        use.finish();
+        if (converged != nullptr) *converged = done;
+    });
+}
+
+hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
+                                       const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2,
+                                       const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
+                                       const hrbfnpr_array_out* confidence, hrbfnpr_operation* operation,
+                                       hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(model, "model");
+        const api::Queries queries(handle.runtime(), points);
+        const std::int64_t count = queries.count();
+        const api::CurvatureOutputs out{
+            api::out_view(k1, "k1", api::number_type, count), api::out_view(k2, "k2", api::number_type, count),
+            api::out_view(d1, "d1", api::points_type, count), api::out_view(d2, "d2", api::points_type, count),
+            api::out_view(confidence, "confidence", api::number_type, count)};
+        queries.check_finite();
+        const api::OperationUse use(operation);
+        api::curvature(handle, queries, out, use.progress());
+        use.finish();
+    });
+}
+
+} // extern "C"

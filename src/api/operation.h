@@ -1,0 +1,35 @@
+// An operation as a handle, and its use by one long call.
+#pragma once
+
+#include "api/handles.h"
+#include "base/operation.h"
+
+struct hrbfnpr_operation : hrbfnpr::api::Child {
+    using Child::Child;
+    hrbfnpr::base::Operation operation;
+    std::atomic<bool> busy{false};
+};
+
+namespace hrbfnpr::api {
+
+// Serves one call with a nullable operation; holds it, so that it may be released meanwhile.
+class OperationUse {
+public:
+    // Throws Error{cancelled} after a cancel, Error{invalid_argument} if another call uses it.
+    explicit OperationUse(hrbfnpr_operation* operation);
+    ~OperationUse();
+    OperationUse(const OperationUse&) = delete;
+    OperationUse& operator=(const OperationUse&) = delete;
+
+    [[nodiscard]] base::Progress progress() const noexcept {
+        return handle_ != nullptr ? base::Progress(&handle_->operation) : base::Progress();
+    }
+    // The work is done: progress 1, and the last chance to cancel.
+    void finish() const { progress().update(1.0); }
+
+private:
+    hrbfnpr_operation* handle_;
+    Hold<hrbfnpr_operation> hold_;
+};
+
+} // namespace hrbfnpr::api

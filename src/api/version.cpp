@@ -1,0 +1,67 @@
+#include "api/barrier.h"
+#include "base/parallel.h"
+#include "geometry/vec.h"
+
+#include <cstring>
+#include <string>
+
+#define HRBFNPR_TEXT_OF(number) #number
+#define HRBFNPR_TEXT(macro) HRBFNPR_TEXT_OF(macro)
+
+namespace {
+
+constexpr const char* version_text = "0.1.0"; // of the enumerators below
+static_assert(HRBFNPR_VERSION_MAJOR == 0 && HRBFNPR_VERSION_MINOR == 1 && HRBFNPR_VERSION_PATCH == 0);
+
+constexpr const char* compiler =
+#if defined(__clang__)
+    "Clang " HRBFNPR_TEXT(__clang_major__) "." HRBFNPR_TEXT(__clang_minor__) "." HRBFNPR_TEXT(__clang_patchlevel__);
+#elif defined(__GNUC__)
+    "GCC " HRBFNPR_TEXT(__GNUC__) "." HRBFNPR_TEXT(__GNUC_MINOR__) "." HRBFNPR_TEXT(__GNUC_PATCHLEVEL__);
+#else
+    "unknown";
+#endif
+
+constexpr const char* glm_version =
+    HRBFNPR_TEXT(GLM_VERSION_MAJOR) "." HRBFNPR_TEXT(GLM_VERSION_MINOR) "." HRBFNPR_TEXT(GLM_VERSION_PATCH);
+
+// The values are our own and need no escapes.
+std::string build_info() {
+    std::string json = "{\"version\": \"";
+    json += version_text;
+    json += "\", \"abi\": " + std::to_string(HRBFNPR_ABI_VERSION) + ", \"compiler\": \"";
+    json += compiler;
+    json += R"(", "instruction_sets": ["baseline"], "thread_backend": ")";
+    json += hrbfnpr::base::thread_backend_name();
+    json += R"(", "dependencies": {"Eigen": ")" HRBFNPR_EIGEN_VERSION R"(", "GLM": ")";
+    json += glm_version;
+    json += "\"}}";
+    return json;
+}
+
+} // namespace
+
+extern "C" {
+
+uint32_t hrbfnpr_version(void) {
+    return HRBFNPR_VERSION_MAJOR * 10000 + HRBFNPR_VERSION_MINOR * 100 + HRBFNPR_VERSION_PATCH;
+}
+
+uint32_t hrbfnpr_abi_version(void) { return HRBFNPR_ABI_VERSION; }
+
+const char* hrbfnpr_version_string(void) { return version_text; }
+
+hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed) {
+    using namespace hrbfnpr;
+    return api::guarded(nullptr, [&] {
+        if (capacity < 0) fail(Status::invalid_argument, "capacity is negative");
+        if (capacity > 0) api::require_pointer(destination, "destination");
+        const std::string json = build_info();
+        const auto size = static_cast<std::int64_t>(json.size()) + 1;
+        if (needed != nullptr) *needed = size;
+        if (capacity < size) fail(Status::buffer_too_small, "capacity is below *needed");
+        std::memcpy(destination, json.c_str(), static_cast<std::size_t>(size));
+    });
+}
+
+} // extern "C"

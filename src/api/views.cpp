@@ -1,0 +1,105 @@
+#include "api/views.h"
+
+#include "base/status.h"
+
+#include <limits>
+
+namespace hrbfnpr::api {
+namespace {
+
+static_assert(static_cast<std::uint32_t>(base::Scalar::float32) == HRBFNPR_SCALAR_FLOAT32);
+static_assert(static_cast<std::uint32_t>(base::Scalar::float64) == HRBFNPR_SCALAR_FLOAT64);
+static_assert(static_cast<std::uint32_t>(base::Scalar::uint8) == HRBFNPR_SCALAR_UINT8);
+static_assert(static_cast<std::uint32_t>(base::Scalar::uint32) == HRBFNPR_SCALAR_UINT32);
+
+constexpr auto longest = std::numeric_limits<std::int64_t>::max();
+
+const char* names_of(unsigned scalars) noexcept {
+    switch (scalars) {
+    case float_types: return "FLOAT32 or FLOAT64";
+    case float32_only: return "FLOAT32";
+    case uint8_only: return "UINT8";
+    case uint32_only: return "UINT32";
+    default: return "UINT8 or UINT32";
+    }
+}
+
+void check_type(std::uint32_t scalar, std::uint32_t components, const char* name, ArrayType type) {
+    if (scalar < HRBFNPR_SCALAR_FLOAT32 || scalar > HRBFNPR_SCALAR_UINT32 || (type.scalars & (1U << scalar)) == 0)
+        fail(Status::invalid_argument, "%s.scalar is %u; it must be HRBFNPR_SCALAR_ %s", name, scalar,
+             names_of(type.scalars));
+    if (components != type.components)
+        fail(Status::invalid_argument, "%s.components is %u; it must be %u", name, components, type.components);
+}
+
+// The stride in bytes, once it is sure that all elements lie in the address space.
+std::int64_t checked_stride(const void* data, std::int64_t count, std::int64_t stride, std::int64_t element,
+                            const char* name) {
+    if (stride == 0) stride = element;
+    if (stride > -element && stride < element)
+        fail(Status::invalid_argument,
+             "%s.stride is %lld; an element has %lld bytes: it must be 0, or at least that, forward or backward", name,
+             static_cast<long long>(stride), static_cast<long long>(element));
+    // -stride would overflow for the lowest number.
+    const std::int64_t step = stride == std::numeric_limits<std::int64_t>::min() ? longest
+                              : stride < 0                                       ? -stride
+                                                                                 : stride;
+    const auto address = reinterpret_cast<std::uintptr_t>(data);
+    const bool countable = count - 1 <= (longest - element) / step;
+    const auto reach = countable ? static_cast<std::uint64_t>((count - 1) * step) : 0;
+    const auto size = static_cast<std::uint64_t>(element);
+    const bool fits = stride > 0 ? reach + size <= std::numeric_limits<std::uintptr_t>::max() - address
+                                 : reach <= address && size <= std::numeric_limits<std::uintptr_t>::max() - address;
+    if (!countable || !fits)
+        fail(Status::invalid_argument, "%s: count %lld times stride %lld is beyond the address space", name,
+             static_cast<long long>(count), static_cast<long long>(stride));
+    return stride;
+}
+
+template <class View, class Array>
+View checked(const Array& array, const char* name, ArrayType type) {
+    if (array.count < 0)
+        fail(Status::invalid_argument, "%s.count is %lld; it must be 0 or more", name,
+             static_cast<long long>(array.count));
+    if (array.count == 0) return {};
+    if (array.data == nullptr)
+        fail(Status::invalid_argument, "%s.data is NULL but its count is %lld", name,
+             static_cast<long long>(array.count));
+    check_type(array.scalar, array.components, name, type);
+    const auto scalar = static_cast<base::Scalar>(array.scalar);
+    const std::int64_t element = base::size_of(scalar) * type.components;
+    View view;
+    view.data = static_cast<decltype(view.data)>(array.data);
+    view.count = array.count;
+    view.stride = checked_stride(array.data, array.count, array.stride, element, name);
+    view.scalar = scalar;
+    view.components = array.components;
+    return view;
+}
+
+void check_count(std::int64_t given, std::int64_t wanted, const char* name) {
+    if (given != wanted)
+        fail(Status::invalid_argument, "%s.count is %lld; it must be %lld", name, static_cast<long long>(given),
+             static_cast<long long>(wanted));
+}
+
+} // namespace
+
+base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type) {
+    return checked<base::InView>(array, name, type);
+}
+
+base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type, std::int64_t count) {
+    const base::InView view = in_view(array, name, type);
+    if (array.data != nullptr || array.count != 0) check_count(view.count, count, name);
+    return view;
+}
+
+base::OutView out_view(const hrbfnpr_array_out* array, const char* name, ArrayType type, std::int64_t count) {
+    if (array == nullptr) return {};
+    const auto view = checked<base::OutView>(*array, name, type);
+    if (array->data != nullptr || array->count != 0) check_count(view.count, count, name);
+    return view;
+}
+
+} // namespace hrbfnpr::api
