@@ -53,8 +53,9 @@ class Drawing:
         from PIL import Image
 
         if format is None:
-            named = isinstance(target, (str, os.PathLike))
-            ending = os.path.splitext(os.fspath(target))[1].lower() if named else ""
+            ending = ""
+            if isinstance(target, (str, os.PathLike)):
+                ending = os.path.splitext(os.fspath(target))[1].lower()
             format = Image.registered_extensions().get(ending, "PNG" if not ending else None)
             if format is None:
                 raise ValueError(f"no picture format is known for the ending {ending!r}; use .png")

@@ -1,7 +1,7 @@
 """Styles: how a point set is drawn."""
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Generic, Iterable, Mapping, Optional, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Generic, Iterable, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 from ._arrays import Array, store, vector
 from ._callbacks import CallbackState, callback
@@ -20,7 +20,8 @@ from ._names import (
 )
 from ._numpy import np
 
-T = TypeVar("T")
+Get = TypeVar("Get")
+Set = TypeVar("Set")
 Color = Union[str, Tuple[float, ...]]
 ToneFunction = Callable[[Array, Array], Any]
 
@@ -46,34 +47,34 @@ def color(argument: str, value: Color) -> Tuple[float, float, float, float]:
     return numbers[0], numbers[1], numbers[2], numbers[3]
 
 
-class _Field(Generic[T]):
+class _Field(Generic[Get, Set]):
     """An attribute that is a field of the struct."""
 
-    def __init__(self, write: Callable[[str, T], Any], read: Callable[[Any], Any], doc: str) -> None:
+    def __init__(self, write: Callable[[str, Set], Any], read: Callable[[Any], Get], doc: str) -> None:
         self._write, self._read = write, read
         self.__doc__ = doc
 
     def __set_name__(self, owner: type, name: str) -> None:
         self._name = name
 
-    def __get__(self, instance: Any, owner: Any = None) -> T:
+    def __get__(self, instance: Any, owner: Any = None) -> Get:
         if instance is None:
             return self  # type: ignore[return-value]
-        return self._read(getattr(instance._struct, self._name))  # type: ignore[no-any-return]
+        return self._read(getattr(instance._struct, self._name))
 
-    def __set__(self, instance: Any, value: T) -> None:
+    def __set__(self, instance: Any, value: Set) -> None:
         setattr(instance._struct, self._name, self._write(self._name, value))
 
 
-def _number(doc: str) -> _Field[float]:
+def _number(doc: str) -> _Field[float, float]:
     return _Field(lambda name, value: float(value), float, doc)
 
 
-def _color(doc: str) -> _Field[Color]:
+def _color(doc: str) -> _Field[Tuple[float, ...], Color]:
     return _Field(color, tuple, doc)
 
 
-def _choice(numbers: Dict[str, int], doc: str) -> _Field[str]:
+def _choice(numbers: Dict[str, int], doc: str) -> _Field[str, str]:
     return _Field(lambda name, value: number_of(name, numbers, value), lambda n: name_of(numbers, n), doc)
 
 
@@ -94,8 +95,8 @@ class _Attributes:
 class GroupStyle(_Attributes):
     """One group's ink; the `stipple`, `curvature` or `combing` of a `Style`."""
 
-    shown = _Field[bool](lambda name, value: int(bool(value)), bool, "Whether its front marks are drawn.")
-    sets = _Field[int](lambda name, value: int(value), int, "Bit 0: first directions, bit 1: second.")
+    shown = _Field[bool, bool](lambda name, value: int(bool(value)), bool, "Whether its front marks are drawn.")
+    sets = _Field[int, int](lambda name, value: int(value), int, "Bit 0: first directions, bit 1: second.")
     share = _number("Share of the group's marks that is used at all, 0 to 1.")
     radius = _number("Of a mark, pixels.")
     radius_zoom = _number("0: radius is in pixels at any zoom; 1: grows with the zoom; or between.")
@@ -146,8 +147,8 @@ class Style(_Attributes):
     silhouette_ink = _color("Of silhouette marks.")
     silhouette_radius = _number("Of silhouette marks, pixels.")
     silhouette_radius_zoom = _number("As a group's radius_zoom.")
-    light = _Field[Iterable[float]](vector, tuple, "Towards the light; normalised on use.")
-    silhouette_groups = _Field[Iterable[str]](
+    light = _Field[Tuple[float, ...], Sequence[float]](vector, tuple, "Towards the light; normalised on use.")
+    silhouette_groups = _Field[Tuple[str, ...], Union[str, Iterable[str]]](
         lambda name, value: group_bits(value), group_names, "Groups whose silhouette marks are drawn."
     )
 

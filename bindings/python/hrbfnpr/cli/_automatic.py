@@ -1,0 +1,107 @@
+"""Good choices for what the user leaves open, from the picture that is asked for."""
+from __future__ import annotations
+
+import math
+from typing import Any, Dict, Sequence, Tuple
+
+import numpy as np
+
+from .._camera import Camera, corners
+from .._context import Context
+from .._model import Model
+from .._point_set import PointSet
+from .._style import Style
+
+LONG_SIDE = 1600
+STROKE_LEVELS = 4
+MOST_MARKS = 400_000
+
+# Ink over area at the darkest tone.  Stipples overlap, strokes of one direction should not.
+_COVERAGE = {"stipple": 1.0, "curvature": 0.7, "combing": 0.7}
+
+
+def _unit(v: Any) -> Any:
+    return v / np.linalg.norm(v)
+
+
+def view_direction(up: Sequence[float], azimuth: float, elevation: float) -> Tuple[float, float, float]:
+    """From the eye into the scene.  Azimuth 0 looks from the front: +z, or -y where z is up."""
+    upward = _unit(np.asarray(up, dtype=float))
+    front = np.array([0.0, 0.0, 1.0]) if abs(upward[2]) < 0.9 else np.array([0.0, -1.0, 0.0])
+    front = _unit(front - (front @ upward) * upward)
+    right = np.cross(upward, front)
+    around, above = math.radians(azimuth), math.radians(elevation)
+    eye = math.cos(above) * (math.cos(around) * front + math.sin(around) * right) + math.sin(above) * upward
+    x, y, z = -eye
+    return float(x), float(y), float(z)
+
+
+def picture_size(bounds: Any, direction: Sequence[float], up: Sequence[float], long_side: int) -> Tuple[int, int]:
+    """Pixels of a picture with the proportions of a box seen from a direction."""
+    low, high = (np.asarray(corner) for corner in corners(bounds))
+    right = np.cross(direction, up)
+    if np.linalg.norm(right) == 0:
+        return long_side, long_side
+    right = _unit(right)
+    upward = _unit(np.cross(right, direction))
+    extent = [float(np.abs(axis) @ (high - low)) for axis in (right, upward)]
+    longest = max(extent)
+    if longest <= 0:
+        return long_side, long_side
+    width, height = (max(round(long_side * part / longest), long_side // 4) for part in extent)
+    return width, height
+
+
+def pixels_per_unit(camera: Camera, place: Any) -> float:
+    """Of the picture, for a length across the view at a place."""
+    view, projection = np.asarray(camera.view), np.asarray(camera.projection)
+    clip = projection @ view @ np.append(np.asarray(place, dtype=float), 1.0)
+    return float(camera.viewport[3] / 2 * abs(projection[1, 1]) / abs(clip[3]))
+
+
+def mark_radius(size: Tuple[int, int]) -> float:
+    """Pixels."""
+    return max(0.7, max(size) / 1000)
+
+
+def surface_area(model: Model, context: Context) -> float:
+    """Of the model, from a few marks that are spread evenly over it."""
+    probe = PointSet.generate(model, "stipple", budget=2000, context=context)
+    return probe.info.spacing**2 * len(probe)
+
+
+def marks(
+    groups: Sequence[str], style: Style, area: float, pixels: float, options: Dict[str, Any], centres: int
+) -> Dict[str, Any]:
+    """Arguments of `PointSet.generate` that fill the darkest tone; `options` are those given."""
+    if options.get("distribution") == "paper":
+        return _paper_levels(groups, style, area * pixels**2, options, centres)
+    levels = options.get("levels", {})
+    steps = {name: levels.get(name, STROKE_LEVELS) for name in groups if name != "stipple"}
+    chosen: Dict[str, Any] = {"levels": {**levels, **steps}}
+    budget: Dict[str, int] = {}
+    for name in groups:
+        ink = getattr(style, name)
+        if name == "stipple":
+            inked = math.pi * ink.radius**2
+        else:
+            # Marks of a stroke lie one radius apart and make a line.
+            step = ink.radius * 3 ** steps[name] / 3 / pixels
+            chosen["initial_step"] = min(step, chosen.get("initial_step", step))
+            inked = 2 * ink.radius**2
+            inked /= 2 if ink.sets != 3 else 1  # both sets are placed, one is drawn
+        budget[name] = max(1, min(MOST_MARKS, round(_COVERAGE[name] * area * pixels**2 / inked)))
+    return {**chosen, "budget": {**budget, **options.get("budget", {})}}
+
+
+def _paper_levels(
+    groups: Sequence[str], style: Style, area_in_pixels: float, options: Dict[str, Any], centres: int
+) -> Dict[str, Any]:
+    """As many refinement steps as do not overfill the picture."""
+    levels = {}
+    for name in groups:
+        wanted = area_in_pixels / (math.pi * getattr(style, name).radius ** 2)
+        seeds, factor = (centres, 5) if name == "stipple" else (2 * centres, 3)
+        steps = math.log(max(wanted, 1) / max(seeds, 1), factor)
+        levels[name] = min(max(round(steps), 1), 6)
+    return {"levels": {**levels, **options.get("levels", {})}}

@@ -1,0 +1,187 @@
+"""The command line's grammar.
+
+Each option's `dest` is the name of the argument or field that it sets, so that the commands can
+hand over what was given and leave the rest to the library's own defaults.
+"""
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from typing import Any, List, NoReturn, Sequence
+
+from .. import __version__
+from .._names import (
+    DISTRIBUTIONS,
+    GROUP_SEEDS,
+    HIDDEN_LINES,
+    KERNELS,
+    LIGHT_SPACES,
+    SEED_SOURCES,
+    SOLVERS,
+    TONE_RULES,
+)
+from .._style import PRESETS
+from . import _values as values
+
+
+class Parser(argparse.ArgumentParser):
+    """Errors are one line."""
+
+    def error(self, message: str) -> NoReturn:
+        sys.stderr.write(f"hrbfnpr: error: {message} (see {self.prog} --help)\n")
+        sys.exit(2)
+
+    def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
+        # argparse takes "-1,0,0" for an option; glued to the option before, it is a value.
+        given: List[str] = []
+        for word in sys.argv[1:] if args is None else args:
+            if given and given[-1].startswith("--") and "=" not in given[-1] and re.match(r"-[\d.]|-[xyz]$", word):
+                given[-1] += "=" + word
+            else:
+                given.append(word)
+        return super().parse_args(given, namespace)
+
+
+def _choices(names: Sequence[str]) -> "dict[str, Any]":
+    shown = [name.replace("_", "-") for name in names]
+    return {"choices": shown, "metavar": "NAME"}
+
+
+def _listed(text: str, names: Sequence[str]) -> str:
+    return f"{text}: {', '.join(name.replace('_', '-') for name in names)}"
+
+
+def _add(group: Any, option: str, dest: str, kind: Any, metavar: str, help: str, **more: Any) -> None:
+    group.add_argument(option, dest=dest, type=kind, metavar=metavar, help=help, default=None, **more)
+
+
+def _add_choice(group: Any, option: str, dest: str, names: Sequence[str], help: str) -> None:
+    group.add_argument(option, dest=dest, default=None, help=_listed(help, names), **_choices(names))
+
+
+def _add_common(parser: Parser) -> None:
+    group = parser.add_argument_group("general")
+    _add(group, "--threads", "threads", values.count(0, 256), "N", "threads, 0 = all processors (default)")
+    group.add_argument("-q", "--quiet", action="store_true", help="no progress bars, notes or summary")
+
+
+def _add_input(parser: Parser) -> None:
+    group = parser.add_argument_group("samples")
+    _add(group, "--samples", "samples", values.count(1), "N", "how many samples: of a mesh (1000 by default), "
+         "or chosen from a point set (all up to 4096 by default)")  # fmt: skip
+    _add(group, "--crease", "crease", values.number, "DEGREES", "faces of a mesh that meet at a sharper angle do "
+         "not share their normals; 60")  # fmt: skip
+    group.add_argument("--flip", action="store_true", help="turn all normals")
+    _add(group, "--random-seed", "random_seed", values.count(0, 2**64 - 1), "N", "of all that is random; 1")
+
+
+def _add_fit(parser: Parser) -> None:
+    group = parser.add_argument_group("fit")
+    _add_choice(group, "--kernel", "kernel", [name for name in KERNELS if name != "custom"], "radial function")
+    _add(group, "--kernel-radius", "kernel_radius", values.number, "LENGTH", "of gaussian and wendland-c2")
+    _add(group, "--degree", "polynomial_degree", values.count(-1, 3), "N", "of the polynomial, -1 (none) to 3; 1")
+    _add(group, "--regularization", "regularization", values.number, "X", "0 interpolates, more is smoother; 0")
+    _add_choice(group, "--solver", "solver", tuple(SOLVERS), "solver")
+    _add(group, "--max-centres", "maximum_centres", values.count(0), "N", "refuse more samples than this")
+    _add(group, "--refinement-steps", "iteration_limit", values.count(0), "N", "after a direct solve; 2")
+
+
+def _add_marks(parser: Parser) -> None:
+    group = parser.add_argument_group("marks")
+    _add(group, "--groups", "groups", values.groups, "NAMES", "stipple,curvature,combing; those the style needs")
+    _add_choice(group, "--distribution", "distribution", tuple(DISTRIBUTIONS), "of marks over the surface")
+    _add(group, "--marks", "budget", values.per_group, "N", "the most marks of each group, or GROUP=N,...; enough "
+         "to make the darkest tone nearly black")  # fmt: skip
+    group.add_argument("--budget", dest="budget", type=values.per_group, help=argparse.SUPPRESS)
+    _add(group, "--levels", "levels", values.per_group, "N", "refinement steps, or GROUP=N,...; a stroke has 3^N marks")
+    _add(group, "--step", "initial_step", values.number, "LENGTH", "initial step rho_0; strokes are 3 of it long")
+    _add_choice(group, "--seeds", "seed_source", tuple(SEED_SOURCES), "where marks start")
+    _add(group, "--seed-points", "seed_points", str, "FILE", "points to be the seeds")
+    _add(group, "--box-resolution", "box_resolution", values.count(1, 256), "N", "cells of the box of seeds; 8")
+    _add(group, "--box-jitter", "box_jitter", values.number, "X", "in cell sides, 0 to 0.5; 0.25")
+    _add_choice(group, "--stroke-seeds", "stroke_seeds", tuple(GROUP_SEEDS), "what strokes of paper start from")
+    _add(group, "--seed-level", "seed_level", values.count(0, 12), "N", "last level of those stipples; 0")
+    _add(group, "--projection-tolerance", "projection_tolerance", values.number, "X", "share of the diagonal; 1e-7")
+    _add(group, "--curvature-of", "curvature_of", values.groups, "NAMES", "keep curvatures of these groups too")
+
+
+def _add_camera(parser: Parser) -> None:
+    group = parser.add_argument_group("camera")
+    _add(group, "--size", "size", values.size, "WxH", "pixels, or the longer side alone; 1600")
+    _add(group, "--up", "up", values.direction, "AXIS", "x, y, z, -y, ... or X,Y,Z; y")
+    _add(group, "--azimuth", "azimuth", values.number, "DEGREES", "of the camera about the up axis; 30")
+    _add(group, "--elevation", "elevation", values.number, "DEGREES", "of the camera above the horizon; 20")
+    _add(group, "--direction", "direction", values.direction, "X,Y,Z", "from the eye into the scene, instead of these")
+    _add(group, "--eye", "eye", values.vector, "X,Y,Z", "place of the eye, looking at --target")
+    _add(group, "--target", "target", values.vector, "X,Y,Z", "the middle of the model")
+    _add(group, "--fov", "fov", values.number, "DEGREES", "vertical angle of view, 0 = orthographic; 30")
+    _add(group, "--margin", "margin", values.number, "SHARE", "free on each side, 0 to 0.45; 0.05")
+
+
+def _add_style(parser: Parser) -> None:
+    group = parser.add_argument_group("style")
+    group.add_argument("--style", default="contour-and-stipple", choices=PRESETS, metavar="NAME",
+                       help=_listed("named style, contour-and-stipple by default", PRESETS))  # fmt: skip
+    _add(group, "--mark-radius", "mark_radius", values.number, "PIXELS", "of all marks; a thousandth of the picture")
+    _add(group, "--ink", "ink", values.paint, "COLOUR", "of all marks: #rrggbb[aa] or R,G,B[,A] in 0 to 1")
+    _add(group, "--paper", "paper", values.paint, "COLOUR", "as --ink")
+    group.add_argument("--transparent", action="store_true", help="paper that lets all through")
+    _add_choice(group, "--hidden-lines", "hidden_lines", tuple(HIDDEN_LINES), "what becomes of them")
+    _add(group, "--delta", "silhouette_threshold", values.number, "X", "width of silhouettes, 0 to 1")
+    _add(group, "--attenuation-front", "attenuation_front", values.number, "LAMBDA", "of what lies behind front marks")
+    _add(group, "--attenuation-back", "attenuation_back", values.number, "LAMBDA", "of what lies behind back marks")
+    _add(group, "--cover-radius", "cover_radius", values.number, "PIXELS", "of the paper that marks paint; automatic")
+    _add(group, "--cover-layers", "cover_layers", values.number, "N", "opacity of a sheet in marks; 0 as published")
+    _add(group, "--halo", "halo_width", values.number, "PIXELS", "how much wider the paper of back marks is")
+    group.add_argument("--tone", choices=["none", "light"], metavar="NAME", default=None, help="none or light")
+    _add_choice(group, "--tone-rule", "tone_rule", tuple(TONE_RULES), "how tone, depth, zoom and share combine")
+    _add(group, "--tone-exponent", "tone_exponent", values.number, "LAMBDA", "of the tone law; more is darker")
+    _add(group, "--light", "light", values.direction, "X,Y,Z", "towards the light")
+    _add_choice(group, "--light-space", "light_space", tuple(LIGHT_SPACES), "frame of the light")
+    _add(group, "--depth-range", "depth_range", values.interval, "MIN,MAX", "distances between which marks vanish")
+    _add(group, "--zoom-reference", "zoom_reference", values.number, "X", "pixels per unit at which all marks show")
+    _add(group, "--zoom-exponent", "zoom_exponent", values.number, "X", "how fast they vanish below it")
+    _add(group, "--silhouette-ink", "silhouette_ink", values.paint, "COLOUR", "as --ink")
+    _add(group, "--silhouette-radius", "silhouette_radius", values.number, "PIXELS", "of silhouette marks")
+    _add(group, "--silhouette-groups", "silhouette_groups", values.groups, "NAMES", "whose silhouettes are drawn")
+    _add(group, "--share", "share", values.number, "X", "share of all marks that is used, 0 to 1")
+    group.add_argument("--set", dest="assignments", action="append", type=values.assignment, default=[],
+                       metavar="[GROUP.]FIELD=VALUE", help="any other field of a style, such as "
+                       "curvature.sets=1 or stipple.ink=#800000; may be repeated")  # fmt: skip
+
+
+def build() -> Parser:
+    """The whole grammar."""
+    parser = Parser(prog="hrbfnpr", description="Pen-and-ink drawings of surfaces given by points and normals.")
+    parser.add_argument("--version", action="version", version=f"hrbfnpr {__version__}")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    source = "PLY, XYZ, PWN, OBJ, STL, OFF, or a saved model"
+
+    draw = commands.add_parser("draw", help="draw a picture", description="Draw a picture.")
+    draw.add_argument("input", metavar="INPUT", help=f"{source} or point set")
+    draw.add_argument("output", metavar="OUTPUT", nargs="?", help="picture; INPUT's name with .png by default")
+    draw.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the same as an option")
+    draw.add_argument("--save-model", metavar="FILE", help="save the fitted model too")
+    draw.add_argument("--save-points", metavar="FILE", help="save the marks too")
+    for add in (_add_style, _add_camera, _add_marks, _add_fit, _add_input, _add_common):
+        add(draw)
+
+    fit = commands.add_parser("fit", help="fit a model and save it", description="Fit a model and save it.")
+    fit.add_argument("input", metavar="INPUT", help="PLY, XYZ, PWN, OBJ, STL or OFF")
+    fit.add_argument("output", metavar="OUTPUT", help="the model")
+    for add in (_add_fit, _add_input, _add_common):
+        add(fit)
+
+    points = commands.add_parser("points", help="place marks and save them", description="Place marks and save them.")
+    points.add_argument("input", metavar="INPUT", help=source)
+    points.add_argument("output", metavar="OUTPUT", help="the point set, or its marks as .ply")
+    for add in (_add_marks, _add_fit, _add_input, _add_common):
+        add(points)
+
+    info = commands.add_parser("info", help="tell about a file or the library", description="Tell about a file, or, "
+                               "without one, about the library.")  # fmt: skip
+    info.add_argument("input", metavar="FILE", nargs="?", help=f"{source} or point set")
+    info.add_argument("--json", action="store_true", help="as JSON")
+    _add_common(info)
+    return parser

@@ -1,0 +1,138 @@
+"""Values of command-line options."""
+from __future__ import annotations
+
+import argparse
+import math
+from typing import Callable, Dict, List, Optional, Tuple, Union
+
+from .._names import GROUPS, group_bits
+from .._style import Style, color
+
+Vector = Tuple[float, float, float]
+
+
+def _numbers(text: str, length: int) -> List[float]:
+    parts = text.split(",")
+    if len(parts) != length:
+        raise argparse.ArgumentTypeError(f"{length} numbers with commas between them are needed, not {text!r}")
+    return [number(part) for part in parts]
+
+
+def number(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"a number is needed, not {text!r}") from None
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"a finite number is needed, not {text!r}")
+    return value
+
+
+def count(low: int = 0, high: Optional[int] = None) -> Callable[[str], int]:
+    """A whole number in a range."""
+
+    def parse(text: str) -> int:
+        try:
+            value = int(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"a whole number is needed, not {text!r}") from None
+        if value < low or (high is not None and value > high):
+            bounds = f"at least {low}" if high is None else f"{low} to {high}"
+            raise argparse.ArgumentTypeError(f"the number must be {bounds}, not {value}")
+        return value
+
+    return parse
+
+
+def vector(text: str) -> Vector:
+    x, y, z = _numbers(text, 3)
+    return x, y, z
+
+
+def direction(text: str) -> Vector:
+    """x, y or z, with a sign or not, or three numbers."""
+    axis, sign = text.lstrip("+-"), -1.0 if text.startswith("-") else 1.0
+    if axis in ("x", "y", "z"):
+        x, y, z = (sign if name == axis else 0.0 for name in "xyz")
+        return x, y, z
+    result = vector(text)
+    if not any(result):
+        raise argparse.ArgumentTypeError("a direction must not be 0,0,0")
+    return result
+
+
+def interval(text: str) -> Tuple[float, float]:
+    low, high = _numbers(text, 2)
+    if not 0 < low < high:
+        raise argparse.ArgumentTypeError(f"0 < MIN < MAX is needed, not {text!r}")
+    return low, high
+
+
+def size(text: str) -> Union[int, Tuple[int, int]]:
+    """WxH, or the longer side alone."""
+    parts = text.lower().split("x")
+    if len(parts) > 2:
+        raise argparse.ArgumentTypeError(f"WIDTHxHEIGHT or one number is needed, not {text!r}")
+    pixels = [count(1, 32768)(part) for part in parts]
+    return pixels[0] if len(pixels) == 1 else (pixels[0], pixels[1])
+
+
+def paint(text: str) -> Tuple[float, float, float, float]:
+    """#rrggbb, #rrggbbaa, or numbers in [0, 1] with commas between them."""
+    try:
+        return color("colour", tuple(number(part) for part in text.split(",")) if "," in text else text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def groups(text: str) -> Tuple[str, ...]:
+    names = tuple(name for name in text.split(",") if name)
+    try:
+        group_bits(names)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    return names
+
+
+def per_group(text: str) -> Dict[str, int]:
+    """One number for all groups, or GROUP=NUMBER with commas between them."""
+    if "=" not in text:
+        return {name: count()(text) for name in GROUPS}
+    result = {}
+    for part in text.split(","):
+        name, _, value = part.partition("=")
+        groups(name)
+        result[name] = count()(value)
+    return result
+
+
+def assignment(text: str) -> Tuple[str, str, str]:
+    """FIELD=VALUE or GROUP.FIELD=VALUE, as group (or ""), field and value."""
+    name, equals, value = text.partition("=")
+    group, _, field = name.rpartition(".")
+    if not equals or (group and group not in GROUPS):
+        raise argparse.ArgumentTypeError(f"FIELD=VALUE or GROUP.FIELD=VALUE is needed, not {text!r}")
+    owner = getattr(Style(), group) if group else Style()
+    if field not in owner.fields():
+        raise argparse.ArgumentTypeError(f"there is no field {name!r}; there are {', '.join(owner.fields())}")
+    return group, field, value
+
+
+def assign(style: Style, group: str, field: str, text: str) -> None:
+    """Set a field of a style from text, by the type of its present value."""
+    owner = getattr(style, group) if group else style
+    present = getattr(owner, field)
+    if isinstance(present, bool):
+        if text.lower() not in ("0", "1", "true", "false"):
+            raise ValueError(f"{field} must be true or false, not {text!r}")
+        setattr(owner, field, text.lower() in ("1", "true"))
+    elif isinstance(present, (int, float)):
+        setattr(owner, field, type(present)(number(text)))
+    elif field.endswith("groups"):
+        setattr(owner, field, groups(text))
+    elif field == "light":
+        setattr(owner, field, direction(text))
+    elif isinstance(present, tuple):
+        setattr(owner, field, paint(text))
+    else:
+        setattr(owner, field, text)

@@ -1,0 +1,137 @@
+"""The declarations in Python are those of the header."""
+import importlib.util
+import shutil
+import subprocess
+
+import pytest
+from conftest import PACKAGE, ROOT
+
+from hrbfnpr._cffi import ffi
+
+
+def load_generator():
+    spec = importlib.util.spec_from_file_location("make_cffi", PACKAGE / "make_cffi.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_committed_module_is_fresh():
+    pytest.importorskip("pycparser")
+    generator = load_generator()
+    wanted = generator.generate(generator.HEADER.read_text())
+    assert generator.MODULE.read_text() == wanted, "run bindings/python/make_cffi.py"
+
+
+def test_declarations_hold_every_function_of_the_header():
+    generator = load_generator()
+    header = generator.HEADER.read_text()
+    assert generator.declarations(header).count("(") >= header.count("HRBFNPR_API hrbfnpr_status")
+    assert "#" not in generator.declarations(header)
+
+
+def constants():
+    import re
+
+    text = load_generator().declarations((ROOT / "include" / "hrbfnpr.h").read_text())
+    return sorted(set(re.findall(r"\b(HRBFNPR_[A-Z0-9_]+) =", text)))
+
+
+def layout_program():
+    """A C program that prints what the compiler makes of each struct and constant."""
+    lines = ["#include <hrbfnpr.h>", "#include <stddef.h>", "#include <stdio.h>", "int main(void) {"]
+    for name in ffi.list_types()[0]:
+        if ffi.typeof(name).kind != "struct" or ffi.typeof(name).fields is None:
+            continue
+        lines.append(f'printf("{name} %d\\n", (int)sizeof({name}));')
+        for field, _ in ffi.typeof(name).fields:
+            lines.append(f'printf("{name}.{field} %d\\n", (int)offsetof({name}, {field}));')
+    for name in constants():
+        lines.append(f'printf("{name} %d\\n", (int){name});')
+    return "\n".join([*lines, "return 0; }"])
+
+
+def test_layouts_and_constants_are_the_compilers(tmp_path):
+    compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+    if compiler is None:
+        pytest.skip("no C compiler")
+    source, program = tmp_path / "layout.c", tmp_path / "layout"
+    source.write_text(layout_program())
+    subprocess.run([compiler, f"-I{ROOT / 'include'}", "-o", program, source], check=True)
+    lines = subprocess.run([program], check=True, capture_output=True, text=True).stdout.splitlines()
+    assert len(lines) > 300
+    for line in lines:
+        name, value = line.split()
+        if name.startswith("HRBFNPR_"):
+            ours = ffi.integer_const(name)
+        elif "." in name:
+            struct, field = name.split(".")
+            ours = ffi.offsetof(struct, field)
+        else:
+            ours = ffi.sizeof(name)
+        assert ours == int(value), name
+
+
+def test_every_declared_function_is_in_the_library():
+    import re
+
+    import hrbfnpr._library as library
+
+    text = load_generator().declarations((ROOT / "include" / "hrbfnpr.h").read_text())
+    names = re.findall(r"^[^;{}()]*?\b(hrbfnpr_\w+)\(", text, flags=re.MULTILINE)
+    assert len(names) > 60
+    for name in names:
+        assert getattr(library.lib, name), name
+
+
+def test_dataclasses_hold_every_field_of_their_structs():
+    import dataclasses
+
+    import hrbfnpr
+
+    pairs = {
+        "hrbfnpr_context_info": hrbfnpr.ContextInfo,
+        "hrbfnpr_model_info": hrbfnpr.ModelInfo,
+        "hrbfnpr_point_set_info": hrbfnpr.PointSetInfo,
+        "hrbfnpr_group_info": hrbfnpr.GroupInfo,
+        "hrbfnpr_level_info": hrbfnpr.LevelInfo,
+        "hrbfnpr_frame_info": hrbfnpr.FrameInfo,
+    }
+    for struct, kind in pairs.items():
+        theirs = {name for name, _ in ffi.typeof(struct).fields} - {"struct_size", "reserved"}
+        assert {field.name for field in dataclasses.fields(kind)} == theirs, struct
+
+
+def test_style_has_every_field_of_its_struct():
+    import hrbfnpr
+
+    groups = {name for name, _ in ffi.typeof("hrbfnpr_group_style").fields}
+    assert set(hrbfnpr.GroupStyle.fields()) == groups
+    theirs = {name for name, _ in ffi.typeof("hrbfnpr_style").fields}
+    theirs -= {"struct_size", "reserved", "tone_function", "tone_user", "group"}
+    assert {*hrbfnpr.Style.fields(), "tone"} == theirs
+
+
+@pytest.mark.parametrize(
+    "function, struct",
+    [
+        ("Model.fit", "hrbfnpr_fit_desc"),
+        ("Model.project", "hrbfnpr_project_desc"),
+        ("PointSet.generate", "hrbfnpr_generate_desc"),
+    ],
+)
+def test_default_arguments_are_the_librarys(function, struct):
+    import inspect
+
+    import hrbfnpr
+    from hrbfnpr._errors import new_struct
+
+    kind, method = function.split(".")
+    desc = new_struct(struct)
+    checked = 0
+    for name, parameter in inspect.signature(getattr(getattr(hrbfnpr, kind), method)).parameters.items():
+        value = getattr(desc, name, None)
+        if isinstance(parameter.default, (int, float)) and isinstance(value, (int, float)):
+            assert parameter.default == value, name
+            checked += 1
+    assert checked >= 4

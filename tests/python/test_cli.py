@@ -1,0 +1,328 @@
+"""The command line, end to end."""
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from conftest import PACKAGE, torus
+from test_shapes import CUBE, QUADS, stl, write
+
+import hrbfnpr
+from hrbfnpr.cli import main
+
+Image = pytest.importorskip("PIL.Image")
+
+QUICK = ["--size", "120", "--marks", "1500", "--samples", "60", "--quiet"]
+
+
+def rows(table):
+    return "".join(" ".join(f"{x:.6f}" for x in row) + "\n" for row in table)
+
+
+@pytest.fixture
+def files(tmp_path):
+    """One small file of each kind."""
+    points, normals = torus(12, 6)
+    both = np.hstack([points, normals])
+    header = "ply\nformat binary_little_endian 1.0\nelement vertex 72\n"
+    header += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz")) + "end_header\n"
+    cube = "".join(f"v {x} {y} {z}\n" for x, y, z in CUBE)
+    faces = "".join("f " + " ".join(str(i + 1) for i in quad) + "\n" for quad in QUADS)
+    off = "OFF\n8 6 0\n" + rows(CUBE) + "".join("4 " + " ".join(map(str, quad)) + "\n" for quad in QUADS)
+    return {
+        "ply": write(tmp_path, "a.ply", header.encode() + both.astype("<f4").tobytes()),
+        "xyz": write(tmp_path, "a.xyz", rows(both)),
+        "pwn": write(tmp_path, "a.pwn", "72\n" + rows(points) + rows(normals)),
+        "obj": write(tmp_path, "a.obj", cube + faces),
+        "stl": write(tmp_path, "a.stl", stl(binary=True)),
+        "off": write(tmp_path, "a.off", off),
+    }
+
+
+def ink(path):
+    """Share of dark pixels."""
+    return (np.asarray(Image.open(path).convert("L")) < 128).mean()
+
+
+@pytest.mark.parametrize("kind", ["ply", "xyz", "pwn", "obj", "stl", "off"])
+def test_draw_every_kind(files, tmp_path, kind, capsys):
+    if kind == "stl":
+        pytest.importorskip("meshio")
+    output = tmp_path / "out.png"
+    assert main(["draw", str(files[kind]), str(output), *QUICK]) == 0
+    assert max(Image.open(output).size) == 120
+    assert 0.01 < ink(output) < 0.9
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("style", hrbfnpr.PRESETS)
+def test_every_style(files, tmp_path, style):
+    output = tmp_path / "out.png"
+    assert main(["draw", str(files["ply"]), "-o", str(output), "--style", style, *QUICK]) == 0
+    assert 0.002 < ink(output) < 0.95
+
+
+def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["draw", str(files["xyz"]), "--size", "100x80", "--marks", "500", "--samples", "50"]) == 0
+    out, err = capsys.readouterr()
+    assert out.startswith("a.png: 100 x 80 pixels, ") and err == ""
+    assert Image.open("a.png").size == (100, 80)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--kernel", "gaussian", "--kernel-radius", "0.5", "--degree", "0"],
+        ["--kernel", "wendland-c2", "--regularization", "0.01", "--solver", "direct", "--refinement-steps", "1"],
+        ["--distribution", "paper", "--seeds", "box", "--box-resolution", "6", "--box-jitter", "0.1"],
+        ["--distribution", "paper", "--levels", "stipple=2,curvature=1", "--groups", "stipple,curvature"],
+        ["--distribution", "paper", "--stroke-seeds", "stipples", "--seed-level", "1", "--style", "combing"],
+        ["--step", "0.2", "--levels", "2", "--style", "hatch", "--projection-tolerance", "1e-6"],
+        ["--seed-points", "{xyz}", "--distribution", "paper", "--levels", "1"],
+        ["--marks", "stipple=800", "--random-seed", "9", "--curvature-of", "stipple,combing"],
+        ["--direction", "-1,-1,-0.5", "--up", "-z", "--fov", "0", "--margin", "0.2"],
+        ["--azimuth", "-45", "--elevation", "60", "--up", "z", "--fov", "60"],
+        ["--eye", "3,2,3", "--target", "0,0,0", "--fov", "40"],
+        ["--eye", "-3,2,3", "--fov", "0"],
+        ["--light", "-1,0,0", "--light-space", "world", "--tone-exponent", "2", "--tone-rule", "paper"],
+        ["--tone", "none", "--share", "0.5", "--mark-radius", "0.6", "--ink", "#203040", "--paper", "1,0.9,0.8"],
+        ["--hidden-lines", "hide", "--delta", "0.3", "--halo", "4", "--cover-radius", "3", "--cover-layers", "0"],
+        ["--attenuation-front", "0.5", "--attenuation-back", "0.2", "--style", "silhouette"],
+        ["--depth-range", "2,9", "--zoom-reference", "50", "--zoom-exponent", "1"],
+        ["--silhouette-ink", "#ff0000", "--silhouette-radius", "2", "--silhouette-groups", "stipple"],
+        ["--set", "stipple.radius=2", "--set", "stipple.shown=true", "--set", "curvature.sets=1", "--set", "tone=none"],
+        ["--set", "light=y", "--set", "stipple.ink=#ff0000", "--set", "silhouette_groups=stipple"],
+        ["--crease", "30", "--flip", "--threads", "1", "--max-centres", "100"],
+    ],
+)  # fmt: skip
+def test_every_option(files, tmp_path, options, capsys):
+    options = [word.format(**files) for word in options]
+    output = tmp_path / "out.png"
+    code = main(["draw", str(files["xyz"]), str(output), *QUICK, *options])
+    if options[:2] == ["--set", "stipple.radius=2"]:  # "tone" is no plain field
+        assert code == 2
+        return
+    assert code == 0, capsys.readouterr().err
+    assert ink(output) > 0.0005
+
+
+def test_the_same_picture_at_any_number_of_threads(files, tmp_path):
+    for threads in ("1", "3"):
+        assert main(["draw", str(files["ply"]), str(tmp_path / f"{threads}.png"), *QUICK, "--threads", threads]) == 0
+    assert (tmp_path / "1.png").read_bytes() == (tmp_path / "3.png").read_bytes()
+
+
+def test_transparent_paper_and_other_formats(files, tmp_path):
+    output = tmp_path / "out.png"
+    assert main(["draw", str(files["ply"]), str(output), *QUICK, "--transparent"]) == 0
+    alpha = np.asarray(Image.open(output))[..., 3]
+    assert alpha[0, 0] == 0 and alpha.max() == 255
+    assert main(["draw", str(files["ply"]), str(tmp_path / "out.tif"), *QUICK]) == 0
+    assert Image.open(tmp_path / "out.tif").format == "TIFF"
+
+
+def test_fit_points_draw_and_info(files, tmp_path, capsys):
+    model, marks, ply = (str(tmp_path / name) for name in ("m.hrbf", "m.hrbp", "m.ply"))
+    assert main(["fit", str(files["xyz"]), model]) == 0
+    assert "72 centres" in capsys.readouterr().out
+    assert main(["points", model, marks, "--groups", "stipple,combing", "--marks", "900", "--levels", "2"]) == 0
+    assert "marks" in capsys.readouterr().out
+    assert main(["points", model, ply, "--marks", "900", "-q"]) == 0
+    saved = hrbfnpr.PointSet.load(marks)
+    assert saved.groups == ("stipple", "combing")
+    exported = hrbfnpr.shapes.read(ply)
+    assert len(exported.points) == saved.info.group["stipple"].count and exported.normals is not None
+    first, second = str(tmp_path / "1.png"), str(tmp_path / "2.png")
+    again = str(tmp_path / "again.hrbp")
+    assert main(["draw", model, first, *QUICK, "--save-points", again, "--save-model", model + "2"]) == 0
+    assert main(["draw", again, second, *QUICK]) == 0
+    assert ink(second) > 0.01 and os.path.exists(model + "2")
+    capsys.readouterr()
+    for path, kind in ((model, "model"), (marks, "point set"), (ply, "points"), (str(files["obj"]), "mesh")):
+        assert main(["info", path]) == 0
+        assert f"kind: {kind}" in capsys.readouterr().out
+        assert main(["info", path, "--json"]) == 0
+        assert json.loads(capsys.readouterr().out)["kind"] == kind
+    assert main(["info"]) == 0
+    assert f"version: {hrbfnpr.__version__}" in capsys.readouterr().out
+    assert main(["info", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["thread_count"] >= 1
+
+
+def test_large_point_sets_are_thinned(tmp_path, capsys):
+    points = np.random.default_rng(1).normal(size=(5000, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    path = write(tmp_path, "big.xyz", rows(np.hstack([points, points])))
+    assert main(["fit", str(path), str(tmp_path / "m"), "--samples", "30"]) == 0
+    assert "30 centres" in capsys.readouterr().out
+    from hrbfnpr.cli import _inputs
+
+    assert _inputs.MOST_SAMPLES == 4096
+
+
+def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
+    points, normals = torus(12, 6)
+    normals[3] = 0
+    path = write(tmp_path, "a.xyz", rows(np.hstack([points, normals])))
+    assert main(["fit", str(path), str(tmp_path / "m")]) == 0
+    out, err = capsys.readouterr()
+    assert "71 centres" in out and err == "hrbfnpr: note: 1 points without a usable position or normal are left out\n"
+
+
+# --- failures ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "arguments, code, words",
+    [
+        ([], 2, "COMMAND"),
+        (["paint"], 2, "invalid choice: 'paint'"),
+        (["draw"], 2, "INPUT"),
+        (["draw", "{xyz}", "--style", "cubist"], 2, "cubist"),
+        (["draw", "{xyz}", "--size", "0x10"], 2, "at least 1|1 to 32768"),
+        (["draw", "{xyz}", "--size", "99999"], 2, "1 to 32768"),
+        (["draw", "{xyz}", "--size", "1x2x3"], 2, "WIDTHxHEIGHT"),
+        (["draw", "{xyz}", "--samples", "many"], 2, "whole number"),
+        (["draw", "{xyz}", "--samples", "0"], 2, "at least 1"),
+        (["draw", "{xyz}", "--light", "1,2"], 2, "3 numbers"),
+        (["draw", "{xyz}", "--light", "0,0,0"], 2, "0,0,0"),
+        (["draw", "{xyz}", "--up", "up"], 2, "3 numbers"),
+        (["draw", "{xyz}", "--ink", "blue"], 2, "#rrggbb"),
+        (["draw", "{xyz}", "--depth-range", "5,1"], 2, "MIN < MAX"),
+        (["draw", "{xyz}", "--marks", "dots=3"], 2, "groups must be one of"),
+        (["draw", "{xyz}", "--kernel-radius", "nan"], 2, "finite"),
+        (["draw", "{xyz}", "--set", "colour=3"], 2, "no field 'colour'"),
+        (["draw", "{xyz}", "--set", "radius"], 2, "FIELD=VALUE"),
+        (["draw", "{xyz}", "--set", "tone_exponent=x"], 1, "number is needed"),
+        (["draw", "{xyz}", "--set", "stipple.shown=maybe"], 1, "true or false"),
+        (["draw", "{xyz}", "--degree", "-2"], 2, "-1 to 3"),
+        (["draw", "{xyz}", "--unknown"], 2, "unrecognized"),
+        (["draw", "missing.xyz"], 1, "missing.xyz: No such file"),
+        (["draw", "."], 1, "directory"),
+        (["draw", "{xyz}", "/nowhere/out.png"], 1, "No such file"),
+        (["draw", "{xyz}", "out.bmpx"], 1, "no picture format"),
+        (["draw", "{xyz}", "--box-jitter", "0.9"], 1, "box_jitter"),
+        (["draw", "{xyz}", "--tone-exponent", "-1"], 1, "tone_exponent"),
+        (["draw", "{xyz}", "--direction", "0,1,0"], 1, "up"),
+        (["draw", "{xyz}", "--max-centres", "5", "--samples", "9"], 1, "maximum_centres"),
+        (["draw", "bad.xyz"], 1, "bad.xyz: a line must hold"),
+        (["draw", "bad.ply"], 1, "bad.ply: not a PLY"),
+        (["draw", "bad.hrbf"], 1, "bad.hrbf: "),
+        (["draw", "flat.xyz"], 1, "no normals"),
+        (["draw", "bad.stl"], 1, "bad.stl: "),
+        (["fit", "bad.xyz", "out"], 1, "bad.xyz"),
+        (["fit", "{xyz}"], 2, "OUTPUT"),
+        (["points", "marks.hrbp", "out"], 2, "point set already"),
+        (["fit", "marks.hrbp", "out"], 2, "holds a point set"),
+        (["info", "bad.ply"], 1, "bad.ply"),
+        (["info", "missing"], 1, "missing: No such file"),
+    ],
+)
+def test_bad_command_lines(files, marks, tmp_path, monkeypatch, capsys, arguments, code, words):
+    import re
+
+    monkeypatch.chdir(tmp_path)
+    write(tmp_path, "bad.xyz", "1 2 3 4\n")
+    write(tmp_path, "bad.ply", "nothing")
+    write(tmp_path, "bad.hrbf", b"\x89HRB\r\n\x1a\n" + bytes(100))
+    write(tmp_path, "bad.stl", b"")
+    write(tmp_path, "flat.xyz", "1 2 3\n4 5 6\n")
+    marks.save(tmp_path / "marks.hrbp")
+    before = sorted(tmp_path.iterdir())
+    quick = ["--marks", "100", "--size", "50"] if arguments[:1] == ["draw"] else []
+    given = [word.format(**files) for word in arguments]
+    given[2:2] = [word for word in quick if "--marks" not in arguments and "--size" not in arguments]
+    if arguments[:1] == ["draw"] and len(arguments) > 2 and not arguments[2].startswith("-"):
+        given = [*[word.format(**files) for word in arguments], *quick]
+    assert main(given) == code
+    out, err = capsys.readouterr()
+    assert out == "" and err.startswith("hrbfnpr: error: ") and err.count("\n") == 1, err
+    assert re.search(words, err), err
+    assert sorted(tmp_path.iterdir()) == before  # nothing is left behind
+
+
+def test_help_and_version(capsys):
+    for command in ([], ["draw"], ["fit"], ["points"], ["info"]):
+        assert main([*command, "--help"]) == 0
+        assert "usage: hrbfnpr" in capsys.readouterr().out
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"hrbfnpr {hrbfnpr.__version__}\n"
+
+
+def test_an_output_that_fails_is_not_half_written(files, tmp_path, monkeypatch):
+    from PIL import Image as pil
+
+    output = tmp_path / "out.png"
+    output.write_bytes(b"the picture of before")
+
+    def fail(self, file, format):
+        file.write(b"half")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(pil.Image, "save", fail)
+    assert main(["draw", str(files["xyz"]), str(output), *QUICK]) == 1
+    assert output.read_bytes() == b"the picture of before"
+    assert not [path for path in tmp_path.iterdir() if path.name.startswith(".")]
+
+
+def process(*arguments, **options):
+    return subprocess.Popen(
+        [sys.executable, "-m", "hrbfnpr", *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(PACKAGE)},
+        **options,
+    )
+
+
+def test_the_module_runs_as_a_program(files, tmp_path):
+    with process("draw", str(files["ply"]), str(tmp_path / "out.png"), *QUICK[:-1]) as run:
+        out, err = run.communicate(timeout=60)
+    assert (run.returncode, err) == (0, "") and "out.png: 120 x" in out
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_ctrl_c(tmp_path):
+    import signal
+    import time
+
+    points = np.random.default_rng(1).normal(size=(3500, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    path = write(tmp_path, "big.xyz", rows(np.hstack([points, points])))
+    output = tmp_path / "out.png"
+    with process("draw", str(path), str(output)) as run:
+        time.sleep(2.0)
+        run.send_signal(signal.SIGINT)
+        out, err = run.communicate(timeout=60)
+    assert (run.returncode, out, err) == (130, "", "hrbfnpr: error: interrupted\n")
+    assert not output.exists()
+
+
+def test_progress_bars_are_for_terminals(files, tmp_path):
+    pytest.importorskip("tqdm")
+    pty = pytest.importorskip("pty")
+    reader, writer = pty.openpty()
+    run = subprocess.Popen(
+        [sys.executable, "-m", "hrbfnpr", "draw", str(files["ply"]), str(tmp_path / "o.png"), *QUICK[:-1]],
+        stdout=subprocess.PIPE,
+        stderr=writer,
+        env={**os.environ, "PYTHONPATH": str(PACKAGE)},
+    )
+    os.close(writer)
+    text = b""
+    while True:
+        try:
+            part = os.read(reader, 4096)
+        except OSError:
+            break
+        if not part:
+            break
+        text += part
+    os.close(reader)
+    run.communicate(timeout=60)
+    for stage in (b"fitting", b"placing marks", b"drawing", b"100%"):
+        assert stage in text

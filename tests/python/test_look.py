@@ -1,0 +1,157 @@
+"""Cameras and styles."""
+import copy
+import math
+import pickle
+
+import numpy as np
+import pytest
+
+import hrbfnpr
+
+BOX = ((-1, -2, -3), (1, 2, 3))
+
+
+def project(camera, point):
+    """Pixel x, y and clip w of a world point, by the matrices."""
+    clip = camera.projection @ camera.view @ np.append(point, 1.0)
+    x, y, width, height = camera.viewport
+    return x + (clip[0] / clip[3] + 1) / 2 * width, y + (1 - clip[1] / clip[3]) / 2 * height, clip[3]
+
+
+def test_look_at_and_perspective():
+    camera = hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0)).perspective(math.radians(90), (200, 100), 0.1, 10)
+    np.testing.assert_allclose(camera.view @ [0, 0, 5, 1], [0, 0, 0, 1], atol=1e-12)
+    np.testing.assert_allclose(project(camera, (0, 0, 0)), (100, 50, 5))
+    np.testing.assert_allclose(project(camera, (5, 5, 0))[:2], (150, 0), atol=1e-9)
+    assert camera.size == (200, 100) and camera.viewport == (0, 0, 200, 100)
+    assert camera.view.shape == (4, 4) and "200x100" in repr(camera)
+
+
+def test_orthographic():
+    camera = hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0)).orthographic(4, (400, 400), 0, 10)
+    np.testing.assert_allclose(project(camera, (1, 1, 0)), (300, 100, 1))
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.6])
+def test_fit_sees_the_whole_box(angle):
+    camera = hrbfnpr.Camera.fit(BOX, (1, -1, -2), size=(300, 500), vertical_angle=angle, margin=0.1)
+    corners = [(x, y, z) for x in (-1, 1) for y in (-2, 2) for z in (-3, 3)]
+    pixels = np.array([project(camera, corner)[:2] for corner in corners])
+    share = pixels / (300, 500)
+    assert share.min() > 0.0999 and share.max() < 0.9001
+    assert max(np.ptp(share[:, 0]), np.ptp(share[:, 1])) > 0.7
+
+
+def test_cameras_are_values(ring):
+    bare = hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0))
+    camera = bare.perspective(1.0, (20, 10), 0.1, 10)
+    assert bare != camera and bare.size == (0, 0)
+    same = hrbfnpr.Camera(camera.view, camera.projection, camera.viewport, camera.depth_convention)
+    assert same == camera and hash(same) == hash(camera) and camera != 3
+    for other in (pickle.loads(pickle.dumps(camera)), copy.copy(camera), copy.deepcopy(camera)):
+        assert other == camera
+    assert hrbfnpr.Camera(camera.view.T.copy().T, camera.projection.tolist(), camera.viewport) == camera
+    assert hrbfnpr.Camera.fit(ring) == hrbfnpr.Camera.fit(ring.bounds)
+    assert hrbfnpr.Camera(depth_convention="reversed").depth_convention == "reversed"
+
+
+@pytest.mark.parametrize(
+    "make, words",
+    [
+        (lambda: hrbfnpr.Camera.look_at((0, 0, 0), (0, 0, 0)), "eye"),
+        (lambda: hrbfnpr.Camera.look_at((0, 1, 0), (0, 0, 0)), "up"),
+        (lambda: hrbfnpr.Camera.look_at((0, 1), (0, 0, 0)), "eye must be 3 numbers"),
+        (lambda: hrbfnpr.Camera().perspective(4.0, (1, 1), 0.1, 1), "vertical_angle"),
+        (lambda: hrbfnpr.Camera().perspective(1.0, (1, 1), 1, 0.1), "near_plane"),
+        (lambda: hrbfnpr.Camera.fit(BOX, margin=0.5), "margin"),
+        (lambda: hrbfnpr.Camera.fit(BOX, direction=(0, 0, 0)), "direction"),
+        (lambda: hrbfnpr.Camera(view=np.eye(3)), "view must be a 4 x 4 matrix"),
+        (lambda: hrbfnpr.Camera(depth_convention="odd"), "depth_convention"),
+    ],
+)
+def test_bad_cameras(make, words):
+    with pytest.raises(ValueError, match=words):
+        make()
+
+
+def test_presets():
+    assert hrbfnpr.PRESETS == (
+        "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full",
+    )  # fmt: skip
+    for name in hrbfnpr.PRESETS:
+        style = hrbfnpr.Style(name)
+        assert style.preset == name and style.groups
+        assert style == hrbfnpr.Style(name)
+    assert "curvature" in hrbfnpr.Style("hatch").groups and "combing" in hrbfnpr.Style("combing").groups
+    assert hrbfnpr.Style("xray").hidden_lines == "show"
+    assert hrbfnpr.Style().preset is None and hrbfnpr.Style().tone == "light"
+    with pytest.raises(ValueError, match="preset must be one of 'stipple'"):
+        hrbfnpr.Style("watercolour")
+
+
+def test_every_field_can_be_read_and_written():
+    style = hrbfnpr.Style()
+    for name in style.fields():
+        value = getattr(style, name)
+        setattr(style, name, value)
+        assert getattr(style, name) == value, name
+    for name in ("silhouette_threshold", "tone_exponent", "halo_width", "zoom_reference"):
+        setattr(style, name, 0.75)
+        assert getattr(style, name) == 0.75
+    style.hidden_lines = "hide"
+    style.light = (1, 2, 3)
+    style.silhouette_groups = ("curvature",)
+    style.paper = "#ff000080"
+    assert (style.hidden_lines, style.light, style.silhouette_groups) == ("hide", (1, 2, 3), ("curvature",))
+    np.testing.assert_allclose(style.paper, (1, 0, 0, 128 / 255), atol=1e-6)
+
+
+def test_groups_of_a_style():
+    style = hrbfnpr.Style("hatch", curvature={"radius": 2.5, "ink": (0.1, 0.2, 0.3)}, tone_exponent=3)
+    assert style.curvature.radius == 2.5 and style.tone_exponent == 3
+    np.testing.assert_allclose(style.curvature.ink, (0.1, 0.2, 0.3, 1), atol=1e-6)
+    group = style.stipple
+    group.shown, group.share, group.sets = True, 0.5, 1
+    assert style.stipple.shown is True and style.stipple.share == 0.5 and "share=0.5" in repr(group)
+    del style
+    assert group.share == 0.5  # the group keeps its style's memory
+    style = hrbfnpr.Style(ink="#102030")
+    assert style.stipple.ink == style.silhouette_ink == style.combing.ink
+
+
+@pytest.mark.parametrize(
+    "change, kind",
+    [
+        (lambda s: setattr(s, "halo", 3), AttributeError),
+        (lambda s: setattr(s.stipple, "colour", "#000000"), AttributeError),
+        (lambda s: setattr(s, "paper", "white"), ValueError),
+        (lambda s: setattr(s, "paper", (1, 1)), ValueError),
+        (lambda s: setattr(s, "light", (1, 1)), ValueError),
+        (lambda s: setattr(s, "tone", "callback"), ValueError),
+        (lambda s: setattr(s, "tone", "dark"), ValueError),
+        (lambda s: setattr(s, "hidden_lines", "no"), ValueError),
+        (lambda s: setattr(s, "halo_width", "wide"), ValueError),
+        (lambda s: s.update(halo=3), TypeError),
+        (lambda s: hrbfnpr.Style("stipple", hallo=3), TypeError),
+        (lambda s: s.update(stipple={"colour": 3}), AttributeError),
+    ],
+)
+def test_bad_styles(change, kind):
+    with pytest.raises(kind):
+        change(hrbfnpr.Style())
+
+
+def tone(positions, normals):
+    return np.zeros(len(positions))
+
+
+def test_styles_can_be_copied():
+    style = hrbfnpr.Style("full", halo_width=7, stipple={"radius": 3}, tone=tone)
+    others = [copy.copy(style), copy.deepcopy(style), pickle.loads(pickle.dumps(style)), style.copy()]
+    for other in others:
+        assert other == style and other is not style
+        other.halo_width = 1
+        assert style.halo_width == 7 and other != style
+        assert other.groups == style.groups and other.tone is tone
+    assert style.copy(halo_width=2).halo_width == 2
+    assert "halo_width=7.0" in repr(style) and repr(style).startswith("Style('full'")

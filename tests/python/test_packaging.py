@@ -1,0 +1,73 @@
+"""The wheel, and the types."""
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+
+import pytest
+from conftest import PACKAGE, ROOT
+
+import hrbfnpr
+
+
+def test_a_wheel_with_the_library_inside(tmp_path):
+    for module in ("setuptools", "wheel", "pip"):
+        pytest.importorskip(module)
+    if not os.path.isfile(hrbfnpr.library_path):
+        pytest.skip("the library is the system's")
+    # A copy, so that no build folder is left in the checkout.
+    copy = tmp_path / "tree" / "bindings" / "python"
+    shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
+    (tmp_path / "tree" / "include").mkdir()
+    shutil.copy(ROOT / "include" / "hrbfnpr.h", tmp_path / "tree" / "include")
+    environment = {**os.environ, "HRBFNPR_LIBRARY": hrbfnpr.library_path, "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+    options = ["--no-build-isolation", "--no-deps", "--no-index", "-q", "-w", str(tmp_path)]
+    run = subprocess.run(
+        [sys.executable, "-m", "pip", "wheel", *options, str(copy)], env=environment, capture_output=True, text=True
+    )
+    assert run.returncode == 0, run.stderr + run.stdout
+    (wheel,) = tmp_path.glob("*.whl")
+    name, version, python, abi, platform = wheel.stem.split("-")
+    assert (name, version, python, abi) == ("hrbfnpr", hrbfnpr.__version__, "py3", "none")
+    assert platform != "any"
+    place = tmp_path / "place"
+    with zipfile.ZipFile(wheel) as archive:
+        names = archive.namelist()
+        archive.extractall(place)
+    assert "hrbfnpr/py.typed" in names and "hrbfnpr/cli/__init__.py" in names
+    assert any(name.startswith("hrbfnpr/libhrbfnpr.") for name in names)
+    environment.update(PYTHONPATH=str(place), HRBFNPR_LIBRARY="")
+    code = "import hrbfnpr; print(hrbfnpr.library_path); hrbfnpr.Model.fit([[0, 0, 0]], [[0, 0, 1]])"
+    run = subprocess.run(
+        [sys.executable, "-c", code], env=environment, cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert run.stdout.startswith(str(place))
+    entry_points = next(name for name in names if name.endswith("entry_points.txt"))
+    assert "hrbfnpr = hrbfnpr.cli:main" in (place / entry_points).read_text()
+
+
+def test_types():
+    mypy = shutil.which("mypy")
+    if mypy is None:
+        pytest.skip("mypy is not installed")
+    run = subprocess.run(
+        [mypy, "--cache-dir", os.devnull, "--python-version", "3.9"], cwd=PACKAGE, capture_output=True, text=True
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_everything_public_is_documented():
+    import inspect
+
+    for name in hrbfnpr.__all__:
+        value = getattr(hrbfnpr, name)
+        if not (inspect.isclass(value) or inspect.isfunction(value)):
+            continue
+        assert value.__doc__, name
+        if not inspect.isclass(value):
+            continue
+        for member, thing in vars(value).items():
+            if not member.startswith("_") and (inspect.isfunction(thing) or isinstance(thing, (property, classmethod))):
+                documented = getattr(value, member).__doc__ if not isinstance(thing, property) else thing.__doc__
+                assert documented or name == "Style", f"{name}.{member}"
