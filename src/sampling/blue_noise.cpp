@@ -10,9 +10,9 @@ namespace hrbfnpr::sampling {
 namespace {
 
 // Cells are never coarser than this part of the diagonal, so that they see the shape ...
-constexpr double coarsest_cells = 48.0;
-// ... nor finer than this, so that no budget asks for more cells than there is memory.
-constexpr double finest_cells = 2048.0;
+constexpr double coarsest_cells = 96.0;
+// ... nor finer than this, so that no budget asks for more cells than there is memory for.
+constexpr double finest_cells = 4096.0;
 // A cell's side in spacings of marks: the candidates' layer is then one spacing to each side.
 constexpr double cell_spacings = 2.0;
 constexpr std::int64_t candidates_per_mark = 6;
@@ -43,12 +43,18 @@ SurfaceCells cover_surface(const Site& site, const Seeds& seeds, const SampleHin
                            const base::Progress& progress) {
     const geometry::Bounds region = region_of(site, seeds, samples);
     const double diagonal = region.diagonal();
-    const double coarse = diagonal / coarsest_cells;
-    SurfaceCells cells = find_surface_cells(site, seeds.position, region, coarse, progress.part(0.0, 0.2));
-    const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(std::max<std::int64_t>(1, marks)));
-    const double side = std::clamp(cell_spacings * spacing, diagonal / finest_cells, coarse);
-    if (side > 0.8 * coarse) return cells;
-    return find_surface_cells(site, seeds.position, region, side, progress.part(0.2, 1.0));
+    SurfaceCells cells(site.memory());
+    // A small surface in a large box tells its area only by cells that are small to it: as long as the
+    // estimate asks for cells of less than half the side, they are found anew.
+    double side = diagonal / coarsest_cells;
+    for (int round = 0; round < 4; ++round) {
+        cells = find_surface_cells(site, seeds.position, region, side, progress.part(0.25 * round, 0.25 * (round + 1)));
+        const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(marks));
+        const double wanted = std::max(cell_spacings * spacing, diagonal / finest_cells);
+        if (wanted > 0.7 * side) break;
+        side = wanted;
+    }
+    return cells;
 }
 
 EvenMarks spread_evenly(const Site& site, const SurfaceCells& cells, std::int64_t wanted, Group group,

@@ -156,7 +156,7 @@ void Generation::blue_noise_strokes(const SurfaceCells& cells, Group group) {
     const double step = stroke_step(site_, seeds_, settings_);
     const EvenMarks even = spread_evenly(site_, cells, blue_noise_starts(group), group, progress.part(0.0, 0.4));
     const Start start{even.position, even.normal, even.position.size()};
-    grow_strokes(site_, start, {group, settings_.group[at(group)].levels, step, 0}, marks_[at(group)], report,
+    grow_strokes(site_, start, {group, settings_.group[at(group)].levels, step, 0, true}, marks_[at(group)], report,
                  progress.part(0.4, 1.0));
     area_ = std::max(area_, even.area);
     report.seconds = watch.seconds();

@@ -16,6 +16,10 @@ constexpr std::int32_t sets = 2;
 constexpr double unsure = 0.02;
 constexpr double sure = 0.10;
 
+// Cosine of the turn from which on two directions of the combing field belong to different regions: at
+// their borders it turns by 60 degrees and more, and inside one by far less from mark to mark.
+constexpr double largest_turn = 0.8;
+
 double smoothstep(double low, double high, double t) noexcept {
     t = std::clamp((t - low) / (high - low), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -99,7 +103,7 @@ glm::dvec3 Strokes::direction(std::int32_t set, const glm::dvec3& n, const surfa
     const glm::dvec3 onward = in_plane(before, n);
     if (glm::dot(onward, onward) < 0.5) return field;
     if (glm::dot(field, onward) < 0.0) field = -field;
-    if (!by_curvature()) return field;
+    if (!by_curvature()) return settings_.steady && glm::dot(field, onward) < largest_turn ? onward : field;
     const double weight = smoothstep(unsure, sure, c.confidence);
     return glm::normalize(weight * field + (1.0 - weight) * onward); // no more than 90 degrees apart
 }

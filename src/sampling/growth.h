@@ -18,6 +18,9 @@ struct GrowthSettings {
     std::int32_t levels = 0;
     double step = 0.0;       // rho_0
     std::int64_t budget = 0; // 0 = none
+    // COMBING: a stroke that enters another region of the field, where the directions jump, goes on
+    // straight.  As published it takes up the new direction, and breaks there.
+    bool steady = false;
 };
 
 // The x5 recursion.

@@ -54,18 +54,22 @@ void Flood::start(const geometry::VecArray& seeds) {
 }
 
 // A cell belongs if its centre is near enough to the surface, to first order, for some of its points
-// to be in the band.  A seed's own cell belongs in any case.
+// to be in the band; a seed's own cell belongs in any case.  The flood goes on only from cells that the
+// surface may pass through, so that it does not jump to a sheet a few cells away: a point of the band
+// has its nearest surface point at most one cell further (along each axis, 1/2 + 1/2 sqrt 3 + 1/2 < 2).
 void Flood::judge(std::int64_t i, bool first) {
     const double distance = field_.distance(i);
     const bool near = std::abs(distance) <= cells_.reach();
-    if (!near && !(first && i < seeded_)) return;
+    const bool seeded = first && i < seeded_;
+    if (!near && !seeded) return;
     SurfaceCell cell{front_[i], std::numeric_limits<double>::quiet_NaN(), glm::dvec3(0.0)};
     if (near) {
         cell.distance = distance;
         cell.normal = glm::normalize(field_.gradient[i]);
     }
     cells_.cell.push_back(cell);
-    for_neighbourhood(geometry::CellGrid::unpack(front_[i]), [&](const Cell& next) { offer(next, next_); });
+    if (seeded || std::abs(distance) <= cells_.half_diagonal())
+        for_neighbourhood(geometry::CellGrid::unpack(front_[i]), [&](const Cell& next) { offer(next, next_); });
 }
 
 void Flood::run(const base::Progress& progress) {
@@ -83,7 +87,7 @@ void Flood::run(const base::Progress& progress) {
 
 } // namespace
 
-double SurfaceCells::reach() const noexcept { return 0.5 * std::sqrt(3.0) * grid.side + band; }
+double SurfaceCells::half_diagonal() const noexcept { return 0.5 * std::sqrt(3.0) * grid.side; }
 
 SurfaceCells find_surface_cells(const Site& site, const geometry::VecArray& seeds, const geometry::Bounds& region,
                                 double side, const base::Progress& progress) {

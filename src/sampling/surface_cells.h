@@ -25,8 +25,9 @@ struct SurfaceCells {
     [[nodiscard]] double volume() const noexcept {
         return static_cast<double>(cell.size()) * grid.side * grid.side * grid.side;
     }
+    [[nodiscard]] double half_diagonal() const noexcept;
     // Half the thickness of the layer that the cells fill, to first order.
-    [[nodiscard]] double reach() const noexcept;
+    [[nodiscard]] double reach() const noexcept { return half_diagonal() + band; }
     // Area of the surface, within some 10 %: the layer's volume over its thickness.
     [[nodiscard]] double rough_area() const noexcept { return volume() / (2.0 * reach()); }
 };
