@@ -30,7 +30,8 @@ using Part = Eigen::Map<Eigen::Matrix<double, side, 1>, Eigen::Aligned64>;
 
 TiledCholesky::TiledCholesky(base::Memory& memory, std::int64_t size)
     : size_(size), tiles_(tiles_for(size)), tiles_data_(memory) {
-    tiles_data_.resize(tile_count() * side * side);
+    // Clearing gigabytes on one thread would take as long as assembling them on all.
+    tiles_data_.reserve(tile_count() * side * side);
 }
 
 std::int64_t TiledCholesky::bytes(std::int64_t size) noexcept {
@@ -93,10 +94,11 @@ void TiledCholesky::update(const base::Parallel& parallel, std::int64_t panel, c
     });
 }
 
-void TiledCholesky::solve(const base::Parallel& parallel, double* x) const {
+void TiledCholesky::solve(const base::Parallel& parallel, double* x, const base::Progress& progress) const {
     const auto part = [&](std::int64_t k) { return Part(x + k * side); };
     constexpr std::int64_t grain = 8; // tiles: enough work to be worth a thread
     for (std::int64_t k = 0; k < tiles_; ++k) {
+        progress.check();
         ConstTile(tile(k, k)).triangularView<Eigen::Lower>().solveInPlace(part(k));
         parallel.for_chunks(tiles_ - k - 1, grain, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = k + 1 + begin; i < k + 1 + end; ++i)
@@ -104,6 +106,7 @@ void TiledCholesky::solve(const base::Parallel& parallel, double* x) const {
         });
     }
     for (std::int64_t k = tiles_ - 1; k >= 0; --k) {
+        progress.check();
         ConstTile(tile(k, k)).transpose().triangularView<Eigen::Upper>().solveInPlace(part(k));
         parallel.for_chunks(k, grain, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t j = begin; j < end; ++j) part(j).noalias() -= ConstTile(tile(k, j)).transpose() * part(k);

@@ -15,8 +15,8 @@ public:
     // of samples (4 numbers each) are never cut.
     static constexpr std::int64_t side = 128;
 
-    // Zero.  Rows from `size` on, up to the next multiple of `side`, must be filled as the
-    // identity's.  Throws Error{out_of_memory}.
+    // Not cleared: every tile must be written whole, rows and columns from `size` on, up to the
+    // next multiple of `side`, as the identity's.  Throws Error{out_of_memory}.
     TiledCholesky(base::Memory& memory, std::int64_t size);
 
     // Bytes of the matrix, or -1 if they are beyond any memory.
@@ -44,7 +44,7 @@ public:
     // False if the matrix is not (numerically) positive definite.
     [[nodiscard]] bool factor(const base::Parallel& parallel, const base::Progress& progress);
     // x, padded() long with zeros from size() on, becomes the inverse times x.  After factor().
-    void solve(const base::Parallel& parallel, double* x) const;
+    void solve(const base::Parallel& parallel, double* x, const base::Progress& progress) const;
 
 private:
     [[nodiscard]] static std::int64_t offset(std::int64_t i, std::int64_t j) noexcept {

@@ -94,7 +94,8 @@ void DenseLu::update(std::int64_t begin, std::int64_t end, const base::Progress&
     });
 }
 
-void DenseLu::solve(double* x) const noexcept {
+void DenseLu::solve(double* x, const base::Progress& progress) const {
+    progress.check();
     for (std::int64_t k = 0; k < size_; ++k) std::swap(x[k], x[pivot_[k]]);
     const Eigen::Map<const Eigen::MatrixXd> lu(matrix_.data(), size_, size_);
     Vector map(x, size_);
@@ -102,9 +103,9 @@ void DenseLu::solve(double* x) const noexcept {
     lu.triangularView<Eigen::Upper>().solveInPlace(map);
 }
 
-double DenseLu::condition() const {
+double DenseLu::condition(const base::Progress& progress) const {
     base::Array<double> x(runtime_.memory, size_);
-    return norm_ * inverse_norm(size_, x.data(), [this](double* v) { solve(v); });
+    return norm_ * inverse_norm(size_, x.data(), [&](double* v) { solve(v, progress); });
 }
 
 } // namespace hrbfnpr::fit

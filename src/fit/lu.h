@@ -11,8 +11,9 @@ public:
     // Assembles and factors.  Throws Error{singular_system, out_of_memory, cancelled}.
     DenseLu(const base::Runtime& runtime, const HermiteSystem& system, const base::Progress& progress);
 
-    [[nodiscard]] double condition() const;
-    void solve(double* x) const noexcept; // x, unknowns() long, becomes the inverse times x
+    // They look for a cancel only.
+    [[nodiscard]] double condition(const base::Progress& progress) const;
+    void solve(double* x, const base::Progress& progress) const; // x, unknowns() long, becomes the inverse times x
 
 private:
     void assemble(const HermiteSystem& system, const base::Progress& progress);

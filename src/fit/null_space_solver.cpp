@@ -115,7 +115,7 @@ bool NullSpaceSolver::factor(const base::Progress& progress) { return cholesky_.
 
 // In Q's coordinates w = Q (z, u), with h = Q^T r for the first rows of the right-hand side:
 //   R^T u = s,   B_zz z = h_z - B_zu u,   R c = h_u - B_uz z - B_uu u.
-void NullSpaceSolver::solve(double* x) const {
+void NullSpaceSolver::solve(double* x, const base::Progress& progress) const {
     const std::int64_t rows = space_.rows();
     const std::int64_t free = space_.free();
     const std::int64_t terms = space_.terms();
@@ -129,7 +129,7 @@ void NullSpaceSolver::solve(double* x) const {
     Eigen::Map<Eigen::VectorXd> w(w_data.data(), rows);
     w.head(free) = Eigen::Map<const Eigen::VectorXd>(x, free);
     for (std::int64_t k = 0; k < terms; ++k) w.head(free) -= u[k] * border.col(k).head(free);
-    cholesky_.solve(runtime_.parallel, w_data.data());
+    cholesky_.solve(runtime_.parallel, w_data.data(), progress);
     for (std::int64_t k = 0; k < terms; ++k) w[rows - 1 - k] = u[k];
 
     NullSpace::Vector rest(terms);
@@ -140,10 +140,10 @@ void NullSpaceSolver::solve(double* x) const {
     std::copy_n(w_data.data(), rows, x);
 }
 
-double NullSpaceSolver::condition() const {
+double NullSpaceSolver::condition(const base::Progress& progress) const {
     base::Array<double> x(runtime_.memory, cholesky_.padded());
-    return norm_ *
-           inverse_norm(cholesky_.size(), x.data(), [this](double* v) { cholesky_.solve(runtime_.parallel, v); });
+    return norm_ * inverse_norm(cholesky_.size(), x.data(),
+                                [&](double* v) { cholesky_.solve(runtime_.parallel, v, progress); });
 }
 
 } // namespace hrbfnpr::fit

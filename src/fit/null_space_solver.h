@@ -14,9 +14,9 @@ public:
     // False if the matrix is not positive definite there.
     [[nodiscard]] bool factor(const base::Progress& progress);
 
-    // Both after factor().
-    [[nodiscard]] double condition() const;
-    void solve(double* x) const; // x, unknowns() long, becomes the inverse times x
+    // Both after factor().  They look for a cancel only.
+    [[nodiscard]] double condition(const base::Progress& progress) const;
+    void solve(double* x, const base::Progress& progress) const; // x, unknowns() long, becomes the inverse times x
 
 private:
     void assemble(const HermiteSystem& system, const base::Progress& progress);

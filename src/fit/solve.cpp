@@ -34,14 +34,14 @@ public:
         solution.x.resize(size);
         Vector x(solution.x.data(), size);
         x = rhs_;
-        solver.solve(solution.x.data());
+        solver.solve(solution.x.data(), progress);
         double norm = measure(x, residual_, progress);
         solution.iterations = 0;
         for (std::int32_t step = 0; step < limit && norm > 0.0; ++step) {
             progress.update(static_cast<double>(step + 1) / static_cast<double>(limit + 1));
             Vector trial(trial_.data(), size);
             trial = ConstVector(residual_.data(), size);
-            solver.solve(trial_.data());
+            solver.solve(trial_.data(), progress);
             trial += x;
             const double trial_norm = measure(trial, trial_residual_, progress);
             if (!(trial_norm < norm)) break;
@@ -91,10 +91,10 @@ private:
     NullSpaceSolver solver(runtime, system, progress.part(0.0, 0.15));
     solution.seconds_assemble = watch.seconds();
     watch.restart();
-    bool definite = solver.factor(progress.part(0.15, 0.9));
+    const bool definite = solver.factor(progress.part(0.15, 0.9));
     if (definite) {
-        refinement.run(solver, limit, solution, progress.part(0.9, 1.0));
-        solution.condition = solver.condition();
+        refinement.run(solver, limit, solution, progress.part(0.9, 0.95));
+        solution.condition = solver.condition(progress);
     }
     solution.seconds_solve = watch.seconds();
     return definite && solved(solution);
@@ -104,8 +104,8 @@ void solve_by_lu(const base::Runtime& runtime, const HermiteSystem& system, Refi
                  Solution& solution, const base::Progress& progress) {
     const base::Stopwatch watch;
     const DenseLu lu(runtime, system, progress.part(0.0, 0.9));
-    refinement.run(lu, limit, solution, progress.part(0.9, 1.0));
-    solution.condition = lu.condition();
+    refinement.run(lu, limit, solution, progress.part(0.9, 0.95));
+    solution.condition = lu.condition(progress);
     solution.fallback = true;
     solution.seconds_solve += watch.seconds();
     if (!solved(solution))
