@@ -95,7 +95,7 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
         ["--silhouette-ink", "#ff0000", "--silhouette-radius", "2", "--silhouette-groups", "stipple"],
         ["--set", "stipple.radius=2", "--set", "stipple.shown=true", "--set", "curvature.sets=1", "--set", "tone=none"],
         ["--set", "light=y", "--set", "stipple.ink=#ff0000", "--set", "silhouette_groups=stipple"],
-        ["--crease", "30", "--flip", "--threads", "1", "--max-centres", "100"],
+        ["--crease", "30", "--threads", "1", "--max-centres", "100"],
     ],
 )  # fmt: skip
 def test_every_option(files, tmp_path, options, capsys):
@@ -107,6 +107,14 @@ def test_every_option(files, tmp_path, options, capsys):
         return
     assert code == 0, capsys.readouterr().err
     assert ink(output) > 0.0005
+
+
+def test_flip(files, tmp_path):
+    pictures = []
+    for name, options in (("a", []), ("b", ["--flip"])):
+        assert main(["draw", str(files["xyz"]), str(tmp_path / name), *QUICK, *options]) == 0
+        pictures.append(ink(tmp_path / name))
+    assert pictures[0] > 2 * pictures[1]
 
 
 def test_the_same_picture_at_any_number_of_threads(files, tmp_path):
@@ -196,8 +204,8 @@ def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
         (["draw", "{xyz}", "--kernel-radius", "nan"], 2, "finite"),
         (["draw", "{xyz}", "--set", "colour=3"], 2, "no field 'colour'"),
         (["draw", "{xyz}", "--set", "radius"], 2, "FIELD=VALUE"),
-        (["draw", "{xyz}", "--set", "tone_exponent=x"], 1, "number is needed"),
-        (["draw", "{xyz}", "--set", "stipple.shown=maybe"], 1, "true or false"),
+        (["draw", "{xyz}", "--set", "tone_exponent=x"], 2, "number is needed"),
+        (["draw", "{xyz}", "--set", "stipple.shown=maybe"], 2, "true or false"),
         (["draw", "{xyz}", "--degree", "-2"], 2, "-1 to 3"),
         (["draw", "{xyz}", "--unknown"], 2, "unrecognized"),
         (["draw", "missing.xyz"], 1, "missing.xyz: No such file"),
@@ -282,7 +290,7 @@ def process(*arguments, **options):
 def test_the_module_runs_as_a_program(files, tmp_path):
     with process("draw", str(files["ply"]), str(tmp_path / "out.png"), *QUICK[:-1]) as run:
         out, err = run.communicate(timeout=60)
-    assert (run.returncode, err) == (0, "") and "out.png: 120 x" in out
+    assert (run.returncode, err) == (0, "") and "x 120 pixels, 1500 marks" in out
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")

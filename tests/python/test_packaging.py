@@ -69,5 +69,5 @@ def test_everything_public_is_documented():
             continue
         for member, thing in vars(value).items():
             if not member.startswith("_") and (inspect.isfunction(thing) or isinstance(thing, (property, classmethod))):
-                documented = getattr(value, member).__doc__ if not isinstance(thing, property) else thing.__doc__
-                assert documented or name == "Style", f"{name}.{member}"
+                documented = thing if isinstance(thing, property) else getattr(value, member)
+                assert documented.__doc__, f"{name}.{member}"

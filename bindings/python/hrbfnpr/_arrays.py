@@ -96,8 +96,11 @@ def _numpy_block(argument: str, value: Any, components: int, codes: str) -> Bloc
 
 def _flatten(argument: str, value: Any) -> Tuple[List[float], List[int]]:
     """Nested sequences of numbers, as numbers and shape."""
-    if not isinstance(value, Iterable):
-        return [float(value)], []
+    if not isinstance(value, Iterable) or isinstance(value, (str, bytes)):
+        try:
+            return [float(value)], []
+        except (TypeError, ValueError):
+            raise TypeError(f"{argument} must be an array of numbers, not of {type(value).__name__}") from None
     parts = [_flatten(argument, item) for item in value]
     shapes = {tuple(shape) for _, shape in parts}
     if len(shapes) > 1:

@@ -163,6 +163,7 @@ class Camera:
 
     @property
     def depth_convention(self) -> str:
+        """Range of clip-space depth from near to far plane."""
         return name_of(DEPTH_CONVENTIONS, self._struct.depth_convention)
 
     def __eq__(self, other: object) -> bool:

@@ -25,6 +25,7 @@ class Error(Exception):
 
     @property
     def status_name(self) -> str:
+        """The status in words."""
         return str(ffi.string(lib.hrbfnpr_status_name(self.status)).decode())
 
 

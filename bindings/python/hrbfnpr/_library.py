@@ -51,8 +51,8 @@ def _open(name: str) -> Any:
     lib = ffi.dlopen(name)
     try:
         abi = lib.hrbfnpr_abi_version()
-    except AttributeError as error:
-        raise OSError(f"{name} is not a hrbfnpr library: {error}") from None
+    except (AttributeError, ffi.error):
+        raise OSError(f"{name} is not a hrbfnpr library") from None
     if abi != _ABI_VERSION:
         raise OSError(f"{name} has ABI version {abi}, this package needs {_ABI_VERSION}")
     return lib

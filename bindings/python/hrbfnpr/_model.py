@@ -139,7 +139,7 @@ class Model(Owner):
 
     def __init__(self, handle: Any, context: Context, function: Optional[FunctionState] = None) -> None:
         super().__init__(handle)
-        self._context = context
+        self._context = context._handle
         self._function = function
 
     @classmethod
@@ -206,7 +206,7 @@ class Model(Owner):
         desc.maximum_centres = maximum_centres
         desc.iteration_limit = iteration_limit
         out, error = ffi.new("hrbfnpr_model **"), new_error()
-        with running(operation, progress, context) as (handle, state):
+        with running(operation, progress, context._handle) as (handle, state):
             check(lib.hrbfnpr_model_fit(context._handle, desc, handle, out, error), error, state)
         del keep
         return cls(own(out[0], lib.hrbfnpr_model_release, context), context)
@@ -380,13 +380,15 @@ class Model(Owner):
         arrays, views = [], []
         for name, size in zip(Curvature._fields, (1, 1, 3, 3, 1)):
             array, view = output(name, None, block.shape, size, _float_code(dtype))
-            arrays.append(array if size > 1 else _scalar(array, ()) if block.shape == () else array)
+            arrays.append(array)
             views.append(view)
         error = new_error()
         with running(operation, progress, self._context) as (handle, state):
             status = lib.hrbfnpr_model_curvature(self._handle, block.view(), *views, handle, error)
             self._check(status, error, state)
-        return Curvature(*arrays)
+        k1, k2, d1, d2, confidence = arrays
+        one = block.shape
+        return Curvature(_scalar(k1, one), _scalar(k2, one), d1, d2, _scalar(confidence, one))
 
     @property
     def info(self) -> ModelInfo:

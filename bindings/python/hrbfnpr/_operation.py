@@ -67,12 +67,14 @@ class Operation(Owner):
     """
 
     def __init__(self, progress: Optional[Progress] = None, *, context: Optional[Context] = None) -> None:
+        self._init(progress, resolve(context)._handle)
 
-        context = resolve(context)
+    def _init(self, progress: Optional[Progress], context: Any) -> None:
+        """`context` is a handle: an operation of a model's works even if the context was closed."""
         self._state = CallbackState(None if progress is None else _reporter(progress))
         user = self._state.new_handle()
         out, error = ffi.new("hrbfnpr_operation **"), new_error()
-        check_status(lib.hrbfnpr_operation_create(context._handle, out, error), error)
+        check_status(lib.hrbfnpr_operation_create(context, out, error), error)
         super().__init__(own(out[0], lib.hrbfnpr_operation_release, user, context))
         self._busy = threading.Lock()
         status = lib.hrbfnpr_operation_set_callback(self._handle, _on_progress, user, error)
@@ -95,13 +97,17 @@ class Operation(Owner):
 
 @contextmanager
 def running(
-    operation: Optional[Operation], progress: Optional[Progress], context: Context
+    operation: Optional[Operation], progress: Optional[Progress], context: Any
 ) -> Iterator[Tuple[Any, CallbackState]]:
-    """The handle to pass to a long call, and the state of its progress callback."""
+    """The handle to pass to a long call, and the state of its progress callback.
+
+    `context` is a handle; every call gets an operation, so that Ctrl-C can cancel it.
+    """
     if operation is not None and progress is not None:
         raise TypeError("give either operation or progress, not both")
     if operation is None:
-        operation = Operation(progress, context=context)
+        operation = Operation.__new__(Operation)
+        operation._init(progress, context)
     if not operation._busy.acquire(blocking=False):
         raise ValueError("this operation already serves a call that is running")
     try:

@@ -104,7 +104,7 @@ class PointSet(Owner):
 
     def __init__(self, handle: Any, context: Context) -> None:
         super().__init__(handle)
-        self._context = context
+        self._context = context._handle
         self._info: Optional[PointSetInfo] = None
 
     @classmethod
@@ -191,7 +191,7 @@ class PointSet(Owner):
             curvature_of=curvature_of,
         )
         out, error = ffi.new("hrbfnpr_point_set **"), new_error()
-        with running(operation, progress, context) as (handle, state):
+        with running(operation, progress, context._handle) as (handle, state):
             status = lib.hrbfnpr_point_set_generate(context._handle, model._handle, desc, handle, out, error)
             check(status, error, state, shared=model._function)
         del keep
@@ -264,7 +264,7 @@ class PointSet(Owner):
         desc, keep = _generate_desc(**generate)
         corners, view = output("corners", None, (count,), 12, "d")
         step, error = ffi.new("double *"), new_error()
-        with running(operation, progress, context) as (handle, state):
+        with running(operation, progress, context._handle) as (handle, state):
             status = lib.hrbfnpr_point_set_step_patches(
                 context._handle, model._handle, desc, view, step, handle, error
             )

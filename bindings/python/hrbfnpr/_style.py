@@ -187,14 +187,17 @@ class Style(_Attributes):
 
     @property
     def stipple(self) -> GroupStyle:
+        """Ink of the stipples."""
         return self._group("stipple")
 
     @property
     def curvature(self) -> GroupStyle:
+        """Ink of the strokes along principal directions."""
         return self._group("curvature")
 
     @property
     def combing(self) -> GroupStyle:
+        """Ink of the combed strokes."""
         return self._group("combing")
 
     @property
@@ -267,8 +270,9 @@ class Style(_Attributes):
         if self._tone is None:
             return struct, None, struct
         state = CallbackState(self._tone)
-        struct.tone_function, struct.tone_user = _on_tone, state.new_handle()
-        return struct, state, (struct, struct.tone_user)
+        user = state.new_handle()
+        struct.tone_function, struct.tone_user = _on_tone, user
+        return struct, state, (struct, user)
 
 
 def _restore(preset: Optional[str], values: Mapping[str, Any]) -> Style:

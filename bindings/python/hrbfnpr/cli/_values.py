@@ -115,6 +115,10 @@ def assignment(text: str) -> Tuple[str, str, str]:
     owner = getattr(Style(), group) if group else Style()
     if field not in owner.fields():
         raise argparse.ArgumentTypeError(f"there is no field {name!r}; there are {', '.join(owner.fields())}")
+    try:
+        assign(Style(), group, field, value)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
     return group, field, value
 
 

@@ -104,6 +104,8 @@ class _Ascii:
     def read(self, element: _Element) -> Dict[str, Any]:
         lines = self._lines[self._next : self._next + element.count]
         self._next += element.count
+        if element.count == 0:
+            return {name: [] for name, _, _ in element.properties}
         if len(lines) < element.count:
             raise _cut_short(element)
         try:
@@ -115,9 +117,9 @@ class _Ascii:
     def _numbers(element: _Element, lines: List[str]) -> Dict[str, Any]:
         values = np.array(" ".join(lines).split(), dtype=np.float64)
         table = values.reshape(element.count, -1)
-        if element.count and table.shape[1] != len(element.properties):
+        if table.shape[1] != len(element.properties):
             raise ValueError
-        return {name: table[:, i] for i, (name, _, _) in enumerate(element.properties) if element.count}
+        return {name: table[:, i] for i, (name, _, _) in enumerate(element.properties)}
 
     @staticmethod
     def _lists(element: _Element, lines: List[str]) -> Dict[str, Any]:
@@ -162,9 +164,11 @@ class _Binary:
         return np.dtype(fields)
 
     def read(self, element: _Element) -> Dict[str, Any]:
-        if not element.has_lists or element.count == 0:
-            table = self._take(self._dtype(element, []), element.count, element) if element.count else None
-            return {} if table is None else {name: table[name] for name, _, _ in element.properties}
+        if element.count == 0:
+            return {name: [] for name, _, _ in element.properties}
+        if not element.has_lists:
+            table = self._take(self._dtype(element, []), element.count, element)
+            return {name: table[name] for name, _, _ in element.properties}
         return self._uniform(element) or self._varying(element)
 
     def _uniform(self, element: _Element) -> Optional[Dict[str, Any]]:
