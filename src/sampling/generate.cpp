@@ -115,14 +115,14 @@ std::int64_t Generation::blue_noise_starts(Group group) const {
         fail(Status::invalid_argument, "group[%d].budget = %lld: %lld marks are the most", static_cast<int>(group),
              static_cast<long long>(budget), static_cast<long long>(most_marks));
     if (group == Group::stipple) return budget;
-    const std::int64_t marks_of_seed = grown_count(2, 3, settings.levels);
-    if (budget < marks_of_seed)
+    const std::int64_t marks_of_pair = grown_count(2, 3, settings.levels);
+    if (budget < marks_of_pair)
         fail(Status::invalid_argument,
-             "group[%d].budget = %lld is less than the 2 * 3^%d = %lld marks of one seed's two strokes: lower levels "
+             "group[%d].budget = %lld is less than the 2 * 3^%d = %lld marks of a stroke in each set: lower levels "
              "or raise the budget",
              static_cast<int>(group), static_cast<long long>(budget), settings.levels,
-             static_cast<long long>(marks_of_seed));
-    return budget / marks_of_seed;
+             static_cast<long long>(marks_of_pair));
+    return budget / marks_of_pair;
 }
 
 void Generation::blue_noise_stipples(const SurfaceCells& cells) {
@@ -148,16 +148,19 @@ void Generation::blue_noise_stipples(const SurfaceCells& cells) {
     report.seconds = watch.seconds();
 }
 
-// Strokes start from a blue-noise prefix of their own, and the number of a seed in it ranks its strokes.
+// Strokes start from a blue-noise order of their own, and the number of a seed in it ranks its stroke.  The
+// second set starts from the order's second half: from the gaps between the starts of the first set, so that
+// strokes of the two sets do not all cross in their middles.
 void Generation::blue_noise_strokes(const SurfaceCells& cells, Group group) {
     const base::Stopwatch watch;
     const base::Progress progress = group_progress(group);
     GroupReport& report = set_.group[at(group)].report;
     const double step = stroke_step(site_, seeds_, settings_);
-    const EvenMarks even = spread_evenly(site_, cells, blue_noise_starts(group), group, progress.part(0.0, 0.4));
-    const Start start{even.position, even.normal, even.position.size()};
+    const EvenMarks even = spread_evenly(site_, cells, 2 * blue_noise_starts(group), group, progress.part(0.0, 0.4));
+    const Start start{even.position, even.normal, even.position.size(), true};
     grow_strokes(site_, start, {group, settings_.group[at(group)].levels, step, 0, true}, marks_[at(group)], report,
                  progress.part(0.4, 1.0));
+    clip_to(cells.region, marks_[at(group)], report);
     area_ = std::max(area_, even.area);
     report.seconds = watch.seconds();
 }

@@ -25,6 +25,11 @@ double smoothstep(double low, double high, double t) noexcept {
     return t * t * (3.0 - 2.0 * t);
 }
 
+// Strokes come in pairs, one of each set; an odd start out is left.
+std::int64_t stroke_count(const Start& start) noexcept {
+    return start.own_starts ? start.position.size() / sets * sets : sets * start.position.size();
+}
+
 // v in the plane across n, unit; zero if v is (nearly) along n.
 glm::dvec3 in_plane(const glm::dvec3& v, const glm::dvec3& n) noexcept {
     const glm::dvec3 flat = v - glm::dot(v, n) * n;
@@ -123,10 +128,9 @@ void Strokes::append(const glm::dvec3& position, const glm::dvec3& normal, std::
     marks_.curvature.push_back({static_cast<float>(c.k1), static_cast<float>(c.k2), static_cast<float>(c.confidence)});
 }
 
-// Each seed is the middle of two strokes, one in each set.
+// A seed of a stroke is its middle; stroke i belongs to set i % 2.
 bool Strokes::place_seeds(const base::Progress& progress) {
-    const std::int64_t seeds = start_.position.size();
-    const std::int64_t count = sets * seeds;
+    const std::int64_t count = stroke_count(start_);
     if (by_curvature())
         surface::principal_curvatures(site_.runtime, site_.implicit, start_.position, curvature_, progress);
     const auto key_of = [](std::int64_t i) { return key(static_cast<std::uint32_t>(i), 0); };
@@ -134,8 +138,9 @@ bool Strokes::place_seeds(const base::Progress& progress) {
                             key_of, progress);
     for (std::int64_t i = 0; i < count; ++i) {
         if (!thinning.keeps(key_of(i))) continue;
-        append(start_.position[i / sets], start_.normal[i / sets], static_cast<std::uint32_t>(i), 0, 0,
-               by_curvature() ? curvature_[i / sets] : surface::Curvature{}, glm::dvec3(0.0));
+        const std::int64_t from = start_.own_starts ? i % sets * (count / sets) + i / sets : i / sets;
+        append(start_.position[from], start_.normal[from], static_cast<std::uint32_t>(i), 0, 0,
+               by_curvature() ? curvature_[from] : surface::Curvature{}, glm::dvec3(0.0));
     }
     LevelReport& level = report_.level[0];
     level.attempted = count;
@@ -211,11 +216,11 @@ void Strokes::append_placed(std::uint8_t level, std::int32_t finest, const base:
 
 void grow_strokes(const Site& site, const Start& start, const GrowthSettings& settings, Marks& marks,
                   GroupReport& report, const base::Progress& progress) {
-    report.full_count = grown_count(sets * start.full_count, 1 + children, settings.levels);
+    const std::int64_t full_seeds = start.own_starts ? start.full_count : sets * start.full_count;
+    report.full_count = grown_count(full_seeds, 1 + children, settings.levels);
     report.step = settings.step;
-    require_room(static_cast<int>(settings.group),
-                 grown_count(sets * start.position.size(), 1 + children, settings.levels), settings.levels,
-                 settings.budget);
+    require_room(static_cast<int>(settings.group), grown_count(stroke_count(start), 1 + children, settings.levels),
+                 settings.levels, settings.budget);
     Strokes strokes(site, start, settings, marks, report);
     const double work = static_cast<double>(grown_count(1, 1 + children, settings.levels));
     bool full = strokes.place_seeds(progress.part(0.0, 1.0 / work));
@@ -230,6 +235,20 @@ void grow_strokes(const Site& site, const Start& start, const GrowthSettings& se
     const auto unused = static_cast<std::int32_t>(grown_count(1, 1 + children, settings.levels - report.levels));
     const auto middle = static_cast<std::int32_t>((grown_count(1, 1 + children, report.levels) - 1) / 2);
     for (std::int32_t& place : marks.place) place = place / unused + middle;
+}
+
+void clip_to(const geometry::Bounds& region, Marks& marks, GroupReport& report) noexcept {
+    std::int64_t kept = 0;
+    for (std::int64_t i = 0; i < marks.count(); ++i) {
+        if (!region.contains(marks.position[i])) {
+            LevelReport& level = report.level[marks.level[i]];
+            --level.placed;
+            ++level.dropped_strayed;
+            continue;
+        }
+        marks.move(i, kept++);
+    }
+    marks.shrink(kept);
 }
 
 } // namespace hrbfnpr::sampling

@@ -6,11 +6,13 @@
 
 namespace hrbfnpr::sampling {
 
-// What a group starts from.
+// What a group starts from.  Strokes: both sets from every start; or, where the sets have starts of their
+// own, set 0 from the first half and set 1 from the second.
 struct Start {
     const geometry::VecArray& position;
     const geometry::VecArray& normal;
     std::int64_t full_count; // of starts, had none been dropped
+    bool own_starts = false;
 };
 
 struct GrowthSettings {
@@ -30,5 +32,8 @@ void grow_stipples(const Site& site, const Start& start, const GrowthSettings& s
 // The x3 recursion of both sets of a CURVATURE or COMBING group.
 void grow_strokes(const Site& site, const Start& start, const GrowthSettings& settings, Marks& marks,
                   GroupReport& report, const base::Progress& progress);
+
+// Drops the marks outside `region` as strayed, once all have grown: their descendants may be inside.
+void clip_to(const geometry::Bounds& region, Marks& marks, GroupReport& report) noexcept;
 
 } // namespace hrbfnpr::sampling

@@ -146,11 +146,17 @@ TEST(BlueNoise, ThinSheetsAreCoveredOnBothFaces) {
 
 TEST(BlueNoise, OpenSheetsEndALittleOutsideTheBounds) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}});
-    const PointSet set = make(plane, blue({Group::stipple}, 3000));
+    const PointSet set = make(plane, blue({Group::stipple, Group::curvature}, 3000));
     const double margin = 0.03 * std::sqrt(8.0);
     EXPECT_NEAR(set.bounds.max.x, 1.0 + margin, 0.05);
-    EXPECT_LE(set.bounds.max.x, 1.0 + margin);
+    EXPECT_LE(set.bounds.max.x, 1.0 + margin) << "strokes that reach farther are cut";
     EXPECT_GE(set.bounds.min.y, -1.0 - margin);
+    expect_sound(set, plane);
+    const GroupReport& strokes = of(set, Group::curvature).report;
+    EXPECT_GT(strokes.level[3].dropped_strayed, 10);
+    EXPECT_EQ(of(set, Group::curvature).count(),
+              strokes.level[0].placed + strokes.level[1].placed + strokes.level[2].placed + strokes.level[3].placed);
+    EXPECT_EQ(strokes.level[0].dropped_strayed, 0) << "seeds are inside";
     const Evenness e = evenness(set, 1.0, std::pow(2.0 + 2.0 * margin, 2));
     EXPECT_GT(e.smallest, 0.6);
     EXPECT_GT(e.mean, 0.74);
