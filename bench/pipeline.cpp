@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr int rings = 64; // samples: rings * around
+constexpr int rings = 40; // samples: rings * around
 constexpr int around = 16;
 constexpr std::int64_t queries = 50000;
 constexpr int width = 1600;

@@ -59,7 +59,7 @@ int main(void) {
     check(hrbfnpr_model_get_info(model, &info, &error));
     hrbfnpr_camera camera;
     check(hrbfnpr_camera_init(&camera, sizeof camera));
-    check(hrbfnpr_camera_fit_bounds(&camera, info.bounds_min, info.bounds_max, direction, up, 0.5, WIDTH, HEIGHT, 0.1,
+    check(hrbfnpr_camera_fit_bounds(&camera, info.bounds_min, info.bounds_max, direction, up, 0.5, WIDTH, HEIGHT, 0.02,
                                     &error));
     hrbfnpr_item item;
     check(hrbfnpr_item_init(&item, sizeof item));

@@ -69,7 +69,7 @@ void draw_torus(int width, int height) {
     const Vec direction = {0, 1, -1}, up = {0, 0, 1};
     auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
     check(hrbfnpr_camera_fit_bounds(&camera, info.bounds_min, info.bounds_max, direction.data(), up.data(), 0.5, width,
-                                    height, 0.1, &error));
+                                    height, 0.02, &error));
     auto item = defaults<hrbfnpr_item>(hrbfnpr_item_init);
     item.point_set = marks.get();
     item.style = &style;

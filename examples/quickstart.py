@@ -8,7 +8,7 @@ normals = np.stack([np.cos(a) * np.cos(b), np.sin(a) * np.cos(b), np.sin(b)], ax
 points = np.stack([np.cos(a), np.sin(a), 0 * a], axis=-1).reshape(-1, 3) + 0.4 * normals
 
 model = hrbfnpr.Model.fit(points, normals)  # samples become a smooth surface,
-style = hrbfnpr.Style("hatch")
+style = hrbfnpr.Style("contour-and-stipple")
 marks = hrbfnpr.PointSet.generate(model, style.groups)  # on which the marks of a style are placed
 camera = hrbfnpr.Camera.fit(model, direction=(0, 1, -1), up=(0, 0, 1), size=(800, 600))
 hrbfnpr.Renderer().drawing((marks, style), camera).save("torus.png")  # and drawn for a camera.
