@@ -799,6 +799,15 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, con
                                                      double width, double height, double margin,
                                                      hrbfnpr_error* error);
 
+/* The same for n x 3 points, FLOAT32 or FLOAT64, n >= 1: the points themselves
+ * fill the picture, not the corners of their box, and lie in its middle.
+ * `origin` (3 doubles, NULL = 0) is added to each: with a point set's POSITION
+ * give its info's origin. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, const hrbfnpr_array* points,
+                                                     const double* origin, const double* direction, const double* up,
+                                                     double vertical_angle, double width, double height,
+                                                     double margin, hrbfnpr_error* error);
+
 enum {
     HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, /* painted over by paper, layer by layer [NPAR 6.1] */
     HRBFNPR_HIDDEN_LINES_HIDE = 1,      /* marks behind a nearer sheet are not drawn */

@@ -3,6 +3,7 @@
 #include "api/barrier.h"
 #include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/views.h"
 
 using namespace hrbfnpr;
 
@@ -104,6 +105,18 @@ hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* b
     return api::change(camera, error, [&](hrbfnpr_camera& full) {
         const geometry::Bounds bounds{api::vector(bounds_min, "bounds_min"), api::vector(bounds_max, "bounds_max")};
         api::set_camera(full, frame::fit_bounds(bounds, api::vector(direction, "direction"), api::vector(up, "up"),
+                                                vertical_angle, width, height, margin, api::depth_of(full)));
+    });
+}
+
+hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, const hrbfnpr_array* points, const double* origin,
+                                         const double* direction, const double* up, double vertical_angle, double width,
+                                         double height, double margin, hrbfnpr_error* error) {
+    return api::change(camera, error, [&](hrbfnpr_camera& full) {
+        const base::InView view = api::in_view(api::deref(points, "points"), "points", api::points_type);
+        if (view.empty()) fail(Status::invalid_argument, "points is empty; give at least one point");
+        const glm::dvec3 from = origin != nullptr ? api::vector(origin, "origin") : glm::dvec3(0.0);
+        api::set_camera(full, frame::fit_points(view, from, api::vector(direction, "direction"), api::vector(up, "up"),
                                                 vertical_angle, width, height, margin, api::depth_of(full)));
     });
 }

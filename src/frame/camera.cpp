@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace hrbfnpr::frame {
@@ -87,14 +88,7 @@ double reach(const std::array<glm::dvec3, 8>& corners, int axis, double tangent)
     return distance;
 }
 
-void check_fit(const geometry::Bounds& bounds, const glm::dvec3& direction, double vertical_angle, double margin) {
-    require_finite(bounds.min, "bounds_min");
-    require_finite(bounds.max, "bounds_max");
-    for (int i = 0; i < 3; ++i) {
-        if (!(bounds.min[i] <= bounds.max[i]))
-            fail(Status::invalid_argument, "bounds_min[%d] is %g, above bounds_max[%d] = %g; swap them", i,
-                 bounds.min[i], i, bounds.max[i]);
-    }
+void check_view(const glm::dvec3& direction, double vertical_angle, double margin) {
     require_finite(direction, "direction");
     if (direction == glm::dvec3(0.0)) fail(Status::invalid_argument, "direction is the zero vector; give it a length");
     if (!(vertical_angle >= 0.0 && vertical_angle < std::numbers::pi))
@@ -103,6 +97,42 @@ void check_fit(const geometry::Bounds& bounds, const glm::dvec3& direction, doub
     if (!(margin >= 0.0 && margin <= 0.45))
         fail(Status::invalid_argument, "margin is %g; it must be a share of the picture from 0 to 0.45", margin);
 }
+
+void check_bounds(const geometry::Bounds& bounds) {
+    require_finite(bounds.min, "bounds_min");
+    require_finite(bounds.max, "bounds_max");
+    for (int i = 0; i < 3; ++i) {
+        if (!(bounds.min[i] <= bounds.max[i]))
+            fail(Status::invalid_argument, "bounds_min[%d] is %g, above bounds_max[%d] = %g; swap them", i,
+                 bounds.min[i], i, bounds.max[i]);
+    }
+}
+
+glm::dvec3 point_at(const base::InView& points, std::int64_t i) {
+    const glm::dvec3 p(points.get(i, 0), points.get(i, 1), points.get(i, 2));
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        fail(Status::invalid_argument, "points[%lld] is (%g, %g, %g); its coordinates must be finite",
+             static_cast<long long>(i), p.x, p.y, p.z);
+    return p;
+}
+
+// What a camera has to see, in its own axes (right, up, forward) from an anchor.  Seen from an eye e,
+// a point p lies between the lines of slope t on the right if p_x - e_x <= t (p_z - e_z), that is
+// p_x - t p_z <= e_x - t e_z: the largest left side of all points is all that matters, and likewise
+// on the other three sides.  With t = 0 the four are the extents of an orthographic picture.
+struct Support {
+    glm::dvec2 above{-std::numeric_limits<double>::infinity()}; // max of p - t p_z
+    glm::dvec2 below{-std::numeric_limits<double>::infinity()}; // max of -p - t p_z
+    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = -std::numeric_limits<double>::infinity();
+
+    void add(const glm::dvec3& p, const glm::dvec2& slope) noexcept {
+        above = glm::max(above, glm::dvec2(p) - slope * p.z);
+        below = glm::max(below, -glm::dvec2(p) - slope * p.z);
+        nearest = std::min(nearest, p.z);
+        farthest = std::max(farthest, p.z);
+    }
+};
 
 } // namespace
 
@@ -150,7 +180,8 @@ glm::dmat4 orthographic(double view_height, double width, double height, double 
 
 Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, const glm::dvec3& up,
                   double vertical_angle, double width, double height, double margin, DepthConvention depth) {
-    check_fit(bounds, direction, vertical_angle, margin);
+    check_bounds(bounds);
+    check_view(direction, vertical_angle, margin);
     require_finite(up, "up");
     require_size(width, height);
     const Axes axes = camera_axes(direction, up);
@@ -185,6 +216,44 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     const double nearest = back - extent.z;
     camera.projection = perspective(vertical_angle, width, height, std::max(nearest - slack, 0.5 * nearest),
                                     back + extent.z + slack, depth);
+    return camera;
+}
+
+Camera fit_points(const base::InView& points, const glm::dvec3& origin, const glm::dvec3& direction,
+                  const glm::dvec3& up, double vertical_angle, double width, double height, double margin,
+                  DepthConvention depth) {
+    check_view(direction, vertical_angle, margin);
+    require_finite(origin, "origin");
+    require_finite(up, "up");
+    require_size(width, height);
+    const Axes axes = camera_axes(direction, up);
+    const double used = 1.0 - 2.0 * margin;
+    const glm::dvec2 aspect(width / height, 1.0);
+    const glm::dvec2 slope = std::tan(0.5 * vertical_angle) * used * aspect;
+    const glm::dvec3 anchor = point_at(points, 0);
+    Support support;
+    for (std::int64_t i = 0; i < points.count; ++i) {
+        const glm::dvec3 p = point_at(points, i) - anchor;
+        support.add({glm::dot(axes.right, p), glm::dot(axes.up, p), glm::dot(axes.forward, p)}, slope);
+    }
+    const glm::dvec2 width_needed = 0.5 * (support.above + support.below); // of the half picture
+    const double size = std::max({width_needed.x, width_needed.y, support.farthest - support.nearest,
+                                  1e-6 * glm::length(origin + anchor), 1e-3 * (points.count == 1 ? 1.0 : 0.0)});
+    const double slack = 0.1 * size;
+    glm::dvec3 eye(0.5 * (support.above - support.below), support.nearest - 2.0 * slack);
+    Camera camera;
+    camera.depth = depth;
+    camera.viewport = {0.0, 0.0, width, height};
+    if (vertical_angle == 0.0) {
+        const double half = std::max({width_needed.x / aspect.x, width_needed.y, 1e-9 * size}) / used;
+        camera.projection = orthographic(2.0 * half, width, height, slack, support.farthest - eye.z + slack, depth);
+    } else {
+        eye.z = std::min({-width_needed.x / slope.x, -width_needed.y / slope.y, support.nearest - 0.5 * slack});
+        const double nearest = support.nearest - eye.z;
+        camera.projection = perspective(vertical_angle, width, height, std::max(nearest - slack, 0.5 * nearest),
+                                        support.farthest - eye.z + slack, depth);
+    }
+    camera.view = view_matrix(axes, origin + anchor + eye.x * axes.right + eye.y * axes.up + eye.z * axes.forward);
     return camera;
 }
 

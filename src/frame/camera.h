@@ -1,6 +1,7 @@
 // The camera as the frame sees it, and the helpers that build its matrices (GLM).
 #pragma once
 
+#include "base/view.h"
 #include "geometry/vec.h"
 
 #include <cstdint>
@@ -34,6 +35,12 @@ struct Camera {
                                       double far_plane, DepthConvention depth);
 [[nodiscard]] Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, const glm::dvec3& up,
                                 double vertical_angle, double width, double height, double margin,
+                                DepthConvention depth);
+
+// The same for points of 3 components, at least one, relative to `origin`: as large as the picture allows, and in its
+// middle.
+[[nodiscard]] Camera fit_points(const base::InView& points, const glm::dvec3& origin, const glm::dvec3& direction,
+                                const glm::dvec3& up, double vertical_angle, double width, double height, double margin,
                                 DepthConvention depth);
 
 } // namespace hrbfnpr::frame

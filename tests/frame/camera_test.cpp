@@ -128,6 +128,42 @@ TEST(FitBounds, ShowsFlatThinAndPointBoxes) {
     }
 }
 
+// Points fill the picture in one direction and lie in its middle in both.
+TEST(FitPoints, FillThePictureAndLieInItsMiddle) {
+    const std::array<float, 12> points = {0.0F, 0.0F, 0.0F, 3.0F, 0.5F, 0.0F, 1.0F, 2.0F, -1.0F, 0.2F, 0.3F, 4.0F};
+    const base::InView view{reinterpret_cast<const std::byte*>(points.data()), 4, 12, base::Scalar::float32, 3};
+    const glm::dvec3 origin(100.0, -50.0, 20.0);
+    for (const double angle : {0.0, 0.6, 1.0}) {
+        for (const glm::dvec2 size : {glm::dvec2(300, 200), glm::dvec2(200, 500)}) {
+            const Camera camera = frame::fit_points(view, origin, {0.3, -1.0, 0.4}, {0, 0, 1}, angle, size.x, size.y,
+                                                    0.1, DepthConvention::zero_to_one);
+            glm::dvec3 low(1e9);
+            glm::dvec3 high(-1e9);
+            for (std::size_t i = 0; i < 4; ++i) {
+                const glm::dvec3 p =
+                    project(camera, origin + glm::dvec3(points[3 * i], points[3 * i + 1], points[3 * i + 2]));
+                low = glm::min(low, p);
+                high = glm::max(high, p);
+            }
+            EXPECT_NEAR(std::max(high.x - low.x, high.y - low.y), 1.6, 1e-6) << angle;
+            EXPECT_GT(low.z, 0.0);
+            EXPECT_LT(high.z, 1.0);
+            if (angle > 0.0) continue; // perspective centres the cone of sight, not the picture's extents
+            EXPECT_LT(glm::length(glm::dvec2(low + high)), 1e-6);
+        }
+    }
+}
+
+TEST(FitPoints, ShowsOnePoint) {
+    const std::array<double, 3> point = {5.0, 6.0, 7.0};
+    const base::InView view{reinterpret_cast<const std::byte*>(point.data()), 1, 24, base::Scalar::float64, 3};
+    for (const double angle : {0.0, 0.6}) {
+        const Camera camera = frame::fit_points(view, glm::dvec3(0.0), {0, 0, -1}, {0, 1, 0}, angle, 100, 100, 0.1,
+                                                DepthConvention::zero_to_one);
+        EXPECT_LT(glm::length(glm::dvec2(project(camera, {5.0, 6.0, 7.0}))), 1e-9);
+    }
+}
+
 struct BadCamera {
     const char* named;
     std::function<void()> call;
