@@ -41,11 +41,10 @@ def library_folder(prefix):
     return found[0]
 
 
-def cmake_project(source, build, *definitions):
+def configure(source, build, *definitions):
     shutil.rmtree(build, ignore_errors=True)
     launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
     run("cmake", "-G", "Ninja", "-S", source, "-B", build, *launcher, *definitions)
-    run("cmake", "--build", build)
 
 
 def run_consumer(program, **environment):
@@ -71,7 +70,8 @@ def install(build, work):
 
 def find_package(language, prefix, work):
     build = work / f"find package {language}"
-    cmake_project(HERE / language, build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    configure(HERE / language, build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", build)
     run_consumer(build / "consumer")
 
 
@@ -93,20 +93,22 @@ def pkg_config(language, prefix, work):
 
 
 def subdirectory(source, work):
-    """As part of a host's build, with nothing set: a shared library and nothing else."""
+    """Part of a host's build in C only, with nothing set: a shared library and nothing else."""
     build = work / "sub directory"
-    cmake_project(HERE / "subdirectory", build, f"-DHRBFNPR_SOURCE_DIR={source}", "-DCMAKE_BUILD_TYPE=Debug")
+    configure(HERE / "subdirectory", build, f"-DHRBFNPR_SOURCE_DIR={source}", "-DCMAKE_BUILD_TYPE=Debug")
     seen = (build / "seen.txt").read_text()
     expect(seen == "type=SHARED_LIBRARY\ncache-shared=\nbuild-type=Debug\n", f"unexpected: {seen}")
-    run_consumer(build / "consumer")
 
 
 def static(source, work):
-    """As a static library: installed, moved, and linked into a C and a C++ project both ways."""
+    """A static library: linked into its host; installed, moved, and linked into C and C++ projects."""
     build, stage, prefix = work / "static build", work / "static stage", work / "a static place"
     shutil.rmtree(prefix, ignore_errors=True)
-    cmake_project(source, build, "-DBUILD_SHARED_LIBS=OFF", "-DCMAKE_BUILD_TYPE=Debug", "-DHRBFNPR_TESTS=OFF",
-                  "-DHRBFNPR_EXAMPLES=OFF", "-DCMAKE_CXX_FLAGS_DEBUG=-O0")
+    configure(HERE / "subdirectory", build, f"-DHRBFNPR_SOURCE_DIR={source}", "-DHOST_LANGUAGES=C;CXX",
+              "-DBUILD_SHARED_LIBS=OFF", "-DHRBFNPR_INSTALL=ON", "-DCMAKE_BUILD_TYPE=Debug",
+              "-DCMAKE_CXX_FLAGS_DEBUG=-O0")
+    run("cmake", "--build", build)
+    run_consumer(build / "consumer")
     run("cmake", "--install", build, "--prefix", stage)
     stage.rename(prefix)
     consumers = work / "static"
