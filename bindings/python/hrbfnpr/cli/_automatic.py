@@ -2,11 +2,11 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, Sequence, Tuple
+from typing import Any, Dict, Sequence, Tuple, Union
 
 import numpy as np
 
-from .._camera import Camera, corners
+from .._camera import Camera
 from .._context import Context
 from .._model import Model
 from .._point_set import PointSet
@@ -14,7 +14,8 @@ from .._style import Style
 
 LONG_SIDE = 1600
 STROKE_LEVELS = 4
-MOST_MARKS = 400_000
+STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make a line
+MOST_MARKS = {"stipple": 400_000, "curvature": 800_000, "combing": 800_000}
 
 # Ink over area at the darkest tone.  Stipples overlap, strokes of one direction should not.
 _COVERAGE = {"stipple": 1.0, "curvature": 0.7, "combing": 0.7}
@@ -36,20 +37,30 @@ def view_direction(up: Sequence[float], azimuth: float, elevation: float) -> Tup
     return float(x), float(y), float(z)
 
 
-def picture_size(bounds: Any, direction: Sequence[float], up: Sequence[float], long_side: int) -> Tuple[int, int]:
-    """Pixels of a picture with the proportions of a box seen from a direction."""
-    low, high = (np.asarray(corner) for corner in corners(bounds))
-    right = np.cross(direction, up)
-    if np.linalg.norm(right) == 0:
-        return long_side, long_side
-    right = _unit(right)
-    upward = _unit(np.cross(right, direction))
-    extent = [float(np.abs(axis) @ (high - low)) for axis in (right, upward)]
-    longest = max(extent)
-    if longest <= 0:
-        return long_side, long_side
-    width, height = (max(round(long_side * part / longest), long_side // 4) for part in extent)
-    return width, height
+def frame(camera: Camera, points: Any, size: Union[int, Tuple[int, int]], margin: float) -> Camera:
+    """The camera with its picture cut to where the points are.
+
+    `size` is that of the picture, or its longer side alone: the shorter one is then as the points
+    need it.  The eye stays where it is.
+    """
+    view, projection = np.asarray(camera.view), np.asarray(camera.projection)
+    clip = np.column_stack([points, np.ones(len(points))]) @ (projection @ view).T
+    seen = clip[:, :2] / clip[:, 3:]
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    old = np.asarray(camera.viewport[2:])
+    extent = np.maximum((high - low) / 2 * old, 1e-6)  # in the old picture's pixels
+    if isinstance(size, int):
+        sides = size * extent / extent.max()
+        width, height = (max(round(side), size // 4, 1) for side in sides)
+    else:
+        width, height = size
+    new = np.array([width, height])
+    scale = float(((1 - 2 * margin) * new / extent).min())
+    cut = np.eye(4)
+    for axis in range(2):
+        cut[axis, axis] = scale * old[axis] / new[axis]
+        cut[axis, 3] = -cut[axis, axis] * (low[axis] + high[axis]) / 2
+    return Camera(view, cut @ projection, (0, 0, width, height))
 
 
 def pixels_per_unit(camera: Camera, place: Any) -> float:
@@ -64,10 +75,15 @@ def mark_radius(size: Tuple[int, int]) -> float:
     return max(0.7, max(size) / 1000)
 
 
-def surface_area(model: Model, context: Context) -> float:
-    """Of the model, from a few marks that are spread evenly over it."""
-    probe = PointSet.generate(model, "stipple", budget=2000, context=context)
-    return probe.info.spacing**2 * len(probe)
+def probe(model: Model, context: Context) -> PointSet:
+    """A few marks spread evenly over the model, to learn its area and where it is."""
+    return PointSet.generate(model, "stipple", budget=2000, context=context)
+
+
+def positions(marks: PointSet) -> Any:
+    """Absolute positions of all marks."""
+    parts = [np.asarray(marks.positions(group), dtype=float) for group in marks.groups]
+    return np.concatenate(parts) + np.asarray(marks.origin)
 
 
 def marks(
@@ -85,12 +101,12 @@ def marks(
         if name == "stipple":
             inked = math.pi * ink.radius**2
         else:
-            # Marks of a stroke lie one radius apart and make a line.
-            step = ink.radius * 3 ** steps[name] / 3 / pixels
+            apart = STROKE_SPACING * ink.radius
+            step = apart * 3 ** steps[name] / 3 / pixels
             chosen["initial_step"] = min(step, chosen.get("initial_step", step))
-            inked = 2 * ink.radius**2
+            inked = 2 * ink.radius * apart
             inked /= 2 if ink.sets != 3 else 1  # both sets are placed, one is drawn
-        budget[name] = max(1, min(MOST_MARKS, round(_COVERAGE[name] * area * pixels**2 / inked)))
+        budget[name] = max(1, min(MOST_MARKS[name], round(_COVERAGE[name] * area * pixels**2 / inked)))
     return {**chosen, "budget": {**budget, **options.get("budget", {})}}
 
 

@@ -53,24 +53,27 @@ def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
     return style
 
 
-def make_camera(arguments: Any, bounds: Any) -> Camera:
-    """The camera asked for; without --eye one that sees all of the bounds."""
+def make_camera(arguments: Any, source: Union[Model, PointSet], points: Any) -> Camera:
+    """The camera asked for; without --eye one that sees all of the points."""
     up = arguments.up or (0.0, 1.0, 0.0)
+    angle = math.radians(30.0 if arguments.fov is None else arguments.fov)
+    size = arguments.size or _automatic.LONG_SIDE
+    if arguments.eye is not None:
+        return _camera_at(arguments, source, up, angle, (size, size) if isinstance(size, int) else size)
     azimuth = 30.0 if arguments.azimuth is None else arguments.azimuth
     elevation = 20.0 if arguments.elevation is None else arguments.elevation
-    angle = math.radians(30.0 if arguments.fov is None else arguments.fov)
-    low, high = (np.asarray(corner) for corner in corners(bounds))
     direction = arguments.direction or _automatic.view_direction(up, azimuth, elevation)
-    target = tuple((low + high) / 2) if arguments.target is None else arguments.target
-    if arguments.eye is not None:
-        direction = tuple(np.subtract(target, arguments.eye))
-    size = arguments.size or _automatic.LONG_SIDE
-    if isinstance(size, int):
-        size = _automatic.picture_size(bounds, direction, up, size)
-    if arguments.eye is None:
-        margin = 0.05 if arguments.margin is None else arguments.margin
-        return Camera.fit((low, high), direction, up, size=size, vertical_angle=angle, margin=margin)
-    distance, radius = float(np.linalg.norm(direction)), float(np.linalg.norm(high - low))
+    margin = 0.05 if arguments.margin is None else arguments.margin
+    camera = Camera.fit(source, direction, up, vertical_angle=angle, margin=margin)
+    return _automatic.frame(camera, points, size, margin)
+
+
+def _camera_at(arguments: Any, source: Any, up: Any, angle: float, size: Tuple[int, int]) -> Camera:
+    """From --eye towards --target or the middle of the model."""
+    low, high = (np.asarray(corner) for corner in corners(source))
+    target = (low + high) / 2 if arguments.target is None else arguments.target
+    distance = float(np.linalg.norm(np.subtract(target, arguments.eye)))
+    radius = float(np.linalg.norm(high - low))
     camera = Camera.look_at(arguments.eye, target, up)
     if angle == 0:
         return camera.orthographic(radius, size, -distance - radius, distance + radius)
@@ -100,7 +103,8 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
     """Draw a model or a point set and write the picture."""
     start = time.monotonic()
     output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + ".png")
-    camera = make_camera(arguments, source)
+    known = _automatic.probe(source, context) if isinstance(source, Model) else source
+    camera = make_camera(arguments, source, _automatic.positions(known))
     style = make_style(arguments, camera.size)
     if isinstance(source, Model):
         if arguments.save_model:
@@ -108,7 +112,7 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
         groups = arguments.groups or style.groups
         low, high = source.bounds
         pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
-        area = _automatic.surface_area(source, context)
+        area = known.info.spacing**2 * len(known)
         options = given(arguments, _GENERATE)
         automatic = _automatic.marks(groups, style, area, pixels, options, max(source.info.centres, 1))
         marks = generate(arguments, source, groups, automatic, context, report)
