@@ -1,0 +1,155 @@
+#include "fixture.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace api_test {
+namespace {
+
+// Where a world point comes to lie, in pixels.
+std::array<double, 2> pixel(const hrbfnpr_camera& camera, const double (&world)[3]) {
+    double eye[4] = {0, 0, 0, 0};
+    double clip[4] = {0, 0, 0, 0};
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            eye[row] += camera.view[4 * column + row] * (column < 3 ? world[column] : 1.0);
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) clip[row] += camera.projection[4 * column + row] * eye[column];
+    return {camera.viewport[0] + camera.viewport[2] * (0.5 + 0.5 * clip[0] / clip[3]),
+            camera.viewport[1] + camera.viewport[3] * (0.5 - 0.5 * clip[1] / clip[3])};
+}
+
+TEST(Camera, StartsWithIdentities) {
+    const auto camera = made(hrbfnpr_camera_init);
+    for (int i = 0; i < 16; ++i) {
+        EXPECT_EQ(camera.view[i], i % 5 == 0 ? 1.0 : 0.0);
+        EXPECT_EQ(camera.projection[i], i % 5 == 0 ? 1.0 : 0.0);
+    }
+    EXPECT_EQ(camera.viewport[2], 0.0);
+    EXPECT_EQ(camera.depth_convention, static_cast<std::uint32_t>(HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE));
+}
+
+TEST(Camera, LooksAtItsTarget) {
+    Error error;
+    auto camera = made(hrbfnpr_camera_init);
+    const double eye[3] = {3, 4, 5};
+    const double target[3] = {1, 1, 1};
+    const double up[3] = {0, 0, 1};
+    const double above[3] = {1, 1, 2};
+    EXPECT_OK(hrbfnpr_camera_look_at(&camera, eye, target, up, error));
+    for (const std::uint32_t depth : {0U, 1U, 2U}) {
+        camera.depth_convention = depth;
+        EXPECT_OK(hrbfnpr_camera_perspective(&camera, 0.8, 200, 100, 0.1, 50, error));
+        EXPECT_NEAR(pixel(camera, target)[0], 100.0, 1e-9);
+        EXPECT_NEAR(pixel(camera, target)[1], 50.0, 1e-9);
+        EXPECT_LT(pixel(camera, above)[1], 50.0); // y grows downward
+        EXPECT_OK(hrbfnpr_camera_orthographic(&camera, 4.0, 200, 100, -1, 50, error));
+        EXPECT_NEAR(pixel(camera, target)[1], 50.0, 1e-9);
+    }
+}
+
+TEST(Camera, FitsABox) {
+    Error error;
+    auto camera = made(hrbfnpr_camera_init);
+    const double low[3] = {-1, -2, -3};
+    const double high[3] = {1, 2, 3};
+    const double direction[3] = {1, -1, -1};
+    const double up[3] = {0, 1, 0};
+    for (const double angle : {0.0, 0.7}) {
+        EXPECT_OK(hrbfnpr_camera_fit_bounds(&camera, low, high, direction, up, angle, 300, 200, 0.1, error));
+        double margin = 1e9;
+        for (int corner = 0; corner < 8; ++corner) {
+            const double p[3] = {(corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 2.0 : -2.0,
+                                 (corner & 4) != 0 ? 3.0 : -3.0};
+            const auto at = pixel(camera, p);
+            margin = std::min({margin, at[0] / 300, 1 - at[0] / 300, at[1] / 200, 1 - at[1] / 200});
+        }
+        EXPECT_NEAR(margin, 0.1, 1e-6) << angle;
+    }
+}
+
+TEST(Camera, AFailureChangesNothing) {
+    Error error;
+    auto camera = made(hrbfnpr_camera_init);
+    const hrbfnpr_camera before = camera;
+    const double a[3] = {0, 0, 1};
+    const double b[3] = {0, 0, 2};
+    const double zero[3] = {0, 0, 0};
+    const double nan[3] = {0, 0, std::nan("")};
+    const auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
+    EXPECT_FAILS(hrbfnpr_camera_look_at(&camera, a, a, b, error), invalid, "eye and target are the same point");
+    EXPECT_FAILS(hrbfnpr_camera_look_at(&camera, a, b, a, error), invalid, "is parallel to the direction of view");
+    EXPECT_FAILS(hrbfnpr_camera_look_at(&camera, a, b, zero, error), invalid, "up is the zero vector");
+    EXPECT_FAILS(hrbfnpr_camera_look_at(&camera, nan, b, a, error), invalid, "eye is (0, 0, nan)");
+    EXPECT_FAILS(hrbfnpr_camera_look_at(&camera, nullptr, b, a, error), invalid, "eye is NULL");
+    EXPECT_FAILS(hrbfnpr_camera_look_at(nullptr, a, b, a, error), invalid, "camera is NULL");
+    EXPECT_FAILS(hrbfnpr_camera_perspective(&camera, 0.0, 9, 9, 1, 2, error), invalid, "vertical_angle is 0");
+    EXPECT_FAILS(hrbfnpr_camera_perspective(&camera, 1.0, 0, 9, 1, 2, error), invalid, "width is 0");
+    EXPECT_FAILS(hrbfnpr_camera_perspective(&camera, 1.0, 9, -9, 1, 2, error), invalid, "height is -9");
+    EXPECT_FAILS(hrbfnpr_camera_perspective(&camera, 1.0, 9, 9, 0, 2, error), invalid, "near_plane is 0");
+    EXPECT_FAILS(hrbfnpr_camera_perspective(&camera, 1.0, 9, 9, 3, 2, error), invalid, "near_plane is 3");
+    EXPECT_FAILS(hrbfnpr_camera_orthographic(&camera, 0, 9, 9, 1, 2, error), invalid, "view_height is 0");
+    EXPECT_FAILS(hrbfnpr_camera_fit_bounds(&camera, b, a, a, a, 0, 9, 9, 0, error), invalid, "bounds_min[2] is 2");
+    EXPECT_FAILS(hrbfnpr_camera_fit_bounds(&camera, a, b, zero, a, 0, 9, 9, 0, error), invalid,
+                 "direction is the zero vector");
+    EXPECT_FAILS(hrbfnpr_camera_fit_bounds(&camera, a, b, a, a, 0, 9, 9, 0.5, error), invalid, "margin is 0.5");
+    EXPECT_FAILS(hrbfnpr_camera_fit_bounds(&camera, a, nullptr, a, a, 0, 9, 9, 0, error), invalid,
+                 "bounds_max is NULL");
+    EXPECT_EQ(std::memcmp(&camera, &before, sizeof camera), 0);
+    camera.depth_convention = 3;
+    EXPECT_FAILS(hrbfnpr_camera_perspective(&camera, 1.0, 9, 9, 1, 2, error), invalid, "camera.depth_convention is 3");
+}
+
+TEST(Style, DefaultsAreThoseOfTheHeader) {
+    const auto style = made(hrbfnpr_style_init);
+    EXPECT_EQ(style.hidden_lines, static_cast<std::uint32_t>(HRBFNPR_HIDDEN_LINES_ATTENUATE));
+    EXPECT_EQ(style.silhouette_threshold, 0.2);
+    EXPECT_EQ(style.attenuation_front, 1.0);
+    EXPECT_EQ(style.attenuation_back, 1.0);
+    EXPECT_EQ(style.halo_width, 2.0F);
+    EXPECT_EQ(style.cover_layers, 8.0F);
+    EXPECT_EQ(style.tone, static_cast<std::uint32_t>(HRBFNPR_TONE_LIGHT));
+    EXPECT_EQ(style.tone_rule, static_cast<std::uint32_t>(HRBFNPR_TONE_RULE_SHARE));
+    EXPECT_EQ(style.light_space, static_cast<std::uint32_t>(HRBFNPR_LIGHT_CAMERA));
+    EXPECT_EQ(style.light[2], 0.7);
+    EXPECT_EQ(style.silhouette_groups, 7U);
+    EXPECT_EQ(style.zoom_exponent, 2.0);
+    EXPECT_EQ(style.silhouette_radius, 1.0F);
+    EXPECT_EQ(style.paper[0], 1.0F);
+    EXPECT_EQ(style.group[1].sets, 3U);
+    EXPECT_EQ(style.group[2].share, 1.0F);
+    EXPECT_EQ(style.group[0].ink[3], 1.0F);
+}
+
+TEST(Style, PresetsHaveNamesAndGroups) {
+    std::set<std::string> names;
+    for (std::uint32_t preset = 0; preset < HRBFNPR_STYLE_COUNT; ++preset) {
+        Error error;
+        hrbfnpr_style style;
+        std::uint32_t groups = 0;
+        EXPECT_OK(hrbfnpr_style_init_preset(&style, sizeof style, preset, &groups, error));
+        EXPECT_EQ(style.struct_size, sizeof style);
+        EXPECT_GT(groups, 0U);
+        EXPECT_LT(groups, 8U);
+        for (std::uint32_t group = 0; group < 3; ++group) { // what a style shows, it asks for
+            EXPECT_TRUE(style.group[group].shown == 0 || (groups & 1U << group) != 0) << preset;
+        }
+        ASSERT_NE(hrbfnpr_style_preset_name(preset), nullptr);
+        names.insert(hrbfnpr_style_preset_name(preset));
+    }
+    EXPECT_EQ(names.size(), static_cast<std::size_t>(HRBFNPR_STYLE_COUNT));
+    EXPECT_EQ(names.count("contour-and-stipple"), 1U);
+    EXPECT_EQ(hrbfnpr_style_preset_name(HRBFNPR_STYLE_COUNT), nullptr);
+    Error error;
+    hrbfnpr_style style;
+    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, 8, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "preset is 8; it must be one of HRBFNPR_STYLE_... (0 to 7)");
+    EXPECT_FAILS(hrbfnpr_style_init_preset(nullptr, sizeof style, 0, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "style is NULL");
+    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, 4, 0, nullptr, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+                 "style.struct_size is 4");
+}
+
+} // namespace
+} // namespace api_test

@@ -1,0 +1,239 @@
+#include "fixture.h"
+
+#include <cmath>
+
+namespace api_test {
+namespace {
+
+class RendererTest : public testing::Test {
+protected:
+    RendererTest()
+        : model(custom_sphere(context, sphere)), set(generate(context, model, small_desc())),
+          renderer(make_renderer(context)) {}
+
+    hrbfnpr_status prepare(const hrbfnpr_style* style = nullptr, hrbfnpr_frame_info* info = nullptr) {
+        const hrbfnpr_item item = item_of(set, style);
+        const hrbfnpr_camera camera = front_camera();
+        return hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, info, error);
+    }
+
+    Error error;
+    Context context = make_context();
+    Sphere sphere;
+    Model model;
+    PointSet set;
+    Renderer renderer;
+};
+
+TEST_F(RendererTest, CountsWhatItDrew) {
+    auto info = made(hrbfnpr_frame_info_init);
+    EXPECT_OK(prepare(nullptr, &info));
+    EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette);
+    EXPECT_GT(info.front, 0);
+    EXPECT_GT(info.back, 0);
+    EXPECT_GT(info.shown, 0);
+    EXPECT_GT(info.scratch_bytes, 0);
+    EXPECT_EQ(info.nanoseconds_draw, 0);
+    std::vector<std::uint8_t> pixels;
+    const hrbfnpr_image image = image_of(pixels, 64);
+    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    EXPECT_OK(hrbfnpr_renderer_get_info(renderer.get(), &info, error));
+    EXPECT_GT(info.nanoseconds_draw, 0);
+    std::int64_t vertices = 0;
+    EXPECT_OK(hrbfnpr_renderer_vertex_bound(renderer.get(), &vertices, error));
+    EXPECT_EQ(vertices, info.shown + info.painted);
+}
+
+TEST_F(RendererTest, DrawsIntoAnyFormatAndStride) {
+    EXPECT_OK(prepare());
+    std::vector<std::uint8_t> rgba;
+    hrbfnpr_image image = image_of(rgba, 64);
+    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    // Bottom-up, with room between the rows.
+    std::vector<std::uint8_t> other(64 * 300, 77);
+    image.pixels = other.data() + 63 * 300;
+    image.row_stride = -300;
+    image.format = HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED;
+    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    for (std::size_t y = 0; y < 64; ++y) {
+        const std::uint8_t* row = &other[(63 - y) * 300];
+        for (std::size_t x = 0; x < 64; ++x) {
+            ASSERT_EQ(row[4 * x], rgba[4 * (64 * y + x) + 2]); // paper and ink are opaque
+            ASSERT_EQ(row[4 * x + 2], rgba[4 * (64 * y + x)]);
+        }
+        for (std::size_t byte = 256; byte < 300; ++byte) ASSERT_EQ(row[byte], 77);
+    }
+}
+
+TEST_F(RendererTest, FillsDepthIdAndClass) {
+    EXPECT_OK(prepare());
+    std::vector<std::uint8_t> pixels;
+    const hrbfnpr_image image = image_of(pixels, 64);
+    std::vector<float> depth(64 * 64, -1.0F);
+    std::vector<std::uint32_t> id(64 * 64, 99999);
+    std::vector<std::uint8_t> mark_class(64 * 64, 99);
+    auto desc = made(hrbfnpr_draw_desc_init);
+    desc.depth = out(depth, 1);
+    desc.id = out(id, 1);
+    desc.class_ = out(mark_class, 1);
+    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, &desc, error));
+    EXPECT_EQ(depth[0], 1.0F);
+    EXPECT_EQ(id[0], 0U);
+    EXPECT_EQ(mark_class[0], HRBFNPR_CLASS_NONE);
+    const std::size_t centre = 32 * 64 + 32;
+    EXPECT_LT(depth[centre], 1.0F);
+    bool any = false;
+    for (std::size_t i = 0; i < id.size(); ++i) {
+        ASSERT_EQ(id[i] == 0, mark_class[i] == HRBFNPR_CLASS_NONE) << i;
+        any = any || id[i] != 0;
+    }
+    EXPECT_TRUE(any);
+    // A host's scene in front of everything hides it.
+    std::vector<float> host(64 * 64, 0.0F);
+    desc.host_depth = in(host, 1);
+    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, &desc, error));
+    for (const std::uint32_t value : id) ASSERT_EQ(value, 0U);
+    for (std::size_t i = 0; i < pixels.size(); i += 4) ASSERT_EQ(pixels[i], 255);
+}
+
+TEST_F(RendererTest, WritesVertices) {
+    EXPECT_OK(prepare());
+    struct Vertex {
+        float position[3];
+        float window[3];
+        float radius;
+        std::uint8_t color[4];
+        std::uint32_t id;
+        std::uint8_t mark_class;
+        std::uint8_t is_paper;
+        std::uint8_t untouched[2];
+    };
+    auto layout = made(hrbfnpr_vertex_layout_init);
+    layout.stride = sizeof(Vertex);
+    const hrbfnpr_vertex_attribute attributes[] = {
+        {HRBFNPR_VERTEX_POSITION, HRBFNPR_SCALAR_FLOAT32, offsetof(Vertex, position), 0},
+        {HRBFNPR_VERTEX_WINDOW, HRBFNPR_SCALAR_FLOAT32, offsetof(Vertex, window), 0},
+        {HRBFNPR_VERTEX_RADIUS, HRBFNPR_SCALAR_FLOAT32, offsetof(Vertex, radius), 0},
+        {HRBFNPR_VERTEX_COLOR, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, color), 0},
+        {HRBFNPR_VERTEX_ID, HRBFNPR_SCALAR_UINT32, offsetof(Vertex, id), 0},
+        {HRBFNPR_VERTEX_CLASS, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, mark_class), 0},
+        {HRBFNPR_VERTEX_IS_PAPER, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, is_paper), 0}};
+    layout.attribute_count = static_cast<std::uint32_t>(std::size(attributes));
+    std::copy(std::begin(attributes), std::end(attributes), layout.attributes);
+    std::int64_t count = -1;
+    EXPECT_FAILS(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, nullptr, 0, &count, error),
+                 HRBFNPR_STATUS_BUFFER_TOO_SMALL, "capacity is 0");
+    ASSERT_GT(count, 0);
+    std::vector<Vertex> vertices(static_cast<std::size_t>(count) + 1);
+    std::memset(vertices.data(), 0x55, vertices.size() * sizeof(Vertex));
+    EXPECT_OK(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, vertices.data(), count + 1, &count, error));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        const Vertex& v = vertices[i];
+        const float* p = v.position;
+        ASSERT_NEAR(p[0] * p[0] + p[1] * p[1] + p[2] * p[2], 1.0F, 1e-3F);
+        ASSERT_GT(v.radius, 0.0F);
+        ASSERT_GE(v.id, 1U);
+        ASSERT_GE(v.mark_class, 1);
+        ASSERT_LE(v.is_paper, 1);
+        ASSERT_EQ(v.untouched[0], 0x55);
+        ASSERT_EQ(v.color[0], v.is_paper != 0 ? 255 : 0);
+    }
+    EXPECT_EQ(vertices.back().id, 0x55555555U);
+}
+
+TEST_F(RendererTest, AllocatesNothingOnceItIsWarm) {
+    Ledger ledger;
+    const Context counted = make_context(ledger_desc(ledger));
+    const Model round = custom_sphere(counted, sphere);
+    const PointSet marks = generate(counted, round, small_desc());
+    const Renderer warm = make_renderer(counted);
+    for (int frame = 0; frame < 3; ++frame) draw(warm, marks);
+    const std::int64_t before = ledger.calls;
+    const auto first = draw(warm, marks);
+    EXPECT_EQ(ledger.calls, before);
+    EXPECT_EQ(first, draw(warm, marks));
+}
+
+TEST_F(RendererTest, DrawsSeveralItems) {
+    auto info = made(hrbfnpr_frame_info_init);
+    EXPECT_OK(prepare(nullptr, &info));
+    const std::int64_t marks = info.marks;
+    // Items of a newer caller, whose struct has a tail.
+    struct Newer {
+        hrbfnpr_item item;
+        std::uint64_t tail[2];
+    } items[2];
+    for (Newer& newer : items) {
+        EXPECT_OK(hrbfnpr_item_init(&newer.item, sizeof newer));
+        newer.item.point_set = set.get();
+    }
+    items[1].item.transform[12] = 0.5;
+    const hrbfnpr_camera camera = front_camera();
+    EXPECT_OK(hrbfnpr_renderer_prepare(renderer.get(), &items[0].item, 2, 0, &camera, &info, error));
+    EXPECT_EQ(info.marks, 2 * marks);
+    EXPECT_OK(hrbfnpr_renderer_prepare(renderer.get(), &items[0].item, 2, sizeof(Newer), &camera, &info, error));
+    EXPECT_EQ(info.marks, 2 * marks);
+    EXPECT_OK(hrbfnpr_renderer_prepare(renderer.get(), nullptr, 0, 0, &camera, &info, error));
+    EXPECT_EQ(info.marks, 0);
+    std::vector<std::uint8_t> pixels;
+    const hrbfnpr_image image = image_of(pixels, 8);
+    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    EXPECT_EQ(pixels, std::vector<std::uint8_t>(256, 255)); // blank paper
+}
+
+TEST_F(RendererTest, KeepsThePointSetOfItsFrame) {
+    const auto before = draw(renderer, set);
+    set.reset();
+    model.reset();
+    std::vector<std::uint8_t> pixels;
+    const hrbfnpr_image image = image_of(pixels, 64);
+    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    EXPECT_EQ(pixels, before);
+}
+
+TEST_F(RendererTest, AsksTheToneFunctionOnThisThread) {
+    struct Tone {
+        std::int64_t marks = 0;
+        std::int32_t result = 0;
+        float tau = 0.0F;
+        static std::int32_t call(void* user, std::int64_t count, const float* positions, const float* normals,
+                                 float* tau) {
+            auto& self = *static_cast<Tone*>(user);
+            self.marks += count;
+            for (std::int64_t i = 0; i < 3 * count; ++i) EXPECT_NEAR(positions[i], normals[i], 1e-3F);
+            std::fill(tau, tau + count, self.tau);
+            return self.result;
+        }
+    } tone;
+    auto style = made(hrbfnpr_style_init);
+    style.tone = HRBFNPR_TONE_CALLBACK;
+    style.tone_function = Tone::call;
+    style.tone_user = &tone;
+    auto info = made(hrbfnpr_frame_info_init);
+    EXPECT_OK(prepare(&style, &info));
+    EXPECT_EQ(tone.marks, info.front);
+    EXPECT_EQ(info.dropped_tone, 0); // dark everywhere
+    tone.tau = 1.0F;
+    EXPECT_OK(prepare(&style, &info));
+    EXPECT_EQ(info.dropped_tone, info.front);
+    tone.result = 3;
+    EXPECT_FAILS(prepare(&style), HRBFNPR_STATUS_CALLBACK, "tone_function returned 3");
+    tone.result = 0;
+    tone.tau = NAN;
+    EXPECT_FAILS(prepare(&style), HRBFNPR_STATUS_CALLBACK, "tone_function");
+}
+
+TEST_F(RendererTest, NeedsAPreparedFrame) {
+    std::vector<std::uint8_t> pixels;
+    const hrbfnpr_image image = image_of(pixels, 8);
+    std::int64_t count = 0;
+    const auto layout = made(hrbfnpr_vertex_layout_init);
+    const auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
+    EXPECT_FAILS(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error), invalid, "no prepared frame");
+    EXPECT_FAILS(hrbfnpr_renderer_vertex_bound(renderer.get(), &count, error), invalid, "no prepared frame");
+    EXPECT_FAILS(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, nullptr, 0, &count, error), invalid,
+                 "no prepared frame");
+}
+
+} // namespace
+} // namespace api_test

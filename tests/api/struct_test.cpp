@@ -1,0 +1,171 @@
+// Versioned structs: short ones of older callers, long ones of newer ones, wrong ones.
+#include "fixture.h"
+
+namespace api_test {
+namespace {
+
+// Every struct with its `_init`.
+template <class T>
+struct Init;
+#define INIT(name)                                                                                                     \
+    template <>                                                                                                        \
+    struct Init<hrbfnpr_##name> {                                                                                      \
+        static constexpr auto function = hrbfnpr_##name##_init;                                                        \
+    }
+INIT(image);
+INIT(context_desc);
+INIT(context_info);
+INIT(fit_desc);
+INIT(custom_desc);
+INIT(model_info);
+INIT(project_desc);
+INIT(generate_desc);
+INIT(point_set_desc);
+INIT(point_set_info);
+INIT(camera);
+INIT(style);
+INIT(item);
+INIT(frame_info);
+INIT(draw_desc);
+INIT(vertex_layout);
+#undef INIT
+
+template <class T>
+class StructTest : public testing::Test {};
+using Structs = testing::Types<hrbfnpr_image, hrbfnpr_context_desc, hrbfnpr_context_info, hrbfnpr_fit_desc,
+                               hrbfnpr_custom_desc, hrbfnpr_model_info, hrbfnpr_project_desc, hrbfnpr_generate_desc,
+                               hrbfnpr_point_set_desc, hrbfnpr_point_set_info, hrbfnpr_camera, hrbfnpr_style,
+                               hrbfnpr_item, hrbfnpr_frame_info, hrbfnpr_draw_desc, hrbfnpr_vertex_layout>;
+TYPED_TEST_SUITE(StructTest, Structs);
+
+// A struct of the future: ours with a tail.
+template <class T>
+union Longer {
+    T known;
+    std::uint8_t bytes[sizeof(T) + 64];
+    Longer() { fill(0x55); }
+    void fill(int byte) { std::memset(bytes, byte, sizeof bytes); }
+};
+
+TYPED_TEST(StructTest, InitRefusesNullAndWrongSizes) {
+    Longer<TypeParam> value;
+    EXPECT_EQ(Init<TypeParam>::function(nullptr, sizeof(TypeParam)), HRBFNPR_STATUS_INVALID_ARGUMENT);
+    for (const std::uint32_t size : {0U, 4U, 7U, 65537U, 0xFFFFFFFFU})
+        EXPECT_EQ(Init<TypeParam>::function(&value.known, size), HRBFNPR_STATUS_UNSUPPORTED_STRUCT) << size;
+    for (const std::uint8_t byte : value.bytes) ASSERT_EQ(byte, 0x55);
+}
+
+TYPED_TEST(StructTest, InitFillsEveryByte) {
+    Longer<TypeParam> first;
+    Longer<TypeParam> second;
+    second.fill(0xAA);
+    EXPECT_EQ(Init<TypeParam>::function(&first.known, sizeof(TypeParam)), HRBFNPR_STATUS_OK);
+    EXPECT_EQ(Init<TypeParam>::function(&second.known, sizeof(TypeParam)), HRBFNPR_STATUS_OK);
+    EXPECT_EQ(std::memcmp(&first, &second, sizeof(TypeParam)), 0);
+    EXPECT_EQ(first.known.struct_size, sizeof(TypeParam));
+    EXPECT_EQ(first.bytes[sizeof(TypeParam)], 0x55);
+}
+
+TYPED_TEST(StructTest, InitOfAnOlderCallerWritesNothingBehindItsStruct) {
+    Longer<TypeParam> whole;
+    Longer<TypeParam> shorter;
+    EXPECT_EQ(Init<TypeParam>::function(&whole.known, sizeof(TypeParam)), HRBFNPR_STATUS_OK);
+    for (std::uint32_t size = 8; size < sizeof(TypeParam); size += 8) {
+        shorter.fill(0x55);
+        EXPECT_EQ(Init<TypeParam>::function(&shorter.known, size), HRBFNPR_STATUS_OK);
+        EXPECT_EQ(shorter.known.struct_size, size);
+        EXPECT_EQ(std::memcmp(&whole.bytes[4], &shorter.bytes[4], size - 4), 0);
+        EXPECT_EQ(shorter.bytes[size], 0x55);
+    }
+}
+
+TYPED_TEST(StructTest, InitOfANewerCallerZeroesItsTail) {
+    Longer<TypeParam> value;
+    EXPECT_EQ(Init<TypeParam>::function(&value.known, sizeof value), HRBFNPR_STATUS_OK);
+    EXPECT_EQ(value.known.struct_size, sizeof value);
+    for (std::size_t i = sizeof(TypeParam); i < sizeof value; ++i) ASSERT_EQ(value.bytes[i], 0) << i;
+}
+
+// The rules for structs that a call reads, shown on the descriptor of a context.
+class ReadStruct : public testing::Test {
+protected:
+    hrbfnpr_status create() {
+        hrbfnpr_context* context = nullptr;
+        const hrbfnpr_status status = hrbfnpr_context_create(&desc.known, &context, error);
+        EXPECT_EQ(context != nullptr, status == HRBFNPR_STATUS_OK);
+        if (context != nullptr) {
+            auto info = made(hrbfnpr_context_info_init);
+            EXPECT_OK(hrbfnpr_context_get_info(context, &info, error));
+            threads = info.thread_count;
+        }
+        hrbfnpr_context_release(context);
+        return status;
+    }
+
+    Error error;
+    Longer<hrbfnpr_context_desc> desc;
+    std::int32_t threads = 0;
+};
+
+TEST_F(ReadStruct, AShortOneHasDefaultsForTheRest) {
+    // Up to and without thread_count; what follows is rubbish that must not be read.
+    EXPECT_EQ(hrbfnpr_context_desc_init(&desc.known, 8), HRBFNPR_STATUS_OK);
+    desc.known.thread_count = -77;
+    EXPECT_OK(create());
+    EXPECT_GE(threads, 1);
+    // With thread_count.
+    desc.known.struct_size = 16;
+    desc.known.thread_count = 3;
+    desc.known.flags = 0;
+    EXPECT_OK(create());
+    EXPECT_EQ(threads, 3);
+}
+
+TEST_F(ReadStruct, OneCutInAPointerDoesNotUseHalfOfIt) {
+    EXPECT_OK(hrbfnpr_context_desc_init(&desc.known, sizeof(hrbfnpr_context_desc)));
+    std::memset(static_cast<void*>(&desc.known.log), 0x55, sizeof desc.known.log);
+    desc.known.struct_size = offsetof(hrbfnpr_context_desc, log) + 4;
+    EXPECT_OK(create());
+}
+
+TEST_F(ReadStruct, ALongOneIsRefusedOnlyIfItsTailIsUsed) {
+    EXPECT_OK(hrbfnpr_context_desc_init(&desc.known, sizeof desc));
+    EXPECT_OK(create());
+    for (std::size_t at = sizeof(hrbfnpr_context_desc); at < sizeof desc; ++at) {
+        desc.bytes[at] = 1;
+        EXPECT_FAILS(create(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+                     "context_desc has fields that this library (0.1.0) does not know, and they are set");
+        desc.bytes[at] = 0;
+    }
+}
+
+TEST_F(ReadStruct, OneThatWasNotSetUpIsRefused) {
+    for (const std::uint32_t size : {0U, 7U, 0x55555555U}) {
+        desc.known.struct_size = size;
+        EXPECT_FAILS(create(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+                     "context_desc.struct_size is " + std::to_string(size) + "; set the struct up with its _init");
+    }
+}
+
+TEST(WriteStruct, InfosAreFilledUpToTheirSize) {
+    Error error;
+    const Context context = make_context(3);
+    Longer<hrbfnpr_context_info> info;
+    info.known.struct_size = 8;
+    EXPECT_OK(hrbfnpr_context_get_info(context.get(), &info.known, error));
+    EXPECT_EQ(info.known.thread_count, 3);
+    EXPECT_EQ(info.bytes[8], 0x55);
+    info.known.struct_size = sizeof info;
+    EXPECT_OK(hrbfnpr_context_get_info(context.get(), &info.known, error));
+    EXPECT_EQ(info.known.struct_size, sizeof info);
+    EXPECT_EQ(info.known.instruction_set, static_cast<std::uint32_t>(HRBFNPR_INSTRUCTION_SET_BASELINE));
+    EXPECT_EQ(info.bytes[sizeof info - 1], 0);
+    info.known.struct_size = 3;
+    EXPECT_FAILS(hrbfnpr_context_get_info(context.get(), &info.known, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+                 "context_info.struct_size is 3");
+    EXPECT_FAILS(hrbfnpr_context_get_info(context.get(), nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "context_info is NULL");
+}
+
+} // namespace
+} // namespace api_test
