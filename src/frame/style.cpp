@@ -20,24 +20,33 @@ const char* preset_name(std::uint32_t number) noexcept { return number < preset_
 Preset preset(std::uint32_t number) {
     Preset preset{preset_name(number), stipple, Style{}};
     Style& style = preset.style;
+    // Contours come from every group that there is: the more marks, the crisper they are.
+    style.silhouette_radius = 1.2F;
     switch (number) {
     case 0: // stipple
         show(style, stipple);
+        // Without contours the stipples themselves must reach the rim.
         style.silhouette_groups = 0;
         style.silhouette_threshold = 0.05;
+        style.group[0].radius = 1.1F;
         break;
     case 1: // hatch
     case 2: // cross-hatch
         preset.needed_groups = curvature | stipple;
         show(style, curvature);
         style.group[1].sets = number == 1 ? 2U : 3U;
+        style.group[1].radius = 1.1F;
         break;
     case 3: // combing
         preset.needed_groups = combing | stipple;
         show(style, combing);
+        style.group[2].radius = 1.1F;
         break;
     case 4: // silhouette
         show(style, 0);
+        // A sheet or two of surface leave hidden contours visible, but pale.
+        style.attenuation_front = 0.2;
+        style.attenuation_back = 0.1;
         break;
     case 5: // contour-and-stipple
         show(style, stipple);
@@ -50,6 +59,8 @@ Preset preset(std::uint32_t number) {
         preset.needed_groups = stipple | curvature;
         show(style, stipple | curvature);
         style.halo_width = 4.0F;
+        // Strokes stay in the darker parts, stipples go on into the light.
+        style.group[1].share = 0.6F;
         break;
     }
     return preset;
