@@ -19,6 +19,7 @@ package_set() {
     coverage) echo gcovr ;;
     bench) echo libbenchmark-dev ;;
     thread) echo clang-14 libomp-14-dev llvm-14 ;;
+    npm) echo npm ;;
     lint) echo clang-format-14 clang-tidy-14 libomp-14-dev ;;
     *) die "there is no package set '$1'" ;;
   esac

@@ -18,7 +18,7 @@ STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make 
 MOST_MARKS = {"stipple": 400_000, "curvature": 800_000, "combing": 800_000}
 
 # Ink over area at the darkest tone.  Stipples overlap, strokes of one direction should not.
-_COVERAGE = {"stipple": 1.0, "curvature": 0.7, "combing": 0.7}
+_COVERAGE = {"stipple": 0.8, "curvature": 0.7, "combing": 0.7}
 
 
 def _unit(v: Any) -> Any:
@@ -72,7 +72,7 @@ def pixels_per_unit(camera: Camera, place: Any) -> float:
 
 def mark_radius(size: Tuple[int, int]) -> float:
     """Pixels."""
-    return max(0.7, max(size) / 1000)
+    return max(1.0, max(size) / 900)
 
 
 def probe(model: Model, context: Context) -> PointSet:
