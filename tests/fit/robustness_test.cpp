@@ -200,55 +200,57 @@ TEST(Robustness, ASingularSystemSaysWhatToDo) {
     EXPECT_NO_THROW(static_cast<void>(fit::fit(runtime, flat, {})));
 }
 
-Cloud noisy_sphere(double noise) {
-    const Cloud cloud = sphere(150);
-    Cloud result;
-    for (std::int64_t i = 0; i < cloud.count(); ++i) {
-        const double wobble = std::sin(91.7 * static_cast<double>(i * i % 97));
-        result.add((1.0 + noise * wobble) * cloud.point(i), cloud.normal(i));
-    }
-    return result;
-}
-
-double deviation_from_sphere(const fit::FitResult& result) {
-    const Cloud truth = sphere(500);
-    double sum = 0.0;
-    for (std::int64_t i = 0; i < truth.count(); ++i) sum += std::pow(distance(result.data, truth.point(i)), 2);
-    return std::sqrt(sum / 500.0);
-}
-
-TEST(Regularization, SmoothsNoise) {
+TEST(Robustness, NoFitIsReturnedThatDoesNotInterpolate) {
     const base::Runtime runtime;
-    const Cloud cloud = noisy_sphere(0.02);
-    for (const Kind kind : {Kind::triharmonic, Kind::gaussian, Kind::wendland_c2}) {
-        double residual = -1.0;
-        double deviation = HUGE_VAL;
-        for (const double eta : {0.0, 1e-5, 1e-4, 1e-3}) {
-            fit::FitInput smoothed = input(cloud, kind, 1);
-            smoothed.regularization = eta;
-            const fit::FitResult result = fit::fit(runtime, smoothed, {});
-            EXPECT_GT(result.report.value_residual_rms, residual) << hrbfnpr::kernel::name(kind) << eta;
-            residual = result.report.value_residual_rms;
-            const double now = deviation_from_sphere(result);
-            EXPECT_LT(now, deviation) << hrbfnpr::kernel::name(kind) << eta;
-            deviation = now;
-            EXPECT_EQ(result.report.regularization, eta);
+    const Cloud cloud = bumpy(80);
+    int good = 0;
+    int refused = 0;
+    for (double radius = 0.4; radius < 6.0; radius *= 1.15) { // up to far beyond what double precision can do
+        fit::FitInput wide = input(cloud, Kind::gaussian, 1);
+        wide.kernel_radius = radius;
+        wide.iteration_limit = 0;
+        try {
+            const fit::FitResult result = fit::fit(runtime, wide, {});
+            EXPECT_LE(result.report.solver_residual, 1e-6) << radius;
+            EXPECT_LE(result.report.gradient_residual_max, 1e-5) << radius;
+            ++good;
+        } catch (const hrbfnpr::Error& error) {
+            EXPECT_EQ(error.status(), Status::singular_system) << radius;
+            ++refused;
         }
     }
+    EXPECT_GT(good, 3);
+    EXPECT_GT(refused, 3);
 }
 
-TEST(Regularization, DoesNotDependOnTheUnit) {
+TEST(Robustness, RefinementLowersTheResidual) {
     const base::Runtime runtime;
-    const Cloud cloud = noisy_sphere(0.02);
-    const Cloud large = cloud.moved(1000.0, glm::dvec3(0.0));
-    for (const Kind kind : {Kind::triharmonic, Kind::gaussian}) {
-        fit::FitInput a = input(cloud, kind, 1);
-        fit::FitInput b = input(large, kind, 1);
-        a.regularization = b.regularization = 1e-4;
-        const fit::FitResult small_fit = fit::fit(runtime, a, {});
-        const fit::FitResult large_fit = fit::fit(runtime, b, {});
-        const glm::dvec3 p(0.5, 0.6, 0.7);
-        EXPECT_NEAR(at(large_fit.data, 1000.0 * p).value, 1000.0 * at(small_fit.data, p).value, 1e-6);
+    const Cloud cloud = bumpy(120);
+    fit::FitInput refined = input(cloud, Kind::gaussian, 1);
+    refined.kernel_radius = 0.54; // condition 1e15
+    refined.iteration_limit = 0;
+    const fit::FitReport once = fit::fit(runtime, refined, {}).report;
+    refined.iteration_limit = 5;
+    const fit::FitReport better = fit::fit(runtime, refined, {}).report;
+    EXPECT_EQ(once.iterations, 0);
+    EXPECT_GE(better.iterations, 1);
+    EXPECT_LE(better.iterations, 5);
+    EXPECT_LT(better.solver_residual, 0.5 * once.solver_residual);
+}
+
+TEST(Robustness, SamplesMayBeVeryClose) {
+    const base::Runtime runtime;
+    for (const Kind kind : {Kind::triharmonic, Kind::wendland_c2}) {
+        for (const double gap : {1e-3, 1e-5, 1e-7}) {
+            Cloud cloud = sphere(50);
+            const glm::dvec3 near = glm::normalize(cloud.point(7) + glm::dvec3(gap, 0, 0));
+            cloud.add(near, near);
+            const fit::FitResult result = fit::fit(runtime, input(cloud, kind, 1), {});
+            EXPECT_LE(result.report.gradient_residual_max, 1e-8) << gap;
+            const Cloud truth = sphere(200);
+            for (std::int64_t i = 0; i < truth.count(); ++i)
+                EXPECT_LT(std::abs(distance(result.data, truth.point(i))), 2e-3) << gap;
+        }
     }
 }
 

@@ -162,15 +162,21 @@ TEST(Samples, MaximumCentresCountsWhatIsLeftAfterMerging) {
 
 TEST(Samples, ADegreeThatTheyDoNotDetermineIsNamed) {
     expect_message(input(sphere(2), Kind::gaussian, 2), {"polynomial_degree 2", "2 samples", "lower it"});
-    Cloud flat; // z^2 and its gradient vanish on all of them
-    for (int i = 0; i < 30; ++i) flat.add({i % 6, i / 6, 0.0}, {0, 0, 1});
+    // Off the axes, so that what vanishes does so up to rounding only.
+    const auto turned = [](const glm::dvec3& p) {
+        const glm::dvec3 x = glm::normalize(glm::dvec3(1, 2, 3));
+        const glm::dvec3 y = glm::normalize(glm::cross(x, glm::dvec3(0, 0, 1)));
+        return p.x * x + p.y * y + p.z * glm::cross(x, y);
+    };
+    Cloud flat; // the square of the distance from the plane and its gradient vanish on all of them
+    for (int i = 0; i < 30; ++i) flat.add(turned({i % 6, i / 6, 0.0}), turned({0, 0, 1}));
     expect_message(input(flat, Kind::triharmonic, 2), {"polynomial_degree 2", "30 samples"});
-    Cloud axes; // x y z vanishes on the six of them
+    Cloud axes; // the product of the three coordinates vanishes on the six of them
     for (glm::length_t a = 0; a < 3; ++a) {
         for (const double sign : {1.0, -1.0}) {
             glm::dvec3 p(0.0);
             p[a] = sign;
-            axes.add(p, p);
+            axes.add(turned(p), turned(p));
         }
     }
     expect_message(input(axes, Kind::triharmonic, 3), {"polynomial_degree 3"});
