@@ -6,7 +6,7 @@ import sys
 import zipfile
 
 import pytest
-from conftest import PACKAGE, ROOT
+from conftest import PACKAGE, ROOT, torus
 
 import hrbfnpr
 
@@ -55,6 +55,29 @@ def test_types():
         [mypy, "--cache-dir", os.devnull, "--python-version", "3.9"], cwd=PACKAGE, capture_output=True, text=True
     )
     assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_the_examples_of_the_documentation_run(tmp_path, monkeypatch):
+    import re
+
+    import numpy as np
+
+    tqdm = pytest.importorskip("tqdm")
+    pytest.importorskip("PIL")
+    points, normals = torus()
+    lines = [f"{x} {y} {z} {a} {b} {c}" for (x, y, z), (a, b, c) in zip(points, normals)]
+    header = ["ply", "format ascii 1.0", f"element vertex {len(lines)}"]
+    header += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
+    (tmp_path / "bunny.ply").write_text("\n".join([*header, "end_header", *lines, ""]))
+    monkeypatch.chdir(tmp_path)
+    text = (ROOT / "docs" / "python.md").read_text()
+    blocks = re.findall(r"^```python\n(.*?)^```$", text, flags=re.DOTALL | re.MULTILINE)
+    assert len(blocks) >= 3
+    names = {"np": np, "tqdm": tqdm}
+    for block in blocks:
+        exec(compile(block, "python.md", "exec"), names)
+    assert (tmp_path / "bunny.png").stat().st_size > 1000
+    assert names["ball"].evaluate([0, 0, 3]).value == pytest.approx(2)
 
 
 def test_everything_public_is_documented():

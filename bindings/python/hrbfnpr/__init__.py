@@ -14,6 +14,8 @@ Arrays are NumPy arrays.  NumPy is optional: without it anything with the buffer
 nested sequences, is taken, and memoryviews of the same shape are returned.  Long calls release the
 interpreter lock, report progress and can be cancelled (`Operation`, Ctrl-C).
 """
+from typing import Any
+
 from ._camera import Camera
 from ._context import Context, ContextInfo, build_info, default_context, set_default_context
 from ._drawing import Drawing
@@ -55,3 +57,12 @@ __all__ = [
     "StreamError", "Style", "UnsupportedStructError", "VersionMismatchError", "build_info",
     "default_context", "library_path", "set_default_context",
 ]  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    # Only on demand: it needs NumPy.
+    if name == "shapes":
+        import importlib
+
+        return importlib.import_module(".shapes", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
