@@ -155,3 +155,13 @@ def test_styles_can_be_copied():
         assert other.groups == style.groups and other.tone is tone
     assert style.copy(halo_width=2).halo_width == 2
     assert "halo_width=7.0" in repr(style) and repr(style).startswith("Style('full'")
+
+
+def test_fit_points_fills_the_picture_with_the_points_themselves():
+    points = np.array([[0, 0, 0], [1, 0.2, 0], [0.3, 0.5, 0.4]], dtype=np.float32)
+    camera = hrbfnpr.Camera.fit_points(points, (0, 0, -1), origin=(10, 20, 30), size=(200, 100), margin=0.1)
+    clip = np.column_stack([points + [10, 20, 30], np.ones(3)]) @ (camera.projection @ camera.view).T
+    assert np.abs(clip[:, :2]).max() == pytest.approx(0.8)
+    assert clip[:, :2].min(axis=0) == pytest.approx(-clip[:, :2].max(axis=0))
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="points is empty"):
+        hrbfnpr.Camera.fit_points(np.empty((0, 3)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 from typing import Any, Optional, Sequence, Tuple
 
-from ._arrays import Array, matrix_in, matrix_out, vector
+from ._arrays import Array, block_in, matrix_in, matrix_out, vector
 from ._errors import check, new_error, new_struct
 from ._library import ffi, lib
 from ._names import DEPTH_CONVENTIONS, name_of, number_of
@@ -136,6 +136,37 @@ class Camera:
         vectors += [_vector("direction", direction), _vector("up", up)]
         error = new_error()
         status = lib.hrbfnpr_camera_fit_bounds(camera._struct, *vectors, vertical_angle, *size, margin, error)
+        check(status, error)
+        return camera
+
+    @classmethod
+    def fit_points(
+        cls,
+        points: Any,
+        direction: Sequence[float] = (-0.5, -0.35, -0.8),
+        up: Sequence[float] = (0.0, 1.0, 0.0),
+        *,
+        origin: Sequence[float] = (0.0, 0.0, 0.0),
+        size: Tuple[float, float] = (800, 800),
+        vertical_angle: float = 0.0,
+        margin: float = 0.05,
+        depth_convention: str = "negative_one_to_one",
+    ) -> Camera:
+        """As `fit`, but the points themselves fill the picture, not the corners of their box.
+
+        Parameters
+        ----------
+        points : array of float, shape (n, 3)
+            Such as the positions of a point set's group, with its origin.
+        origin : sequence of float
+            Added to each point.
+        """
+        camera, block = cls(depth_convention=depth_convention), block_in("points", points)
+        vectors = [_vector("origin", origin), _vector("direction", direction), _vector("up", up)]
+        error = new_error()
+        status = lib.hrbfnpr_camera_fit_points(
+            camera._struct, block.view(), *vectors, vertical_angle, *size, margin, error
+        )
         check(status, error)
         return camera
 
