@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""The shared library exports exactly the header's functions, under its SONAME, and keeps no state of its own.
+
+    exports.py NM READELF LIBRARY SONAME
+
+No state: no thread-local variable, and no writable one but those listed below.  A host may keep the library
+loaded while everything else is torn down and set up again, so nothing may be left over in it.
+"""
+
+import re
+import subprocess
+import sys
+from typing import List
+
+import header
+
+# Demangled name -> why it may be there.
+ALLOWED = {
+    "hrbfnpr::base::(anonymous namespace)::pool_pid": "tells a forked child that the thread pool is its parent's",
+}
+# The compiler's and the linker's own, in every shared library; and Eigen's cache sizes, set once.
+RUNTIME = re.compile(r"^(completed\.0|__dso_handle|__TMC_END__|DW\.ref\..*|std::__ioinit"
+                     r"|(guard variable for )?Eigen::internal::manage_caching_sizes\(.*\)::.*)$")
+WRITABLE = (".data", ".bss", ".tdata", ".tbss")  # .data.rel.ro is read-only once it is relocated
+
+
+def output(*command: str) -> str:
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def check_exports(nm: str, library: str) -> List[str]:
+    exported = {line.split()[2].split("@")[0] for line in output(nm, "-D", "--defined-only", library).splitlines()
+                if line.split()[1] != "A"}
+    declared = set(header.read().functions)
+    return ([f"exported, but not in the header: {name}" for name in sorted(exported - declared)] +
+            [f"in the header, but not exported: {name}" for name in sorted(declared - exported)])
+
+
+def check_soname(readelf: str, library: str, soname: str) -> List[str]:
+    found = re.search(r"\(SONAME\).*\[(.*)\]", output(readelf, "-d", library))
+    if found and found.group(1) == soname:
+        return []
+    return [f"SONAME is {found.group(1) if found else 'missing'}, not {soname}"]
+
+
+def check_state(nm: str, readelf: str, library: str) -> List[str]:
+    faults = []
+    for line in output(nm, "-C", "-f", "sysv", library).splitlines():
+        columns = [column.strip() for column in line.split("|")]
+        if len(columns) < 7 or columns[-1] not in WRITABLE:
+            continue
+        name = columns[0]
+        if name not in ALLOWED and not RUNTIME.match(name):
+            faults.append(f"writable state: {name} in {columns[-1]}")
+    if re.search(r"^\s*TLS\s", output(readelf, "-lW", library), flags=re.MULTILINE):
+        faults.append("the library has thread-local variables")
+    return faults
+
+
+def main() -> int:
+    nm, readelf, library, soname = sys.argv[1:]
+    faults = check_exports(nm, library) + check_soname(readelf, library, soname) + check_state(nm, readelf, library)
+    for fault in faults:
+        print(fault)
+    print(f"{len(header.read().functions)} functions in the header, {len(faults)} faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

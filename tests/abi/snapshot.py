@@ -1,0 +1,75 @@
+#!/usr/bin/python3
+"""Hold the boundary against its snapshot: every signature, constant, sizeof and offsetof.
+
+    snapshot.py CC            compare with snapshot.txt
+    snapshot.py CC --update   append what is new
+
+Lines may only be added: a changed or a vanished line breaks binaries that exist.  The one exception is a
+struct's size, which may grow (fields are added at the end); the old sizes stay readable by struct_size.
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Dict, List
+
+import header
+
+SNAPSHOT = Path(__file__).with_name("snapshot.txt")
+
+
+def measure(compiler: str, declared: header.Declarations) -> List[str]:
+    """Constants and layouts by a compiled program: 64-bit data model."""
+    lines = ['#include <hrbfnpr.h>', '#include <stddef.h>', '#include <stdio.h>', 'int main(void) {']
+    for name in declared.constants:
+        lines.append(f'printf("constant {name} = %ld\\n", (long){name});')
+    for name, fields in declared.structs.items():
+        lines.append(f'printf("sizeof {name} = %zu\\n", sizeof({name}));')
+        for field in fields:
+            lines.append(f'printf("offsetof {name}.{field} = %zu\\n", offsetof({name}, {field}));')
+    lines.append("return 0; }")
+    with tempfile.TemporaryDirectory() as folder:
+        source, program = Path(folder) / "layout.c", Path(folder) / "layout"
+        source.write_text("\n".join(lines))
+        subprocess.run([compiler, f"-I{header.HEADER.parent}", str(source), "-o", str(program)], check=True)
+        return subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout.splitlines()
+
+
+def current(compiler: str) -> List[str]:
+    declared = header.read()
+    signatures = [f"function {name} : {signature}" for name, signature in declared.functions.items()]
+    return signatures + measure(compiler, declared)
+
+
+def keyed(lines: List[str]) -> Dict[str, str]:
+    return dict(line.split(" = " if " = " in line else " : ", 1) for line in lines)
+
+
+def compare(old: Dict[str, str], new: Dict[str, str]) -> List[str]:
+    faults = []
+    for key, value in old.items():
+        if key not in new:
+            faults.append(f"gone: {key}")
+        elif new[key] != value and not (key.startswith("sizeof ") and int(new[key]) > int(value)):
+            faults.append(f"changed: {key}: {value} -> {new[key]}")
+    return faults
+
+
+def main() -> int:
+    lines = current(sys.argv[1])
+    old_lines = SNAPSHOT.read_text().splitlines() if SNAPSHOT.exists() else []
+    old, new = keyed(old_lines), keyed(lines)
+    faults = compare(old, new)
+    if not faults and "--update" in sys.argv:
+        SNAPSHOT.write_text("\n".join(lines) + "\n")
+        return 0
+    missing = [f"not in the snapshot (run snapshot.py CC --update): {key}" for key in new if new[key] != old.get(key)]
+    for line in faults + ([] if faults else missing):
+        print(line)
+    print(f"{len(new)} facts of the boundary, {len(faults)} broken")
+    return 1 if faults or missing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
