@@ -1,0 +1,152 @@
+// The k-th allocation fails, for every k: each time a clean OUT_OF_MEMORY and no leak.
+#include "fixture.h"
+
+namespace api_test {
+namespace {
+
+// From samples to pictures in steps, each of which may fail; whatever was made is released.
+class Pipeline {
+public:
+    explicit Pipeline(const hrbfnpr_context_desc& desc) : desc_(desc) {}
+    Pipeline(const Pipeline&) = delete;
+    Pipeline& operator=(const Pipeline&) = delete;
+    ~Pipeline() {
+        hrbfnpr_renderer_release(renderer_);
+        hrbfnpr_point_set_release(set_);
+        hrbfnpr_model_release(loaded_);
+        hrbfnpr_model_release(model_);
+        hrbfnpr_operation_release(operation_);
+        hrbfnpr_context_release(context_);
+    }
+
+    // The first failure, or OK.
+    hrbfnpr_status run(hrbfnpr_error* error) {
+        using Step = hrbfnpr_status (Pipeline::*)(hrbfnpr_error*);
+        for (const Step step : {&Pipeline::create, &Pipeline::fit, &Pipeline::query, &Pipeline::reload, &Pipeline::blue,
+                                &Pipeline::paper, &Pipeline::patches, &Pipeline::attenuated, &Pipeline::hidden})
+            if (const hrbfnpr_status status = (this->*step)(error); status != HRBFNPR_STATUS_OK) return status;
+        return HRBFNPR_STATUS_OK;
+    }
+
+private:
+    hrbfnpr_status create(hrbfnpr_error* error) {
+        const hrbfnpr_status status = hrbfnpr_context_create(&desc_, &context_, error);
+        return status != HRBFNPR_STATUS_OK ? status : hrbfnpr_operation_create(context_, &operation_, error);
+    }
+    hrbfnpr_status fit(hrbfnpr_error* error) {
+        const hrbfnpr_fit_desc desc = fit_desc(samples_);
+        return hrbfnpr_model_fit(context_, &desc, operation_, &model_, error);
+    }
+    hrbfnpr_status query(hrbfnpr_error* error) {
+        const hrbfnpr_array points = in(samples_.points);
+        const hrbfnpr_array_out numbers = out(number_, 1);
+        const hrbfnpr_array_out vectors = out(vector_);
+        hrbfnpr_status status = hrbfnpr_model_evaluate(model_, &points, &numbers, &vectors, nullptr, operation_, error);
+        if (status == HRBFNPR_STATUS_OK)
+            status =
+                hrbfnpr_model_project(model_, &points, nullptr, &vectors, nullptr, nullptr, nullptr, nullptr, error);
+        if (status == HRBFNPR_STATUS_OK)
+            status =
+                hrbfnpr_model_curvature(model_, &points, &numbers, nullptr, nullptr, nullptr, nullptr, nullptr, error);
+        return status;
+    }
+    hrbfnpr_status reload(hrbfnpr_error* error) {
+        std::vector<std::uint8_t> bytes(65536);
+        std::int64_t size = 0;
+        const hrbfnpr_status status = hrbfnpr_model_save_memory(model_, bytes.data(), 65536, &size, error);
+        return status != HRBFNPR_STATUS_OK ? status
+                                           : hrbfnpr_model_load_memory(context_, bytes.data(), size, &loaded_, error);
+    }
+    hrbfnpr_status generate(std::uint32_t distribution, hrbfnpr_error* error) {
+        hrbfnpr_generate_desc desc = small_desc(distribution);
+        for (hrbfnpr_group_desc& group : desc.group) {
+            group.levels = 1;
+            group.budget = 12;
+        }
+        hrbfnpr_point_set_release(set_);
+        return hrbfnpr_point_set_generate(context_, loaded_, &desc, nullptr, &set_, error);
+    }
+    hrbfnpr_status blue(hrbfnpr_error* error) { return generate(HRBFNPR_DISTRIBUTION_BLUE_NOISE, error); }
+    hrbfnpr_status paper(hrbfnpr_error* error) { return generate(HRBFNPR_DISTRIBUTION_PAPER, error); }
+    hrbfnpr_status patches(hrbfnpr_error* error) {
+        std::vector<double> corner(24);
+        const hrbfnpr_array_out corners = out(corner, 12);
+        return hrbfnpr_point_set_step_patches(context_, loaded_, nullptr, &corners, nullptr, nullptr, error);
+    }
+    hrbfnpr_status frame(std::uint32_t hidden_lines, hrbfnpr_error* error) {
+        if (renderer_ == nullptr) {
+            const hrbfnpr_status status = hrbfnpr_renderer_create(context_, &renderer_, error);
+            if (status != HRBFNPR_STATUS_OK) return status;
+        }
+        auto style = made(hrbfnpr_style_init);
+        style.hidden_lines = hidden_lines;
+        auto item = made(hrbfnpr_item_init);
+        item.point_set = set_;
+        item.style = &style;
+        const hrbfnpr_camera camera = front_camera(16);
+        const hrbfnpr_status status = hrbfnpr_renderer_prepare(renderer_, &item, 1, 0, &camera, nullptr, error);
+        if (status != HRBFNPR_STATUS_OK) return status;
+        std::vector<std::uint8_t> pixels;
+        const hrbfnpr_image image = image_of(pixels, 16);
+        return hrbfnpr_renderer_draw_image(renderer_, &image, nullptr, error);
+    }
+    hrbfnpr_status attenuated(hrbfnpr_error* error) { return frame(HRBFNPR_HIDDEN_LINES_ATTENUATE, error); }
+    hrbfnpr_status hidden(hrbfnpr_error* error) { return frame(HRBFNPR_HIDDEN_LINES_HIDE, error); }
+
+    hrbfnpr_context_desc desc_;
+    scenes::Samples samples_ = scenes::sphere_6();
+    std::vector<double> number_ = std::vector<double>(6);
+    std::vector<double> vector_ = std::vector<double>(18);
+    hrbfnpr_context* context_ = nullptr;
+    hrbfnpr_operation* operation_ = nullptr;
+    hrbfnpr_model* model_ = nullptr;
+    hrbfnpr_model* loaded_ = nullptr;
+    hrbfnpr_point_set* set_ = nullptr;
+    hrbfnpr_renderer* renderer_ = nullptr;
+};
+
+std::int64_t allocations_of_a_whole_run() {
+    Error error;
+    Ledger ledger;
+    EXPECT_OK(Pipeline(ledger_desc(ledger)).run(error));
+    EXPECT_EQ(ledger.bytes, 0);
+    return ledger.calls;
+}
+
+TEST(Allocation, EveryFailureIsCleanAndLeaksNothing) {
+    const std::int64_t all = allocations_of_a_whole_run();
+    ASSERT_GT(all, 50);
+    for (std::int64_t k = 1; k <= all; ++k) {
+        Error error;
+        Ledger ledger;
+        ledger.refuse_at = k;
+        ASSERT_EQ(Pipeline(ledger_desc(ledger)).run(error), HRBFNPR_STATUS_OUT_OF_MEMORY)
+            << k << " of " << all << ": " << error.record.message;
+        ASSERT_NE(std::string(error.record.message).find("bytes"), std::string::npos) << error.record.message;
+        ASSERT_EQ(ledger.bytes, 0) << k << " of " << all;
+    }
+    RecordProperty("allocations", static_cast<int>(all));
+}
+
+TEST(Allocation, ARendererGoesOnAfterAFailure) {
+    Error error;
+    Ledger ledger;
+    const Context context = make_context(ledger_desc(ledger));
+    Sphere sphere;
+    const PointSet set = generate(context, custom_sphere(context, sphere), small_desc());
+    const auto wanted = draw(make_renderer(context), set);
+    const hrbfnpr_item item = item_of(set);
+    const hrbfnpr_camera camera = front_camera();
+    const Renderer renderer = make_renderer(context);
+    for (int after = 1; after < 40; ++after) {
+        ledger.refuse_at = ledger.calls + after;
+        const hrbfnpr_status status = hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, error);
+        ledger.refuse_at = 0;
+        if (status == HRBFNPR_STATUS_OK) break;
+        EXPECT_EQ(status, HRBFNPR_STATUS_OUT_OF_MEMORY);
+    }
+    EXPECT_EQ(draw(renderer, set), wanted);
+}
+
+} // namespace
+} // namespace api_test

@@ -1,0 +1,283 @@
+// The table of bad inputs, first half: contexts, models and arrays.  Every row changes one thing of
+// a good call and names the status and the words it must give.
+#include "fixture.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace api_test {
+namespace {
+
+constexpr auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr auto largest = std::numeric_limits<std::int64_t>::max();
+constexpr auto lowest = std::numeric_limits<std::int64_t>::min();
+
+template <class T>
+struct Row {
+    std::function<void(T&)> change;
+    hrbfnpr_status status;
+    const char* message;
+};
+
+// A good call's data, for the rows to change.
+struct FitCall {
+    scenes::Samples samples = scenes::sphere_6();
+    std::vector<float> floats = std::vector<float>(18, 1.0F);
+    hrbfnpr_fit_desc desc = fit_desc(samples);
+};
+
+const std::vector<Row<FitCall>>& fit_rows() {
+    static const auto& rows = *new std::vector<Row<FitCall>>{
+        {[](FitCall& c) { c.samples.points[7] = nan; }, invalid, "points[2] is NaN or infinite"},
+        {[](FitCall& c) { c.samples.points[17] = -infinity; }, invalid, "points[5] is NaN or infinite"},
+        {[](FitCall& c) { c.samples.points[0] = 1e101; }, invalid, "points[0] has a coordinate beyond 1e100"},
+        {[](FitCall& c) { c.samples.normals[3] = nan; }, invalid, "normals[1] is NaN or infinite"},
+        {[](FitCall& c) { c.samples.normals.assign(18, 0.0); }, invalid, "normals[0] is zero"},
+        {[](FitCall& c) {
+             c.desc.points = {nullptr, 0, 0, 0, 0};
+         },
+         invalid, "fit_desc.points is empty"},
+        {[](FitCall& c) { c.desc.points.count = 0; }, invalid, "fit_desc.points is empty"},
+        {[](FitCall& c) {
+             c.desc.normals = {nullptr, 0, 0, 0, 0};
+         },
+         invalid, "fit_desc.normals has 0 elements and fit_desc.points has 6"},
+        {[](FitCall& c) { c.desc.normals.count = 5; }, invalid,
+         "fit_desc.normals has 5 elements and fit_desc.points has 6; give one normal for each point"},
+        {[](FitCall& c) { c.desc.points.data = nullptr; }, invalid, "fit_desc.points.data is NULL but its count is 6"},
+        {[](FitCall& c) { c.desc.points.count = -1; }, invalid, "fit_desc.points.count is -1; it must be 0 or more"},
+        {[](FitCall& c) { c.desc.points.scalar = 0; }, invalid,
+         "fit_desc.points.scalar is 0; it must be HRBFNPR_SCALAR_ FLOAT32 or FLOAT64"},
+        {[](FitCall& c) { c.desc.points.scalar = 5; }, invalid, "fit_desc.points.scalar is 5"},
+        {[](FitCall& c) { c.desc.points.scalar = 33; }, invalid, "fit_desc.points.scalar is 33"},
+        {[](FitCall& c) { c.desc.normals.scalar = HRBFNPR_SCALAR_UINT8; }, invalid, "fit_desc.normals.scalar is 3"},
+        {[](FitCall& c) { c.desc.points.components = 2; }, invalid, "fit_desc.points.components is 2; it must be 3"},
+        {[](FitCall& c) { c.desc.points.components = 0; }, invalid, "fit_desc.points.components is 0; it must be 3"},
+        {[](FitCall& c) { c.desc.points.stride = 23; }, invalid,
+         "fit_desc.points.stride is 23; an element has 24 bytes"},
+        {[](FitCall& c) { c.desc.points.stride = -23; }, invalid, "fit_desc.points.stride is -23"},
+        {[](FitCall& c) { c.desc.points.stride = largest; }, invalid,
+         "fit_desc.points: count 6 times stride 9223372036854775807 is beyond the address space"},
+        {[](FitCall& c) { c.desc.points.stride = lowest; }, invalid, "is beyond the address space"},
+        {[](FitCall& c) { c.desc.points.stride = largest / 5; }, invalid, "is beyond the address space"},
+        {[](FitCall& c) { c.desc.points.stride = -(std::int64_t{1} << 62); }, invalid, "is beyond the address space"},
+        {[](FitCall& c) { c.desc.points.count = largest; }, invalid, "is beyond the address space"},
+        {[](FitCall& c) { c.desc.points.count = largest / 24 + 1; }, invalid, "is beyond the address space"},
+        {[](FitCall& c) { c.desc.kernel = 3; }, invalid, "fit_desc.kernel is 3; it must be one of HRBFNPR_KERNEL_..."},
+        {[](FitCall& c) { c.desc.kernel_radius = -1; }, invalid,
+         "fit_desc.kernel_radius is -1; it must be a finite number of at least 0"},
+        {[](FitCall& c) { c.desc.kernel_radius = nan; }, invalid, "fit_desc.kernel_radius is nan"},
+        {[](FitCall& c) { c.desc.polynomial_degree = 4; }, invalid,
+         "fit_desc.polynomial_degree is 4; it must be -1, 0, 1, 2 or 3"},
+        {[](FitCall& c) { c.desc.polynomial_degree = -2; }, invalid, "fit_desc.polynomial_degree is -2"},
+        {[](FitCall& c) { c.desc.polynomial_degree = 3; }, invalid, "do not determine a polynomial of that degree"},
+        {[](FitCall& c) { c.desc.solver = 2; }, invalid, "fit_desc.solver is 2"},
+        {[](FitCall& c) { c.desc.regularization = -0.5; }, invalid, "fit_desc.regularization is -0.5"},
+        {[](FitCall& c) { c.desc.regularization = infinity; }, invalid, "fit_desc.regularization is inf"},
+        {[](FitCall& c) { c.desc.tolerance = nan; }, invalid, "fit_desc.tolerance is nan"},
+        {[](FitCall& c) { c.desc.maximum_centres = -1; }, invalid, "fit_desc.maximum_centres is -1"},
+        {[](FitCall& c) { c.desc.maximum_centres = 5; }, invalid, "more than maximum_centres, 5"},
+        {[](FitCall& c) { c.desc.iteration_limit = -1; }, invalid, "fit_desc.iteration_limit is -1"},
+        {[](FitCall& c) { c.desc.reserved = 1; }, invalid, "fit_desc.reserved is 1; it must be 0"},
+        {[](FitCall& c) { c.desc.struct_size = 0; }, HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "fit_desc.struct_size is 0"},
+        {[](FitCall& c) { c.desc.struct_size = 8; }, invalid, "fit_desc.points is empty"},
+        {[](FitCall& c) {
+             for (int axis = 0; axis < 3; ++axis)
+                 c.samples.points[static_cast<std::size_t>(axis)] =
+                     c.samples.points[static_cast<std::size_t>(3 + axis)];
+         },
+         invalid, "points[0] and points[1] coincide but their normals differ by"},
+    };
+    return rows;
+}
+
+TEST(BadInput, Fit) {
+    const Context context = make_context();
+    const std::int64_t before = info_of(context).bytes_now;
+    for (const Row<FitCall>& row : fit_rows()) {
+        Error error;
+        FitCall call;
+        row.change(call);
+        auto* model = reinterpret_cast<hrbfnpr_model*>(&call);
+        EXPECT_FAILS(hrbfnpr_model_fit(context.get(), &call.desc, nullptr, &model, error), row.status, row.message);
+        EXPECT_EQ(model, nullptr) << row.message;
+    }
+    EXPECT_EQ(info_of(context).bytes_now, before);
+}
+
+TEST(BadInput, FitNulls) {
+    Error error;
+    const Context context = make_context();
+    const FitCall call;
+    hrbfnpr_model* model = nullptr;
+    EXPECT_FAILS(hrbfnpr_model_fit(nullptr, &call.desc, nullptr, &model, error), invalid, "context is NULL");
+    EXPECT_FAILS(hrbfnpr_model_fit(context.get(), nullptr, nullptr, &model, error), invalid, "fit_desc is NULL");
+    EXPECT_FAILS(hrbfnpr_model_fit(context.get(), &call.desc, nullptr, nullptr, error), invalid, "out_model is NULL");
+    EXPECT_EQ(hrbfnpr_model_fit(context.get(), nullptr, nullptr, &model, nullptr), invalid);
+}
+
+TEST(BadInput, Context) {
+    const std::vector<Row<hrbfnpr_context_desc>> rows = {
+        {[](auto& d) { d.abi_version = 77; }, HRBFNPR_STATUS_VERSION_MISMATCH,
+         "context_desc.abi_version is 77 and this library's is 0"},
+        {[](auto& d) { d.thread_count = -1; }, invalid, "context_desc.thread_count is -1"},
+        {[](auto& d) { d.flags = 1; }, invalid, "context_desc.flags is 1; it must be 0"},
+        {[](auto& d) { d.reserved = 2; }, invalid, "context_desc.reserved is 2; it must be 0"},
+        {[](auto& d) { d.highest_instruction_set = 5; }, invalid, "context_desc.highest_instruction_set is 5"},
+        {[](auto& d) { d.allocate = Ledger::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
+        {[](auto& d) { d.deallocate = Ledger::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};
+    for (const auto& row : rows) {
+        Error error;
+        auto desc = made(hrbfnpr_context_desc_init);
+        row.change(desc);
+        auto* context = reinterpret_cast<hrbfnpr_context*>(&desc);
+        EXPECT_FAILS(hrbfnpr_context_create(&desc, &context, error), row.status, row.message);
+        EXPECT_EQ(context, nullptr);
+    }
+}
+
+TEST(BadInput, Custom) {
+    const std::vector<Row<hrbfnpr_custom_desc>> rows = {
+        {[](auto& d) { d.function = nullptr; }, invalid, "custom_desc.function is NULL"},
+        {[](auto& d) { d.flags = 9; }, invalid, "custom_desc.flags is 0x9; only the bits of 0x7 have a meaning"},
+        {[](auto& d) { d.bounds_min[1] = nan; }, invalid, "custom_desc.bounds_min is nan"},
+        {[](auto& d) { d.bounds_max[1] = infinity; }, invalid, "custom_desc.bounds_max is inf"},
+        {[](auto& d) { d.bounds_min[2] = 1.5; }, invalid, "custom_desc.bounds_min[2] is 1.5, above bounds_max[2]"},
+        {[](auto& d) {
+             for (int axis = 0; axis < 3; ++axis) d.bounds_max[axis] = d.bounds_min[axis];
+         },
+         invalid, "span no box"},
+        {[](auto& d) { d.difference_step = -1; }, invalid, "custom_desc.difference_step is -1"}};
+    const Context context = make_context();
+    Sphere sphere;
+    for (const auto& row : rows) {
+        Error error;
+        hrbfnpr_custom_desc desc = sphere_desc(sphere, 0);
+        row.change(desc);
+        hrbfnpr_model* model = nullptr;
+        EXPECT_FAILS(hrbfnpr_model_create_custom(context.get(), &desc, &model, error), row.status, row.message);
+    }
+    EXPECT_EQ(sphere.releases, 0);
+}
+
+// The arguments of _evaluate, _project and _curvature.
+struct Query {
+    std::vector<double> point{0.5, 0, 0, 0, 0.5, 0};
+    std::vector<double> number{-7, -7};
+    std::vector<double> vector = std::vector<double>(6, -7);
+    std::vector<double> hessian = std::vector<double>(12, -7);
+    std::vector<std::uint8_t> byte{77, 77};
+    hrbfnpr_array points = in(point);
+    hrbfnpr_array_out numbers = out(number, 1);
+    hrbfnpr_array_out vectors = out(vector);
+    hrbfnpr_array_out hessians = out(hessian, 6);
+    hrbfnpr_array_out bytes = out(byte, 1);
+    hrbfnpr_project_desc desc = made(hrbfnpr_project_desc_init);
+};
+
+// All failures leave all outputs untouched.
+void expect_untouched(const Query& query) {
+    for (const double value : query.number) EXPECT_EQ(value, -7);
+    for (const double value : query.vector) EXPECT_EQ(value, -7);
+    for (const double value : query.hessian) EXPECT_EQ(value, -7);
+    for (const std::uint8_t value : query.byte) EXPECT_EQ(value, 77);
+}
+
+TEST(BadInput, Evaluate) {
+    const std::vector<Row<Query>> rows = {
+        {[](Query& q) { q.point[4] = nan; }, invalid, "points[1] is NaN or infinite; all points must be finite"},
+        {[](Query& q) { q.points.data = nullptr; }, invalid, "points.data is NULL but its count is 2"},
+        {[](Query& q) { q.numbers.count = 1; }, invalid, "value.count is 1; it must be 2"},
+        {[](Query& q) { q.numbers.count = -2; }, invalid, "value.count is -2"},
+        {[](Query& q) { q.numbers.data = nullptr; }, invalid, "value.data is NULL but its count is 2"},
+        {[](Query& q) { q.numbers.components = 3; }, invalid, "value.components is 3; it must be 1"},
+        {[](Query& q) { q.vectors.components = 1; }, invalid, "gradient.components is 1; it must be 3"},
+        {[](Query& q) { q.vectors.scalar = HRBFNPR_SCALAR_UINT32; }, invalid, "gradient.scalar is 4"},
+        {[](Query& q) { q.hessians.components = 9; }, invalid, "hessian.components is 9; it must be 6"},
+        {[](Query& q) { q.hessians.stride = 8; }, invalid, "hessian.stride is 8; an element has 48 bytes"},
+        {[](Query& q) { q.hessians.stride = lowest; }, invalid, "is beyond the address space"}};
+    const Context context = make_context();
+    Sphere sphere;
+    const Model model = custom_sphere(context, sphere);
+    for (const auto& row : rows) {
+        Error error;
+        Query query;
+        row.change(query);
+        EXPECT_FAILS(hrbfnpr_model_evaluate(model.get(), &query.points, &query.numbers, &query.vectors, &query.hessians,
+                                            nullptr, error),
+                     row.status, row.message);
+        expect_untouched(query);
+    }
+    Error error;
+    Query query;
+    EXPECT_FAILS(hrbfnpr_model_evaluate(nullptr, &query.points, nullptr, nullptr, nullptr, nullptr, error), invalid,
+                 "model is NULL");
+    EXPECT_FAILS(hrbfnpr_model_evaluate(model.get(), nullptr, nullptr, nullptr, nullptr, nullptr, error), invalid,
+                 "points is NULL");
+}
+
+TEST(BadInput, Project) {
+    const std::vector<Row<Query>> rows = {
+        {[](Query& q) { q.point[0] = infinity; }, invalid, "points[0] is NaN or infinite"},
+        {[](Query& q) { q.vectors.count = 3; }, invalid, "position.count is 3; it must be 2"},
+        {[](Query& q) { q.bytes.scalar = HRBFNPR_SCALAR_FLOAT32; }, invalid,
+         "status.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8 or UINT32"},
+        {[](Query& q) { q.desc.iteration_limit = 0; }, invalid, "project_desc.iteration_limit is 0; it must be from 1"},
+        {[](Query& q) { q.desc.iteration_limit = 1001; }, invalid, "project_desc.iteration_limit is 1001"},
+        {[](Query& q) { q.desc.tolerance = 0; }, invalid, "project_desc.tolerance is 0"},
+        {[](Query& q) { q.desc.armijo_slope = 0.5; }, invalid,
+         "project_desc.armijo_slope is 0.5; it must be between 0 and 0.5"},
+        {[](Query& q) { q.desc.armijo_factor = nan; }, invalid, "project_desc.armijo_factor is nan"}};
+    const Context context = make_context();
+    Sphere sphere;
+    const Model model = custom_sphere(context, sphere);
+    for (const auto& row : rows) {
+        Error error;
+        Query query;
+        std::int64_t converged = -7;
+        row.change(query);
+        EXPECT_FAILS(hrbfnpr_model_project(model.get(), &query.points, &query.desc, &query.vectors, nullptr,
+                                           &query.bytes, &converged, nullptr, error),
+                     row.status, row.message);
+        EXPECT_EQ(converged, -7);
+        expect_untouched(query);
+    }
+}
+
+TEST(BadInput, Curvature) {
+    Error error;
+    const Context context = make_context();
+    Sphere sphere;
+    const Model model = custom_sphere(context, sphere);
+    Query query;
+    query.numbers.count = 7;
+    const auto call = [&](int which) {
+        const auto pick = [&](int i) { return which == i ? &query.numbers : nullptr; };
+        return hrbfnpr_model_curvature(model.get(), &query.points, pick(0), pick(1), pick(2), pick(3), pick(4), nullptr,
+                                       error);
+    };
+    EXPECT_FAILS(call(0), invalid, "k1.count is 7; it must be 2");
+    EXPECT_FAILS(call(1), invalid, "k2.count is 7");
+    EXPECT_FAILS(call(2), invalid, "d1.components is 1; it must be 3");
+    EXPECT_FAILS(call(3), invalid, "d2.components is 1");
+    EXPECT_FAILS(call(4), invalid, "confidence.count is 7");
+}
+
+TEST(BadInput, HugeStridesOfASingleElementAreFine) {
+    Error error;
+    const Context context = make_context();
+    Sphere sphere;
+    const Model model = custom_sphere(context, sphere);
+    Query query;
+    query.points.count = query.numbers.count = 1;
+    query.points.stride = largest;
+    query.numbers.stride = lowest;
+    EXPECT_OK(hrbfnpr_model_evaluate(model.get(), &query.points, &query.numbers, nullptr, nullptr, nullptr, error));
+    EXPECT_EQ(query.number[0], 0.5 * (0.25 - 1.0));
+}
+
+} // namespace
+} // namespace api_test

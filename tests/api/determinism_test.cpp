@@ -1,0 +1,148 @@
+// The same bits for any number of threads, and in any floating-point state of the caller.
+#include "fixture.h"
+
+#include <cfenv>
+#include <thread>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace api_test {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// Reports carry seconds; everything else of a model or a point set is in its views.
+template <class T>
+void append(Bytes& bytes, const std::vector<T>& values) {
+    const auto* begin = reinterpret_cast<const std::uint8_t*>(values.data());
+    bytes.insert(bytes.end(), begin, begin + values.size() * sizeof(T));
+}
+
+void append(Bytes& bytes, const PointSet& set) {
+    for (std::uint32_t group = 0; group < 3; ++group) {
+        for (const std::uint32_t which :
+             {HRBFNPR_ATTRIBUTE_POSITION, HRBFNPR_ATTRIBUTE_NORMAL, HRBFNPR_ATTRIBUTE_DIRECTION,
+              HRBFNPR_ATTRIBUTE_CURVATURE, HRBFNPR_ATTRIBUTE_RANK})
+            append(bytes, attribute<float>(set, group, which));
+        append(bytes, attribute<std::uint8_t>(set, group, HRBFNPR_ATTRIBUTE_LEVEL));
+        append(bytes, attribute<std::uint32_t>(set, group, HRBFNPR_ATTRIBUTE_STROKE));
+    }
+}
+
+// Computed once, before any test changes the floating-point state.
+struct Inputs {
+    scenes::Samples samples = scenes::torus(70);
+    std::vector<double> point;
+    Inputs() {
+        for (int i = 0; i < 3 * 1000; ++i) point.push_back(0.0011 * ((i * 37) % 2500) - 1.3);
+    }
+};
+
+const Inputs& inputs() {
+    static const auto& made_once = *new Inputs;
+    return made_once;
+}
+
+void append_queries(Bytes& bytes, const Model& model) {
+    Error error;
+    std::vector<double> point = inputs().point;
+    std::vector<double> value(1000);
+    std::vector<double> gradient(3000);
+    std::vector<double> hessian(6000);
+    std::vector<double> k1(1000);
+    const hrbfnpr_array points = in(point);
+    const hrbfnpr_array_out values = out(value, 1);
+    const hrbfnpr_array_out gradients = out(gradient);
+    const hrbfnpr_array_out hessians = out(hessian, 6);
+    const hrbfnpr_array_out curvatures = out(k1, 1);
+    const hrbfnpr_array_out positions = out(point);
+    EXPECT_OK(hrbfnpr_model_evaluate(model.get(), &points, &values, &gradients, &hessians, nullptr, error));
+    EXPECT_OK(
+        hrbfnpr_model_curvature(model.get(), &points, &curvatures, nullptr, nullptr, nullptr, nullptr, nullptr, error));
+    EXPECT_OK(
+        hrbfnpr_model_project(model.get(), &points, nullptr, &positions, nullptr, nullptr, nullptr, nullptr, error));
+    append(bytes, value);
+    append(bytes, gradient);
+    append(bytes, hessian);
+    append(bytes, k1);
+    append(bytes, point);
+}
+
+// Everything that the library computes, as bytes.
+Bytes everything(const Context& context) {
+    Error error;
+    Bytes bytes;
+    const Model model = fit(context, inputs().samples);
+    append_queries(bytes, model);
+    for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PAPER}) {
+        const PointSet set = generate(context, model, small_desc(distribution));
+        append(bytes, set);
+        append(bytes, draw(make_renderer(context), set));
+    }
+    return bytes;
+}
+
+// A job runner that runs the tasks backwards, on two threads.
+void run_backwards(void* user, hrbfnpr_task_fn task, void* task_context, std::int64_t count) {
+    static_cast<std::atomic<int>*>(user)->fetch_add(1);
+    std::thread odd([=] {
+        for (std::int64_t i = count; i-- > 0;)
+            if (i % 2 == 1) task(task_context, i);
+    });
+    for (std::int64_t i = count; i-- > 0;)
+        if (i % 2 == 0) task(task_context, i);
+    odd.join();
+}
+
+TEST(Determinism, TheSameBitsForAnyNumberOfThreads) {
+    const Bytes serial = everything(make_context(1));
+    ASSERT_GT(serial.size(), 100000U);
+    for (const std::int32_t threads : {2, 3, 7}) EXPECT_TRUE(everything(make_context(threads)) == serial) << threads;
+}
+
+TEST(Determinism, TheSameBitsWithAHostsJobRunner) {
+    std::atomic<int> runs{0};
+    auto desc = made(hrbfnpr_context_desc_init);
+    desc.thread_count = 3;
+    desc.run_tasks = run_backwards;
+    desc.run_tasks_user = &runs;
+    EXPECT_TRUE(everything(make_context(desc)) == everything(make_context(1)));
+    EXPECT_GT(runs, 10);
+}
+
+TEST(Determinism, TheSameBitsTwiceInARow) {
+    const Context context = make_context(2);
+    EXPECT_TRUE(everything(context) == everything(context));
+}
+
+#if defined(__SSE2__)
+TEST(FloatingPoint, TheCallersStateChangesNothingAndIsPreserved) {
+    const Bytes normal = everything(make_context(2));
+    const unsigned before = _mm_getcsr();
+    // Round up, flush to zero, subnormals are zero.
+    const unsigned strange = (before & ~0x6000U) | 0x4000U | 0x8040U;
+    _mm_setcsr(strange);
+    const Bytes result = everything(make_context(2));
+    const unsigned after = _mm_getcsr();
+    _mm_setcsr(before);
+    // The sticky exception flags may be the test's own.
+    EXPECT_EQ(after & ~0x3FU, strange & ~0x3FU);
+    EXPECT_TRUE(result == normal);
+}
+
+TEST(FloatingPoint, TrapsOfTheCallerAreNotSprung) {
+    const unsigned before = _mm_getcsr();
+    _mm_setcsr(before & ~0x0E80U & ~0x3FU); // division by zero, overflow, underflow and invalid would trap
+    const Context context = make_context(2);
+    const Model model = fit(context, scenes::sphere_6());
+    const PointSet set = generate(context, model, small_desc());
+    const auto pixels = draw(make_renderer(context), set);
+    _mm_setcsr(before);
+    EXPECT_FALSE(pixels.empty());
+}
+#endif
+
+} // namespace
+} // namespace api_test

@@ -1,0 +1,192 @@
+// References, leaks, sharing between threads, and life after a fork.
+#include "fixture.h"
+
+#include <algorithm>
+#include <array>
+#include <thread>
+
+#if defined(__unix__)
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
+namespace api_test {
+namespace {
+
+TEST(Lifetime, HandlesCanBeReleasedInAnyOrder) {
+    std::array<int, 5> order{0, 1, 2, 3, 4};
+    do {
+        Ledger ledger;
+        Sphere sphere;
+        Context context = make_context(ledger_desc(ledger));
+        Operation operation = make_operation(context);
+        Model model = custom_sphere(context, sphere);
+        hrbfnpr_generate_desc desc = small_desc();
+        desc.groups = 1;
+        desc.group[0].budget = 5;
+        static const std::vector<double> seeds{0, 0, 1.1, 1.1, 0, 0};
+        desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
+        desc.group[0].levels = 0;
+        desc.seed_source = HRBFNPR_SEED_POINTS;
+        desc.seed_points = in(seeds);
+        PointSet set = generate(context, model, desc);
+        Renderer renderer = make_renderer(context);
+        draw(renderer, set, 8);
+        for (const int which : order) {
+            if (which == 0) context.reset();
+            if (which == 1) operation.reset();
+            if (which == 2) model.reset();
+            if (which == 3) set.reset();
+            if (which == 4) renderer.reset();
+        }
+        ASSERT_EQ(ledger.bytes, 0);
+        ASSERT_EQ(sphere.releases, 1);
+    } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(Lifetime, NothingLeaks) {
+    Ledger ledger;
+    {
+        const Context context = make_context(ledger_desc(ledger, 2));
+        const std::int64_t alone = ledger.bytes;
+        EXPECT_EQ(info_of(context).bytes_now, 0);
+        {
+            const Model model = fit(context, scenes::torus(50));
+            const PointSet set = generate(context, model, small_desc());
+            draw(make_renderer(context), set);
+            EXPECT_EQ(info_of(context).bytes_now, ledger.bytes - alone);
+            EXPECT_GE(info_of(context).bytes_peak, info_of(context).bytes_now);
+            EXPECT_GT(info_of(context).bytes_now, 0);
+        }
+        EXPECT_EQ(info_of(context).bytes_now, 0);
+        EXPECT_GT(info_of(context).bytes_peak, 0);
+    }
+    EXPECT_EQ(ledger.bytes, 0);
+}
+
+TEST(Lifetime, RetainedHandlesLive) {
+    Error error;
+    Ledger ledger;
+    Context context = make_context(ledger_desc(ledger));
+    Model model = fit(context, scenes::sphere_6());
+    hrbfnpr_context_retain(context.get());
+    hrbfnpr_model_retain(model.get());
+    hrbfnpr_context* const same_context = context.get();
+    const hrbfnpr_model* const same_model = model.get();
+    context.reset();
+    model.reset();
+    auto info = made(hrbfnpr_model_info_init);
+    EXPECT_OK(hrbfnpr_model_get_info(same_model, &info, error));
+    EXPECT_EQ(info.centres, 6);
+    auto context_info = made(hrbfnpr_context_info_init);
+    EXPECT_OK(hrbfnpr_context_get_info(same_context, &context_info, error));
+    hrbfnpr_model_release(same_model);
+    hrbfnpr_context_release(same_context);
+    EXPECT_EQ(ledger.bytes, 0);
+}
+
+TEST(Lifetime, NullIsIgnored) {
+    hrbfnpr_context_retain(nullptr);
+    hrbfnpr_context_release(nullptr);
+    hrbfnpr_model_retain(nullptr);
+    hrbfnpr_model_release(nullptr);
+    hrbfnpr_point_set_retain(nullptr);
+    hrbfnpr_point_set_release(nullptr);
+    hrbfnpr_renderer_release(nullptr);
+}
+
+TEST(Sharing, EightThreadsUseOneModelAndOnePointSet) {
+    const Context context = make_context(2);
+    const Model model = fit(context, scenes::torus(50));
+    const PointSet set = generate(context, model, small_desc());
+    const auto picture = draw(make_renderer(context), set);
+    std::vector<double> point(3 * 600, 0.7);
+    const auto values = [&] {
+        std::vector<double> value(600);
+        const hrbfnpr_array points = in(point);
+        const hrbfnpr_array_out result = out(value, 1);
+        EXPECT_EQ(hrbfnpr_model_evaluate(model.get(), &points, &result, nullptr, nullptr, nullptr, nullptr),
+                  HRBFNPR_STATUS_OK);
+        return value;
+    };
+    const std::vector<double> wanted = values();
+    std::vector<std::thread> threads;
+    std::atomic<int> same{0};
+    for (int i = 0; i < 8; ++i)
+        threads.emplace_back([&] {
+            for (int round = 0; round < 5; ++round) {
+                hrbfnpr_model_retain(model.get());
+                if (values() == wanted && draw(make_renderer(context), set) == picture) same.fetch_add(1);
+                hrbfnpr_model_release(model.get());
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(same, 40);
+}
+
+TEST(Sharing, OneContextServesSeveralFitsAtOnce) {
+    const Context context = make_context(2);
+    std::vector<std::thread> threads;
+    std::atomic<int> right{0};
+    for (int i = 0; i < 4; ++i)
+        threads.emplace_back([&, i] {
+            const Model model = fit(context, scenes::torus(30 + i));
+            auto info = made(hrbfnpr_model_info_init);
+            if (hrbfnpr_model_get_info(model.get(), &info, nullptr) == HRBFNPR_STATUS_OK && info.centres == 30 + i)
+                right.fetch_add(1);
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(right, 4);
+}
+
+TEST(Log, TellsOfRepairs) {
+    struct Messages {
+        std::vector<std::string> text;
+        std::int32_t highest = 0;
+        static void call(void* user, std::int32_t level, const char* message) {
+            auto& self = *static_cast<Messages*>(user);
+            self.text.emplace_back(message);
+            self.highest = std::max(self.highest, level);
+        }
+    } messages;
+    auto desc = made(hrbfnpr_context_desc_init);
+    desc.log = Messages::call;
+    desc.log_user = &messages;
+    const Context context = make_context(desc);
+    scenes::Samples samples = scenes::sphere_6();
+    fit(context, samples);
+    ASSERT_EQ(messages.text.size(), 1U);
+    EXPECT_EQ(messages.text[0].find("fit: 6 samples in "), 0U);
+    EXPECT_EQ(messages.highest, HRBFNPR_LOG_INFO);
+    for (double& component : samples.normals) component *= 2.0;
+    fit(context, samples);
+    ASSERT_EQ(messages.text.size(), 3U);
+    EXPECT_NE(messages.text[2].find("6 normals were not of unit length"), std::string::npos);
+    EXPECT_EQ(messages.highest, HRBFNPR_LOG_WARNING);
+}
+
+#if defined(__unix__)
+TEST(Fork, AChildGoesOnSerially) {
+    const Context context = make_context(4);
+    const Model model = fit(context, scenes::torus(40)); // the threads are up
+    const auto before = saved(generate(context, model, small_desc())).size();
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(60); // a hang must not outlive the test
+        Error error;
+        hrbfnpr_model* again = nullptr;
+        const scenes::Samples samples = scenes::torus(40);
+        const hrbfnpr_fit_desc desc = fit_desc(samples);
+        if (hrbfnpr_model_fit(context.get(), &desc, nullptr, &again, error) != HRBFNPR_STATUS_OK) _exit(1);
+        const bool same = saved(generate(context, Model(again), small_desc())).size() == before;
+        _exit(same ? 0 : 2);
+    }
+    int status = -1;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+    EXPECT_EQ(saved(generate(context, model, small_desc())).size(), before);
+}
+#endif
+
+} // namespace
+} // namespace api_test
