@@ -1,0 +1,63 @@
+#!/usr/bin/python3
+"""Draw one scene and hold it against its golden image.
+
+    compare.py DRAW_SCENE NAME GOLDEN.png [--update]
+
+Tolerance.  The drawing is compared after a Gaussian blur of 2 pixels: what counts is
+where the ink lies and how much of it there is, not the last bit of a mark's edge, which
+another compiler or instruction set may round otherwise.  After the blur no channel may differ by
+more than 24 of 255 anywhere, and the mean difference may not exceed 0.5.  On one machine
+the bits must be equal at 1, 2, 3 and 7 threads; there is no tolerance in that.
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+try:
+    import numpy as np
+    from PIL import Image, ImageFilter
+except ImportError as missing:
+    print(f"skipped: {missing} (install python3-numpy and python3-pil)")
+    sys.exit(77)
+
+BLUR, MOST, MEAN = 2.0, 24.0, 0.5
+THREADS = (1, 2, 3, 7)
+
+
+def draw(program: str, name: str, threads: int) -> np.ndarray:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scene.pam"
+        subprocess.run([program, name, str(path), "480", "480", str(threads)], check=True)
+        data = path.read_bytes()
+    pixels = data[data.index(b"ENDHDR\n") + 7:]
+    return np.frombuffer(pixels, np.uint8).reshape(480, 480, 4)
+
+
+def blurred(rgba: np.ndarray) -> np.ndarray:
+    """Blurs premultiplied colour, so that the colour of invisible pixels does not count."""
+    colour = rgba.astype(np.float64)
+    colour[..., :3] *= colour[..., 3:] / 255.0
+    image = Image.fromarray(np.rint(colour).astype(np.uint8), "RGBA")
+    return np.asarray(image.filter(ImageFilter.GaussianBlur(BLUR)), np.float64)
+
+
+def main() -> int:
+    program, name, golden = sys.argv[1:4]
+    pictures = [draw(program, name, threads) for threads in THREADS]
+    for threads, picture in zip(THREADS, pictures):
+        if not np.array_equal(picture, pictures[0]):
+            print(f"{name}: {threads} threads draw other bits than 1")
+            return 1
+    if "--update" in sys.argv:
+        Image.fromarray(pictures[0], "RGBA").save(golden, optimize=True)
+        return 0
+    reference = np.asarray(Image.open(golden).convert("RGBA"))
+    difference = np.abs(blurred(pictures[0]) - blurred(reference))
+    print(f"{name}: largest difference {difference.max():.1f} (limit {MOST}), mean {difference.mean():.4f} (limit {MEAN})")
+    return 0 if difference.max() <= MOST and difference.mean() <= MEAN else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
