@@ -37,7 +37,8 @@ from ._errors import (
 from ._library import ffi as _ffi
 from ._library import lib as _lib
 from ._library import library_path
-from ._model import Curvature, Evaluation, Model, ModelInfo, Projection
+from ._model import Model
+from ._model_results import Curvature, Evaluation, ModelInfo, Projection
 from ._names import CLASSES
 from ._names import PROJECTION as PROJECTION_STATUS
 from ._operation import Operation

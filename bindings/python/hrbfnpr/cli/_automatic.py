@@ -70,8 +70,8 @@ def pixels_per_unit(camera: Camera, place: Any) -> float:
     return float(camera.viewport[3] / 2 * abs(projection[1, 1]) / abs(clip[3]))
 
 
-def mark_radius(size: Tuple[int, int]) -> float:
-    """Pixels."""
+def pen_radius(size: Tuple[int, int]) -> float:
+    """Radius of the pen for a picture, in pixels."""
     return max(1.0, max(size) / 900)
 
 

@@ -35,12 +35,13 @@ _STYLE = (
 def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
     """The named style with what was given on the command line, marks sized for the picture."""
     style = Style(arguments.style)
-    radius = arguments.mark_radius or _automatic.mark_radius(size)
+    # The named styles are made for a pen of one pixel.
+    pen = arguments.mark_radius or _automatic.pen_radius(size)
     for name in GROUPS:
-        getattr(style, name).radius = radius
+        getattr(style, name).radius *= pen
         if arguments.share is not None:
-            getattr(style, name).share = arguments.share
-    style.silhouette_radius = radius
+            getattr(style, name).share *= arguments.share
+    style.silhouette_radius *= pen
     style.update(**given(arguments, _STYLE))
     style.update(**given(arguments, ("silhouette_ink", "silhouette_radius")))
     if arguments.transparent:

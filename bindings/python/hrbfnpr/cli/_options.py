@@ -123,7 +123,7 @@ def _add_style(parser: Parser) -> None:
     group = parser.add_argument_group("style")
     group.add_argument("--style", default="contour-and-stipple", choices=PRESETS, metavar="NAME",
                        help=_listed("named style, contour-and-stipple by default", PRESETS))  # fmt: skip
-    _add(group, "--mark-radius", "mark_radius", values.number, "PIXELS", "of all marks; a 900th of the picture")
+    _add(group, "--mark-radius", "mark_radius", values.number, "PIXELS", "of the pen, which the styles vary a little; a 900th of the picture")
     _add(group, "--ink", "ink", values.paint, "COLOUR", "of all marks: #rrggbb[aa] or R,G,B[,A] in 0 to 1")
     _add(group, "--paper", "paper", values.paint, "COLOUR", "as --ink")
     group.add_argument("--transparent", action="store_true", help="paper that lets all through")
@@ -145,7 +145,7 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--silhouette-ink", "silhouette_ink", values.paint, "COLOUR", "as --ink")
     _add(group, "--silhouette-radius", "silhouette_radius", values.number, "PIXELS", "of silhouette marks")
     _add(group, "--silhouette-groups", "silhouette_groups", values.groups, "NAMES", "whose silhouettes are drawn")
-    _add(group, "--share", "share", values.number, "X", "share of all marks that is used, 0 to 1")
+    _add(group, "--share", "share", values.number, "X", "share of the style's marks that is used, 0 to 1")
     group.add_argument("--set", dest="assignments", action="append", type=values.assignment, default=[],
                        metavar="[GROUP.]FIELD=VALUE", help="any other field of a style, such as "
                        "curvature.sets=1 or stipple.ink=#800000; may be repeated")  # fmt: skip

@@ -1,0 +1,107 @@
+"""What the operators of a model return."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple, Optional, Tuple
+
+from ._arrays import Array
+from ._numpy import np
+
+Vector = Tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class ModelInfo:
+    """What a fit did.  Lengths are in the unit of the points.
+
+    Attributes
+    ----------
+    kernel, polynomial_degree, solver
+        As used.
+    samples, centres, merged_samples : int
+        Samples given; centres after merging coincident samples; how many were merged.
+    rescaled_normals : int
+        Normals whose length was off 1 by more than 1e-4.
+    bounds_min, bounds_max : tuple of float
+        Box of the samples.
+    spacing : float
+        Mean distance of a sample to its nearest neighbour.
+    kernel_radius, regularization : float
+        As used.
+    value_residual_max, value_residual_rms : float
+        Of abs(f(x_i)).
+    gradient_residual_max, gradient_residual_rms : float
+        Of the length of grad f(x_i) - n_i.
+    solver_residual : float
+        Relative residual of the linear system in the 2-norm.
+    condition_estimate : float
+        1-norm condition number of the factored matrix.
+    iterations : int
+        Refinement steps taken.
+    fallback : bool
+        Whether the matrix was not definite and a pivoted LU was used.
+    seconds_assemble, seconds_solve, seconds_total : float
+    bytes : int
+        Memory kept by the model.
+    """
+
+    kernel: str
+    polynomial_degree: int
+    solver: str
+    samples: int
+    centres: int
+    merged_samples: int
+    rescaled_normals: int
+    bounds_min: Vector
+    bounds_max: Vector
+    spacing: float
+    kernel_radius: float
+    regularization: float
+    value_residual_max: float
+    value_residual_rms: float
+    gradient_residual_max: float
+    gradient_residual_rms: float
+    solver_residual: float
+    condition_estimate: float
+    iterations: int
+    fallback: bool
+    seconds_assemble: float
+    seconds_solve: float
+    seconds_total: float
+    bytes: int
+
+
+class Evaluation(NamedTuple):
+    """Result of `Model.evaluate`; what was not asked for is None."""
+
+    value: Array
+    gradient: Optional[Array]
+    hessian: Optional[Array]
+
+    def hessian_matrix(self) -> Array:
+        """The Hessians as symmetric matrices, shape (..., 3, 3); a copy.  Needs NumPy."""
+        if self.hessian is None:
+            raise ValueError("the Hessian was not asked for: use evaluate(points, hessian=True)")
+        return np.asarray(self.hessian)[..., [[0, 1, 2], [1, 3, 4], [2, 4, 5]]]
+
+
+class Projection(NamedTuple):
+    """Result of `Model.project`.
+
+    `status` is 0 where a point converged; see `PROJECTION_STATUS` for the other numbers.
+    """
+
+    position: Array
+    normal: Array
+    status: Array
+    converged: int
+
+
+class Curvature(NamedTuple):
+    """Result of `Model.curvature`."""
+
+    k1: Array
+    k2: Array
+    d1: Array
+    d2: Array
+    confidence: Array
