@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The shared library exports exactly the header's functions, under its SONAME, and keeps no state of its own.
+"""The shared library exports exactly the header's functions, under its SONAME, keeps no
+state of its own, and runs nothing when it is loaded or unloaded.
 
     exports.py NM READELF LIBRARY SONAME
 
@@ -57,9 +58,22 @@ def check_state(nm: str, readelf: str, library: str) -> List[str]:
     return faults
 
 
+def check_life(nm: str, readelf: str, library: str) -> List[str]:
+    """Nothing of ours runs when the library is loaded or unloaded."""
+    faults = []
+    if re.search(r"\bU __cxa_(thread_)?atexit\b", output(nm, "-D", library)):
+        faults.append("a static object has a destructor")
+    for section in (".init_array", ".fini_array"):  # the compiler's own function is the one entry
+        found = re.search(rf"\s{re.escape(section)}\s+\w+\s+\w+\s+\w+\s+(\w+)\s", output(readelf, "-SW", library))
+        if found and int(found.group(1), 16) > 8:
+            faults.append(f"{section} has {int(found.group(1), 16) // 8} entries instead of 1")
+    return faults
+
+
 def main() -> int:
     nm, readelf, library, soname = sys.argv[1:]
-    faults = check_exports(nm, library) + check_soname(readelf, library, soname) + check_state(nm, readelf, library)
+    faults = (check_exports(nm, library) + check_soname(readelf, library, soname) +
+              check_state(nm, readelf, library) + check_life(nm, readelf, library))
     for fault in faults:
         print(fault)
     print(f"{len(header.read().functions)} functions in the header, {len(faults)} faults")

@@ -11,6 +11,7 @@ class Declarations(NamedTuple):
     functions: Dict[str, str]  # name -> signature, white space folded
     constants: List[str]
     structs: Dict[str, List[str]]  # name -> fields in order
+    types: Dict[str, str]  # callbacks and fields, "struct.field" -> declaration, white space folded
 
 
 def _plain(text: str) -> str:
@@ -35,6 +36,11 @@ def read(header: Path = HEADER) -> Declarations:
     for body in re.findall(r"\benum\s*\{([^}]*)\}", text):
         constants += re.findall(r"\b(HRBFNPR_\w+)\s*=", body)
     structs = {}
+    types = {}
+    for declaration, name in re.findall(r"(typedef [^;{}]*?\(\*(\w+)\)[^;{}]*);", text):
+        types[name] = re.sub(r"\s+", " ", declaration)
     for name, body in re.findall(r"typedef struct (\w+) \{([^}]*)\} \w+;", text):
-        structs[name] = [_field(part.strip()) for part in body.split(";") if part.strip()]
-    return Declarations(functions, constants, structs)
+        declarations = [re.sub(r"\s+", " ", part.strip()) for part in body.split(";") if part.strip()]
+        structs[name] = [_field(declaration) for declaration in declarations]
+        types.update({f"{name}.{_field(declaration)}": declaration for declaration in declarations})
+    return Declarations(functions, constants, structs, types)

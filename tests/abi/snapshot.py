@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Hold the boundary against its snapshot: every signature, constant, sizeof and offsetof.
+"""Hold the boundary against its snapshot: every signature, type, constant, sizeof and offsetof.
 
     snapshot.py CC            compare with snapshot.txt
     snapshot.py CC --update   append what is new
@@ -39,7 +39,8 @@ def measure(compiler: str, declared: header.Declarations) -> List[str]:
 def current(compiler: str) -> List[str]:
     declared = header.read()
     signatures = [f"function {name} : {signature}" for name, signature in declared.functions.items()]
-    return signatures + measure(compiler, declared)
+    types = [f"type {name} : {declaration}" for name, declaration in declared.types.items()]
+    return signatures + types + measure(compiler, declared)
 
 
 def keyed(lines: List[str]) -> Dict[str, str]:
