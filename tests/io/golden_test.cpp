@@ -1,0 +1,67 @@
+// Files of every past format version load for ever.  These were written by version 0.1.0: the fit of
+// the six axis points of the unit sphere, and one step of the published refinement on it.
+#include "samples.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace hrbfnpr::io {
+namespace {
+
+using namespace samples;
+
+Bytes golden(const char* name) {
+    const auto path = std::filesystem::path(__FILE__).parent_path() / "golden" / name;
+    std::ifstream stream(path, std::ios::binary);
+    EXPECT_TRUE(stream) << path;
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+TEST(Golden, ModelOfVersion1) {
+    base::Memory memory;
+    const Bytes bytes = golden("sphere_6.model.v1");
+    MemoryReader reader = reader_of(bytes);
+    ModelFile file = load_model(memory, reader);
+    EXPECT_EQ(file.report.size(), 16);
+    EXPECT_EQ(file.report[0], 6.0);
+    EXPECT_EQ(file.data.kernel, kernel::Kind::triharmonic);
+    EXPECT_EQ(file.data.polynomial_degree, 1);
+    BytesWriter writer;
+    save_model(file.data, file.report.span(), writer);
+    EXPECT_EQ(writer.bytes, bytes); // until there is a version 2
+
+    const implicit::Hrbf hrbf(std::move(file.data));
+    const std::array<double, 3> x{0.3, 1.5, -0.4};
+    const std::array<double, 3> y{-0.2, 1.5, 0.1};
+    const std::array<double, 3> z{0.9, 1.5, 0.2};
+    std::array<double, 3> value{};
+    implicit::FieldBatch fields;
+    fields.value = value.data();
+    hrbf.evaluate({x.data(), y.data(), z.data(), 3}, fields);
+    EXPECT_NEAR(value[0], -0.034330597354739902, 1e-13);
+    EXPECT_NEAR(value[1], 1.7082068528948635, 1e-13);
+    EXPECT_NEAR(value[2], -0.41510708690424475, 1e-13);
+}
+
+TEST(Golden, PointSetOfVersion1) {
+    base::Memory memory;
+    const Bytes bytes = golden("sphere_6.points.v1");
+    MemoryReader reader = reader_of(bytes);
+    const sampling::PointSet set = load_point_set(memory, reader);
+    EXPECT_EQ(set.distribution, sampling::Distribution::paper);
+    EXPECT_EQ(set.seed_source, sampling::SeedSource::samples);
+    EXPECT_EQ(set.group[0].count(), 30);
+    EXPECT_EQ(set.group[1].count(), 36);
+    EXPECT_EQ(set.group[2].count(), 36);
+    EXPECT_EQ(set.group[0].rank[0], 0.538630426F);
+    EXPECT_EQ(set.group[0].position[87], 0.609430969F);
+    EXPECT_EQ(set.group[1].curvature.size(), 108);
+    EXPECT_EQ(bytes_of(set), bytes); // until there is a version 2
+}
+
+} // namespace
+} // namespace hrbfnpr::io
