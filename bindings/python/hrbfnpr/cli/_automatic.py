@@ -15,7 +15,7 @@ from .._style import Style
 LONG_SIDE = 1600
 STROKE_LEVELS = 4
 STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make a line
-MOST_MARKS = {"stipple": 400_000, "curvature": 800_000, "combing": 800_000}
+MOST_MARKS = {"stipple": 300_000, "curvature": 800_000, "combing": 800_000}
 
 # Ink over area at the darkest tone.  Stipples overlap, strokes of one direction should not.
 _COVERAGE = {"stipple": 0.8, "curvature": 0.7, "combing": 0.7}
@@ -72,7 +72,7 @@ def pixels_per_unit(camera: Camera, place: Any) -> float:
 
 def pen_radius(size: Tuple[int, int]) -> float:
     """Radius of the pen for a picture, in pixels."""
-    return max(1.0, max(size) / 900)
+    return max(1.0, max(size) / 800)
 
 
 def probe(model: Model, context: Context) -> PointSet:

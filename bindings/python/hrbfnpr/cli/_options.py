@@ -123,7 +123,7 @@ def _add_style(parser: Parser) -> None:
     group = parser.add_argument_group("style")
     group.add_argument("--style", default="contour-and-stipple", choices=PRESETS, metavar="NAME",
                        help=_listed("named style, contour-and-stipple by default", PRESETS))  # fmt: skip
-    _add(group, "--mark-radius", "mark_radius", values.number, "PIXELS", "of the pen, which the styles vary a little; a 900th of the picture")
+    _add(group, "--mark-radius", "mark_radius", values.number, "PIXELS", "of the pen, which the styles vary a little; an 800th of the picture")
     _add(group, "--ink", "ink", values.paint, "COLOUR", "of all marks: #rrggbb[aa] or R,G,B[,A] in 0 to 1")
     _add(group, "--paper", "paper", values.paint, "COLOUR", "as --ink")
     group.add_argument("--transparent", action="store_true", help="paper that lets all through")
