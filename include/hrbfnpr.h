@@ -154,7 +154,7 @@ HRBFNPR_API const char* hrbfnpr_status_name(hrbfnpr_status status);
 typedef struct hrbfnpr_error {
     uint32_t struct_size;
     hrbfnpr_status status;
-    char message[248]; /* UTF-8, always terminated, cut at a character if too long */
+    char message[248]; /* UTF-8, always terminated, cut at a character where it does not fit */
 } hrbfnpr_error;
 
 /* Sets struct_size, OK and an empty message.
@@ -607,7 +607,7 @@ typedef struct hrbfnpr_generate_desc {
     uint32_t distribution;   /* HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
     uint32_t seed_source;    /* HRBFNPR_SEED_...; AUTO */
     uint32_t flags;          /* HRBFNPR_GENERATE_...; 0 */
-    uint32_t box_resolution; /* R: cells along the longest side, 1 .. 256; 8 [NPAR 4.2] */
+    uint32_t box_resolution; /* R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
     double box_jitter;       /* alpha: in cell sides, 0 .. 0.5; 0.25 */
     double initial_step;     /* rho_0; 0 = voxel diameter for BOX, mean empty-ball diameter of the
                                 seeds for others [NPAR 5.1].  BLUE_NOISE: the length of a
