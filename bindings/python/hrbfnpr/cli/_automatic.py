@@ -17,8 +17,9 @@ STROKE_LEVELS = 4
 STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make a line
 MOST_MARKS = {"stipple": 300_000, "curvature": 800_000, "combing": 800_000}
 
-# Ink over area at the darkest tone.  Stipples overlap, strokes of one direction should not.
-_COVERAGE = {"stipple": 0.8, "curvature": 0.7, "combing": 0.7}
+# Ink over area at the darkest tone.  That of strokes is of two sets together, each of which leaves
+# some paper between its lines.
+_COVERAGE = {"stipple": 0.8, "curvature": 1.2, "combing": 1.2}
 
 
 def _unit(v: Any) -> Any:
@@ -105,7 +106,6 @@ def marks(
             step = apart * 3 ** steps[name] / 3 / pixels
             chosen["initial_step"] = min(step, chosen.get("initial_step", step))
             inked = 2 * ink.radius * apart
-            inked /= 2 if ink.sets != 3 else 1  # both sets are placed, one is drawn
         budget[name] = max(1, min(MOST_MARKS[name], round(_COVERAGE[name] * area * pixels**2 / inked)))
     return {**chosen, "budget": {**budget, **options.get("budget", {})}}
 
