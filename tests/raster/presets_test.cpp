@@ -31,6 +31,26 @@ TEST_P(Presets, DrawASphere) {
     const std::array items{item_of(set, preset.style)};
     const Picture picture = draw(runtime, items, front_camera(600, 600), 600, 600);
     picture.keep(std::string("sphere-") + preset.name);
+    // 240 pixels around the centre.  The light comes from the upper left.
+    const double light = picture.darkness(150, 150, 300, 300);
+    const double dark = picture.darkness(300, 300, 450, 450);
+    if (preset.style.group[0].shown) {
+        EXPECT_GT(dark, 3.0 * light);
+        EXPECT_GT(light, 0.0);
+    } else {
+        EXPECT_EQ(dark + light, 0.0);
+    }
+    double rim = 0.0;
+    for (int i = 0; i < 360; ++i) {
+        const double angle = pi * i / 180.0;
+        const int x = static_cast<int>(300.0 + 238.0 * std::cos(angle));
+        const int y = static_cast<int>(300.0 + 238.0 * std::sin(angle));
+        rim += (1.0 - picture.at(x, y, 0) / 255.0) / 360.0;
+    }
+    if (preset.style.silhouette_groups != 0)
+        EXPECT_GT(rim, 0.97);
+    else
+        EXPECT_LT(rim, 0.7);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Presets, ::testing::Range(0U, frame::preset_count),
