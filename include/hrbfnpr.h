@@ -40,6 +40,8 @@
  *   defaults for the fields it lacks; a longer (newer) one is refused with
  *   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
  *   zero.  Output structs (`_info`) are filled up to their `struct_size`.
+ *   A struct_size below 8 or above 65536 was never set up, and is refused
+ *   with the same status; `_init` of NULL is INVALID_ARGUMENT.
  *   Fields named `reserved` must be zero.
  *
  * Failure.  Calls that can fail return a status and take, last, a nullable
@@ -73,7 +75,8 @@
  *   point state, locale or OpenMP settings.
  *
  * Callbacks.  A callback must return normally: it must not throw, longjmp, or
- *   call back into the library with the same non-const handle.
+ *   call back into the library with the same non-const handle.  It runs in the
+ *   default floating-point state (round to nearest, nothing trapped).
  */
 
 #if defined(_WIN32)
@@ -357,7 +360,7 @@ enum {
 
 enum {
     HRBFNPR_SOLVER_AUTO = 0,
-    HRBFNPR_SOLVER_DIRECT = 1 /* dense factorisation; memory 128 N^2 bytes, time O(N^3) */
+    HRBFNPR_SOLVER_DIRECT = 1 /* dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3) */
 };
 
 /* What to fit: N points with N outward normals.

@@ -69,6 +69,29 @@ TEST(Camera, FitsABox) {
     }
 }
 
+TEST(Camera, FitsPoints) {
+    Error error;
+    auto camera = made(hrbfnpr_camera_init);
+    const std::vector<float> relative{-1, 0, 0, 1, 0, 0, 0, 0.5F, 0.25F};
+    const hrbfnpr_array points = in(relative);
+    const double origin[3] = {10, 20, 30};
+    const double direction[3] = {0, 0, -1};
+    const double up[3] = {0, 1, 0};
+    EXPECT_OK(hrbfnpr_camera_fit_points(&camera, &points, origin, direction, up, 0, 200, 100, 0.1, error));
+    EXPECT_NEAR(pixel(camera, {9, 20, 30})[0], 20.0, 1e-6); // the margin is a tenth on each side
+    EXPECT_NEAR(pixel(camera, {11, 20, 30})[0], 180.0, 1e-6);
+    const auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
+    const hrbfnpr_array none{nullptr, 0, 0, 0, 0};
+    EXPECT_FAILS(hrbfnpr_camera_fit_points(&camera, &none, origin, direction, up, 0, 9, 9, 0, error), invalid,
+                 "points is empty");
+    EXPECT_FAILS(hrbfnpr_camera_fit_points(&camera, nullptr, origin, direction, up, 0, 9, 9, 0, error), invalid,
+                 "points is NULL");
+    const std::vector<float> bad{0, 0, 0, 0, std::nanf(""), 0};
+    const hrbfnpr_array bad_points = in(bad);
+    EXPECT_FAILS(hrbfnpr_camera_fit_points(&camera, &bad_points, origin, direction, up, 0, 9, 9, 0, error), invalid,
+                 "points[1]");
+}
+
 TEST(Camera, AFailureChangesNothing) {
     Error error;
     auto camera = made(hrbfnpr_camera_init);

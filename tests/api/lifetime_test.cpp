@@ -80,6 +80,19 @@ TEST(Lifetime, RetainedHandlesLive) {
     EXPECT_EQ(info.centres, 6);
     auto context_info = made(hrbfnpr_context_info_init);
     EXPECT_OK(hrbfnpr_context_get_info(same_context, &context_info, error));
+    Sphere sphere;
+    const hrbfnpr_point_set* same_set = nullptr;
+    {
+        const Context other = make_context(ledger_desc(ledger));
+        const PointSet set = generate(other, custom_sphere(other, sphere), small_desc(HRBFNPR_DISTRIBUTION_PAPER));
+        same_set = set.get();
+        hrbfnpr_point_set_retain(same_set);
+    }
+    EXPECT_EQ(sphere.releases, 1); // a point set needs no model
+    auto set_info = made(hrbfnpr_point_set_info_init);
+    EXPECT_OK(hrbfnpr_point_set_get_info(same_set, &set_info, error));
+    EXPECT_GT(set_info.group[0].count, 0);
+    hrbfnpr_point_set_release(same_set);
     hrbfnpr_model_release(same_model);
     hrbfnpr_context_release(same_context);
     EXPECT_EQ(ledger.bytes, 0);

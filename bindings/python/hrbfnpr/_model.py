@@ -77,7 +77,7 @@ class Model(Owner):
         regularization : float
             0 interpolates (default); more is smoother.
         solver : {"auto", "direct"}
-            "direct" is a dense factorisation: 128 N^2 bytes, time N^3.
+            "direct" is a dense factorisation: about 64 N^2 bytes, time N^3.
         maximum_centres : int
             More samples are refused; 0 = as many as memory allows.
         iteration_limit : int
