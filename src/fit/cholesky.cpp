@@ -13,7 +13,7 @@ constexpr std::int64_t side_limit = std::int64_t{1} << 24; // tiles along a side
 
 using Tile = Eigen::Map<Eigen::Matrix<double, side, side>, Eigen::Aligned64>;
 using ConstTile = Eigen::Map<const Eigen::Matrix<double, side, side>, Eigen::Aligned64>;
-using Part = Eigen::Map<Eigen::Matrix<double, side, 1>, Eigen::Aligned64>;
+using Part = Eigen::Map<Eigen::Matrix<double, side, 1>>; // of the caller's vector, however it is aligned
 
 [[nodiscard]] std::int64_t tiles_for(std::int64_t size) noexcept { return (size + side - 1) / side; }
 

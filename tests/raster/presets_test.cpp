@@ -50,7 +50,7 @@ TEST_P(Presets, DrawASphere) {
     if (preset.style.silhouette_groups != 0)
         EXPECT_GT(rim, 0.97);
     else
-        EXPECT_LT(rim, 0.7);
+        EXPECT_LT(rim, 0.85); // no contour: the tone law alone leaves 1 - 0.72/pi = 0.77 of the rim dark
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Presets, ::testing::Range(0U, frame::preset_count),
