@@ -20,8 +20,8 @@ target_compile_options(hrbfnpr_options INTERFACE
 
 set(HRBFNPR_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
   -Wnon-virtual-dtor -Wold-style-cast -Wcast-align -Woverloaded-virtual -Wnull-dereference
-  -Wdouble-promotion -Wformat=2 -Wimplicit-fallthrough)
-set(HRBFNPR_GCC_WARNINGS -Wduplicated-cond -Wlogical-op)
+  -Wformat=2 -Wimplicit-fallthrough)
+set(HRBFNPR_GCC_WARNINGS -Wdouble-promotion -Wduplicated-cond -Wlogical-op)
 
 function(hrbfnpr_compile target)
   target_link_libraries(${target} PRIVATE hrbfnpr_options)

@@ -13,12 +13,12 @@ die() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }
 
 package_set() {
   case $1 in
-    build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev ;;
+    build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev libhwy-dev ;;
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
     test) echo libgtest-dev libgmock-dev python3-pytest python3-numpy python3-cffi python3-dev binutils ;;
     coverage) echo gcovr ;;
     bench) echo libbenchmark-dev ;;
-    thread) echo clang-14 libomp-14-dev llvm-14 ;;
+    thread) echo clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 ;;
     npm) echo npm ;;
     lint) echo clang-format-14 clang-tidy-14 libomp-14-dev ;;
     *) die "there is no package set '$1'" ;;
