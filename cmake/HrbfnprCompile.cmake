@@ -4,11 +4,13 @@ add_library(hrbfnpr_options INTERFACE)
 target_compile_features(hrbfnpr_options INTERFACE cxx_std_20)
 target_include_directories(hrbfnpr_options INTERFACE
   "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/src")
-# GLM and Eigen as system headers, unless they are where the compiler looks anyway: moving
+# GLM and Highway as system headers, unless they are where the compiler looks anyway: moving
 # /usr/include with -isystem breaks #include_next.
-if(NOT HRBFNPR_GLM_INCLUDE_DIR IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
-  target_include_directories(hrbfnpr_options SYSTEM INTERFACE "${HRBFNPR_GLM_INCLUDE_DIR}")
-endif()
+foreach(folder IN ITEMS "${HRBFNPR_GLM_INCLUDE_DIR}" "${HRBFNPR_HIGHWAY_INCLUDE_DIR}")
+  if(NOT folder IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
+    target_include_directories(hrbfnpr_options SYSTEM INTERFACE "${folder}")
+  endif()
+endforeach()
 target_link_libraries(hrbfnpr_options INTERFACE Eigen3::Eigen)
 target_compile_definitions(hrbfnpr_options INTERFACE
   EIGEN_DONT_PARALLELIZE EIGEN_MPL2_ONLY)

@@ -9,3 +9,7 @@ mark_as_advanced(HRBFNPR_GLM_INCLUDE_DIR)
 if(HRBFNPR_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()
+
+# Highway's headers only: which instruction set is used is decided by the library itself.
+find_path(HRBFNPR_HIGHWAY_INCLUDE_DIR hwy/highway.h REQUIRED)
+mark_as_advanced(HRBFNPR_HIGHWAY_INCLUDE_DIR)

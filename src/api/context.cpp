@@ -8,11 +8,16 @@ using namespace hrbfnpr;
 static_assert(static_cast<std::int32_t>(base::LogLevel::debug) == HRBFNPR_LOG_DEBUG);
 static_assert(static_cast<std::int32_t>(base::LogLevel::info) == HRBFNPR_LOG_INFO);
 static_assert(static_cast<std::int32_t>(base::LogLevel::warning) == HRBFNPR_LOG_WARNING);
+static_assert(static_cast<std::uint32_t>(base::InstructionSet::baseline) == HRBFNPR_INSTRUCTION_SET_BASELINE);
+static_assert(static_cast<std::uint32_t>(base::InstructionSet::avx2) == HRBFNPR_INSTRUCTION_SET_AVX2);
+static_assert(static_cast<std::uint32_t>(base::InstructionSet::avx512) == HRBFNPR_INSTRUCTION_SET_AVX512);
+static_assert(static_cast<std::uint32_t>(base::InstructionSet::neon) == HRBFNPR_INSTRUCTION_SET_NEON);
 
 hrbfnpr_context::hrbfnpr_context(const hrbfnpr_context_desc& desc) noexcept
     : allocate(desc.allocate), deallocate(desc.deallocate), allocator_user(desc.allocator_user),
       runtime(desc.allocate, desc.deallocate, desc.allocator_user,
-              base::Parallel(desc.thread_count, desc.run_tasks, desc.run_tasks_user), desc.log, desc.log_user) {}
+              base::Parallel(desc.thread_count, desc.run_tasks, desc.run_tasks_user),
+              static_cast<base::InstructionSet>(desc.highest_instruction_set), desc.log, desc.log_user) {}
 
 namespace hrbfnpr::api {
 
@@ -92,7 +97,7 @@ hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context, hrbfnpr_
         api::check_output_struct(info, "context_info");
         hrbfnpr_context_info full{};
         full.thread_count = runtime.parallel.threads();
-        full.instruction_set = HRBFNPR_INSTRUCTION_SET_BASELINE;
+        full.instruction_set = static_cast<std::uint32_t>(runtime.instruction_set);
         full.bytes_now = runtime.memory.bytes_now();
         full.bytes_peak = runtime.memory.bytes_peak();
         api::write_struct(info, full);

@@ -1,6 +1,7 @@
-// What every stage is given of the context: memory, threads, log.
+// What every stage is given of the context: memory, threads, instruction set, log.
 #pragma once
 
+#include "base/instruction_set.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 
@@ -14,15 +15,17 @@ using LogFn = void (*)(void* user, std::int32_t level, const char* message);
 class Runtime {
 public:
     Runtime() noexcept = default; // all threads, no log
-    Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel threads, LogFn log_function,
-            void* log_user) noexcept
-        : memory(allocate, deallocate, allocator_user), parallel(threads), log_(log_function), log_user_(log_user) {}
+    Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel threads, InstructionSet highest,
+            LogFn log_function, void* log_user) noexcept
+        : memory(allocate, deallocate, allocator_user), parallel(threads),
+          instruction_set(choose_instruction_set(highest)), log_(log_function), log_user_(log_user) {}
 
     // Call from the thread that entered the library only.
     [[gnu::format(printf, 3, 4)]] void log(LogLevel level, const char* format, ...) const noexcept;
 
     mutable Memory memory;
     Parallel parallel{0, nullptr, nullptr};
+    InstructionSet instruction_set = choose_instruction_set(InstructionSet::automatic);
 
 private:
     LogFn log_ = nullptr;

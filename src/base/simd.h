@@ -1,0 +1,42 @@
+// Loops that are compiled once for each instruction set, by Highway, and chosen between at run time.
+//
+// Such a file defines HWY_TARGET_INCLUDE as its own name, includes this header, puts its loops into
+// HWY_NAMESPACE between HWY_BEFORE_NAMESPACE() and HWY_AFTER_NAMESPACE(), and picks one of them under
+// HWY_ONCE with HRBFNPR_PICK.  It keeps the standard library, GLM and Eigen out: of an inline function
+// that is compiled for several processors the linker keeps one, which may be the wrong one.
+
+#if !defined(HWY_DISABLED_TARGETS)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
+#endif
+
+#include "base/instruction_set.h"
+
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#if HWY_ONCE && !defined(HRBFNPR_PICK)
+#if HWY_TARGETS & HWY_AVX3
+#define HRBFNPR_PICK_AVX512(set, name) (set) == ::hrbfnpr::base::InstructionSet::avx512 ? N_AVX3::name:
+#else
+#define HRBFNPR_PICK_AVX512(set, name)
+#endif
+#if HWY_TARGETS & HWY_AVX2
+#define HRBFNPR_PICK_AVX2(set, name) (set) == ::hrbfnpr::base::InstructionSet::avx2 ? N_AVX2::name:
+#else
+#define HRBFNPR_PICK_AVX2(set, name)
+#endif
+// What `name` is in the namespace of the instruction set `set`, or of what the build was compiled for.
+#define HRBFNPR_PICK(set, name) \
+    (HRBFNPR_PICK_AVX512(set, name) HRBFNPR_PICK_AVX2(set, name) HWY_CONCAT(N_, HWY_STATIC_NAME)::name)
+#if HWY_STATIC_TARGET == HWY_SCALAR
+#define HWY_STATIC_NAME SCALAR
+#elif HWY_STATIC_TARGET == HWY_EMU128
+#define HWY_STATIC_NAME EMU128
+#elif HWY_STATIC_TARGET == HWY_AVX2
+#define HWY_STATIC_NAME AVX2
+#elif HWY_STATIC_TARGET == HWY_AVX3
+#define HWY_STATIC_NAME AVX3
+#elif HWY_STATIC_TARGET == HWY_NEON
+#define HWY_STATIC_NAME NEON
+#endif
+#endif

@@ -1,0 +1,217 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "implicit/hermite_sums.cpp"
+#include "base/simd.h"
+
+#include "implicit/hermite_sums.h"
+
+#include <hwy/contrib/math/math-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hrbfnpr::implicit::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<double>;
+using V = hn::Vec<D>;
+
+// Vectors of targets that one source is applied to at a time, as registers allow.
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
+constexpr int unroll = 2;
+#else
+constexpr int unroll = 1;
+#endif
+
+// Squared distances are not taken as smaller: at d = 0 every term but phi and a vanishes by its own d.
+constexpr double smallest_r2 = 1e-30;
+
+// A step of third order: of y = (1 - e)^(1/2) / sqrt(x), e becomes 35/128 e^4.
+HWY_INLINE V polish_inverse_root(V x, V y) {
+    const D d;
+    const V e = hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.0));
+    V p = hn::MulAdd(e, hn::Set(d, 0.3125), hn::Set(d, 0.375));
+    p = hn::MulAdd(e, p, hn::Set(d, 0.5));
+    return hn::MulAdd(hn::Mul(y, e), p, y);
+}
+
+// 1 / sqrt(x), smallest_r2 <= x < 1e38, to two units in the last place: division and square root would take
+// longer than all the rest of a pair.
+HWY_INLINE V inverse_root(V x) {
+#if HWY_TARGET == HWY_AVX3
+    return polish_inverse_root(x, V{_mm512_rsqrt14_pd(x.raw)});
+#elif HWY_TARGET == HWY_AVX2
+    const V y{_mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(x.raw)))}; // 12 bits
+    return polish_inverse_root(x, polish_inverse_root(x, y));
+#else
+    return hn::Div(hn::Set(D(), 1.0), hn::Sqrt(x));
+#endif
+}
+
+struct Sum {
+    V value, x, y, z;
+};
+
+struct Weights {
+    V alpha, x, y, z;
+};
+
+// phi = r^3, a = 3 r, b = 3 / r.  The sum of the gradient is kept without its factor 3.
+struct Triharmonic {
+    static constexpr double gradient_factor = 3.0;
+    explicit Triharmonic(double) {}
+
+    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+        const V inverse = inverse_root(hn::Max(r2, hn::Set(D(), smallest_r2)));
+        const V r = hn::Mul(r2, inverse);
+        const V s = hn::MulAdd(dz, w.z, hn::MulAdd(dy, w.y, hn::Mul(dx, w.x)));
+        sum.value = hn::MulAdd(r, hn::MulSub(r2, w.alpha, hn::Mul(s, hn::Set(D(), 3.0))), sum.value);
+        const V along = hn::NegMulAdd(s, inverse, hn::Mul(r, w.alpha));
+        sum.x = hn::NegMulAdd(r, w.x, hn::MulAdd(along, dx, sum.x));
+        sum.y = hn::NegMulAdd(r, w.y, hn::MulAdd(along, dy, sum.y));
+        sum.z = hn::NegMulAdd(r, w.z, hn::MulAdd(along, dz, sum.z));
+    }
+};
+
+// What any kernel adds, by its phi, a and b.
+HWY_INLINE void add_radial(V phi, V a, V b, V dx, V dy, V dz, const Weights& w, Sum& sum) {
+    const V s = hn::MulAdd(dz, w.z, hn::MulAdd(dy, w.y, hn::Mul(dx, w.x)));
+    sum.value = hn::NegMulAdd(a, s, hn::MulAdd(phi, w.alpha, sum.value));
+    const V along = hn::NegMulAdd(b, s, hn::Mul(a, w.alpha));
+    sum.x = hn::NegMulAdd(a, w.x, hn::MulAdd(along, dx, sum.x));
+    sum.y = hn::NegMulAdd(a, w.y, hn::MulAdd(along, dy, sum.y));
+    sum.z = hn::NegMulAdd(a, w.z, hn::MulAdd(along, dz, sum.z));
+}
+
+struct Gaussian {
+    static constexpr double gradient_factor = 1.0;
+    explicit Gaussian(double radius) : falloff(1.0 / (radius * radius)) {}
+    double falloff;
+
+    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+        const D d;
+        const V f = hn::Set(d, falloff);
+        const V exponent = hn::Mul(hn::Mul(f, hn::Set(d, -0.5)), r2);
+        const V phi = hn::Exp(d, hn::Max(exponent, hn::Set(d, -700.0)));
+        const V a = hn::Neg(hn::Mul(f, phi));
+        add_radial(phi, a, hn::Neg(hn::Mul(f, a)), dx, dy, dz, w, sum);
+    }
+};
+
+struct WendlandC2 {
+    static constexpr double gradient_factor = 1.0;
+    explicit WendlandC2(double radius) : inverse_radius(1.0 / radius) {}
+    double inverse_radius;
+
+    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+        const D d;
+        const V inverse = inverse_root(hn::Max(r2, hn::Set(d, smallest_r2)));
+        const V s = hn::Mul(hn::Mul(r2, inverse), hn::Set(d, inverse_radius));
+        const V t = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0), s));
+        const V t2 = hn::Mul(t, t);
+        const V phi = hn::Mul(hn::Mul(t2, t2), hn::MulAdd(s, hn::Set(d, 4.0), hn::Set(d, 1.0)));
+        const double falloff = 20.0 * inverse_radius * inverse_radius;
+        const V a = hn::Mul(hn::Set(d, -falloff), hn::Mul(t2, t));
+        const V b = hn::Mul(hn::Set(d, 3.0 * falloff * inverse_radius), hn::Mul(t2, inverse));
+        add_radial(phi, a, b, dx, dy, dz, w, sum);
+    }
+};
+
+// All sources at the targets of `n` vectors from x, y, z on.
+template <int n, class Kernel>
+HWY_INLINE void sum_up(const Kernel& kernel, const Sources& s, const V* x, const V* y, const V* z, Sum* sum) {
+    const D d;
+    for (int u = 0; u < n; ++u) sum[u] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    for (std::int64_t j = 0; j < s.count; ++j) {
+        const Weights w{hn::Set(d, s.alpha[j]), hn::Set(d, s.beta_x[j]), hn::Set(d, s.beta_y[j]),
+                        hn::Set(d, s.beta_z[j])};
+        const V sx = hn::Set(d, s.x[j]);
+        const V sy = hn::Set(d, s.y[j]);
+        const V sz = hn::Set(d, s.z[j]);
+        for (int u = 0; u < n; ++u) {
+            const V dx = hn::Sub(x[u], sx);
+            const V dy = hn::Sub(y[u], sy);
+            const V dz = hn::Sub(z[u], sz);
+            const V r2 = hn::MulAdd(dz, dz, hn::MulAdd(dy, dy, hn::Mul(dx, dx)));
+            kernel.add(r2, dx, dy, dz, w, sum[u]);
+        }
+    }
+}
+
+HWY_INLINE void add_to(double* at, V sum) { hn::StoreU(hn::Add(hn::LoadU(D(), at), sum), D(), at); }
+
+template <class Kernel>
+HWY_INLINE void add_full(const Kernel& kernel, const Sources& s, const Targets& t, std::int64_t at) {
+    const D d;
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    V x[unroll], y[unroll], z[unroll];
+    Sum sum[unroll];
+    for (int u = 0; u < unroll; ++u) {
+        x[u] = hn::LoadU(d, t.x + at + u * lanes);
+        y[u] = hn::LoadU(d, t.y + at + u * lanes);
+        z[u] = hn::LoadU(d, t.z + at + u * lanes);
+    }
+    sum_up<unroll>(kernel, s, x, y, z, sum);
+    const V factor = hn::Set(d, Kernel::gradient_factor);
+    for (int u = 0; u < unroll; ++u) {
+        add_to(t.value + at + u * lanes, sum[u].value);
+        add_to(t.gradient_x + at + u * lanes, hn::Mul(factor, sum[u].x));
+        add_to(t.gradient_y + at + u * lanes, hn::Mul(factor, sum[u].y));
+        add_to(t.gradient_z + at + u * lanes, hn::Mul(factor, sum[u].z));
+    }
+}
+
+// The first `count` lanes only: the others are not read or written.
+HWY_INLINE void add_some(double* at, V sum, hn::Mask<D> mask) {
+    hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
+}
+
+template <class Kernel>
+HWY_INLINE void add_part(const Kernel& kernel, const Sources& s, const Targets& t, std::int64_t at,
+                         std::int64_t count) {
+    const D d;
+    const auto mask = hn::FirstN(d, static_cast<size_t>(count));
+    const V x = hn::MaskedLoad(mask, d, t.x + at);
+    const V y = hn::MaskedLoad(mask, d, t.y + at);
+    const V z = hn::MaskedLoad(mask, d, t.z + at);
+    Sum sum;
+    sum_up<1>(kernel, s, &x, &y, &z, &sum);
+    const V factor = hn::Set(d, Kernel::gradient_factor);
+    add_some(t.value + at, sum.value, mask);
+    add_some(t.gradient_x + at, hn::Mul(factor, sum.x), mask);
+    add_some(t.gradient_y + at, hn::Mul(factor, sum.y), mask);
+    add_some(t.gradient_z + at, hn::Mul(factor, sum.z), mask);
+}
+
+template <class Kernel>
+void add_sums(double radius, const Sources& sources, const Targets& targets) {
+    const Kernel kernel(radius);
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(D()));
+    std::int64_t at = 0;
+    for (; at + unroll * lanes <= targets.count; at += unroll * lanes) add_full(kernel, sources, targets, at);
+    for (; at < targets.count; at += lanes)
+        add_part(kernel, sources, targets, at, targets.count - at < lanes ? targets.count - at : lanes);
+}
+
+} // namespace
+
+AddHermiteSums pick_sums(kernel::Kind kind) noexcept {
+    switch (kind) {
+    case kernel::Kind::gaussian: return add_sums<Gaussian>;
+    case kernel::Kind::wendland_c2: return add_sums<WendlandC2>;
+    case kernel::Kind::triharmonic: break;
+    }
+    return add_sums<Triharmonic>;
+}
+
+} // namespace hrbfnpr::implicit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hrbfnpr::implicit {
+
+AddHermiteSums hermite_sums(base::InstructionSet set, kernel::Kind kind) noexcept {
+    return HRBFNPR_PICK(set, pick_sums)(kind);
+}
+
+} // namespace hrbfnpr::implicit
+#endif
