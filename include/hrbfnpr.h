@@ -360,7 +360,29 @@ enum {
 
 enum {
     HRBFNPR_SOLVER_AUTO = 0,
-    HRBFNPR_SOLVER_DIRECT = 1 /* dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3) */
+    HRBFNPR_SOLVER_DIRECT = 1, /* dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3) */
+    HRBFNPR_SOLVER_ITERATIVE = 2 /* preconditioned; memory O(N) */
+};
+
+/* Why the solver that was used is the one. */
+enum {
+    HRBFNPR_SOLVER_REASON_REQUESTED = 0,     /* the caller named it */
+    HRBFNPR_SOLVER_REASON_SMALL = 1,         /* AUTO: DIRECT is the faster one */
+    HRBFNPR_SOLVER_REASON_LARGE = 2,         /* AUTO: DIRECT would take too much memory or time */
+    HRBFNPR_SOLVER_REASON_NOT_CONVERGED = 3, /* ITERATIVE did not reach its tolerance */
+    HRBFNPR_SOLVER_REASON_NOT_DEFINITE = 4   /* ITERATIVE needs a definite system */
+};
+
+/* What becomes of samples that look wrong; they are counted in any case. */
+enum {
+    HRBFNPR_REPAIR_KEEP = 0,
+    HRBFNPR_REPAIR_DROP = 1,
+    HRBFNPR_REPAIR_REORIENT = 2 /* of flipped normals only: turned round */
+};
+
+enum {
+    HRBFNPR_REGULARIZATION_GIVEN = 0, /* the field `regularization` */
+    HRBFNPR_REGULARIZATION_AUTO = 1   /* from the noise of the samples */
 };
 
 /* What to fit: N points with N outward normals.
@@ -383,11 +405,19 @@ typedef struct hrbfnpr_fit_desc {
     uint32_t solver;         /* HRBFNPR_SOLVER_...; AUTO */
     double regularization;   /* >= 0; 0 interpolates.  Added to the diagonal of the system in
                                 coordinates whose diagonal is 1: larger is smoother */
-    double tolerance;        /* reserved for iterative solvers; 0 */
-    int64_t maximum_centres; /* more samples than this are an INVALID_ARGUMENT; 0 = as many as
-                                memory allows */
+    double tolerance;        /* > 0: samples are chosen as centres until all lie this near to the
+                                surface, in units of the points; 0: no such end */
+    int64_t maximum_centres; /* > 0: no more samples than this are chosen as centres; 0: no limit.
+                                With tolerance 0, too, every sample is a centre */
     int32_t iteration_limit; /* steps of iterative refinement after a direct solve; 2 */
     uint32_t reserved;
+    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
+    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
+    uint32_t regularization_mode;       /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
+    uint32_t preconditioner_neighbours; /* of ITERATIVE; 0 = automatic */
+    double solver_tolerance;   /* relative residual at which ITERATIVE ends; 0 = 1e-8 */
+    int32_t solver_iterations; /* most iterations of ITERATIVE; 0 = 200 */
+    uint32_t reserved2;
 } hrbfnpr_fit_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
@@ -443,7 +473,7 @@ typedef struct hrbfnpr_model_info {
     int32_t polynomial_degree;
     uint32_t solver;          /* the one used */
     int64_t samples;          /* as given */
-    int64_t centres;          /* after merging */
+    int64_t centres;          /* after merging, cleaning and choosing */
     int64_t merged_samples;   /* samples that were merged into another */
     int64_t rescaled_normals; /* normals whose length was off 1 by more than 1e-4 */
     double bounds_min[3];     /* of the samples */
@@ -463,6 +493,23 @@ typedef struct hrbfnpr_model_info {
     double seconds_solve;
     double seconds_total;
     int64_t bytes; /* kept by the model */
+    int64_t outliers_found;
+    int64_t outliers_dropped;
+    int64_t flipped_found;    /* normals against those of their neighbours */
+    int64_t flipped_repaired; /* of these, dropped or turned round */
+    int64_t near_duplicates;  /* samples much nearer to another than the spacing, merged into it */
+    double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
+                                 points; 0 if none is seen, or nobody asked (regularization GIVEN) */
+    double input_distance_max; /* of all samples but dropped ones from the surface, |f| / |grad f| */
+    double input_distance_rms;
+    double input_share_within; /* share of all samples that lie within the tolerance; a dropped one
+                                  counts as outside; 0 with tolerance 0 */
+    int32_t choice_rounds;     /* fits made to choose the centres; 0 if all samples are centres */
+    uint32_t solver_reason;    /* HRBFNPR_SOLVER_REASON_... */
+    double seconds_clean;
+    double seconds_choose;     /* of all rounds but the last fit */
+    double seconds_precondition;
+    int64_t peak_bytes; /* most that the context's allocator had given out at a time, up to the fit's end */
 } hrbfnpr_model_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);

@@ -11,6 +11,10 @@ using namespace hrbfnpr;
 static_assert(static_cast<std::uint32_t>(kernel::Kind::triharmonic) == HRBFNPR_KERNEL_TRIHARMONIC);
 static_assert(static_cast<std::uint32_t>(kernel::Kind::gaussian) == HRBFNPR_KERNEL_GAUSSIAN);
 static_assert(static_cast<std::uint32_t>(kernel::Kind::wendland_c2) == HRBFNPR_KERNEL_WENDLAND_C2);
+static_assert(static_cast<std::uint32_t>(fit::SolverKind::iterative) == HRBFNPR_SOLVER_ITERATIVE);
+static_assert(static_cast<std::uint32_t>(fit::SolverReason::not_definite) == HRBFNPR_SOLVER_REASON_NOT_DEFINITE);
+static_assert(static_cast<std::uint32_t>(fit::Repair::reorient) == HRBFNPR_REPAIR_REORIENT);
+static_assert(static_cast<std::uint32_t>(fit::RegularizationMode::automatic) == HRBFNPR_REGULARIZATION_AUTO);
 
 namespace hrbfnpr::api {
 
@@ -22,8 +26,16 @@ hrbfnpr_fit_desc defaults() noexcept {
     desc.kernel_radius = input.kernel_radius;
     desc.polynomial_degree = input.polynomial_degree;
     desc.regularization = input.regularization;
+    desc.solver = static_cast<std::uint32_t>(input.solver);
+    desc.tolerance = input.tolerance;
     desc.maximum_centres = input.maximum_centres;
     desc.iteration_limit = input.iteration_limit;
+    desc.outliers = static_cast<std::uint32_t>(input.outliers);
+    desc.flipped_normals = static_cast<std::uint32_t>(input.flipped_normals);
+    desc.regularization_mode = static_cast<std::uint32_t>(input.regularization_mode);
+    desc.preconditioner_neighbours = input.preconditioner_neighbours;
+    desc.solver_tolerance = input.solver_tolerance;
+    desc.solver_iterations = input.solver_iterations;
     return desc;
 }
 
@@ -42,17 +54,8 @@ namespace {
 constexpr std::uint32_t custom_flags =
     HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_HAS_HESSIAN | HRBFNPR_CUSTOM_THREAD_SAFE;
 
-fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
+void check_numbers(const hrbfnpr_fit_desc& desc) {
     const Checks checks("fit_desc");
-    fit::FitInput input;
-    input.points = in_view(desc.points, "fit_desc.points", points_type);
-    if (input.points.empty()) fail(Status::invalid_argument, "fit_desc.points is empty; give at least one sample");
-    input.normals = in_view(desc.normals, "fit_desc.normals", points_type);
-    if (input.normals.count != input.points.count)
-        fail(Status::invalid_argument,
-             "fit_desc.normals has %lld elements and fit_desc.points has %lld; give one "
-             "normal for each point",
-             static_cast<long long>(input.normals.count), static_cast<long long>(input.points.count));
     checks.one_of("kernel", desc.kernel, HRBFNPR_KERNEL_WENDLAND_C2 + 1, "HRBFNPR_KERNEL_...");
     checks.at_least("kernel_radius", desc.kernel_radius, 0.0);
     if (desc.polynomial_degree < -1 || desc.polynomial_degree > 3)
@@ -64,12 +67,44 @@ fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
     checks.at_least("maximum_centres", static_cast<double>(desc.maximum_centres), 0.0);
     checks.between("iteration_limit", desc.iteration_limit, 0, 1000);
     checks.zero("reserved", desc.reserved);
+    checks.one_of("outliers", desc.outliers, HRBFNPR_REPAIR_DROP + 1, "HRBFNPR_REPAIR_KEEP and _DROP");
+    checks.one_of("flipped_normals", desc.flipped_normals, HRBFNPR_REPAIR_REORIENT + 1, "HRBFNPR_REPAIR_...");
+    checks.one_of("regularization_mode", desc.regularization_mode, HRBFNPR_REGULARIZATION_AUTO + 1,
+                  "HRBFNPR_REGULARIZATION_...");
+    if (desc.regularization_mode == HRBFNPR_REGULARIZATION_AUTO && desc.regularization != 0.0)
+        fail(Status::invalid_argument, "fit_desc.regularization is %g with regularization_mode AUTO; leave it 0",
+             desc.regularization);
+    checks.between("preconditioner_neighbours", desc.preconditioner_neighbours, 0, 1000);
+    checks.between("solver_tolerance", desc.solver_tolerance, 0.0, 0.1);
+    checks.between("solver_iterations", desc.solver_iterations, 0, 1000000);
+    checks.zero("reserved2", desc.reserved2);
+}
+
+fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
+    fit::FitInput input;
+    input.points = in_view(desc.points, "fit_desc.points", points_type);
+    if (input.points.empty()) fail(Status::invalid_argument, "fit_desc.points is empty; give at least one sample");
+    input.normals = in_view(desc.normals, "fit_desc.normals", points_type);
+    if (input.normals.count != input.points.count)
+        fail(Status::invalid_argument,
+             "fit_desc.normals has %lld elements and fit_desc.points has %lld; give one "
+             "normal for each point",
+             static_cast<long long>(input.normals.count), static_cast<long long>(input.points.count));
+    check_numbers(desc);
     input.kernel = static_cast<kernel::Kind>(desc.kernel);
     input.kernel_radius = desc.kernel_radius;
     input.polynomial_degree = desc.polynomial_degree;
     input.regularization = desc.regularization;
+    input.tolerance = desc.tolerance;
     input.maximum_centres = desc.maximum_centres;
     input.iteration_limit = desc.iteration_limit;
+    input.outliers = static_cast<fit::Repair>(desc.outliers);
+    input.flipped_normals = static_cast<fit::Repair>(desc.flipped_normals);
+    input.regularization_mode = static_cast<fit::RegularizationMode>(desc.regularization_mode);
+    input.solver = static_cast<fit::SolverKind>(desc.solver);
+    input.preconditioner_neighbours = desc.preconditioner_neighbours;
+    input.solver_tolerance = desc.solver_tolerance;
+    input.solver_iterations = desc.solver_iterations;
     return input;
 }
 
@@ -147,6 +182,22 @@ void describe_fit(hrbfnpr_model_info& info, const fit::FitReport& report) noexce
     info.seconds_assemble = report.seconds_assemble;
     info.seconds_solve = report.seconds_solve;
     info.seconds_total = report.seconds_total;
+    info.outliers_found = report.outliers_found;
+    info.outliers_dropped = report.outliers_dropped;
+    info.flipped_found = report.flipped_found;
+    info.flipped_repaired = report.flipped_repaired;
+    info.near_duplicates = report.near_duplicates;
+    info.noise_estimate = report.noise_estimate;
+    info.input_distance_max = report.input_distance_max;
+    info.input_distance_rms = report.input_distance_rms;
+    info.input_share_within = report.input_share_within;
+    info.choice_rounds = report.choice_rounds;
+    info.solver = static_cast<std::uint32_t>(report.solver);
+    info.solver_reason = static_cast<std::uint32_t>(report.solver_reason);
+    info.seconds_clean = report.seconds_clean;
+    info.seconds_choose = report.seconds_choose;
+    info.seconds_precondition = report.seconds_precondition;
+    info.peak_bytes = report.peak_bytes;
 }
 
 hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
@@ -160,7 +211,6 @@ hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
     describe_fit(info, model.report);
     info.kernel = static_cast<std::uint32_t>(data->kernel);
     info.polynomial_degree = data->polynomial_degree;
-    info.solver = HRBFNPR_SOLVER_DIRECT;
     info.centres = data->count();
     info.spacing = data->spacing;
     info.bytes += data->bytes();

@@ -11,7 +11,8 @@ using namespace hrbfnpr;
 namespace hrbfnpr::api {
 namespace {
 
-using Numbers = std::array<double, 16>;
+// Only ever grows at its end: older files hold fewer numbers.
+using Numbers = std::array<double, 32>;
 
 Numbers numbers_of(const fit::FitReport& report) noexcept {
     return {static_cast<double>(report.samples),
@@ -29,13 +30,55 @@ Numbers numbers_of(const fit::FitReport& report) noexcept {
             report.fallback ? 1.0 : 0.0,
             report.seconds_assemble,
             report.seconds_solve,
-            report.seconds_total};
+            report.seconds_total,
+            static_cast<double>(report.solver),
+            static_cast<double>(report.solver_reason),
+            static_cast<double>(report.outliers_found),
+            static_cast<double>(report.outliers_dropped),
+            static_cast<double>(report.flipped_found),
+            static_cast<double>(report.flipped_repaired),
+            static_cast<double>(report.near_duplicates),
+            report.noise_estimate,
+            report.input_distance_max,
+            report.input_distance_rms,
+            report.input_share_within,
+            static_cast<double>(report.choice_rounds),
+            report.seconds_clean,
+            report.seconds_choose,
+            report.seconds_precondition,
+            static_cast<double>(report.peak_bytes)};
 }
 
 // A count out of a file may be any number.
 std::int64_t count_of(double number) noexcept {
     constexpr double largest = 9007199254740992.0; // 2^53
     return number >= 0.0 && number <= largest ? static_cast<std::int64_t>(number) : 0;
+}
+
+std::int32_t small_count_of(double number) noexcept {
+    return static_cast<std::int32_t>(std::min<std::int64_t>(count_of(number), 1000000));
+}
+
+// What version 0.1 did not store is left as it is by default.
+void read_rest(std::span<const double> stored, const Numbers& n, fit::FitReport& report) noexcept {
+    if (stored.size() < n.size()) return;
+    if (n[16] == static_cast<double>(fit::SolverKind::iterative)) report.solver = fit::SolverKind::iterative;
+    report.solver_reason = static_cast<fit::SolverReason>(
+        std::min<std::int64_t>(count_of(n[17]), static_cast<std::int64_t>(fit::SolverReason::not_definite)));
+    report.outliers_found = count_of(n[18]);
+    report.outliers_dropped = count_of(n[19]);
+    report.flipped_found = count_of(n[20]);
+    report.flipped_repaired = count_of(n[21]);
+    report.near_duplicates = count_of(n[22]);
+    report.noise_estimate = n[23];
+    report.input_distance_max = n[24];
+    report.input_distance_rms = n[25];
+    report.input_share_within = n[26];
+    report.choice_rounds = small_count_of(n[27]);
+    report.seconds_clean = n[28];
+    report.seconds_choose = n[29];
+    report.seconds_precondition = n[30];
+    report.peak_bytes = count_of(n[31]);
 }
 
 fit::FitReport report_of(std::span<const double> stored) noexcept {
@@ -53,11 +96,12 @@ fit::FitReport report_of(std::span<const double> stored) noexcept {
     report.gradient_residual_rms = n[8];
     report.solver_residual = n[9];
     report.condition_estimate = n[10];
-    report.iterations = static_cast<std::int32_t>(std::min<std::int64_t>(count_of(n[11]), 1000000));
+    report.iterations = small_count_of(n[11]);
     report.fallback = n[12] == 1.0;
     report.seconds_assemble = n[13];
     report.seconds_solve = n[14];
     report.seconds_total = n[15];
+    read_rest(stored, n, report);
     return report;
 }
 

@@ -176,6 +176,8 @@ FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::P
     report.fallback = solution.fallback;
     report.seconds_assemble = seconds_before + solution.seconds_assemble;
     report.seconds_solve = solution.seconds_solve;
+    report.solver_reason = input.solver == SolverKind::automatic ? SolverReason::small : SolverReason::requested;
+    report.peak_bytes = runtime.memory.bytes_peak();
     report.seconds_total = watch.seconds();
     progress.update(1.0);
     return result;

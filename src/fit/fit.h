@@ -10,6 +10,11 @@ namespace hrbfnpr::fit {
 
 // Same meaning as hrbfnpr_fit_desc, whose message names the fields are checked under.
 // Views have 3 components, float32 or float64, equal counts >= 1 (the boundary checks).
+enum class SolverKind : std::uint32_t { automatic = 0, direct = 1, iterative = 2 };
+enum class SolverReason : std::uint32_t { requested = 0, small = 1, large = 2, not_converged = 3, not_definite = 4 };
+enum class Repair : std::uint32_t { keep = 0, drop = 1, reorient = 2 };
+enum class RegularizationMode : std::uint32_t { given = 0, automatic = 1 };
+
 struct FitInput {
     base::InView points;
     base::InView normals;
@@ -18,7 +23,15 @@ struct FitInput {
     std::int32_t polynomial_degree = 1;
     double regularization = 0.0;
     std::int32_t iteration_limit = 2;
+    double tolerance = 0.0;           // caller's unit; 0 = none
     std::int64_t maximum_centres = 0; // 0 = no limit
+    Repair outliers = Repair::keep;
+    Repair flipped_normals = Repair::keep;
+    RegularizationMode regularization_mode = RegularizationMode::given;
+    SolverKind solver = SolverKind::automatic;
+    std::uint32_t preconditioner_neighbours = 0; // 0 = automatic
+    double solver_tolerance = 0.0;               // 0 = automatic
+    std::int32_t solver_iterations = 0;          // 0 = automatic
 };
 
 struct FitReport {
@@ -38,6 +51,22 @@ struct FitReport {
     double seconds_assemble = 0.0;
     double seconds_solve = 0.0;
     double seconds_total = 0.0;
+    std::int64_t outliers_found = 0;
+    std::int64_t outliers_dropped = 0;
+    std::int64_t flipped_found = 0;
+    std::int64_t flipped_repaired = 0;
+    std::int64_t near_duplicates = 0;
+    double noise_estimate = 0.0; // caller's unit
+    double input_distance_max = 0.0;
+    double input_distance_rms = 0.0;
+    double input_share_within = 0.0;
+    std::int32_t choice_rounds = 0;
+    SolverKind solver = SolverKind::direct; // the one used
+    SolverReason solver_reason = SolverReason::small;
+    double seconds_clean = 0.0;
+    double seconds_choose = 0.0;
+    double seconds_precondition = 0.0;
+    std::int64_t peak_bytes = 0;
 };
 
 struct FitResult {

@@ -82,6 +82,21 @@ const std::vector<Row<FitCall>>& fit_rows() {
         {[](FitCall& c) { c.desc.maximum_centres = 5; }, invalid, "more than maximum_centres, 5"},
         {[](FitCall& c) { c.desc.iteration_limit = -1; }, invalid, "fit_desc.iteration_limit is -1"},
         {[](FitCall& c) { c.desc.reserved = 1; }, invalid, "fit_desc.reserved is 1; it must be 0"},
+        {[](FitCall& c) { c.desc.outliers = HRBFNPR_REPAIR_REORIENT; }, invalid,
+         "fit_desc.outliers is 2; it must be one of HRBFNPR_REPAIR_KEEP and _DROP"},
+        {[](FitCall& c) { c.desc.flipped_normals = 3; }, invalid, "fit_desc.flipped_normals is 3"},
+        {[](FitCall& c) { c.desc.regularization_mode = 2; }, invalid, "fit_desc.regularization_mode is 2"},
+        {[](FitCall& c) {
+             c.desc.regularization_mode = HRBFNPR_REGULARIZATION_AUTO;
+             c.desc.regularization = 0.5;
+         },
+         invalid, "fit_desc.regularization is 0.5 with regularization_mode AUTO; leave it 0"},
+        {[](FitCall& c) { c.desc.preconditioner_neighbours = 1001; }, invalid,
+         "fit_desc.preconditioner_neighbours is 1001; it must be from 0 to 1000"},
+        {[](FitCall& c) { c.desc.solver_tolerance = nan; }, invalid, "fit_desc.solver_tolerance is nan"},
+        {[](FitCall& c) { c.desc.solver_tolerance = -1; }, invalid, "fit_desc.solver_tolerance is -1"},
+        {[](FitCall& c) { c.desc.solver_iterations = -1; }, invalid, "fit_desc.solver_iterations is -1"},
+        {[](FitCall& c) { c.desc.reserved2 = 1; }, invalid, "fit_desc.reserved2 is 1; it must be 0"},
         {[](FitCall& c) { c.desc.struct_size = 0; }, HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "fit_desc.struct_size is 0"},
         {[](FitCall& c) { c.desc.struct_size = 8; }, invalid, "fit_desc.points is empty"},
         {[](FitCall& c) {

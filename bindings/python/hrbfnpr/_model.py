@@ -1,7 +1,7 @@
 """Models: implicit surfaces f = 0."""
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Tuple
+from typing import Any, Callable, Optional, Tuple, Union
 
 from . import _streams
 from ._arrays import Array, block_in, output, vector, wrap
@@ -12,7 +12,7 @@ from ._function import FunctionState, on_evaluate, on_release
 from ._handles import Owner, own
 from ._library import ffi, lib
 from ._model_results import Curvature, Evaluation, ModelInfo, Projection, Vector
-from ._names import KERNELS, SOLVERS, name_of, number_of
+from ._names import KERNELS, REPAIRS, SOLVER_REASONS, SOLVERS, name_of, number_of
 from ._numpy import np
 from ._operation import Operation, Progress, running
 from ._structs import read_struct
@@ -53,10 +53,16 @@ class Model(Owner):
         kernel: str = "triharmonic",
         kernel_radius: float = 0.0,
         polynomial_degree: int = 1,
-        regularization: float = 0.0,
+        regularization: Union[float, str] = 0.0,
         solver: str = "auto",
+        tolerance: float = 0.0,
         maximum_centres: int = 0,
         iteration_limit: int = 2,
+        outliers: str = "keep",
+        flipped_normals: str = "keep",
+        solver_tolerance: float = 0.0,
+        solver_iterations: int = 0,
+        preconditioner_neighbours: int = 0,
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
         context: Optional[Context] = None,
@@ -74,14 +80,24 @@ class Model(Owner):
             Radius of the last two, in the unit of the points; 0 = from the sample spacing.
         polynomial_degree : int
             -1 (none) to 3.
-        regularization : float
-            0 interpolates (default); more is smoother.
-        solver : {"auto", "direct"}
+        regularization : float or "auto"
+            0 interpolates (default); more is smoother; "auto" takes it from the noise of the samples.
+        solver : {"auto", "direct", "iterative"}
             "direct" is a dense factorisation: about 64 N^2 bytes, time N^3.
+        tolerance : float
+            Choose samples as centres until all lie this near to the surface; 0 = no such end.
         maximum_centres : int
-            More samples are refused; 0 = as many as memory allows.
+            Choose no more samples than this as centres; 0 = no limit.  With tolerance 0, too, every
+            sample is a centre.
         iteration_limit : int
             Steps of iterative refinement after a direct solve.
+        outliers : {"keep", "drop"}
+            What becomes of samples far from all others, or from the plane of those around them.
+        flipped_normals : {"keep", "drop", "reorient"}
+            What becomes of samples whose normal is against those around them.
+        solver_tolerance, solver_iterations, preconditioner_neighbours
+            Of the iterative solver: the relative residual at which it ends, its most iterations, and
+            the size of its local problems; 0 = automatic.
         progress : callable or progress bar, optional
             See `Operation`.
         operation : Operation, optional
@@ -104,9 +120,18 @@ class Model(Owner):
         desc.kernel_radius = kernel_radius
         desc.polynomial_degree = polynomial_degree
         desc.solver = number_of("solver", SOLVERS, solver)
-        desc.regularization = regularization
+        if regularization == "auto":
+            desc.regularization_mode = ffi.integer_const("HRBFNPR_REGULARIZATION_AUTO")
+        else:
+            desc.regularization = regularization
+        desc.tolerance = tolerance
         desc.maximum_centres = maximum_centres
         desc.iteration_limit = iteration_limit
+        desc.outliers = number_of("outliers", REPAIRS, outliers)
+        desc.flipped_normals = number_of("flipped_normals", REPAIRS, flipped_normals)
+        desc.solver_tolerance = solver_tolerance
+        desc.solver_iterations = solver_iterations
+        desc.preconditioner_neighbours = preconditioner_neighbours
         out, error = ffi.new("hrbfnpr_model **"), new_error()
         with running(operation, progress, context._handle) as (handle, state):
             check(lib.hrbfnpr_model_fit(context._handle, desc, handle, out, error), error, state)
@@ -297,7 +322,7 @@ class Model(Owner):
         """What the fit did."""
         info, error = new_struct("hrbfnpr_model_info"), new_error()
         check(lib.hrbfnpr_model_get_info(self._handle, info, error), error)
-        names = {"kernel": KERNELS, "solver": SOLVERS}
+        names = {"kernel": KERNELS, "solver": SOLVERS, "solver_reason": SOLVER_REASONS}
         convert = {key: (lambda number, table=table: name_of(table, number)) for key, table in names.items()}
         return read_struct(ModelInfo, info, {**convert, "fallback": bool})
 

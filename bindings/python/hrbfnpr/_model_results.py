@@ -19,7 +19,7 @@ class ModelInfo:
     kernel, polynomial_degree, solver
         As used.
     samples, centres, merged_samples : int
-        Samples given; centres after merging coincident samples; how many were merged.
+        Samples given; centres after merging, cleaning and choosing; how many coincided and were merged.
     rescaled_normals : int
         Normals whose length was off 1 by more than 1e-4.
     bounds_min, bounds_max : tuple of float
@@ -43,6 +43,21 @@ class ModelInfo:
     seconds_assemble, seconds_solve, seconds_total : float
     bytes : int
         Memory kept by the model.
+    outliers_found, outliers_dropped, flipped_found, flipped_repaired, near_duplicates : int
+        What looked wrong with the samples, and what was done about it.
+    noise_estimate : float
+        Standard deviation of the samples off their surface; 0 if none is seen or nobody asked.
+    input_distance_max, input_distance_rms : float
+        Distance of all samples, but dropped ones, from the surface: abs(f) / abs(grad f).
+    input_share_within : float
+        Share of all samples within the tolerance; a dropped one counts as outside.
+    choice_rounds : int
+        Fits made to choose the centres; 0 if all samples are centres.
+    solver_reason : str
+        "requested", "small", "large", "not_converged" or "not_definite".
+    seconds_clean, seconds_choose, seconds_precondition : float
+    peak_bytes : int
+        The most that the context had allocated at a time, up to the fit's end.
     """
 
     kernel: str
@@ -69,6 +84,21 @@ class ModelInfo:
     seconds_solve: float
     seconds_total: float
     bytes: int
+    outliers_found: int
+    outliers_dropped: int
+    flipped_found: int
+    flipped_repaired: int
+    near_duplicates: int
+    noise_estimate: float
+    input_distance_max: float
+    input_distance_rms: float
+    input_share_within: float
+    choice_rounds: int
+    solver_reason: str
+    seconds_clean: float
+    seconds_choose: float
+    seconds_precondition: float
+    peak_bytes: int
 
 
 class Evaluation(NamedTuple):

@@ -14,7 +14,10 @@ from ._progress import Reporter
 _MAGIC = b"\x89HRB\r\n\x1a\n"
 MOST_SAMPLES = 4096  # a direct fit of more takes minutes and gigabytes
 
-FIT = ("kernel", "kernel_radius", "polynomial_degree", "regularization", "solver", "maximum_centres", "iteration_limit")
+FIT = (
+    "kernel", "kernel_radius", "polynomial_degree", "regularization", "solver", "tolerance", "maximum_centres",
+    "iteration_limit", "outliers", "flipped_normals",
+)  # fmt: skip
 
 
 def given(arguments: Any, names: Tuple[str, ...]) -> "dict[str, Any]":

@@ -17,6 +17,7 @@ from .._names import (
     HIDDEN_LINES,
     KERNELS,
     LIGHT_SPACES,
+    REPAIRS,
     SEED_SOURCES,
     SOLVERS,
     TONE_RULES,
@@ -81,9 +82,14 @@ def _add_fit(parser: Parser) -> None:
     _add_choice(group, "--kernel", "kernel", [name for name in KERNELS if name != "custom"], "radial function")
     _add(group, "--kernel-radius", "kernel_radius", values.number, "LENGTH", "of gaussian and wendland-c2")
     _add(group, "--degree", "polynomial_degree", values.count(-1, 3), "N", "of the polynomial, -1 (none) to 3; 1")
-    _add(group, "--regularization", "regularization", values.number, "X", "0 interpolates, more is smoother; 0")
+    _add(group, "--regularization", "regularization", values.number_or_auto, "X", "0 interpolates, more is smoother, "
+         "auto takes it from the noise; 0")  # fmt: skip
     _add_choice(group, "--solver", "solver", tuple(SOLVERS), "solver")
-    _add(group, "--max-centres", "maximum_centres", values.count(0), "N", "refuse more samples than this")
+    _add(group, "--tolerance", "tolerance", values.number, "LENGTH", "choose samples as centres until all are this "
+         "near to the surface")  # fmt: skip
+    _add(group, "--max-centres", "maximum_centres", values.count(0), "N", "choose no more samples than this as centres")
+    _add_choice(group, "--outliers", "outliers", ("keep", "drop"), "what becomes of stray samples")
+    _add_choice(group, "--flipped-normals", "flipped_normals", tuple(REPAIRS), "what becomes of them")
     _add(group, "--refinement-steps", "iteration_limit", values.count(0), "N", "after a direct solve; 2")
 
 

@@ -28,6 +28,10 @@ def number(text: str) -> float:
     return value
 
 
+def number_or_auto(text: str) -> Union[float, str]:
+    return text if text == "auto" else number(text)
+
+
 def count(low: int = 0, high: Optional[int] = None) -> Callable[[str], int]:
     """A whole number in a range."""
 
