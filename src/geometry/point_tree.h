@@ -6,6 +6,7 @@
 #include "base/operation.h"
 #include "geometry/vec_array.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -26,6 +27,19 @@ public:
     template <class Visit>
     void within(const glm::dvec3& p, double radius, Visit&& visit) const;
 
+    // The nearest `count` points of those that `accept_point(at)` lets pass, nearest first (ties by place in the
+    // tree's order): writes their places to `found`, and returns how many there are.  accept_node(node) is asked
+    // before a node's points are: false if it holds none that would pass.
+    template <class AcceptNode, class AcceptPoint>
+    std::int64_t nearest(const glm::dvec3& p, std::int64_t count, AcceptNode&& accept_node, AcceptPoint&& accept_point,
+                         std::int64_t* found) const;
+
+    // Nodes are numbered 0 .. nodes() - 1, children after their parents; some numbers are of no node.
+    [[nodiscard]] std::int64_t nodes() const noexcept { return bounds_.size(); }
+    // The smallest value(at) of the points of each node, by the node's number.
+    template <class Value>
+    [[nodiscard]] base::Array<std::int64_t> smallest_of_nodes(Value&& value) const;
+
     // Distance from the point at `at` to the nearest other one; infinite if it is alone.
     [[nodiscard]] double nearest_other(std::int64_t at) const noexcept;
 
@@ -45,7 +59,21 @@ private:
         [[nodiscard]] Range high() const noexcept { return {2 * node + 2, middle(), end}; }
     };
 
+    // A place and its squared distance; the worse one is farther, or as far and later.
+    struct Near {
+        double squared;
+        std::int64_t at;
+
+        [[nodiscard]] bool operator<(const Near& other) const noexcept {
+            return squared < other.squared || (squared == other.squared && at < other.at);
+        }
+    };
+    // The best few in ascending order, in memory of the caller's.
+    class Best;
+
     void build(const VecArray& points, const Range& range, const base::Progress& progress);
+    template <class Value>
+    std::int64_t fill_smallest(const Range& range, const Value& value, base::Array<std::int64_t>& smallest) const;
     [[nodiscard]] double squared_distance_to_box(const glm::dvec3& p, std::int64_t node) const noexcept;
 
     VecArray points_;
@@ -80,6 +108,85 @@ void PointTree::within(const glm::dvec3& p, double radius, Visit&& visit) const 
             if (squared <= limit) visit(at, squared);
         }
     }
+}
+
+class PointTree::Best {
+public:
+    static constexpr std::int64_t most = 64;
+
+    explicit Best(std::int64_t count) noexcept : count_(count) {}
+    [[nodiscard]] double limit() const noexcept {
+        return size_ < count_ ? std::numeric_limits<double>::infinity() : near_[static_cast<std::size_t>(size_ - 1)].squared;
+    }
+    void add(const Near& near) noexcept {
+        std::int64_t to = size_;
+        if (size_ < count_)
+            ++size_;
+        else if (near < near_[static_cast<std::size_t>(size_ - 1)])
+            --to;
+        else
+            return;
+        for (; to > 0 && near < near_[static_cast<std::size_t>(to - 1)]; --to)
+            near_[static_cast<std::size_t>(to)] = near_[static_cast<std::size_t>(to - 1)];
+        near_[static_cast<std::size_t>(to)] = near;
+    }
+    std::int64_t write(std::int64_t* found) const noexcept {
+        for (std::int64_t i = 0; i < size_; ++i) found[i] = near_[static_cast<std::size_t>(i)].at;
+        return size_;
+    }
+
+private:
+    std::int64_t count_;
+    std::int64_t size_ = 0;
+    std::array<Near, most> near_;
+};
+
+template <class AcceptNode, class AcceptPoint>
+std::int64_t PointTree::nearest(const glm::dvec3& p, std::int64_t count, AcceptNode&& accept_node,
+                                AcceptPoint&& accept_point, std::int64_t* found) const {
+    if (size() == 0 || count <= 0) return 0;
+    Best best(std::min(count, Best::most));
+    std::array<Range, stack_size> stack;
+    std::size_t depth = 0;
+    stack[depth++] = {0, 0, size()};
+    while (depth > 0) {
+        const Range range = stack[--depth];
+        if (!accept_node(range.node) || squared_distance_to_box(p, range.node) > best.limit()) continue;
+        if (!range.leaf()) {
+            const Range low = range.low();
+            const Range high = range.high();
+            const bool low_first = squared_distance_to_box(p, low.node) <= squared_distance_to_box(p, high.node);
+            stack[depth++] = low_first ? high : low;
+            stack[depth++] = low_first ? low : high;
+            continue;
+        }
+        for (std::int64_t at = range.begin; at < range.end; ++at) {
+            if (!accept_point(at)) continue;
+            const glm::dvec3 between = points_[at] - p;
+            best.add({glm::dot(between, between), at});
+        }
+    }
+    return best.write(found);
+}
+
+template <class Value>
+std::int64_t PointTree::fill_smallest(const Range& range, const Value& value,
+                                      base::Array<std::int64_t>& smallest) const {
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    if (range.leaf()) {
+        for (std::int64_t at = range.begin; at < range.end; ++at) least = std::min<std::int64_t>(least, value(at));
+    } else {
+        least = std::min(fill_smallest(range.low(), value, smallest), fill_smallest(range.high(), value, smallest));
+    }
+    smallest[range.node] = least;
+    return least;
+}
+
+template <class Value>
+base::Array<std::int64_t> PointTree::smallest_of_nodes(Value&& value) const {
+    base::Array<std::int64_t> smallest(points_.memory(), nodes());
+    if (size() > 0) fill_smallest({0, 0, size()}, value, smallest);
+    return smallest;
 }
 
 } // namespace hrbfnpr::geometry
