@@ -1,0 +1,160 @@
+#include "geometry/farthest_order.h"
+
+#include "geometry/point_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::geometry {
+namespace {
+
+constexpr std::int64_t leaf_size = 16;
+constexpr double picked = -1.0; // below any squared distance
+
+// A k-d tree each of whose nodes knows the farthest of its points from the picked ones, so that a
+// pick is read off the root, and only nodes with a point that the pick comes near to are visited.
+class FarthestTree {
+public:
+    FarthestTree(const VecArray& points, const base::Progress& progress);
+
+    [[nodiscard]] std::int64_t nearest_to_centre() const noexcept;
+    [[nodiscard]] std::int64_t farthest() const noexcept { return nodes_[0].farthest; }
+    // Of farthest(), from the picked ones.
+    [[nodiscard]] double squared_distance() const noexcept { return nodes_[0].squared_distance; }
+    void pick(std::int64_t at) noexcept;
+
+    [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return tree_.index(at); }
+
+private:
+    struct Node { // a cache line
+        glm::dvec3 low{0.0};
+        glm::dvec3 high{0.0};
+        double squared_distance = 0.0;
+        std::int64_t farthest = 0; // place in the tree
+    };
+    struct Range {
+        std::int64_t node;
+        std::int64_t begin;
+        std::int64_t end;
+
+        [[nodiscard]] bool leaf() const noexcept { return end - begin <= leaf_size; }
+        [[nodiscard]] std::int64_t middle() const noexcept { return begin + (end - begin) / 2; } // as in PointTree
+        [[nodiscard]] Range low() const noexcept { return {2 * node + 1, begin, middle()}; }
+        [[nodiscard]] Range high() const noexcept { return {2 * node + 2, middle(), end}; }
+    };
+
+    [[nodiscard]] Range whole() const noexcept { return {0, 0, tree_.size()}; }
+    Bounds build(const Range& range);
+    void come_nearer(const Range& range, const glm::dvec3& p) noexcept;
+    void scan(const Range& leaf) noexcept;
+    void take_farther_child(Node& node, const Range& range) noexcept;
+    // Whether the place a, with its distance, goes before b.
+    [[nodiscard]] bool before(double a_distance, std::int64_t a, double b_distance, std::int64_t b) const noexcept {
+        return a_distance > b_distance || (a_distance == b_distance && index(a) < index(b));
+    }
+
+    PointTree tree_;
+    base::Array<double> squared_distance_; // of each place from the picked ones
+    base::Array<Node> nodes_;              // in heap order
+};
+
+FarthestTree::FarthestTree(const VecArray& points, const base::Progress& progress)
+    : tree_(points, progress), squared_distance_(points.memory(), points.size()), nodes_(points.memory()) {
+    std::int64_t nodes = 1;
+    for (std::int64_t longest = points.size(); longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
+    nodes_.resize(nodes);
+    std::fill(squared_distance_.begin(), squared_distance_.end(), HUGE_VAL);
+    build(whole());
+}
+
+Bounds FarthestTree::build(const Range& range) {
+    Bounds box;
+    if (range.leaf()) {
+        for (std::int64_t at = range.begin; at < range.end; ++at) box.extend(tree_.points()[at]);
+    } else {
+        box = build(range.low());
+        const Bounds other = build(range.high());
+        box.extend(other.min);
+        box.extend(other.max);
+    }
+    nodes_[range.node] = {box.min, box.max, HUGE_VAL, range.begin};
+    return box;
+}
+
+std::int64_t FarthestTree::nearest_to_centre() const noexcept {
+    const glm::dvec3 centre = 0.5 * nodes_[0].low + 0.5 * nodes_[0].high;
+    std::int64_t best = 0;
+    double best_distance = HUGE_VAL;
+    for (std::int64_t at = 0; at < tree_.size(); ++at) {
+        const glm::dvec3 between = tree_.points()[at] - centre;
+        const double squared = glm::dot(between, between);
+        if (squared > best_distance || (squared == best_distance && index(at) > index(best))) continue;
+        best = at;
+        best_distance = squared;
+    }
+    return best;
+}
+
+void FarthestTree::pick(std::int64_t at) noexcept {
+    squared_distance_[at] = picked;
+    come_nearer(whole(), tree_.points()[at]);
+}
+
+void FarthestTree::come_nearer(const Range& range, const glm::dvec3& p) noexcept {
+    Node& node = nodes_[range.node];
+    const glm::dvec3 outside = glm::max(glm::max(node.low - p, p - node.high), glm::dvec3(0.0));
+    // `>` would do for the distances, but the node that holds p must learn that p is picked.
+    if (glm::dot(outside, outside) > node.squared_distance) return;
+    if (!range.leaf()) {
+        come_nearer(range.low(), p);
+        come_nearer(range.high(), p);
+        take_farther_child(node, range);
+        return;
+    }
+    const VecArray& points = tree_.points();
+    for (std::int64_t i = range.begin; i < range.end; ++i) {
+        const double x = points.x[i] - p.x;
+        const double y = points.y[i] - p.y;
+        const double z = points.z[i] - p.z;
+        squared_distance_[i] = std::min(squared_distance_[i], x * x + y * y + z * z);
+    }
+    scan(range);
+}
+
+void FarthestTree::scan(const Range& leaf) noexcept {
+    std::int64_t best = leaf.begin;
+    for (std::int64_t i = leaf.begin + 1; i < leaf.end; ++i)
+        if (before(squared_distance_[i], i, squared_distance_[best], best)) best = i;
+    nodes_[leaf.node].farthest = best;
+    nodes_[leaf.node].squared_distance = squared_distance_[best];
+}
+
+void FarthestTree::take_farther_child(Node& node, const Range& range) noexcept {
+    const Node& low = nodes_[range.low().node];
+    const Node& high = nodes_[range.high().node];
+    const bool low_first = before(low.squared_distance, low.farthest, high.squared_distance, high.farthest);
+    node.farthest = low_first ? low.farthest : high.farthest;
+    node.squared_distance = low_first ? low.squared_distance : high.squared_distance;
+}
+
+} // namespace
+
+FarthestOrder farthest_order(const VecArray& points, std::int64_t count, const base::Progress& progress) {
+    FarthestOrder result(points.memory());
+    const std::int64_t picks = count > 0 ? std::min(count, points.size()) : points.size();
+    if (picks == 0) return result;
+    result.order.resize(picks);
+    result.distance.resize(picks);
+    FarthestTree tree(points, progress);
+    for (std::int64_t k = 0; k < picks; ++k) {
+        if (k % 1024 == 0) progress.update(static_cast<double>(k) / static_cast<double>(picks));
+        const std::int64_t at = k == 0 ? tree.nearest_to_centre() : tree.farthest();
+        result.order[k] = tree.index(at);
+        result.distance[k] = k == 0 ? HUGE_VAL : std::sqrt(tree.squared_distance());
+        tree.pick(at);
+    }
+    progress.update(1.0);
+    return result;
+}
+
+} // namespace hrbfnpr::geometry
