@@ -61,7 +61,7 @@ void check_numbers(const hrbfnpr_fit_desc& desc) {
     if (desc.polynomial_degree < -1 || desc.polynomial_degree > 3)
         fail(Status::invalid_argument, "fit_desc.polynomial_degree is %d; it must be -1, 0, 1, 2 or 3",
              static_cast<int>(desc.polynomial_degree));
-    checks.one_of("solver", desc.solver, HRBFNPR_SOLVER_DIRECT + 1, "HRBFNPR_SOLVER_...");
+    checks.one_of("solver", desc.solver, HRBFNPR_SOLVER_ITERATIVE + 1, "HRBFNPR_SOLVER_...");
     checks.at_least("regularization", desc.regularization, 0.0);
     checks.at_least("tolerance", desc.tolerance, 0.0);
     checks.at_least("maximum_centres", static_cast<double>(desc.maximum_centres), 0.0);

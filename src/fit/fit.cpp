@@ -105,6 +105,16 @@ void check(const FitInput& input) {
     return rhs;
 }
 
+[[nodiscard]] SolveOptions solve_options(const FitInput& input) noexcept {
+    SolveOptions options;
+    options.solver = input.solver;
+    options.refinement_steps = input.iteration_limit;
+    options.neighbours = static_cast<std::int32_t>(input.preconditioner_neighbours);
+    if (input.solver_tolerance > 0.0) options.tolerance = input.solver_tolerance;
+    if (input.solver_iterations > 0) options.iterations = input.solver_iterations;
+    return options;
+}
+
 void store(const Solution& solution, implicit::HrbfData& data) {
     const std::int64_t count = data.centre_position.size();
     data.alpha.resize(count);
@@ -161,7 +171,7 @@ FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::P
     const HermiteSystem system(data.centre_position, system_options(input, data));
     const base::Array<double> rhs = right_hand_side(runtime.memory, system, samples.normal);
     const double seconds_before = watch.seconds();
-    const Solution solution = solve(runtime, system, rhs.data(), input.iteration_limit, progress.part(0.03, 0.98));
+    const Solution solution = solve(runtime, system, rhs.data(), solve_options(input), progress.part(0.03, 0.98));
     store(solution, data);
     measure_residuals(runtime, data, samples, report, progress);
 
@@ -176,7 +186,9 @@ FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::P
     report.fallback = solution.fallback;
     report.seconds_assemble = seconds_before + solution.seconds_assemble;
     report.seconds_solve = solution.seconds_solve;
-    report.solver_reason = input.solver == SolverKind::automatic ? SolverReason::small : SolverReason::requested;
+    report.seconds_precondition = solution.seconds_precondition;
+    report.solver = solution.solver;
+    report.solver_reason = solution.reason;
     report.peak_bytes = runtime.memory.bytes_peak();
     report.seconds_total = watch.seconds();
     progress.update(1.0);

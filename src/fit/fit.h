@@ -4,14 +4,13 @@
 #include "base/operation.h"
 #include "base/runtime.h"
 #include "base/view.h"
+#include "fit/solver_kind.h"
 #include "implicit/hrbf.h"
 
 namespace hrbfnpr::fit {
 
 // Same meaning as hrbfnpr_fit_desc, whose message names the fields are checked under.
 // Views have 3 components, float32 or float64, equal counts >= 1 (the boundary checks).
-enum class SolverKind : std::uint32_t { automatic = 0, direct = 1, iterative = 2 };
-enum class SolverReason : std::uint32_t { requested = 0, small = 1, large = 2, not_converged = 3, not_definite = 4 };
 enum class Repair : std::uint32_t { keep = 0, drop = 1, reorient = 2 };
 enum class RegularizationMode : std::uint32_t { given = 0, automatic = 1 };
 

@@ -1,24 +1,39 @@
-// Solves the Hermite system by the fitting method and polishes the solution.
+// Solves the Hermite system by the fitting method.
 #pragma once
 
+#include "fit/solver_kind.h"
 #include "fit/system.h"
 
 namespace hrbfnpr::fit {
 
-struct Solution {
-    explicit Solution(base::Memory& memory) noexcept : x(memory) {}
+struct SolveOptions {
+    SolverKind solver = SolverKind::automatic;
+    std::int32_t refinement_steps = 2;
+    double tolerance = 1e-8; // of the iterative solver: relative residual, 2-norm
+    std::int32_t iterations = 200;
+    std::int32_t neighbours = 0; // of its preconditioner; 0 = automatic
+};
 
-    base::Array<double> x;  // unknowns(): w, then c
-    double residual = 0.0;  // relative, 2-norm, of the whole system
-    double condition = 0.0; // 1-norm estimate, of the factored matrix
-    std::int32_t iterations = 0;
+struct Solution {
+    explicit Solution(base::Memory& memory) noexcept : x(memory), history(memory) {}
+
+    base::Array<double> x; // unknowns(): w, then c
+    SolverKind solver = SolverKind::direct;
+    SolverReason reason = SolverReason::requested;
+    double residual = 0.0;       // relative, 2-norm, of the whole system
+    double condition = 0.0;      // 1-norm estimate, of the factored matrix; of the preconditioned one, 2-norm
+    std::int32_t iterations = 0; // of refinement, or of CG
     bool fallback = false;
+    bool converged = false;      // the iterative solver reached its tolerance
+    base::Array<double> history; // relative residual after each iteration of CG
     double seconds_assemble = 0.0;
+    double seconds_precondition = 0.0;
     double seconds_solve = 0.0;
 };
 
-// rhs: unknowns() long.  Throws Error{invalid_argument, singular_system, out_of_memory, cancelled}.
+// rhs: unknowns() long, zeros in its last terms().
+// Throws Error{invalid_argument, singular_system, not_converged, out_of_memory, cancelled}.
 [[nodiscard]] Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-                             std::int32_t iteration_limit, const base::Progress& progress);
+                             const SolveOptions& options, const base::Progress& progress);
 
 } // namespace hrbfnpr::fit

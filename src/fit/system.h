@@ -35,6 +35,7 @@ public:
     [[nodiscard]] std::int64_t terms() const noexcept;                                 // columns of P
     [[nodiscard]] std::int64_t unknowns() const noexcept { return rows() + terms(); }
     [[nodiscard]] const Options& options() const noexcept { return options_; }
+    [[nodiscard]] const geometry::VecArray& positions() const noexcept { return positions_; }
 
     // Rows of samples [i0, i1) and columns of samples [j0, j1) of A, column-major.
     void block(std::int64_t i0, std::int64_t i1, std::int64_t j0, std::int64_t j1, double* out,

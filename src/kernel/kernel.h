@@ -27,6 +27,10 @@ struct Radial {
 // phi scales as s^exponent when the points and the radius scale by s (3 for r^3, else 0).
 [[nodiscard]] constexpr int homogeneity(Kind kind) noexcept { return kind == Kind::triharmonic ? 3 : 0; }
 
+// The Hermite matrix is positive definite on what is orthogonal to all polynomials of lower degree than this
+// (Duchon 1977; 0: it is positive definite).
+[[nodiscard]] constexpr int order(Kind kind) noexcept { return kind == Kind::triharmonic ? 2 : 0; }
+
 [[nodiscard]] const char* name(Kind kind) noexcept;
 
 } // namespace hrbfnpr::kernel

@@ -1,0 +1,130 @@
+#include "fit/direct.h"
+
+#include "base/clock.h"
+#include "fit/lu.h"
+#include "fit/null_space_solver.h"
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace hrbfnpr::fit {
+namespace {
+
+// A larger relative residual than this is no solution: what remains of it after refinement is
+// the error of value and gradient at the samples.
+constexpr double residual_limit = 1e-6;
+
+using Vector = Eigen::Map<Eigen::VectorXd>;
+using ConstVector = Eigen::Map<const Eigen::VectorXd>;
+
+class Refinement {
+public:
+    Refinement(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs)
+        : runtime_(runtime), system_(system), rhs_(rhs, system.unknowns()),
+          constraints_(runtime.memory, system.rows() * system.terms()), residual_(runtime.memory, system.unknowns()),
+          trial_(runtime.memory, system.unknowns()), trial_residual_(runtime.memory, system.unknowns()) {
+        system.constraints(constraints_.data());
+    }
+
+    // Solves, and then solves for the residual as long as that makes it smaller.
+    template <class Solver>
+    void run(const Solver& solver, std::int32_t limit, Solution& solution, const base::Progress& progress) {
+        const std::int64_t size = system_.unknowns();
+        solution.x.resize(size);
+        Vector x(solution.x.data(), size);
+        x = rhs_;
+        solver.solve(solution.x.data(), progress);
+        double norm = measure(x, residual_, progress);
+        solution.iterations = 0;
+        for (std::int32_t step = 0; step < limit && norm > 0.0; ++step) {
+            progress.update(static_cast<double>(step + 1) / static_cast<double>(limit + 1));
+            Vector trial(trial_.data(), size);
+            trial = ConstVector(residual_.data(), size);
+            solver.solve(trial_.data(), progress);
+            trial += x;
+            const double trial_norm = measure(trial, trial_residual_, progress);
+            if (!(trial_norm < norm)) break;
+            x = trial;
+            std::swap(residual_, trial_residual_);
+            norm = trial_norm;
+            ++solution.iterations;
+        }
+        const double scale = rhs_.norm();
+        solution.residual = scale > 0.0 ? norm / scale : norm;
+    }
+
+private:
+    // residual = rhs - K x with the matrix as it is defined, not as it was factored; its 2-norm.
+    [[nodiscard]] double measure(const Eigen::Ref<const Eigen::VectorXd>& x, base::Array<double>& residual,
+                                 const base::Progress& progress) const {
+        const std::int64_t rows = system_.rows();
+        const std::int64_t terms = system_.terms();
+        system_.multiply(runtime_.parallel, x.data(), 1, residual.data(), progress);
+        Vector r(residual.data(), system_.unknowns());
+        r.tail(terms).setZero();
+        for (std::int64_t k = 0; k < terms; ++k) {
+            const ConstVector p(constraints_.data() + k * rows, rows);
+            r.head(rows) += x[rows + k] * p;
+            r[rows + k] = p.dot(x.head(rows));
+        }
+        r = rhs_ - r;
+        return r.norm();
+    }
+
+    const base::Runtime& runtime_;
+    const HermiteSystem& system_;
+    ConstVector rhs_;
+    base::Array<double> constraints_;
+    base::Array<double> residual_;
+    base::Array<double> trial_;
+    base::Array<double> trial_residual_;
+};
+
+[[nodiscard]] bool solved(const Solution& solution) noexcept { return solution.residual <= residual_limit; }
+
+// False if the matrix is not definite, or too badly conditioned to solve without pivoting.
+[[nodiscard]] bool solve_on_null_space(const base::Runtime& runtime, const HermiteSystem& system,
+                                       Refinement& refinement, std::int32_t limit, Solution& solution,
+                                       const base::Progress& progress) {
+    base::Stopwatch watch;
+    NullSpaceSolver solver(runtime, system, progress.part(0.0, 0.15));
+    solution.seconds_assemble = watch.seconds();
+    watch.restart();
+    const bool definite = solver.factor(progress.part(0.15, 0.9));
+    if (definite) {
+        refinement.run(solver, limit, solution, progress.part(0.9, 0.95));
+        solution.condition = solver.condition(progress);
+    }
+    solution.seconds_solve = watch.seconds();
+    return definite && solved(solution);
+}
+
+void solve_by_lu(const base::Runtime& runtime, const HermiteSystem& system, Refinement& refinement, std::int32_t limit,
+                 Solution& solution, const base::Progress& progress) {
+    const base::Stopwatch watch;
+    const DenseLu lu(runtime, system, progress.part(0.0, 0.9));
+    refinement.run(lu, limit, solution, progress.part(0.9, 0.95));
+    solution.condition = lu.condition(progress);
+    solution.fallback = true;
+    solution.seconds_solve += watch.seconds();
+    if (!solved(solution))
+        fail(Status::singular_system,
+             "the system is numerically singular (condition %.1e, residual %.1e): use polynomial_degree >= 1 with the "
+             "triharmonic kernel, regularization > 0, or a smaller kernel_radius",
+             solution.condition, solution.residual);
+}
+
+} // namespace
+
+void solve_directly(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
+                    const SolveOptions& options, Solution& solution, const base::Progress& progress) {
+    solution.solver = SolverKind::direct;
+    Refinement refinement(runtime, system, rhs);
+    if (solve_on_null_space(runtime, system, refinement, options.refinement_steps, solution, progress.part(0.0, 0.9)))
+        return;
+    runtime.log(base::LogLevel::warning, "fit: the system is not positive definite; trying LU with pivoting");
+    solve_by_lu(runtime, system, refinement, options.refinement_steps, solution, progress.part(0.9, 1.0));
+}
+
+} // namespace hrbfnpr::fit

@@ -1,0 +1,12 @@
+// Solves the Hermite system by a dense factorisation and polishes the solution.
+#pragma once
+
+#include "fit/solve.h"
+
+namespace hrbfnpr::fit {
+
+// Throws Error{invalid_argument, singular_system, out_of_memory, cancelled}.
+void solve_directly(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
+                    const SolveOptions& options, Solution& solution, const base::Progress& progress);
+
+} // namespace hrbfnpr::fit

@@ -1,0 +1,14 @@
+// Solves the Hermite system by preconditioned conjugate gradients: memory of O(N).
+#pragma once
+
+#include "fit/solve.h"
+
+namespace hrbfnpr::fit {
+
+// Ends with solution.converged false if the tolerance is not reached.  Throws Error{invalid_argument (samples that
+// do not determine the polynomial), singular_system, out_of_memory, cancelled}.
+void solve_iteratively(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
+                       const SolveOptions& options, std::int32_t neighbours, Solution& solution,
+                       const base::Progress& progress);
+
+} // namespace hrbfnpr::fit

@@ -1,0 +1,92 @@
+#include "fit/polynomial_space.h"
+
+#include <Eigen/Cholesky>
+
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::fit {
+namespace {
+
+// Rows whose sums are taken in one go: the result does not depend on the number of threads.
+constexpr std::int64_t grain = 16384;
+
+using ConstMap = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+} // namespace
+
+PolynomialSpace::PolynomialSpace(const base::Runtime& runtime, const HermiteSystem& system)
+    : runtime_(runtime), rows_(system.rows()), terms_(system.terms()), q_(runtime.memory, rows_ * terms_),
+      r_(Small::Identity(terms_, terms_)) {
+    if (terms_ == 0) return;
+    system.constraints(q_.data());
+    for (std::int64_t k = 0; k < terms_; ++k) {
+        Eigen::Map<Eigen::VectorXd> column(q_.data() + k * rows_, rows_);
+        const double norm = column.norm();
+        if (norm > 0.0) column /= norm;
+        r_(k, k) = norm;
+    }
+    orthonormalise();
+    orthonormalise();
+}
+
+void PolynomialSpace::orthonormalise() {
+    const std::int64_t chunks = (rows_ + grain - 1) / grain;
+    base::Array<double> sums(runtime_.memory, chunks * terms_ * terms_);
+    runtime_.parallel.for_chunks(rows_, grain, [&](std::int64_t begin, std::int64_t end) {
+        const ConstMap part(q_.data() + begin, end - begin, terms_, Eigen::OuterStride<>(rows_));
+        Eigen::Map<Eigen::MatrixXd>(sums.data() + begin / grain * terms_ * terms_, terms_, terms_).noalias() =
+            part.transpose() * part;
+    });
+    Small gram = Small::Zero(terms_, terms_);
+    for (std::int64_t k = 0; k < chunks; ++k)
+        gram += Eigen::Map<const Eigen::MatrixXd>(sums.data() + k * terms_ * terms_, terms_, terms_);
+    const Eigen::LLT<Small> cholesky(gram);
+    const Small factor = cholesky.matrixU();
+    for (std::int64_t k = 0; k < terms_; ++k)
+        if (cholesky.info() != Eigen::Success || !(factor(k, k) > 1e-7))
+            fail(Status::invalid_argument,
+                 "points: the %lld samples do not determine the polynomial; use a lower polynomial_degree or more "
+                 "samples",
+                 static_cast<long long>(rows_ / 4));
+    r_ = (factor * r_).eval();
+    runtime_.parallel.for_chunks(rows_, grain, [&](std::int64_t begin, std::int64_t end) {
+        Map part(q_.data() + begin, end - begin, terms_, Eigen::OuterStride<>(rows_));
+        factor.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(part);
+    });
+}
+
+PolynomialSpace::Vector PolynomialSpace::components(const double* x) const {
+    const std::int64_t chunks = (rows_ + grain - 1) / grain;
+    base::Array<double> sums(runtime_.memory, chunks * terms_);
+    runtime_.parallel.for_chunks(rows_, grain, [&](std::int64_t begin, std::int64_t end) {
+        const ConstMap part(q_.data() + begin, end - begin, terms_, Eigen::OuterStride<>(rows_));
+        Eigen::Map<Eigen::VectorXd>(sums.data() + begin / grain * terms_, terms_).noalias() =
+            part.transpose() * Eigen::Map<const Eigen::VectorXd>(x + begin, end - begin);
+    });
+    Vector sum = Vector::Zero(terms_);
+    for (std::int64_t k = 0; k < chunks; ++k) sum += Eigen::Map<const Eigen::VectorXd>(sums.data() + k * terms_, terms_);
+    return sum;
+}
+
+void PolynomialSpace::subtract(const Vector& components, double* x) const {
+    runtime_.parallel.for_chunks(rows_, grain, [&](std::int64_t begin, std::int64_t end) {
+        const ConstMap part(q_.data() + begin, end - begin, terms_, Eigen::OuterStride<>(rows_));
+        Eigen::Map<Eigen::VectorXd>(x + begin, end - begin).noalias() -= part * components;
+    });
+}
+
+void PolynomialSpace::take_out(double* x) const {
+    if (terms_ > 0) subtract(components(x), x);
+}
+
+void PolynomialSpace::explain(double* x, double* c) const {
+    if (terms_ == 0) return;
+    Vector part = components(x);
+    subtract(part, x);
+    r_.triangularView<Eigen::Upper>().solveInPlace(part);
+    Eigen::Map<Eigen::VectorXd>(c, terms_) += part;
+}
+
+} // namespace hrbfnpr::fit

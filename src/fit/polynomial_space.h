@@ -1,0 +1,42 @@
+// The polynomials at the samples, orthonormalised: for staying orthogonal to them, and for finding the one
+// that explains a residual best.
+#pragma once
+
+#include "fit/system.h"
+
+#include <Eigen/Core>
+
+namespace hrbfnpr::fit {
+
+// Vectors have 4 numbers a sample, as HermiteSystem's.
+class PolynomialSpace {
+public:
+    static constexpr int terms_max = 20;
+
+    // P = Q R by Cholesky's factor of P^T P, taken twice (CholeskyQR2: Fukaya and others 2014), with P's columns
+    // scaled first.  Throws Error{invalid_argument} if the samples do not determine the polynomial.
+    PolynomialSpace(const base::Runtime& runtime, const HermiteSystem& system);
+
+    [[nodiscard]] std::int64_t terms() const noexcept { return terms_; }
+
+    // x -= Q Q^T x
+    void take_out(double* x) const;
+    // The coefficients c for which P c is nearest to x, added to c; and x -= P c.
+    void explain(double* x, double* c) const;
+
+private:
+    using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, terms_max, terms_max>;
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, terms_max, 1>;
+
+    void orthonormalise();
+    [[nodiscard]] Vector components(const double* x) const;
+    void subtract(const Vector& components, double* x) const;
+
+    const base::Runtime& runtime_;
+    std::int64_t rows_;
+    std::int64_t terms_;
+    base::Array<double> q_; // rows_ x terms_, column-major
+    Small r_;
+};
+
+} // namespace hrbfnpr::fit

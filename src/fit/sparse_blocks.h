@@ -1,0 +1,30 @@
+// Products with the preconditioner's sparse factor L, whose blocks are 4 x 4.
+#pragma once
+
+#include "base/instruction_set.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::fit {
+
+// Column block i has set_size blocks, rows set[i * set_size + k], numbers factor[(i * set_size + k) * 16], row-major;
+// set[i * set_size] < 0: it has none.  The blocks in row block j are those with the running numbers
+// use[use_begin[j]], ..., use[use_begin[j + 1] - 1].
+struct SparseFactor {
+    std::int64_t set_size;
+    const std::int32_t* set;
+    const float* factor;
+    const std::int64_t* use_begin;
+    const std::int64_t* use;
+};
+
+struct SparseBlocks {
+    // t = L^T r and z = L t, elements of blocks [begin, end) of the result.
+    void (*multiply_transposed)(const SparseFactor& factor, std::int64_t begin, std::int64_t end, const double* r,
+                                double* t);
+    void (*multiply)(const SparseFactor& factor, std::int64_t begin, std::int64_t end, const double* t, double* z);
+};
+
+[[nodiscard]] SparseBlocks sparse_blocks(base::InstructionSet set) noexcept;
+
+} // namespace hrbfnpr::fit
