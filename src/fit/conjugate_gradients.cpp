@@ -77,7 +77,7 @@ CgOutcome ConjugateGradients::run(double* w, double* r, double scale, double tol
             Map(p_.data() + begin, end - begin) =
                 Map(z_.data() + begin, end - begin) + beta * Map(p_.data() + begin, end - begin);
         });
-        product_.multiply(p_.data(), ap_.data(), progress);
+        product_.multiply(p_.data(), ap_.data(), HermiteProduct::Accuracy::enough, progress);
         polynomials_.take_out(ap_.data());
         const double curvature = dot(p_.data(), ap_.data());
         if (!(curvature > 0.0) || !std::isfinite(rho)) break; // not definite: the caller's fallbacks go on

@@ -129,29 +129,41 @@ void store(const Solution& solution, implicit::HrbfData& data) {
     std::copy_n(solution.x.data() + 4 * count, terms, data.polynomial.data());
 }
 
-// How far f(x_i) is from 0 and grad f(x_i) from n_i, of the finished function.
-void measure_residuals(const base::Runtime& runtime, const implicit::HrbfData& data, const Samples& samples,
-                       FitReport& report, const base::Progress& progress) {
+// f(x_i) and grad f(x_i) - n_i, 4 numbers a sample, of the finished function, f in normalised units.
+[[nodiscard]] base::Array<double> evaluate_misfit(const base::Runtime& runtime, const implicit::HrbfData& data,
+                                                  const Samples& samples, const base::Progress& progress) {
     const std::int64_t count = data.count();
     const implicit::PointBatch points{samples.position.x.data(), samples.position.y.data(), samples.position.z.data(),
                                       count};
+    base::Array<double> misfit(runtime.memory, 4 * count);
     base::Array<double> value(runtime.memory, count);
     geometry::VecArray gradient(runtime.memory, count);
     const implicit::FieldBatch fields{value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}};
     runtime.parallel.for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         implicit::evaluate(data, implicit::slice(points, begin, end), fields.from(begin));
+        for (std::int64_t i = begin; i < end; ++i) {
+            misfit[4 * i] = value[i] / data.scale;
+            const glm::dvec3 off = gradient[i] - samples.normal[i];
+            for (glm::length_t c = 0; c < 3; ++c) misfit[4 * i + 1 + c] = off[c];
+        }
     });
+    return misfit;
+}
+
+void report_misfit(const base::Array<double>& misfit, double scale, FitReport& report) {
+    const std::int64_t count = misfit.size() / 4;
     double value_sum = 0.0;
     double gradient_sum = 0.0;
     for (std::int64_t i = 0; i < count; ++i) {
-        const double off = glm::distance(gradient[i], samples.normal[i]);
-        report.value_residual_max = std::max(report.value_residual_max, std::abs(value[i]));
+        const double value = std::abs(misfit[4 * i]);
+        const double off = glm::length(glm::dvec3(misfit[4 * i + 1], misfit[4 * i + 2], misfit[4 * i + 3]));
+        report.value_residual_max = std::max(report.value_residual_max, scale * value);
         report.gradient_residual_max = std::max(report.gradient_residual_max, off);
-        value_sum += (value[i] / data.scale) * (value[i] / data.scale); // no underflow in small units
+        value_sum += value * value;
         gradient_sum += off * off;
     }
-    report.value_residual_rms = data.scale * std::sqrt(value_sum / static_cast<double>(count));
+    report.value_residual_rms = scale * std::sqrt(value_sum / static_cast<double>(count));
     report.gradient_residual_rms = std::sqrt(gradient_sum / static_cast<double>(count));
 }
 
@@ -173,7 +185,10 @@ FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::P
     const double seconds_before = watch.seconds();
     const Solution solution = solve(runtime, system, rhs.data(), solve_options(input), progress.part(0.03, 0.98));
     store(solution, data);
-    measure_residuals(runtime, data, samples, report, progress);
+    if (solution.misfit.empty())
+        report_misfit(evaluate_misfit(runtime, data, samples, progress), data.scale, report);
+    else
+        report_misfit(solution.misfit, data.scale, report);
 
     report.samples = input.points.count;
     report.merged_samples = samples.merged;

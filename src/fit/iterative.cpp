@@ -10,10 +10,13 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// The recursion's residual and the true one drift apart where the system is ill-conditioned: CG is begun again from
-// the true one so many times.
-constexpr int restarts = 3;
-constexpr double drift = 1.5; // of the true residual above the tolerance that is let pass
+constexpr int starts = 4;
+constexpr double drift = 1.2; // of the true residual above the tolerance that is let pass
+
+// The relative residual that CG is first run to with the fast product, about that product's error.
+constexpr double approximate_goal = 1e-6;
+// Up to so many samples the true residual is found with all pairs.
+constexpr std::int64_t most_pairwise = 140000;
 
 // The system in the k-d tree's order, in which neighbours in space are neighbours in memory.
 class Arranged {
@@ -50,12 +53,15 @@ private:
 
 class Iteration {
 public:
-    Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner)
+    Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner,
+              const base::Progress& progress)
         : runtime_(runtime), size_(arranged.system().rows()), polynomials_(runtime, arranged.system()),
-          product_(runtime, arranged.tree().points(), arranged.system().options()),
+          product_(runtime, arranged.tree().points(), arranged.system().options(), progress),
           cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory, size_),
           r_(runtime.memory, size_), h_(runtime.memory, size_) {}
 
+    // With an approximate product CG is run twice: down to what the product is good for, and, from the true residual,
+    // to the end.  One more time if the recursion's residual and the true one have drifted apart.
     void run(const Arranged& arranged, const double* rhs, const SolveOptions& options, Solution& solution,
              const base::Progress& progress) {
         arranged.gather(rhs, h_.data());
@@ -64,29 +70,40 @@ public:
         const double scale = std::max(norm(rhs, size_), 1e-300);
         solution.x.resize(size_ + polynomials_.terms());
         double* const c = solution.x.data() + size_;
-        for (int start = 0; start < restarts && !solution.converged; ++start) {
-            const std::int32_t left = options.iterations - solution.iterations;
-            const CgOutcome outcome =
-                cg_.run(w_.data(), r_.data(), scale, options.tolerance, left, solution.history, progress);
+        solution.residual = norm(r_.data(), size_) / scale;
+        for (int start = 0; start < starts && !solution.converged; ++start) {
+            const double goal = product_.approximate() && start == 0 ? std::max(options.tolerance, approximate_goal)
+                                                                     : options.tolerance;
+            const CgOutcome outcome = cg_.run(w_.data(), r_.data(), scale, goal,
+                                              options.iterations - solution.iterations, solution.history, progress);
             solution.iterations += outcome.iterations;
             if (start == 0) solution.condition = outcome.condition;
             const double before = solution.residual;
             find_residual(c, progress);
             solution.residual = norm(r_.data(), size_) / scale;
             solution.converged = solution.residual <= drift * options.tolerance;
-            if (!outcome.converged || (start > 0 && !(solution.residual < 0.5 * before))) break;
+            if (!outcome.converged || !(solution.residual < 0.5 * before)) break;
         }
-        arranged.scatter(w_.data(), solution.x.data());
+        store(arranged, solution);
     }
 
 private:
     // r = h - A w - P c with the c that makes it least.
     void find_residual(double* c, const base::Progress& progress) {
-        product_.multiply(w_.data(), r_.data(), progress);
+        const bool all_pairs = size_ <= 4 * most_pairwise;
+        product_.multiply(w_.data(), r_.data(),
+                          all_pairs ? HermiteProduct::Accuracy::full : HermiteProduct::Accuracy::enough, progress);
         for (std::int64_t i = 0; i < size_; ++i) r_[i] = h_[i] - r_[i];
         std::fill_n(c, polynomials_.terms(), 0.0);
         polynomials_.explain(r_.data(), c);
         polynomials_.take_out(r_.data());
+    }
+
+    void store(const Arranged& arranged, Solution& solution) {
+        arranged.scatter(w_.data(), solution.x.data());
+        product_.add_diagonal(w_.data(), r_.data());
+        solution.misfit.resize(size_);
+        arranged.scatter(r_.data(), solution.misfit.data());
     }
 
     const base::Runtime& runtime_;
@@ -112,7 +129,7 @@ void solve_iteratively(const base::Runtime& runtime, const HermiteSystem& system
                                   progress.part(0.05, 0.25));
     solution.seconds_precondition += watch.seconds();
     watch.restart();
-    Iteration iteration(runtime, arranged, preconditioner);
+    Iteration iteration(runtime, arranged, preconditioner, progress);
     iteration.run(arranged, rhs, options, solution, progress.part(0.25, 1.0));
     solution.seconds_solve += watch.seconds();
 }

@@ -7,42 +7,67 @@ namespace {
 
 constexpr std::int64_t grain = 128; // targets of a task: their sums stay in the first-level cache
 
+// From so many samples on the fast sum is the faster one (measured: docs/fitting.md).
+constexpr std::int64_t far_field_from = 10000;
+
+[[nodiscard]] std::unique_ptr<implicit::FarField> make_far_field(const base::Runtime& runtime,
+                                                                 const geometry::VecArray& position,
+                                                                 kernel::Kind kernel, const base::Progress& progress) {
+    if (kernel != kernel::Kind::triharmonic || position.size() < far_field_from) return nullptr;
+    return std::make_unique<implicit::FarField>(runtime, position, implicit::FarField::Options(), progress);
+}
+
 } // namespace
 
 HermiteProduct::HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                               const HermiteSystem::Options& options)
+                               const HermiteSystem::Options& options, const base::Progress& progress)
     : runtime_(runtime), position_(position), options_(options), alpha_(runtime.memory, position.size()),
       beta_(runtime.memory, position.size()), value_(runtime.memory, position.size()),
-      gradient_(runtime.memory, position.size()) {}
+      gradient_(runtime.memory, position.size()), far_(make_far_field(runtime, position, options.kernel, progress)) {}
 
-implicit::Sources HermiteProduct::sources() const noexcept {
-    return {position_.x.data(), position_.y.data(), position_.z.data(), alpha_.data(),
-            beta_.x.data(),     beta_.y.data(),     beta_.z.data(),     position_.size()};
-}
-
-void HermiteProduct::multiply(const double* x, double* y, const base::Progress& progress) {
+void HermiteProduct::multiply(const double* x, double* y, Accuracy accuracy, const base::Progress& progress) {
     const std::int64_t count = position_.size();
     for (std::int64_t i = 0; i < count; ++i) {
         alpha_[i] = x[4 * i];
         beta_.set(i, {x[4 * i + 1], x[4 * i + 2], x[4 * i + 3]});
     }
+    if (far_ != nullptr && accuracy == Accuracy::enough)
+        far_->sum(alpha_.data(), beta_, value_.data(), gradient_, progress);
+    else
+        sum_directly(progress);
+    for (std::int64_t i = 0; i < count; ++i) {
+        y[4 * i] = value_[i];
+        for (glm::length_t c = 0; c < 3; ++c) y[4 * i + 1 + c] = gradient_[i][c];
+    }
+    add_diagonal(x, y);
+}
+
+void HermiteProduct::add_diagonal(const double* x, double* y) const noexcept {
+    if (options_.value_diagonal == 0.0 && options_.gradient_diagonal == 0.0) return;
+    for (std::int64_t i = 0; i < position_.size(); ++i) {
+        y[4 * i] += options_.value_diagonal * x[4 * i];
+        for (std::int64_t c = 4 * i + 1; c < 4 * i + 4; ++c) y[c] += options_.gradient_diagonal * x[c];
+    }
+}
+
+void HermiteProduct::sum_directly(const base::Progress& progress) {
     const implicit::AddHermiteSums add = implicit::hermite_sums(runtime_.instruction_set, options_.kernel);
-    runtime_.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+    const implicit::Sources all{position_.x.data(), position_.y.data(), position_.z.data(), alpha_.data(),
+                                beta_.x.data(),     beta_.y.data(),     beta_.z.data(),     position_.size()};
+    runtime_.parallel.for_chunks(position_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        double* const sums[4] = {value_.data(), gradient_.x.data(), gradient_.y.data(), gradient_.z.data()};
-        for (double* const sum : sums) std::fill(sum + begin, sum + end, 0.0);
-        add(options_.radius, sources(),
-            {position_.x.data() + begin, position_.y.data() + begin, position_.z.data() + begin, sums[0] + begin,
-             sums[1] + begin, sums[2] + begin, sums[3] + begin, end - begin});
-        for (std::int64_t i = begin; i < end; ++i) {
-            y[4 * i] = sums[0][i] + options_.value_diagonal * x[4 * i];
-            for (int c = 1; c < 4; ++c) y[4 * i + c] = sums[c][i] + options_.gradient_diagonal * x[4 * i + c];
-        }
+        double* const sums[4] = {value_.data() + begin, gradient_.x.data() + begin, gradient_.y.data() + begin,
+                                 gradient_.z.data() + begin};
+        for (double* const sum : sums) std::fill_n(sum, end - begin, 0.0);
+        add(options_.radius, all,
+            {position_.x.data() + begin, position_.y.data() + begin, position_.z.data() + begin, sums[0], sums[1],
+             sums[2], sums[3], end - begin});
     });
 }
 
 std::int64_t HermiteProduct::bytes() const noexcept {
-    return alpha_.bytes() + beta_.bytes() + value_.bytes() + gradient_.bytes();
+    const std::int64_t own = alpha_.bytes() + beta_.bytes() + value_.bytes() + gradient_.bytes();
+    return own + (far_ != nullptr ? far_->bytes() : 0);
 }
 
 } // namespace hrbfnpr::fit

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "fit/system.h"
+#include "implicit/far_field.h"
 #include "implicit/hermite_sums.h"
+
+#include <memory>
 
 namespace hrbfnpr::fit {
 
@@ -10,15 +13,24 @@ namespace hrbfnpr::fit {
 class HermiteProduct {
 public:
     HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                   const HermiteSystem::Options& options);
+                   const HermiteSystem::Options& options, const base::Progress& progress);
+
+    enum class Accuracy {
+        enough, // for conjugate gradients to converge
+        full    // all pairs
+    };
 
     // 4 numbers a sample: value, x, y, z.  x and y do not overlap.
-    void multiply(const double* x, double* y, const base::Progress& progress);
+    void multiply(const double* x, double* y, Accuracy accuracy, const base::Progress& progress);
+    // What regularization adds to the product.
+    void add_diagonal(const double* x, double* y) const noexcept;
+    // Whether the two accuracies differ.
+    [[nodiscard]] bool approximate() const noexcept { return far_ != nullptr; }
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    [[nodiscard]] implicit::Sources sources() const noexcept;
+    void sum_directly(const base::Progress& progress);
 
     const base::Runtime& runtime_;
     const geometry::VecArray& position_;
@@ -27,6 +39,7 @@ private:
     geometry::VecArray beta_;
     base::Array<double> value_;
     geometry::VecArray gradient_;
+    std::unique_ptr<implicit::FarField> far_; // none: all pairs, one by one
 };
 
 } // namespace hrbfnpr::fit

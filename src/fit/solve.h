@@ -15,9 +15,10 @@ struct SolveOptions {
 };
 
 struct Solution {
-    explicit Solution(base::Memory& memory) noexcept : x(memory), history(memory) {}
+    explicit Solution(base::Memory& memory) noexcept : x(memory), misfit(memory), history(memory) {}
 
     base::Array<double> x; // unknowns(): w, then c
+    base::Array<double> misfit; // the conditions less what the function takes there, 4 a sample; may be empty
     SolverKind solver = SolverKind::direct;
     SolverReason reason = SolverReason::requested;
     double residual = 0.0;       // relative, 2-norm, of the whole system

@@ -2,6 +2,7 @@
 #define HWY_TARGET_INCLUDE "implicit/hermite_sums.cpp"
 #include "base/simd.h"
 
+#include "base/simd_math-inl.h"
 #include "implicit/hermite_sums.h"
 
 #include <hwy/contrib/math/math-inl.h>
@@ -12,8 +13,10 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<double>;
-using V = hn::Vec<D>;
+using base::HWY_NAMESPACE::D;
+using base::HWY_NAMESPACE::inverse_root;
+using base::HWY_NAMESPACE::smallest_r2;
+using base::HWY_NAMESPACE::V;
 
 // Vectors of targets that one source is applied to at a time, as registers allow.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
@@ -21,31 +24,6 @@ constexpr int unroll = 2;
 #else
 constexpr int unroll = 1;
 #endif
-
-// Squared distances are not taken as smaller: at d = 0 every term but phi and a vanishes by its own d.
-constexpr double smallest_r2 = 1e-30;
-
-// A step of third order: of y = (1 - e)^(1/2) / sqrt(x), e becomes 35/128 e^4.
-HWY_INLINE V polish_inverse_root(V x, V y) {
-    const D d;
-    const V e = hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.0));
-    V p = hn::MulAdd(e, hn::Set(d, 0.3125), hn::Set(d, 0.375));
-    p = hn::MulAdd(e, p, hn::Set(d, 0.5));
-    return hn::MulAdd(hn::Mul(y, e), p, y);
-}
-
-// 1 / sqrt(x), smallest_r2 <= x < 1e38, to two units in the last place: division and square root would take
-// longer than all the rest of a pair.
-HWY_INLINE V inverse_root(V x) {
-#if HWY_TARGET == HWY_AVX3
-    return polish_inverse_root(x, V{_mm512_rsqrt14_pd(x.raw)});
-#elif HWY_TARGET == HWY_AVX2
-    const V y{_mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(x.raw)))}; // 12 bits
-    return polish_inverse_root(x, polish_inverse_root(x, y));
-#else
-    return hn::Div(hn::Set(D(), 1.0), hn::Sqrt(x));
-#endif
-}
 
 struct Sum {
     V value, x, y, z;

@@ -158,7 +158,7 @@ TEST(Runtime, LogsFormattedMessages) {
     const LogFn log = [](void* user, std::int32_t level, const char* message) {
         *static_cast<Seen*>(user) = {level, message};
     };
-    const Runtime runtime(nullptr, nullptr, nullptr, Parallel(), log, &seen);
+    const Runtime runtime(nullptr, nullptr, nullptr, Parallel(), InstructionSet::automatic, log, &seen);
     runtime.log(LogLevel::warning, "%d samples", 12);
     EXPECT_EQ(seen.level, 2);
     EXPECT_EQ(seen.text, "12 samples");

@@ -1,0 +1,162 @@
+#include "geometry/octree.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace hrbfnpr::geometry {
+namespace {
+
+// Two zeros between each of the lowest 21 bits.
+[[nodiscard]] std::uint64_t spread(std::uint64_t x) noexcept {
+    x &= 0x1fffff;
+    x = (x | x << 32) & 0x1f00000000ffff;
+    x = (x | x << 16) & 0x1f0000ff0000ff;
+    x = (x | x << 8) & 0x100f00f00f00f00f;
+    x = (x | x << 4) & 0x10c30c30c30c30c3;
+    return (x | x << 2) & 0x1249249249249249;
+}
+
+struct Keyed {
+    std::uint64_t key;
+    std::int64_t index;
+};
+
+[[nodiscard]] bool touching(const Octree::Node& a, const Octree::Node& b) noexcept {
+    for (std::size_t c = 0; c < 3; ++c)
+        if (std::abs(a.cell[c] - b.cell[c]) > 1) return false;
+    return true;
+}
+
+// Walks pairs of cubes of one level from the root downwards.
+class Pairs {
+public:
+    Pairs(const Octree& tree, OctreeInteractions& lists) noexcept : tree_(tree), lists_(lists) {}
+
+    // First how many each node has, then which.
+    void count() { walk(0, 0, true); }
+    void fill() { walk(0, 0, false); }
+
+private:
+    void walk(std::int64_t target, std::int64_t source, bool counting) {
+        const Octree::Node& t = tree_.nodes()[target];
+        const Octree::Node& s = tree_.nodes()[source];
+        if (!touching(t, s)) return add(lists_.far_begin, lists_.far, target, source, counting);
+        if (t.leaf() || s.leaf()) return add(lists_.near_begin, lists_.near, target, source, counting);
+        for (std::int64_t i = t.first_child; i < t.first_child + t.children; ++i)
+            for (std::int64_t j = s.first_child; j < s.first_child + s.children; ++j) walk(i, j, counting);
+    }
+
+    // Beginnings are held one place further on while the lists are filled.
+    static void add(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list, std::int64_t target,
+                    std::int64_t source, bool counting) {
+        if (counting)
+            ++begin[target + 2];
+        else
+            list[begin[target + 1]++] = source;
+    }
+
+    const Octree& tree_;
+    OctreeInteractions& lists_;
+};
+
+void add_up(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list) {
+    for (std::int64_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
+    list.resize(begin.back());
+}
+
+} // namespace
+
+Octree::Octree(const VecArray& points, std::int64_t leaf_size, const base::Progress& progress)
+    : points_(points.memory(), points.size()), index_(points.memory(), points.size()),
+      key_(points.memory(), points.size()), nodes_(points.memory()), level_begin_(points.memory()) {
+    Bounds bounds;
+    for (std::int64_t i = 0; i < points.size(); ++i) bounds.extend(points[i]);
+    const glm::dvec3 size = points.empty() ? glm::dvec3(0.0) : bounds.size();
+    const double largest = std::max({size.x, size.y, size.z});
+    width_ = largest > 0.0 ? 1.0000001 * largest : 1.0;
+    corner_ = points.empty() ? glm::dvec3(0.0) : bounds.centre() - glm::dvec3(0.5 * width_);
+    sort(points);
+    divide(leaf_size, progress);
+}
+
+glm::dvec3 Octree::centre(const Node& node) const noexcept {
+    const double half = half_width(node.level);
+    return corner_ + half * glm::dvec3(2 * node.cell[0] + 1, 2 * node.cell[1] + 1, 2 * node.cell[2] + 1);
+}
+
+void Octree::sort(const VecArray& points) {
+    constexpr double cells = 1 << deepest_level;
+    constexpr auto last = static_cast<std::int64_t>(cells) - 1;
+    base::Array<Keyed> keyed(points.memory(), points.size());
+    for (std::int64_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3 place = (points[i] - corner_) * (cells / width_);
+        std::uint64_t key = 0;
+        for (glm::length_t c = 0; c < 3; ++c)
+            key |= spread(static_cast<std::uint64_t>(
+                       std::clamp<std::int64_t>(static_cast<std::int64_t>(place[c]), 0, last)))
+                   << c;
+        keyed[i] = {key, i};
+    }
+    std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) {
+        return a.key < b.key || (a.key == b.key && a.index < b.index);
+    });
+    for (std::int64_t at = 0; at < keyed.size(); ++at) {
+        key_[at] = keyed[at].key;
+        index_[at] = keyed[at].index;
+        points_.set(at, points[keyed[at].index]);
+    }
+}
+
+void Octree::divide(std::int64_t leaf_size, const base::Progress& progress) {
+    nodes_.push_back({0, points_.size(), 0, 0, {0, 0, 0}, 0, 0});
+    level_begin_.push_back(0);
+    for (std::int32_t level = 0; level_begin_.back() < nodes_.size(); ++level) {
+        const std::int64_t begin = level_begin_.back();
+        const std::int64_t end = nodes_.size();
+        level_begin_.push_back(end);
+        if (level == deepest_level) break;
+        for (std::int64_t node = begin; node < end; ++node) {
+            if (nodes_[node].count() > leaf_size) divide_node(node);
+            if (node % 1024 == 0) progress.check();
+        }
+    }
+}
+
+void Octree::divide_node(std::int64_t node) {
+    const Node parent = nodes_[node];
+    const int shift = 3 * (deepest_level - parent.level - 1);
+    nodes_[node].first_child = nodes_.size();
+    std::int64_t begin = parent.begin;
+    while (begin < parent.end) {
+        const std::uint64_t digit = key_[begin] >> shift;
+        const std::int64_t end =
+            std::partition_point(key_.begin() + begin, key_.begin() + parent.end,
+                                 [&](std::uint64_t key) { return key >> shift == digit; }) -
+            key_.begin();
+        const auto octant = static_cast<std::int32_t>(digit & 7);
+        nodes_.push_back({begin,
+                          end,
+                          0,
+                          node,
+                          {2 * parent.cell[0] + (octant & 1), 2 * parent.cell[1] + (octant >> 1 & 1),
+                           2 * parent.cell[2] + (octant >> 2)},
+                          parent.level + 1,
+                          0});
+        ++nodes_[node].children;
+        begin = end;
+    }
+}
+
+OctreeInteractions octree_interactions(const Octree& tree) {
+    OctreeInteractions lists(tree.points().memory());
+    lists.far_begin.resize(tree.nodes().size() + 2);
+    lists.near_begin.resize(tree.nodes().size() + 2);
+    Pairs pairs(tree, lists);
+    pairs.count();
+    add_up(lists.far_begin, lists.far);
+    add_up(lists.near_begin, lists.near);
+    pairs.fill();
+    return lists;
+}
+
+} // namespace hrbfnpr::geometry

@@ -1,0 +1,187 @@
+#include "implicit/cube_basis.h"
+
+#include "implicit/cube_loops.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::implicit {
+namespace {
+
+using Chebyshev = std::array<double, CubeBasis::degree_max + 1>;
+
+void chebyshev(int degree, double x, Chebyshev& t) noexcept {
+    t[0] = 1.0;
+    t[1] = x;
+    for (std::size_t k = 2; k <= static_cast<std::size_t>(degree); ++k) t[k] = 2.0 * x * t[k - 1] - t[k - 2];
+}
+
+// Extrema of T_n, n + 1 of them.
+[[nodiscard]] geometry::VecArray lobatto_grid(base::Memory& memory, int n) {
+    geometry::VecArray grid(memory);
+    const auto at = [n](int k) { return -std::cos(3.14159265358979323846 * k / n); };
+    for (int k = 0; k <= n; ++k)
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i) grid.push_back({at(i), at(j), at(k)});
+    return grid;
+}
+
+// U(points), column-major with columns of `stride` rows; the rows from the points' number on are 0.
+[[nodiscard]] base::Array<double> vandermonde(const geometry::VecArray& points, std::int64_t count, int degree,
+                                              std::int64_t stride) {
+    const std::int64_t columns = CubeBasis::terms(degree);
+    base::Array<double> matrix(points.memory(), stride * columns);
+    base::Array<double> terms(points.memory(), columns);
+    for (std::int64_t i = 0; i < count; ++i) {
+        CubeBasis::evaluate(degree, points[i], terms.data());
+        for (std::int64_t k = 0; k < columns; ++k) matrix[k * stride + i] = terms[k];
+    }
+    return matrix;
+}
+
+// Blocked Gaussian elimination with row pivoting of a tall matrix; rows are exchanged in place.
+class Elimination {
+public:
+    Elimination(const base::Runtime& runtime, double* matrix, std::int64_t rows, std::int64_t stride,
+                std::int64_t columns)
+        : runtime_(runtime), loops_(cube_loops(runtime.instruction_set)), matrix_(matrix), rows_(rows),
+          stride_(stride), columns_(columns), row_(runtime.memory, rows) {
+        for (std::int64_t i = 0; i < rows; ++i) row_[i] = i;
+    }
+
+    // Which of the rows each row was.
+    const base::Array<std::int64_t>& run(const base::Progress& progress) {
+        for (std::int64_t begin = 0; begin < columns_; begin += panel) {
+            progress.check();
+            const std::int64_t end = std::min(columns_, begin + panel);
+            factor_panel(begin, end);
+            if (end < columns_) update(begin, end);
+        }
+        return row_;
+    }
+
+private:
+    static constexpr std::int64_t panel = 32;
+
+    [[nodiscard]] double* column(std::int64_t k) noexcept { return matrix_ + k * stride_; }
+
+    void factor_panel(std::int64_t begin, std::int64_t end) {
+        for (std::int64_t k = begin; k < end; ++k) {
+            double* const pivots = column(k);
+            std::int64_t best = k;
+            for (std::int64_t i = k + 1; i < rows_; ++i)
+                if (std::abs(pivots[i]) > std::abs(pivots[best])) best = i;
+            if (best != k) {
+                std::swap(row_[k], row_[best]);
+                for (std::int64_t j = 0; j < columns_; ++j) std::swap(column(j)[k], column(j)[best]);
+            }
+            const double scale = 1.0 / pivots[k];
+            for (std::int64_t i = k + 1; i < rows_; ++i) pivots[i] *= scale;
+            for (std::int64_t j = k + 1; j < end; ++j) subtract(pivots, column(j)[k], k + 1, rows_, column(j));
+        }
+    }
+
+    static void subtract(const double* from, double factor, std::int64_t begin, std::int64_t end, double* to) noexcept {
+        for (std::int64_t i = begin; i < end; ++i) to[i] -= factor * from[i];
+    }
+
+    // The columns after a panel of full width: U = L^-1 A above, A -= L U below.
+    void update(std::int64_t begin, std::int64_t end) {
+        runtime_.parallel.for_chunks(columns_ - end, cube_batch, [&](std::int64_t from, std::int64_t to) {
+            double in[panel * cube_batch] = {};
+            double* out[cube_batch] = {};
+            for (std::int64_t v = 0; v < to - from; ++v) {
+                double* const at = column(end + from + v);
+                for (std::int64_t k = begin; k < end; ++k) {
+                    subtract(column(k), at[k], k + 1, end, at);
+                    in[(k - begin) * cube_batch + v] = -at[k];
+                }
+                out[v] = at + end;
+            }
+            for (std::int64_t v = to - from; v < cube_batch; ++v) out[v] = out[0]; // with weights 0
+            loops_.multiply(column(begin) + end, stride_, static_cast<int>(stride_ - end), static_cast<int>(panel), in,
+                            out, cube_batch);
+        });
+    }
+
+    const base::Runtime& runtime_;
+    CubeLoops loops_;
+    double* matrix_;
+    std::int64_t rows_;
+    std::int64_t stride_;
+    std::int64_t columns_;
+    base::Array<std::int64_t> row_;
+};
+
+} // namespace
+
+CubeBasis::CubeBasis(const base::Runtime& runtime, int degree, const base::Progress& progress)
+    : degree_(degree), nodes_(runtime.memory, stride()), inverse_(runtime.memory), inverse_transposed_(runtime.memory) {
+    const geometry::VecArray grid = lobatto_grid(runtime.memory, degree_ + 1);
+    const std::int64_t rows = padded(static_cast<int>(grid.size()));
+    base::Array<double> matrix = vandermonde(grid, grid.size(), degree_, rows);
+    Elimination elimination(runtime, matrix.data(), grid.size(), rows, size());
+    const base::Array<std::int64_t>& row = elimination.run(progress);
+    for (std::int64_t k = 0; k < size(); ++k) nodes_.set(k, grid[row[k]]);
+    invert(runtime, matrix.data(), rows);
+}
+
+void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcept {
+    std::array<Chebyshev, 3> t{};
+    for (glm::length_t c = 0; c < 3; ++c) chebyshev(std::max(degree, 1), p[c], t[static_cast<std::size_t>(c)]);
+    for (std::size_t a = 0; a <= static_cast<std::size_t>(degree); ++a)
+        for (std::size_t b = 0; a + b <= static_cast<std::size_t>(degree); ++b)
+            for (std::size_t c = 0; a + b + c <= static_cast<std::size_t>(degree); ++c)
+                *terms++ = t[0][a] * t[1][b] * t[2][c];
+}
+
+// Columns of (L U)^-1, several side by side.
+void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride) {
+    const std::int64_t n = size();
+    inverse_.resize(n * stride());
+    inverse_transposed_.resize(n * stride());
+    runtime.parallel.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<double> x(runtime.memory, n * cube_batch);
+        const auto eliminate = [&](std::int64_t k, std::int64_t from, std::int64_t to) {
+            const double* const column = factor + k * factor_stride;
+            for (std::int64_t i = from; i < to; ++i)
+                for (std::int64_t v = 0; v < cube_batch; ++v) x[i * cube_batch + v] -= column[i] * x[k * cube_batch + v];
+        };
+        for (std::int64_t v = begin; v < end; ++v) x[v * cube_batch + v - begin] = 1.0;
+        for (std::int64_t k = begin; k < n; ++k) eliminate(k, k + 1, n);
+        for (std::int64_t k = n - 1; k >= 0; --k) {
+            const double scale = 1.0 / factor[k * factor_stride + k];
+            for (std::int64_t v = 0; v < cube_batch; ++v) x[k * cube_batch + v] *= scale;
+            eliminate(k, 0, k);
+        }
+        for (std::int64_t j = begin; j < end; ++j)
+            for (std::int64_t i = 0; i < n; ++i) {
+                inverse_[j * stride() + i] = x[i * cube_batch + j - begin];
+                inverse_transposed_[i * stride() + j] = x[i * cube_batch + j - begin];
+            }
+    });
+}
+
+base::Array<double> CubeBasis::interpolation(const base::Runtime& runtime, const geometry::VecArray& points,
+                                             int count) const {
+    const int n = size();
+    const int rows = padded(count);
+    const base::Array<double> values = vandermonde(points, count, degree_, rows);
+    base::Array<double> result(runtime.memory, std::int64_t{rows} * n);
+    const CubeLoops loops = cube_loops(runtime.instruction_set);
+    runtime.parallel.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<double> in(runtime.memory, std::int64_t{n} * cube_batch);
+        base::Array<double> nobody(runtime.memory, rows);
+        double* out[cube_batch];
+        for (std::int64_t v = 0; v < cube_batch; ++v) {
+            out[v] = begin + v < end ? result.data() + (begin + v) * rows : nobody.data();
+            for (std::int64_t k = 0; k < n && begin + v < end; ++k)
+                in[k * cube_batch + v] = inverse_[(begin + v) * stride() + k];
+        }
+        loops.multiply(values.data(), rows, rows, n, in.data(), out, cube_batch);
+    });
+    return result;
+}
+
+} // namespace hrbfnpr::implicit

@@ -1,0 +1,219 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "implicit/cube_loops.cpp"
+#include "base/simd.h"
+
+#include "base/simd_math-inl.h"
+#include "implicit/cube_loops.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hrbfnpr::implicit::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using base::HWY_NAMESPACE::D;
+using base::HWY_NAMESPACE::inverse_root;
+using base::HWY_NAMESPACE::V;
+
+constexpr int highest_degree = 20;
+
+HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(D())); }
+
+// Elements of one column of a matrix that is never stored: |x_i - x_k + shift|^3.
+struct Cubes {
+    const double* const* nodes;
+    V target[3];
+
+    HWY_INLINE void start(int row, const double* shift) {
+        for (int c = 0; c < 3; ++c)
+            target[c] = hn::Add(hn::LoadU(D(), nodes[c] + row), hn::Set(D(), shift[c]));
+    }
+    HWY_INLINE V at(int k) const {
+        const V x = hn::Sub(target[0], hn::Set(D(), nodes[0][k]));
+        const V y = hn::Sub(target[1], hn::Set(D(), nodes[1][k]));
+        const V z = hn::Sub(target[2], hn::Set(D(), nodes[2][k]));
+        const V r2 = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
+        return hn::Mul(hn::Mul(r2, r2), inverse_root(r2));
+    }
+};
+
+template <int n>
+HWY_INLINE void translate_some(const double* const* nodes, int begin, int end, int columns, const double* shift,
+                               double scale, const double* in, double* const* out) {
+    const D d;
+    Cubes cubes{nodes, {}};
+    for (int row = begin; row < end; row += lanes()) {
+        cubes.start(row, shift);
+        V sum[static_cast<size_t>(n)];
+        for (int v = 0; v < n; ++v) sum[v] = hn::Zero(d);
+        for (int k = 0; k < columns; ++k) {
+            const V element = cubes.at(k);
+            for (int v = 0; v < n; ++v) sum[v] = hn::MulAdd(element, hn::Set(d, in[k * cube_batch + v]), sum[v]);
+        }
+        for (int v = 0; v < n; ++v)
+            hn::StoreU(hn::MulAdd(sum[v], hn::Set(d, scale), hn::LoadU(d, out[v] + row)), d, out[v] + row);
+    }
+}
+
+void translate(const double* const* nodes, int begin, int end, int columns, const double* shift, double scale,
+               const double* in, double* const* out, int vectors) {
+    if (vectors > 4)
+        translate_some<8>(nodes, begin, end, columns, shift, scale, in, out);
+    else if (vectors > 2)
+        translate_some<4>(nodes, begin, end, columns, shift, scale, in, out);
+    else if (vectors > 1)
+        translate_some<2>(nodes, begin, end, columns, shift, scale, in, out);
+    else
+        translate_some<1>(nodes, begin, end, columns, shift, scale, in, out);
+}
+
+template <int n>
+HWY_INLINE void multiply_some(const double* matrix, std::int64_t stride, int rows, int columns, const double* in,
+                              double* const* out) {
+    const D d;
+    for (int row = 0; row < rows; row += lanes()) {
+        V sum[static_cast<size_t>(n)];
+        for (int v = 0; v < n; ++v) sum[v] = hn::LoadU(d, out[v] + row);
+        for (int k = 0; k < columns; ++k) {
+            const V element = hn::LoadU(d, matrix + k * stride + row);
+            for (int v = 0; v < n; ++v) sum[v] = hn::MulAdd(element, hn::Set(d, in[k * cube_batch + v]), sum[v]);
+        }
+        for (int v = 0; v < n; ++v) hn::StoreU(sum[v], d, out[v] + row);
+    }
+}
+
+void multiply(const double* matrix, std::int64_t stride, int rows, int columns, const double* in, double* const* out,
+              int vectors) {
+    if (vectors > 4)
+        multiply_some<8>(matrix, stride, rows, columns, in, out);
+    else if (vectors > 2)
+        multiply_some<4>(matrix, stride, rows, columns, in, out);
+    else if (vectors > 1)
+        multiply_some<2>(matrix, stride, rows, columns, in, out);
+    else
+        multiply_some<1>(matrix, stride, rows, columns, in, out);
+}
+
+// T_0 ... T_degree and their derivatives, one sample in each lane.
+struct Chebyshev {
+    V t[highest_degree + 1];
+    V dt[highest_degree + 1];
+
+    // x in the cube's coordinates; derivatives by the caller's, `slope` cubes' units long.
+    HWY_INLINE void set(int degree, V x, V slope) {
+        const D d;
+        const V x2 = hn::Add(x, x);
+        t[0] = hn::Set(d, 1.0);
+        dt[0] = hn::Zero(d);
+        t[1] = x;
+        dt[1] = slope;
+        const V slope2 = hn::Add(slope, slope);
+        for (int k = 2; k <= degree; ++k) {
+            t[k] = hn::MulSub(x2, t[k - 1], t[k - 2]);
+            dt[k] = hn::MulAdd(slope2, t[k - 1], hn::MulSub(x2, dt[k - 1], dt[k - 2]));
+        }
+    }
+};
+
+struct Sample {
+    Chebyshev x, y, z;
+
+    HWY_INLINE void load(int degree, const CubeSamples& samples, std::int64_t at, hn::Mask<D> mask) {
+        const D d;
+        const V slope = hn::Set(d, 1.0 / samples.half_width);
+        const auto place = [&](const double* coordinate, int c) HWY_ATTR {
+            return hn::Mul(hn::Sub(hn::MaskedLoad(mask, d, coordinate + at), hn::Set(d, samples.centre[c])), slope);
+        };
+        x.set(degree, place(samples.x, 0), slope);
+        y.set(degree, place(samples.y, 1), slope);
+        z.set(degree, place(samples.z, 2), slope);
+    }
+};
+
+HWY_INLINE hn::Mask<D> lanes_left(std::int64_t left) {
+    return hn::FirstN(D(), static_cast<size_t>(left < lanes() ? left : lanes()));
+}
+
+// Each lane sums its own samples in `sums`, of one vector a term.
+HWY_INLINE void add_moments(int degree, const Sample& s, V alpha, const V* beta, double* sums) {
+    const D d;
+    for (int a = 0; a <= degree; ++a)
+        for (int b = 0; a + b <= degree; ++b) {
+            const V both = hn::Mul(s.x.t[a], s.y.t[b]);
+            V flat = hn::Mul(alpha, both);
+            flat = hn::MulAdd(beta[0], hn::Mul(s.x.dt[a], s.y.t[b]), flat);
+            flat = hn::MulAdd(beta[1], hn::Mul(s.x.t[a], s.y.dt[b]), flat);
+            const V steep = hn::Mul(beta[2], both);
+            for (int c = 0; a + b + c <= degree; ++c, sums += lanes()) {
+                const V sum = hn::MulAdd(steep, s.z.dt[c], hn::Load(d, sums));
+                hn::Store(hn::MulAdd(flat, s.z.t[c], sum), d, sums);
+            }
+        }
+}
+
+void moments(int degree, const CubeSamples& samples, const double* alpha, const double* const* beta, double* terms) {
+    const D d;
+    const int count = (degree + 1) * (degree + 2) * (degree + 3) / 6;
+    HWY_ALIGN double sums[(highest_degree + 1) * (highest_degree + 2) * (highest_degree + 3) / 6 * HWY_LANES(double)];
+    for (int k = 0; k < count * lanes(); ++k) sums[k] = 0.0;
+    Sample sample;
+    for (std::int64_t at = 0; at < samples.count; at += lanes()) {
+        const auto mask = lanes_left(samples.count - at);
+        sample.load(degree, samples, at, mask);
+        const V weight[3] = {hn::MaskedLoad(mask, d, beta[0] + at), hn::MaskedLoad(mask, d, beta[1] + at),
+                             hn::MaskedLoad(mask, d, beta[2] + at)};
+        add_moments(degree, sample, hn::MaskedLoad(mask, d, alpha + at), weight, sums);
+    }
+    for (int k = 0; k < count; ++k) {
+        double sum = 0.0;
+        for (int lane = 0; lane < lanes(); ++lane) sum += sums[k * lanes() + lane];
+        terms[k] = sum;
+    }
+}
+
+HWY_INLINE void add_field(int degree, const double* terms, const Sample& s, V* field) {
+    const D d;
+    for (int a = 0; a <= degree; ++a)
+        for (int b = 0; a + b <= degree; ++b) {
+            V flat = hn::Zero(d);
+            V steep = hn::Zero(d);
+            for (int c = 0; a + b + c <= degree; ++c, ++terms) {
+                flat = hn::MulAdd(hn::Set(d, *terms), s.z.t[c], flat);
+                steep = hn::MulAdd(hn::Set(d, *terms), s.z.dt[c], steep);
+            }
+            const V both = hn::Mul(s.x.t[a], s.y.t[b]);
+            field[0] = hn::MulAdd(both, flat, field[0]);
+            field[1] = hn::MulAdd(hn::Mul(s.x.dt[a], s.y.t[b]), flat, field[1]);
+            field[2] = hn::MulAdd(hn::Mul(s.x.t[a], s.y.dt[b]), flat, field[2]);
+            field[3] = hn::MulAdd(both, steep, field[3]);
+        }
+}
+
+void evaluate(int degree, const double* terms, const CubeSamples& samples, double* value, double* const* gradient) {
+    const D d;
+    Sample sample;
+    double* const to[4] = {value, gradient[0], gradient[1], gradient[2]};
+    for (std::int64_t at = 0; at < samples.count; at += lanes()) {
+        const auto mask = lanes_left(samples.count - at);
+        sample.load(degree, samples, at, mask);
+        V field[4];
+        for (int k = 0; k < 4; ++k) field[k] = hn::MaskedLoad(mask, d, to[k] + at);
+        add_field(degree, terms, sample, field);
+        for (int k = 0; k < 4; ++k) hn::BlendedStore(field[k], mask, d, to[k] + at);
+    }
+}
+
+} // namespace
+
+CubeLoops pick_loops() noexcept { return {translate, multiply, moments, evaluate}; }
+
+} // namespace hrbfnpr::implicit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hrbfnpr::implicit {
+
+CubeLoops cube_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_loops)(); }
+
+} // namespace hrbfnpr::implicit
+#endif

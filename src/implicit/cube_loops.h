@@ -1,0 +1,40 @@
+// The inner loops of the far field, for each instruction set.
+#pragma once
+
+#include "base/instruction_set.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::implicit {
+
+// Vectors that a matrix is applied to at a time; they stand side by side: element k of vector v at [k * cube_batch + v].
+inline constexpr int cube_batch = 8;
+
+struct CubeSamples {
+    const double* x;
+    const double* y;
+    const double* z;
+    std::int64_t count;
+    double centre[3]; // of the cube, and half its width: [-1, 1]^3 in the cube's coordinates
+    double half_width;
+};
+
+struct CubeLoops {
+    // out[v][i] += scale * sum_k |x_i - x_k + shift|^3 in[k][v], v < vectors, begin <= i < end, multiples of 8.
+    void (*translate)(const double* const* nodes, int begin, int end, int columns, const double* shift, double scale,
+                      const double* in, double* const* out, int vectors);
+    // out[v][i] += sum_k matrix[k * stride + i] in[k][v], i < rows
+    void (*multiply)(const double* matrix, std::int64_t stride, int rows, int columns, const double* in,
+                     double* const* out, int vectors);
+    // terms[abc] = sum_j (alpha_j + beta_j . grad) T_a T_b T_c at the samples; the gradient is the caller's, not
+    // the cube's.
+    void (*moments)(int degree, const CubeSamples& samples, const double* alpha, const double* const* beta,
+                    double* terms);
+    // Adds the value and gradient of sum_abc terms[abc] T_a T_b T_c at the samples.
+    void (*evaluate)(int degree, const double* terms, const CubeSamples& samples, double* value,
+                     double* const* gradient);
+};
+
+[[nodiscard]] CubeLoops cube_loops(base::InstructionSet set) noexcept;
+
+} // namespace hrbfnpr::implicit
