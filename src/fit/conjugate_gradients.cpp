@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hrbfnpr::fit {
@@ -59,9 +59,11 @@ double ConjugateGradients::dot(const double* a, const double* b) {
     return sum;
 }
 
-CgOutcome ConjugateGradients::run(double* w, double* r, double scale, double tolerance, std::int32_t limit,
+CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tolerance, std::int32_t limit,
                                   base::Array<double>& history, const base::Progress& progress) {
     using Map = Eigen::Map<Eigen::VectorXd>;
+    double* const w = state.w;
+    double* const r = state.r;
     CgOutcome outcome;
     Lanczos lanczos(runtime_.memory);
     const double start = std::sqrt(dot(r, r)) / scale;
@@ -78,7 +80,8 @@ CgOutcome ConjugateGradients::run(double* w, double* r, double scale, double tol
                 Map(z_.data() + begin, end - begin) + beta * Map(p_.data() + begin, end - begin);
         });
         product_.multiply(p_.data(), ap_.data(), HermiteProduct::Accuracy::enough, progress);
-        polynomials_.take_out(ap_.data());
+        std::array<double, PolynomialSpace::terms_max> q{};
+        polynomials_.explain(ap_.data(), q.data());
         const double curvature = dot(p_.data(), ap_.data());
         if (!(curvature > 0.0) || !std::isfinite(rho)) break; // not definite: the caller's fallbacks go on
         const double alpha = rho / curvature;
@@ -86,6 +89,7 @@ CgOutcome ConjugateGradients::run(double* w, double* r, double scale, double tol
             Map(w + begin, end - begin) += alpha * Map(p_.data() + begin, end - begin);
             Map(r + begin, end - begin) -= alpha * Map(ap_.data() + begin, end - begin);
         });
+        for (std::int64_t k = 0; k < polynomials_.terms(); ++k) state.c[k] -= alpha * q[static_cast<std::size_t>(k)];
         ++outcome.iterations;
         outcome.residual = std::sqrt(dot(r, r)) / scale;
         history.push_back(outcome.residual);

@@ -14,14 +14,20 @@ struct CgOutcome {
     double condition = 0.0; // of the preconditioned matrix, from the recursion's coefficients (Lanczos)
 };
 
+// What CG improves: w, orthogonal to the polynomials, c, and r = h - A w - P c, orthogonal to them too.
+struct CgState {
+    double* w;
+    double* r;
+    double* c;
+};
+
 class ConjugateGradients {
 public:
     ConjugateGradients(const base::Runtime& runtime, HermiteProduct& product, Preconditioner& preconditioner,
                        const PolynomialSpace& polynomials, std::int64_t size);
 
-    // Improves w, orthogonal to the polynomials, until |r| <= tolerance * scale, where r, orthogonal to them too, is
-    // the residual of w on entry.  Each iteration's |r| / scale is added to history.
-    CgOutcome run(double* w, double* r, double scale, double tolerance, std::int32_t limit,
+    // Until |r| <= tolerance * scale.  Each iteration's |r| / scale is added to history.
+    CgOutcome run(const CgState& state, double scale, double tolerance, std::int32_t limit,
                   base::Array<double>& history, const base::Progress& progress);
 
 private:

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <array>
 #include <cmath>
 
 namespace hrbfnpr::fit {
@@ -87,6 +86,15 @@ void PolynomialSpace::explain(double* x, double* c) const {
     subtract(part, x);
     r_.triangularView<Eigen::Upper>().solveInPlace(part);
     Eigen::Map<Eigen::VectorXd>(c, terms_) += part;
+}
+
+std::array<double, 4> PolynomialSpace::at(std::int64_t sample, const double* c) const noexcept {
+    const Vector part = r_.triangularView<Eigen::Upper>() * Eigen::Map<const Eigen::VectorXd>(c, terms_);
+    std::array<double, 4> result{};
+    for (std::int64_t i = 0; i < 4; ++i)
+        for (std::int64_t k = 0; k < terms_; ++k)
+            result[static_cast<std::size_t>(i)] += q_[k * rows_ + 4 * sample + i] * part[k];
+    return result;
 }
 
 } // namespace hrbfnpr::fit

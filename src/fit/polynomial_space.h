@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+
 namespace hrbfnpr::fit {
 
 // Vectors have 4 numbers a sample, as HermiteSystem's.
@@ -23,6 +25,8 @@ public:
     void take_out(double* x) const;
     // The coefficients c for which P c is nearest to x, added to c; and x -= P c.
     void explain(double* x, double* c) const;
+    // P c at one sample.
+    [[nodiscard]] std::array<double, 4> at(std::int64_t sample, const double* c) const noexcept;
 
 private:
     using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, terms_max, terms_max>;

@@ -8,7 +8,7 @@ namespace {
 constexpr std::int64_t grain = 128; // targets of a task: their sums stay in the first-level cache
 
 // From so many samples on the fast sum is the faster one (measured: docs/fitting.md).
-constexpr std::int64_t far_field_from = 10000;
+constexpr std::int64_t far_field_from = 20000;
 
 [[nodiscard]] std::unique_ptr<implicit::FarField> make_far_field(const base::Runtime& runtime,
                                                                  const geometry::VecArray& position,
@@ -25,17 +25,20 @@ HermiteProduct::HermiteProduct(const base::Runtime& runtime, const geometry::Vec
       beta_(runtime.memory, position.size()), value_(runtime.memory, position.size()),
       gradient_(runtime.memory, position.size()), far_(make_far_field(runtime, position, options.kernel, progress)) {}
 
-void HermiteProduct::multiply(const double* x, double* y, Accuracy accuracy, const base::Progress& progress) {
-    const std::int64_t count = position_.size();
-    for (std::int64_t i = 0; i < count; ++i) {
+void HermiteProduct::load(const double* x) noexcept {
+    for (std::int64_t i = 0; i < position_.size(); ++i) {
         alpha_[i] = x[4 * i];
         beta_.set(i, {x[4 * i + 1], x[4 * i + 2], x[4 * i + 3]});
     }
+}
+
+void HermiteProduct::multiply(const double* x, double* y, Accuracy accuracy, const base::Progress& progress) {
+    load(x);
     if (far_ != nullptr && accuracy == Accuracy::enough)
         far_->sum(alpha_.data(), beta_, value_.data(), gradient_, progress);
     else
-        sum_directly(progress);
-    for (std::int64_t i = 0; i < count; ++i) {
+        sum_directly(position_, value_, gradient_, progress);
+    for (std::int64_t i = 0; i < position_.size(); ++i) {
         y[4 * i] = value_[i];
         for (glm::length_t c = 0; c < 3; ++c) y[4 * i + 1 + c] = gradient_[i][c];
     }
@@ -50,18 +53,37 @@ void HermiteProduct::add_diagonal(const double* x, double* y) const noexcept {
     }
 }
 
-void HermiteProduct::sum_directly(const base::Progress& progress) {
+base::Array<double> HermiteProduct::multiply_some(const double* x, std::int64_t stride,
+                                                  const base::Progress& progress) {
+    load(x);
+    geometry::VecArray at(runtime_.memory);
+    for (std::int64_t i = 0; i < position_.size(); i += stride) at.push_back(position_[i]);
+    base::Array<double> value(runtime_.memory, at.size());
+    geometry::VecArray gradient(runtime_.memory, at.size());
+    sum_directly(at, value, gradient, progress);
+    base::Array<double> result(runtime_.memory, 4 * at.size());
+    for (std::int64_t k = 0; k < at.size(); ++k) {
+        const std::int64_t i = 4 * k * stride;
+        result[4 * k] = value[k] + options_.value_diagonal * x[i];
+        for (glm::length_t c = 0; c < 3; ++c)
+            result[4 * k + 1 + c] = gradient[k][c] + options_.gradient_diagonal * x[i + 1 + c];
+    }
+    return result;
+}
+
+void HermiteProduct::sum_directly(const geometry::VecArray& at, base::Array<double>& value,
+                                  geometry::VecArray& gradient, const base::Progress& progress) const {
     const implicit::AddHermiteSums add = implicit::hermite_sums(runtime_.instruction_set, options_.kernel);
     const implicit::Sources all{position_.x.data(), position_.y.data(), position_.z.data(), alpha_.data(),
                                 beta_.x.data(),     beta_.y.data(),     beta_.z.data(),     position_.size()};
-    runtime_.parallel.for_chunks(position_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(at.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        double* const sums[4] = {value_.data() + begin, gradient_.x.data() + begin, gradient_.y.data() + begin,
-                                 gradient_.z.data() + begin};
+        double* const sums[4] = {value.data() + begin, gradient.x.data() + begin, gradient.y.data() + begin,
+                                 gradient.z.data() + begin};
         for (double* const sum : sums) std::fill_n(sum, end - begin, 0.0);
         add(options_.radius, all,
-            {position_.x.data() + begin, position_.y.data() + begin, position_.z.data() + begin, sums[0], sums[1],
-             sums[2], sums[3], end - begin});
+            {at.x.data() + begin, at.y.data() + begin, at.z.data() + begin, sums[0], sums[1], sums[2], sums[3],
+             end - begin});
     });
 }
 

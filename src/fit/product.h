@@ -22,6 +22,9 @@ public:
 
     // 4 numbers a sample: value, x, y, z.  x and y do not overlap.
     void multiply(const double* x, double* y, Accuracy accuracy, const base::Progress& progress);
+    // The full product's elements for samples 0, stride, 2 stride, ...
+    [[nodiscard]] base::Array<double> multiply_some(const double* x, std::int64_t stride,
+                                                    const base::Progress& progress);
     // What regularization adds to the product.
     void add_diagonal(const double* x, double* y) const noexcept;
     // Whether the two accuracies differ.
@@ -30,7 +33,9 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    void sum_directly(const base::Progress& progress);
+    void load(const double* x) noexcept;
+    void sum_directly(const geometry::VecArray& at, base::Array<double>& value, geometry::VecArray& gradient,
+                      const base::Progress& progress) const;
 
     const base::Runtime& runtime_;
     const geometry::VecArray& position_;

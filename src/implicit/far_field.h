@@ -19,8 +19,8 @@ class FarField {
 public:
     struct Options {
         double spacing = 1.0;   // of the centres, mean
-        int finer = 0;          // added to the polynomials' degree: each step divides the error by about 3
-        std::int64_t leaf_size = 400; // centres in a cube that is not divided
+        int finer = 1;          // steps of two degrees: each divides the error by about 10
+        std::int64_t leaf_size = 600; // centres in a cube that is not divided
     };
 
     // Of these centres, which are targets too.  Throws Error{out_of_memory, cancelled}.
