@@ -110,7 +110,7 @@ void check(const FitInput& input) {
     options.solver = input.solver;
     options.refinement_steps = input.iteration_limit;
     options.neighbours = static_cast<std::int32_t>(input.preconditioner_neighbours);
-    if (input.solver_tolerance > 0.0) options.tolerance = input.solver_tolerance;
+    if (input.solver_tolerance > 0.0) options.tolerance = options.acceptable = input.solver_tolerance;
     if (input.solver_iterations > 0) options.iterations = input.solver_iterations;
     return options;
 }

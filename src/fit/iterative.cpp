@@ -34,6 +34,15 @@ public:
     [[nodiscard]] const HermiteSystem& system() const noexcept { return system_; }
     [[nodiscard]] const base::Array<std::int64_t>& rank() const noexcept { return rank_; }
 
+    // A tenth of the samples are nearer to another one than this or not much farther; 1 where they are even.
+    [[nodiscard]] double small_spacing() const {
+        base::Array<double> spacing(rank_.memory(), tree_.size());
+        for (std::int64_t at = 0; at < tree_.size(); ++at) spacing[at] = tree_.nearest_other(at);
+        double* const tenth = spacing.begin() + tree_.size() / 10;
+        std::nth_element(spacing.begin(), tenth, spacing.end());
+        return std::min(1.0, 1.2 * *tenth);
+    }
+
     void gather(const double* x, double* arranged) const noexcept {
         for (std::int64_t at = 0; at < tree_.size(); ++at) std::copy_n(x + 4 * tree_.index(at), 4, arranged + 4 * at);
     }
@@ -58,7 +67,8 @@ public:
     Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner,
               const base::Progress& progress)
         : runtime_(runtime), size_(arranged.system().rows()), polynomials_(runtime, arranged.system()),
-          product_(runtime, arranged.tree().points(), arranged.system().options(), progress),
+          product_(runtime, arranged.tree().points(), arranged.system().options(),
+                 arranged.small_spacing(), progress),
           cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory, size_),
           r_(runtime.memory, size_), h_(runtime.memory, size_) {}
 
@@ -106,16 +116,23 @@ private:
 
     // With an approximate product: down to what it is good for; then, from the true residual, to the end, as a
     // correction of which the product's relative error does not matter.  What is left is compared with the truth
-    // at some of the samples.
+    // at some of the samples.  Where the product is not even definite, it is refined.
     void run_in_two(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
-        if (!iterate(std::max(options.tolerance, approximate_goal), options, solution, progress)) return;
-        for (int start = 0; start < starts && !solution.converged; ++start) {
+        double goal = std::max(options.tolerance, approximate_goal);
+        while (!solution.converged && solution.iterations < options.iterations) {
             const double before = solution.residual;
+            const bool reached = iterate(goal, options, solution, progress);
+            const bool last = reached && goal <= options.tolerance;
+            if (last) {
+                solution.residual = norm(r_.data(), size_) / scale_ + unseen_residual(progress);
+                solution.converged = solution.residual <= drift * options.tolerance;
+                if (solution.converged) return;
+            }
             find_residual(progress);
-            const bool reached = iterate(0.8 * options.tolerance, options, solution, progress);
-            solution.residual = norm(r_.data(), size_) / scale_ + unseen_residual(progress);
-            solution.converged = solution.residual <= drift * options.tolerance;
-            if (!reached || !(solution.residual < 0.5 * before)) break;
+            solution.residual = norm(r_.data(), size_) / scale_;
+            if (reached) goal = 0.8 * options.tolerance;
+            const bool gained = reached && solution.residual < 0.3 * before;
+            if (!gained && (last || !product_.refine(progress))) return;
         }
     }
 

@@ -8,22 +8,33 @@ namespace {
 constexpr std::int64_t grain = 128; // targets of a task: their sums stay in the first-level cache
 
 // From so many samples on the fast sum is the faster one (measured: docs/fitting.md).
-constexpr std::int64_t far_field_from = 20000;
+constexpr std::int64_t far_field_from = 40000;
 
-[[nodiscard]] std::unique_ptr<implicit::FarField> make_far_field(const base::Runtime& runtime,
-                                                                 const geometry::VecArray& position,
-                                                                 kernel::Kind kernel, const base::Progress& progress) {
-    if (kernel != kernel::Kind::triharmonic || position.size() < far_field_from) return nullptr;
-    return std::make_unique<implicit::FarField>(runtime, position, implicit::FarField::Options(), progress);
-}
+// Times that the accuracy may be refined: beyond, all pairs are faster.
+constexpr int finest = 4;
 
 } // namespace
 
 HermiteProduct::HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                               const HermiteSystem::Options& options, const base::Progress& progress)
+                               const HermiteSystem::Options& options, double spacing, const base::Progress& progress)
     : runtime_(runtime), position_(position), options_(options), alpha_(runtime.memory, position.size()),
       beta_(runtime.memory, position.size()), value_(runtime.memory, position.size()),
-      gradient_(runtime.memory, position.size()), far_(make_far_field(runtime, position, options.kernel, progress)) {}
+      gradient_(runtime.memory, position.size()) {
+    far_options_.spacing = spacing;
+    if (options.kernel == kernel::Kind::triharmonic && position.size() >= far_field_from) make_far_field(progress);
+}
+
+void HermiteProduct::make_far_field(const base::Progress& progress) {
+    far_.reset();
+    far_ = std::make_unique<implicit::FarField>(runtime_, position_, far_options_, progress);
+}
+
+bool HermiteProduct::refine(const base::Progress& progress) {
+    if (far_ == nullptr || far_options_.finer >= finest) return false;
+    ++far_options_.finer;
+    make_far_field(progress);
+    return true;
+}
 
 void HermiteProduct::load(const double* x) noexcept {
     for (std::int64_t i = 0; i < position_.size(); ++i) {

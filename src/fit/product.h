@@ -13,7 +13,7 @@ namespace hrbfnpr::fit {
 class HermiteProduct {
 public:
     HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                   const HermiteSystem::Options& options, const base::Progress& progress);
+                   const HermiteSystem::Options& options, double spacing, const base::Progress& progress);
 
     enum class Accuracy {
         enough, // for conjugate gradients to converge
@@ -29,10 +29,13 @@ public:
     void add_diagonal(const double* x, double* y) const noexcept;
     // Whether the two accuracies differ.
     [[nodiscard]] bool approximate() const noexcept { return far_ != nullptr; }
+    // Makes `enough` ten times as accurate; false if it can't be.
+    bool refine(const base::Progress& progress);
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
+    void make_far_field(const base::Progress& progress);
     void load(const double* x) noexcept;
     void sum_directly(const geometry::VecArray& at, base::Array<double>& value, geometry::VecArray& gradient,
                       const base::Progress& progress) const;
@@ -40,6 +43,7 @@ private:
     const base::Runtime& runtime_;
     const geometry::VecArray& position_;
     HermiteSystem::Options options_;
+    implicit::FarField::Options far_options_;
     base::Array<double> alpha_;
     geometry::VecArray beta_;
     base::Array<double> value_;

@@ -33,6 +33,11 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
     const std::int32_t first = options.neighbours > 0 ? options.neighbours : first_neighbours(system.samples());
     solution.solver = SolverKind::iterative;
     solve_iteratively(runtime, system, rhs, options, first, solution, progress);
+    if (!solution.converged && solution.residual <= options.acceptable) {
+        runtime.log(base::LogLevel::warning, "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e",
+                    solution.residual, options.tolerance);
+        solution.converged = true;
+    }
     if (solution.converged || options.neighbours > 0) return;
     runtime.log(base::LogLevel::info, "fit: residual %.1e after %d iterations; trying %d neighbours in place of %d",
                 solution.residual, static_cast<int>(solution.iterations), static_cast<int>(second_neighbours),

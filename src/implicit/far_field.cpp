@@ -63,12 +63,14 @@ private:
 FarField::FarField(const base::Runtime& runtime, const geometry::VecArray& centres, const Options& options,
                    const base::Progress& progress)
     : runtime_(runtime), tree_(centres, options.leaf_size, progress), lists_(geometry::octree_interactions(tree_)),
+      pairs_(runtime.memory), group_begin_(runtime.memory),
       outgoing_(runtime.memory), incoming_(runtime.memory), alpha_(runtime.memory, centres.size()),
       beta_(runtime.memory, centres.size()), value_(runtime.memory, centres.size()),
       gradient_(runtime.memory, centres.size()), leaves_(runtime.memory) {
     for (std::int64_t node = 0; node < tree_.nodes().size(); ++node)
         if (tree_.nodes()[node].leaf()) leaves_.push_back(node);
     make_levels(options, progress);
+    sort_pairs(progress);
 }
 
 // The error of a level is about (half width)^3 3.2^-degree; conjugate gradients need it below the smallest eigenvalue,
@@ -125,9 +127,14 @@ void FarField::sum(const double* alpha, const geometry::VecArray& beta, double* 
     std::fill(outgoing_.begin(), outgoing_.end(), 0.0);
     std::fill(incoming_.begin(), incoming_.end(), 0.0);
     for (std::int32_t level = tree_.levels() - 1; level >= 2; --level) gather_moments(level, progress);
-    for (std::int32_t level = 2; level < tree_.levels(); ++level) {
-        translate(level, progress);
-        pass_down(level, progress);
+    std::int64_t group = 0;
+    for (std::int32_t level = 0; level < tree_.levels(); ++level) {
+        const std::int64_t cubes = tree_.level_end(level) - tree_.level_begin(level);
+        if (has_expansions(level)) {
+            translate(level, group, progress);
+            pass_down(level, progress);
+        }
+        group += (cubes + translate_cubes - 1) / translate_cubes;
     }
     evaluate_leaves(progress);
     for (std::int64_t at = 0; at < tree_.points().size(); ++at) {
@@ -196,49 +203,57 @@ void FarField::add_children(std::int64_t begin, std::int64_t end, std::int32_t l
     }
 }
 
-// A task has some of the cubes and some of their nodes, so that there are enough tasks on levels of few cubes.
-void FarField::translate(std::int32_t level, const base::Progress& progress) {
-    const std::int64_t first = tree_.level_begin(level);
-    const std::int64_t cubes = tree_.level_end(level) - first;
-    const std::int64_t chunks = (cubes + translate_cubes - 1) / translate_cubes;
+// Groups of neighbouring targets, in which those at the same offset from their source stand together.
+void FarField::sort_pairs(const base::Progress& progress) {
+    pairs_.resize(lists_.far.size());
+    group_begin_.push_back(0);
+    for (std::int32_t level = 0; level < tree_.levels(); ++level)
+        for (std::int64_t begin = tree_.level_begin(level); begin < tree_.level_end(level); begin += translate_cubes) {
+            progress.check();
+            const std::int64_t end = std::min(tree_.level_end(level), begin + translate_cubes);
+            for (std::int64_t target = begin; target < end; ++target)
+                for (std::int64_t k = lists_.far_begin[target]; k < lists_.far_begin[target + 1]; ++k) {
+                    const auto& t = tree_.nodes()[target].cell;
+                    const auto& s = tree_.nodes()[lists_.far[k]].cell;
+                    pairs_[k] = {(t[0] - s[0] + 3) + 7 * (t[1] - s[1] + 3) + 49 * (t[2] - s[2] + 3),
+                                 static_cast<std::int32_t>(lists_.far[k]), static_cast<std::int32_t>(target)};
+                }
+            std::sort(pairs_.begin() + lists_.far_begin[begin], pairs_.begin() + lists_.far_begin[end],
+                      [](const FarPair& a, const FarPair& b) {
+                          return a.direction != b.direction ? a.direction < b.direction : a.target < b.target;
+                      });
+            group_begin_.push_back(lists_.far_begin[end]);
+        }
+    lists_.far.release();
+}
+
+// A task has a group of targets and some of their nodes, so that there are enough tasks on levels of few cubes.
+void FarField::translate(std::int32_t level, std::int64_t first_group, const base::Progress& progress) {
+    const std::int64_t cubes = tree_.level_end(level) - tree_.level_begin(level);
+    const std::int64_t groups = (cubes + translate_cubes - 1) / translate_cubes;
     const std::int64_t rows = levels_[static_cast<std::size_t>(level)].basis.stride();
-    const std::int64_t parts = std::clamp<std::int64_t>(translate_tasks / chunks, 1, rows / 8);
-    runtime_.parallel.for_each(chunks * parts, [&](std::int64_t task) {
+    const std::int64_t parts = std::clamp<std::int64_t>(translate_tasks / groups, 1, rows / 8);
+    runtime_.parallel.for_each(groups * parts, [&](std::int64_t task) {
         progress.check();
-        const std::int64_t begin = task / parts * translate_cubes;
+        const std::int64_t group = first_group + task / parts;
         const std::int64_t part = task % parts;
-        translate_chunk({first + begin, first + std::min(cubes, begin + translate_cubes),
-                         static_cast<int>(part * (rows / 8) / parts * 8),
+        translate_group({group_begin_[group], group_begin_[group + 1], static_cast<int>(part * (rows / 8) / parts * 8),
                          static_cast<int>((part + 1) * (rows / 8) / parts * 8), level});
     });
 }
 
 // Pairs of cubes at the same offset share the elements |x_i - x_k + offset|^3, which are made on the fly.
-void FarField::translate_chunk(const TranslateTask& task) {
-    const std::int64_t begin = task.begin;
-    const std::int64_t end = task.end;
-    const std::int32_t level = task.level;
-    const CubeBasis& basis = levels_[static_cast<std::size_t>(level)].basis;
+void FarField::translate_group(const TranslateTask& task) {
+    const CubeBasis& basis = levels_[static_cast<std::size_t>(task.level)].basis;
     const CubeLoops loops = cube_loops(runtime_.instruction_set);
-    base::Array<FarPair> pairs(runtime_.memory);
-    pairs.reserve(lists_.far_begin[end] - lists_.far_begin[begin]);
-    for (std::int64_t target = begin; target < end; ++target)
-        for (std::int64_t k = lists_.far_begin[target]; k < lists_.far_begin[target + 1]; ++k) {
-            const auto& t = tree_.nodes()[target].cell;
-            const auto& s = tree_.nodes()[lists_.far[k]].cell;
-            pairs.push_back({(t[0] - s[0] + 3) + 7 * (t[1] - s[1] + 3) + 49 * (t[2] - s[2] + 3), target, lists_.far[k]});
-        }
-    std::sort(pairs.begin(), pairs.end(), [](const FarPair& a, const FarPair& b) {
-        return a.direction != b.direction ? a.direction < b.direction : a.target < b.target;
-    });
-    const double half = tree_.half_width(level);
+    const double half = tree_.half_width(task.level);
     const double* const nodes[3] = {basis.nodes().x.data(), basis.nodes().y.data(), basis.nodes().z.data()};
     base::Array<double> nobody(runtime_.memory, basis.stride());
     Batch batch(runtime_.memory, basis.size());
-    for (std::int64_t k = 0; k < pairs.size(); ++k) {
-        const FarPair& pair = pairs[k];
-        batch.add(outgoing(pair.source, level), basis.size(), incoming(pair.target, level));
-        if (!batch.full() && k + 1 < pairs.size() && pairs[k + 1].direction == pair.direction) continue;
+    for (std::int64_t k = task.begin; k < task.end; ++k) {
+        const FarPair& pair = pairs_[k];
+        batch.add(outgoing(pair.source, task.level), basis.size(), incoming(pair.target, task.level));
+        if (!batch.full() && k + 1 < task.end && pairs_[k + 1].direction == pair.direction) continue;
         const double shift[3] = {2.0 * (pair.direction % 7 - 3), 2.0 * (pair.direction / 7 % 7 - 3),
                                  2.0 * (pair.direction / 49 - 3)};
         loops.translate(nodes, task.first_row, task.last_row, basis.size(), shift, half * half * half, batch.in(),
@@ -322,6 +337,9 @@ void FarField::add_near(const geometry::Octree::Node& target, std::int64_t node)
     }
 }
 
-std::int64_t FarField::bytes() const noexcept { return outgoing_.bytes() + incoming_.bytes() + alpha_.bytes() + beta_.bytes() + value_.bytes() + gradient_.bytes(); }
+std::int64_t FarField::bytes() const noexcept {
+    return outgoing_.bytes() + incoming_.bytes() + alpha_.bytes() + beta_.bytes() + value_.bytes() +
+           gradient_.bytes() + pairs_.bytes();
+}
 
 } // namespace hrbfnpr::implicit

@@ -44,14 +44,13 @@ private:
     };
     struct FarPair {
         std::int32_t direction; // which of the 343 offsets
-        std::int64_t target;
-        std::int64_t source;
+        std::int32_t source;
+        std::int32_t target;
     };
-
     struct TranslateTask {
-        std::int64_t begin; // cubes
+        std::int64_t begin; // in pairs_
         std::int64_t end;
-        int first_row; // nodes of each
+        int first_row; // nodes of each target
         int last_row;
         std::int32_t level;
     };
@@ -59,11 +58,12 @@ private:
     [[nodiscard]] int degree_of(std::int32_t level, const Options& options) const noexcept;
     void make_levels(const Options& options, const base::Progress& progress);
     void make_transfers(std::int32_t level);
+    void sort_pairs(const base::Progress& progress);
     void load(const double* alpha, const geometry::VecArray& beta);
     void gather_moments(std::int32_t level, const base::Progress& progress);
     void add_children(std::int64_t begin, std::int64_t end, std::int32_t level);
-    void translate(std::int32_t level, const base::Progress& progress);
-    void translate_chunk(const TranslateTask& task);
+    void translate(std::int32_t level, std::int64_t first_group, const base::Progress& progress);
+    void translate_group(const TranslateTask& task);
     void pass_down(std::int32_t level, const base::Progress& progress);
     void evaluate_leaves(const base::Progress& progress);
     void evaluate_leaf(std::int64_t node);
@@ -76,6 +76,8 @@ private:
     geometry::Octree tree_;
     geometry::OctreeInteractions lists_;
     std::vector<Level> levels_;
+    base::Array<FarPair> pairs_;            // by groups of targets, then direction, then target
+    base::Array<std::int64_t> group_begin_; // of each group of translate_cubes nodes, in pairs_
     base::Array<double> outgoing_; // weights at the nodes of each cube
     base::Array<double> incoming_; // values at them
     base::Array<double> alpha_;    // in the tree's order
