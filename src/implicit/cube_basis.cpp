@@ -99,7 +99,8 @@ private:
                 }
                 out[v] = at + end;
             }
-            for (std::int64_t v = to - from; v < cube_batch; ++v) out[v] = out[0]; // with weights 0
+            base::Array<double> nobody(runtime_.memory, stride_ - end);
+            for (std::int64_t v = to - from; v < cube_batch; ++v) out[v] = nobody.data();
             loops_.multiply(column(begin) + end, stride_, static_cast<int>(stride_ - end), static_cast<int>(panel), in,
                             out, cube_batch);
         });
