@@ -14,7 +14,8 @@ using namespace test;
 using fit::Repair;
 
 base::Runtime runtime_of(int threads) {
-    return base::Runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), nullptr, nullptr);
+    return base::Runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
+                         base::InstructionSet::automatic, nullptr, nullptr);
 }
 
 fit::Samples samples_of(const base::Runtime& runtime, const Cloud& cloud) {
