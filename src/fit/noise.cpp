@@ -1,0 +1,96 @@
+#include "fit/noise.h"
+
+#include "fit/clean.h"
+#include "geometry/neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::fit {
+namespace {
+
+constexpr std::array<std::int64_t, 5> ranks{0, 1, 3, 7, 15};
+constexpr std::size_t terms = 3; // a, b, c
+
+constexpr double gaussian_median = 0.6744897501960817; // of the absolute value, in standard deviations
+// Pairs across an edge or of two sheets tell nothing.
+constexpr double same_side = 0.5;
+// What is less of the variance of nearest neighbours than this may well be an error of the model above.
+constexpr double least_share = 0.3;
+
+// Typical distance and spread of the pairs of one rank.
+struct Pairs {
+    double distance = 0.0;
+    double variance = 0.0;
+};
+
+[[nodiscard]] double median(base::Array<double>& values) {
+    double* middle = values.data() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+[[nodiscard]] Pairs measure(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t rank) {
+    base::Array<double> distance(samples.position.memory());
+    base::Array<double> error(samples.position.memory());
+    for (std::int64_t i = 0; i < samples.position.size(); ++i) {
+        const std::int64_t j = neighbours.of(i)[static_cast<std::size_t>(rank)];
+        if (glm::dot(samples.normal[i], samples.normal[j]) < same_side) continue;
+        const glm::dvec3 between = samples.position[j] - samples.position[i];
+        distance.push_back(glm::length(between));
+        error.push_back(std::abs(0.5 * glm::dot(between, samples.normal[i] + samples.normal[j])));
+    }
+    if (error.empty()) return {};
+    const double deviation = median(error) / gaussian_median;
+    return {median(distance), deviation * deviation};
+}
+
+using Coefficients = std::array<double, terms>;
+using Rows = std::array<Coefficients, ranks.size()>; // each times the coefficients should be 1
+
+// By coordinate descent, which for three coefficients is fast enough.
+[[nodiscard]] Coefficients non_negative_least_squares(const Rows& rows) {
+    constexpr int sweeps = 2000;
+    Coefficients x{};
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (std::size_t c = 0; c < terms; ++c) {
+            double above = 0.0;
+            double below = 0.0;
+            for (const Coefficients& row : rows) {
+                double rest = 1.0;
+                for (std::size_t k = 0; k < terms; ++k)
+                    if (k != c) rest -= row[k] * x[k];
+                above += row[c] * rest;
+                below += row[c] * row[c];
+            }
+            x[c] = below > 0.0 ? std::max(0.0, above / below) : 0.0;
+        }
+    return x;
+}
+
+} // namespace
+
+Noise measure_noise(const base::Runtime& runtime, const Samples& samples, const base::Progress& progress) {
+    if (samples.position.size() < fewest_to_clean) return {};
+    const geometry::Neighbours neighbours(runtime.parallel, samples.position, ranks.back() + 1, progress);
+    std::array<Pairs, ranks.size()> pairs;
+    for (std::size_t k = 0; k < ranks.size(); ++k) {
+        progress.check();
+        pairs[k] = measure(samples, neighbours, ranks[k]);
+        // Exactly flat, or no two normals agree.
+        if (!(pairs[k].variance > 0.0 && pairs[k].distance > 0.0)) return {};
+    }
+    Rows rows;
+    const double unit = pairs[0].distance;
+    for (std::size_t k = 0; k < ranks.size(); ++k) {
+        const double d2 = (pairs[k].distance / unit) * (pairs[k].distance / unit);
+        const double share = pairs[0].variance / pairs[k].variance; // relative errors count
+        rows[k] = {share, share * d2, share * d2 * d2 * d2};
+    }
+    const Coefficients x = non_negative_least_squares(rows);
+    if (x[0] < least_share) return {};
+    return {std::sqrt(0.5 * x[0] * pairs[0].variance), std::sqrt(2.0 * x[1] * pairs[0].variance) / unit};
+}
+
+} // namespace hrbfnpr::fit
