@@ -31,6 +31,10 @@ constexpr std::int64_t pilot_centres = 512;
 constexpr std::int64_t averaged = 16; // neighbours, of noisy samples
 // Centres nearer to each other than this would follow the noise, in standard deviations of it.
 constexpr double noise_apart = 4.0;
+// The surface may be off the mean of some samples by what the noise leaves of the tolerance: then nearly all of
+// them are within it.  But not by less than half of it, which no centres may be able to reach.
+constexpr double noise_allowed = 2.0;
+constexpr double least_tolerance = 0.5;
 
 class Chooser {
 public:
@@ -61,6 +65,9 @@ private:
         return input_.regularization_mode == RegularizationMode::automatic && noise_.position > 0.0;
     }
     [[nodiscard]] bool noisy() const noexcept { return automatic() || input_.regularization > 0.0; }
+    [[nodiscard]] double mean_tolerance() const noexcept {
+        return std::max(input_.tolerance - noise_allowed * noise_.position, least_tolerance * input_.tolerance);
+    }
     [[nodiscard]] std::int64_t most_centres() const noexcept {
         return input_.maximum_centres > 0 ? input_.maximum_centres : samples_.position.size();
     }
@@ -140,7 +147,7 @@ private:
         while (centres_.size() < most_centres() && rounds_ < most_rounds) {
             const auto count = static_cast<double>(centres_.size());
             const auto most = std::max(smallest_batch, static_cast<std::int64_t>(share * count));
-            const CandidateOptions options{input_.tolerance, noise_apart * noise_.position,
+            const CandidateOptions options{mean_tolerance(), noise_apart * noise_.position,
                                            std::min(most, most_centres() - centres_.size()),
                                            neighbours ? &*neighbours : nullptr};
             const Candidates added = find_candidates(runtime_, samples_, centres_, distances, options, progress_);
