@@ -107,7 +107,9 @@ private:
             if (chosen.size() >= options_.most) return;
             const double radius = std::max(share * spacing_[i], options_.least_distance);
             if (covered[place[i]] != 0 || to_centre_[i] < radius) continue;
-            chosen.push_back(i);
+            const std::int64_t added = options_.typical != nullptr ? (*options_.typical)[i] : i;
+            // What is near enough to share its typical sample with another is not tried again.
+            if (is_centre_[added] == 0) chosen.push_back(added);
             tree.within(samples_.position[i], radius, [&](std::int64_t at, double) { covered[at] = 1; });
             if (chosen.size() % 256 == 0) progress_.check();
         }

@@ -12,8 +12,10 @@ struct CandidateOptions {
     double tolerance;      // 0: all samples are candidates
     double least_distance; // no new centre is nearer to another than this
     std::int64_t most;     // to be added
-    // Not null for noisy samples: what counts of a sample is the mean over itself and these.
+    // Not null for noisy samples: what counts of a sample is the mean over itself and these, and what is added in its
+    // stead is its typical one.
     const geometry::Neighbours* neighbours;
+    const base::Array<std::int64_t>* typical;
 };
 
 struct Candidates {

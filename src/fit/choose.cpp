@@ -2,6 +2,8 @@
 
 #include "base/clock.h"
 #include "fit/candidates.h"
+#include "fit/clean.h"
+#include "fit/typical.h"
 #include "geometry/farthest_order.h"
 
 #include <algorithm>
@@ -31,6 +33,8 @@ constexpr std::int64_t pilot_centres = 512;
 constexpr std::int64_t averaged = 16; // neighbours, of noisy samples
 // Centres nearer to each other than this would follow the noise, in standard deviations of it.
 constexpr double noise_apart = 4.0;
+// A round that adds less than one in so many to them is not worth its time: what is left is noise.
+constexpr std::int64_t worthwhile = 200;
 // The surface may be off the mean of some samples by what the noise leaves of the tolerance: then nearly all of
 // them are within it.  But not by less than half of it, which no centres may be able to reach.
 constexpr double noise_allowed = 2.0;
@@ -41,10 +45,14 @@ public:
     Chooser(const base::Runtime& runtime, const FitInput& input, const Samples& samples, const Noise& noise,
             const base::Progress& progress)
         : runtime_(runtime), input_(input), samples_(samples), noise_(noise), progress_(progress),
-          centres_(runtime.memory), smoothing_{input.regularization, input.regularization} {}
+          centres_(runtime.memory), typical_(runtime.memory), smoothing_{input.regularization, input.regularization} {}
 
     [[nodiscard]] Choice run() {
         const bool all = keeps_all();
+        if (noisy() && samples_.position.size() >= fewest_to_clean) {
+            neighbours_.emplace(runtime_.parallel, samples_.position, averaged, progress_);
+            typical_ = typical_samples(runtime_, samples_, *neighbours_, progress_);
+        }
         set_first_centres(all ? (automatic() ? pilot_centres : samples_.position.size()) : first_count());
         fit_first();
         if (all && centres_.size() < samples_.position.size()) {
@@ -65,6 +73,9 @@ private:
         return input_.regularization_mode == RegularizationMode::automatic && noise_.position > 0.0;
     }
     [[nodiscard]] bool noisy() const noexcept { return automatic() || input_.regularization > 0.0; }
+    [[nodiscard]] std::int64_t fewest_added(std::int64_t centres) const noexcept {
+        return neighbours_ ? std::max<std::int64_t>(centres / worthwhile, 1) : 1;
+    }
     [[nodiscard]] double mean_tolerance() const noexcept {
         return std::max(input_.tolerance - noise_allowed * noise_.position, least_tolerance * input_.tolerance);
     }
@@ -85,8 +96,14 @@ private:
         }
         const geometry::FarthestOrder first = geometry::farthest_order(samples_.position, count, base::Progress());
         progress_.check();
-        for (const std::int64_t i : first.order) centres_.push_back(i);
+        for (const std::int64_t i : first.order) centres_.push_back(neighbours_ ? typical_[i] : i);
+        sort_centres();
+    }
+
+    // Two samples may have the same typical one.
+    void sort_centres() {
         std::sort(centres_.begin(), centres_.end());
+        centres_.resize(std::unique(centres_.begin(), centres_.end()) - centres_.begin());
     }
 
     void fit_first() {
@@ -140,8 +157,6 @@ private:
     }
 
     void add_rounds(Distances& distances) {
-        std::optional<geometry::Neighbours> neighbours;
-        if (noisy()) neighbours.emplace(runtime_.parallel, samples_.position, averaged, progress_);
         double share = large_batch;
         std::int64_t outside = 0;
         while (centres_.size() < most_centres() && rounds_ < most_rounds) {
@@ -149,17 +164,17 @@ private:
             const auto most = std::max(smallest_batch, static_cast<std::int64_t>(share * count));
             const CandidateOptions options{mean_tolerance(), noise_apart * noise_.position,
                                            std::min(most, most_centres() - centres_.size()),
-                                           neighbours ? &*neighbours : nullptr};
+                                           neighbours_ ? &*neighbours_ : nullptr, neighbours_ ? &typical_ : nullptr};
             const Candidates added = find_candidates(runtime_, samples_, centres_, distances, options, progress_);
             outside = added.outside;
             runtime_.log(base::LogLevel::debug, "fit: round %d: %lld centres, %lld samples outside, %lld to be added",
                          static_cast<int>(rounds_), static_cast<long long>(centres_.size()),
                          static_cast<long long>(outside), static_cast<long long>(added.chosen.size()));
-            if (added.chosen.empty()) break;
+            if (added.chosen.size() < fewest_added(centres_.size())) break;
             const double part = static_cast<double>(outside) / static_cast<double>(samples_.position.size());
             share = part > mostly_outside ? large_batch : batch;
             for (const std::int64_t i : added.chosen) centres_.push_back(i);
-            std::sort(centres_.begin(), centres_.end());
+            sort_centres();
             smooth();
             fit_round();
             distances = measure();
@@ -173,6 +188,8 @@ private:
     const base::Progress& progress_;
     const base::Stopwatch watch_;
     base::Array<std::int64_t> centres_;
+    std::optional<geometry::Neighbours> neighbours_; // of noisy samples
+    base::Array<std::int64_t> typical_;              // ...
     Smoothing smoothing_;
     std::optional<CentreFit> fit_;
     std::int32_t rounds_ = 0;

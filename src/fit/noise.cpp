@@ -17,12 +17,15 @@ constexpr double gaussian_median = 0.6744897501960817; // of the absolute value,
 // Pairs across an edge or of two sheets tell nothing.
 constexpr double same_side = 0.5;
 // What is less of the variance of nearest neighbours than this may well be an error of the model above.
-constexpr double least_share = 0.3;
+constexpr double least_share = 0.5;
+// In diagonals: as much comes from storing coordinates as floats.
+constexpr double rounding = 1e-7;
 
 // Typical distance and spread of the pairs of one rank.
 struct Pairs {
     double distance = 0.0;
     double variance = 0.0;
+    double turn = 0.0; // |n_i - n_j|
 };
 
 [[nodiscard]] double median(base::Array<double>& values) {
@@ -34,23 +37,25 @@ struct Pairs {
 [[nodiscard]] Pairs measure(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t rank) {
     base::Array<double> distance(samples.position.memory());
     base::Array<double> error(samples.position.memory());
+    base::Array<double> turn(samples.position.memory());
     for (std::int64_t i = 0; i < samples.position.size(); ++i) {
         const std::int64_t j = neighbours.of(i)[static_cast<std::size_t>(rank)];
         if (glm::dot(samples.normal[i], samples.normal[j]) < same_side) continue;
         const glm::dvec3 between = samples.position[j] - samples.position[i];
         distance.push_back(glm::length(between));
         error.push_back(std::abs(0.5 * glm::dot(between, samples.normal[i] + samples.normal[j])));
+        turn.push_back(glm::distance(samples.normal[i], samples.normal[j]));
     }
     if (error.empty()) return {};
     const double deviation = median(error) / gaussian_median;
-    return {median(distance), deviation * deviation};
+    return {median(distance), deviation * deviation, median(turn)};
 }
 
 using Coefficients = std::array<double, terms>;
 using Rows = std::array<Coefficients, ranks.size()>; // each times the coefficients should be 1
 
-// By coordinate descent, which for three coefficients is fast enough.
-[[nodiscard]] Coefficients non_negative_least_squares(const Rows& rows) {
+// Least squares with 0 <= x <= most, by coordinate descent, which for three coefficients is fast enough.
+[[nodiscard]] Coefficients bounded_least_squares(const Rows& rows, const Coefficients& most) {
     constexpr int sweeps = 2000;
     Coefficients x{};
     for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -64,7 +69,7 @@ using Rows = std::array<Coefficients, ranks.size()>; // each times the coefficie
                 above += row[c] * rest;
                 below += row[c] * row[c];
             }
-            x[c] = below > 0.0 ? std::max(0.0, above / below) : 0.0;
+            x[c] = below > 0.0 ? std::clamp(above / below, 0.0, most[c]) : 0.0;
         }
     return x;
 }
@@ -88,9 +93,14 @@ Noise measure_noise(const base::Runtime& runtime, const Samples& samples, const 
         const double share = pairs[0].variance / pairs[k].variance; // relative errors count
         rows[k] = {share, share * d2, share * d2 * d2 * d2};
     }
-    const Coefficients x = non_negative_least_squares(rows);
-    if (x[0] < least_share) return {};
-    return {std::sqrt(0.5 * x[0] * pairs[0].variance), std::sqrt(2.0 * x[1] * pairs[0].variance) / unit};
+    // Where the noise is not small beside the spacing, near pairs are those whose noise is alike, so that their
+    // variance grows with the distance, as if the normals were off.  But these are known, too.
+    const double turned = pairs[0].turn * unit;
+    const Coefficients most{HUGE_VAL, turned * turned / pairs[0].variance, HUGE_VAL};
+    const Coefficients x = bounded_least_squares(rows, most);
+    const double position = std::sqrt(0.5 * x[0] * pairs[0].variance);
+    if (x[0] < least_share || position < rounding * samples.bounds.diagonal()) return {};
+    return {position, std::sqrt(2.0 * x[1] * pairs[0].variance) / unit};
 }
 
 } // namespace hrbfnpr::fit
