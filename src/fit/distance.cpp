@@ -28,8 +28,8 @@ Distances distances_of_misfit(const base::Array<double>& misfit, const implicit:
     Distances result = of_size(misfit.memory(), samples.position.size());
     for (std::int64_t i = 0; i < samples.position.size(); ++i) {
         const double* m = misfit.data() + 4 * i;
-        result.value[i] = data.scale * m[0];
-        result.gradient.set(i, samples.normal[i] + glm::dvec3(m[1], m[2], m[3]));
+        result.value[i] = -data.scale * m[0];
+        result.gradient.set(i, samples.normal[i] - glm::dvec3(m[1], m[2], m[3]));
         set_distance(result, i);
     }
     return result;

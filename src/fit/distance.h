@@ -18,7 +18,7 @@ struct Distances {
     base::Array<double> distance;
 };
 
-// misfit: f(x_i) in normalised units and grad f(x_i) - n_i, 4 numbers a sample, as a solver knows them.
+// misfit: 0 - f(x_i), in normalised units, and n_i - grad f(x_i), 4 numbers a sample, as a solver knows them.
 [[nodiscard]] Distances distances_of_misfit(const base::Array<double>& misfit, const implicit::HrbfData& data,
                                             const Samples& samples);
 
