@@ -32,8 +32,8 @@ fit::Noise measured(const Cloud& cloud) {
     return fit::measure_noise(runtime, fit::read_samples(runtime, view(cloud.points), view(cloud.normals), {}), {});
 }
 
-fit::FitResult fitted(const Cloud& cloud, bool automatic) {
-    const base::Runtime runtime;
+// The runtime outlives the result, whose memory it owns.
+fit::FitResult fitted(const base::Runtime& runtime, const Cloud& cloud, bool automatic) {
     fit::FitInput call = input(cloud);
     if (automatic) call.regularization_mode = fit::RegularizationMode::automatic;
     return fit::fit(runtime, call, {});
@@ -72,7 +72,7 @@ TEST(Noise, IsMeasured) {
 }
 
 // More noise than spacing: near pairs are those whose noise is alike.
-TEST(Noise, IsSeenWhereItHidesTheSpacing) { EXPECT_GT(measured(noisy(sphere(3000), 0.05, 0.0)).position, 0.015); }
+TEST(Noise, IsSeenWhereItHidesTheSpacing) { EXPECT_GT(measured(noisy(sphere(3000), 0.1, 0.0)).position, 0.03); }
 
 TEST(Noise, CanBeCancelled) {
     const base::Runtime runtime;
@@ -84,11 +84,12 @@ TEST(Noise, CanBeCancelled) {
 }
 
 TEST(AutomaticRegularization, BringsNoisySamplesNearerToTheTruth) {
+    const base::Runtime runtime;
     for (const double normal : {0.0, 0.1}) {
         const Cloud truth = bumpy(1500);
         const Cloud cloud = noisy(truth, 0.01, normal);
-        const fit::FitResult smooth = fitted(cloud, true);
-        const fit::FitResult exact = fitted(cloud, false);
+        const fit::FitResult smooth = fitted(runtime, cloud, true);
+        const fit::FitResult exact = fitted(runtime, cloud, false);
         EXPECT_NEAR(error(exact, truth), 0.01, 0.002);
         EXPECT_LT(error(smooth, truth), 0.5 * error(exact, truth)) << normal;
         EXPECT_GT(smooth.report.regularization, 1e-6);
@@ -100,15 +101,17 @@ TEST(AutomaticRegularization, BringsNoisySamplesNearerToTheTruth) {
 }
 
 TEST(AutomaticRegularization, DoesNotDependOnTheUnit) {
+    const base::Runtime runtime;
     const Cloud cloud = noisy(bumpy(700), 0.01, 0.05);
-    const double expected = fitted(cloud, true).report.regularization;
-    EXPECT_NEAR(fitted(cloud.moved(1e-3, {10, 0, 0}), true).report.regularization / expected, 1.0, 1e-3);
+    const double expected = fitted(runtime, cloud, true).report.regularization;
+    EXPECT_NEAR(fitted(runtime, cloud.moved(1e-3, {10, 0, 0}), true).report.regularization / expected, 1.0, 1e-3);
 }
 
 TEST(AutomaticRegularization, IsNoneForCleanSamples) {
+    const base::Runtime runtime;
     const Cloud cloud = bumpy(700);
-    const fit::FitResult automatic = fitted(cloud, true);
-    const fit::FitResult exact = fitted(cloud, false);
+    const fit::FitResult automatic = fitted(runtime, cloud, true);
+    const fit::FitResult exact = fitted(runtime, cloud, false);
     EXPECT_EQ(automatic.report.regularization, 0.0);
     ASSERT_EQ(automatic.data.count(), exact.data.count());
     for (std::int64_t i = 0; i < exact.data.count(); ++i) ASSERT_EQ(automatic.data.alpha[i], exact.data.alpha[i]);
