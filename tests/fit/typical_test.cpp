@@ -22,7 +22,7 @@ fit::Samples torus_with_odd_ones(const base::Runtime& runtime) {
         const glm::dvec3 aside = glm::normalize(glm::cross(even.normal(i), glm::dvec3(0.3, 0.5, 0.7)));
         const bool high = odd(i) && i % 2 == 0;
         const bool turned = odd(i) && i % 2 == 1;
-        cloud.add(even.point(i) + (high ? 0.05 : 0.0) * even.normal(i), turned ? aside : even.normal(i));
+        cloud.add(even.point(i) + (high ? 0.1 : 0.0) * even.normal(i), turned ? aside : even.normal(i));
     }
     return fit::read_samples(runtime, view(cloud.points), view(cloud.normals), {});
 }
