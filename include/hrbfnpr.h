@@ -391,9 +391,36 @@ enum {
  * sample spacing 1), whatever the caller's unit.  Accepted repairs, counted in
  * hrbfnpr_model_info: normals that are not of unit length are normalised;
  * samples that coincide (within 1e-9 diagonals) and agree in their normal
- * (within 1 degree) are merged.  Samples that coincide and disagree are an
- * INVALID_ARGUMENT that names both indices, as are NaN, infinity, zero
- * normals, and an empty or mismatched array.  One sample is a plane. */
+ * (within 1 degree) are merged, and so are, of 33 samples and more, near
+ * duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
+ * Samples that coincide and disagree are an INVALID_ARGUMENT that names both
+ * indices, as are NaN, infinity, zero normals, and an empty or mismatched
+ * array.  One sample is a plane.
+ *
+ * Measured samples.  Of 33 and more, those that do not fit to the 16 nearest
+ * others are counted, and repaired only if asked for:
+ * - outliers: three times as far from their neighbours as these from theirs,
+ *   or far above the tangent planes of most of them; and of near duplicates
+ *   that disagree, the one that agrees less with those around it;
+ * - flipped normals: opposite to 7 of 8 neighbours at least, which agree with
+ *   each other, lie on the same sheet, and all around.
+ *
+ * Choosing.  With a tolerance or maximum_centres, samples are chosen as
+ * centres: some by farthest-point order, then, in rounds, those worst off the
+ * fit to the ones before, until every sample is within the tolerance (to first
+ * order, |f| / |grad f|), or there are maximum_centres.  An end short of the
+ * tolerance is no error: hrbfnpr_model_info says what was reached, and the log
+ * warns.  With regularization, what has to be within the tolerance, less two
+ * standard deviations of the noise (but not less than half), is the mean
+ * over a sample and its 16 neighbours, so that centres do not follow noise.
+ *
+ * Automatic regularization.  The noise is measured by how far each sample is
+ * from the planes of its neighbours, where that does not vanish with their
+ * distance.  The fit is then the most likely function for it: regularization
+ * is the noise's variance over that of the function, which maximum likelihood
+ * gives (Rasmussen and Williams, "Gaussian Processes for Machine Learning",
+ * 2006, 5.4), with a value of its own for the normals.  Samples without noise
+ * are interpolated. */
 typedef struct hrbfnpr_fit_desc {
     uint32_t struct_size;
     uint32_t kernel;         /* HRBFNPR_KERNEL_...; TRIHARMONIC */
@@ -480,7 +507,7 @@ typedef struct hrbfnpr_model_info {
     double bounds_max[3];
     double spacing;           /* mean distance of a sample to its nearest neighbour */
     double kernel_radius;     /* as used */
-    double regularization;
+    double regularization;    /* as used; of AUTO, that of the values */
     double value_residual_max;    /* max |f(x_i)|, in units of the points */
     double value_residual_rms;
     double gradient_residual_max; /* max |grad f(x_i) - n_i| */
