@@ -34,7 +34,8 @@ void expect_same_bits(const fit::FitResult& a, const fit::FitResult& b, const st
 }
 
 base::Runtime with_threads(int threads) {
-    return {nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), nullptr, nullptr};
+    return {nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), base::InstructionSet::automatic,
+            nullptr, nullptr};
 }
 
 TEST(Robustness, SameBitsForAnyNumberOfThreads) {
@@ -59,7 +60,8 @@ TEST(Robustness, RunsOnAHostsTasks) {
         *static_cast<std::atomic<std::int64_t>*>(user) += count;
         for (std::int64_t i = count - 1; i >= 0; --i) task(context, i);
     };
-    const base::Runtime hosted(nullptr, nullptr, nullptr, base::Parallel(4, run, &tasks), nullptr, nullptr);
+    const base::Runtime hosted(nullptr, nullptr, nullptr, base::Parallel(4, run, &tasks),
+                               base::InstructionSet::automatic, nullptr, nullptr);
     const base::Runtime serial = with_threads(1);
     expect_same_bits(fit::fit(serial, input(cloud), {}), fit::fit(hosted, input(cloud), {}), "tasks");
     EXPECT_GT(tasks.load(), 10);
@@ -145,7 +147,8 @@ TEST(Robustness, EveryAllocationMayFail) {
             budget.failing = failing;
             {
                 const base::Runtime runtime(Budget::allocate, Budget::deallocate, &budget,
-                                            base::Parallel(2, nullptr, nullptr), nullptr, nullptr);
+                                            base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic,
+                                            nullptr, nullptr);
                 try {
                     const fit::FitResult result = fit::fit(runtime, input(cloud, Kind::triharmonic, degree), {});
                     done = true;
@@ -172,7 +175,7 @@ TEST(Robustness, AMatrixThatDoesNotFitIsNamedWithItsBytes) {
         [](void*, void* memory, std::uint64_t, std::uint64_t alignment) {
             ::operator delete (memory, std::align_val_t{alignment});
         },
-        nullptr, base::Parallel(), nullptr, nullptr);
+        nullptr, base::Parallel(), base::InstructionSet::automatic, nullptr, nullptr);
     const Cloud cloud = sphere(200);
     try {
         static_cast<void>(fit::fit(runtime, input(cloud), {}));

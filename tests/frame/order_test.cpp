@@ -173,8 +173,8 @@ protected:
 TEST_P(Kept, SameBitsForAnyThreadCount) {
     std::vector<std::byte> expected;
     for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), nullptr,
-                                    nullptr);
+        const base::Runtime runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
+                                    base::InstructionSet::automatic, nullptr, nullptr);
         const sampling::PointSet set = sphere(runtime.memory, 30000);
         const std::array items{item_of(set, style())};
         Frame frame(runtime);
@@ -202,7 +202,7 @@ std::int32_t half_tone(void*, std::int64_t count, const float*, const float*, fl
 TEST_P(Kept, AllocatesNothingOnceWarm) {
     CountingAllocator counter;
     const base::Runtime runtime(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
-                                base::Parallel(2, nullptr, nullptr), nullptr, nullptr);
+                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
     const sampling::PointSet set = torus(runtime.memory, 100);
     std::array items{item_of(set, style()), item_of(set, style())};
     items[1].style.tone = frame::Tone::callback;

@@ -142,8 +142,8 @@ TEST_F(Blend, SameBitsForAnyThreadCount) {
     const std::array items{item_of(ball, Style{})};
     std::vector<std::byte> expected;
     for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), nullptr,
-                                  nullptr);
+        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
+                                  base::InstructionSet::automatic, nullptr, nullptr);
         const Picture picture = draw(other, items, front_camera(333, 222), 333, 222);
         if (expected.empty()) expected = picture.bytes;
         EXPECT_EQ(picture.bytes, expected) << threads;
@@ -153,7 +153,7 @@ TEST_F(Blend, SameBitsForAnyThreadCount) {
 TEST_F(Blend, AllocatesNothingOnceWarm) {
     CountingAllocator counter;
     const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
-                                base::Parallel(2, nullptr, nullptr), nullptr, nullptr);
+                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
     const sampling::PointSet ball = sphere(counted.memory, 5000);
     const std::array items{item_of(ball, Style{})};
     Frame counted_frame(counted);

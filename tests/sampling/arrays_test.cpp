@@ -125,8 +125,8 @@ TEST(FromArrays, EveryAllocationMayFail) {
     for (int k = 0;; ++k) {
         ASSERT_LT(k, 1000);
         Allocator allocator{k};
-        const base::Runtime failing(Allocator::allocate, Allocator::deallocate, &allocator, base::Parallel(), nullptr,
-                                    nullptr);
+        const base::Runtime failing(Allocator::allocate, Allocator::deallocate, &allocator, base::Parallel(),
+                                    base::InstructionSet::automatic, nullptr, nullptr);
         try {
             (void)from_arrays(failing, arrays.views(), 1);
             EXPECT_GT(k, 8);

@@ -31,15 +31,16 @@ void reverse_tasks(void* /*user*/, base::TaskFn task, void* context, std::int64_
 TEST(Determinism, SameBitsForAnyThreadCountAndTaskOrder) {
     const Torus torus;
     for (const GenerateSettings& settings : {small_paper(), small_blue()}) {
-        const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr), nullptr, nullptr);
+        const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr),
+                                   base::InstructionSet::automatic, nullptr, nullptr);
         const PointSet expected = generate(serial, torus, {}, settings, {});
         for (const int threads : {2, 3, 7}) {
-            const base::Runtime many(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), nullptr,
-                                     nullptr);
+            const base::Runtime many(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
+                                     base::InstructionSet::automatic, nullptr, nullptr);
             EXPECT_TRUE(same_bits(expected, generate(many, torus, {}, settings, {}))) << threads;
         }
-        const base::Runtime hook(nullptr, nullptr, nullptr, base::Parallel(4, reverse_tasks, nullptr), nullptr,
-                                 nullptr);
+        const base::Runtime hook(nullptr, nullptr, nullptr, base::Parallel(4, reverse_tasks, nullptr),
+                                 base::InstructionSet::automatic, nullptr, nullptr);
         EXPECT_TRUE(same_bits(expected, generate(hook, torus, {}, settings, {})));
     }
 }
@@ -54,7 +55,8 @@ TEST(Determinism, TheRandomSeedChangesTheMarks) {
 }
 
 TEST(Callbacks, ASerialFunctionRunsOnTheCallersThreadOnly) {
-    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr), nullptr, nullptr);
+    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr),
+                                base::InstructionSet::automatic, nullptr, nullptr);
     for (const GenerateSettings& settings : {small_paper(), small_blue()}) {
         Torus torus;
         torus.is_concurrent = false;
@@ -87,7 +89,8 @@ struct CancelAt {
 
 TEST(Cancel, AtEveryReportOfProgress) {
     const Torus torus;
-    const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr), nullptr, nullptr);
+    const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr),
+                               base::InstructionSet::automatic, nullptr, nullptr);
     for (const GenerateSettings& settings : {small_paper(), small_blue()}) {
         CancelAt watch;
         {
@@ -138,7 +141,7 @@ TEST(Memory, EveryAllocationMayFail) {
         FailingAllocator allocator;
         {
             const base::Runtime runtime(FailingAllocator::allocate, FailingAllocator::deallocate, &allocator,
-                                        base::Parallel(), nullptr, nullptr);
+                                        base::Parallel(), base::InstructionSet::automatic, nullptr, nullptr);
             (void)generate(runtime, torus, {}, settings, {});
             EXPECT_EQ(runtime.memory.bytes_now(), 0) << "all memory is given back with the set";
         }
@@ -150,7 +153,7 @@ TEST(Memory, EveryAllocationMayFail) {
             allocator.calls = 0;
             allocator.failing = k;
             const base::Runtime runtime(FailingAllocator::allocate, FailingAllocator::deallocate, &allocator,
-                                        base::Parallel(), nullptr, nullptr);
+                                        base::Parallel(), base::InstructionSet::automatic, nullptr, nullptr);
             expect_error(Status::out_of_memory, {}, [&] { (void)generate(runtime, torus, {}, settings, {}); });
             ASSERT_EQ(runtime.memory.bytes_now(), 0) << k;
         }
@@ -166,7 +169,8 @@ TEST(Memory, BytesAreThoseOfTheArrays) {
 
 // A function that fails ends the call with its own error.
 TEST(Callbacks, AFailureEndsTheCall) {
-    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(3, nullptr, nullptr), nullptr, nullptr);
+    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(3, nullptr, nullptr),
+                                base::InstructionSet::automatic, nullptr, nullptr);
     for (const GenerateSettings& settings : {small_paper(), small_blue()}) {
         for (const std::int64_t after : {0, 500, 20000}) {
             std::atomic<std::int64_t> calls{0};

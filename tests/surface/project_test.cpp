@@ -174,7 +174,8 @@ TEST(Project, ASerialFunctionRunsOnTheCallersThreadOnly) {
     sphere.is_concurrent = false;
     Projection p(runtime().memory);
     for (int i = 0; i < 5000; ++i) p.position.push_back(2.0 * pseudo_random(i));
-    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr), nullptr, nullptr);
+    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr),
+                                base::InstructionSet::automatic, nullptr, nullptr);
     project(threads, sphere, {}, p, {});
     EXPECT_FALSE(sphere.strange_thread);
 }

@@ -1,0 +1,144 @@
+#include "implicit/hermite_sums.h"
+
+#include "fields.h"
+#include "support/instruction_sets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace base = hrbfnpr::base;
+namespace implicit = hrbfnpr::implicit;
+namespace kernel = hrbfnpr::kernel;
+using hrbfnpr::test::instruction_sets;
+using test::Fields;
+using test::Points;
+using test::scatter;
+
+namespace {
+
+constexpr double untouched = -7.0;
+constexpr double before = 0.5; // what stands in the sums
+
+implicit::HrbfData make(base::Memory& memory, kernel::Kind kind, int centres) {
+    implicit::HrbfData data(memory);
+    data.kernel = kind;
+    data.kernel_radius = kind == kernel::Kind::gaussian ? 0.8 : 1.5;
+    data.polynomial_degree = -1;
+    for (int j = 0; j < centres; ++j) {
+        data.centre_position.push_back({scatter(7 * j), scatter(7 * j + 1), scatter(7 * j + 2)});
+        data.beta.push_back({scatter(7 * j + 3), scatter(7 * j + 4), scatter(7 * j + 5)});
+        data.alpha.push_back(scatter(7 * j + 6));
+    }
+    return data;
+}
+
+implicit::Sources sources(const implicit::HrbfData& data) {
+    return {data.centre_position.x.data(),
+            data.centre_position.y.data(),
+            data.centre_position.z.data(),
+            data.alpha.data(),
+            data.beta.x.data(),
+            data.beta.y.data(),
+            data.beta.z.data(),
+            data.count()};
+}
+
+// The first and every fifth one are centres.
+Points targets(const implicit::HrbfData& data, int count) {
+    Points points;
+    for (int i = 0; i < count; ++i)
+        points.add(i % 5 == 0 ? data.centre_position[i % data.count()]
+                              : glm::dvec3(scatter(5000 + 3 * i), scatter(5001 + 3 * i), scatter(5002 + 3 * i)));
+    return points;
+}
+
+implicit::Targets slice(const Points& points, Fields& sums, std::size_t begin, std::size_t end) {
+    return {points.x.data() + begin,         points.y.data() + begin,
+            points.z.data() + begin,         sums.value.data() + begin,
+            sums.gradient[0].data() + begin, sums.gradient[1].data() + begin,
+            sums.gradient[2].data() + begin, static_cast<std::int64_t>(end - begin)};
+}
+
+double largest(const std::vector<double>& x) {
+    double result = 0.0;
+    for (const double value : x) result = std::max(result, std::abs(value));
+    return result;
+}
+
+// `found` has the sums of the first `count` targets, and nothing behind them.
+void expect_sums(const std::vector<double>& found, const std::vector<double>& expected, std::size_t count,
+                 const std::string& what) {
+    const double tolerance = 1e-12 * (largest(expected) + before);
+    for (std::size_t i = 0; i < count; ++i) EXPECT_NEAR(found[i] - before, expected[i], tolerance) << what << i;
+    for (std::size_t i = count; i < found.size(); ++i) EXPECT_EQ(found[i], untouched) << what << i;
+}
+
+class HermiteSums : public testing::TestWithParam<kernel::Kind> {};
+
+TEST_P(HermiteSums, AreThePlainOnesForAnyCount) {
+    base::Memory memory;
+    for (const int centres : {0, 1, 23}) {
+        const implicit::HrbfData data = make(memory, GetParam(), centres);
+        const Points points = targets(make(memory, GetParam(), 23), 24);
+        Fields plain(points.size());
+        implicit::evaluate(data, points.batch(), plain.batch(true, true, false));
+        for (const base::InstructionSet set : instruction_sets()) {
+            for (std::size_t count = 0; count <= 20; ++count) {
+                Fields sums(points.size());
+                for (std::vector<double>* sum : {&sums.value, &sums.gradient[0], &sums.gradient[1], &sums.gradient[2]})
+                    std::fill_n(sum->begin(), count, before);
+                implicit::hermite_sums(set, GetParam())(data.kernel_radius, sources(data),
+                                                        slice(points, sums, 0, count));
+                const std::string what = std::string(base::name(set)) + " " + std::to_string(count) + " at ";
+                expect_sums(sums.value, plain.value, count, what);
+                for (std::size_t c = 0; c < 3; ++c) expect_sums(sums.gradient[c], plain.gradient[c], count, what);
+            }
+        }
+    }
+}
+
+TEST_P(HermiteSums, DoNotDependOnHowTheTargetsAreCut) {
+    base::Memory memory;
+    const implicit::HrbfData data = make(memory, GetParam(), 31);
+    const Points points = targets(data, 137);
+    for (const base::InstructionSet set : instruction_sets()) {
+        const implicit::AddHermiteSums add = implicit::hermite_sums(set, GetParam());
+        Fields together(points.size());
+        add(data.kernel_radius, sources(data), slice(points, together, 0, points.size()));
+        for (const std::size_t piece : {1U, 3U, 8U, 13U, 64U}) {
+            Fields apart(points.size());
+            for (std::size_t begin = 0; begin < points.size(); begin += piece)
+                add(data.kernel_radius, sources(data),
+                    slice(points, apart, begin, std::min(points.size(), begin + piece)));
+            EXPECT_EQ(together.value, apart.value) << base::name(set) << piece;
+            EXPECT_EQ(together.gradient, apart.gradient) << base::name(set) << piece;
+        }
+    }
+}
+
+TEST_P(HermiteSums, AreFiniteNextToASource) {
+    base::Memory memory;
+    const implicit::HrbfData data = make(memory, GetParam(), 2);
+    Points points;
+    for (double gap = 1e-2; gap > 1e-18; gap *= 0.1) points.add(data.centre_position[0] + glm::dvec3(gap, 0.0, 0.0));
+    Fields plain(points.size());
+    implicit::evaluate(data, points.batch(), plain.batch(true, true, false));
+    for (const base::InstructionSet set : instruction_sets()) {
+        Fields sums(points.size());
+        for (std::vector<double>* sum : {&sums.value, &sums.gradient[0], &sums.gradient[1], &sums.gradient[2]})
+            std::fill(sum->begin(), sum->end(), before);
+        implicit::hermite_sums(set, GetParam())(data.kernel_radius, sources(data),
+                                                slice(points, sums, 0, points.size()));
+        expect_sums(sums.value, plain.value, points.size(), base::name(set));
+        for (std::size_t c = 0; c < 3; ++c)
+            expect_sums(sums.gradient[c], plain.gradient[c], points.size(), base::name(set));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, HermiteSums,
+                         testing::Values(kernel::Kind::triharmonic, kernel::Kind::gaussian, kernel::Kind::wendland_c2),
+                         [](const auto& kind) { return std::string(1, "TGW"[static_cast<int>(kind.param)]); });
+
+} // namespace
