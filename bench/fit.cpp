@@ -98,9 +98,9 @@ double flops_at_least(const hrbfnpr_model_info& info) {
 }
 
 void print_row(std::int64_t count, const Fit& f, double direct) {
-    std::printf("%8lld %9.4f s %5d iterations %8.1f MB  residual %.1e  max f %.1e  gradient %.1e", static_cast<long long>(count),
-                f.info.seconds_total, static_cast<int>(f.info.iterations), f.peak_mb, f.info.solver_residual,
-                f.info.value_residual_max, f.info.gradient_residual_max);
+    std::printf("%8lld %9.4f s %5d iterations %8.1f MB  residual %.1e  max f %.1e  gradient %.1e",
+                static_cast<long long>(count), f.info.seconds_total, static_cast<int>(f.info.iterations), f.peak_mb,
+                f.info.solver_residual, f.info.value_residual_max, f.info.gradient_residual_max);
     if (direct > 0.0) std::printf("  %8.1f x faster than DIRECT", direct / f.info.seconds_total);
     std::printf("\n");
     std::fflush(stdout);

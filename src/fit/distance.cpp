@@ -45,7 +45,7 @@ Distances measure_distances(const base::Runtime& runtime, const implicit::HrbfDa
         result.value.data(), {result.gradient.x.data(), result.gradient.y.data(), result.gradient.z.data()}, {}};
     runtime.parallel.for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        implicit::evaluate(data, implicit::slice(points, begin, end), fields.from(begin));
+        implicit::evaluate(runtime.instruction_set, data, implicit::slice(points, begin, end), fields.from(begin));
         for (std::int64_t i = begin; i < end; ++i) set_distance(result, i);
     });
     return result;

@@ -34,12 +34,14 @@ constexpr std::int32_t second_neighbours = 48;
 // Starts again with more neighbours if need be.
 void iterate(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, const SolveOptions& options,
              Solution& solution, const base::Progress& progress) {
-    const std::int32_t first = options.neighbours > 0 ? options.neighbours : first_neighbours(system.samples(), system.options().kernel);
+    const std::int32_t first =
+        options.neighbours > 0 ? options.neighbours : first_neighbours(system.samples(), system.options().kernel);
     solution.solver = SolverKind::iterative;
     solve_iteratively(runtime, system, rhs, options, first, solution, progress);
     if (!solution.converged && solution.residual <= options.acceptable) {
-        runtime.log(base::LogLevel::warning, "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e",
-                    solution.residual, options.tolerance);
+        runtime.log(base::LogLevel::warning,
+                    "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e", solution.residual,
+                    options.tolerance);
         solution.converged = true;
     }
     if (solution.converged || options.neighbours > 0) return;
@@ -51,11 +53,11 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
     solve_iteratively(runtime, system, rhs, options, second_neighbours, solution, progress);
 }
 
-[[noreturn]] void fail_to_converge(const HermiteSystem& system, const Solution& solution,
-                                   const SolveOptions& options) {
+[[noreturn]] void fail_to_converge(const HermiteSystem& system, const Solution& solution, const SolveOptions& options) {
     const bool gaussian = system.options().kernel == kernel::Kind::gaussian;
     fail(Status::not_converged,
-         "the iterative solver reached a relative residual of %.1e in %d iterations, not %.1e: use %sregularization > 0, "
+         "the iterative solver reached a relative residual of %.1e in %d iterations, not %.1e: use %sregularization > "
+         "0, "
          "a larger solver_tolerance or solver_iterations, or the direct solver",
          solution.residual, static_cast<int>(solution.iterations), options.tolerance,
          gaussian ? "a smaller kernel_radius (this one is too wide for so many samples), " : "");
@@ -75,8 +77,8 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
 
 } // namespace
 
-Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-               const SolveOptions& given, const base::Progress& progress) {
+Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, const SolveOptions& given,
+               const base::Progress& progress) {
     Solution solution(runtime.memory);
     SolveOptions options = given;
     if (options.tolerance == 0.0) options.tolerance = system.samples() <= small ? 1e-10 : 1e-8;

@@ -18,7 +18,7 @@ struct SolveOptions {
 struct Solution {
     explicit Solution(base::Memory& memory) noexcept : x(memory), misfit(memory), history(memory) {}
 
-    base::Array<double> x; // unknowns(): w, then c
+    base::Array<double> x;      // unknowns(): w, then c
     base::Array<double> misfit; // the conditions less what the function takes there, 4 a sample; may be empty
     SolverKind solver = SolverKind::direct;
     SolverReason reason = SolverReason::requested;
