@@ -109,6 +109,17 @@ fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
     return input;
 }
 
+void log_choice(const base::Runtime& runtime, const fit::FitInput& input, const fit::FitReport& report,
+                std::int64_t centres) {
+    if (report.choice_rounds == 0) return;
+    runtime.log(base::LogLevel::info, "fit: %lld centres in %d rounds, all samples within %.3g of the surface",
+                static_cast<long long>(centres), static_cast<int>(report.choice_rounds), report.input_distance_max);
+    if (input.tolerance > 0.0 && report.input_distance_max > input.tolerance)
+        runtime.log(base::LogLevel::warning,
+                    "fit: %.2f %% of the samples are within the tolerance, %g; the farthest is %.3g off",
+                    100.0 * report.input_share_within, input.tolerance, report.input_distance_max);
+}
+
 void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
     runtime.log(base::LogLevel::info,
                 "fit: %lld samples in %.3f s, largest residual %.2g of f and %.2g of its gradient",
@@ -117,6 +128,15 @@ void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
     if (report.merged_samples > 0)
         runtime.log(base::LogLevel::warning, "fit: %lld samples coincide with others and were merged",
                     static_cast<long long>(report.merged_samples));
+    if (report.near_duplicates > 0)
+        runtime.log(base::LogLevel::warning, "fit: %lld samples nearly coincide with others and were merged",
+                    static_cast<long long>(report.near_duplicates));
+    if (report.outliers_found > 0)
+        runtime.log(base::LogLevel::warning, "fit: %lld samples look like outliers; %lld were dropped",
+                    static_cast<long long>(report.outliers_found), static_cast<long long>(report.outliers_dropped));
+    if (report.flipped_found > 0)
+        runtime.log(base::LogLevel::warning, "fit: %lld normals are against their neighbours'; %lld were repaired",
+                    static_cast<long long>(report.flipped_found), static_cast<long long>(report.flipped_repaired));
     if (report.rescaled_normals > 0)
         runtime.log(base::LogLevel::warning, "fit: %lld normals were not of unit length and were normalised",
                     static_cast<long long>(report.rescaled_normals));
@@ -128,6 +148,7 @@ hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc,
     fit::FitResult result = fit::fit(context.runtime, input, use.progress());
     use.finish();
     log_fit(context.runtime, result.report);
+    log_choice(context.runtime, input, result.report, result.data.count());
     return make_handle<hrbfnpr_model>(context, std::move(result.data), result.report);
 }
 

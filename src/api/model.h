@@ -12,7 +12,9 @@
 struct hrbfnpr_model : hrbfnpr::api::Child {
     hrbfnpr_model(hrbfnpr_context& context, hrbfnpr::implicit::HrbfData&& data,
                   const hrbfnpr::fit::FitReport& fit_report) noexcept
-        : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Hrbf>, std::move(data)), report(fit_report) {}
+        : Child(context),
+          surface(std::in_place_type<hrbfnpr::implicit::Hrbf>, context.runtime.instruction_set, std::move(data)),
+          report(fit_report) {}
     // From here on the caller's release function will be called.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr::implicit::CustomFunction& custom) noexcept
         : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Custom>, custom) {}

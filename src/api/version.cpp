@@ -1,6 +1,9 @@
 #include "api/barrier.h"
+#include "base/instruction_set.h"
 #include "base/parallel.h"
 #include "geometry/vec.h"
+
+#include <hwy/highway.h>
 
 #include <cstring>
 #include <string>
@@ -25,16 +28,22 @@ constexpr const char* compiler =
 constexpr const char* glm_version =
     HRBFNPR_TEXT(GLM_VERSION_MAJOR) "." HRBFNPR_TEXT(GLM_VERSION_MINOR) "." HRBFNPR_TEXT(GLM_VERSION_PATCH);
 
+constexpr const char* highway_version = HRBFNPR_TEXT(HWY_MAJOR) "." HRBFNPR_TEXT(HWY_MINOR) "." HRBFNPR_TEXT(HWY_PATCH);
+
 // The values are our own and need no escapes.
 std::string build_info() {
     std::string json = "{\"version\": \"";
     json += version_text;
     json += "\", \"abi\": " + std::to_string(HRBFNPR_ABI_VERSION) + ", \"compiler\": \"";
     json += compiler;
-    json += R"(", "instruction_sets": ["baseline"], "thread_backend": ")";
+    json += R"(", "instruction_sets": [)";
+    json += hrbfnpr::base::compiled_instruction_sets();
+    json += R"(], "thread_backend": ")";
     json += hrbfnpr::base::thread_backend_name();
     json += R"(", "dependencies": {"Eigen": ")" HRBFNPR_EIGEN_VERSION R"(", "GLM": ")";
     json += glm_version;
+    json += R"(", "Highway": ")";
+    json += highway_version;
     json += "\"}}";
     return json;
 }

@@ -29,6 +29,16 @@ InstructionSet choose_instruction_set(InstructionSet highest) noexcept {
     return InstructionSet::baseline;
 }
 
+const char* compiled_instruction_sets() noexcept {
+#if defined(__x86_64__)
+    return R"("baseline", "AVX2", "AVX-512")";
+#elif defined(__aarch64__)
+    return R"("NEON")";
+#else
+    return R"("baseline")";
+#endif
+}
+
 const char* name(InstructionSet set) noexcept {
     switch (set) {
     case InstructionSet::automatic: return "automatic";

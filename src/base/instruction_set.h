@@ -11,6 +11,9 @@ enum class InstructionSet : std::uint32_t { automatic = 0, baseline = 1, avx2 = 
 // The best that processor and build have, no higher than `highest`.
 [[nodiscard]] InstructionSet choose_instruction_set(InstructionSet highest) noexcept;
 
+// Those that the build has loops for, as a list of JSON strings.
+[[nodiscard]] const char* compiled_instruction_sets() noexcept;
+
 [[nodiscard]] const char* name(InstructionSet set) noexcept;
 
 } // namespace hrbfnpr::base

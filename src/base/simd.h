@@ -26,7 +26,7 @@
 #define HRBFNPR_PICK_AVX2(set, name)
 #endif
 // What `name` is in the namespace of the instruction set `set`, or of what the build was compiled for.
-#define HRBFNPR_PICK(set, name) \
+#define HRBFNPR_PICK(set, name)                                                                                        \
     (HRBFNPR_PICK_AVX512(set, name) HRBFNPR_PICK_AVX2(set, name) HWY_CONCAT(N_, HWY_STATIC_NAME)::name)
 #if HWY_STATIC_TARGET == HWY_SCALAR
 #define HWY_STATIC_NAME SCALAR

@@ -67,8 +67,7 @@ public:
     Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner,
               const base::Progress& progress)
         : runtime_(runtime), size_(arranged.system().rows()), polynomials_(runtime, arranged.system()),
-          product_(runtime, arranged.tree().points(), arranged.system().options(),
-                 arranged.small_spacing(), progress),
+          product_(runtime, arranged.tree().points(), arranged.system().options(), arranged.small_spacing(), progress),
           cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory, size_),
           r_(runtime.memory, size_), h_(runtime.memory, size_) {}
 

@@ -74,16 +74,33 @@ HWY_INLINE void pair_block(const LocalSystems& systems, const V* p, const V* q, 
     }
 }
 
+// A sample of the set, in coordinates about the reference, and the kernel between the two.
+struct Place {
+    V x[3];
+    Radial to_reference;
+};
+
 // block -= M, or M^T, with M = A_p0 T_q^T and T_q = [[1, q^T], [0, I]]: what the Taylor expansion of q's
 // functionals about the reference, at 0, takes away.
-HWY_INLINE void take_expansion(const LocalSystems& systems, const V* p, const V* q, bool transposed, Block& block) {
-    const V zero[3] = {hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
-    Block m;
-    pair_block(systems, p, zero, m);
-    for (int r = 0; r < 4; ++r)
-        for (int c = 0; c < 3; ++c) m.v[r][0] = hn::MulAdd(m.v[r][1 + c], q[c], m.v[r][0]);
-    for (int r = 0; r < 4; ++r)
-        for (int c = 0; c < 4; ++c) block.v[r][c] = hn::Sub(block.v[r][c], transposed ? m.v[c][r] : m.v[r][c]);
+HWY_INLINE void take_expansion(const Place& p, const Place& q, bool transposed, Block& block) {
+    const auto take = [&](int r, int c, V m) HWY_ATTR {
+        V& at = transposed ? block.v[c][r] : block.v[r][c];
+        at = hn::Sub(at, m);
+    };
+    const Radial& k = p.to_reference;
+    const V s = hn::MulAdd(p.x[2], q.x[2], hn::MulAdd(p.x[1], q.x[1], hn::Mul(p.x[0], q.x[0])));
+    const V along = hn::NegMulAdd(k.b, s, k.a); // of p, in M's first column
+    take(0, 0, hn::NegMulAdd(k.a, s, k.phi));
+    for (int r = 0; r < 3; ++r) {
+        const V ap = hn::Mul(k.a, p.x[r]);
+        const V bp = hn::Mul(k.b, p.x[r]);
+        take(0, 1 + r, hn::Neg(ap));
+        take(1 + r, 0, hn::NegMulAdd(k.a, q.x[r], hn::Mul(along, p.x[r])));
+        for (int c = 0; c < 3; ++c) {
+            const V m = hn::NegMulAdd(bp, p.x[c], r == c ? hn::Neg(k.a) : hn::Zero(D()));
+            take(1 + r, 1 + c, m);
+        }
+    }
 }
 
 // block += T_p R T_q^T, R = diag(value, gradient, gradient, gradient).
@@ -101,13 +118,13 @@ HWY_INLINE void add_reference_diagonal(const LocalSystems& systems, const V* p, 
 }
 
 // The block of Theta, or of its part beside the linear polynomials; positions are relative to the reference.
-HWY_INLINE void theta_block(const LocalSystems& systems, const V* p, const V* q, bool diagonal, Block& block) {
-    pair_block(systems, p, q, block);
+HWY_INLINE void theta_block(const LocalSystems& systems, const Place& p, const Place& q, bool diagonal, Block& block) {
+    pair_block(systems, p.x, q.x, block);
     if (systems.beside_linear) {
-        take_expansion(systems, p, q, false, block);
-        take_expansion(systems, q, p, true, block);
+        take_expansion(p, q, false, block);
+        take_expansion(q, p, true, block);
         if (systems.value_diagonal > 0.0 || systems.gradient_diagonal > 0.0)
-            add_reference_diagonal(systems, p, q, block);
+            add_reference_diagonal(systems, p.x, q.x, block);
     }
     if (!diagonal) return;
     block.v[0][0] = hn::Add(block.v[0][0], set(systems.value_diagonal));
@@ -193,7 +210,7 @@ HWY_INLINE void put(const Block& block, double* at) {
         for (int c = 0; c < 4; ++c) store(block.v[r][c], at, r, c);
 }
 
-HWY_INLINE void factor_triangle(const LocalSystems& systems, const V (*p)[3], int blocks, const Triangle& l) {
+HWY_INLINE void factor_triangle(const LocalSystems& systems, const Place* p, int blocks, const Triangle& l) {
     for (int i = 0; i < blocks; ++i)
         for (int j = 0; j <= i; ++j) {
             Block s;
@@ -230,7 +247,7 @@ HWY_INLINE void last_columns(const Triangle& l, int blocks, double* columns) {
 }
 
 // What the expansions put on the reference: -sum_j T_j^T X_j.
-HWY_INLINE void reference_columns(const V (*p)[3], int blocks, const double* columns, double* reference) {
+HWY_INLINE void reference_columns(const Place* p, int blocks, const double* columns, double* reference) {
     const int stride = 16 * static_cast<int>(hn::Lanes(D()));
     Block sum;
     for (int r = 0; r < 4; ++r)
@@ -241,7 +258,7 @@ HWY_INLINE void reference_columns(const V (*p)[3], int blocks, const double* col
             sum.v[0][c] = hn::Sub(sum.v[0][c], value);
             for (int r = 0; r < 3; ++r) {
                 const V gradient = load(columns + j * stride, 1 + r, c);
-                sum.v[1 + r][c] = hn::Sub(sum.v[1 + r][c], hn::MulAdd(p[j][r], value, gradient));
+                sum.v[1 + r][c] = hn::Sub(sum.v[1 + r][c], hn::MulAdd(p[j].x[r], value, gradient));
             }
         }
     put(sum, reference);
@@ -249,7 +266,7 @@ HWY_INLINE void reference_columns(const V (*p)[3], int blocks, const double* col
 
 // Systems [first, first + count), count <= lanes; what is left of the lanes repeats the last of them.
 HWY_INLINE void load_positions(const LocalSystems& systems, const double* position, std::int64_t first, int count,
-                               V (*p)[3]) {
+                               Place* p) {
     const D d;
     const int lanes = static_cast<int>(hn::Lanes(d));
     HWY_ALIGN double gathered[HWY_MAX_BYTES / sizeof(double)];
@@ -259,11 +276,14 @@ HWY_INLINE void load_positions(const LocalSystems& systems, const double* positi
                 const std::int64_t k = first + (lane < count ? lane : count - 1);
                 gathered[lane] = position[(k * systems.set_size + m) * 3 + c];
             }
-            p[m][c] = hn::Load(d, gathered);
+            p[m].x[c] = hn::Load(d, gathered);
         }
     // Relative to the reference, which is then at 0: small numbers, and no difference is taken twice.
-    for (int m = systems.set_size - 1; m >= 0; --m)
-        for (int c = 0; c < 3; ++c) p[m][c] = hn::Sub(p[m][c], p[0][c]);
+    for (int m = systems.set_size - 1; m >= 0; --m) {
+        for (int c = 0; c < 3; ++c) p[m].x[c] = hn::Sub(p[m].x[c], p[0].x[c]);
+        const V r2 = hn::MulAdd(p[m].x[2], p[m].x[2], hn::MulAdd(p[m].x[1], p[m].x[1], hn::Mul(p[m].x[0], p[m].x[0])));
+        p[m].to_reference = radial(systems, r2);
+    }
 }
 
 HWY_INLINE void store_factor(const LocalSystems& systems, const double* columns, std::int64_t first, int count,
@@ -280,7 +300,7 @@ void factor_systems(const LocalSystems& systems, const double* position, double*
     const int lanes = static_cast<int>(hn::Lanes(D()));
     const int skipped = systems.beside_linear ? 1 : 0;
     const int blocks = systems.set_size - skipped;
-    V p[LocalSystems::largest_set][3];
+    Place p[LocalSystems::largest_set];
     double* columns = room;
     const Triangle triangle{room + 16 * lanes * systems.set_size};
     for (std::int64_t first = 0; first < systems.count; first += lanes) {

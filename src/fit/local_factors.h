@@ -18,9 +18,9 @@ namespace hrbfnpr::fit {
 struct LocalSystems {
     kernel::Kind kernel;
     double radius;
-    double value_diagonal;    // regularization
+    double value_diagonal; // regularization
     double gradient_diagonal;
-    bool beside_linear; // take the linear polynomials out
+    bool beside_linear;    // take the linear polynomials out
     std::int32_t set_size; // samples in each set, 2 to largest_set
     std::int64_t count;    // sets
 
@@ -34,8 +34,7 @@ struct LocalSystems {
 
 // position: of set k's sample m, coordinate c, at [(k * set_size + m) * 3 + c].
 // factor:   16 numbers for each sample of each set, [k][m][row of the sample][column], rows value, x, y, z.
-using FactorLocalSystems = void (*)(const LocalSystems& systems, const double* position, double* room,
-                                    float* factor);
+using FactorLocalSystems = void (*)(const LocalSystems& systems, const double* position, double* room, float* factor);
 
 [[nodiscard]] FactorLocalSystems local_factors(base::InstructionSet set) noexcept;
 

@@ -65,7 +65,8 @@ PolynomialSpace::Vector PolynomialSpace::components(const double* x) const {
             part.transpose() * Eigen::Map<const Eigen::VectorXd>(x + begin, end - begin);
     });
     Vector sum = Vector::Zero(terms_);
-    for (std::int64_t k = 0; k < chunks; ++k) sum += Eigen::Map<const Eigen::VectorXd>(sums.data() + k * terms_, terms_);
+    for (std::int64_t k = 0; k < chunks; ++k)
+        sum += Eigen::Map<const Eigen::VectorXd>(sums.data() + k * terms_, terms_);
     return sum;
 }
 

@@ -90,8 +90,9 @@ void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::Po
             const glm::dvec3 p = first < 0 ? glm::dvec3(static_cast<double>(k % set_size_)) : tree.points()[set_[k]];
             for (glm::length_t c = 0; c < 3; ++c) position[3 * (k - begin * set_size_) + c] = p[c];
         }
-        const LocalSystems local{options.kernel,        options.radius, options.value_diagonal, options.gradient_diagonal,
-                                 beside_linear_, set_size_,     end - begin};
+        const LocalSystems local{
+            options.kernel, options.radius, options.value_diagonal, options.gradient_diagonal, beside_linear_,
+            set_size_,      end - begin};
         factor(local, position.data(), room.data(), factor_.data() + begin * set_size_ * 16);
     });
     progress.update(1.0);

@@ -35,14 +35,14 @@ private:
     std::int64_t samples_;
     std::int32_t set_size_; // neighbours, and the sample itself, which is the last
     bool beside_linear_;
-    base::Array<std::int64_t> coarse_;      // the samples of the dense block
+    base::Array<std::int64_t> coarse_; // the samples of the dense block
     std::int64_t coarse_columns_ = 0;
-    base::Array<double> coarse_factor_;     // 4 coarse_.size() x coarse_columns_, column-major
-    base::Array<std::int32_t> set_;         // set_size_ for each sample; -1 first: a coarse one
-    base::Array<float> factor_;             // 16 for each element of set_
-    base::Array<std::int64_t> use_begin_;   // of each sample's uses: where it stands in set_
+    base::Array<double> coarse_factor_;   // 4 coarse_.size() x coarse_columns_, column-major
+    base::Array<std::int32_t> set_;       // set_size_ for each sample; -1 first: a coarse one
+    base::Array<float> factor_;           // 16 for each element of set_
+    base::Array<std::int64_t> use_begin_; // of each sample's uses: where it stands in set_
     base::Array<std::int64_t> use_;
-    base::Array<double> t_;                 // L^T r
+    base::Array<double> t_; // L^T r
 };
 
 } // namespace hrbfnpr::fit

@@ -1,11 +1,30 @@
 #include "fit/product.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hrbfnpr::fit {
 namespace {
 
 constexpr std::int64_t grain = 128; // targets of a task: their sums stay in the first-level cache
+
+// Samples that are in or out of reach together: few, as they are neighbours in the caller's order.
+constexpr std::int64_t box_samples = 32;
+
+// Beyond it the kernel and its derivatives are 0, or below a double's rounding.
+[[nodiscard]] double reach(const HermiteSystem::Options& options) noexcept {
+    switch (options.kernel) {
+    case kernel::Kind::wendland_c2: return options.radius;
+    case kernel::Kind::gaussian: return 9.5 * options.radius;
+    case kernel::Kind::triharmonic: break;
+    }
+    return HUGE_VAL;
+}
+
+[[nodiscard]] double squared_distance(const geometry::Bounds& a, const geometry::Bounds& b) noexcept {
+    const glm::dvec3 gap = glm::max(glm::max(a.min - b.max, b.min - a.max), glm::dvec3(0.0));
+    return glm::dot(gap, gap);
+}
 
 // From so many samples on the fast sum is the faster one (measured: docs/fitting.md).
 constexpr std::int64_t far_field_from = 40000;
@@ -19,9 +38,32 @@ HermiteProduct::HermiteProduct(const base::Runtime& runtime, const geometry::Vec
                                const HermiteSystem::Options& options, double spacing, const base::Progress& progress)
     : runtime_(runtime), position_(position), options_(options), alpha_(runtime.memory, position.size()),
       beta_(runtime.memory, position.size()), value_(runtime.memory, position.size()),
-      gradient_(runtime.memory, position.size()) {
+      gradient_(runtime.memory, position.size()), boxes_(runtime.memory) {
+    make_boxes();
     far_options_.spacing = spacing;
     if (options.kernel == kernel::Kind::triharmonic && position.size() >= far_field_from) make_far_field(progress);
+}
+
+void HermiteProduct::make_boxes() {
+    boxes_.reserve((position_.size() + box_samples - 1) / box_samples);
+    for (std::int64_t begin = 0; begin < position_.size(); begin += box_samples) {
+        geometry::Bounds box;
+        for (std::int64_t i = begin; i < std::min(position_.size(), begin + box_samples); ++i) box.extend(position_[i]);
+        boxes_.push_back(box);
+    }
+}
+
+// Calls sum(begin, end) for the runs of samples in reach of a box.
+template <class Sum>
+void HermiteProduct::for_runs_in_reach(const geometry::Bounds& box, const Sum& sum) const {
+    const double limit = reach(options_) * reach(options_);
+    const auto in_reach = [&](std::int64_t k) { return squared_distance(box, boxes_[k]) <= limit; };
+    for (std::int64_t k = 0; k < boxes_.size(); ++k) {
+        if (!in_reach(k)) continue;
+        const std::int64_t first = k;
+        while (k + 1 < boxes_.size() && in_reach(k + 1)) ++k;
+        sum(first * box_samples, std::min(position_.size(), (k + 1) * box_samples));
+    }
 }
 
 void HermiteProduct::make_far_field(const base::Progress& progress) {
@@ -85,16 +127,20 @@ base::Array<double> HermiteProduct::multiply_some(const double* x, std::int64_t 
 void HermiteProduct::sum_directly(const geometry::VecArray& at, base::Array<double>& value,
                                   geometry::VecArray& gradient, const base::Progress& progress) const {
     const implicit::AddHermiteSums add = implicit::hermite_sums(runtime_.instruction_set, options_.kernel);
-    const implicit::Sources all{position_.x.data(), position_.y.data(), position_.z.data(), alpha_.data(),
-                                beta_.x.data(),     beta_.y.data(),     beta_.z.data(),     position_.size()};
     runtime_.parallel.for_chunks(at.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         double* const sums[4] = {value.data() + begin, gradient.x.data() + begin, gradient.y.data() + begin,
                                  gradient.z.data() + begin};
         for (double* const sum : sums) std::fill_n(sum, end - begin, 0.0);
-        add(options_.radius, all,
-            {at.x.data() + begin, at.y.data() + begin, at.z.data() + begin, sums[0], sums[1], sums[2], sums[3],
-             end - begin});
+        geometry::Bounds box;
+        for (std::int64_t i = begin; i < end; ++i) box.extend(at[i]);
+        for_runs_in_reach(box, [&](std::int64_t s, std::int64_t s_end) {
+            add(options_.radius,
+                {position_.x.data() + s, position_.y.data() + s, position_.z.data() + s, alpha_.data() + s,
+                 beta_.x.data() + s, beta_.y.data() + s, beta_.z.data() + s, s_end - s},
+                {at.x.data() + begin, at.y.data() + begin, at.z.data() + begin, sums[0], sums[1], sums[2], sums[3],
+                 end - begin});
+        });
     });
 }
 

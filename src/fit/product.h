@@ -1,4 +1,4 @@
-// y = A x of a Hermite system, without A.
+// y = A x of a Hermite system, without A.  Where the kernel ends, or is 0 to rounding, pairs are left out.
 #pragma once
 
 #include "fit/system.h"
@@ -36,6 +36,9 @@ public:
 
 private:
     void make_far_field(const base::Progress& progress);
+    void make_boxes();
+    template <class Sum>
+    void for_runs_in_reach(const geometry::Bounds& box, const Sum& sum) const;
     void load(const double* x) noexcept;
     void sum_directly(const geometry::VecArray& at, base::Array<double>& value, geometry::VecArray& gradient,
                       const base::Progress& progress) const;
@@ -49,6 +52,7 @@ private:
     base::Array<double> value_;
     geometry::VecArray gradient_;
     std::unique_ptr<implicit::FarField> far_; // none: all pairs, one by one
+    base::Array<geometry::Bounds> boxes_;     // of box_samples consecutive samples each
 };
 
 } // namespace hrbfnpr::fit

@@ -100,36 +100,6 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
     return representative;
 }
 
-// Replaces samples that coincide by their average, in the order of the first of each.
-void merge(Samples& samples) {
-    base::Memory& memory = samples.position.memory();
-    const base::Array<std::int64_t> representative = representatives(samples);
-    const std::int64_t count = samples.position.size();
-    base::Array<std::int64_t> slot(memory, count);  // 1 + where a representative's average is
-    base::Array<std::int64_t> share(memory, count); // how many samples are in it
-    std::int64_t kept = 0;
-    for (std::int64_t i = 0; i < count; ++i) {
-        std::int64_t& at = slot[representative[i]];
-        if (at == 0) {
-            at = ++kept;
-            samples.position.set(kept - 1, samples.position[i]);
-            samples.normal.set(kept - 1, samples.normal[i]);
-        } else {
-            samples.position.set(at - 1, samples.position[at - 1] + samples.position[i]);
-            samples.normal.set(at - 1, samples.normal[at - 1] + samples.normal[i]);
-        }
-        ++share[at - 1];
-    }
-    for (std::int64_t k = 0; k < kept; ++k) {
-        if (share[k] == 1) continue;
-        samples.position.set(k, samples.position[k] / static_cast<double>(share[k]));
-        samples.normal.set(k, glm::normalize(samples.normal[k]));
-    }
-    samples.position.resize(kept);
-    samples.normal.resize(kept);
-    samples.merged = count - kept;
-}
-
 // Distance from order[at] to its nearest other sample.
 [[nodiscard]] double nearest(const geometry::VecArray& position, const base::Array<Along>& order, std::int64_t at) {
     double best = HUGE_VAL;
@@ -158,6 +128,39 @@ void merge(Samples& samples) {
 
 } // namespace
 
+void merge(Samples& samples, const base::Array<std::int64_t>& representative) {
+    base::Memory& memory = samples.position.memory();
+    const std::int64_t count = samples.position.size();
+    base::Array<std::int64_t> slot(memory, count);  // 1 + where a representative's average is
+    base::Array<std::int64_t> share(memory, count); // how many samples are in it
+    std::int64_t kept = 0;
+    for (std::int64_t i = 0; i < count; ++i) {
+        std::int64_t& at = slot[representative[i]];
+        if (at == 0) {
+            at = ++kept;
+            samples.position.set(kept - 1, samples.position[i]);
+            samples.normal.set(kept - 1, samples.normal[i]);
+        } else {
+            samples.position.set(at - 1, samples.position[at - 1] + samples.position[i]);
+            samples.normal.set(at - 1, samples.normal[at - 1] + samples.normal[i]);
+        }
+        ++share[at - 1];
+    }
+    for (std::int64_t k = 0; k < kept; ++k) {
+        if (share[k] == 1) continue;
+        samples.position.set(k, samples.position[k] / static_cast<double>(share[k]));
+        samples.normal.set(k, glm::normalize(samples.normal[k]));
+    }
+    samples.position.resize(kept);
+    samples.normal.resize(kept);
+}
+
+void measure_extent(const base::Runtime& runtime, Samples& samples, const base::Progress& progress) {
+    samples.bounds = {};
+    for (std::int64_t i = 0; i < samples.position.size(); ++i) samples.bounds.extend(samples.position[i]);
+    samples.spacing = mean_spacing(runtime, samples, progress);
+}
+
 Samples read_samples(const base::Runtime& runtime, const base::InView& points, const base::InView& normals,
                      const base::Progress& progress) {
     progress.update(0.0);
@@ -173,7 +176,8 @@ Samples read_samples(const base::Runtime& runtime, const base::InView& points, c
     if (diagonal > 0.0 && diagonal < 1.0 / coordinate_limit)
         fail(Status::invalid_argument, "points span %.3g only, less than 1e-100; use a smaller unit", diagonal);
     progress.update(0.25);
-    merge(samples);
+    merge(samples, representatives(samples));
+    samples.merged = points.count - samples.position.size();
     progress.update(0.5);
     samples.spacing = mean_spacing(runtime, samples, progress);
     progress.update(1.0);

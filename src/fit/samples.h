@@ -23,4 +23,11 @@ struct Samples {
 [[nodiscard]] Samples read_samples(const base::Runtime& runtime, const base::InView& points,
                                    const base::InView& normals, const base::Progress& progress);
 
+// Replaces samples by the average of all that have the same representative (one of them), in the order of
+// the first of each.
+void merge(Samples& samples, const base::Array<std::int64_t>& representative);
+
+// Bounds and spacing of the samples as they are now.
+void measure_extent(const base::Runtime& runtime, Samples& samples, const base::Progress& progress);
+
 } // namespace hrbfnpr::fit

@@ -14,11 +14,15 @@ constexpr std::int64_t crossover = 192;
 // More than this are not solved directly without being told to: 64 N^2 bytes and N^3 flops.
 constexpr std::int64_t most_direct = 6000;
 
+// Up to so many samples each one's own residual is below 1e-8, not only their mean, at the price of two iterations.
+constexpr std::int64_t small = 2048;
+
 constexpr std::int32_t second_neighbours = 48;
 
 // More neighbours cost setup of k^3 a sample and save iterations, whose cost grows with N: 10, 7 and 9 iterations
 // with 16, 24 and 32 of 4096, 16 384 and 65 536 samples.
-[[nodiscard]] std::int32_t first_neighbours(std::int64_t samples) noexcept {
+[[nodiscard]] std::int32_t first_neighbours(std::int64_t samples, kernel::Kind kernel) noexcept {
+    if (kernel == kernel::Kind::gaussian) return 40; // whose far samples are not screened by near ones
     return samples < 6000 ? 16 : samples < 12000 ? 24 : 32;
 }
 
@@ -30,12 +34,14 @@ constexpr std::int32_t second_neighbours = 48;
 // Starts again with more neighbours if need be.
 void iterate(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, const SolveOptions& options,
              Solution& solution, const base::Progress& progress) {
-    const std::int32_t first = options.neighbours > 0 ? options.neighbours : first_neighbours(system.samples());
+    const std::int32_t first =
+        options.neighbours > 0 ? options.neighbours : first_neighbours(system.samples(), system.options().kernel);
     solution.solver = SolverKind::iterative;
     solve_iteratively(runtime, system, rhs, options, first, solution, progress);
     if (!solution.converged && solution.residual <= options.acceptable) {
-        runtime.log(base::LogLevel::warning, "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e",
-                    solution.residual, options.tolerance);
+        runtime.log(base::LogLevel::warning,
+                    "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e", solution.residual,
+                    options.tolerance);
         solution.converged = true;
     }
     if (solution.converged || options.neighbours > 0) return;
@@ -47,11 +53,14 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
     solve_iteratively(runtime, system, rhs, options, second_neighbours, solution, progress);
 }
 
-[[noreturn]] void fail_to_converge(const Solution& solution, const SolveOptions& options) {
+[[noreturn]] void fail_to_converge(const HermiteSystem& system, const Solution& solution, const SolveOptions& options) {
+    const bool gaussian = system.options().kernel == kernel::Kind::gaussian;
     fail(Status::not_converged,
-         "the iterative solver reached a relative residual of %.1e in %d iterations, not %.1e: use regularization > 0, "
+         "the iterative solver reached a relative residual of %.1e in %d iterations, not %.1e: use %sregularization > "
+         "0, "
          "a larger solver_tolerance or solver_iterations, or the direct solver",
-         solution.residual, static_cast<int>(solution.iterations), options.tolerance);
+         solution.residual, static_cast<int>(solution.iterations), options.tolerance,
+         gaussian ? "a smaller kernel_radius (this one is too wide for so many samples), " : "");
 }
 
 [[nodiscard]] SolverReason try_iterations(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
@@ -68,16 +77,18 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
 
 } // namespace
 
-Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-               const SolveOptions& options, const base::Progress& progress) {
+Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, const SolveOptions& given,
+               const base::Progress& progress) {
     Solution solution(runtime.memory);
+    SolveOptions options = given;
+    if (options.tolerance == 0.0) options.tolerance = system.samples() <= small ? 1e-10 : 1e-8;
     const bool possible = definite(system.options());
     if (options.solver == SolverKind::iterative) {
         if (!possible)
             fail(Status::invalid_argument, "solver is ITERATIVE, which needs polynomial_degree >= 1 with the "
                                            "triharmonic kernel; use that, or the direct solver");
         iterate(runtime, system, rhs, options, solution, progress);
-        if (!solution.converged) fail_to_converge(solution, options);
+        if (!solution.converged) fail_to_converge(system, solution, options);
         return solution;
     }
     if (options.solver == SolverKind::automatic) {
@@ -85,7 +96,7 @@ Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const 
         if (possible && system.samples() >= crossover) {
             solution.reason = try_iterations(runtime, system, rhs, options, solution, progress.part(0.0, 0.9));
             if (solution.reason == SolverReason::large) return solution;
-            if (system.samples() > most_direct) fail_to_converge(solution, options);
+            if (system.samples() > most_direct) fail_to_converge(system, solution, options);
             runtime.log(base::LogLevel::warning, "fit: no convergence (residual %.1e); solving directly",
                         solution.residual);
         }

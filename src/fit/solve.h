@@ -9,7 +9,7 @@ namespace hrbfnpr::fit {
 struct SolveOptions {
     SolverKind solver = SolverKind::automatic;
     std::int32_t refinement_steps = 2;
-    double tolerance = 1e-8;  // of the iterative solver: relative residual, 2-norm
+    double tolerance = 0.0;   // of the iterative solver: relative residual, 2-norm; 0 = automatic
     double acceptable = 1e-6; // ... where rounding, or an approximate product, lets it come no further
     std::int32_t iterations = 200;
     std::int32_t neighbours = 0; // of its preconditioner; 0 = automatic
@@ -18,7 +18,7 @@ struct SolveOptions {
 struct Solution {
     explicit Solution(base::Memory& memory) noexcept : x(memory), misfit(memory), history(memory) {}
 
-    base::Array<double> x; // unknowns(): w, then c
+    base::Array<double> x;      // unknowns(): w, then c
     base::Array<double> misfit; // the conditions less what the function takes there, 4 a sample; may be empty
     SolverKind solver = SolverKind::direct;
     SolverReason reason = SolverReason::requested;

@@ -54,8 +54,7 @@ HWY_INLINE double total(const Row& row) {
     return (number[0] + number[1]) + (number[2] + number[3]);
 }
 
-void multiply_transposed(const SparseFactor& factor, std::int64_t begin, std::int64_t end, const double* r,
-                         double* t) {
+void multiply_transposed(const SparseFactor& factor, std::int64_t begin, std::int64_t end, const double* r, double* t) {
     for (std::int64_t i = begin; i < end; ++i) {
         Row sum = zero();
         const std::int32_t* set = factor.set + i * factor.set_size;

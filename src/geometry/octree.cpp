@@ -97,9 +97,8 @@ void Octree::sort(const VecArray& points) {
                    << c;
         keyed[i] = {key, i};
     }
-    std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) {
-        return a.key < b.key || (a.key == b.key && a.index < b.index);
-    });
+    std::sort(keyed.begin(), keyed.end(),
+              [](const Keyed& a, const Keyed& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); });
     for (std::int64_t at = 0; at < keyed.size(); ++at) {
         key_[at] = keyed[at].key;
         index_[at] = keyed[at].index;
@@ -129,10 +128,9 @@ void Octree::divide_node(std::int64_t node) {
     std::int64_t begin = parent.begin;
     while (begin < parent.end) {
         const std::uint64_t digit = key_[begin] >> shift;
-        const std::int64_t end =
-            std::partition_point(key_.begin() + begin, key_.begin() + parent.end,
-                                 [&](std::uint64_t key) { return key >> shift == digit; }) -
-            key_.begin();
+        const std::int64_t end = std::partition_point(key_.begin() + begin, key_.begin() + parent.end,
+                                                      [&](std::uint64_t key) { return key >> shift == digit; }) -
+                                 key_.begin();
         const auto octant = static_cast<std::int32_t>(digit & 7);
         nodes_.push_back({begin,
                           end,

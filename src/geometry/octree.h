@@ -15,8 +15,8 @@ public:
     struct Node {
         std::int64_t begin; // its points in the tree's order
         std::int64_t end;
-        std::int64_t first_child; // children are consecutive; 0: a leaf
-        std::int64_t parent;      // of the root: itself
+        std::int64_t first_child;         // children are consecutive; 0: a leaf
+        std::int64_t parent;              // of the root: itself
         std::array<std::int32_t, 3> cell; // of the level's grid
         std::int32_t level;
         std::int32_t children;
@@ -40,7 +40,9 @@ public:
     [[nodiscard]] std::int64_t level_begin(std::int32_t level) const noexcept { return level_begin_[level]; }
     [[nodiscard]] std::int64_t level_end(std::int32_t level) const noexcept { return level_begin_[level + 1]; }
 
-    [[nodiscard]] double half_width(std::int32_t level) const noexcept { return 0.5 * width_ / static_cast<double>(1LL << level); }
+    [[nodiscard]] double half_width(std::int32_t level) const noexcept {
+        return 0.5 * width_ / static_cast<double>(1LL << level);
+    }
     [[nodiscard]] glm::dvec3 centre(const Node& node) const noexcept;
     // Which child of its parent it is: bits x, y, z.
     [[nodiscard]] static int octant(const Node& node) noexcept {

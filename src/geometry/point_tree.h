@@ -116,7 +116,8 @@ public:
 
     explicit Best(std::int64_t count) noexcept : count_(count) {}
     [[nodiscard]] double limit() const noexcept {
-        return size_ < count_ ? std::numeric_limits<double>::infinity() : near_[static_cast<std::size_t>(size_ - 1)].squared;
+        return size_ < count_ ? std::numeric_limits<double>::infinity()
+                              : near_[static_cast<std::size_t>(size_ - 1)].squared;
     }
     void add(const Near& near) noexcept {
         std::int64_t to = size_;

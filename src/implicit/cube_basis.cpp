@@ -45,8 +45,8 @@ class Elimination {
 public:
     Elimination(const base::Runtime& runtime, double* matrix, std::int64_t rows, std::int64_t stride,
                 std::int64_t columns)
-        : runtime_(runtime), loops_(cube_loops(runtime.instruction_set)), matrix_(matrix), rows_(rows),
-          stride_(stride), columns_(columns), row_(runtime.memory, rows) {
+        : runtime_(runtime), loops_(cube_loops(runtime.instruction_set)), matrix_(matrix), rows_(rows), stride_(stride),
+          columns_(columns), row_(runtime.memory, rows) {
         for (std::int64_t i = 0; i < rows; ++i) row_[i] = i;
     }
 
@@ -147,7 +147,8 @@ void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::
         const auto eliminate = [&](std::int64_t k, std::int64_t from, std::int64_t to) {
             const double* const column = factor + k * factor_stride;
             for (std::int64_t i = from; i < to; ++i)
-                for (std::int64_t v = 0; v < cube_batch; ++v) x[i * cube_batch + v] -= column[i] * x[k * cube_batch + v];
+                for (std::int64_t v = 0; v < cube_batch; ++v)
+                    x[i * cube_batch + v] -= column[i] * x[k * cube_batch + v];
         };
         for (std::int64_t v = begin; v < end; ++v) x[v * cube_batch + v - begin] = 1.0;
         for (std::int64_t k = begin; k < n; ++k) eliminate(k, k + 1, n);

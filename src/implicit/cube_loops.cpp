@@ -25,8 +25,7 @@ struct Cubes {
     V target[3];
 
     HWY_INLINE void start(int row, const double* shift) {
-        for (int c = 0; c < 3; ++c)
-            target[c] = hn::Add(hn::LoadU(D(), nodes[c] + row), hn::Set(D(), shift[c]));
+        for (int c = 0; c < 3; ++c) target[c] = hn::Add(hn::LoadU(D(), nodes[c] + row), hn::Set(D(), shift[c]));
     }
     HWY_INLINE V at(int k) const {
         const V x = hn::Sub(target[0], hn::Set(D(), nodes[0][k]));

@@ -7,7 +7,8 @@
 
 namespace hrbfnpr::implicit {
 
-// Vectors that a matrix is applied to at a time; they stand side by side: element k of vector v at [k * cube_batch + v].
+// Vectors that a matrix is applied to at a time; they stand side by side: element k of vector v at [k * cube_batch +
+// v].
 inline constexpr int cube_batch = 8;
 
 struct CubeSamples {

@@ -63,10 +63,9 @@ private:
 FarField::FarField(const base::Runtime& runtime, const geometry::VecArray& centres, const Options& options,
                    const base::Progress& progress)
     : runtime_(runtime), tree_(centres, options.leaf_size, progress), lists_(geometry::octree_interactions(tree_)),
-      pairs_(runtime.memory), group_begin_(runtime.memory),
-      outgoing_(runtime.memory), incoming_(runtime.memory), alpha_(runtime.memory, centres.size()),
-      beta_(runtime.memory, centres.size()), value_(runtime.memory, centres.size()),
-      gradient_(runtime.memory, centres.size()), leaves_(runtime.memory) {
+      pairs_(runtime.memory), group_begin_(runtime.memory), outgoing_(runtime.memory), incoming_(runtime.memory),
+      alpha_(runtime.memory, centres.size()), beta_(runtime.memory, centres.size()),
+      value_(runtime.memory, centres.size()), gradient_(runtime.memory, centres.size()), leaves_(runtime.memory) {
     for (std::int64_t node = 0; node < tree_.nodes().size(); ++node)
         if (tree_.nodes()[node].leaf()) leaves_.push_back(node);
     make_levels(options, progress);
@@ -88,7 +87,7 @@ void FarField::make_levels(const Options& options, const base::Progress& progres
     std::int64_t size = 0;
     for (std::int32_t level = 0; level < tree_.levels(); ++level) {
         const int degree = degree_of(level, options);
-    levels_.push_back({CubeBasis(runtime_, degree, progress), {}, {}, size});
+        levels_.push_back({CubeBasis(runtime_, degree, progress), {}, {}, size});
         size += levels_.back().basis.stride() * (tree_.level_end(level) - tree_.level_begin(level));
     }
     for (std::int32_t level = 2; level + 1 < tree_.levels(); ++level) make_transfers(level);
@@ -155,8 +154,8 @@ void FarField::gather_moments(std::int32_t level, const base::Progress& progress
         Batch batch(runtime_.memory, basis.size());
         const auto flush = [&] {
             if (batch.empty()) return;
-            loops.multiply(basis.to_coefficients_transposed().data(), basis.stride(), basis.stride(), basis.size(), batch.in(),
-                           batch.out(nobody.data()), batch.count());
+            loops.multiply(basis.to_coefficients_transposed().data(), basis.stride(), basis.stride(), basis.size(),
+                           batch.in(), batch.out(nobody.data()), batch.count());
             batch.clear();
         };
         for (std::int64_t node = first + begin; node < first + end; ++node) {
@@ -167,8 +166,12 @@ void FarField::gather_moments(std::int32_t level, const base::Progress& progress
                                            beta_.z.data() + cube.begin};
             const geometry::VecArray& p = tree_.points();
             loops.moments(basis.degree(),
-                          {p.x.data() + cube.begin, p.y.data() + cube.begin, p.z.data() + cube.begin, cube.count(),
-                           {centre.x, centre.y, centre.z}, tree_.half_width(level)},
+                          {p.x.data() + cube.begin,
+                           p.y.data() + cube.begin,
+                           p.z.data() + cube.begin,
+                           cube.count(),
+                           {centre.x, centre.y, centre.z},
+                           tree_.half_width(level)},
                           alpha_.data() + cube.begin, beta, terms.data());
             batch.add(terms.data(), basis.size(), outgoing(node, level));
             if (batch.full()) flush();
@@ -189,7 +192,8 @@ void FarField::add_children(std::int64_t begin, std::int64_t end, std::int32_t l
         const auto flush = [&] {
             if (batch.empty()) return;
             loops.multiply(here.to_child_transposed[static_cast<std::size_t>(octant)].data(), here.basis.stride(),
-                           here.basis.stride(), child_basis.size(), batch.in(), batch.out(nobody.data()), batch.count());
+                           here.basis.stride(), child_basis.size(), batch.in(), batch.out(nobody.data()),
+                           batch.count());
             batch.clear();
         };
         for (std::int64_t node = begin; node < end; ++node) {
@@ -276,7 +280,8 @@ void FarField::pass_down(std::int32_t level, const base::Progress& progress) {
             const auto flush = [&] {
                 if (batch.empty()) return;
                 loops.multiply(here.to_child[static_cast<std::size_t>(octant)].data(), child_basis.stride(),
-                               child_basis.stride(), here.basis.size(), batch.in(), batch.out(nobody.data()), batch.count());
+                               child_basis.stride(), here.basis.size(), batch.in(), batch.out(nobody.data()),
+                               batch.count());
                 batch.clear();
             };
             for (std::int64_t node = first + begin; node < first + end; ++node) {
@@ -313,12 +318,17 @@ void FarField::evaluate_leaf(std::int64_t node) {
     base::Array<double> terms(runtime_.memory, basis.stride());
     Batch batch(runtime_.memory, basis.size());
     batch.add(incoming(node, leaf.level), basis.size(), terms.data());
-    loops.multiply(basis.to_coefficients().data(), basis.stride(), basis.stride(), basis.size(), batch.in(), batch.out(terms.data()), 1);
+    loops.multiply(basis.to_coefficients().data(), basis.stride(), basis.stride(), basis.size(), batch.in(),
+                   batch.out(terms.data()), 1);
     const glm::dvec3 centre = tree_.centre(leaf);
     const geometry::VecArray& p = tree_.points();
     loops.evaluate(basis.degree(), terms.data(),
-                   {p.x.data() + leaf.begin, p.y.data() + leaf.begin, p.z.data() + leaf.begin, leaf.count(),
-                    {centre.x, centre.y, centre.z}, tree_.half_width(leaf.level)},
+                   {p.x.data() + leaf.begin,
+                    p.y.data() + leaf.begin,
+                    p.z.data() + leaf.begin,
+                    leaf.count(),
+                    {centre.x, centre.y, centre.z},
+                    tree_.half_width(leaf.level)},
                    sums[0], sums + 1);
 }
 
@@ -338,8 +348,8 @@ void FarField::add_near(const geometry::Octree::Node& target, std::int64_t node)
 }
 
 std::int64_t FarField::bytes() const noexcept {
-    return outgoing_.bytes() + incoming_.bytes() + alpha_.bytes() + beta_.bytes() + value_.bytes() +
-           gradient_.bytes() + pairs_.bytes();
+    return outgoing_.bytes() + incoming_.bytes() + alpha_.bytes() + beta_.bytes() + value_.bytes() + gradient_.bytes() +
+           pairs_.bytes();
 }
 
 } // namespace hrbfnpr::implicit

@@ -18,8 +18,8 @@ namespace hrbfnpr::implicit {
 class FarField {
 public:
     struct Options {
-        double spacing = 1.0;   // of the centres, mean
-        int finer = 1;          // steps of two degrees: each divides the error by about 10
+        double spacing = 1.0;         // of the centres, mean
+        int finer = 1;                // steps of two degrees: each divides the error by about 10
         std::int64_t leaf_size = 600; // centres in a cube that is not divided
     };
 
@@ -78,9 +78,9 @@ private:
     std::vector<Level> levels_;
     base::Array<FarPair> pairs_;            // by groups of targets, then direction, then target
     base::Array<std::int64_t> group_begin_; // of each group of translate_cubes nodes, in pairs_
-    base::Array<double> outgoing_; // weights at the nodes of each cube
-    base::Array<double> incoming_; // values at them
-    base::Array<double> alpha_;    // in the tree's order
+    base::Array<double> outgoing_;          // weights at the nodes of each cube
+    base::Array<double> incoming_;          // values at them
+    base::Array<double> alpha_;             // in the tree's order
     geometry::VecArray beta_;
     base::Array<double> value_;
     geometry::VecArray gradient_;

@@ -1,5 +1,6 @@
 #include "implicit/hrbf.h"
 
+#include "implicit/hermite_sums.h"
 #include "kernel/polynomial.h"
 #include "kernel/radial.h"
 
@@ -114,6 +115,28 @@ void evaluate_blocks(const HrbfData& data, const Kernel& kernel, const PointBatc
     }
 }
 
+// Value and gradient.
+void evaluate_in_vectors(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
+                         const FieldBatch& fields) noexcept {
+    const AddHermiteSums add = hermite_sums(set, data.kernel);
+    const Sources sources{data.centre_position.x.data(),
+                          data.centre_position.y.data(),
+                          data.centre_position.z.data(),
+                          data.alpha.data(),
+                          data.beta.x.data(),
+                          data.beta.y.data(),
+                          data.beta.z.data(),
+                          data.count()};
+    Block block;
+    for (std::int64_t begin = 0; begin < points.count; begin += block_size) {
+        const std::int64_t count = std::min(block_size, points.count - begin);
+        start(data, slice(points, begin, begin + count), block);
+        add(data.kernel_radius, sources,
+            {block.x, block.y, block.z, block.value, block.gradient[0], block.gradient[1], block.gradient[2], count});
+        finish(data, block, count, fields.from(begin));
+    }
+}
+
 } // namespace
 
 std::int64_t HrbfData::bytes() const noexcept {
@@ -132,8 +155,16 @@ void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& 
     });
 }
 
+void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
+              const FieldBatch& fields) noexcept {
+    if (fields.wants_hessian())
+        evaluate(data, points, fields);
+    else
+        evaluate_in_vectors(set, data, points, fields);
+}
+
 void Hrbf::evaluate(const PointBatch& points, const FieldBatch& fields) const {
-    implicit::evaluate(data_, points, fields);
+    implicit::evaluate(set_, data_, points, fields);
 }
 
 } // namespace hrbfnpr::implicit

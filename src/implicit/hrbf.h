@@ -1,6 +1,7 @@
 // The Hermite RBF implicit of [NPAR 4.1], equation 1.
 #pragma once
 
+#include "base/instruction_set.h"
 #include "base/memory.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
@@ -40,12 +41,15 @@ struct HrbfData {
     return (coordinate - centre) / scale;
 }
 
-// What Hrbf::evaluate does, for data that no Hrbf owns yet.
+// What Hrbf::evaluate does, for data that no Hrbf owns yet; without Hessians in vectors of the given kind.
+void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
+              const FieldBatch& fields) noexcept;
+// The same, plainly.
 void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& fields) noexcept;
 
 class Hrbf final : public Implicit {
 public:
-    explicit Hrbf(HrbfData data) noexcept : data_(std::move(data)) {}
+    Hrbf(base::InstructionSet set, HrbfData data) noexcept : set_(set), data_(std::move(data)) {}
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return true; }
@@ -53,6 +57,7 @@ public:
     [[nodiscard]] const HrbfData& data() const noexcept { return data_; }
 
 private:
+    base::InstructionSet set_;
     HrbfData data_;
 };
 

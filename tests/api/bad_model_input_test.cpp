@@ -79,7 +79,6 @@ const std::vector<Row<FitCall>>& fit_rows() {
         {[](FitCall& c) { c.desc.regularization = infinity; }, invalid, "fit_desc.regularization is inf"},
         {[](FitCall& c) { c.desc.tolerance = nan; }, invalid, "fit_desc.tolerance is nan"},
         {[](FitCall& c) { c.desc.maximum_centres = -1; }, invalid, "fit_desc.maximum_centres is -1"},
-        {[](FitCall& c) { c.desc.maximum_centres = 5; }, invalid, "more than maximum_centres, 5"},
         {[](FitCall& c) { c.desc.iteration_limit = -1; }, invalid, "fit_desc.iteration_limit is -1"},
         {[](FitCall& c) { c.desc.reserved = 1; }, invalid, "fit_desc.reserved is 1; it must be 0"},
         {[](FitCall& c) { c.desc.outliers = HRBFNPR_REPAIR_REORIENT; }, invalid,

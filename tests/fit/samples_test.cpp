@@ -147,8 +147,8 @@ TEST(Samples, BadParametersAreNamed) {
     expect_message(wrong, {"points has 10", "normals 9"});
     expect_message(input(Cloud()), {"points has 0"});
     wrong = input(cloud);
-    wrong.maximum_centres = 9;
-    expect_message(wrong, {"10", "maximum_centres, 9"});
+    wrong.tolerance = -1.0;
+    expect_message(wrong, {"tolerance is -1"});
 }
 
 TEST(Samples, MaximumCentresCountsWhatIsLeftAfterMerging) {

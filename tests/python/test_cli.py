@@ -171,6 +171,19 @@ def test_large_point_sets_are_thinned(tmp_path, capsys):
     assert _inputs.MOST_SAMPLES == 4096
 
 
+def test_the_fit_chooses_from_all_points(tmp_path, capsys):
+    points = np.random.default_rng(1).normal(size=(5000, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    path, model = write(tmp_path, "big.xyz", rows(np.hstack([points, points]))), str(tmp_path / "m")
+    options = ["--tolerance", "1e-3", "--outliers", "drop", "--flipped-normals", "reorient", "--regularization", "auto"]
+    assert main(["fit", str(path), model, *options, "--max-centres", "900"]) == 0
+    info = hrbfnpr.Model.load(model).info
+    assert info.samples == 5000 and info.centres < 900 and info.input_share_within == 1
+    assert "of which" not in capsys.readouterr().err
+    assert main(["fit", str(path), model, "--max-centres", "50"]) == 0
+    assert "50 centres" in capsys.readouterr().out
+
+
 def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
     points, normals = torus(12, 6)
     normals[3] = 0
@@ -215,7 +228,9 @@ def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
         (["draw", "{xyz}", "--box-jitter", "0.9"], 1, "box_jitter"),
         (["draw", "{xyz}", "--tone-exponent", "-1"], 1, "tone_exponent"),
         (["draw", "{xyz}", "--direction", "0,1,0"], 1, "up"),
-        (["draw", "{xyz}", "--max-centres", "5", "--samples", "9"], 1, "maximum_centres"),
+        (["draw", "{xyz}", "--tolerance", "-1"], 1, "tolerance"),
+        (["draw", "{xyz}", "--regularization", "some"], 2, "number is needed"),
+        (["draw", "{xyz}", "--outliers", "reorient"], 2, "outliers"),
         (["draw", "bad.xyz"], 1, "bad.xyz: a line must hold"),
         (["draw", "bad.ply"], 1, "bad.ply: not a PLY"),
         (["draw", "bad.hrbf"], 1, "bad.hrbf: "),

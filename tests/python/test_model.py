@@ -1,5 +1,6 @@
 """Models: fit, functions, projection, curvature, saving."""
 import copy
+import dataclasses
 import gc
 import io
 import pickle
@@ -45,6 +46,51 @@ def test_regularization_smooths():
     assert model.info.regularization == 0.1 and model.info.value_residual_max > 1e-6
 
 
+def scan(count=4000, noise=0.004):
+    """A sphere with noise, an outlier and a flipped normal."""
+    random = np.random.default_rng(1)
+    normals = fibonacci_sphere(count)
+    points = normals * (1 + noise * random.standard_normal((count, 1)))
+    points[100] *= 1.5
+    normals[200] *= -1
+    return points, normals
+
+
+def test_tolerance_chooses_centres():
+    points = fibonacci_sphere(3000)
+    model = hrbfnpr.Model.fit(points, points, tolerance=1e-5)
+    info = model.info
+    assert info.samples == 3000 and info.centres < 1000 and info.choice_rounds >= 1
+    assert info.input_share_within == 1 and 0 < info.input_distance_rms <= info.input_distance_max <= 1e-5
+    found = model.evaluate(points, gradient=True)
+    distance = np.abs(found.value) / np.linalg.norm(found.gradient, axis=1)
+    assert distance.max() == pytest.approx(info.input_distance_max, rel=1e-3)
+    assert info.peak_bytes > 0 and info.seconds_clean > 0 and info.seconds_choose >= 0
+    again = hrbfnpr.Model.load(model.to_bytes()).info
+    assert again == dataclasses.replace(info, bytes=again.bytes)
+
+
+def test_maximum_centres_chooses_that_many():
+    points = fibonacci_sphere(500)
+    assert hrbfnpr.Model.fit(points, points, maximum_centres=60).info.centres == 60
+    assert hrbfnpr.Model.fit(points, points, maximum_centres=500).info.choice_rounds == 0
+    info = hrbfnpr.Model.fit(points, points, maximum_centres=60, tolerance=1e-12).info
+    assert info.centres == 60 and info.input_share_within < 1
+
+
+def test_scans_are_cleaned_and_smoothed():
+    points, normals = scan()
+    info = hrbfnpr.Model.fit(points, normals, tolerance=0.02, regularization="auto", outliers="drop").info
+    assert (info.outliers_found, info.outliers_dropped) == (1, 1)
+    assert (info.flipped_found, info.flipped_repaired) == (1, 0)
+    assert info.noise_estimate == pytest.approx(0.004, rel=0.25) and info.regularization > 0
+    assert info.input_share_within > 0.98
+    info = hrbfnpr.Model.fit(points, normals, maximum_centres=300, flipped_normals="reorient").info
+    assert (info.outliers_found, info.outliers_dropped) == (1, 0)
+    assert (info.flipped_found, info.flipped_repaired) == (1, 1)
+    assert info.noise_estimate == 0 and info.regularization == 0
+
+
 GOOD = fibonacci_sphere(20)
 
 
@@ -60,7 +106,11 @@ GOOD = fibonacci_sphere(20)
         (GOOD, GOOD, {"polynomial_degree": 4}, hrbfnpr.InvalidArgumentError, "polynomial_degree"),
         (GOOD, GOOD, {"regularization": -1}, hrbfnpr.InvalidArgumentError, "regularization"),
         (GOOD, GOOD, {"kernel_radius": np.nan}, hrbfnpr.InvalidArgumentError, "kernel_radius"),
-        (GOOD, GOOD, {"maximum_centres": 10}, hrbfnpr.InvalidArgumentError, "maximum_centres"),
+        (GOOD, GOOD, {"tolerance": -1}, hrbfnpr.InvalidArgumentError, "tolerance"),
+        (GOOD, GOOD, {"outliers": "reorient"}, hrbfnpr.InvalidArgumentError, "outliers"),
+        (GOOD, GOOD, {"flipped_normals": "fix"}, ValueError, "flipped_normals.*reorient"),
+        (GOOD, GOOD, {"solver_iterations": -1}, hrbfnpr.InvalidArgumentError, "solver_iterations"),
+        (GOOD, GOOD, {"regularization": "some"}, TypeError, ""),
         (GOOD, GOOD, {"kernel": "cubic"}, ValueError, "kernel.*triharmonic"),
         (GOOD, GOOD, {"kernel": 0}, ValueError, "kernel"),
         (GOOD, GOOD, {"solver": "magic"}, ValueError, "solver"),

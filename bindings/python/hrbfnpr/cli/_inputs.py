@@ -43,7 +43,8 @@ def load_saved(path: Path, context: Context) -> Union[Model, PointSet, None]:
 def _samples(path: Path, arguments: Any, report: Reporter) -> Any:
     shape = shapes.read(path)
     count = arguments.samples
-    if count is None and not shape.is_mesh and len(shape.points) > MOST_SAMPLES:
+    chosen = arguments.tolerance or arguments.maximum_centres  # the fit itself chooses, from all of them
+    if count is None and not shape.is_mesh and not chosen and len(shape.points) > MOST_SAMPLES:
         count = MOST_SAMPLES
         report.note(f"{len(shape.points)} points, of which {count} are used; --samples N sets another number")
     options = given(arguments, ("crease", "random_seed"))

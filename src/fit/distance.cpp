@@ -1,0 +1,54 @@
+#include "fit/distance.h"
+
+#include <algorithm>
+
+namespace hrbfnpr::fit {
+namespace {
+
+// |grad f| is near 1 at the surface.  Where it is less than this, a first-order distance means nothing, and is
+// bounded instead.
+constexpr double least_slope = 0.1;
+
+[[nodiscard]] Distances of_size(base::Memory& memory, std::int64_t count) {
+    Distances result(memory);
+    result.value.resize(count);
+    result.gradient.resize(count);
+    result.distance.resize(count);
+    return result;
+}
+
+void set_distance(Distances& distances, std::int64_t i) noexcept {
+    distances.distance[i] = distances.value[i] / std::max(least_slope, glm::length(distances.gradient[i]));
+}
+
+} // namespace
+
+Distances distances_of_misfit(const base::Array<double>& misfit, const implicit::HrbfData& data,
+                              const Samples& samples) {
+    Distances result = of_size(misfit.memory(), samples.position.size());
+    for (std::int64_t i = 0; i < samples.position.size(); ++i) {
+        const double* m = misfit.data() + 4 * i;
+        result.value[i] = -data.scale * m[0];
+        result.gradient.set(i, samples.normal[i] - glm::dvec3(m[1], m[2], m[3]));
+        set_distance(result, i);
+    }
+    return result;
+}
+
+Distances measure_distances(const base::Runtime& runtime, const implicit::HrbfData& data, const Samples& samples,
+                            const base::Progress& progress) {
+    const std::int64_t count = samples.position.size();
+    Distances result = of_size(runtime.memory, count);
+    const implicit::PointBatch points{samples.position.x.data(), samples.position.y.data(), samples.position.z.data(),
+                                      count};
+    const implicit::FieldBatch fields{
+        result.value.data(), {result.gradient.x.data(), result.gradient.y.data(), result.gradient.z.data()}, {}};
+    runtime.parallel.for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        implicit::evaluate(runtime.instruction_set, data, implicit::slice(points, begin, end), fields.from(begin));
+        for (std::int64_t i = begin; i < end; ++i) set_distance(result, i);
+    });
+    return result;
+}
+
+} // namespace hrbfnpr::fit

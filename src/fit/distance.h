@@ -1,0 +1,28 @@
+// How far samples are from a fitted surface.
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "fit/samples.h"
+#include "implicit/hrbf.h"
+
+namespace hrbfnpr::fit {
+
+struct Distances {
+    explicit Distances(base::Memory& memory) noexcept : value(memory), gradient(memory), distance(memory) {}
+
+    base::Array<double> value; // f at each sample
+    geometry::VecArray gradient;
+    // Signed, to first order: f / |grad f| (Taubin, "Estimation of planar curves, surfaces, and nonplanar space
+    // curves defined by implicit equations", 1991).
+    base::Array<double> distance;
+};
+
+// misfit: 0 - f(x_i), in normalised units, and n_i - grad f(x_i), 4 numbers a sample, as a solver knows them.
+[[nodiscard]] Distances distances_of_misfit(const base::Array<double>& misfit, const implicit::HrbfData& data,
+                                            const Samples& samples);
+
+[[nodiscard]] Distances measure_distances(const base::Runtime& runtime, const implicit::HrbfData& data,
+                                          const Samples& samples, const base::Progress& progress);
+
+} // namespace hrbfnpr::fit

@@ -1,0 +1,161 @@
+#include "fit/fit_centres.h"
+
+#include "base/clock.h"
+#include "fit/solve.h"
+#include "fit/system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::fit {
+namespace {
+
+// Kernel radii where the caller gives none, from fits of a sphere, a torus, a bumpy ball and scans
+// (256 to 1024 samples).
+// Gaussian, in mean spacings: the error at the surface falls fast with sigma (torus of 512 samples:
+// 7e-4 at 0.8, 1e-4 at 0.9, 2e-5 at 1), but the condition grows ten times with every tenth, and on
+// uneven samples (bunny of 256) the sign beside the surface begins to fail from 1 on.
+constexpr double automatic_gaussian = 0.9;
+// Wendland, in mean spacings: the error falls by (radius)^-3 and the condition grows only by
+// (radius)^3 (1e5 at 10).  A support that does not reach the middle of the shape leaves the
+// polynomial alone there, whose sign is wrong inside; so at least half a diagonal.
+constexpr double automatic_wendland = 10.0;
+constexpr double automatic_wendland_diagonals = 0.5;
+
+// Beyond these (in spacings) powers of the radius leave a double's range.
+constexpr double radius_limit = 1e30;
+
+// The radius in normalised coordinates.
+[[nodiscard]] double normalised_radius(const FitInput& input, const implicit::HrbfData& data) {
+    if (input.kernel == kernel::Kind::triharmonic) return 0.0;
+    if (input.kernel_radius == 0.0)
+        return input.kernel == kernel::Kind::gaussian
+                   ? automatic_gaussian
+                   : std::max(automatic_wendland, automatic_wendland_diagonals * data.bounds.diagonal() / data.scale);
+    const double radius = input.kernel_radius / data.scale;
+    if (!(radius > 1.0 / radius_limit && radius < radius_limit))
+        fail(Status::invalid_argument, "kernel_radius is %g, %g times the mean spacing of the samples; 0 chooses it",
+             input.kernel_radius, radius);
+    return radius;
+}
+
+// Regularization is defined in coordinates whose diagonal is 1.  From there to normalised ones,
+// k times as large, alpha's row and column scale by k^(m/2) each and beta's by k^(m/2 - 1), where
+// phi scales as k^m.
+[[nodiscard]] double growth(const implicit::HrbfData& data) {
+    const double diagonal = data.bounds.diagonal();
+    return diagonal > 0.0 ? diagonal / data.scale : 1.0;
+}
+
+[[nodiscard]] HermiteSystem::Options system_options(const FitInput& input, const Smoothing& smoothing,
+                                                    const implicit::HrbfData& data) {
+    const double k = growth(data);
+    const int m = kernel::homogeneity(input.kernel);
+    return {input.kernel, data.kernel_radius, input.polynomial_degree, smoothing.value * std::pow(k, m),
+            smoothing.gradient * std::pow(k, m - 2)};
+}
+
+// See CentreFit.  With K as it was solved, h^T K^-1 h = w . h over the degrees of freedom that the polynomial
+// leaves; the scaling is that of the system's rows.
+[[nodiscard]] double variance(const HermiteSystem& system, const double* rhs, const Solution& solution,
+                              const implicit::HrbfData& data) {
+    double energy = 0.0;
+    for (std::int64_t i = 0; i < system.rows(); ++i) energy += rhs[i] * solution.x[i];
+    const auto freedom = static_cast<double>(std::max<std::int64_t>(system.rows() - system.terms(), 1));
+    return std::max(0.0, energy / freedom * std::pow(growth(data), kernel::homogeneity(data.kernel) - 2));
+}
+
+[[nodiscard]] implicit::HrbfData normalise(const base::Runtime& runtime, const FitInput& input,
+                                           const Samples& samples) {
+    const std::int64_t count = samples.position.size();
+    implicit::HrbfData data(runtime.memory);
+    data.kernel = input.kernel;
+    data.polynomial_degree = input.polynomial_degree;
+    data.bounds = samples.bounds;
+    data.spacing = samples.spacing;
+    data.centre = samples.bounds.centre();
+    data.scale = count > 1 ? samples.spacing : 1.0;
+    data.kernel_radius = normalised_radius(input, data);
+    data.sample_position.resize(3 * count);
+    data.sample_normal.resize(3 * count);
+    data.centre_position.resize(count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        const glm::dvec3 p = samples.position[i];
+        const glm::dvec3 n = samples.normal[i];
+        for (glm::length_t c = 0; c < 3; ++c) {
+            data.sample_position[3 * i + c] = p[c];
+            data.sample_normal[3 * i + c] = n[c];
+        }
+        data.centre_position.set(i, {implicit::normalised(p.x, data.centre.x, data.scale),
+                                     implicit::normalised(p.y, data.centre.y, data.scale),
+                                     implicit::normalised(p.z, data.centre.z, data.scale)});
+    }
+    return data;
+}
+
+// f(x_i) = 0, grad f(x_i) = n_i; normals are the same in normalised coordinates.
+[[nodiscard]] base::Array<double> right_hand_side(base::Memory& memory, const HermiteSystem& system,
+                                                  const geometry::VecArray& normal) {
+    base::Array<double> rhs(memory, system.unknowns());
+    for (std::int64_t i = 0; i < normal.size(); ++i)
+        for (glm::length_t c = 0; c < 3; ++c) rhs[4 * i + 1 + c] = normal[i][c];
+    return rhs;
+}
+
+[[nodiscard]] SolveOptions solve_options(const FitInput& input) noexcept {
+    SolveOptions options;
+    options.solver = input.solver;
+    options.refinement_steps = input.iteration_limit;
+    options.neighbours = static_cast<std::int32_t>(input.preconditioner_neighbours);
+    if (input.solver_tolerance > 0.0) options.tolerance = options.acceptable = input.solver_tolerance;
+    if (input.solver_iterations > 0) options.iterations = input.solver_iterations;
+    return options;
+}
+
+void store(const Solution& solution, implicit::HrbfData& data) {
+    const std::int64_t count = data.centre_position.size();
+    data.alpha.resize(count);
+    data.beta.resize(count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double* w = solution.x.data() + 4 * i;
+        data.alpha[i] = w[0];
+        data.beta.set(i, {w[1], w[2], w[3]});
+    }
+    const std::int64_t terms = solution.x.size() - 4 * count;
+    data.polynomial.resize(terms);
+    std::copy_n(solution.x.data() + 4 * count, terms, data.polynomial.data());
+}
+
+void report_solution(const Solution& solution, FitReport& report) noexcept {
+    report.solver = solution.solver;
+    report.solver_reason = solution.reason;
+    report.solver_residual = solution.residual;
+    report.condition_estimate = solution.condition;
+    report.iterations = solution.iterations;
+    report.fallback = solution.fallback;
+    report.seconds_precondition = solution.seconds_precondition;
+    report.seconds_solve = solution.seconds_solve;
+}
+
+} // namespace
+
+CentreFit fit_centres(const base::Runtime& runtime, const FitInput& input, const Samples& centres,
+                      const Smoothing& smoothing, const base::Progress& progress) {
+    const base::Stopwatch watch;
+    CentreFit fit{{normalise(runtime, input, centres), {}}, base::Array<double>(runtime.memory), 0.0};
+    implicit::HrbfData& data = fit.result.data;
+    const HermiteSystem system(data.centre_position, system_options(input, smoothing, data));
+    const base::Array<double> rhs = right_hand_side(runtime.memory, system, centres.normal);
+    const double seconds_before = watch.seconds();
+    Solution solution = solve(runtime, system, rhs.data(), solve_options(input), progress);
+    store(solution, data);
+    fit.variance = variance(system, rhs.data(), solution, data);
+    report_solution(solution, fit.result.report);
+    fit.misfit = std::move(solution.misfit);
+    fit.result.report.kernel_radius = data.kernel_radius * data.scale;
+    fit.result.report.regularization = smoothing.value;
+    fit.result.report.seconds_assemble = seconds_before + solution.seconds_assemble;
+    return fit;
+}
+
+} // namespace hrbfnpr::fit

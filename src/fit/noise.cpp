@@ -1,0 +1,117 @@
+#include "fit/noise.h"
+
+#include "geometry/neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::fit {
+namespace {
+
+// Which of the neighbours of a sample are in a group.  More than one, because which of some that are nearly as near as
+// each other is the nearest the noise decides, and then it is one whose noise is alike.
+struct Group {
+    std::size_t begin;
+    std::size_t end;
+};
+constexpr std::array<Group, 5> groups{{{0, 4}, {4, 8}, {8, 16}, {16, 24}, {24, 32}}};
+constexpr std::int64_t looked_at = 32768; // samples, evenly taken, are enough for a median
+constexpr std::size_t terms = 3;          // a, b, c
+
+constexpr double gaussian_median = 0.6744897501960817; // of the absolute value, in standard deviations
+constexpr double turn_median = 1.6651092223153954;     // of the distance of two unit vectors: 2 sqrt(ln 2)
+// Pairs across an edge or of two sheets tell nothing.
+constexpr double same_side = 0.5;
+// What is less of the variance of nearest neighbours than this may well be an error of the model above.
+constexpr double least_share = 0.5;
+// In diagonals: as much comes from storing coordinates as floats.
+constexpr double rounding = 1e-7;
+
+// Typical distance and spread of the pairs of one group.
+struct Pairs {
+    double distance = 0.0;
+    double variance = 0.0;
+    double turn = 0.0; // |n_i - n_j|
+};
+
+[[nodiscard]] double median(base::Array<double>& values) {
+    double* middle = values.data() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+[[nodiscard]] Pairs measure(const Samples& samples, const geometry::Neighbours& neighbours, const Group& group) {
+    base::Array<double> distance(samples.position.memory());
+    base::Array<double> error(samples.position.memory());
+    base::Array<double> turn(samples.position.memory());
+    const std::int64_t step = (samples.position.size() + looked_at - 1) / looked_at;
+    for (std::int64_t i = 0; i < samples.position.size(); i += step) {
+        for (const std::int64_t j : neighbours.of(i).subspan(group.begin, group.end - group.begin)) {
+            if (glm::dot(samples.normal[i], samples.normal[j]) < same_side) continue;
+            const glm::dvec3 between = samples.position[j] - samples.position[i];
+            distance.push_back(glm::length(between));
+            error.push_back(std::abs(0.5 * glm::dot(between, samples.normal[i] + samples.normal[j])));
+            turn.push_back(glm::distance(samples.normal[i], samples.normal[j]));
+        }
+    }
+    if (error.empty()) return {};
+    const double deviation = median(error) / gaussian_median;
+    return {median(distance), deviation * deviation, median(turn)};
+}
+
+using Coefficients = std::array<double, terms>;
+using Rows = std::array<Coefficients, groups.size()>; // each times the coefficients should be 1
+
+// Least squares with 0 <= x <= most, by coordinate descent, which for three coefficients is fast enough.
+[[nodiscard]] Coefficients bounded_least_squares(const Rows& rows, const Coefficients& most) {
+    constexpr int sweeps = 2000;
+    Coefficients x{};
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (std::size_t c = 0; c < terms; ++c) {
+            double above = 0.0;
+            double below = 0.0;
+            for (const Coefficients& row : rows) {
+                double rest = 1.0;
+                for (std::size_t k = 0; k < terms; ++k)
+                    if (k != c) rest -= row[k] * x[k];
+                above += row[c] * rest;
+                below += row[c] * row[c];
+            }
+            x[c] = below > 0.0 ? std::clamp(above / below, 0.0, most[c]) : 0.0;
+        }
+    return x;
+}
+
+} // namespace
+
+Noise measure_noise(const base::Runtime& runtime, const Samples& samples, const base::Progress& progress) {
+    if (samples.position.size() <= geometry::Neighbours::most) return {};
+    const geometry::Neighbours neighbours(runtime.parallel, samples.position, geometry::Neighbours::most, progress);
+    std::array<Pairs, groups.size()> pairs;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+        progress.check();
+        pairs[k] = measure(samples, neighbours, groups[k]);
+        // Exactly flat, or no two normals agree.
+        if (!(pairs[k].variance > 0.0 && pairs[k].distance > 0.0)) return {};
+    }
+    Rows rows;
+    const double unit = pairs[0].distance;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+        const double d2 = (pairs[k].distance / unit) * (pairs[k].distance / unit);
+        const double share = pairs[0].variance / pairs[k].variance; // relative errors count
+        rows[k] = {share, share * d2, share * d2 * d2 * d2};
+    }
+    // Where the noise is not small beside the spacing, near pairs are those whose noise is alike, so that their
+    // variance grows with the distance, as if the normals were off.  But these are known, too.
+    const double turned = pairs[0].turn * unit;
+    const Coefficients most{HUGE_VAL, turned * turned / pairs[0].variance, HUGE_VAL};
+    const Coefficients x = bounded_least_squares(rows, most);
+    const double position = std::sqrt(0.5 * x[0] * pairs[0].variance);
+    if (x[0] < least_share || position < rounding * samples.bounds.diagonal()) return {};
+    // Not all of b is noise, nor is all of how the normals turn: fine detail is in both.
+    const double normal = std::sqrt(2.0 * x[1] * pairs[0].variance) / unit;
+    return {position, std::min(normal, pairs[0].turn / turn_median)};
+}
+
+} // namespace hrbfnpr::fit

@@ -1,0 +1,20 @@
+// How noisy samples are.
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "fit/samples.h"
+
+namespace hrbfnpr::fit {
+
+struct Noise {
+    double position = 0.0; // standard deviation along the normal, caller's unit; 0 if none is seen
+    double normal = 0.0;   // ... of a component of the normals, if that of the position is seen
+};
+
+// A smooth f with f(x) = 0 and grad f(x) = n has (x_j - x_i) . (n_i + n_j) / 2 = O(d^3), d = |x_j - x_i|: the
+// trapezoidal rule.  Noise adds 2 position^2 + normal^2 d^2 / 2 to its variance.  So the variance is taken over the
+// pairs of each sample with its neighbours, in groups from the nearest to the 32nd, and a + b d^2 + c d^6 is fitted.
+[[nodiscard]] Noise measure_noise(const base::Runtime& runtime, const Samples& samples, const base::Progress& progress);
+
+} // namespace hrbfnpr::fit

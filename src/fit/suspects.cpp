@@ -1,0 +1,189 @@
+#include "fit/suspects.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::fit {
+namespace {
+
+// The limits below were set on clean sets (tori, knot, hearts, lamp, gargoyle, head, bunny, dragon: none is
+// found) and a raw scan.
+
+// An outlier is this much farther from its neighbours than they are from theirs: the statistical removal of
+// Rusu et al., "Towards 3D point cloud based object maps for household environments", 2008, but with
+// medians, which outliers do not move, and relative to the spacing on the spot, which need not be even ...
+constexpr double isolated = 3.0;
+// ... or this far, in mean distances to a neighbour, above the tangent planes of most of its neighbours,
+// and this much farther than they are above each other's.
+constexpr double stray = 1.0;
+constexpr double stray_of_neighbours = 4.0;
+// But a sample with companions, neighbours that lie near its height and agree in normal, is of another
+// sheet, sparser than the one that most of its neighbours are of.
+constexpr double companion_height = 0.25; // of the median one
+constexpr double companion_cosine = 0.5;
+constexpr int companions = 3;
+
+// A flipped normal is against at least this share of its neighbours' ...
+constexpr double share_against = 0.875;
+constexpr double against = -0.3; // cosine
+// ... is their opposite about as well as they agree with each other, and well at all ...
+constexpr double opposite_of_neighbours = 0.6;
+constexpr double opposite = 0.5;
+// ... and its sample lies on their sheet, as near to their tangent planes as they do (the sheets of a thin
+// wall have opposite normals, too), and in their midst.
+constexpr double height_of_neighbours = 2.0;
+constexpr double height = 0.02; // in mean distances to a neighbour
+constexpr double off_centre = 0.5;
+// Once some are turned, those beside them may show; a few passes find those in small groups.
+constexpr int passes = 4;
+
+constexpr std::int64_t grain = 512;
+
+// Of a sample and its neighbours.
+struct Local {
+    double distance;  // mean distance of them
+    double height;    // median distance of it from their tangent planes
+    double agreement; // mean cosine between its normal and theirs, of either sign
+};
+
+using Buffer = std::array<double, geometry::Neighbours::most>;
+
+[[nodiscard]] double median(Buffer& values, std::size_t count) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(values.begin(), middle, values.begin() + static_cast<std::ptrdiff_t>(count));
+    return *middle;
+}
+
+class Finder {
+public:
+    Finder(const base::Runtime& runtime, const Samples& samples, const geometry::Neighbours& neighbours,
+           const base::Progress& progress)
+        : runtime_(runtime), samples_(samples), neighbours_(neighbours), progress_(progress),
+          local_(runtime.memory, samples.position.size()), found_(runtime.memory) {
+        for_each([&](std::int64_t i) { local_[i] = measure(i); });
+        base::Array<double> distance(runtime.memory, local_.size());
+        for (std::int64_t i = 0; i < local_.size(); ++i) distance[i] = local_[i].distance;
+        double* middle = distance.data() + distance.size() / 2;
+        std::nth_element(distance.begin(), middle, distance.end());
+        typical_distance_ = *middle;
+        found_.outlier.resize(local_.size());
+        found_.flipped.resize(local_.size());
+    }
+
+    [[nodiscard]] Suspects run() {
+        for_each([&](std::int64_t i) { found_.outlier[i] = is_outlier(i) ? 1 : 0; });
+        for (int pass = 0; pass < passes; ++pass)
+            if (!turn()) break;
+        return std::move(found_);
+    }
+
+private:
+    template <class Visit>
+    void for_each(Visit&& visit) const {
+        runtime_.parallel.for_chunks(samples_.position.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+            progress_.check();
+            for (std::int64_t i = begin; i < end; ++i) visit(i);
+        });
+    }
+
+    // How far sample i is from the tangent plane of j.
+    [[nodiscard]] double height_above(std::int64_t i, std::int64_t j) const noexcept {
+        return std::abs(glm::dot(samples_.position[i] - samples_.position[j], samples_.normal[j]));
+    }
+
+    [[nodiscard]] Local measure(std::int64_t i) const {
+        const auto near = neighbours_.of(i);
+        Buffer heights;
+        Local local{};
+        for (std::size_t k = 0; k < near.size(); ++k) {
+            local.distance += glm::distance(samples_.position[i], samples_.position[near[k]]);
+            heights[k] = height_above(i, near[k]);
+            local.agreement += std::abs(glm::dot(samples_.normal[i], samples_.normal[near[k]]));
+        }
+        const auto count = static_cast<double>(near.size());
+        return {local.distance / count, median(heights, near.size()), local.agreement / count};
+    }
+
+    [[nodiscard]] double median_of_neighbours(std::int64_t i, double Local::*field) const {
+        const auto near = neighbours_.of(i);
+        Buffer values;
+        for (std::size_t k = 0; k < near.size(); ++k) values[k] = local_[near[k]].*field;
+        return median(values, near.size());
+    }
+
+    // What is usual on the spot.  Where samples are heaped, what is usual in all.
+    [[nodiscard]] double usual_distance(std::int64_t i) const {
+        return std::max(typical_distance_, median_of_neighbours(i, &Local::distance));
+    }
+
+    [[nodiscard]] bool is_outlier(std::int64_t i) const {
+        const double usual = usual_distance(i);
+        if (local_[i].distance > isolated * usual) return true;
+        return local_[i].height > stray * usual &&
+               local_[i].height > stray_of_neighbours * median_of_neighbours(i, &Local::height) &&
+               companions_of(i) < companions;
+    }
+
+    [[nodiscard]] std::int64_t companions_of(std::int64_t i) const {
+        const auto near = neighbours_.of(i);
+        return std::count_if(near.begin(), near.end(), [&](std::int64_t j) {
+            return height_above(i, j) < companion_height * local_[i].height &&
+                   glm::dot(samples_.normal[i], samples_.normal[j]) > companion_cosine;
+        });
+    }
+
+    // With the normals as they were turned so far.
+    [[nodiscard]] bool is_against(std::int64_t i) const {
+        const auto near = neighbours_.of(i);
+        std::size_t count = 0;
+        double sum = 0.0;
+        glm::dvec3 offset(0.0);
+        Buffer heights;
+        for (const std::int64_t j : near) {
+            const double cosine = glm::dot(samples_.normal[i], samples_.normal[j]) *
+                                  (found_.flipped[i] == found_.flipped[j] ? 1.0 : -1.0);
+            sum += cosine;
+            if (cosine >= against) continue;
+            heights[count++] = height_above(i, j);
+            offset += samples_.position[j] - samples_.position[i];
+        }
+        const auto all = static_cast<double>(near.size());
+        if (static_cast<double>(count) < share_against * all) return false;
+        if (-sum / all < std::max(opposite, opposite_of_neighbours * median_of_neighbours(i, &Local::agreement)))
+            return false;
+        if (median(heights, count) >
+            height_of_neighbours * median_of_neighbours(i, &Local::height) + height * usual_distance(i))
+            return false;
+        return glm::length(offset) < off_centre * local_[i].distance * static_cast<double>(count);
+    }
+
+    // Turns those that are against their neighbours; false if there is none.
+    bool turn() {
+        base::Array<std::uint8_t> turned(runtime_.memory, local_.size());
+        for_each([&](std::int64_t i) { turned[i] = found_.outlier[i] == 0 && is_against(i) ? 1 : 0; });
+        bool any = false;
+        for (std::int64_t i = 0; i < turned.size(); ++i) {
+            any = any || turned[i] != 0;
+            found_.flipped[i] ^= turned[i];
+        }
+        return any;
+    }
+
+    const base::Runtime& runtime_;
+    const Samples& samples_;
+    const geometry::Neighbours& neighbours_;
+    const base::Progress& progress_;
+    base::Array<Local> local_;
+    double typical_distance_ = 0.0;
+    Suspects found_;
+};
+
+} // namespace
+
+Suspects find_suspects(const base::Runtime& runtime, const Samples& samples, const geometry::Neighbours& neighbours,
+                       const base::Progress& progress) {
+    return Finder(runtime, samples, neighbours, progress).run();
+}
+
+} // namespace hrbfnpr::fit

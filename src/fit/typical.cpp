@@ -1,0 +1,49 @@
+#include "fit/typical.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::fit {
+namespace {
+
+constexpr std::size_t nearest = 8; // a sample stands for no more of its neighbours than these
+constexpr std::int64_t grain = 512;
+
+// Mean angle between a sample and its neighbours: of its normal with theirs, and of its position above their planes.
+[[nodiscard]] double oddness(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t i) {
+    double height = 0.0;
+    double distance = 0.0;
+    double turn = 0.0;
+    for (const std::int64_t j : neighbours.of(i)) {
+        const glm::dvec3 between = samples.position[i] - samples.position[j];
+        height += std::abs(glm::dot(between, samples.normal[j]));
+        distance += glm::length(between);
+        turn += glm::distance(samples.normal[i], samples.normal[j]);
+    }
+    return height / std::max(distance, 1e-300) + turn / static_cast<double>(neighbours.each());
+}
+
+} // namespace
+
+base::Array<std::int64_t> typical_samples(const base::Runtime& runtime, const Samples& samples,
+                                          const geometry::Neighbours& neighbours, const base::Progress& progress) {
+    const std::int64_t count = samples.position.size();
+    base::Array<double> odd(runtime.memory, count);
+    base::Array<std::int64_t> typical(runtime.memory, count);
+    const auto for_each = [&](auto&& visit) {
+        runtime.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            for (std::int64_t i = begin; i < end; ++i) visit(i);
+        });
+    };
+    for_each([&](std::int64_t i) { odd[i] = oddness(samples, neighbours, i); });
+    for_each([&](std::int64_t i) {
+        typical[i] = i;
+        const auto near = neighbours.of(i);
+        for (const std::int64_t j : near.first(std::min(nearest, near.size())))
+            if (odd[j] < odd[typical[i]] || (odd[j] == odd[typical[i]] && j < typical[i])) typical[i] = j;
+    });
+    return typical;
+}
+
+} // namespace hrbfnpr::fit

@@ -1,0 +1,226 @@
+#include "fit/clean.h"
+
+#include "base/status.h"
+#include "fit/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+using namespace hrbfnpr;
+using namespace test;
+using fit::Repair;
+
+base::Runtime runtime_of(int threads) {
+    return base::Runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
+                         base::InstructionSet::automatic, nullptr, nullptr);
+}
+
+fit::Samples samples_of(const base::Runtime& runtime, const Cloud& cloud) {
+    return fit::read_samples(runtime, view(cloud.points), view(cloud.normals), {});
+}
+
+struct Cleaned {
+    explicit Cleaned(const Cloud& cloud, Repair outliers = Repair::keep, Repair flipped = Repair::keep, int threads = 1)
+        : runtime(runtime_of(threads)), samples(samples_of(runtime, cloud)),
+          report(fit::clean(runtime, samples, outliers, flipped, {})) {}
+
+    base::Runtime runtime;
+    fit::Samples samples;
+    fit::Cleaning report;
+};
+
+void expect_nothing_found(const Cloud& cloud, const char* what) {
+    const Cleaned cleaned(cloud, Repair::drop, Repair::drop);
+    EXPECT_EQ(cleaned.report.near_duplicates, 0) << what;
+    EXPECT_EQ(cleaned.report.outliers_found, 0) << what;
+    EXPECT_EQ(cleaned.report.flipped_found, 0) << what;
+    EXPECT_EQ(cleaned.samples.position.size(), cloud.count()) << what;
+}
+
+constexpr int every = 37;
+
+bool planted(std::int64_t i) { return i % every == every / 2; }
+
+// A torus, some of whose samples are off it by two spacings and more, on either side.
+Cloud torus_with_outliers(int count) {
+    const Cloud even = torus(count);
+    const double spacing = Cleaned(even).samples.spacing;
+    Cloud cloud;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double off = planted(i) ? spacing * (2.0 + 0.1 * static_cast<double>(i % 30)) : 0.0;
+        cloud.add(even.point(i) + (i % 2 == 0 ? off : -off) * even.normal(i), even.normal(i));
+    }
+    return cloud;
+}
+
+// A torus, some of whose normals point inward, singly or in pairs and threes of neighbours.
+Cloud torus_with_flips(int count) {
+    const Cloud even = torus(count);
+    Cloud cloud;
+    for (std::int64_t i = 0; i < count; ++i) cloud.add(even.point(i), planted(i) ? -even.normal(i) : even.normal(i));
+    return cloud;
+}
+
+std::int64_t planted_count(std::int64_t count) {
+    std::int64_t result = 0;
+    for (std::int64_t i = 0; i < count; ++i) result += planted(i) ? 1 : 0;
+    return result;
+}
+
+TEST(Clean, FindsNothingOnCleanShapes) {
+    expect_nothing_found(sphere(40), "sphere of 40");
+    expect_nothing_found(sphere(3000), "sphere");
+    expect_nothing_found(torus(256), "torus of 256");
+    expect_nothing_found(torus(5000), "torus");
+    expect_nothing_found(bumpy(800), "bumpy");
+    expect_nothing_found(torus(1000).moved(1e-6, {1e3, 0, 0}), "small and far away");
+}
+
+TEST(Clean, FindsAllOutliersAndNoOther) {
+    const Cloud cloud = torus_with_outliers(2000);
+    const Cleaned kept(cloud);
+    EXPECT_EQ(kept.report.outliers_found, planted_count(2000));
+    EXPECT_EQ(kept.report.outliers_dropped, 0);
+    EXPECT_EQ(kept.report.flipped_found, 0);
+    EXPECT_EQ(kept.samples.position.size(), 2000);
+    const Cleaned dropped(cloud, Repair::drop);
+    EXPECT_EQ(dropped.report.outliers_found, planted_count(2000));
+    EXPECT_EQ(dropped.report.outliers_dropped, planted_count(2000));
+    ASSERT_EQ(dropped.samples.position.size(), 2000 - planted_count(2000));
+    std::int64_t at = 0;
+    for (std::int64_t i = 0; i < 2000; ++i) {
+        if (planted(i)) continue;
+        ASSERT_EQ(dropped.samples.position[at++], cloud.point(i)) << i;
+    }
+}
+
+TEST(Clean, MeasuresAgainWithoutWhatWasDropped) {
+    Cloud cloud = torus(1000);
+    const Cleaned without(cloud);
+    cloud.add({9.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
+    EXPECT_EQ(Cleaned(cloud).samples.bounds.max.x, 9.0);
+    const Cleaned dropped(cloud, Repair::drop);
+    EXPECT_EQ(dropped.report.outliers_dropped, 1);
+    EXPECT_EQ(dropped.samples.bounds.max, without.samples.bounds.max);
+    EXPECT_EQ(dropped.samples.spacing, without.samples.spacing);
+}
+
+TEST(Clean, FindsAllFlippedNormalsAndNoOther) {
+    const Cloud cloud = torus_with_flips(2000);
+    const Cloud even = torus(2000);
+    const Cleaned kept(cloud);
+    EXPECT_EQ(kept.report.flipped_found, planted_count(2000));
+    EXPECT_EQ(kept.report.flipped_repaired, 0);
+    EXPECT_EQ(kept.report.outliers_found, 0);
+    for (std::int64_t i = 0; i < 2000; ++i) ASSERT_LT(glm::distance(kept.samples.normal[i], cloud.normal(i)), 1e-12);
+    const Cleaned turned(cloud, Repair::keep, Repair::reorient);
+    EXPECT_EQ(turned.report.flipped_repaired, planted_count(2000));
+    for (std::int64_t i = 0; i < 2000; ++i)
+        ASSERT_LT(glm::distance(turned.samples.normal[i], even.normal(i)), 1e-12) << i;
+    const Cleaned dropped(cloud, Repair::keep, Repair::drop);
+    EXPECT_EQ(dropped.report.flipped_repaired, planted_count(2000));
+    EXPECT_EQ(dropped.samples.position.size(), 2000 - planted_count(2000));
+}
+
+TEST(Clean, FindsFlippedNormalsInGroups) {
+    Cloud cloud = sphere(1500);
+    Cloud flipped;
+    std::int64_t count = 0;
+    for (std::int64_t i = 0; i < 1500; ++i) {
+        const bool in_group = glm::distance(cloud.point(i), glm::dvec3(1, 0, 0)) < 0.1;
+        flipped.add(cloud.point(i), in_group ? -cloud.normal(i) : cloud.normal(i));
+        count += in_group ? 1 : 0;
+    }
+    ASSERT_GE(count, 3);
+    EXPECT_EQ(Cleaned(flipped).report.flipped_found, count);
+}
+
+// Two sheets, `gap` apart, whose normals are opposite, out of the wall between them or into the gap.
+Cloud sheets(double gap, double outward, std::int64_t upper_share) {
+    Cloud cloud;
+    for (int i = 0; i < 1600; ++i) {
+        const double u = (i + 0.5) / 1600.0;
+        const double v = std::fmod(0.6180339887498949 * i, 1.0);
+        const bool upper = i % upper_share == 0;
+        const double height = 0.05 * std::sin(4.0 * u) * std::cos(3.0 * v);
+        const glm::dvec3 up = glm::normalize(glm::dvec3(-0.2 * std::cos(4.0 * u) * std::cos(3.0 * v),
+                                                        0.15 * std::sin(4.0 * u) * std::sin(3.0 * v), 1.0));
+        cloud.add({u, v, height + (upper ? gap : 0.0)}, (upper ? outward : -outward) * up);
+    }
+    return cloud;
+}
+
+TEST(Clean, LeavesCloseOppositeSheetsAlone) {
+    for (const double gap : {0.003, 0.01, 0.03, 0.1})
+        for (const double outward : {1.0, -1.0}) {
+            expect_nothing_found(sheets(gap, outward, 2), "as dense as each other");
+            expect_nothing_found(sheets(gap, outward, 3), "half as dense");
+        }
+}
+
+TEST(Clean, MergesNearDuplicatesThatAgree) {
+    const Cloud even = torus(1000);
+    const double spacing = Cleaned(even).samples.spacing;
+    Cloud cloud = even;
+    for (int i = 0; i < 1000; i += 100) {
+        const glm::dvec3 aside = glm::normalize(glm::cross(even.normal(i), glm::dvec3(0.3, 0.5, 0.7)));
+        cloud.add(even.point(i) + 5e-4 * spacing * aside, glm::normalize(even.normal(i) + 0.17 * aside)); // 10 degrees
+    }
+    const Cleaned cleaned(cloud);
+    EXPECT_EQ(cleaned.report.near_duplicates, 10);
+    EXPECT_EQ(cleaned.report.outliers_found, 0);
+    ASSERT_EQ(cleaned.samples.position.size(), 1000);
+    for (int i = 0; i < 1000; ++i) {
+        ASSERT_LT(glm::distance(cleaned.samples.position[i], even.point(i)), 3e-4 * spacing) << i;
+        ASSERT_NEAR(glm::length(cleaned.samples.normal[i]), 1.0, 1e-12) << i;
+    }
+}
+
+TEST(Clean, TakesTheOddOneOfNearDuplicatesThatDisagreeForAnOutlier) {
+    const Cloud even = torus(1000);
+    const double spacing = Cleaned(even).samples.spacing;
+    Cloud cloud = even;
+    const glm::dvec3 aside = glm::normalize(glm::cross(even.normal(500), glm::dvec3(0.3, 0.5, 0.7)));
+    cloud.add(even.point(500) + 5e-4 * spacing * aside, aside);
+    const Cleaned kept(cloud);
+    EXPECT_EQ(kept.report.near_duplicates, 0);
+    EXPECT_EQ(kept.report.outliers_found, 1);
+    EXPECT_EQ(kept.samples.position.size(), 1001);
+    const Cleaned dropped(cloud, Repair::drop);
+    ASSERT_EQ(dropped.samples.position.size(), 1000);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(dropped.samples.position[i], even.point(i)) << i;
+}
+
+TEST(Clean, LeavesSetsThatAreTooSmallAlone) {
+    Cloud cloud = sphere(31);
+    cloud.add(100.0 * cloud.point(3), -cloud.normal(3));
+    EXPECT_EQ(Cleaned(cloud, Repair::drop, Repair::drop).samples.position.size(), 32);
+}
+
+TEST(Clean, IsTheSameForAnyThreadCount) {
+    Cloud cloud = torus_with_outliers(3000);
+    for (std::int64_t i = 5; i < 3000; i += 211)
+        for (std::size_t c = 0; c < 3; ++c) cloud.normals[static_cast<std::size_t>(3 * i) + c] *= -1.0;
+    const Cleaned one(cloud, Repair::drop, Repair::reorient, 1);
+    for (const int threads : {2, 3, 7}) {
+        const Cleaned other(cloud, Repair::drop, Repair::reorient, threads);
+        ASSERT_EQ(other.samples.position.size(), one.samples.position.size());
+        for (std::int64_t i = 0; i < one.samples.position.size(); ++i) {
+            ASSERT_EQ(other.samples.position[i], one.samples.position[i]);
+            ASSERT_EQ(other.samples.normal[i], one.samples.normal[i]);
+        }
+    }
+}
+
+TEST(Clean, CanBeCancelled) {
+    const base::Runtime runtime;
+    fit::Samples samples = samples_of(runtime, torus(100));
+    base::Operation operation;
+    operation.cancel();
+    EXPECT_THROW((void)fit::clean(runtime, samples, Repair::keep, Repair::keep, base::Progress(&operation)), Error);
+}
+
+} // namespace

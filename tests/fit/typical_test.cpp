@@ -1,0 +1,52 @@
+#include "fit/typical.h"
+
+#include "base/status.h"
+#include "fit/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace hrbfnpr;
+using namespace test;
+
+bool odd(std::int64_t i) { return i % 29 == 5; }
+
+// Some of whose samples lie above the others, and some of whose normals are a right angle off.
+fit::Samples torus_with_odd_ones(const base::Runtime& runtime) {
+    const Cloud even = torus(1500);
+    Cloud cloud;
+    for (std::int64_t i = 0; i < even.count(); ++i) {
+        const glm::dvec3 aside = glm::normalize(glm::cross(even.normal(i), glm::dvec3(0.3, 0.5, 0.7)));
+        const bool high = odd(i) && i % 2 == 0;
+        const bool turned = odd(i) && i % 2 == 1;
+        cloud.add(even.point(i) + (high ? 0.1 : 0.0) * even.normal(i), turned ? aside : even.normal(i));
+    }
+    return fit::read_samples(runtime, view(cloud.points), view(cloud.normals), {});
+}
+
+TEST(Typical, IsNoneOfTheOddOnesAndNear) {
+    const base::Runtime runtime;
+    const fit::Samples samples = torus_with_odd_ones(runtime);
+    const geometry::Neighbours neighbours(runtime.parallel, samples.position, 16, {});
+    const base::Array<std::int64_t> typical = fit::typical_samples(runtime, samples, neighbours, {});
+    ASSERT_EQ(typical.size(), samples.position.size());
+    for (std::int64_t i = 0; i < typical.size(); ++i) {
+        EXPECT_FALSE(odd(typical[i])) << i;
+        const auto near = neighbours.of(i).first(8);
+        EXPECT_TRUE(typical[i] == i || std::count(near.begin(), near.end(), typical[i]) == 1) << i;
+    }
+}
+
+TEST(Typical, CanBeCancelled) {
+    const base::Runtime runtime;
+    const fit::Samples samples = torus_with_odd_ones(runtime);
+    const geometry::Neighbours neighbours(runtime.parallel, samples.position, 16, {});
+    base::Operation operation;
+    operation.cancel();
+    EXPECT_THROW((void)fit::typical_samples(runtime, samples, neighbours, base::Progress(&operation)), Error);
+}
+
+} // namespace
