@@ -101,6 +101,8 @@ Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const 
                         solution.residual);
         }
     }
+    solution.misfit.clear(); // the attempt's
+    solution.history.clear();
     solve_directly(runtime, system, rhs, options, solution, progress);
     return solution;
 }
