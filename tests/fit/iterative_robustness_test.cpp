@@ -52,7 +52,7 @@ TEST(IterativeErrors, WithoutConvergenceTheResidualIsNamed) {
     fit::FitInput chosen = iterative(cloud);
     chosen.solver_iterations = 2;
     expect_error(chosen, Status::not_converged, "relative residual of ");
-    expect_error(chosen, Status::not_converged, " in 2 iterations, not 1.0e-08");
+    expect_error(chosen, Status::not_converged, " in 2 iterations, not 1.0e-10");
 }
 
 TEST(IterativeErrors, AsManyNeighboursAsThereMayBe) {
