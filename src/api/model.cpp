@@ -5,6 +5,7 @@
 #include "api/descriptor.h"
 #include "api/operation.h"
 #include "api/views.h"
+#include "fit/local_factors.h"
 
 using namespace hrbfnpr;
 
@@ -74,7 +75,7 @@ void check_numbers(const hrbfnpr_fit_desc& desc) {
     if (desc.regularization_mode == HRBFNPR_REGULARIZATION_AUTO && desc.regularization != 0.0)
         fail(Status::invalid_argument, "fit_desc.regularization is %g with regularization_mode AUTO; leave it 0",
              desc.regularization);
-    checks.between("preconditioner_neighbours", desc.preconditioner_neighbours, 0, 1000);
+    checks.between("preconditioner_neighbours", desc.preconditioner_neighbours, 0, fit::LocalSystems::largest_set - 1);
     checks.between("solver_tolerance", desc.solver_tolerance, 0.0, 0.1);
     checks.between("solver_iterations", desc.solver_iterations, 0, 1000000);
     checks.zero("reserved2", desc.reserved2);

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "fit/choose.h"
 #include "fit/clean.h"
+#include "fit/local_factors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,9 @@ void check(const FitInput& input) {
     if (input.iteration_limit < 0)
         fail(Status::invalid_argument, "iteration_limit is %d; it must be >= 0",
              static_cast<int>(input.iteration_limit));
+    if (input.preconditioner_neighbours >= static_cast<std::uint32_t>(LocalSystems::largest_set))
+        fail(Status::invalid_argument, "preconditioner_neighbours is %u; it must be 0 (automatic) to %d",
+             static_cast<unsigned>(input.preconditioner_neighbours), static_cast<int>(LocalSystems::largest_set - 1));
     if (input.points.count < 1 || input.points.count != input.normals.count)
         fail(Status::invalid_argument, "points has %lld and normals %lld elements; they must be as many, and not empty",
              static_cast<long long>(input.points.count), static_cast<long long>(input.normals.count));

@@ -90,8 +90,8 @@ const std::vector<Row<FitCall>>& fit_rows() {
              c.desc.regularization = 0.5;
          },
          invalid, "fit_desc.regularization is 0.5 with regularization_mode AUTO; leave it 0"},
-        {[](FitCall& c) { c.desc.preconditioner_neighbours = 1001; }, invalid,
-         "fit_desc.preconditioner_neighbours is 1001; it must be from 0 to 1000"},
+        {[](FitCall& c) { c.desc.preconditioner_neighbours = 49; }, invalid,
+         "fit_desc.preconditioner_neighbours is 49; it must be from 0 to 48"},
         {[](FitCall& c) { c.desc.solver_tolerance = nan; }, invalid, "fit_desc.solver_tolerance is nan"},
         {[](FitCall& c) { c.desc.solver_tolerance = -1; }, invalid, "fit_desc.solver_tolerance is -1"},
         {[](FitCall& c) { c.desc.solver_iterations = -1; }, invalid, "fit_desc.solver_iterations is -1"},

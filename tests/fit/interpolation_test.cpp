@@ -25,11 +25,12 @@ void expect_interpolation(const Cloud& cloud, const fit::FitResult& result, cons
     }
     EXPECT_LE(value_max, 1e-8 * unit) << what;
     EXPECT_LE(gradient_max, 1e-8) << what;
-    EXPECT_DOUBLE_EQ(result.report.value_residual_max, value_max) << what;
-    EXPECT_NEAR(result.report.gradient_residual_max, gradient_max, 1e-15) << what;
+    // The iterative solver reports the residual of its system: the same up to rounding.
+    EXPECT_NEAR(result.report.value_residual_max, value_max, 1e-13 * unit) << what;
+    EXPECT_NEAR(result.report.gradient_residual_max, gradient_max, 1e-13) << what;
     EXPECT_LE(result.report.value_residual_rms, 1.0001 * value_max) << what;
     EXPECT_LE(result.report.gradient_residual_rms, gradient_max + 1e-15) << what;
-    EXPECT_LE(result.report.solver_residual, 1e-9) << what;
+    EXPECT_LE(result.report.solver_residual, result.report.solver == fit::SolverKind::direct ? 1e-9 : 1.2e-8) << what;
 }
 
 TEST(Interpolation, HoldsForAllKernelsDegreesAndCounts) {
@@ -72,15 +73,21 @@ TEST(Interpolation, HoldsForManySamples) {
 #endif
     const Runtime runtime;
     const Cloud cloud = torus(count);
-    const fit::FitResult result = fit::fit(runtime, input(cloud), {});
-    expect_interpolation(cloud, result, "torus");
-    EXPECT_EQ(result.report.samples, count);
-    EXPECT_EQ(result.report.merged_samples, 0);
-    EXPECT_EQ(result.report.rescaled_normals, 0);
-    EXPECT_FALSE(result.report.fallback);
-    EXPECT_GT(result.report.condition_estimate, 1e3);
-    EXPECT_LT(result.report.condition_estimate, 1e9);
-    EXPECT_GE(result.report.seconds_total, result.report.seconds_solve);
+    for (const fit::SolverKind solver : {fit::SolverKind::direct, fit::SolverKind::automatic}) {
+        fit::FitInput many = input(cloud);
+        many.solver = solver;
+        const fit::FitResult result = fit::fit(runtime, many, {});
+        expect_interpolation(cloud, result, "torus");
+        EXPECT_EQ(result.report.samples, count);
+        EXPECT_EQ(result.report.merged_samples, 0);
+        EXPECT_EQ(result.report.rescaled_normals, 0);
+        EXPECT_FALSE(result.report.fallback);
+        if (result.report.solver == fit::SolverKind::direct) {
+            EXPECT_GT(result.report.condition_estimate, 1e3);
+            EXPECT_LT(result.report.condition_estimate, 1e9);
+        }
+        EXPECT_GE(result.report.seconds_total, result.report.seconds_solve);
+    }
 }
 
 TEST(Interpolation, OneSampleIsThePlaneThroughIt) {

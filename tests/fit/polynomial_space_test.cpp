@@ -1,0 +1,151 @@
+#include "fit/polynomial_space.h"
+
+#include "base/status.h"
+#include "kernel/polynomial.h"
+#include "shapes.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+namespace fit = hrbfnpr::fit;
+namespace kernel = hrbfnpr::kernel;
+using hrbfnpr::base::Parallel;
+using hrbfnpr::base::Runtime;
+using hrbfnpr::geometry::VecArray;
+
+namespace {
+
+VecArray positions(const Runtime& runtime, int count) {
+    const test::Cloud cloud = test::bumpy(count);
+    VecArray result(runtime.memory);
+    for (std::int64_t i = 0; i < cloud.count(); ++i)
+        result.push_back(9.0 * cloud.point(i) + glm::dvec3(20.0, 0.0, -5.0));
+    return result;
+}
+
+fit::HermiteSystem system_of(const VecArray& x, std::int32_t degree) {
+    return {x, {kernel::Kind::triharmonic, 0.0, degree, 0.0, 0.0}};
+}
+
+Eigen::MatrixXd plain(const fit::HermiteSystem& system) {
+    Eigen::MatrixXd p(system.rows(), system.terms());
+    system.constraints(p.data());
+    return p;
+}
+
+Eigen::VectorXd wave(Eigen::Index size) {
+    Eigen::VectorXd x(size);
+    for (Eigen::Index i = 0; i < size; ++i) x[i] = std::sin(1.0 + 7.0 * static_cast<double>(i));
+    return x;
+}
+
+TEST(PolynomialSpace, TakeOutIsTheOrthogonalProjection) {
+    const Runtime runtime;
+    const VecArray x = positions(runtime, 60);
+    for (std::int32_t degree = -1; degree <= 3; ++degree) {
+        const fit::HermiteSystem system = system_of(x, degree);
+        const fit::PolynomialSpace space(runtime, system);
+        const Eigen::MatrixXd p = plain(system);
+        EXPECT_EQ(space.terms(), p.cols());
+        const Eigen::VectorXd before = wave(system.rows());
+        Eigen::VectorXd after = before;
+        space.take_out(after.data());
+        // Orthogonal to the polynomials, and off by one of them.
+        for (Eigen::Index k = 0; k < p.cols(); ++k)
+            EXPECT_LT(std::abs(p.col(k).dot(after)), 1e-12 * p.col(k).norm() * before.norm()) << degree;
+        const Eigen::VectorXd taken = before - after;
+        if (p.cols() > 0) {
+            const Eigen::MatrixXd unit = p * p.colwise().norm().cwiseInverse().asDiagonal();
+            EXPECT_LT((unit * unit.colPivHouseholderQr().solve(taken) - taken).norm(), 1e-10) << degree;
+        } else {
+            EXPECT_EQ(taken.norm(), 0.0);
+        }
+        Eigen::VectorXd again = after;
+        space.take_out(again.data());
+        EXPECT_LT((again - after).norm(), 1e-13 * before.norm()) << degree;
+    }
+}
+
+TEST(PolynomialSpace, ExplainFindsThePolynomialAndLeavesNothing) {
+    const Runtime runtime;
+    const VecArray x = positions(runtime, 60);
+    for (std::int32_t degree = 0; degree <= 3; ++degree) {
+        const fit::HermiteSystem system = system_of(x, degree);
+        const fit::PolynomialSpace space(runtime, system);
+        const Eigen::MatrixXd p = plain(system);
+        const Eigen::VectorXd c = wave(p.cols());
+        Eigen::VectorXd values = p * c;
+        const double size = values.norm();
+        Eigen::VectorXd found = Eigen::VectorXd::Constant(p.cols(), 0.25); // what is found is added
+        space.explain(values.data(), found.data());
+        EXPECT_LT(values.norm(), 1e-12 * size) << degree;
+        // A coefficient matters as much as its column is large.
+        for (Eigen::Index k = 0; k < p.cols(); ++k)
+            EXPECT_LT(std::abs(found[k] - 0.25 - c[k]) * p.col(k).norm(), 1e-9 * size) << degree << " " << k;
+    }
+}
+
+TEST(PolynomialSpace, ExplainTakesOutWhatItFinds) {
+    const Runtime runtime;
+    const VecArray x = positions(runtime, 40);
+    const fit::HermiteSystem system = system_of(x, 2);
+    const fit::PolynomialSpace space(runtime, system);
+    Eigen::VectorXd rest = wave(system.rows());
+    Eigen::VectorXd projected = rest;
+    Eigen::VectorXd c = Eigen::VectorXd::Zero(system.terms());
+    space.explain(rest.data(), c.data());
+    space.take_out(projected.data());
+    EXPECT_LT((rest - projected).norm(), 1e-13);
+    EXPECT_LT((rest + plain(system) * c - wave(system.rows())).norm(), 1e-10);
+}
+
+TEST(PolynomialSpace, KnowsAPolynomialAtOneSample) {
+    const Runtime runtime;
+    const VecArray x = positions(runtime, 60);
+    for (std::int32_t degree = 0; degree <= 3; ++degree) {
+        const fit::HermiteSystem system = system_of(x, degree);
+        const fit::PolynomialSpace space(runtime, system);
+        const Eigen::VectorXd c = wave(system.terms());
+        const Eigen::VectorXd values = plain(system) * c;
+        for (std::int64_t sample = 0; sample < x.size(); sample += 7) {
+            const std::array<double, 4> at = space.at(sample, c.data());
+            for (Eigen::Index i = 0; i < 4; ++i)
+                EXPECT_NEAR(at[static_cast<std::size_t>(i)], values[4 * sample + i], 1e-12 * values.norm());
+        }
+    }
+}
+
+TEST(PolynomialSpace, NeedsSamplesThatDetermineThePolynomial) {
+    const Runtime runtime;
+    const VecArray few = positions(runtime, 4); // 16 conditions
+    EXPECT_NO_THROW(fit::PolynomialSpace(runtime, system_of(few, 1)));
+    VecArray coincident(runtime.memory);
+    for (int i = 0; i < 40; ++i) coincident.push_back({1.0, 2.0, 3.0});
+    using Case = std::pair<const VecArray*, std::int32_t>;
+    for (const auto& [x, degree] : {Case(&few, 3), Case(&coincident, 2)}) {
+        try {
+            const fit::PolynomialSpace space(runtime, system_of(*x, degree));
+            ADD_FAILURE() << "no error for degree " << degree;
+        } catch (const hrbfnpr::Error& error) {
+            EXPECT_EQ(error.status(), hrbfnpr::Status::invalid_argument);
+            EXPECT_NE(std::string(error.what()).find("lower polynomial_degree"), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(PolynomialSpace, SameBitsForAnyNumberOfThreads) {
+    Runtime runtime;
+    const VecArray x = positions(runtime, 5000); // two pieces
+    const fit::HermiteSystem system = system_of(x, 1);
+    runtime.parallel = Parallel(1, nullptr, nullptr);
+    Eigen::VectorXd expected = wave(system.rows());
+    fit::PolynomialSpace(runtime, system).take_out(expected.data());
+    for (const int threads : {2, 3, 7}) {
+        runtime.parallel = Parallel(threads, nullptr, nullptr);
+        Eigen::VectorXd found = wave(system.rows());
+        fit::PolynomialSpace(runtime, system).take_out(found.data());
+        EXPECT_EQ(found, expected) << threads;
+    }
+}
+
+} // namespace

@@ -1,0 +1,150 @@
+#include "implicit/cube_basis.h"
+
+#include "base/status.h"
+#include "fields.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace base = hrbfnpr::base;
+using hrbfnpr::geometry::VecArray;
+using hrbfnpr::implicit::CubeBasis;
+using test::scatter;
+
+namespace {
+
+VecArray points_in_cube(base::Memory& memory, int count) {
+    VecArray points(memory);
+    for (int i = 0; i < count; ++i) points.push_back({scatter(3 * i), scatter(3 * i + 1), scatter(3 * i + 2)});
+    return points;
+}
+
+// What interpolation makes of f at the points, from its values at the nodes.
+template <class F>
+std::vector<double> interpolated(const base::Runtime& runtime, const CubeBasis& basis, const VecArray& points, F&& f) {
+    const auto count = static_cast<int>(points.size());
+    const base::Array<double> matrix = basis.interpolation(runtime, points, count);
+    std::vector<double> result(static_cast<std::size_t>(count));
+    for (int k = 0; k < basis.size(); ++k)
+        for (int i = 0; i < count; ++i)
+            result[static_cast<std::size_t>(i)] +=
+                matrix[std::int64_t{k} * CubeBasis::padded(count) + i] * f(basis.nodes()[k]);
+    return result;
+}
+
+template <class F>
+double largest_error(const base::Runtime& runtime, const CubeBasis& basis, F&& f) {
+    const VecArray points = points_in_cube(runtime.memory, 13);
+    const std::vector<double> found = interpolated(runtime, basis, points, f);
+    double error = 0.0;
+    for (std::int64_t i = 0; i < points.size(); ++i)
+        error = std::max(error, std::abs(found[static_cast<std::size_t>(i)] - f(points[i])));
+    return error;
+}
+
+TEST(CubeBasis, TermsAreProductsOfCosines) {
+    for (const int degree : {0, 1, 2, 7, CubeBasis::degree_max}) {
+        std::vector<double> terms(static_cast<std::size_t>(CubeBasis::terms(degree)));
+        const glm::dvec3 p(0.3, -0.8, 0.55);
+        CubeBasis::evaluate(degree, p, terms.data());
+        std::size_t k = 0;
+        for (int a = 0; a <= degree; ++a)
+            for (int b = 0; a + b <= degree; ++b)
+                for (int c = 0; a + b + c <= degree; ++c)
+                    EXPECT_NEAR(terms[k++],
+                                std::cos(a * std::acos(p.x)) * std::cos(b * std::acos(p.y)) *
+                                    std::cos(c * std::acos(p.z)),
+                                1e-13);
+        EXPECT_EQ(k, terms.size());
+    }
+}
+
+TEST(CubeBasis, InterpolationReproducesPolynomialsOfItsDegree) {
+    const base::Runtime runtime;
+    for (const int degree : {0, 1, 2, 3, 5, 8}) {
+        const CubeBasis basis(runtime, degree, {});
+        for (int a = 0; a <= degree; ++a)
+            for (int b = 0; a + b <= degree; ++b) {
+                const int c = degree - a - b;
+                const auto monomial = [&](const glm::dvec3& p) {
+                    return std::pow(p.x, a) * std::pow(p.y, b) * std::pow(p.z, c);
+                };
+                EXPECT_LT(largest_error(runtime, basis, monomial), 1e-12) << degree << " " << a << b << c;
+            }
+        EXPECT_LT(largest_error(runtime, basis, [](const glm::dvec3&) { return 3.0; }), 1e-12) << degree;
+        EXPECT_GT(largest_error(runtime, basis, [&](const glm::dvec3& p) { return std::pow(p.y, degree + 1); }), 1e-4);
+    }
+}
+
+TEST(CubeBasis, ToCoefficientsInverts) {
+    const base::Runtime runtime;
+    for (const int degree : {0, 1, 2, 6, 9}) {
+        const CubeBasis basis(runtime, degree, {});
+        const std::int64_t stride = basis.stride();
+        std::vector<double> terms(static_cast<std::size_t>(basis.size()));
+        for (std::int64_t i = 0; i < basis.size(); ++i) {
+            CubeBasis::evaluate(degree, basis.nodes()[i], terms.data());
+            for (std::int64_t j = 0; j < basis.size(); ++j) {
+                double sum = 0.0;
+                for (std::int64_t k = 0; k < basis.size(); ++k)
+                    sum += terms[static_cast<std::size_t>(k)] * basis.to_coefficients()[j * stride + k];
+                EXPECT_NEAR(sum, i == j ? 1.0 : 0.0, 1e-11) << degree << " " << i << " " << j;
+                EXPECT_EQ(basis.to_coefficients()[j * stride + i], basis.to_coefficients_transposed()[i * stride + j]);
+            }
+        }
+    }
+}
+
+TEST(CubeBasis, NodesAreDistinctAndInTheCube) {
+    const base::Runtime runtime;
+    for (const int degree : {0, 3, 10}) {
+        const CubeBasis basis(runtime, degree, {});
+        EXPECT_EQ(basis.nodes().size(), basis.stride());
+        EXPECT_EQ(basis.stride() % 8, 0);
+        for (std::int64_t i = 0; i < basis.size(); ++i) {
+            const glm::dvec3 p = basis.nodes()[i];
+            EXPECT_LE(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1.0);
+            for (std::int64_t j = 0; j < i; ++j) EXPECT_GT(glm::distance(p, basis.nodes()[j]), 1e-3);
+        }
+        for (std::int64_t i = basis.size(); i < basis.stride(); ++i) EXPECT_EQ(basis.nodes()[i], glm::dvec3(0.0));
+    }
+}
+
+// Lebesgue's constant stays small: that is what the points are chosen for.
+TEST(CubeBasis, InterpolationIsStable) {
+    const base::Runtime runtime;
+    const CubeBasis basis(runtime, 10, {});
+    const VecArray points = points_in_cube(runtime.memory, 50);
+    const base::Array<double> matrix = basis.interpolation(runtime, points, 50);
+    for (std::int64_t i = 0; i < 50; ++i) {
+        double sum = 0.0;
+        for (std::int64_t k = 0; k < basis.size(); ++k) sum += std::abs(matrix[k * CubeBasis::padded(50) + i]);
+        EXPECT_LT(sum, 500.0) << i;
+    }
+}
+
+TEST(CubeBasis, SameBitsForAnyNumberOfThreads) {
+    base::Runtime runtime;
+    runtime.parallel = base::Parallel(1, nullptr, nullptr);
+    const CubeBasis serial(runtime, 7, {});
+    for (const int threads : {2, 3, 7}) {
+        runtime.parallel = base::Parallel(threads, nullptr, nullptr);
+        const CubeBasis basis(runtime, 7, {});
+        EXPECT_EQ(std::memcmp(basis.to_coefficients().data(), serial.to_coefficients().data(),
+                              static_cast<std::size_t>(serial.to_coefficients().size()) * sizeof(double)),
+                  0)
+            << threads;
+    }
+}
+
+TEST(CubeBasis, CanBeCancelled) {
+    const base::Runtime runtime;
+    base::Operation operation;
+    operation.cancel();
+    EXPECT_THROW(CubeBasis(runtime, 5, base::Progress(&operation)), hrbfnpr::Error);
+}
+
+} // namespace

@@ -1,0 +1,200 @@
+#include "implicit/far_field.h"
+
+#include "base/status.h"
+#include "fields.h"
+#include "implicit/hermite_sums.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace base = hrbfnpr::base;
+namespace implicit = hrbfnpr::implicit;
+using hrbfnpr::geometry::VecArray;
+using test::scatter;
+
+namespace {
+
+constexpr double golden_angle = 2.399963229728653;
+
+// Fibonacci's spiral on a sphere whose points are about 1 apart.
+VecArray sphere(base::Memory& memory, int count) {
+    VecArray points(memory);
+    const double radius = std::sqrt(count / 12.566370614359172);
+    for (int i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / count;
+        const double r = std::sqrt(1.0 - z * z);
+        points.push_back(radius * glm::dvec3(r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z));
+    }
+    return points;
+}
+
+// A tenth of the points in a wide box, and the others in one a hundredth as wide.
+VecArray uneven(base::Memory& memory, int count) {
+    VecArray points(memory);
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 p(scatter(3 * i), scatter(3 * i + 1), scatter(3 * i + 2));
+        points.push_back(i % 10 == 0 ? 16.0 * p : glm::dvec3(5.0) + 0.16 * p);
+    }
+    return points;
+}
+
+struct Weights {
+    Weights(base::Memory& memory, std::int64_t count) : alpha(memory, count), beta(memory, count) {
+        for (std::int64_t i = 0; i < count; ++i) {
+            const int from = 9000 + 4 * static_cast<int>(i);
+            alpha[i] = scatter(from);
+            beta.set(i, {scatter(from + 1), scatter(from + 2), scatter(from + 3)});
+        }
+    }
+    base::Array<double> alpha;
+    VecArray beta;
+};
+
+struct Sums {
+    Sums(base::Memory& memory, std::int64_t count) : value(memory, count), gradient(memory, count) {}
+    base::Array<double> value;
+    VecArray gradient;
+};
+
+Sums directly(const base::Runtime& runtime, const VecArray& p, const Weights& w) {
+    Sums sums(runtime.memory, p.size());
+    implicit::hermite_sums(runtime.instruction_set, hrbfnpr::kernel::Kind::triharmonic)(
+        0.0,
+        {p.x.data(), p.y.data(), p.z.data(), w.alpha.data(), w.beta.x.data(), w.beta.y.data(), w.beta.z.data(),
+         p.size()},
+        {p.x.data(), p.y.data(), p.z.data(), sums.value.data(), sums.gradient.x.data(), sums.gradient.y.data(),
+         sums.gradient.z.data(), p.size()});
+    return sums;
+}
+
+Sums quickly(const base::Runtime& runtime, const VecArray& points, const Weights& w,
+             const implicit::FarField::Options& options) {
+    implicit::FarField field(runtime, points, options, {});
+    Sums sums(runtime.memory, points.size());
+    field.sum(w.alpha.data(), w.beta, sums.value.data(), sums.gradient, {});
+    return sums;
+}
+
+// Of values and of gradients, the larger: 2-norm, relative.
+double error(const Sums& found, const Sums& expected) {
+    glm::dvec2 off(0.0);
+    glm::dvec2 all(0.0);
+    const auto squared = [](double value, const glm::dvec3& gradient) {
+        return glm::dvec2(value * value, glm::dot(gradient, gradient));
+    };
+    for (std::int64_t i = 0; i < expected.value.size(); ++i) {
+        off += squared(found.value[i] - expected.value[i], found.gradient[i] - expected.gradient[i]);
+        all += squared(expected.value[i], expected.gradient[i]);
+    }
+    const glm::dvec2 relative = glm::sqrt(off / all);
+    return std::max(relative.x, relative.y);
+}
+
+void expect_error_to_fall(const VecArray& points, const implicit::FarField::Options& coarse, double first) {
+    const base::Runtime runtime;
+    const Weights weights(runtime.memory, points.size());
+    const Sums expected = directly(runtime, points, weights);
+    double before = 5.0 * first;
+    for (implicit::FarField::Options options = coarse; options.finer <= coarse.finer + 2; ++options.finer) {
+        const double now = error(quickly(runtime, points, weights, options), expected);
+        EXPECT_LT(now, 0.2 * before) << options.finer;
+        EXPECT_GT(now, 1e-15) << options.finer;
+        before = now;
+    }
+}
+
+TEST(FarField, ErrorFallsByEachStepOnASurface) {
+    base::Memory memory;
+    expect_error_to_fall(sphere(memory, 1500), {4.0, 0, 30}, 1e-4);
+}
+
+TEST(FarField, ErrorFallsByEachStepOnAnUnevenCloud) {
+    base::Memory memory;
+    expect_error_to_fall(uneven(memory, 3000), {4.0, -1, 60}, 1e-2);
+}
+
+TEST(FarField, IsAccurateAtTheTrueSpacing) {
+    const base::Runtime runtime;
+    const VecArray points = sphere(runtime.memory, 1500);
+    const Weights weights(runtime.memory, points.size());
+    EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 1, 40}), directly(runtime, points, weights)), 1e-6);
+}
+
+TEST(FarField, ClustersAreDividedAsDeeplyAsTheyNeed) {
+    const base::Runtime runtime;
+    const VecArray points = uneven(runtime.memory, 1500);
+    const Weights weights(runtime.memory, points.size());
+    const Sums expected = directly(runtime, points, weights);
+    for (const std::int64_t leaf_size : {10, 40, 640})
+        EXPECT_LT(error(quickly(runtime, points, weights, {4.0, 0, leaf_size}), expected), 1e-4) << leaf_size;
+    const implicit::FarField shallow(runtime, points, {4.0, 0, 1499}, {});
+    const implicit::FarField deep(runtime, points, {4.0, 0, 10}, {});
+    EXPECT_GT(deep.bytes(), 2 * shallow.bytes());
+}
+
+TEST(FarField, IsExactWhereEverythingIsNear) {
+    const base::Runtime runtime;
+    for (const int count : {0, 1, 2, 300}) {
+        const VecArray points = sphere(runtime.memory, count);
+        const Weights weights(runtime.memory, count);
+        const Sums found = quickly(runtime, points, weights, {1.0, 0, 300});
+        if (count > 1) {
+            EXPECT_LT(error(found, directly(runtime, points, weights)), 1e-13) << count;
+        }
+    }
+    const VecArray points = sphere(runtime.memory, 300); // one level of cubes, which all touch
+    const Weights weights(runtime.memory, 300);
+    EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 0, 150}), directly(runtime, points, weights)), 1e-13);
+}
+
+TEST(FarField, SumsNothingOfTheCallBefore) {
+    const base::Runtime runtime;
+    const VecArray points = sphere(runtime.memory, 600);
+    implicit::FarField field(runtime, points, {4.0, 0, 30}, {});
+    const Weights weights(runtime.memory, points.size());
+    Sums first(runtime.memory, points.size());
+    Sums second(runtime.memory, points.size());
+    field.sum(weights.alpha.data(), weights.beta, first.value.data(), first.gradient, {});
+    field.sum(weights.alpha.data(), weights.beta, second.value.data(), second.gradient, {});
+    EXPECT_EQ(error(second, first), 0.0);
+}
+
+void expect_same_bits(const base::Array<double>& a, const base::Array<double>& b, int threads) {
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)), 0) << threads;
+}
+
+TEST(FarField, SameBitsForAnyNumberOfThreads) {
+    base::Runtime runtime;
+    const VecArray points = uneven(runtime.memory, 1500);
+    const Weights weights(runtime.memory, points.size());
+    runtime.parallel = base::Parallel(1, nullptr, nullptr);
+    const Sums serial = quickly(runtime, points, weights, {4.0, 0, 20});
+    for (const int threads : {2, 3, 7}) {
+        runtime.parallel = base::Parallel(threads, nullptr, nullptr);
+        const Sums sums = quickly(runtime, points, weights, {4.0, 0, 20});
+        expect_same_bits(sums.value, serial.value, threads);
+        expect_same_bits(sums.gradient.x, serial.gradient.x, threads);
+        expect_same_bits(sums.gradient.y, serial.gradient.y, threads);
+        expect_same_bits(sums.gradient.z, serial.gradient.z, threads);
+    }
+}
+
+TEST(FarField, CanBeCancelled) {
+    const base::Runtime runtime;
+    const VecArray points = sphere(runtime.memory, 300);
+    const Weights weights(runtime.memory, points.size());
+    implicit::FarField field(runtime, points, {4.0, 0, 20}, {});
+    Sums sums(runtime.memory, points.size());
+    base::Operation operation;
+    operation.cancel();
+    const base::Progress cancelled(&operation);
+    EXPECT_THROW(implicit::FarField(runtime, points, {4.0, 0, 20}, cancelled), hrbfnpr::Error);
+    EXPECT_THROW(field.sum(weights.alpha.data(), weights.beta, sums.value.data(), sums.gradient, cancelled),
+                 hrbfnpr::Error);
+}
+
+} // namespace
