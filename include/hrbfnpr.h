@@ -105,7 +105,12 @@ extern "C" {
 
 /* The header's version.  HRBFNPR_ABI_VERSION is the number in the shared
  * library's SONAME; it moves only when an existing binary would break. */
-enum { HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0, HRBFNPR_ABI_VERSION = 0 };
+enum {
+    HRBFNPR_VERSION_MAJOR = 0,
+    HRBFNPR_VERSION_MINOR = 1,
+    HRBFNPR_VERSION_PATCH = 0,
+    HRBFNPR_ABI_VERSION = 0
+};
 
 /* The library's version as major * 10000 + minor * 100 + patch. */
 HRBFNPR_API uint32_t hrbfnpr_version(void);
@@ -172,7 +177,12 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacit
  * ==========================================================================
  */
 
-enum { HRBFNPR_SCALAR_FLOAT32 = 1, HRBFNPR_SCALAR_FLOAT64 = 2, HRBFNPR_SCALAR_UINT8 = 3, HRBFNPR_SCALAR_UINT32 = 4 };
+enum {
+    HRBFNPR_SCALAR_FLOAT32 = 1,
+    HRBFNPR_SCALAR_FLOAT64 = 2,
+    HRBFNPR_SCALAR_UINT8 = 3,
+    HRBFNPR_SCALAR_UINT32 = 4
+};
 
 /* `count` elements of `components` scalars each, `stride` bytes apart.
  * An array with data NULL and count 0 is "not given".  Never owns. */
@@ -239,7 +249,8 @@ typedef void (*hrbfnpr_task_fn)(void* task_context, int64_t index);
 /* The host's job runner: calls task(task_context, i) once for every
  * i in [0, task_count), on any threads, in any order, and returns when all
  * have ended.  It may be called again from inside a task's thread. */
-typedef void (*hrbfnpr_run_tasks_fn)(void* user, hrbfnpr_task_fn task, void* task_context, int64_t task_count);
+typedef void (*hrbfnpr_run_tasks_fn)(void* user, hrbfnpr_task_fn task, void* task_context,
+                                     int64_t task_count);
 
 /* Instruction sets, for `highest_instruction_set` and `instruction_set`. */
 enum {
@@ -252,12 +263,12 @@ enum {
 
 typedef struct hrbfnpr_context_desc {
     uint32_t struct_size;
-    uint32_t abi_version;             /* _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
-    int32_t thread_count;             /* 0 = all processors (default), 1 = serial; at most 256 are used */
-    uint32_t flags;                   /* must be 0 */
+    uint32_t abi_version;  /* _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
+    int32_t thread_count;  /* 0 = all processors (default), 1 = serial; at most 256 are used */
+    uint32_t flags;        /* must be 0 */
     uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
     uint32_t reserved;
-    hrbfnpr_allocate_fn allocate; /* both or none; none = aligned operator new */
+    hrbfnpr_allocate_fn allocate;     /* both or none; none = aligned operator new */
     hrbfnpr_deallocate_fn deallocate;
     void* allocator_user;
     hrbfnpr_log_fn log; /* may be NULL */
@@ -270,8 +281,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc,
 
 /* `desc` may be NULL for all defaults.  The callbacks and their user pointers
  * must outlive the context and everything that was made from it. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_context** out_context,
-                                                  hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc,
+                                                  hrbfnpr_context** out_context, hrbfnpr_error* error);
 HRBFNPR_API void hrbfnpr_context_retain(hrbfnpr_context* context);  /* any thread; NULL is ignored */
 HRBFNPR_API void hrbfnpr_context_release(hrbfnpr_context* context); /* any thread; NULL is ignored */
 
@@ -285,8 +296,8 @@ typedef struct hrbfnpr_context_info {
 } hrbfnpr_context_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_context_info_init(hrbfnpr_context_info* info, uint32_t struct_size);
-HRBFNPR_API hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context, hrbfnpr_context_info* info,
-                                                    hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context,
+                                                    hrbfnpr_context_info* info, hrbfnpr_error* error);
 
 /*
  * ==========================================================================
@@ -306,7 +317,8 @@ typedef struct hrbfnpr_operation hrbfnpr_operation;
  * anything else to cancel (the call then returns CANCELLED). */
 typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
 
-HRBFNPR_API hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context, hrbfnpr_operation** out_operation,
+HRBFNPR_API hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context,
+                                                    hrbfnpr_operation** out_operation,
                                                     hrbfnpr_error* error);
 HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation);
 /* Any thread, any time, more than once; NULL is ignored. */
@@ -316,8 +328,9 @@ HRBFNPR_API int32_t hrbfnpr_operation_is_cancelled(const hrbfnpr_operation* oper
 /* Progress of the call in [0,1].  Any thread. */
 HRBFNPR_API double hrbfnpr_operation_progress(const hrbfnpr_operation* operation);
 /* Not while a call that uses the operation runs.  `callback` NULL removes it. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation, hrbfnpr_progress_fn callback,
-                                                          void* user, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation,
+                                                          hrbfnpr_progress_fn callback, void* user,
+                                                          hrbfnpr_error* error);
 
 /*
  * Streams, for saving and loading.  Both run on the thread that entered.
@@ -347,7 +360,7 @@ enum {
 
 enum {
     HRBFNPR_SOLVER_AUTO = 0,
-    HRBFNPR_SOLVER_DIRECT = 1,   /* dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3) */
+    HRBFNPR_SOLVER_DIRECT = 1, /* dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3) */
     HRBFNPR_SOLVER_ITERATIVE = 2 /* preconditioned; memory O(N) */
 };
 
@@ -410,27 +423,27 @@ enum {
  * are interpolated. */
 typedef struct hrbfnpr_fit_desc {
     uint32_t struct_size;
-    uint32_t kernel;           /* HRBFNPR_KERNEL_...; TRIHARMONIC */
-    hrbfnpr_array points;      /* N x 3, FLOAT32 or FLOAT64 */
-    hrbfnpr_array normals;     /* N x 3, FLOAT32 or FLOAT64, outward */
-    double kernel_radius;      /* sigma or rho, in units of the points; 0 = from the sample spacing */
+    uint32_t kernel;         /* HRBFNPR_KERNEL_...; TRIHARMONIC */
+    hrbfnpr_array points;    /* N x 3, FLOAT32 or FLOAT64 */
+    hrbfnpr_array normals;   /* N x 3, FLOAT32 or FLOAT64, outward */
+    double kernel_radius;    /* sigma or rho, in units of the points; 0 = from the sample spacing */
     int32_t polynomial_degree; /* -1 (none) .. 3; 1.  TRIHARMONIC is well-posed from 1 on
                                   (Duchon 1977); below that a pivoted LU is tried. */
-    uint32_t solver;           /* HRBFNPR_SOLVER_...; AUTO */
-    double regularization;     /* >= 0; 0 interpolates.  Added to the diagonal of the system in
-                                  coordinates whose diagonal is 1: larger is smoother */
-    double tolerance;          /* > 0: samples are chosen as centres until all lie this near to the
-                                  surface, in units of the points; 0: no such end */
-    int64_t maximum_centres;   /* > 0: no more samples than this are chosen as centres; 0: no limit.
-                                  With tolerance 0, too, every sample is a centre */
-    int32_t iteration_limit;   /* steps of iterative refinement after a direct solve; 2 */
+    uint32_t solver;         /* HRBFNPR_SOLVER_...; AUTO */
+    double regularization;   /* >= 0; 0 interpolates.  Added to the diagonal of the system in
+                                coordinates whose diagonal is 1: larger is smoother */
+    double tolerance;        /* > 0: samples are chosen as centres until all lie this near to the
+                                surface, in units of the points; 0: no such end */
+    int64_t maximum_centres; /* > 0: no more samples than this are chosen as centres; 0: no limit.
+                                With tolerance 0, too, every sample is a centre */
+    int32_t iteration_limit; /* steps of iterative refinement after a direct solve; 2 */
     uint32_t reserved;
-    uint32_t outliers;                  /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
-    uint32_t flipped_normals;           /* HRBFNPR_REPAIR_...; KEEP */
+    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
+    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
     uint32_t regularization_mode;       /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
     uint32_t preconditioner_neighbours; /* of ITERATIVE; 0 = automatic */
-    double solver_tolerance;            /* relative residual at which ITERATIVE ends; 0 = 1e-8 */
-    int32_t solver_iterations;          /* most iterations of ITERATIVE; 0 = 200 */
+    double solver_tolerance;   /* relative residual at which ITERATIVE ends; 0 = 1e-8 */
+    int32_t solver_iterations; /* most iterations of ITERATIVE; 0 = 200 */
     uint32_t reserved2;
 } hrbfnpr_fit_desc;
 
@@ -449,8 +462,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrb
  * Fills `value` (count), and, where the pointer is not NULL, `gradient`
  * (count x 3) and `hessian` (count x 6: xx xy xz yy yz zz).  Returns 0, or
  * anything else to fail the whole call with CALLBACK. */
-typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* points, double* value, double* gradient,
-                                       double* hessian);
+typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* points, double* value,
+                                       double* gradient, double* hessian);
 
 enum {
     HRBFNPR_CUSTOM_HAS_GRADIENT = 1, /* else gradient is always NULL and differenced */
@@ -470,11 +483,12 @@ typedef struct hrbfnpr_custom_desc {
                                     thread that releases it; not called when creation fails */
     double bounds_min[3];        /* the box that the surface lies in */
     double bounds_max[3];
-    double difference_step; /* for differences; 0 = 1e-4 (Hessian 1e-3) of the diagonal */
+    double difference_step;      /* for differences; 0 = 1e-4 (Hessian 1e-3) of the diagonal */
 } hrbfnpr_custom_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size);
-HRBFNPR_API hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context, const hrbfnpr_custom_desc* desc,
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context,
+                                                       const hrbfnpr_custom_desc* desc,
                                                        hrbfnpr_model** out_model, hrbfnpr_error* error);
 
 HRBFNPR_API void hrbfnpr_model_retain(const hrbfnpr_model* model);  /* any thread; NULL is ignored */
@@ -491,28 +505,28 @@ typedef struct hrbfnpr_model_info {
     int64_t rescaled_normals; /* normals whose length was off 1 by more than 1e-4 */
     double bounds_min[3];     /* of the samples */
     double bounds_max[3];
-    double spacing;            /* mean distance of a sample to its nearest neighbour */
-    double kernel_radius;      /* as used */
-    double regularization;     /* as used; of AUTO, that of the values */
-    double value_residual_max; /* max |f(x_i)|, in units of the points */
+    double spacing;           /* mean distance of a sample to its nearest neighbour */
+    double kernel_radius;     /* as used */
+    double regularization;    /* as used; of AUTO, that of the values */
+    double value_residual_max;    /* max |f(x_i)|, in units of the points */
     double value_residual_rms;
     double gradient_residual_max; /* max |grad f(x_i) - n_i| */
     double gradient_residual_rms;
-    double solver_residual;    /* relative residual of the linear system, 2-norm */
-    double condition_estimate; /* 1-norm, of the factored matrix */
-    int32_t iterations;        /* refinement steps taken */
-    uint32_t fallback;         /* 1: the matrix was not definite and a pivoted LU was used */
+    double solver_residual;       /* relative residual of the linear system, 2-norm */
+    double condition_estimate;    /* 1-norm, of the factored matrix */
+    int32_t iterations;           /* refinement steps taken */
+    uint32_t fallback;            /* 1: the matrix was not definite and a pivoted LU was used */
     double seconds_assemble;
     double seconds_solve;
     double seconds_total;
     int64_t bytes; /* kept by the model */
     int64_t outliers_found;
     int64_t outliers_dropped;
-    int64_t flipped_found;     /* normals against those of their neighbours */
-    int64_t flipped_repaired;  /* of these, dropped or turned round */
-    int64_t near_duplicates;   /* samples much nearer to another than the spacing, merged into it */
-    double noise_estimate;     /* standard deviation of the samples off their surface, in units of the
-                                  points; 0 if none is seen, or nobody asked (regularization GIVEN) */
+    int64_t flipped_found;    /* normals against those of their neighbours */
+    int64_t flipped_repaired; /* of these, dropped or turned round */
+    int64_t near_duplicates;  /* samples much nearer to another than the spacing, merged into it */
+    double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
+                                 points; 0 if none is seen, or nobody asked (regularization GIVEN) */
     double input_distance_max; /* of all samples but dropped ones from the surface, |f| / |grad f| */
     double input_distance_rms;
     double input_share_within; /* share of all samples that lie within the tolerance; a dropped one
@@ -520,7 +534,7 @@ typedef struct hrbfnpr_model_info {
     int32_t choice_rounds;     /* fits made to choose the centres; 0 if all samples are centres */
     uint32_t solver_reason;    /* HRBFNPR_SOLVER_REASON_... */
     double seconds_clean;
-    double seconds_choose; /* of all rounds but the last fit */
+    double seconds_choose;     /* of all rounds but the last fit */
     double seconds_precondition;
     int64_t peak_bytes; /* most that the context's allocator had given out at a time, up to the fit's end */
 } hrbfnpr_model_info;
@@ -536,8 +550,8 @@ enum {
 
 /* A zero-copy view of the merged samples, valid while the model lives.
  * Empty for a custom model. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32_t attribute, hrbfnpr_array* out_view,
-                                              hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32_t attribute,
+                                              hrbfnpr_array* out_view, hrbfnpr_error* error);
 
 /* f, grad f and the Hessian at n points.
  * points:   n x 3, FLOAT32 or FLOAT64, finite.
@@ -545,9 +559,10 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32
  *           FLOAT32 or FLOAT64, or NULL.  At a sample the Hessian leaves out
  *           that sample's own (direction-dependent, zero-mean) term. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                                  const hrbfnpr_array_out* value, const hrbfnpr_array_out* gradient,
-                                                  const hrbfnpr_array_out* hessian, hrbfnpr_operation* operation,
-                                                  hrbfnpr_error* error);
+                                                  const hrbfnpr_array_out* value,
+                                                  const hrbfnpr_array_out* gradient,
+                                                  const hrbfnpr_array_out* hessian,
+                                                  hrbfnpr_operation* operation, hrbfnpr_error* error);
 
 enum {
     HRBFNPR_PROJECTION_CONVERGED = 0,
@@ -573,10 +588,11 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc,
  * or NULL; converged (nullable) gets the number that converged.
  * A point that fails keeps its last iterate.  position may be points itself. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                                 const hrbfnpr_project_desc* desc, const hrbfnpr_array_out* position,
-                                                 const hrbfnpr_array_out* normal, const hrbfnpr_array_out* status,
-                                                 int64_t* converged, hrbfnpr_operation* operation,
-                                                 hrbfnpr_error* error);
+                                                 const hrbfnpr_project_desc* desc,
+                                                 const hrbfnpr_array_out* position,
+                                                 const hrbfnpr_array_out* normal,
+                                                 const hrbfnpr_array_out* status, int64_t* converged,
+                                                 hrbfnpr_operation* operation, hrbfnpr_error* error);
 
 /* Principal curvatures and directions of the level set through each of n
  * points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
@@ -590,21 +606,23 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, con
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
                                                    const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2,
                                                    const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
-                                                   const hrbfnpr_array_out* confidence, hrbfnpr_operation* operation,
-                                                   hrbfnpr_error* error);
+                                                   const hrbfnpr_array_out* confidence,
+                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
 
 /* Saving and loading.  The stream is little-endian, versioned and checksummed;
  * a loaded model evaluates to the same bits.  A custom model cannot be saved
  * (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
  * that is too small is BUFFER_TOO_SMALL and writes nothing else. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write, void* user,
-                                              hrbfnpr_error* error);
-HRBFNPR_API hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* destination, int64_t capacity,
-                                                     int64_t* size, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write,
+                                              void* user, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* destination,
+                                                     int64_t capacity, int64_t* size,
+                                                     hrbfnpr_error* error);
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
                                               hrbfnpr_model** out_model, hrbfnpr_error* error);
-HRBFNPR_API hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
-                                                     hrbfnpr_model** out_model, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* data,
+                                                     int64_t size, hrbfnpr_model** out_model,
+                                                     hrbfnpr_error* error);
 
 /*
  * ==========================================================================
@@ -646,13 +664,13 @@ enum {
 
 /* How one group grows. */
 typedef struct hrbfnpr_group_desc {
-    int32_t levels;     /* refinement steps, 0 .. 12.  PAPER: stipples 4, strokes 3.  BLUE_NOISE
-                           ignores it for stipples; a stroke has 3^levels marks */
-    uint32_t seeds;     /* HRBFNPR_GROUP_SEED_...; PAPER only, not for STIPPLE */
-    int32_t seed_level; /* with _STIPPLES: the last stippling level used; 0 */
+    int32_t levels;      /* refinement steps, 0 .. 12.  PAPER: stipples 4, strokes 3.  BLUE_NOISE
+                            ignores it for stipples; a stroke has 3^levels marks */
+    uint32_t seeds;      /* HRBFNPR_GROUP_SEED_...; PAPER only, not for STIPPLE */
+    int32_t seed_level;  /* with _STIPPLES: the last stippling level used; 0 */
     uint32_t reserved;
-    int64_t budget; /* the most marks; 0 = no limit for PAPER, 40000 for BLUE_NOISE.  PAPER
-                       thins the level that exceeds it at random and stops there */
+    int64_t budget;      /* the most marks; 0 = no limit for PAPER, 40000 for BLUE_NOISE.  PAPER
+                            thins the level that exceeds it at random and stops there */
 } hrbfnpr_group_desc;
 
 enum {
@@ -662,18 +680,18 @@ enum {
 
 typedef struct hrbfnpr_generate_desc {
     uint32_t struct_size;
-    uint32_t groups;             /* bit (1 << HRBFNPR_GROUP_...) each; 1 (stipples only) */
-    uint32_t distribution;       /* HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
-    uint32_t seed_source;        /* HRBFNPR_SEED_...; AUTO */
-    uint32_t flags;              /* HRBFNPR_GENERATE_...; 0 */
-    uint32_t box_resolution;     /* R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
-    double box_jitter;           /* alpha: in cell sides, 0 .. 0.5; 0.25 */
-    double initial_step;         /* rho_0; 0 = voxel diameter for BOX, mean empty-ball diameter of the
-                                    seeds for others [NPAR 5.1].  BLUE_NOISE: the length of a
-                                    stroke is 3 initial_step; 0 = 2.5 % of the diagonal */
+    uint32_t groups;         /* bit (1 << HRBFNPR_GROUP_...) each; 1 (stipples only) */
+    uint32_t distribution;   /* HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
+    uint32_t seed_source;    /* HRBFNPR_SEED_...; AUTO */
+    uint32_t flags;          /* HRBFNPR_GENERATE_...; 0 */
+    uint32_t box_resolution; /* R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
+    double box_jitter;       /* alpha: in cell sides, 0 .. 0.5; 0.25 */
+    double initial_step;     /* rho_0; 0 = voxel diameter for BOX, mean empty-ball diameter of the
+                                seeds for others [NPAR 5.1].  BLUE_NOISE: the length of a
+                                stroke is 3 initial_step; 0 = 2.5 % of the diagonal */
     double projection_tolerance; /* as in hrbfnpr_project_desc; 1e-7 */
-    uint64_t random_seed;        /* any number; 1 */
-    hrbfnpr_array seed_points;   /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
+    uint64_t random_seed;    /* any number; 1 */
+    hrbfnpr_array seed_points; /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
     hrbfnpr_group_desc group[3];
 } hrbfnpr_generate_desc;
 
@@ -684,8 +702,10 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* des
  * a set whose seeds are all dropped is an error (NOT_CONVERGED).
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, NOT_CONVERGED, CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, const hrbfnpr_model* model,
-                                                      const hrbfnpr_generate_desc* desc, hrbfnpr_operation* operation,
-                                                      hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+                                                      const hrbfnpr_generate_desc* desc,
+                                                      hrbfnpr_operation* operation,
+                                                      hrbfnpr_point_set** out_point_set,
+                                                      hrbfnpr_error* error);
 
 /* What is known of each mark, per group. */
 enum {
@@ -746,12 +766,12 @@ typedef struct hrbfnpr_level_info {
 } hrbfnpr_level_info;
 
 typedef struct hrbfnpr_group_info {
-    int64_t count;      /* marks in the group */
-    int64_t strokes;    /* strokes in the group; 0 for stipples */
-    int64_t full_count; /* what the counts would be if nothing had been dropped (PAPER) */
-    int32_t levels;     /* refinement steps taken */
+    int64_t count;         /* marks in the group */
+    int64_t strokes;       /* strokes in the group; 0 for stipples */
+    int64_t full_count;    /* what the counts would be if nothing had been dropped (PAPER) */
+    int32_t levels;        /* refinement steps taken */
     uint32_t reserved;
-    double step; /* initial step rho_0 used */
+    double step;           /* initial step rho_0 used */
     double seconds;
     hrbfnpr_level_info level[13];
 } hrbfnpr_group_info;
@@ -759,28 +779,29 @@ typedef struct hrbfnpr_group_info {
 typedef struct hrbfnpr_point_set_info {
     uint32_t struct_size;
     uint32_t distribution;
-    uint32_t seed_source; /* the one used */
+    uint32_t seed_source;   /* the one used */
     uint32_t reserved;
-    double origin[3];     /* add to POSITION */
-    double bounds_min[3]; /* of all marks, absolute */
+    double origin[3];       /* add to POSITION */
+    double bounds_min[3];   /* of all marks, absolute */
     double bounds_max[3];
-    double spacing; /* sqrt(area per mark) of the largest group, estimated: what a frame
-                       uses as the size of a mark's piece of surface */
+    double spacing;         /* sqrt(area per mark) of the largest group, estimated: what a frame
+                               uses as the size of a mark's piece of surface */
     double seconds_seeds;
     double seconds_total;
-    int64_t bytes; /* kept by the set */
+    int64_t bytes;          /* kept by the set */
     hrbfnpr_level_info seeds;
     hrbfnpr_group_info group[3];
 } hrbfnpr_point_set_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_info_init(hrbfnpr_point_set_info* info, uint32_t struct_size);
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set, hrbfnpr_point_set_info* info,
-                                                      hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set,
+                                                      hrbfnpr_point_set_info* info, hrbfnpr_error* error);
 
 /* A zero-copy view of one attribute of one group, valid while the set lives.
  * An empty group, or CURVATURE where it was not generated, gives count 0. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, uint32_t group, uint32_t attribute,
-                                                  hrbfnpr_array* out_view, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, uint32_t group,
+                                                  uint32_t attribute, hrbfnpr_array* out_view,
+                                                  hrbfnpr_error* error);
 
 /* The visual feedback for choosing the initial step [NPAR 5.1, Figure 5]:
  * `patch_count` squares of side 2 * initial_step in tangent planes of randomly
@@ -788,20 +809,25 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, 
  * seen from outside), FLOAT32 or FLOAT64, absolute.  The seeds and, if
  * desc->initial_step is 0, the estimate are those that _generate with the same
  * desc would use; *step (nullable) gets the step.  desc may be NULL. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hrbfnpr_model* model,
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context,
+                                                          const hrbfnpr_model* model,
                                                           const hrbfnpr_generate_desc* desc,
                                                           const hrbfnpr_array_out* corners, double* step,
-                                                          hrbfnpr_operation* operation, hrbfnpr_error* error);
+                                                          hrbfnpr_operation* operation,
+                                                          hrbfnpr_error* error);
 
 /* As for models. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_write_fn write, void* user,
-                                                  hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_write_fn write,
+                                                  void* user, hrbfnpr_error* error);
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_save_memory(const hrbfnpr_point_set* set, void* destination,
-                                                         int64_t capacity, int64_t* size, hrbfnpr_error* error);
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
-                                                  hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
-                                                         hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+                                                         int64_t capacity, int64_t* size,
+                                                         hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read,
+                                                  void* user, hrbfnpr_point_set** out_point_set,
+                                                  hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data,
+                                                         int64_t size, hrbfnpr_point_set** out_point_set,
+                                                         hrbfnpr_error* error);
 
 /*
  * ==========================================================================
@@ -828,25 +854,27 @@ typedef struct hrbfnpr_camera {
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_init(hrbfnpr_camera* camera, uint32_t struct_size);
 /* Sets `view`: from eye towards target, up roughly along `up`; 3 doubles each.
  * INVALID_ARGUMENT if eye = target or up is parallel to the view. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_camera_look_at(hrbfnpr_camera* camera, const double* eye, const double* target,
-                                                  const double* up, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_camera_look_at(hrbfnpr_camera* camera, const double* eye,
+                                                  const double* target, const double* up,
+                                                  hrbfnpr_error* error);
 /* Sets `projection` and the viewport's size.  vertical_angle in radians, in
  * (0, pi); 0 < near_plane < far_plane. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle, double width,
-                                                      double height, double near_plane, double far_plane,
-                                                      hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle,
+                                                      double width, double height, double near_plane,
+                                                      double far_plane, hrbfnpr_error* error);
 /* Sets `projection` and the viewport's size; `view_height` is the height of
  * the visible slab in world units; near_plane < far_plane, either sign. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_height, double width,
-                                                       double height, double near_plane, double far_plane,
-                                                       hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_height,
+                                                       double width, double height, double near_plane,
+                                                       double far_plane, hrbfnpr_error* error);
 /* Sets view, projection and viewport so that the box fills the picture but for
  * `margin` (share of the picture on each side, 0 .. 0.45), seen along
  * `direction` (from the eye into the scene).  vertical_angle 0 = orthographic. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* bounds_min,
                                                      const double* bounds_max, const double* direction,
-                                                     const double* up, double vertical_angle, double width,
-                                                     double height, double margin, hrbfnpr_error* error);
+                                                     const double* up, double vertical_angle,
+                                                     double width, double height, double margin,
+                                                     hrbfnpr_error* error);
 
 /* The same for n x 3 points, FLOAT32 or FLOAT64, n >= 1: the points themselves
  * fill the picture, not the corners of their box, and lie in its middle.
@@ -854,8 +882,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, con
  * give its info's origin. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, const hrbfnpr_array* points,
                                                      const double* origin, const double* direction, const double* up,
-                                                     double vertical_angle, double width, double height, double margin,
-                                                     hrbfnpr_error* error);
+                                                     double vertical_angle, double width, double height,
+                                                     double margin, hrbfnpr_error* error);
 
 enum {
     HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, /* painted over by paper, layer by layer [NPAR 6.1] */
@@ -882,14 +910,15 @@ enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
 /* Any illumination model: fills tau (count, 1 = light, 0 = dark; clamped to
  * [0,1], NaN is CALLBACK) from world positions and unit normals (count x 3
  * each).  Runs on the thread that called _prepare.  Non-zero fails it. */
-typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions, const float* normals, float* tau);
+typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions,
+                                   const float* normals, float* tau);
 
 /* One group's ink.  Colours are straight RGBA in [0,1], sRGB-encoded. */
 typedef struct hrbfnpr_group_style {
-    uint32_t shown;    /* 1 or 0: whether front marks of the group are drawn */
-    uint32_t sets;     /* bit 0: first directions, bit 1: second; 3 */
-    float share;       /* 0 .. 1: share of the group's marks that is used at all; 1 */
-    float radius;      /* of a mark, pixels, > 0 */
+    uint32_t shown; /* 1 or 0: whether front marks of the group are drawn */
+    uint32_t sets;  /* bit 0: first directions, bit 1: second; 3 */
+    float share;    /* 0 .. 1: share of the group's marks that is used at all; 1 */
+    float radius;   /* of a mark, pixels, > 0 */
     float radius_zoom; /* 0: radius is in pixels at any zoom; 1: grows with the zoom; between */
     float ink[4];
 } hrbfnpr_group_style;
@@ -908,16 +937,16 @@ typedef struct hrbfnpr_style {
                                     1 - (1 - alpha)^n, whatever the marks' density and the zoom; 0: each
                                     mark paints with alpha itself, as published; 8 */
     uint32_t reserved;
-    uint32_t tone;                 /* HRBFNPR_TONE_...; LIGHT */
-    uint32_t tone_rule;            /* HRBFNPR_TONE_RULE_...; SHARE */
-    uint32_t light_space;          /* HRBFNPR_LIGHT_...; CAMERA */
-    uint32_t silhouette_groups;    /* groups whose silhouette marks are drawn, bit (1 << group); 7 */
-    double light[3];               /* towards the light, normalised on use; (-0.4, 0.6, 0.7) */
-    double tone_exponent;          /* lambda of the tone law, > 0; 1 */
+    uint32_t tone;               /* HRBFNPR_TONE_...; LIGHT */
+    uint32_t tone_rule;          /* HRBFNPR_TONE_RULE_...; SHARE */
+    uint32_t light_space;        /* HRBFNPR_LIGHT_...; CAMERA */
+    uint32_t silhouette_groups;  /* groups whose silhouette marks are drawn, bit (1 << group); 7 */
+    double light[3];             /* towards the light, normalised on use; (-0.4, 0.6, 0.7) */
+    double tone_exponent;        /* lambda of the tone law, > 0; 1 */
     hrbfnpr_tone_fn tone_function; /* for CALLBACK */
     void* tone_user;
-    double depth_min;      /* distance from the camera where depth attenuation starts, > 0 */
-    double depth_max;      /* ... and where nothing is shown any more; 0 and 0 = off (default) */
+    double depth_min;  /* distance from the camera where depth attenuation starts, > 0 */
+    double depth_max;  /* ... and where nothing is shown any more; 0 and 0 = off (default) */
     double zoom_reference; /* pixels per world unit at which marks are shown in full; 0 = off.
                               Below it the chance to be shown is scale = zoom^zoom_exponent,
                               exponential in the zoom level ln zoom; the area of the paper
@@ -947,8 +976,9 @@ enum {
     HRBFNPR_STYLE_COUNT = 8
 };
 
-HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
-                                                     uint32_t* generate_groups, hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size,
+                                                     uint32_t preset, uint32_t* generate_groups,
+                                                     hrbfnpr_error* error);
 /* "stipple", "hatch", "cross-hatch", ...; NULL for a number out of range. */
 HRBFNPR_API const char* hrbfnpr_style_preset_name(uint32_t preset);
 
@@ -981,17 +1011,17 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct
 typedef struct hrbfnpr_frame_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t marks;   /* in all items, of the groups that the styles use */
-    int64_t outside; /* outside the frustum */
-    int64_t front;   /* of those inside: by class */
+    int64_t marks;       /* in all items, of the groups that the styles use */
+    int64_t outside;     /* outside the frustum */
+    int64_t front;       /* of those inside: by class */
     int64_t back;
     int64_t silhouette;
-    int64_t shown;                /* drawn as ink */
-    int64_t dropped_tone;         /* front marks not shown because of light or share */
-    int64_t dropped_depth;        /* front and silhouette marks not shown because of depth attenuation */
-    int64_t dropped_zoom;         /* front marks not shown because of tone scaling */
-    int64_t dropped_hidden;       /* marks not drawn with HIDDEN_LINES_HIDE */
-    int64_t painted;              /* discs of paper */
+    int64_t shown;         /* drawn as ink */
+    int64_t dropped_tone;  /* front marks not shown because of light or share */
+    int64_t dropped_depth; /* front and silhouette marks not shown because of depth attenuation */
+    int64_t dropped_zoom;  /* front marks not shown because of tone scaling */
+    int64_t dropped_hidden; /* marks not drawn with HIDDEN_LINES_HIDE */
+    int64_t painted;       /* discs of paper */
     int64_t nanoseconds_classify; /* transform, classify, tone */
     int64_t nanoseconds_visibility;
     int64_t nanoseconds_sort;
@@ -1007,8 +1037,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_frame_info_init(hrbfnpr_frame_info* info, uin
  * paper; INVALID_ARGUMENT otherwise. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_prepare(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
                                                     int64_t item_count, int64_t item_stride,
-                                                    const hrbfnpr_camera* camera, hrbfnpr_frame_info* info,
-                                                    hrbfnpr_error* error);
+                                                    const hrbfnpr_camera* camera,
+                                                    hrbfnpr_frame_info* info, hrbfnpr_error* error);
 
 enum {
     HRBFNPR_DRAW_OVER = 1 /* lay the drawing over the image's contents instead of replacing them
@@ -1016,7 +1046,12 @@ enum {
 };
 
 /* Class of what is nearest at a pixel, in class outputs and vertices. */
-enum { HRBFNPR_CLASS_NONE = 0, HRBFNPR_CLASS_FRONT = 1, HRBFNPR_CLASS_BACK = 2, HRBFNPR_CLASS_SILHOUETTE = 3 };
+enum {
+    HRBFNPR_CLASS_NONE = 0,
+    HRBFNPR_CLASS_FRONT = 1,
+    HRBFNPR_CLASS_BACK = 2,
+    HRBFNPR_CLASS_SILHOUETTE = 3
+};
 
 /* Optional inputs and outputs of _draw_image: width * height elements of one
  * component each, row by row from the top-left pixel of the image, stride
@@ -1042,8 +1077,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw_image(hrbfnpr_renderer* rendere
                                                        const hrbfnpr_draw_desc* desc, hrbfnpr_error* error);
 
 /* Info of the last _prepare and _draw_image. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_get_info(const hrbfnpr_renderer* renderer, hrbfnpr_frame_info* info,
-                                                     hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_get_info(const hrbfnpr_renderer* renderer,
+                                                     hrbfnpr_frame_info* info, hrbfnpr_error* error);
 
 /* What a vertex can carry, and the types it can have. */
 enum {
@@ -1087,8 +1122,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_vertex_bound(const hrbfnpr_renderer*
  * destination times (1 - alpha).  `capacity` is in vertices; *count gets the number written,
  * or needed with BUFFER_TOO_SMALL. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_write_vertices(const hrbfnpr_renderer* renderer,
-                                                           const hrbfnpr_vertex_layout* layout, void* destination,
-                                                           int64_t capacity, int64_t* count, hrbfnpr_error* error);
+                                                           const hrbfnpr_vertex_layout* layout,
+                                                           void* destination, int64_t capacity,
+                                                           int64_t* count, hrbfnpr_error* error);
 
 #ifdef __cplusplus
 }

@@ -1,18 +1,42 @@
 #include "base/instruction_set.h"
 
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <cpuid.h>
+#endif
+
 namespace hrbfnpr::base {
 namespace {
 
 #if defined(__x86_64__) && defined(__GNUC__)
-// These look at the operating system's support too.
-[[nodiscard]] bool has_avx2() noexcept {
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
-           __builtin_cpu_supports("bmi2");
+// By hand: the compiler's own __builtin_cpu_supports brings a global and a constructor along.
+[[nodiscard]] constexpr bool has(unsigned word, unsigned bits) noexcept { return (word & bits) == bits; }
+
+// Which registers the operating system keeps for each thread.
+[[nodiscard]] unsigned kept_registers() noexcept {
+    unsigned a = 0;
+    unsigned b = 0;
+    unsigned c = 0;
+    unsigned d = 0;
+    if (__get_cpuid(1, &a, &b, &c, &d) == 0 || !has(c, bit_OSXSAVE)) return 0;
+    unsigned low = 0;
+    unsigned high = 0;
+    __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
+    return low;
 }
-[[nodiscard]] bool has_avx512() noexcept {
-    return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
-           __builtin_cpu_supports("avx512cd");
+
+[[nodiscard]] InstructionSet best() noexcept {
+    constexpr unsigned ymm = 0x6;  // and xmm
+    constexpr unsigned zmm = 0xe6; // and mask registers
+    unsigned a = 0;
+    unsigned b = 0;
+    unsigned c = 0;
+    unsigned d = 0;
+    if (!has(kept_registers(), ymm) || __get_cpuid(1, &a, &b, &c, &d) == 0 || !has(c, bit_FMA | bit_F16C) ||
+        __get_cpuid_count(7, 0, &a, &b, &c, &d) == 0 || !has(b, bit_AVX2 | bit_BMI | bit_BMI2))
+        return InstructionSet::baseline;
+    const bool avx512 =
+        has(kept_registers(), zmm) && has(b, bit_AVX512F | bit_AVX512DQ | bit_AVX512CD | bit_AVX512BW | bit_AVX512VL);
+    return avx512 ? InstructionSet::avx512 : InstructionSet::avx2;
 }
 #endif
 
@@ -21,12 +45,13 @@ namespace {
 InstructionSet choose_instruction_set(InstructionSet highest) noexcept {
     if (highest == InstructionSet::baseline) return highest;
 #if defined(__x86_64__) && defined(__GNUC__)
-    if (highest != InstructionSet::avx2 && has_avx512()) return InstructionSet::avx512;
-    if (has_avx2()) return InstructionSet::avx2;
+    const InstructionSet found = best();
+    return highest == InstructionSet::avx2 && found == InstructionSet::avx512 ? highest : found;
 #elif defined(__aarch64__)
     return InstructionSet::neon;
-#endif
+#else
     return InstructionSet::baseline;
+#endif
 }
 
 const char* compiled_instruction_sets() noexcept {

@@ -74,7 +74,7 @@ const std::vector<Row<FitCall>>& fit_rows() {
          "fit_desc.polynomial_degree is 4; it must be -1, 0, 1, 2 or 3"},
         {[](FitCall& c) { c.desc.polynomial_degree = -2; }, invalid, "fit_desc.polynomial_degree is -2"},
         {[](FitCall& c) { c.desc.polynomial_degree = 3; }, invalid, "do not determine a polynomial of that degree"},
-        {[](FitCall& c) { c.desc.solver = 2; }, invalid, "fit_desc.solver is 2"},
+        {[](FitCall& c) { c.desc.solver = 3; }, invalid, "fit_desc.solver is 3"},
         {[](FitCall& c) { c.desc.regularization = -0.5; }, invalid, "fit_desc.regularization is -0.5"},
         {[](FitCall& c) { c.desc.regularization = infinity; }, invalid, "fit_desc.regularization is inf"},
         {[](FitCall& c) { c.desc.tolerance = nan; }, invalid, "fit_desc.tolerance is nan"},

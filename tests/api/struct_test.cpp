@@ -158,13 +158,28 @@ TEST(WriteStruct, InfosAreFilledUpToTheirSize) {
     info.known.struct_size = sizeof info;
     EXPECT_OK(hrbfnpr_context_get_info(context.get(), &info.known, error));
     EXPECT_EQ(info.known.struct_size, sizeof info);
-    EXPECT_EQ(info.known.instruction_set, static_cast<std::uint32_t>(HRBFNPR_INSTRUCTION_SET_BASELINE));
+    EXPECT_GE(info.known.instruction_set, static_cast<std::uint32_t>(HRBFNPR_INSTRUCTION_SET_BASELINE));
+    EXPECT_LE(info.known.instruction_set, static_cast<std::uint32_t>(HRBFNPR_INSTRUCTION_SET_NEON));
     EXPECT_EQ(info.bytes[sizeof info - 1], 0);
     info.known.struct_size = 3;
     EXPECT_FAILS(hrbfnpr_context_get_info(context.get(), &info.known, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
                  "context_info.struct_size is 3");
     EXPECT_FAILS(hrbfnpr_context_get_info(context.get(), nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "context_info is NULL");
+}
+
+TEST(Context, InstructionSetIsCapped) {
+    Error error;
+    hrbfnpr_context_desc desc;
+    ASSERT_OK(hrbfnpr_context_desc_init(&desc, sizeof desc));
+    desc.highest_instruction_set = HRBFNPR_INSTRUCTION_SET_BASELINE;
+    hrbfnpr_context* raw = nullptr;
+    ASSERT_OK(hrbfnpr_context_create(&desc, &raw, error));
+    const Context context(raw);
+    hrbfnpr_context_info info;
+    ASSERT_OK(hrbfnpr_context_info_init(&info, sizeof info));
+    ASSERT_OK(hrbfnpr_context_get_info(raw, &info, error));
+    EXPECT_EQ(info.instruction_set, static_cast<std::uint32_t>(HRBFNPR_INSTRUCTION_SET_BASELINE));
 }
 
 } // namespace

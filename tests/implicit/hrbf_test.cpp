@@ -71,7 +71,7 @@ TEST(Hrbf, ValueIsEquationOne) {
     Memory memory;
     for (const kernel::Kind kind : kinds) {
         for (std::int32_t degree = -1; degree <= 3; ++degree) {
-            const implicit::Hrbf hrbf(base::choose_instruction_set(base::InstructionSet::automatic),
+            const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
                                       make(memory, kind, 37, degree));
             const Points points = queries(70);
             Fields fields(points.size());
@@ -88,7 +88,7 @@ TEST(Hrbf, ValueIsEquationOne) {
 TEST(Hrbf, GradientAndHessianAreDerivatives) {
     Memory memory;
     for (const kernel::Kind kind : kinds) {
-        const implicit::Hrbf hrbf(base::choose_instruction_set(base::InstructionSet::automatic),
+        const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
                                   make(memory, kind, 11, 2));
         const Points points = queries(20);
         Fields fields(points.size());
@@ -117,7 +117,7 @@ TEST(Hrbf, GradientAndHessianAreDerivatives) {
 TEST(Hrbf, APointsResultDoesNotDependOnItsBatch) {
     Memory memory;
     for (const kernel::Kind kind : kinds) {
-        const implicit::Hrbf hrbf(base::choose_instruction_set(base::InstructionSet::automatic),
+        const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
                                   make(memory, kind, 23, 1));
         const Points points = queries(200);
         Fields together(points.size());
@@ -137,7 +137,7 @@ TEST(Hrbf, APointsResultDoesNotDependOnItsBatch) {
 TEST(Hrbf, AFieldDoesNotDependOnWhatElseIsAskedFor) {
     Memory memory;
     for (const kernel::Kind kind : kinds) {
-        const implicit::Hrbf hrbf(base::choose_instruction_set(base::InstructionSet::automatic),
+        const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
                                   make(memory, kind, 23, 1));
         const Points points = queries(66);
         Fields all(points.size());
@@ -159,7 +159,7 @@ TEST(Hrbf, AFieldDoesNotDependOnWhatElseIsAskedFor) {
 TEST(Hrbf, IsDefinedAtASampleAsTheMeanOverAllDirections) {
     Memory memory;
     for (const kernel::Kind kind : kinds) {
-        const implicit::Hrbf hrbf(base::choose_instruction_set(base::InstructionSet::automatic),
+        const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
                                   make(memory, kind, 9, 1));
         const implicit::HrbfData& data = hrbf.data();
         const glm::dvec3 at = data.centre + data.scale * data.centre_position[4];
@@ -185,7 +185,7 @@ TEST(Hrbf, IsFiniteAsCloseToASampleAsDoublesGo) {
     implicit::HrbfData data = make(memory, kernel::Kind::triharmonic, 1, 1);
     data.centre = glm::dvec3(0.0);
     data.centre_position.set(0, glm::dvec3(0.0));
-    const implicit::Hrbf hrbf(base::choose_instruction_set(base::InstructionSet::automatic), std::move(data));
+    const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic), std::move(data));
     Points points;
     for (const double r : {0.0, 5e-324, 1e-300, 1e-200, 1e-160, 1e-100, 1e-50, 1e-30, 1e-20, 1e-10})
         points.add({r, -r, 0.5 * r});
@@ -200,7 +200,7 @@ TEST(Hrbf, IsFiniteAsCloseToASampleAsDoublesGo) {
 
 TEST(Hrbf, TakesAnEmptyBatchAndKnowsItsSize) {
     Memory memory;
-    const implicit::Hrbf hrbf(base::choose_instruction_set(base::InstructionSet::automatic),
+    const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
                               make(memory, kernel::Kind::gaussian, 5, 1));
     hrbf.evaluate({}, {});
     EXPECT_TRUE(hrbf.concurrent());
