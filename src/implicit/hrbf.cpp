@@ -155,12 +155,12 @@ void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& 
     });
 }
 
+// Value and gradient come from the same sums whether a Hessian is wanted or not.
 void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
               const FieldBatch& fields) noexcept {
-    if (fields.wants_hessian())
-        evaluate(data, points, fields);
-    else
-        evaluate_in_vectors(set, data, points, fields);
+    if (fields.wants_hessian()) evaluate(data, points, {nullptr, {}, fields.hessian});
+    if (fields.value != nullptr || fields.wants_gradient())
+        evaluate_in_vectors(set, data, points, {fields.value, fields.gradient, {}});
 }
 
 void Hrbf::evaluate(const PointBatch& points, const FieldBatch& fields) const {

@@ -18,7 +18,7 @@ MANY = fibonacci_sphere(500)  # a fit that takes long enough to be cancelled
 
 def test_progress_never_falls():
     seen = []
-    hrbfnpr.Model.fit(MANY, MANY, progress=seen.append)
+    hrbfnpr.Model.fit(MANY, MANY, solver="direct", progress=seen.append)
     assert seen and seen == sorted(seen) and 0 <= seen[0] and seen[-1] <= 1
     assert len(set(seen)) > 3
 
@@ -30,7 +30,7 @@ def test_cancelled_before_it_starts(sphere, stage):
     operation.cancel()
     assert operation.cancelled
     calls = {
-        "fit": lambda: hrbfnpr.Model.fit(MANY, MANY, operation=operation),
+        "fit": lambda: hrbfnpr.Model.fit(MANY, MANY, solver="direct", operation=operation),
         "generate": lambda: hrbfnpr.PointSet.generate(sphere, operation=operation),
         "step_patches": lambda: hrbfnpr.PointSet.step_patches(sphere, operation=operation),
     }
@@ -51,7 +51,7 @@ def test_cancelled_by_another_thread():
     thread = threading.Thread(target=cancel)
     thread.start()
     with pytest.raises(hrbfnpr.CancelledError):
-        hrbfnpr.Model.fit(MANY, MANY, operation=operation)
+        hrbfnpr.Model.fit(MANY, MANY, solver="direct", operation=operation)
     thread.join()
     assert started.is_set() and operation.fraction < 1
 
@@ -92,14 +92,14 @@ def test_what_progress_raises_cancels():
 
     operation = hrbfnpr.Operation(enough)
     with pytest.raises(hrbfnpr.CallbackError) as caught:
-        hrbfnpr.Model.fit(MANY, MANY, operation=operation)
+        hrbfnpr.Model.fit(MANY, MANY, solver="direct", operation=operation)
     assert isinstance(caught.value.__cause__, Enough) and operation.cancelled
 
     def cancel(fraction):
         raise hrbfnpr.CancelledError("by me")
 
     with pytest.raises(hrbfnpr.CancelledError, match="by me"):
-        hrbfnpr.Model.fit(MANY, MANY, progress=cancel)
+        hrbfnpr.Model.fit(MANY, MANY, solver="direct", progress=cancel)
 
 
 def test_what_progress_returns_is_ignored():
@@ -125,7 +125,7 @@ def test_other_threads_run_meanwhile():
 
     thread = threading.Thread(target=tick)
     thread.start()
-    hrbfnpr.Model.fit(MANY, MANY, context=hrbfnpr.Context(1), operation=None)
+    hrbfnpr.Model.fit(MANY, MANY, solver="direct", context=hrbfnpr.Context(1), operation=None)
     done.set()
     thread.join()
     assert len(ticks) > 5
@@ -137,7 +137,7 @@ def test_ctrl_c_cancels_a_long_call():
     many = fibonacci_sphere(1500)
     timer.start()
     with pytest.raises(KeyboardInterrupt):
-        hrbfnpr.Model.fit(many, many)
+        hrbfnpr.Model.fit(many, many, solver="direct")
         time.sleep(10)  # should the fit have been faster than the timer
     timer.join()
 
@@ -148,7 +148,7 @@ points = np.random.default_rng(1).normal(size=(3000, 3))
 points /= np.linalg.norm(points, axis=1)[:, None]
 threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
 try:
-    hrbfnpr.Model.fit(points, points)
+    hrbfnpr.Model.fit(points, points, solver="direct")
 except KeyboardInterrupt:
     hrbfnpr.Model.fit(points[:10], points[:10])  # all is well
     print("interrupted")
