@@ -513,8 +513,8 @@ typedef struct hrbfnpr_model_info {
     double gradient_residual_max; /* max |grad f(x_i) - n_i| */
     double gradient_residual_rms;
     double solver_residual;       /* relative residual of the linear system, 2-norm */
-    double condition_estimate;    /* 1-norm, of the factored matrix */
-    int32_t iterations;           /* refinement steps taken */
+    double condition_estimate;    /* DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm */
+    int32_t iterations;           /* refinement steps of DIRECT, steps of ITERATIVE */
     uint32_t fallback;            /* 1: the matrix was not definite and a pivoted LU was used */
     double seconds_assemble;
     double seconds_solve;
@@ -545,10 +545,12 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hr
 
 enum {
     HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, /* the centres, FLOAT64 x 3 */
-    HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1    /* their unit normals, FLOAT64 x 3 */
+    HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,   /* their unit normals, FLOAT64 x 3 */
+    HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY = 2 /* relative residual after each iteration of ITERATIVE,
+                                                    FLOAT64 x 1; empty after DIRECT or loading */
 };
 
-/* A zero-copy view of the merged samples, valid while the model lives.
+/* A zero-copy view of the merged samples or of the last fit's residuals, valid while the model lives.
  * Empty for a custom model. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32_t attribute,
                                               hrbfnpr_array* out_view, hrbfnpr_error* error);

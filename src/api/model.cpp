@@ -149,7 +149,7 @@ hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc,
     use.finish();
     log_fit(context.runtime, result.report);
     log_choice(context.runtime, input, result.report, result.data.count());
-    return make_handle<hrbfnpr_model>(context, std::move(result.data), result.report);
+    return make_handle<hrbfnpr_model>(context, std::move(result));
 }
 
 implicit::CustomFunction checked(const hrbfnpr_custom_desc& desc) {
@@ -240,9 +240,11 @@ hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
 }
 
 hrbfnpr_array view_of(const hrbfnpr_model& model, std::uint32_t attribute) {
-    if (attribute > HRBFNPR_MODEL_ATTRIBUTE_NORMAL)
-        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MODEL_ATTRIBUTE_... (0 or 1)",
+    if (attribute > HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY)
+        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MODEL_ATTRIBUTE_... (0 to 2)",
              attribute);
+    if (attribute == HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY)
+        return {model.history.data(), model.history.size(), sizeof(double), HRBFNPR_SCALAR_FLOAT64, 1};
     hrbfnpr_array view{nullptr, 0, 3 * sizeof(double), HRBFNPR_SCALAR_FLOAT64, 3};
     if (const implicit::HrbfData* data = model.data()) {
         const bool position = attribute == HRBFNPR_MODEL_ATTRIBUTE_POSITION;

@@ -10,14 +10,14 @@
 #include <variant>
 
 struct hrbfnpr_model : hrbfnpr::api::Child {
-    hrbfnpr_model(hrbfnpr_context& context, hrbfnpr::implicit::HrbfData&& data,
-                  const hrbfnpr::fit::FitReport& fit_report) noexcept
+    hrbfnpr_model(hrbfnpr_context& context, hrbfnpr::fit::FitResult&& fit) noexcept
         : Child(context),
-          surface(std::in_place_type<hrbfnpr::implicit::Hrbf>, context.runtime.instruction_set, std::move(data)),
-          report(fit_report) {}
+          surface(std::in_place_type<hrbfnpr::implicit::Hrbf>, context.runtime.instruction_set, std::move(fit.data)),
+          report(fit.report), history(std::move(fit.history)) {}
     // From here on the caller's release function will be called.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr::implicit::CustomFunction& custom) noexcept
-        : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Custom>, custom) {}
+        : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Custom>, custom),
+          history(context.runtime.memory) {}
 
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit() const noexcept {
         if (const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface)) return *hrbf;
@@ -37,4 +37,5 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
 
     std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Custom> surface;
     hrbfnpr::fit::FitReport report;
+    hrbfnpr::base::Array<double> history; // of a fit's residual; empty for a loaded or custom model
 };

@@ -114,7 +114,8 @@ void save(const hrbfnpr_model& model, io::Writer& writer) {
 
 hrbfnpr_model* load(hrbfnpr_context& context, io::Reader& reader) {
     io::ModelFile file = io::load_model(context.runtime.memory, reader);
-    return make_handle<hrbfnpr_model>(context, std::move(file.data), report_of(file.report.span()));
+    return make_handle<hrbfnpr_model>(context, fit::FitResult{std::move(file.data), report_of(file.report.span()),
+                                                              base::Array<double>(context.runtime.memory)});
 }
 
 } // namespace

@@ -71,6 +71,7 @@ struct FitReport {
 struct FitResult {
     implicit::HrbfData data;
     FitReport report;
+    base::Array<double> history; // relative residual after each iteration of the iterative solver; else empty
 };
 
 // Throws Error{invalid_argument, singular_system, out_of_memory, cancelled}.

@@ -142,7 +142,9 @@ void report_solution(const Solution& solution, FitReport& report) noexcept {
 CentreFit fit_centres(const base::Runtime& runtime, const FitInput& input, const Samples& centres,
                       const Smoothing& smoothing, const base::Progress& progress) {
     const base::Stopwatch watch;
-    CentreFit fit{{normalise(runtime, input, centres), {}}, base::Array<double>(runtime.memory), 0.0};
+    CentreFit fit{{normalise(runtime, input, centres), {}, base::Array<double>(runtime.memory)},
+                  base::Array<double>(runtime.memory),
+                  0.0};
     implicit::HrbfData& data = fit.result.data;
     const HermiteSystem system(data.centre_position, system_options(input, smoothing, data));
     const base::Array<double> rhs = right_hand_side(runtime.memory, system, centres.normal);
@@ -152,6 +154,7 @@ CentreFit fit_centres(const base::Runtime& runtime, const FitInput& input, const
     fit.variance = variance(system, rhs.data(), solution, data);
     report_solution(solution, fit.result.report);
     fit.misfit = std::move(solution.misfit);
+    fit.result.history = std::move(solution.history);
     fit.result.report.kernel_radius = data.kernel_radius * data.scale;
     fit.result.report.regularization = smoothing.value;
     fit.result.report.seconds_assemble = seconds_before + solution.seconds_assemble;

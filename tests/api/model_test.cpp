@@ -69,7 +69,7 @@ TEST(Model, ViewsOfItsSamples) {
     EXPECT_OK(hrbfnpr_model_view(model.get(), HRBFNPR_MODEL_ATTRIBUTE_NORMAL, &view, error));
     EXPECT_EQ(elements<double>(view), samples.normals);
     EXPECT_EQ(view.stride, 24);
-    EXPECT_FAILS(hrbfnpr_model_view(model.get(), 2, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT, "attribute is 2");
+    EXPECT_FAILS(hrbfnpr_model_view(model.get(), 3, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT, "attribute is 3");
 }
 
 TEST(Model, EvaluatesAnyLayout) {

@@ -19,6 +19,9 @@ def test_info(ring):
     assert (info.kernel, info.polynomial_degree, info.solver) == ("triharmonic", 1, "iterative")
     assert info.samples == info.centres == 192 and info.merged_samples == 0
     assert info.fallback is False
+    history = np.asarray(ring.residual_history)
+    assert history.shape == (info.iterations,) and (history > 0).all()
+    assert history[-1] < 1e-9 < history[0]
     np.testing.assert_allclose(info.bounds_max, (1.4, 1.4, 0.4))
     assert info.value_residual_max < 1e-8 and info.gradient_residual_max < 1e-8
     assert ring.bounds == (info.bounds_min, info.bounds_max)

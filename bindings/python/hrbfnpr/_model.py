@@ -348,6 +348,14 @@ class Model(Owner):
         """The unit normals of the centres, as `points`."""
         return self._view("NORMAL")
 
+    @property
+    def residual_history(self) -> Array:
+        """Relative residual after each iteration of the iterative solver, float64 (iterations,).
+
+        Empty after a direct solve, for a loaded model and for a function.
+        """
+        return self._view("RESIDUAL_HISTORY")
+
     def save(self, target: _streams.Target) -> None:
         """Write to a path (atomically) or a binary file object.  A function cannot be saved.
 
