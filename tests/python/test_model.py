@@ -16,7 +16,7 @@ import hrbfnpr
 
 def test_info(ring):
     info = ring.info
-    assert (info.kernel, info.polynomial_degree, info.solver) == ("triharmonic", 1, "direct")
+    assert (info.kernel, info.polynomial_degree, info.solver) == ("triharmonic", 1, "iterative")
     assert info.samples == info.centres == 192 and info.merged_samples == 0
     assert info.fallback is False
     np.testing.assert_allclose(info.bounds_max, (1.4, 1.4, 0.4))
