@@ -185,7 +185,8 @@ TEST(Hrbf, IsFiniteAsCloseToASampleAsDoublesGo) {
     implicit::HrbfData data = make(memory, kernel::Kind::triharmonic, 1, 1);
     data.centre = glm::dvec3(0.0);
     data.centre_position.set(0, glm::dvec3(0.0));
-    const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic), std::move(data));
+    const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
+                              std::move(data));
     Points points;
     for (const double r : {0.0, 5e-324, 1e-300, 1e-200, 1e-160, 1e-100, 1e-50, 1e-30, 1e-20, 1e-10})
         points.add({r, -r, 0.5 * r});

@@ -34,7 +34,8 @@ TEST(Golden, ModelOfVersion1) {
     save_model(file.data, file.report.span(), writer);
     EXPECT_EQ(writer.bytes, bytes); // until there is a version 2
 
-    const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic), std::move(file.data));
+    const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
+                              std::move(file.data));
     const std::array<double, 3> x{0.3, 1.5, -0.4};
     const std::array<double, 3> y{-0.2, 1.5, 0.1};
     const std::array<double, 3> z{0.9, 1.5, 0.2};
