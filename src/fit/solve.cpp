@@ -31,6 +31,14 @@ constexpr std::int32_t second_neighbours = 48;
     return options.degree + 1 >= kernel::order(options.kernel);
 }
 
+// Whether the iterations came near the goal and then no further; of few samples the direct solver gives more.
+[[nodiscard]] bool rounding_ends(const HermiteSystem& system, const SolveOptions& options,
+                                 const Solution& solution) noexcept {
+    if (solution.converged || solution.iterations >= options.iterations) return false;
+    const bool direct_is_better = options.solver == SolverKind::automatic && system.samples() <= small;
+    return !direct_is_better && solution.residual <= options.acceptable;
+}
+
 // Starts again with more neighbours if need be.
 void iterate(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, const SolveOptions& options,
              Solution& solution, const base::Progress& progress) {
@@ -38,10 +46,9 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
         options.neighbours > 0 ? options.neighbours : first_neighbours(system.samples(), system.options().kernel);
     solution.solver = SolverKind::iterative;
     solve_iteratively(runtime, system, rhs, options, first, solution, progress);
-    if (!solution.converged && solution.residual <= options.acceptable) {
-        runtime.log(base::LogLevel::warning,
-                    "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e", solution.residual,
-                    options.tolerance);
+    if (rounding_ends(system, options, solution)) {
+        runtime.log(base::LogLevel::warning, "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e",
+                    solution.residual, options.tolerance);
         solution.converged = true;
     }
     if (solution.converged || options.neighbours > 0) return;
