@@ -34,15 +34,6 @@ public:
     [[nodiscard]] const HermiteSystem& system() const noexcept { return system_; }
     [[nodiscard]] const base::Array<std::int64_t>& rank() const noexcept { return rank_; }
 
-    // A tenth of the samples are nearer to another one than this or not much farther; 1 where they are even.
-    [[nodiscard]] double small_spacing() const {
-        base::Array<double> spacing(rank_.memory(), tree_.size());
-        for (std::int64_t at = 0; at < tree_.size(); ++at) spacing[at] = tree_.nearest_other(at);
-        double* const tenth = spacing.begin() + tree_.size() / 10;
-        std::nth_element(spacing.begin(), tenth, spacing.end());
-        return std::min(1.0, 1.2 * *tenth);
-    }
-
     void gather(const double* x, double* arranged) const noexcept {
         for (std::int64_t at = 0; at < tree_.size(); ++at) std::copy_n(x + 4 * tree_.index(at), 4, arranged + 4 * at);
     }
@@ -67,7 +58,7 @@ public:
     Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner,
               const base::Progress& progress)
         : runtime_(runtime), size_(arranged.system().rows()), polynomials_(runtime, arranged.system()),
-          product_(runtime, arranged.tree().points(), arranged.system().options(), arranged.small_spacing(), progress),
+          product_(runtime, arranged.tree().points(), arranged.system().options(), progress),
           cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory, size_),
           r_(runtime.memory, size_), h_(runtime.memory, size_) {}
 

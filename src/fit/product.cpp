@@ -35,12 +35,11 @@ constexpr int finest = 4;
 } // namespace
 
 HermiteProduct::HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                               const HermiteSystem::Options& options, double spacing, const base::Progress& progress)
+                               const HermiteSystem::Options& options, const base::Progress& progress)
     : runtime_(runtime), position_(position), options_(options), alpha_(runtime.memory, position.size()),
       beta_(runtime.memory, position.size()), value_(runtime.memory, position.size()),
       gradient_(runtime.memory, position.size()), boxes_(runtime.memory) {
     make_boxes();
-    far_options_.spacing = spacing;
     if (options.kernel == kernel::Kind::triharmonic && position.size() >= far_field_from) make_far_field(progress);
 }
 

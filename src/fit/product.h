@@ -13,7 +13,7 @@ namespace hrbfnpr::fit {
 class HermiteProduct {
 public:
     HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                   const HermiteSystem::Options& options, double spacing, const base::Progress& progress);
+                   const HermiteSystem::Options& options, const base::Progress& progress);
 
     enum class Accuracy {
         enough, // for conjugate gradients to converge

@@ -47,8 +47,9 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
     solution.solver = SolverKind::iterative;
     solve_iteratively(runtime, system, rhs, options, first, solution, progress);
     if (rounding_ends(system, options, solution)) {
-        runtime.log(base::LogLevel::warning, "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e",
-                    solution.residual, options.tolerance);
+        runtime.log(base::LogLevel::warning,
+                    "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e", solution.residual,
+                    options.tolerance);
         solution.converged = true;
     }
     if (solution.converged || options.neighbours > 0) return;

@@ -72,14 +72,13 @@ FarField::FarField(const base::Runtime& runtime, const geometry::VecArray& centr
     sort_pairs(progress);
 }
 
-// The error of a level is about (half width)^3 3.2^-degree; conjugate gradients need it below the smallest eigenvalue,
-// which is as (spacing)^3.  So two degrees more for twice the width; and even ones, as the kernel is even and an odd
-// degree gains nothing.  The constant was found by trying: two degrees less, fits of 16 000 and 65 000 samples break
-// down.
+// The error of a level is about (half width)^3 2.9^-degree; conjugate gradients need it below the smallest eigenvalue,
+// which is as (spacing)^3: so two degrees more for twice the width.  The constant was found by trying even samples:
+// three degrees less, fits of 65 000 break down; one less, they take half as many iterations again.
 int FarField::degree_of(std::int32_t level, const Options& options) const noexcept {
     if (!has_expansions(level)) return 0; // there are no far cubes
     const double width = std::max(1.0, tree_.half_width(level) / options.spacing);
-    const int degree = 2 * static_cast<int>(std::ceil(std::log2(width) + 2.55)) + 2 * options.finer;
+    const int degree = static_cast<int>(std::ceil(2.0 * std::log2(width) + 6.1)) + 2 * options.finer;
     return std::clamp(degree, 4, CubeBasis::degree_max);
 }
 

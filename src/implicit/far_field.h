@@ -19,7 +19,7 @@ class FarField {
 public:
     struct Options {
         double spacing = 1.0;         // of the centres, mean
-        int finer = 1;                // steps of two degrees: each divides the error by about 10
+        int finer = 0;                // steps of two degrees: each divides the error by about 10
         std::int64_t leaf_size = 600; // centres in a cube that is not divided
     };
 
