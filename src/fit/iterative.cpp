@@ -60,7 +60,8 @@ public:
         : runtime_(runtime), size_(arranged.system().rows()), polynomials_(runtime, arranged.system()),
           product_(runtime, arranged.tree().points(), arranged.system().options(), progress),
           cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory, size_),
-          r_(runtime.memory, size_), h_(runtime.memory, size_) {}
+          w_before_(runtime.memory, product_.approximate() ? size_ : 0), r_(runtime.memory, size_),
+          h_(runtime.memory, size_) {}
 
     void run(const Arranged& arranged, const double* rhs, const SolveOptions& options, Solution& solution,
              const base::Progress& progress) {
@@ -111,6 +112,7 @@ private:
         double goal = std::max(options.tolerance, approximate_goal);
         while (!solution.converged && solution.iterations < options.iterations) {
             const double before = solution.residual;
+            std::copy_n(w_.data(), size_, w_before_.data());
             const bool reached = iterate(goal, options, solution, progress);
             const bool last = reached && goal <= options.tolerance;
             if (last) {
@@ -120,10 +122,18 @@ private:
             }
             find_residual(progress);
             solution.residual = norm(r_.data(), size_) / scale_;
+            if (!(solution.residual < before)) go_back(solution, progress);
             if (reached) goal = 0.8 * options.tolerance;
             const bool gained = reached && solution.residual < 0.3 * before;
             if (!gained && (last || !product_.refine(progress))) return;
         }
+    }
+
+    // To where the last iterations began: with a product that is not definite they lead away.
+    void go_back(Solution& solution, const base::Progress& progress) {
+        std::swap(w_, w_before_);
+        find_residual(progress);
+        solution.residual = norm(r_.data(), size_) / scale_;
     }
 
     // r = h - A w - P c with the c that makes it least.
@@ -165,6 +175,7 @@ private:
     HermiteProduct product_;
     ConjugateGradients cg_;
     base::Array<double> w_;
+    base::Array<double> w_before_;
     base::Array<double> r_;
     base::Array<double> h_;
     std::array<double, PolynomialSpace::terms_max> c_{};
