@@ -444,7 +444,7 @@ typedef struct hrbfnpr_fit_desc {
     uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
     uint32_t regularization_mode;       /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
     uint32_t preconditioner_neighbours; /* of ITERATIVE, 1 .. 48: more are fewer iterations and more setup;
-                                           0 = 16, 24 or 32 as samples are many (GAUSSIAN 40) */
+                                           0 = 16 to 32 as samples are many (GAUSSIAN 40) */
     double solver_tolerance;   /* relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and
                                   fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
     int32_t solver_iterations; /* most iterations of ITERATIVE; 0 = 200 */

@@ -19,11 +19,11 @@ constexpr std::int64_t small = 2048;
 
 constexpr std::int32_t second_neighbours = 48;
 
-// More neighbours cost setup of k^3 a sample and save iterations, whose cost grows with N: 10, 7 and 9 iterations
-// with 16, 24 and 32 of 4096, 16 384 and 65 536 samples.
+// More neighbours cost setup of k^3 a sample and save iterations, whose cost grows with N (measured: 10, 8 and 10
+// iterations of 4096, 16 384 and 65 536 even samples).
 [[nodiscard]] std::int32_t first_neighbours(std::int64_t samples, kernel::Kind kernel) noexcept {
     if (kernel == kernel::Kind::gaussian) return 40; // whose far samples are not screened by near ones
-    return samples < 6000 ? 16 : samples < 12000 ? 24 : 32;
+    return samples < 6000 ? 16 : samples < 12000 ? 24 : samples < 40000 ? 28 : 32;
 }
 
 // The preconditioner needs the system to be definite beside the linear polynomials.
