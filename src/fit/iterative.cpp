@@ -162,12 +162,6 @@ private:
         }
         return std::sqrt(sum * static_cast<double>(size_) / static_cast<double>(product.size())) / scale_;
     }
-    void store(const Arranged& arranged, Solution& solution) {
-        arranged.scatter(w_.data(), solution.x.data());
-        product_.add_diagonal(w_.data(), r_.data());
-        solution.misfit.resize(size_);
-        arranged.scatter(r_.data(), solution.misfit.data());
-    }
 
     const base::Runtime& runtime_;
     std::int64_t size_;
