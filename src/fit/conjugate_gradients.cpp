@@ -79,7 +79,7 @@ CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tol
             Map(p_.data() + begin, end - begin) =
                 Map(z_.data() + begin, end - begin) + beta * Map(p_.data() + begin, end - begin);
         });
-        product_.multiply(p_.data(), ap_.data(), HermiteProduct::Accuracy::enough, progress);
+        product_.multiply(p_.data(), ap_.data(), progress);
         std::array<double, PolynomialSpace::terms_max> q{};
         polynomials_.explain(ap_.data(), q.data());
         const double curvature = dot(p_.data(), ap_.data());

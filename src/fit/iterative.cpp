@@ -11,13 +11,11 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr int starts = 4;
-constexpr double drift = 1.2; // of the true residual above the tolerance that is let pass
+constexpr int starts = 8;
+constexpr double headroom = 0.8; // of the tolerance, for the recursion's residual: the rest is for what it misses
 
-// The relative residual that CG is first run to with the fast product, about that product's error.
-constexpr double approximate_goal = 1e-6;
-// Up to so many samples the true residual is found with all pairs.
-constexpr std::int64_t most_pairwise = 140000;
+// Of more samples than `few`, the recursion's residual is compared with the true one at `some` of them.
+constexpr std::int64_t few_samples = 2048;
 constexpr std::int64_t some_samples = 512;
 
 // The system in the k-d tree's order, in which neighbours in space are neighbours in memory.
@@ -55,10 +53,10 @@ private:
 
 class Iteration {
 public:
-    Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner,
+    Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner, double tolerance,
               const base::Progress& progress)
         : runtime_(runtime), size_(arranged.system().rows()), polynomials_(runtime, arranged.system()),
-          product_(runtime, arranged.tree().points(), arranged.system().options(), progress),
+          product_(runtime, arranged.tree().points(), arranged.system().options(), tolerance, progress),
           cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory, size_),
           w_before_(runtime.memory, product_.approximate() ? size_ : 0), r_(runtime.memory, size_),
           h_(runtime.memory, size_) {}
@@ -70,10 +68,7 @@ public:
         polynomials_.explain(r_.data(), c_.data());
         scale_ = std::max(norm(rhs, size_), 1e-300);
         solution.residual = norm(r_.data(), size_) / scale_;
-        if (product_.approximate())
-            run_in_two(options, solution, progress);
-        else
-            run_exactly(options, solution, progress);
+        run_until_confirmed(options, solution, progress);
         solution.x.resize(size_ + polynomials_.terms());
         std::copy_n(c_.data(), polynomials_.terms(), solution.x.data() + size_);
         arranged.scatter(w_.data(), solution.x.data());
@@ -93,54 +88,42 @@ private:
         return outcome.converged;
     }
 
-    // Again from the true residual where that and the recursion's have drifted apart.
-    void run_exactly(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
-        for (int start = 0; start < starts && !solution.converged; ++start) {
+    // Again from the true residual where that and the recursion's have drifted apart: by rounding, or by the error of
+    // an approximate product, which is refined.  One that is not even definite is, too.
+    void run_until_confirmed(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
+        for (int start = 0; start < starts && solution.iterations < options.iterations; ++start) {
             const double before = solution.residual;
-            const bool reached = iterate(options.tolerance, options, solution, progress);
+            if (product_.approximate()) std::copy_n(w_.data(), size_, w_before_.data());
+            const bool reached = iterate(headroom * options.tolerance, options, solution, progress);
+            if (product_.approximate() && solution.residual > hopeless_residual) return;
+            if (confirm(options, solution, progress)) return;
+            const bool refined = product_.refine(progress);
             find_residual(progress);
+            if (product_.approximate() && !(solution.residual < before)) go_back(progress);
             solution.residual = norm(r_.data(), size_) / scale_;
-            solution.converged = solution.residual <= drift * options.tolerance;
-            if (!reached || !(solution.residual < 0.5 * before)) break;
+            const bool gained = reached && solution.residual < 0.5 * before;
+            if (!gained && !refined) return;
         }
     }
 
-    // With an approximate product: down to what it is good for; then, from the true residual, to the end, as a
-    // correction of which the product's relative error does not matter.  What is left is compared with the truth
-    // at some of the samples.  Where the product is not even definite, it is refined.
-    void run_in_two(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
-        double goal = std::max(options.tolerance, approximate_goal);
-        while (!solution.converged && solution.iterations < options.iterations) {
-            const double before = solution.residual;
-            std::copy_n(w_.data(), size_, w_before_.data());
-            const bool reached = iterate(goal, options, solution, progress);
-            const bool last = reached && goal <= options.tolerance;
-            if (last) {
-                solution.residual = norm(r_.data(), size_) / scale_ + unseen_residual(progress);
-                solution.converged = solution.residual <= drift * options.tolerance;
-                if (solution.converged) return;
-            }
-            find_residual(progress);
-            solution.residual = norm(r_.data(), size_) / scale_;
-            if (!(solution.residual < before)) go_back(solution, progress);
-            if (reached) goal = 0.8 * options.tolerance;
-            const bool gained = reached && solution.residual < 0.3 * before;
-            if (!gained && (last || !product_.refine(progress))) return;
-        }
+    // The true residual: of few samples it takes the recursion's place.
+    bool confirm(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
+        const bool few = size_ <= 4 * few_samples;
+        if (few) find_residual(progress);
+        solution.residual = norm(r_.data(), size_) / scale_ + (few ? 0.0 : unseen_residual(progress));
+        solution.converged = solution.residual <= options.tolerance;
+        return solution.converged;
     }
 
     // To where the last iterations began: with a product that is not definite they lead away.
-    void go_back(Solution& solution, const base::Progress& progress) {
+    void go_back(const base::Progress& progress) {
         std::swap(w_, w_before_);
         find_residual(progress);
-        solution.residual = norm(r_.data(), size_) / scale_;
     }
 
     // r = h - A w - P c with the c that makes it least.
     void find_residual(const base::Progress& progress) {
-        const bool all_pairs = size_ <= 4 * most_pairwise;
-        product_.multiply(w_.data(), r_.data(),
-                          all_pairs ? HermiteProduct::Accuracy::full : HermiteProduct::Accuracy::enough, progress);
+        product_.multiply(w_.data(), r_.data(), progress);
         for (std::int64_t i = 0; i < size_; ++i) r_[i] = h_[i] - r_[i];
         c_.fill(0.0);
         polynomials_.explain(r_.data(), c_.data());
@@ -189,7 +172,7 @@ void solve_iteratively(const base::Runtime& runtime, const HermiteSystem& system
                                   progress.part(0.05, 0.25));
     solution.seconds_precondition += watch.seconds();
     watch.restart();
-    Iteration iteration(runtime, arranged, preconditioner, progress);
+    Iteration iteration(runtime, arranged, preconditioner, options.tolerance, progress);
     iteration.run(arranged, rhs, options, solution, progress.part(0.25, 1.0));
     solution.seconds_solve += watch.seconds();
 }

@@ -35,11 +35,12 @@ constexpr int finest = 4;
 } // namespace
 
 HermiteProduct::HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                               const HermiteSystem::Options& options, const base::Progress& progress)
+                               const HermiteSystem::Options& options, double tolerance, const base::Progress& progress)
     : runtime_(runtime), position_(position), options_(options), alpha_(runtime.memory, position.size()),
       beta_(runtime.memory, position.size()), value_(runtime.memory, position.size()),
       gradient_(runtime.memory, position.size()), boxes_(runtime.memory) {
     make_boxes();
+    far_options_.tolerance = tolerance;
     if (options.kernel == kernel::Kind::triharmonic && position.size() >= far_field_from) make_far_field(progress);
 }
 
@@ -84,9 +85,9 @@ void HermiteProduct::load(const double* x) noexcept {
     }
 }
 
-void HermiteProduct::multiply(const double* x, double* y, Accuracy accuracy, const base::Progress& progress) {
+void HermiteProduct::multiply(const double* x, double* y, const base::Progress& progress) {
     load(x);
-    if (far_ != nullptr && accuracy == Accuracy::enough)
+    if (far_ != nullptr)
         far_->sum(alpha_.data(), beta_, value_.data(), gradient_, progress);
     else
         sum_directly(position_, value_, gradient_, progress);

@@ -12,24 +12,20 @@ namespace hrbfnpr::fit {
 // Not thread-safe: it keeps its vectors.
 class HermiteProduct {
 public:
+    // tolerance: relative to the right-hand side, for which a fast product is accurate enough.
     HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                   const HermiteSystem::Options& options, const base::Progress& progress);
-
-    enum class Accuracy {
-        enough, // for conjugate gradients to converge
-        full    // all pairs
-    };
+                   const HermiteSystem::Options& options, double tolerance, const base::Progress& progress);
 
     // 4 numbers a sample: value, x, y, z.  x and y do not overlap.
-    void multiply(const double* x, double* y, Accuracy accuracy, const base::Progress& progress);
-    // The full product's elements for samples 0, stride, 2 stride, ...
+    void multiply(const double* x, double* y, const base::Progress& progress);
+    // The exact product's elements for samples 0, stride, 2 stride, ...
     [[nodiscard]] base::Array<double> multiply_some(const double* x, std::int64_t stride,
                                                     const base::Progress& progress);
     // What regularization adds to the product.
     void add_diagonal(const double* x, double* y) const noexcept;
-    // Whether the two accuracies differ.
+    // Whether multiply() is fast and only accurate enough for conjugate gradients to converge.
     [[nodiscard]] bool approximate() const noexcept { return far_ != nullptr; }
-    // Makes `enough` ten times as accurate; false if it can't be.
+    // Makes it ten times as accurate; false if it can't be.
     bool refine(const base::Progress& progress);
 
     [[nodiscard]] std::int64_t bytes() const noexcept;

@@ -52,7 +52,8 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
                     options.tolerance);
         solution.converged = true;
     }
-    if (solution.converged || options.neighbours > 0) return;
+    const bool hopeless = solution.residual > hopeless_residual && system.samples() > most_direct;
+    if (solution.converged || options.neighbours > 0 || hopeless) return;
     runtime.log(base::LogLevel::info, "fit: residual %.1e after %d iterations; trying %d neighbours in place of %d",
                 solution.residual, static_cast<int>(solution.iterations), static_cast<int>(second_neighbours),
                 static_cast<int>(first));
@@ -64,9 +65,9 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
 [[noreturn]] void fail_to_converge(const HermiteSystem& system, const Solution& solution, const SolveOptions& options) {
     const bool gaussian = system.options().kernel == kernel::Kind::gaussian;
     fail(Status::not_converged,
-         "the iterative solver reached a relative residual of %.1e in %d iterations, not %.1e: use %sregularization > "
-         "0, "
-         "a larger solver_tolerance or solver_iterations, or the direct solver",
+         "the iterative solver reached a relative residual of %.1e in %d iterations, not %.1e: use %sa tolerance, so "
+         "that centres are chosen, regularization > 0, a larger solver_tolerance or solver_iterations, or the direct "
+         "solver",
          solution.residual, static_cast<int>(solution.iterations), options.tolerance,
          gaussian ? "a smaller kernel_radius (this one is too wide for so many samples), " : "");
 }

@@ -15,6 +15,10 @@ struct SolveOptions {
     std::int32_t neighbours = 0; // of its preconditioner; 0 = automatic
 };
 
+// Iterations that end with a relative residual above it have met samples that contradict each other, as slivers of a
+// mesh do in single precision: a finer product or more neighbours don't help.
+inline constexpr double hopeless_residual = 100.0;
+
 struct Solution {
     explicit Solution(base::Memory& memory) noexcept : x(memory), misfit(memory), history(memory) {}
 

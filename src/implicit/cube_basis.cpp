@@ -40,6 +40,22 @@ void chebyshev(int degree, double x, Chebyshev& t) noexcept {
     return matrix;
 }
 
+// Column-major, with columns of `stride` numbers, all of which are rows.
+struct Matrix {
+    const double* data;
+    int stride;
+    int columns;
+};
+
+// Adds the products with `count` vectors, which stand side by side, to consecutive columns.
+void add_product(const base::Runtime& runtime, const Matrix& matrix, const double* in, double* to, int count) {
+    base::Array<double> nobody(runtime.memory, matrix.stride);
+    double* out[cube_batch];
+    for (int v = 0; v < cube_batch; ++v) out[v] = v < count ? to + std::int64_t{v} * matrix.stride : nobody.data();
+    cube_loops(runtime.instruction_set)
+        .multiply(matrix.data, matrix.stride, matrix.stride, matrix.columns, in, out, cube_batch);
+}
+
 // Blocked Gaussian elimination with row pivoting of a tall matrix; rows are exchanged in place.
 class Elimination {
 public:
@@ -118,14 +134,16 @@ private:
 } // namespace
 
 CubeBasis::CubeBasis(const base::Runtime& runtime, int degree, const base::Progress& progress)
-    : degree_(degree), nodes_(runtime.memory, stride()), inverse_(runtime.memory), inverse_transposed_(runtime.memory) {
+    : degree_(degree), nodes_(runtime.memory, stride()), to_coefficients_(runtime.memory), transposed_(runtime.memory) {
     const geometry::VecArray grid = lobatto_grid(runtime.memory, degree_ + 1);
     const std::int64_t rows = padded(static_cast<int>(grid.size()));
-    base::Array<double> matrix = vandermonde(grid, grid.size(), degree_, rows);
+    base::Array<double> matrix = triharmonic_values(grid, grid.size(), degree_, rows);
     Elimination elimination(runtime, matrix.data(), grid.size(), rows, size());
     const base::Array<std::int64_t>& row = elimination.run(progress);
     for (std::int64_t k = 0; k < size(); ++k) nodes_.set(k, grid[row[k]]);
     invert(runtime, matrix.data(), rows);
+    polish(runtime);
+    transpose();
 }
 
 void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcept {
@@ -137,11 +155,11 @@ void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcep
                 *terms++ = t[0][a] * t[1][b] * t[2][c];
 }
 
-// Columns of (L U)^-1, several side by side.
+// Coefficients of the basis times (L U)^-1.
 void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride) {
     const std::int64_t n = size();
-    inverse_.resize(n * stride());
-    inverse_transposed_.resize(n * stride());
+    const base::Array<double> basis = triharmonic_coefficients(runtime.memory, degree_, term_stride());
+    to_coefficients_.resize(n * term_stride());
     runtime.parallel.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
         base::Array<double> x(runtime.memory, n * cube_batch);
         const auto eliminate = [&](std::int64_t k, std::int64_t from, std::int64_t to) {
@@ -157,12 +175,41 @@ void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::
             for (std::int64_t v = 0; v < cube_batch; ++v) x[k * cube_batch + v] *= scale;
             eliminate(k, 0, k);
         }
-        for (std::int64_t j = begin; j < end; ++j)
-            for (std::int64_t i = 0; i < n; ++i) {
-                inverse_[j * stride() + i] = x[i * cube_batch + j - begin];
-                inverse_transposed_[i * stride() + j] = x[i * cube_batch + j - begin];
-            }
+        add_product(runtime, {basis.data(), term_stride(), static_cast<int>(n)}, x.data(),
+                    to_coefficients_.data() + begin * term_stride(), static_cast<int>(end - begin));
     });
+}
+
+// A step of refinement, C += C (I - U C) with the nodes' values U of the products: solid harmonics of high degrees are
+// nearly dependent in a cube.
+void CubeBasis::polish(const base::Runtime& runtime) {
+    const std::int64_t n = size();
+    const base::Array<double> values = vandermonde(nodes_, n, degree_, stride());
+    base::Array<double> polished(runtime.memory, to_coefficients_.size());
+    std::copy_n(to_coefficients_.data(), to_coefficients_.size(), polished.data());
+    runtime.parallel.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
+        const auto count = static_cast<int>(end - begin);
+        base::Array<double> in(runtime.memory, std::int64_t{terms()} * cube_batch);
+        base::Array<double> rest(runtime.memory, std::int64_t{stride()} * cube_batch);
+        for (std::int64_t v = 0; v < count; ++v) {
+            for (std::int64_t k = 0; k < terms(); ++k)
+                in[k * cube_batch + v] = -to_coefficients_[(begin + v) * term_stride() + k];
+            rest[v * stride() + begin + v] = 1.0;
+        }
+        add_product(runtime, {values.data(), stride(), terms()}, in.data(), rest.data(), count);
+        for (std::int64_t v = 0; v < count; ++v)
+            for (std::int64_t k = 0; k < n; ++k) in[k * cube_batch + v] = rest[v * stride() + k];
+        add_product(runtime, {to_coefficients_.data(), term_stride(), static_cast<int>(n)}, in.data(),
+                    polished.data() + begin * term_stride(), count);
+    });
+    to_coefficients_ = std::move(polished);
+}
+
+void CubeBasis::transpose() {
+    transposed_.resize(std::int64_t{terms()} * stride());
+    for (std::int64_t j = 0; j < size(); ++j)
+        for (std::int64_t k = 0; k < terms(); ++k)
+            transposed_[k * stride() + j] = to_coefficients_[j * term_stride() + k];
 }
 
 base::Array<double> CubeBasis::interpolation(const base::Runtime& runtime, const geometry::VecArray& points,
@@ -171,17 +218,13 @@ base::Array<double> CubeBasis::interpolation(const base::Runtime& runtime, const
     const int rows = padded(count);
     const base::Array<double> values = vandermonde(points, count, degree_, rows);
     base::Array<double> result(runtime.memory, std::int64_t{rows} * n);
-    const CubeLoops loops = cube_loops(runtime.instruction_set);
     runtime.parallel.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
-        base::Array<double> in(runtime.memory, std::int64_t{n} * cube_batch);
-        base::Array<double> nobody(runtime.memory, rows);
-        double* out[cube_batch];
-        for (std::int64_t v = 0; v < cube_batch; ++v) {
-            out[v] = begin + v < end ? result.data() + (begin + v) * rows : nobody.data();
-            for (std::int64_t k = 0; k < n && begin + v < end; ++k)
-                in[k * cube_batch + v] = inverse_[(begin + v) * stride() + k];
-        }
-        loops.multiply(values.data(), rows, rows, n, in.data(), out, cube_batch);
+        base::Array<double> in(runtime.memory, std::int64_t{terms()} * cube_batch);
+        for (std::int64_t v = 0; begin + v < end; ++v)
+            for (std::int64_t k = 0; k < terms(); ++k)
+                in[k * cube_batch + v] = to_coefficients_[(begin + v) * term_stride() + k];
+        add_product(runtime, {values.data(), rows, terms()}, in.data(), result.data() + begin * rows,
+                    static_cast<int>(end - begin));
     });
     return result;
 }

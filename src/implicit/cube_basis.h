@@ -1,10 +1,11 @@
-// Polynomials of a total degree on the cube [-1, 1]^3: Chebyshev products T_a(x) T_b(y) T_c(z), a + b + c <= degree,
-// and as many points in the cube at which values determine them.
+// Triharmonic polynomials of a total degree on the cube [-1, 1]^3, and as many points in the cube at which values
+// determine them.  They are held as sums of Chebyshev products T_a(x) T_b(y) T_c(z), a + b + c <= degree.
 #pragma once
 
 #include "base/operation.h"
 #include "base/runtime.h"
 #include "geometry/vec_array.h"
+#include "implicit/triharmonic_basis.h"
 
 #include <cstdint>
 
@@ -25,14 +26,18 @@ public:
     [[nodiscard]] static constexpr int padded(int terms) noexcept { return (terms + 7) / 8 * 8; }
 
     [[nodiscard]] int degree() const noexcept { return degree_; }
-    [[nodiscard]] int size() const noexcept { return terms(degree_); }
+    // Points; Chebyshev products; and lengths of vectors of them.
+    [[nodiscard]] int size() const noexcept { return triharmonic_size(degree_); }
+    [[nodiscard]] int terms() const noexcept { return terms(degree_); }
     [[nodiscard]] int stride() const noexcept { return padded(size()); }
+    [[nodiscard]] int term_stride() const noexcept { return padded(terms()); }
 
     // The points; what pads them is at the origin.
     [[nodiscard]] const geometry::VecArray& nodes() const noexcept { return nodes_; }
-    // Values at the nodes to coefficients, column-major with columns of stride(); and its transpose.
-    [[nodiscard]] const base::Array<double>& to_coefficients() const noexcept { return inverse_; }
-    [[nodiscard]] const base::Array<double>& to_coefficients_transposed() const noexcept { return inverse_transposed_; }
+    // Values at the nodes to coefficients, column-major with columns of term_stride(); and its transpose, with columns
+    // of stride().
+    [[nodiscard]] const base::Array<double>& to_coefficients() const noexcept { return to_coefficients_; }
+    [[nodiscard]] const base::Array<double>& to_coefficients_transposed() const noexcept { return transposed_; }
 
     // All terms at a point, in the order of a, then b, then c.
     static void evaluate(int degree, const glm::dvec3& p, double* terms) noexcept;
@@ -42,12 +47,14 @@ public:
                                                     int count) const;
 
 private:
-    void invert(const base::Runtime& runtime, const double* factor, std::int64_t stride);
+    void invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride);
+    void polish(const base::Runtime& runtime);
+    void transpose();
 
     int degree_;
     geometry::VecArray nodes_;
-    base::Array<double> inverse_;
-    base::Array<double> inverse_transposed_;
+    base::Array<double> to_coefficients_;
+    base::Array<double> transposed_;
 };
 
 } // namespace hrbfnpr::implicit

@@ -17,6 +17,13 @@ using base::HWY_NAMESPACE::V;
 
 constexpr int highest_degree = 20;
 
+// Vectors whose sums are in registers at a time.
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
+constexpr int most_vectors = 16;
+#else
+constexpr int most_vectors = 8;
+#endif
+
 HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(D())); }
 
 // Elements of one column of a matrix that is never stored: |x_i - x_k + shift|^3.
@@ -56,7 +63,11 @@ HWY_INLINE void translate_some(const double* const* nodes, int begin, int end, i
 
 void translate(const double* const* nodes, int begin, int end, int columns, const double* shift, double scale,
                const double* in, double* const* out, int vectors) {
-    if (vectors > 4)
+    for (; vectors > most_vectors; vectors -= most_vectors, in += most_vectors, out += most_vectors)
+        translate_some<most_vectors>(nodes, begin, end, columns, shift, scale, in, out);
+    if (vectors > 8)
+        translate_some<most_vectors>(nodes, begin, end, columns, shift, scale, in, out);
+    else if (vectors > 4)
         translate_some<8>(nodes, begin, end, columns, shift, scale, in, out);
     else if (vectors > 2)
         translate_some<4>(nodes, begin, end, columns, shift, scale, in, out);
@@ -83,7 +94,11 @@ HWY_INLINE void multiply_some(const double* matrix, std::int64_t stride, int row
 
 void multiply(const double* matrix, std::int64_t stride, int rows, int columns, const double* in, double* const* out,
               int vectors) {
-    if (vectors > 4)
+    for (; vectors > most_vectors; vectors -= most_vectors, in += most_vectors, out += most_vectors)
+        multiply_some<most_vectors>(matrix, stride, rows, columns, in, out);
+    if (vectors > 8)
+        multiply_some<most_vectors>(matrix, stride, rows, columns, in, out);
+    else if (vectors > 4)
         multiply_some<8>(matrix, stride, rows, columns, in, out);
     else if (vectors > 2)
         multiply_some<4>(matrix, stride, rows, columns, in, out);

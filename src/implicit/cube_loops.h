@@ -9,7 +9,7 @@ namespace hrbfnpr::implicit {
 
 // Vectors that a matrix is applied to at a time; they stand side by side: element k of vector v at [k * cube_batch +
 // v].
-inline constexpr int cube_batch = 8;
+inline constexpr int cube_batch = 16;
 
 struct CubeSamples {
     const double* x;

@@ -72,13 +72,22 @@ FarField::FarField(const base::Runtime& runtime, const geometry::VecArray& centr
     sort_pairs(progress);
 }
 
-// The error of a level is about (half width)^3 2.9^-degree; conjugate gradients need it below the smallest eigenvalue,
-// which is as (spacing)^3: so two degrees more for twice the width.  The constant was found by trying even samples:
-// three degrees less, fits of 65 000 break down; one less, they take half as many iterations again.
+// The error of a pair of cubes is about (half width)^3 2.9^-degree, relative to their weights.
+//
+// Conjugate gradients need it below the smallest eigenvalue, which is as (spacing)^3: so two degrees more for twice the
+// width.  That constant was found by trying even samples: three degrees less, fits of 65 000 break down; one less, they
+// take half as many iterations again.
+//
+// A fit's weights are as (spacing)^2, and what its many far pairs are off adds up like noise, to (spacing) times as
+// much.  That constant, too, was found by trying: 24 000 to 262 144 even samples.
 int FarField::degree_of(std::int32_t level, const Options& options) const noexcept {
     if (!has_expansions(level)) return 0; // there are no far cubes
     const double width = std::max(1.0, tree_.half_width(level) / options.spacing);
-    const int degree = static_cast<int>(std::ceil(2.0 * std::log2(width) + 6.1)) + 2 * options.finer;
+    const double all = std::max(1.0, tree_.half_width(0) / options.spacing);
+    const double to_converge = 2.0 * std::log2(width) + 6.1;
+    const double error = std::pow(width / all, 3.0) / (all * options.tolerance);
+    const double to_be_exact = std::log(std::max(1.0, error)) / std::log(2.9) + 7.1;
+    const int degree = static_cast<int>(std::ceil(std::max(to_converge, to_be_exact))) + 2 * options.finer;
     return std::clamp(degree, 4, CubeBasis::degree_max);
 }
 
@@ -148,12 +157,12 @@ void FarField::gather_moments(std::int32_t level, const base::Progress& progress
     const std::int64_t first = tree_.level_begin(level);
     runtime_.parallel.for_chunks(tree_.level_end(level) - first, chunk, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        base::Array<double> terms(runtime_.memory, basis.stride());
+        base::Array<double> terms(runtime_.memory, basis.terms());
         base::Array<double> nobody(runtime_.memory, basis.stride());
-        Batch batch(runtime_.memory, basis.size());
+        Batch batch(runtime_.memory, basis.terms());
         const auto flush = [&] {
             if (batch.empty()) return;
-            loops.multiply(basis.to_coefficients_transposed().data(), basis.stride(), basis.stride(), basis.size(),
+            loops.multiply(basis.to_coefficients_transposed().data(), basis.stride(), basis.stride(), basis.terms(),
                            batch.in(), batch.out(nobody.data()), batch.count());
             batch.clear();
         };
@@ -172,7 +181,7 @@ void FarField::gather_moments(std::int32_t level, const base::Progress& progress
                            {centre.x, centre.y, centre.z},
                            tree_.half_width(level)},
                           alpha_.data() + cube.begin, beta, terms.data());
-            batch.add(terms.data(), basis.size(), outgoing(node, level));
+            batch.add(terms.data(), basis.terms(), outgoing(node, level));
             if (batch.full()) flush();
         }
         flush();
@@ -314,10 +323,10 @@ void FarField::evaluate_leaf(std::int64_t node) {
     if (!has_expansions(leaf.level)) return;
     const CubeBasis& basis = levels_[static_cast<std::size_t>(leaf.level)].basis;
     const CubeLoops loops = cube_loops(runtime_.instruction_set);
-    base::Array<double> terms(runtime_.memory, basis.stride());
+    base::Array<double> terms(runtime_.memory, basis.term_stride());
     Batch batch(runtime_.memory, basis.size());
     batch.add(incoming(node, leaf.level), basis.size(), terms.data());
-    loops.multiply(basis.to_coefficients().data(), basis.stride(), basis.stride(), basis.size(), batch.in(),
+    loops.multiply(basis.to_coefficients().data(), basis.term_stride(), basis.term_stride(), basis.size(), batch.in(),
                    batch.out(terms.data()), 1);
     const glm::dvec3 centre = tree_.centre(leaf);
     const geometry::VecArray& p = tree_.points();

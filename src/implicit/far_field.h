@@ -21,6 +21,7 @@ public:
         double spacing = 1.0;         // of the centres, mean
         int finer = 0;                // steps of two degrees: each divides the error by about 10
         std::int64_t leaf_size = 600; // centres in a cube that is not divided
+        double tolerance = 1e-8;      // of sums with a fit's weights, relative to its right-hand side
     };
 
     // Of these centres, which are targets too.  Throws Error{out_of_memory, cancelled}.

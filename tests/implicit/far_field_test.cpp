@@ -108,19 +108,19 @@ void expect_error_to_fall(const VecArray& points, const implicit::FarField::Opti
 
 TEST(FarField, ErrorFallsByEachStepOnASurface) {
     base::Memory memory;
-    expect_error_to_fall(sphere(memory, 1500), {4.0, 0, 30}, 1e-4);
+    expect_error_to_fall(sphere(memory, 1500), {4.0, 0, 30, 1.0}, 1e-4);
 }
 
 TEST(FarField, ErrorFallsByEachStepOnAnUnevenCloud) {
     base::Memory memory;
-    expect_error_to_fall(uneven(memory, 3000), {4.0, -1, 60}, 1e-2);
+    expect_error_to_fall(uneven(memory, 3000), {4.0, -1, 60, 1.0}, 1e-2);
 }
 
 TEST(FarField, IsAccurateAtTheTrueSpacing) {
     const base::Runtime runtime;
     const VecArray points = sphere(runtime.memory, 1500);
     const Weights weights(runtime.memory, points.size());
-    EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 1, 40}), directly(runtime, points, weights)), 1e-6);
+    EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 1, 40, 1.0}), directly(runtime, points, weights)), 1e-6);
 }
 
 TEST(FarField, ClustersAreDividedAsDeeplyAsTheyNeed) {
@@ -129,9 +129,9 @@ TEST(FarField, ClustersAreDividedAsDeeplyAsTheyNeed) {
     const Weights weights(runtime.memory, points.size());
     const Sums expected = directly(runtime, points, weights);
     for (const std::int64_t leaf_size : {10, 40, 640})
-        EXPECT_LT(error(quickly(runtime, points, weights, {4.0, 0, leaf_size}), expected), 1e-4) << leaf_size;
-    const implicit::FarField shallow(runtime, points, {4.0, 0, 1499}, {});
-    const implicit::FarField deep(runtime, points, {4.0, 0, 10}, {});
+        EXPECT_LT(error(quickly(runtime, points, weights, {4.0, 0, leaf_size, 1.0}), expected), 1e-4) << leaf_size;
+    const implicit::FarField shallow(runtime, points, {4.0, 0, 1499, 1.0}, {});
+    const implicit::FarField deep(runtime, points, {4.0, 0, 10, 1.0}, {});
     EXPECT_GT(deep.bytes(), 2 * shallow.bytes());
 }
 
@@ -140,20 +140,20 @@ TEST(FarField, IsExactWhereEverythingIsNear) {
     for (const int count : {0, 1, 2, 300}) {
         const VecArray points = sphere(runtime.memory, count);
         const Weights weights(runtime.memory, count);
-        const Sums found = quickly(runtime, points, weights, {1.0, 0, 300});
+        const Sums found = quickly(runtime, points, weights, {1.0, 0, 300, 1.0});
         if (count > 1) {
             EXPECT_LT(error(found, directly(runtime, points, weights)), 1e-13) << count;
         }
     }
     const VecArray points = sphere(runtime.memory, 300); // one level of cubes, which all touch
     const Weights weights(runtime.memory, 300);
-    EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 0, 150}), directly(runtime, points, weights)), 1e-13);
+    EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 0, 150, 1.0}), directly(runtime, points, weights)), 1e-13);
 }
 
 TEST(FarField, SumsNothingOfTheCallBefore) {
     const base::Runtime runtime;
     const VecArray points = sphere(runtime.memory, 600);
-    implicit::FarField field(runtime, points, {4.0, 0, 30}, {});
+    implicit::FarField field(runtime, points, {4.0, 0, 30, 1.0}, {});
     const Weights weights(runtime.memory, points.size());
     Sums first(runtime.memory, points.size());
     Sums second(runtime.memory, points.size());
@@ -172,10 +172,10 @@ TEST(FarField, SameBitsForAnyNumberOfThreads) {
     const VecArray points = uneven(runtime.memory, 1500);
     const Weights weights(runtime.memory, points.size());
     runtime.parallel = base::Parallel(1, nullptr, nullptr);
-    const Sums serial = quickly(runtime, points, weights, {4.0, 0, 20});
+    const Sums serial = quickly(runtime, points, weights, {4.0, 0, 20, 1.0});
     for (const int threads : {2, 3, 7}) {
         runtime.parallel = base::Parallel(threads, nullptr, nullptr);
-        const Sums sums = quickly(runtime, points, weights, {4.0, 0, 20});
+        const Sums sums = quickly(runtime, points, weights, {4.0, 0, 20, 1.0});
         expect_same_bits(sums.value, serial.value, threads);
         expect_same_bits(sums.gradient.x, serial.gradient.x, threads);
         expect_same_bits(sums.gradient.y, serial.gradient.y, threads);
@@ -187,12 +187,12 @@ TEST(FarField, CanBeCancelled) {
     const base::Runtime runtime;
     const VecArray points = sphere(runtime.memory, 300);
     const Weights weights(runtime.memory, points.size());
-    implicit::FarField field(runtime, points, {4.0, 0, 20}, {});
+    implicit::FarField field(runtime, points, {4.0, 0, 20, 1.0}, {});
     Sums sums(runtime.memory, points.size());
     base::Operation operation;
     operation.cancel();
     const base::Progress cancelled(&operation);
-    EXPECT_THROW(implicit::FarField(runtime, points, {4.0, 0, 20}, cancelled), hrbfnpr::Error);
+    EXPECT_THROW(implicit::FarField(runtime, points, {4.0, 0, 20, 1.0}, cancelled), hrbfnpr::Error);
     EXPECT_THROW(field.sum(weights.alpha.data(), weights.beta, sums.value.data(), sums.gradient, cancelled),
                  hrbfnpr::Error);
 }
