@@ -42,7 +42,7 @@ private:
     const base::Runtime& runtime_;
     const geometry::VecArray& position_;
     HermiteSystem::Options options_;
-    implicit::FarField::Options far_options_;
+    implicit::SourceTreeOptions far_options_;
     base::Array<double> alpha_;
     geometry::VecArray beta_;
     base::Array<double> value_;

@@ -66,14 +66,14 @@ void add_up(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list) {
 
 } // namespace
 
-Octree::Octree(const VecArray& points, std::int64_t leaf_size, const base::Progress& progress)
+Octree::Octree(const VecArray& points, std::int64_t leaf_size, double margin, const base::Progress& progress)
     : points_(points.memory(), points.size()), index_(points.memory(), points.size()),
       key_(points.memory(), points.size()), nodes_(points.memory()), level_begin_(points.memory()) {
     Bounds bounds;
     for (std::int64_t i = 0; i < points.size(); ++i) bounds.extend(points[i]);
     const glm::dvec3 size = points.empty() ? glm::dvec3(0.0) : bounds.size();
     const double largest = std::max({size.x, size.y, size.z});
-    width_ = largest > 0.0 ? 1.0000001 * largest : 1.0;
+    width_ = largest > 0.0 ? (1.0000001 + margin) * largest : 1.0;
     corner_ = points.empty() ? glm::dvec3(0.0) : bounds.centre() - glm::dvec3(0.5 * width_);
     sort(points);
     divide(leaf_size, progress);

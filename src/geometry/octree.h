@@ -25,8 +25,9 @@ public:
         [[nodiscard]] std::int64_t count() const noexcept { return end - begin; }
     };
 
-    // Cubes with more than leaf_size points are divided, but no deeper than deepest_level.
-    Octree(const VecArray& points, std::int64_t leaf_size, const base::Progress& progress);
+    // Cubes with more than leaf_size points are divided, but no deeper than deepest_level.  The whole is wider than the
+    // points by `margin` of their width.
+    Octree(const VecArray& points, std::int64_t leaf_size, double margin, const base::Progress& progress);
 
     static constexpr std::int32_t deepest_level = 20;
 
@@ -40,6 +41,7 @@ public:
     [[nodiscard]] std::int64_t level_begin(std::int32_t level) const noexcept { return level_begin_[level]; }
     [[nodiscard]] std::int64_t level_end(std::int32_t level) const noexcept { return level_begin_[level + 1]; }
 
+    [[nodiscard]] const glm::dvec3& corner() const noexcept { return corner_; } // the lowest one
     [[nodiscard]] double half_width(std::int32_t level) const noexcept {
         return 0.5 * width_ / static_cast<double>(1LL << level);
     }

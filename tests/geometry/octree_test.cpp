@@ -65,7 +65,7 @@ std::vector<VecArray> clouds() {
 
 TEST(Octree, HasEveryPointOnce) {
     for (const VecArray& points : clouds()) {
-        const Octree tree(points, 7, {});
+        const Octree tree(points, 7, 0.0, {});
         ASSERT_EQ(tree.points().size(), points.size());
         std::set<std::int64_t> seen;
         for (std::int64_t at = 0; at < points.size(); ++at) {
@@ -84,7 +84,7 @@ TEST(Octree, HasEveryPointOnce) {
 TEST(Octree, LeavesHoldFewPointsUnlessTheyAreTheDeepest) {
     for (const VecArray& points : clouds()) {
         for (const std::int64_t leaf_size : {1, 7, 64, 1000}) {
-            const Octree tree(points, leaf_size, {});
+            const Octree tree(points, leaf_size, 0.0, {});
             for (const Octree::Node& node : tree.nodes()) {
                 if (node.leaf() && node.level < Octree::deepest_level) {
                     EXPECT_LE(node.count(), leaf_size);
@@ -95,15 +95,15 @@ TEST(Octree, LeavesHoldFewPointsUnlessTheyAreTheDeepest) {
             }
         }
     }
-    const Octree deep(coincident(20), 7, {});
+    const Octree deep(coincident(20), 7, 0.0, {});
     EXPECT_EQ(deep.levels(), Octree::deepest_level + 1);
     EXPECT_EQ(deep.nodes()[deep.nodes().size() - 1].count(), 20);
-    EXPECT_EQ(Octree(surface(100), 100, {}).levels(), 1);
+    EXPECT_EQ(Octree(surface(100), 100, 0.0, {}).levels(), 1);
 }
 
 TEST(Octree, CubesHoldTheirPoints) {
     for (const VecArray& points : clouds()) {
-        const Octree tree(points, 7, {});
+        const Octree tree(points, 7, 0.0, {});
         for (const Octree::Node& node : tree.nodes()) {
             const double half = tree.half_width(node.level);
             EXPECT_EQ(half, std::ldexp(tree.half_width(0), -node.level));
@@ -117,7 +117,7 @@ TEST(Octree, CubesHoldTheirPoints) {
 
 TEST(Octree, ChildrenFollowEachOtherAndShareTheParentsPoints) {
     for (const VecArray& points : clouds()) {
-        const Octree tree(points, 7, {});
+        const Octree tree(points, 7, 0.0, {});
         EXPECT_EQ(tree.nodes()[0].parent, 0);
         for (std::int64_t i = 0; i < tree.nodes().size(); ++i) {
             const Octree::Node& node = tree.nodes()[i];
@@ -139,7 +139,7 @@ TEST(Octree, ChildrenFollowEachOtherAndShareTheParentsPoints) {
 
 TEST(Octree, StandsLevelByLevelAlongACurve) {
     for (const VecArray& points : clouds()) {
-        const Octree tree(points, 7, {});
+        const Octree tree(points, 7, 0.0, {});
         EXPECT_EQ(tree.level_begin(0), 0);
         EXPECT_EQ(tree.level_end(tree.levels() - 1), tree.nodes().size());
         for (std::int32_t level = 0; level < tree.levels(); ++level) {
@@ -157,7 +157,7 @@ TEST(Octree, StandsLevelByLevelAlongACurve) {
 TEST(Octree, CanBeCancelled) {
     base::Operation operation;
     operation.cancel();
-    EXPECT_THROW(Octree(surface(50), 7, base::Progress(&operation)), Error);
+    EXPECT_THROW(Octree(surface(50), 7, 0.0, base::Progress(&operation)), Error);
 }
 
 bool touching(const Octree::Node& a, const Octree::Node& b) {
@@ -175,7 +175,7 @@ void for_each_pair(const base::Array<std::int64_t>& begin, const base::Array<std
 TEST(OctreeInteractions, CoverEveryPairOfPointsOnce) {
     for (const VecArray& points : clouds()) {
         for (const std::int64_t leaf_size : {1, 7, 64}) {
-            const Octree tree(points, leaf_size, {});
+            const Octree tree(points, leaf_size, 0.0, {});
             const OctreeInteractions lists = octree_interactions(tree);
             const auto n = static_cast<std::size_t>(points.size());
             std::vector<std::uint8_t> covered(n * n);
@@ -196,7 +196,7 @@ TEST(OctreeInteractions, CoverEveryPairOfPointsOnce) {
 
 TEST(OctreeInteractions, FarCubesDoNotTouchButTheirParentsDo) {
     for (const VecArray& points : clouds()) {
-        const Octree tree(points, 7, {});
+        const Octree tree(points, 7, 0.0, {});
         const OctreeInteractions lists = octree_interactions(tree);
         for_each_pair(lists.far_begin, lists.far, tree.nodes().size(), [&](std::int64_t target, std::int64_t source) {
             const Octree::Node& t = tree.nodes()[target];
@@ -206,12 +206,12 @@ TEST(OctreeInteractions, FarCubesDoNotTouchButTheirParentsDo) {
             EXPECT_TRUE(touching(tree.nodes()[t.parent], tree.nodes()[s.parent]));
         });
     }
-    EXPECT_FALSE(octree_interactions(Octree(surface(500), 7, {})).far.empty());
+    EXPECT_FALSE(octree_interactions(Octree(surface(500), 7, 0.0, {})).far.empty());
 }
 
 TEST(OctreeInteractions, NearnessIsMutual) {
     for (const VecArray& points : clouds()) {
-        const Octree tree(points, 7, {});
+        const Octree tree(points, 7, 0.0, {});
         const OctreeInteractions lists = octree_interactions(tree);
         std::set<std::pair<std::int64_t, std::int64_t>> near;
         for_each_pair(lists.near_begin, lists.near, tree.nodes().size(), [&](std::int64_t target, std::int64_t source) {

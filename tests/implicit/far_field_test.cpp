@@ -71,7 +71,7 @@ Sums directly(const base::Runtime& runtime, const VecArray& p, const Weights& w)
 }
 
 Sums quickly(const base::Runtime& runtime, const VecArray& points, const Weights& w,
-             const implicit::FarField::Options& options) {
+             const implicit::SourceTreeOptions& options) {
     implicit::FarField field(runtime, points, options, {});
     Sums sums(runtime.memory, points.size());
     field.sum(w.alpha.data(), w.beta, sums.value.data(), sums.gradient, {});
@@ -93,12 +93,12 @@ double error(const Sums& found, const Sums& expected) {
     return std::max(relative.x, relative.y);
 }
 
-void expect_error_to_fall(const VecArray& points, const implicit::FarField::Options& coarse, double first) {
+void expect_error_to_fall(const VecArray& points, const implicit::SourceTreeOptions& coarse, double first) {
     const base::Runtime runtime;
     const Weights weights(runtime.memory, points.size());
     const Sums expected = directly(runtime, points, weights);
     double before = 5.0 * first;
-    for (implicit::FarField::Options options = coarse; options.finer <= coarse.finer + 2; ++options.finer) {
+    for (implicit::SourceTreeOptions options = coarse; options.finer <= coarse.finer + 2; ++options.finer) {
         const double now = error(quickly(runtime, points, weights, options), expected);
         EXPECT_LT(now, 0.2 * before) << options.finer;
         EXPECT_GT(now, 1e-15) << options.finer;

@@ -1,0 +1,104 @@
+// Weighted centres in an octree, whose cubes act on far places like sources at a few nodes: one half of a fast
+// multipole method (Greengard, Rokhlin 1987), with polynomials in place of multipoles, as black-box methods have them
+// (Fong, Darve, J. Comput. Phys. 228, 2009).
+//
+// Inside a cube, what far sources sum up to is a triharmonic polynomial; and sources in a cube act on far places like
+// sources at the cube's nodes, with weights such that all such polynomials are integrated alike.
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "geometry/octree.h"
+#include "implicit/cube_basis.h"
+#include "implicit/hermite_sums.h"
+
+#include <span>
+#include <vector>
+
+namespace hrbfnpr::implicit {
+
+struct SourceTreeOptions {
+    double spacing = 1.0;         // of the centres, mean
+    int finer = 0;                // steps of two degrees: each divides the error by about 10
+    std::int64_t leaf_size = 600; // centres in a cube that is not divided
+    double tolerance = 1e-8;      // of sums with a fit's weights, relative to its right-hand side
+    bool definite = true;         // the sums at the centres are to be a positive definite matrix's, for a fit
+    double margin = 0.0;          // of the whole cube, relative to its width
+};
+
+class SourceTree {
+public:
+    // Throws Error{out_of_memory, cancelled}.
+    SourceTree(const base::Runtime& runtime, const geometry::VecArray& centres, const SourceTreeOptions& options,
+               const base::Progress& progress);
+
+    // Gives the centres their weights, in the centres' order.
+    void load(const double* alpha, const geometry::VecArray& beta, const base::Progress& progress);
+
+    [[nodiscard]] const geometry::Octree& tree() const noexcept { return tree_; }
+    [[nodiscard]] const CubeBasis& basis(std::int32_t level) const noexcept { return at(level).basis; }
+    // From a level's nodes to those of a child's; the child's level exists.
+    [[nodiscard]] const base::Array<double>& to_child(std::int32_t level, int octant) const noexcept {
+        return at(level).to_child[static_cast<std::size_t>(octant)];
+    }
+    // Cubes of the first two levels all touch each other.
+    [[nodiscard]] static bool has_expansions(std::int32_t level) noexcept { return level >= 2; }
+    // Of each node, one after the other; padded for reading beyond the last.
+    [[nodiscard]] std::int64_t vectors_begin(std::int32_t level) const noexcept { return at(level).begin; }
+    [[nodiscard]] std::int64_t vectors_size() const noexcept { return outgoing_.size(); }
+    // A node's centres in the tree's order, with their weights.
+    [[nodiscard]] Sources sources(std::int64_t begin, std::int64_t end) const noexcept;
+
+    // A cube that acts on another of its level which it does not touch.
+    struct Pair {
+        std::int32_t direction; // which of the 343 offsets
+        std::int32_t source;
+        std::int32_t target;
+    };
+    [[nodiscard]] static std::int32_t direction(const std::array<std::int32_t, 3>& target,
+                                                const std::array<std::int32_t, 3>& source) noexcept {
+        return (target[0] - source[0] + 3) + 7 * (target[1] - source[1] + 3) + 49 * (target[2] - source[2] + 3);
+    }
+    // Adds to nodes [first_row, last_row) of the targets, multiples of 8; target t's vector is t basis strides after
+    // `incoming`.  Pairs of one direction that stand together share the work.
+    void translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,
+                   double* incoming) const;
+
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+
+private:
+    // What cubes of one level share.
+    struct Level {
+        CubeBasis basis;
+        // From this level's nodes to those of a child, for each octant; empty on the deepest level.
+        std::vector<base::Array<double>> to_child;
+        std::vector<base::Array<double>> to_child_transposed;
+        std::int64_t begin = 0; // of its nodes' vectors
+    };
+
+    [[nodiscard]] const Level& at(std::int32_t level) const noexcept {
+        return levels_[static_cast<std::size_t>(level)];
+    }
+    [[nodiscard]] int degree_of(std::int32_t level, const SourceTreeOptions& options) const noexcept;
+    void make_transfers(std::int32_t level);
+    void gather_moments(std::int32_t level, const base::Progress& progress);
+    void add_children(std::int64_t begin, std::int64_t end, std::int32_t level);
+    [[nodiscard]] std::int64_t place(std::int64_t node, std::int32_t level) const noexcept {
+        return at(level).begin + (node - tree_.level_begin(level)) * at(level).basis.stride();
+    }
+    [[nodiscard]] double* outgoing(std::int64_t node, std::int32_t level) noexcept {
+        return outgoing_.data() + place(node, level);
+    }
+    [[nodiscard]] const double* outgoing(std::int64_t node, std::int32_t level) const noexcept {
+        return outgoing_.data() + place(node, level);
+    }
+
+    const base::Runtime& runtime_;
+    geometry::Octree tree_;
+    std::vector<Level> levels_;
+    base::Array<double> outgoing_; // weights at the nodes of each cube
+    base::Array<double> alpha_;    // in the tree's order
+    geometry::VecArray beta_;
+};
+
+} // namespace hrbfnpr::implicit
