@@ -17,7 +17,8 @@ using D = hn::ScalableTag<double>;
 using V = hn::Vec<D>;
 
 // Squared distances are not taken as smaller: what is multiplied with the inverse root vanishes by itself.
-constexpr double smallest_r2 = 1e-30;
+// inverse_root() begins in floats, whose smallest is 1.2e-38.
+constexpr double smallest_r2 = 1e-37;
 
 // A step of third order: of y = (1 - e)^(1/2) / sqrt(x), e becomes 35/128 e^4.
 HWY_INLINE V polish_inverse_root(V x, V y) {

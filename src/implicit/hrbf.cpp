@@ -1,5 +1,6 @@
 #include "implicit/hrbf.h"
 
+#include "implicit/hermite_hessians.h"
 #include "implicit/hermite_sums.h"
 #include "kernel/polynomial.h"
 #include "kernel/radial.h"
@@ -115,28 +116,6 @@ void evaluate_blocks(const HrbfData& data, const Kernel& kernel, const PointBatc
     }
 }
 
-// Value and gradient.
-void evaluate_in_vectors(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
-                         const FieldBatch& fields) noexcept {
-    const AddHermiteSums add = hermite_sums(set, data.kernel);
-    const Sources sources{data.centre_position.x.data(),
-                          data.centre_position.y.data(),
-                          data.centre_position.z.data(),
-                          data.alpha.data(),
-                          data.beta.x.data(),
-                          data.beta.y.data(),
-                          data.beta.z.data(),
-                          data.count()};
-    Block block;
-    for (std::int64_t begin = 0; begin < points.count; begin += block_size) {
-        const std::int64_t count = std::min(block_size, points.count - begin);
-        start(data, slice(points, begin, begin + count), block);
-        add(data.kernel_radius, sources,
-            {block.x, block.y, block.z, block.value, block.gradient[0], block.gradient[1], block.gradient[2], count});
-        finish(data, block, count, fields.from(begin));
-    }
-}
-
 } // namespace
 
 std::int64_t HrbfData::bytes() const noexcept {
@@ -158,9 +137,28 @@ void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& 
 // Value and gradient come from the same sums whether a Hessian is wanted or not.
 void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
               const FieldBatch& fields) noexcept {
-    if (fields.wants_hessian()) evaluate(data, points, {nullptr, {}, fields.hessian});
-    if (fields.value != nullptr || fields.wants_gradient())
-        evaluate_in_vectors(set, data, points, {fields.value, fields.gradient, {}});
+    const Sources sources{data.centre_position.x.data(),
+                          data.centre_position.y.data(),
+                          data.centre_position.z.data(),
+                          data.alpha.data(),
+                          data.beta.x.data(),
+                          data.beta.y.data(),
+                          data.beta.z.data(),
+                          data.count()};
+    Block block;
+    double(&g)[3][block_size] = block.gradient;
+    double(&h)[6][block_size] = block.hessian;
+    for (std::int64_t begin = 0; begin < points.count; begin += block_size) {
+        const std::int64_t count = std::min(block_size, points.count - begin);
+        start(data, slice(points, begin, begin + count), block);
+        if (fields.value != nullptr || fields.wants_gradient())
+            hermite_sums(set, data.kernel)(data.kernel_radius, sources,
+                                           {block.x, block.y, block.z, block.value, g[0], g[1], g[2], count});
+        if (fields.wants_hessian())
+            hermite_hessians(set, data.kernel)(
+                data.kernel_radius, sources, {block.x, block.y, block.z, {h[0], h[1], h[2], h[3], h[4], h[5]}, count});
+        finish(data, block, count, fields.from(begin));
+    }
 }
 
 void Hrbf::evaluate(const PointBatch& points, const FieldBatch& fields) const {

@@ -41,10 +41,10 @@ struct HrbfData {
     return (coordinate - centre) / scale;
 }
 
-// What Hrbf::evaluate does, for data that no Hrbf owns yet; without Hessians in vectors of the given kind.
+// What Hrbf::evaluate does, for data that no Hrbf owns yet.
 void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
               const FieldBatch& fields) noexcept;
-// The same, plainly.
+// The same, plainly: what the vectors are compared with.
 void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& fields) noexcept;
 
 class Hrbf final : public Implicit {

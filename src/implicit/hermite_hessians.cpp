@@ -1,0 +1,218 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "implicit/hermite_hessians.cpp"
+#include "base/simd.h"
+
+#include "base/simd_math-inl.h"
+#include "implicit/hermite_hessians.h"
+
+#include <hwy/contrib/math/math-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hrbfnpr::implicit::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using base::HWY_NAMESPACE::D;
+using base::HWY_NAMESPACE::inverse_root;
+using base::HWY_NAMESPACE::smallest_r2;
+using base::HWY_NAMESPACE::V;
+
+// Vectors of targets that one source is applied to at a time, as registers allow.
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
+constexpr int unroll = 2;
+#else
+constexpr int unroll = 1;
+#endif
+
+// With e along d and w of its own, each kernel below writes a source's term as
+//   H = factor (iso I + (e w^T + w e^T) / 2):
+// 6 products in place of the 12 of d d^T, beta d^T and d beta^T.  What is summed up has no factor yet.
+struct Sum {
+    V iso;        // of the diagonal
+    V xx, yy, zz; // e_i w_i
+    V xy, xz, yz; // e_i w_j + e_j w_i
+};
+
+struct Weights {
+    V alpha, x, y, z;            // alpha and beta
+    V twice_x, twice_y, twice_z; // 2 beta
+};
+
+HWY_INLINE V along(V x, V y, V z, const Weights& w) { return hn::MulAdd(z, w.z, hn::MulAdd(y, w.y, hn::Mul(x, w.x))); }
+
+HWY_INLINE void add_product(V ex, V ey, V ez, V wx, V wy, V wz, Sum& sum) {
+    sum.xx = hn::MulAdd(ex, wx, sum.xx);
+    sum.yy = hn::MulAdd(ey, wy, sum.yy);
+    sum.zz = hn::MulAdd(ez, wz, sum.zz);
+    sum.xy = hn::MulAdd(ey, wx, hn::MulAdd(ex, wy, sum.xy));
+    sum.xz = hn::MulAdd(ez, wx, hn::MulAdd(ex, wz, sum.xz));
+    sum.yz = hn::MulAdd(ez, wy, hn::MulAdd(ey, wz, sum.yz));
+}
+
+// a = 3 r, b = 3 / r, c = -3 / r^3: with the unit vector u = d / r and p = beta . u,
+//   H / 3 = (alpha r - p) I + (alpha r + p) u u^T - (beta u^T + u beta^T).
+struct Triharmonic {
+    explicit Triharmonic(double) {}
+    [[nodiscard]] double factor() const { return 3.0; }
+
+    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+        const V inverse = inverse_root(hn::Max(r2, hn::Set(D(), smallest_r2)));
+        const V ux = hn::Mul(dx, inverse);
+        const V uy = hn::Mul(dy, inverse);
+        const V uz = hn::Mul(dz, inverse);
+        const V r = hn::Mul(r2, inverse);
+        const V p = along(ux, uy, uz, w);
+        sum.iso = hn::Add(sum.iso, hn::MulSub(w.alpha, r, p));
+        const V outer = hn::MulAdd(w.alpha, r, p);
+        add_product(ux, uy, uz, hn::MulSub(outer, ux, w.twice_x), hn::MulSub(outer, uy, w.twice_y),
+                    hn::MulSub(outer, uz, w.twice_z), sum);
+    }
+};
+
+// a = -f phi, b = f^2 phi, c = -f^3 phi with f = 1 / radius^2: with m = alpha / f + beta . d,
+//   H / f^2 = -phi m I + phi (f m d d^T - (beta d^T + d beta^T)).
+struct Gaussian {
+    explicit Gaussian(double radius) : radius2(radius * radius), falloff(1.0 / (radius * radius)) {}
+    double radius2, falloff;
+    [[nodiscard]] double factor() const { return falloff * falloff; }
+
+    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+        const D d;
+        const V f = hn::Set(d, falloff);
+        const V exponent = hn::Mul(hn::Mul(f, hn::Set(d, -0.5)), r2);
+        const V phi = hn::Exp(d, hn::Max(exponent, hn::Set(d, -700.0)));
+        const V m = hn::MulAdd(w.alpha, hn::Set(d, radius2), along(dx, dy, dz, w));
+        sum.iso = hn::NegMulAdd(phi, m, sum.iso);
+        const V outer = hn::Mul(f, m);
+        add_product(dx, dy, dz, hn::Mul(phi, hn::MulSub(outer, dx, w.twice_x)),
+                    hn::Mul(phi, hn::MulSub(outer, dy, w.twice_y)), hn::Mul(phi, hn::MulSub(outer, dz, w.twice_z)),
+                    sum);
+    }
+};
+
+// a = -R g t^3 / 3, b = g t^2 / r, c = -g t (1 + s) / r^3 with g = 60 / R^3, s = r / R, t = 1 - s or 0:
+// with u = d / r and p = beta . u,
+//   H / g = -(R / 3 t^3 alpha + t^2 p) I + t ((alpha t r + (1 + s) p) u u^T - t (beta u^T + u beta^T)).
+struct WendlandC2 {
+    explicit WendlandC2(double kernel_radius) : radius(kernel_radius), inverse_radius(1.0 / kernel_radius) {}
+    double radius, inverse_radius;
+    [[nodiscard]] double factor() const { return 60.0 * inverse_radius * inverse_radius * inverse_radius; }
+
+    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+        const D d;
+        const V one = hn::Set(d, 1.0);
+        const V inverse = inverse_root(hn::Max(r2, hn::Set(d, smallest_r2)));
+        const V ux = hn::Mul(dx, inverse);
+        const V uy = hn::Mul(dy, inverse);
+        const V uz = hn::Mul(dz, inverse);
+        const V r = hn::Mul(r2, inverse);
+        const V s = hn::Mul(r, hn::Set(d, inverse_radius));
+        const V t = hn::Max(hn::Zero(d), hn::Sub(one, s));
+        const V at = hn::Mul(w.alpha, t);
+        const V p = along(ux, uy, uz, w);
+        sum.iso = hn::NegMulAdd(hn::Mul(t, t), hn::MulAdd(at, hn::Set(d, radius / 3.0), p), sum.iso);
+        const V outer = hn::MulAdd(at, r, hn::MulAdd(s, p, p));
+        const V wx = hn::MulSub(outer, ux, hn::Mul(t, w.twice_x));
+        const V wy = hn::MulSub(outer, uy, hn::Mul(t, w.twice_y));
+        const V wz = hn::MulSub(outer, uz, hn::Mul(t, w.twice_z));
+        add_product(ux, uy, uz, hn::Mul(t, wx), hn::Mul(t, wy), hn::Mul(t, wz), sum);
+    }
+};
+
+HWY_INLINE Weights weights(const Sources& s, std::int64_t j) {
+    const D d;
+    const V x = hn::Set(d, s.beta_x[j]);
+    const V y = hn::Set(d, s.beta_y[j]);
+    const V z = hn::Set(d, s.beta_z[j]);
+    return {hn::Set(d, s.alpha[j]), x, y, z, hn::Add(x, x), hn::Add(y, y), hn::Add(z, z)};
+}
+
+// All sources at the targets of `n` vectors from x, y, z on.
+template <int n, class Kernel>
+HWY_INLINE void sum_up(const Kernel& kernel, const Sources& s, const V* x, const V* y, const V* z, Sum* sum) {
+    const D d;
+    const V zero = hn::Zero(d);
+    for (int u = 0; u < n; ++u) sum[u] = {zero, zero, zero, zero, zero, zero, zero};
+    for (std::int64_t j = 0; j < s.count; ++j) {
+        const Weights w = weights(s, j);
+        const V sx = hn::Set(d, s.x[j]);
+        const V sy = hn::Set(d, s.y[j]);
+        const V sz = hn::Set(d, s.z[j]);
+        for (int u = 0; u < n; ++u) {
+            const V dx = hn::Sub(x[u], sx);
+            const V dy = hn::Sub(y[u], sy);
+            const V dz = hn::Sub(z[u], sz);
+            const V r2 = hn::MulAdd(dz, dz, hn::MulAdd(dy, dy, hn::Mul(dx, dx)));
+            kernel.add(r2, dx, dy, dz, w, sum[u]);
+        }
+    }
+}
+
+// The lanes of the mask only: the others are not read or written.
+HWY_INLINE void add_to(double* at, V sum, hn::Mask<D> mask) {
+    hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
+}
+
+// The targets of `n` vectors from `at` on; the last vector may be cut short by the end.
+template <int n, class Kernel>
+HWY_INLINE void add_vectors(const Kernel& kernel, const Sources& s, const HessianTargets& t, std::int64_t at) {
+    const D d;
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    V x[unroll], y[unroll], z[unroll];
+    hn::Mask<D> mask[unroll];
+    Sum sum[unroll];
+    for (int u = 0; u < n; ++u) {
+        const std::int64_t begin = at + u * lanes;
+        mask[u] = hn::FirstN(d, static_cast<size_t>(t.count - begin < lanes ? t.count - begin : lanes));
+        x[u] = hn::MaskedLoad(mask[u], d, t.x + begin);
+        y[u] = hn::MaskedLoad(mask[u], d, t.y + begin);
+        z[u] = hn::MaskedLoad(mask[u], d, t.z + begin);
+    }
+    sum_up<n>(kernel, s, x, y, z, sum);
+    const V factor = hn::Set(d, kernel.factor());
+    const V half = hn::Set(d, 0.5 * kernel.factor());
+    for (int u = 0; u < n; ++u) {
+        const std::int64_t begin = at + u * lanes;
+        add_to(t.hessian[0] + begin, hn::Mul(factor, hn::Add(sum[u].iso, sum[u].xx)), mask[u]);
+        add_to(t.hessian[1] + begin, hn::Mul(half, sum[u].xy), mask[u]);
+        add_to(t.hessian[2] + begin, hn::Mul(half, sum[u].xz), mask[u]);
+        add_to(t.hessian[3] + begin, hn::Mul(factor, hn::Add(sum[u].iso, sum[u].yy)), mask[u]);
+        add_to(t.hessian[4] + begin, hn::Mul(half, sum[u].yz), mask[u]);
+        add_to(t.hessian[5] + begin, hn::Mul(factor, hn::Add(sum[u].iso, sum[u].zz)), mask[u]);
+    }
+}
+
+template <class Kernel>
+void add_hessians(double radius, const Sources& sources, const HessianTargets& targets) {
+    const Kernel kernel(radius);
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(D()));
+    std::int64_t at = 0;
+    for (; at + unroll * lanes <= targets.count; at += unroll * lanes)
+        add_vectors<unroll>(kernel, sources, targets, at);
+    for (; at < targets.count; at += lanes) add_vectors<1>(kernel, sources, targets, at);
+}
+
+} // namespace
+
+AddHermiteHessians pick_hessians(kernel::Kind kind) noexcept {
+    switch (kind) {
+    case kernel::Kind::gaussian: return add_hessians<Gaussian>;
+    case kernel::Kind::wendland_c2: return add_hessians<WendlandC2>;
+    case kernel::Kind::triharmonic: break;
+    }
+    return add_hessians<Triharmonic>;
+}
+
+} // namespace hrbfnpr::implicit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hrbfnpr::implicit {
+
+AddHermiteHessians hermite_hessians(base::InstructionSet set, kernel::Kind kind) noexcept {
+    return HRBFNPR_PICK(set, pick_hessians)(kind);
+}
+
+} // namespace hrbfnpr::implicit
+#endif

@@ -1,0 +1,28 @@
+// The Hessians of [NPAR equation 1], many sources at many targets, in the widest vectors that the processor has:
+//   hessian(x) += sum_j (a alpha_j - b q) I + (b alpha_j - c q) d d^T - b (beta_j d^T + d beta_j^T)
+// with d = x - x_j, q = d . beta_j and a, b, c of kernel/kernel.h.
+//
+// At a source itself, its b and c are 0 as in kernel/radial.h; what they add begins to fade at a distance of
+// 3e-19.  In units of the mean sample spacing, no double near a sample is that close but the sample itself.
+#pragma once
+
+#include "implicit/hermite_sums.h"
+
+namespace hrbfnpr::implicit {
+
+// The sums are added to what stands in the Hessians (xx xy xz yy yz zz), which alias nothing.
+struct HessianTargets {
+    const double* x;
+    const double* y;
+    const double* z;
+    double* hessian[6];
+    std::int64_t count;
+};
+
+// Each target's sum is taken in the order of the sources, whatever stands beside it: cutting the targets
+// into several calls gives the same bits.
+using AddHermiteHessians = void (*)(double kernel_radius, const Sources& sources, const HessianTargets& targets);
+
+[[nodiscard]] AddHermiteHessians hermite_hessians(base::InstructionSet set, kernel::Kind kind) noexcept;
+
+} // namespace hrbfnpr::implicit
