@@ -131,11 +131,79 @@ private:
     base::Array<std::int64_t> row_;
 };
 
+// Rows of X, column-major, become those of X (L U)^-1, with L and U in one square and L's diagonal 1.  Blocks of
+// columns take in what stands in those that are done.
+class RightSolve {
+public:
+    struct Factor {
+        const double* data;
+        std::int64_t stride;
+        std::int64_t size;
+        [[nodiscard]] double at(std::int64_t i, std::int64_t j) const noexcept { return data[j * stride + i]; }
+    };
+
+    RightSolve(base::Memory& memory, const CubeLoops& loops, const Factor& factor, double* x, std::int64_t stride,
+               int rows)
+        : loops_(loops), factor_(factor), x_(x), stride_(stride), rows_(rows), in_(memory, factor.size * cube_batch),
+          nobody_(memory, rows) {}
+
+    void run() noexcept {
+        const std::int64_t n = factor_.size;
+        const std::int64_t last = (n - 1) / cube_batch * cube_batch;
+        for (std::int64_t begin = 0; begin < n; begin += cube_batch) { // X U^-1, from the left
+            const std::int64_t end = std::min<std::int64_t>(n, begin + cube_batch);
+            take_in(0, begin, begin, end);
+            for (std::int64_t j = begin; j < end; ++j) {
+                for (std::int64_t k = begin; k < j; ++k) subtract(k, factor_.at(k, j), j);
+                const double scale = 1.0 / factor_.at(j, j);
+                for (int i = 0; i < rows_; ++i) column(j)[i] *= scale;
+            }
+        }
+        for (std::int64_t begin = last; begin >= 0; begin -= cube_batch) { // times L^-1, from the right
+            const std::int64_t end = std::min<std::int64_t>(n, begin + cube_batch);
+            take_in(end, n, begin, end);
+            for (std::int64_t j = end - 1; j >= begin; --j)
+                for (std::int64_t k = j + 1; k < end; ++k) subtract(k, factor_.at(k, j), j);
+        }
+    }
+
+private:
+    [[nodiscard]] double* column(std::int64_t j) noexcept { return x_ + j * stride_; }
+
+    void subtract(std::int64_t from, double factor, std::int64_t to) noexcept {
+        const double* const a = column(from);
+        double* const b = column(to);
+        for (int i = 0; i < rows_; ++i) b[i] -= factor * a[i];
+    }
+
+    // X[begin, end) -= X[first, last) F[first, last; begin, end)
+    void take_in(std::int64_t first, std::int64_t last, std::int64_t begin, std::int64_t end) noexcept {
+        if (first == last) return;
+        double* out[cube_batch];
+        for (std::int64_t v = 0; v < cube_batch; ++v) {
+            out[v] = begin + v < end ? column(begin + v) : nobody_.data();
+            for (std::int64_t k = first; k < last; ++k)
+                in_[(k - first) * cube_batch + v] = begin + v < end ? -factor_.at(k, begin + v) : 0.0;
+        }
+        loops_.multiply(column(first), stride_, rows_, static_cast<int>(last - first), in_.data(), out, cube_batch);
+    }
+
+    const CubeLoops& loops_;
+    Factor factor_;
+    double* x_;
+    std::int64_t stride_;
+    int rows_;
+    base::Array<double> in_;
+    base::Array<double> nobody_;
+};
+
+constexpr std::int64_t rows_at_a_time = 128;
+
 } // namespace
 
 CubeBasis::CubeBasis(const base::Runtime& runtime, int degree, const base::Progress& progress)
     : degree_(degree), nodes_(runtime.memory, stride()), to_coefficients_(runtime.memory), transposed_(runtime.memory) {
-    const geometry::VecArray grid = lobatto_grid(runtime.memory, degree_ + 1);
+    const geometry::VecArray grid = lobatto_grid(runtime.memory, std::max(degree_, 1));
     const std::int64_t rows = padded(static_cast<int>(grid.size()));
     base::Array<double> matrix = triharmonic_values(grid, grid.size(), degree_, rows);
     Elimination elimination(runtime, matrix.data(), grid.size(), rows, size());
@@ -157,26 +225,12 @@ void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcep
 
 // Coefficients of the basis times (L U)^-1.
 void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride) {
-    const std::int64_t n = size();
-    const base::Array<double> basis = triharmonic_coefficients(runtime.memory, degree_, term_stride());
-    to_coefficients_.resize(n * term_stride());
-    runtime.parallel.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
-        base::Array<double> x(runtime.memory, n * cube_batch);
-        const auto eliminate = [&](std::int64_t k, std::int64_t from, std::int64_t to) {
-            const double* const column = factor + k * factor_stride;
-            for (std::int64_t i = from; i < to; ++i)
-                for (std::int64_t v = 0; v < cube_batch; ++v)
-                    x[i * cube_batch + v] -= column[i] * x[k * cube_batch + v];
-        };
-        for (std::int64_t v = begin; v < end; ++v) x[v * cube_batch + v - begin] = 1.0;
-        for (std::int64_t k = begin; k < n; ++k) eliminate(k, k + 1, n);
-        for (std::int64_t k = n - 1; k >= 0; --k) {
-            const double scale = 1.0 / factor[k * factor_stride + k];
-            for (std::int64_t v = 0; v < cube_batch; ++v) x[k * cube_batch + v] *= scale;
-            eliminate(k, 0, k);
-        }
-        add_product(runtime, {basis.data(), term_stride(), static_cast<int>(n)}, x.data(),
-                    to_coefficients_.data() + begin * term_stride(), static_cast<int>(end - begin));
+    to_coefficients_ = triharmonic_coefficients(runtime.memory, degree_, term_stride());
+    // Rows by themselves, several vectors of them at a time.
+    runtime.parallel.for_chunks(term_stride(), rows_at_a_time, [&](std::int64_t begin, std::int64_t end) {
+        RightSolve(runtime.memory, cube_loops(runtime.instruction_set), {factor, factor_stride, size()},
+                   to_coefficients_.data() + begin, term_stride(), static_cast<int>(end - begin))
+            .run();
     });
 }
 

@@ -39,6 +39,11 @@ public:
     [[nodiscard]] const base::Array<double>& to_coefficients() const noexcept { return to_coefficients_; }
     [[nodiscard]] const base::Array<double>& to_coefficients_transposed() const noexcept { return transposed_; }
 
+    void forget_matrices() noexcept {
+        to_coefficients_.release();
+        transposed_.release();
+    }
+
     // All terms at a point, in the order of a, then b, then c.
     static void evaluate(int degree, const glm::dvec3& p, double* terms) noexcept;
     // The matrix that takes values at this basis' nodes to values at `count` points, column-major with columns of

@@ -12,6 +12,7 @@
 #include "implicit/cube_basis.h"
 #include "implicit/hermite_sums.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct SourceTreeOptions {
     int finer = 0;                // steps of two degrees: each divides the error by about 10
     std::int64_t leaf_size = 600; // centres in a cube that is not divided
     double tolerance = 1e-8;      // of sums with a fit's weights, relative to its right-hand side
-    bool definite = true;         // the sums at the centres are to be a positive definite matrix's, for a fit
+    int separation = 1;           // cubes between those that act on each other by their nodes, at least; 1 or 2
     double margin = 0.0;          // of the whole cube, relative to its width
 };
 
@@ -36,10 +37,10 @@ public:
     void load(const double* alpha, const geometry::VecArray& beta, const base::Progress& progress);
 
     [[nodiscard]] const geometry::Octree& tree() const noexcept { return tree_; }
-    [[nodiscard]] const CubeBasis& basis(std::int32_t level) const noexcept { return at(level).basis; }
+    [[nodiscard]] const CubeBasis& basis(std::int32_t level) const noexcept { return *at(level).basis; }
     // From a level's nodes to those of a child's; the child's level exists.
     [[nodiscard]] const base::Array<double>& to_child(std::int32_t level, int octant) const noexcept {
-        return at(level).to_child[static_cast<std::size_t>(octant)];
+        return at(level).transfers->to_child[static_cast<std::size_t>(octant)];
     }
     // Cubes of the first two levels all touch each other.
     [[nodiscard]] static bool has_expansions(std::int32_t level) noexcept { return level >= 2; }
@@ -51,40 +52,47 @@ public:
 
     // A cube that acts on another of its level which it does not touch.
     struct Pair {
-        std::int32_t direction; // which of the 343 offsets
+        std::int32_t direction; // which of the offsets, up to five cubes along each axis
         std::int32_t source;
         std::int32_t target;
     };
     [[nodiscard]] static std::int32_t direction(const std::array<std::int32_t, 3>& target,
                                                 const std::array<std::int32_t, 3>& source) noexcept {
-        return (target[0] - source[0] + 3) + 7 * (target[1] - source[1] + 3) + 49 * (target[2] - source[2] + 3);
+        return (target[0] - source[0] + 5) + 11 * (target[1] - source[1] + 5) + 121 * (target[2] - source[2] + 5);
     }
     // Adds to nodes [first_row, last_row) of the targets, multiples of 8; target t's vector is t basis strides after
     // `incoming`.  Pairs of one direction that stand together share the work.
     void translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,
                    double* incoming) const;
 
+    // Gives back what only translate(), to_child() and the basis' matrices need.
+    void forget_expansions() noexcept;
+
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    // What cubes of one level share.
-    struct Level {
-        CubeBasis basis;
-        // From this level's nodes to those of a child, for each octant; empty on the deepest level.
+    // From a basis' nodes to those of a child's, for each octant.
+    struct Transfers {
         std::vector<base::Array<double>> to_child;
-        std::vector<base::Array<double>> to_child_transposed;
-        std::int64_t begin = 0; // of its nodes' vectors
+        std::vector<base::Array<double>> transposed;
+    };
+    // Levels of one degree share a basis; pairs of levels of the same degrees, transfers.
+    struct Level {
+        std::shared_ptr<CubeBasis> basis;
+        std::shared_ptr<Transfers> transfers; // to the next level's; none on the deepest
+        std::int64_t begin = 0;               // of its nodes' vectors
     };
 
     [[nodiscard]] const Level& at(std::int32_t level) const noexcept {
         return levels_[static_cast<std::size_t>(level)];
     }
     [[nodiscard]] int degree_of(std::int32_t level, const SourceTreeOptions& options) const noexcept;
-    void make_transfers(std::int32_t level);
+    [[nodiscard]] std::shared_ptr<CubeBasis> find_basis(int degree, const base::Progress& progress) const;
+    [[nodiscard]] std::shared_ptr<Transfers> find_transfers(std::int32_t level) const;
     void gather_moments(std::int32_t level, const base::Progress& progress);
     void add_children(std::int64_t begin, std::int64_t end, std::int32_t level);
     [[nodiscard]] std::int64_t place(std::int64_t node, std::int32_t level) const noexcept {
-        return at(level).begin + (node - tree_.level_begin(level)) * at(level).basis.stride();
+        return at(level).begin + (node - tree_.level_begin(level)) * at(level).basis->stride();
     }
     [[nodiscard]] double* outgoing(std::int64_t node, std::int32_t level) noexcept {
         return outgoing_.data() + place(node, level);

@@ -1,0 +1,339 @@
+#include "implicit/local_field.h"
+
+#include "implicit/cube_loops.h"
+#include "implicit/cube_vectors.h"
+
+#include <algorithm>
+
+namespace hrbfnpr::implicit {
+namespace {
+
+// Cubes between a centre and a cube whose polynomial it is in: with one, the same accuracy took twice the degrees.
+constexpr int separation = 2;
+
+// Cubes with more near centres are divided: about as many pairs as the polynomial costs, and a few more, as cubes and
+// polynomials have to be made, too.
+constexpr std::int64_t most_near = 250;
+// A cube is divided where there are centres within this many half widths of a part's middle.
+constexpr double beside = 1.4;
+// Centres in a cube of their own tree that is not divided: acting one by one on a cube's nodes, as many cost what
+// a translation does.
+constexpr std::int64_t sources_in_leaf = 12;
+// Around the centres, of their width: a surface bulges beyond its samples.
+constexpr double margin = 0.2;
+
+constexpr std::int64_t chunk = 32;            // cells of a task
+constexpr std::int64_t translate_cells = 256; // that share the elements of a translation
+
+} // namespace
+
+// Makes the cells level by level.
+class LocalField::Builder {
+public:
+    Builder(const base::Runtime& runtime, LocalField& field)
+        : runtime_(runtime), field_(field), tree_(field.sources_.tree()), loops_(cube_loops(runtime.instruction_set)),
+          candidate_begin_(runtime.memory), candidates_(runtime.memory), kind_(runtime.memory),
+          incoming_(runtime.memory), incoming_above_(runtime.memory) {}
+
+    void run(const base::Progress& progress) {
+        field_.cells_.push_back({{0, 0, 0}, 0, 0, 0, 0, 0, -1});
+        candidate_begin_.push_back(0);
+        candidates_.push_back(0);
+        candidate_begin_.push_back(1);
+        for (std::int32_t level = 0; begin_ < field_.cells_.size(); ++level) {
+            progress.check();
+            end_ = field_.cells_.size();
+            classify();
+            if (SourceTree::has_expansions(level)) {
+                const int stride = field_.sources_.basis(level).stride();
+                incoming_.clear();
+                incoming_.resize((end_ - begin_) * stride + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)));
+                if (SourceTree::has_expansions(level - 1)) pass_down(level, progress);
+                translate(level, progress);
+                act_directly(level, progress);
+            }
+            divide(level);
+            if (SourceTree::has_expansions(level)) keep_terms(level, progress);
+            above_ = begin_;
+            begin_ = end_;
+            std::swap(incoming_, incoming_above_);
+        }
+    }
+
+private:
+    enum Kind : std::uint8_t { near, translated, direct };
+
+    [[nodiscard]] std::int64_t local(std::int64_t cell) const noexcept { return cell - begin_; }
+
+    [[nodiscard]] static bool too_near(const Cell& cell, const geometry::Octree::Node& node) noexcept {
+        const int shift = cell.level - node.level;
+        for (std::size_t c = 0; c < 3; ++c)
+            if (cell.cell[c] < (node.cell[c] << shift) - separation ||
+                cell.cell[c] >= ((node.cell[c] + 1) << shift) + separation)
+                return false;
+        return true;
+    }
+
+    [[nodiscard]] static Kind kind_of(const Cell& cell, const geometry::Octree::Node& node) noexcept {
+        if (too_near(cell, node)) return near;
+        return node.leaf() ? direct : translated;
+    }
+
+    void classify() {
+        kind_.resize(candidates_.size());
+        runtime_.parallel.for_chunks(end_ - begin_, 256, [&](std::int64_t first, std::int64_t last) {
+            for (std::int64_t k = first; k < last; ++k)
+                for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i)
+                    kind_[i] = kind_of(field_.cells_[begin_ + k], tree_.nodes()[candidates_[i]]);
+        });
+    }
+
+    void pass_down(std::int32_t level, const base::Progress& progress) {
+        const CubeBasis& basis = field_.sources_.basis(level);
+        const CubeBasis& above = field_.sources_.basis(level - 1);
+        runtime_.parallel.for_chunks(begin_ - above_, chunk, [&](std::int64_t first, std::int64_t last) {
+            progress.check();
+            base::Array<double> nobody(runtime_.memory, basis.stride());
+            CubeVectors batch(runtime_.memory, above.size());
+            for (int octant = 0; octant < 8; ++octant) {
+                const auto flush = [&] {
+                    if (batch.empty()) return;
+                    loops_.multiply(field_.sources_.to_child(level - 1, octant).data(), basis.stride(), basis.stride(),
+                                    above.size(), batch.in(), batch.out(nobody.data()), batch.count());
+                    batch.clear();
+                };
+                for (std::int64_t k = first; k < last; ++k) {
+                    const Cell& parent = field_.cells_[above_ + k];
+                    if (!parent.has_child(octant)) continue;
+                    batch.add(incoming_above_.data() + k * above.stride(), above.size(),
+                              incoming_.data() + local(parent.child(octant)) * basis.stride());
+                    if (batch.full()) flush();
+                }
+                flush();
+            }
+        });
+    }
+
+    void translate(std::int32_t level, const base::Progress& progress) {
+        const CubeBasis& basis = field_.sources_.basis(level);
+        runtime_.parallel.for_chunks(end_ - begin_, translate_cells, [&](std::int64_t first, std::int64_t last) {
+            progress.check();
+            base::Array<SourceTree::Pair> pairs(runtime_.memory);
+            for (std::int64_t k = first; k < last; ++k)
+                for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
+                    if (kind_[i] != translated) continue;
+                    const std::int64_t node = candidates_[i];
+                    pairs.push_back({SourceTree::direction(field_.cells_[begin_ + k].cell, tree_.nodes()[node].cell),
+                                     static_cast<std::int32_t>(node), static_cast<std::int32_t>(k)});
+                }
+            std::sort(pairs.begin(), pairs.end(), [](const SourceTree::Pair& a, const SourceTree::Pair& b) {
+                return a.direction != b.direction ? a.direction < b.direction : a.target < b.target;
+            });
+            field_.sources_.translate(level, pairs.span(), 0, basis.stride(), incoming_.data());
+        });
+    }
+
+    // Of centres in undivided cubes, on the nodes of cells that do not touch these.
+    void act_directly(std::int32_t level, const base::Progress& progress) {
+        const CubeBasis& basis = field_.sources_.basis(level);
+        const double half = tree_.half_width(level);
+        const AddHermiteSums add = hermite_sums(runtime_.instruction_set, kernel::Kind::triharmonic);
+        runtime_.parallel.for_chunks(end_ - begin_, chunk, [&](std::int64_t first, std::int64_t last) {
+            progress.check();
+            geometry::VecArray place(runtime_.memory, basis.stride());
+            geometry::VecArray gradient(runtime_.memory, basis.stride());
+            for (std::int64_t k = first; k < last; ++k) {
+                const glm::dvec3 centre = field_.centre(field_.cells_[begin_ + k]);
+                for (std::int64_t i = 0; i < basis.size(); ++i) place.set(i, centre + half * basis.nodes()[i]);
+                const Targets targets{
+                    place.x.data(),    place.y.data(),    place.z.data(),    incoming_.data() + k * basis.stride(),
+                    gradient.x.data(), gradient.y.data(), gradient.z.data(), basis.size()};
+                for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
+                    const geometry::Octree::Node& node = tree_.nodes()[candidates_[i]];
+                    if (kind_[i] == direct) add(0.0, field_.sources_.sources(node.begin, node.end), targets);
+                }
+            }
+        });
+    }
+
+    // Gives cells children, with what is near them as candidates; and, where they serve themselves, what is near.
+    void divide(std::int32_t level) {
+        base::Array<std::int64_t> next_begin(runtime_.memory);
+        base::Array<std::int64_t> next(runtime_.memory);
+        next_begin.push_back(0);
+        for (std::int64_t k = 0; k < end_ - begin_; ++k) {
+            if (level + 1 < tree_.levels() && near_centres(k) > most_near) add_children(k, next_begin, next);
+            if (field_.cells_[begin_ + k].serves()) keep_near(k);
+        }
+        std::swap(candidate_begin_, next_begin);
+        std::swap(candidates_, next);
+    }
+
+    [[nodiscard]] std::int64_t near_centres(std::int64_t k) const noexcept {
+        std::int64_t count = 0;
+        for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i)
+            if (kind_[i] == near) count += tree_.nodes()[candidates_[i]].count();
+        return count;
+    }
+
+    // Whether there are centres in a cell or just beside it: where there are none, few places are asked for.
+    [[nodiscard]] bool is_wanted(std::int64_t parent, const Cell& cell) const noexcept {
+        const glm::dvec3 middle = field_.centre(cell);
+        const double reach = beside * tree_.half_width(cell.level);
+        for (std::int64_t i = candidate_begin_[parent]; i < candidate_begin_[parent + 1]; ++i) {
+            if (kind_[i] != near) continue;
+            const geometry::Octree::Node& node = tree_.nodes()[candidates_[i]];
+            const glm::dvec3 apart = glm::abs(tree_.centre(node) - middle) - tree_.half_width(node.level);
+            if (std::max({apart.x, apart.y, apart.z}) > reach) continue;
+            for (std::int64_t at = node.begin; at < node.end; ++at) {
+                const glm::dvec3 off = glm::abs(tree_.points()[at] - middle);
+                if (std::max({off.x, off.y, off.z}) <= reach) return true;
+            }
+        }
+        return false;
+    }
+
+    void add_children(std::int64_t k, base::Array<std::int64_t>& next_begin, base::Array<std::int64_t>& next) {
+        const Cell parent = field_.cells_[begin_ + k];
+        const auto first = static_cast<std::int32_t>(field_.cells_.size());
+        std::uint32_t octants = 0;
+        for (int octant = 0; octant < 8; ++octant) {
+            const Cell child{{2 * parent.cell[0] + (octant & 1), 2 * parent.cell[1] + (octant >> 1 & 1),
+                              2 * parent.cell[2] + (octant >> 2)},
+                             parent.level + 1,
+                             0,
+                             0,
+                             0,
+                             0,
+                             -1};
+            if (!is_wanted(k, child)) continue;
+            octants |= 1U << octant;
+            field_.cells_.push_back(child);
+            add_candidates(k, next);
+            next_begin.push_back(next.size());
+        }
+        field_.cells_[begin_ + k].first_child = first;
+        field_.cells_[begin_ + k].octants = octants;
+    }
+
+    // What is near a cell, for a child: cubes of the child's level, and larger ones that are not divided.
+    void add_candidates(std::int64_t parent, base::Array<std::int64_t>& next) const {
+        for (std::int64_t i = candidate_begin_[parent]; i < candidate_begin_[parent + 1]; ++i) {
+            if (kind_[i] != near) continue;
+            const geometry::Octree::Node& node = tree_.nodes()[candidates_[i]];
+            if (node.leaf()) next.push_back(candidates_[i]);
+            for (std::int64_t child = 0; child < node.children; ++child) next.push_back(node.first_child + child);
+        }
+    }
+
+    void keep_near(std::int64_t k) {
+        Cell& cell = field_.cells_[begin_ + k];
+        cell.near_begin = field_.near_.size();
+        for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
+            if (kind_[i] != near) continue;
+            const geometry::Octree::Node& node = tree_.nodes()[candidates_[i]];
+            const bool continues =
+                field_.near_.size() > cell.near_begin && field_.near_[field_.near_.size() - 1].end == node.begin;
+            if (continues)
+                field_.near_[field_.near_.size() - 1].end = node.end;
+            else
+                field_.near_.push_back({node.begin, node.end});
+        }
+        cell.near_end = field_.near_.size();
+    }
+
+    // The polynomials of cells that serve.
+    void keep_terms(std::int32_t level, const base::Progress& progress) {
+        const CubeBasis& basis = field_.sources_.basis(level);
+        std::int64_t size = field_.terms_.size();
+        for (std::int64_t cell = begin_; cell < end_; ++cell) {
+            if (!field_.cells_[cell].serves()) continue;
+            field_.cells_[cell].terms = size;
+            size += basis.term_stride();
+        }
+        field_.terms_.resize(size);
+        runtime_.parallel.for_chunks(end_ - begin_, 64, [&](std::int64_t first, std::int64_t last) {
+            progress.check();
+            base::Array<double> nobody(runtime_.memory, basis.term_stride());
+            CubeVectors batch(runtime_.memory, basis.size());
+            for (std::int64_t k = first; k < last; ++k) {
+                const std::int64_t terms = field_.cells_[begin_ + k].terms;
+                if (terms >= 0)
+                    batch.add(incoming_.data() + k * basis.stride(), basis.size(), field_.terms_.data() + terms);
+                if (batch.empty() || (!batch.full() && k + 1 < last)) continue;
+                loops_.multiply(basis.to_coefficients().data(), basis.term_stride(), basis.term_stride(), basis.size(),
+                                batch.in(), batch.out(nobody.data()), batch.count());
+                batch.clear();
+            }
+        });
+    }
+
+    const base::Runtime& runtime_;
+    LocalField& field_;
+    const geometry::Octree& tree_;
+    CubeLoops loops_;
+    std::int64_t above_ = 0; // the first cell of the level above, of this one, and of the one below
+    std::int64_t begin_ = 0;
+    std::int64_t end_ = 0;
+    base::Array<std::int64_t> candidate_begin_; // of each cell of the level, in candidates_
+    base::Array<std::int64_t> candidates_;      // nodes of the tree that its parent left for it
+    base::Array<Kind> kind_;                    // of each candidate
+    base::Array<double> incoming_;              // values at the nodes of each cell of the level
+    base::Array<double> incoming_above_;
+};
+
+LocalField::LocalField(const base::Runtime& runtime, const geometry::VecArray& centres, const double* alpha,
+                       const geometry::VecArray& beta, const LocalFieldOptions& options, const base::Progress& progress)
+    : set_(runtime.instruction_set),
+      sources_(runtime, centres,
+               {options.spacing, options.finer, sources_in_leaf, options.tolerance, separation, margin}, progress),
+      cells_(runtime.memory), near_(runtime.memory), terms_(runtime.memory) {
+    sources_.load(alpha, beta, progress);
+    Builder(runtime, *this).run(progress);
+    sources_.forget_expansions();
+}
+
+glm::dvec3 LocalField::centre(const Cell& cell) const noexcept {
+    const double half = sources_.tree().half_width(cell.level);
+    return sources_.tree().corner() +
+           half * glm::dvec3(2 * cell.cell[0] + 1, 2 * cell.cell[1] + 1, 2 * cell.cell[2] + 1);
+}
+
+std::int32_t LocalField::cube_of(const glm::dvec3& point) const noexcept {
+    constexpr int digits = geometry::Octree::deepest_level;
+    const double scale = 0.5 * static_cast<double>(1 << digits) / sources_.tree().half_width(0);
+    const glm::dvec3 place = (point - sources_.tree().corner()) * scale;
+    constexpr double last = static_cast<double>(1 << digits);
+    for (glm::length_t c = 0; c < 3; ++c)
+        if (!(place[c] >= 0.0 && place[c] < last)) return -1;
+    const std::array<std::uint32_t, 3> cell{static_cast<std::uint32_t>(place.x), static_cast<std::uint32_t>(place.y),
+                                            static_cast<std::uint32_t>(place.z)};
+    std::int32_t at = 0;
+    for (int bit = digits - 1; cells_[at].octants != 0; --bit) {
+        const auto octant =
+            static_cast<int>((cell[0] >> bit & 1) | (cell[1] >> bit & 1) << 1 | (cell[2] >> bit & 1) << 2);
+        if (!cells_[at].has_child(octant)) break;
+        at = cells_[at].child(octant);
+    }
+    return at;
+}
+
+void LocalField::add(std::int32_t cube, const Targets& t) const noexcept {
+    const Cell& cell = cells_[cube];
+    const AddHermiteSums add_sums = hermite_sums(set_, kernel::Kind::triharmonic);
+    for (std::int64_t k = cell.near_begin; k < cell.near_end; ++k)
+        add_sums(0.0, sources_.sources(near_[k].begin, near_[k].end), t);
+    if (cell.terms < 0) return;
+    const glm::dvec3 middle = centre(cell);
+    double* const gradient[3] = {t.gradient_x, t.gradient_y, t.gradient_z};
+    cube_loops(set_).evaluate(
+        sources_.basis(cell.level).degree(), terms_.data() + cell.terms,
+        {t.x, t.y, t.z, t.count, {middle.x, middle.y, middle.z}, sources_.tree().half_width(cell.level)}, t.value,
+        gradient);
+}
+
+std::int64_t LocalField::bytes() const noexcept {
+    return sources_.bytes() + cells_.bytes() + near_.bytes() + terms_.bytes();
+}
+
+} // namespace hrbfnpr::implicit

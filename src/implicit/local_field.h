@@ -1,0 +1,65 @@
+// The sums of hermite_sums.h for the triharmonic kernel at any places near the centres, in a time that hardly depends
+// on their number: space is divided into cubes; in each, the far centres' sum is a polynomial that is held, and the
+// near centres are summed one by one.  The downward half of a fast multipole method, with cubes for places in place of
+// cubes of centres; source_tree.h has the upward one.
+#pragma once
+
+#include "implicit/source_tree.h"
+
+#include <bit>
+
+namespace hrbfnpr::implicit {
+
+struct LocalFieldOptions {
+    double spacing = 1.0;    // of the centres, mean
+    double tolerance = 1e-9; // of values, relative to the centres' diagonal; of gradients it is a hundred times as much
+    int finer = 0;           // steps of two degrees: each divides the error by about 10
+};
+
+class LocalField {
+public:
+    // Throws Error{out_of_memory, cancelled}.
+    LocalField(const base::Runtime& runtime, const geometry::VecArray& centres, const double* alpha,
+               const geometry::VecArray& beta, const LocalFieldOptions& options, const base::Progress& progress);
+
+    // The cube that a point lies in, in [0, cubes()); -1 outside of all.
+    [[nodiscard]] std::int32_t cube_of(const glm::dvec3& point) const noexcept;
+    [[nodiscard]] std::int64_t cubes() const noexcept { return cells_.size(); }
+
+    // Adds the sums at places in the cube.  Thread-safe.
+    void add(std::int32_t cube, const Targets& targets) const noexcept;
+
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+
+private:
+    struct Cell {
+        std::array<std::int32_t, 3> cell; // of the level's grid
+        std::int32_t level;
+        std::int32_t first_child; // they are consecutive, in the order of octants
+        std::uint32_t octants;    // which children there are, a bit each: where there is none, this cell serves
+        std::int64_t near_begin;  // in near_
+        std::int64_t near_end;
+        std::int64_t terms; // of its polynomial, in terms_; -1: none
+
+        [[nodiscard]] bool serves() const noexcept { return octants != 255; }
+        [[nodiscard]] bool has_child(int octant) const noexcept { return (octants >> octant & 1) != 0; }
+        [[nodiscard]] std::int32_t child(int octant) const noexcept {
+            return first_child + std::popcount(octants & ((1U << octant) - 1U));
+        }
+    };
+    struct Range {
+        std::int64_t begin; // of centres in the tree's order
+        std::int64_t end;
+    };
+    class Builder;
+
+    [[nodiscard]] glm::dvec3 centre(const Cell& cell) const noexcept;
+
+    base::InstructionSet set_;
+    SourceTree sources_;
+    base::Array<Cell> cells_; // level by level
+    base::Array<Range> near_;
+    base::Array<double> terms_;
+};
+
+} // namespace hrbfnpr::implicit
