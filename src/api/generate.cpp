@@ -139,8 +139,10 @@ hrbfnpr_point_set* generate(hrbfnpr_context& context, const hrbfnpr_model& model
                             hrbfnpr_operation* operation) {
     const sampling::GenerateSettings settings = checked(desc);
     const OperationUse use(operation);
-    sampling::PointSet set =
-        sampling::generate(context.runtime, model.implicit(), model.samples(), settings, use.progress());
+    const sampling::SampleHint samples = model.samples();
+    const implicit::Implicit& implicit =
+        model.implicit_for(sampling::expected_evaluations(samples, settings), use.progress());
+    sampling::PointSet set = sampling::generate(context.runtime, implicit, samples, settings, use.progress());
     use.finish();
     for (const sampling::MarkGroup& group : set.group)
         if (group.count() > 0)

@@ -17,6 +17,15 @@ static_assert(static_cast<std::uint32_t>(fit::SolverReason::not_definite) == HRB
 static_assert(static_cast<std::uint32_t>(fit::Repair::reorient) == HRBFNPR_REPAIR_REORIENT);
 static_assert(static_cast<std::uint32_t>(fit::RegularizationMode::automatic) == HRBFNPR_REGULARIZATION_AUTO);
 
+const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const base::Progress& progress) const {
+    const implicit::HrbfData* const hrbf = data();
+    if (hrbf == nullptr || !implicit::Prepared::pays(*hrbf, evaluations)) return implicit();
+    const std::scoped_lock lock(preparing_);
+    if (!tried_) prepared_ = implicit::Prepared::make(runtime(), *hrbf, progress.part(0.0, 0.0));
+    tried_ = true;
+    return prepared_ != nullptr ? *prepared_ : implicit();
+}
+
 namespace hrbfnpr::api {
 
 template <>

@@ -5,8 +5,11 @@
 #include "fit/fit.h"
 #include "implicit/custom.h"
 #include "implicit/hrbf.h"
+#include "implicit/prepared.h"
 #include "sampling/generate.h"
 
+#include <memory>
+#include <mutex>
 #include <variant>
 
 struct hrbfnpr_model : hrbfnpr::api::Child {
@@ -23,6 +26,10 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         if (const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface)) return *hrbf;
         return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
     }
+    // The same function for so many evaluations: prepared for them where that takes less time, which the first such
+    // call does.  Any thread.
+    [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit_for(double evaluations,
+                                                                  const hrbfnpr::base::Progress& progress) const;
     // nullptr for a custom model.
     [[nodiscard]] const hrbfnpr::implicit::HrbfData* data() const noexcept {
         const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface);
@@ -38,4 +45,9 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Custom> surface;
     hrbfnpr::fit::FitReport report;
     hrbfnpr::base::Array<double> history; // of a fit's residual; empty for a loaded or custom model
+
+private:
+    mutable std::mutex preparing_;
+    mutable bool tried_ = false; // to prepare
+    mutable std::unique_ptr<hrbfnpr::implicit::Prepared> prepared_;
 };

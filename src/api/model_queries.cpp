@@ -6,6 +6,7 @@
 #include "api/model.h"
 #include "api/operation.h"
 #include "api/views.h"
+#include "implicit/evaluate_all.h"
 #include "surface/curvature.h"
 #include "surface/project.h"
 
@@ -119,17 +120,14 @@ private:
 void evaluate(const hrbfnpr_model& model, const Queries& queries, const FieldOutputs& out,
               const base::Progress& progress) {
     const base::Runtime& runtime = model.runtime();
-    const base::Parallel parallel = model.implicit().threads(runtime.parallel);
+    const implicit::Implicit& implicit = model.implicit_for(static_cast<double>(queries.count()), progress);
     geometry::VecArray points(runtime.memory);
     FieldBlock block(runtime.memory, out, std::min(queries.count(), block_size));
     queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
         queries.read(begin, end, points);
-        const implicit::PointBatch batch{points.x.data(), points.y.data(), points.z.data(), points.size()};
-        parallel.for_chunks(end - begin, implicit::batch_size, [&](std::int64_t from, std::int64_t to) {
-            part.update(static_cast<double>(from) / static_cast<double>(end - begin));
-            model.implicit().evaluate(implicit::slice(batch, from, to), block.fields().from(from));
-            block.write(from, to, begin);
-        });
+        implicit::evaluate_all(runtime, implicit, points, block.fields(), part);
+        runtime.parallel.for_chunks(end - begin, 4096,
+                                    [&](std::int64_t from, std::int64_t to) { block.write(from, to, begin); });
     });
 }
 
@@ -163,11 +161,14 @@ std::int64_t write(const surface::Projection& block, const ProjectionOutputs& ou
 
 std::int64_t project(const hrbfnpr_model& model, const Queries& queries, const surface::ProjectionSettings& settings,
                      const ProjectionOutputs& out, const base::Progress& progress) {
+    constexpr double evaluations_each = 3.0;
+    const implicit::Implicit& implicit =
+        model.implicit_for(evaluations_each * static_cast<double>(queries.count()), progress);
     surface::Projection block(model.runtime().memory);
     std::int64_t converged = 0;
     queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
         queries.read(begin, end, block.position);
-        surface::project(model.runtime(), model.implicit(), settings, block, part);
+        surface::project(model.runtime(), implicit, settings, block, part);
         converged += write(block, out, begin);
     });
     return converged;
@@ -190,11 +191,12 @@ void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs&
 
 void curvature(const hrbfnpr_model& model, const Queries& queries, const CurvatureOutputs& out,
                const base::Progress& progress) {
+    const implicit::Implicit& implicit = model.implicit_for(static_cast<double>(queries.count()), progress);
     geometry::VecArray points(model.runtime().memory);
     base::Array<surface::Curvature> block(model.runtime().memory);
     queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
         queries.read(begin, end, points);
-        surface::principal_curvatures(model.runtime(), model.implicit(), points, block, part);
+        surface::principal_curvatures(model.runtime(), implicit, points, block, part);
         write(block, out, begin);
     });
 }

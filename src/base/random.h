@@ -18,7 +18,8 @@ enum class Purpose : std::uint32_t {
     budget = 4,
     patch = 5,
     candidate = 6,
-    candidate_order = 7
+    candidate_order = 7,
+    probe = 8
 };
 
 using Philox = std::array<std::uint32_t, 4>;

@@ -217,9 +217,64 @@ void evaluate(int degree, const double* terms, const CubeSamples& samples, doubl
     }
 }
 
+// Second derivatives of what is in a Chebyshev.
+struct Bends {
+    V d2t[highest_degree + 1];
+
+    HWY_INLINE void set(int degree, V x, V slope, const Chebyshev& c) {
+        const D d;
+        const V x2 = hn::Add(x, x);
+        const V slope4 = hn::Mul(slope, hn::Set(d, 4.0));
+        d2t[0] = hn::Zero(d);
+        d2t[1] = hn::Zero(d);
+        for (int k = 2; k <= degree; ++k)
+            d2t[k] = hn::MulAdd(slope4, c.dt[k - 1], hn::MulSub(x2, d2t[k - 1], d2t[k - 2]));
+    }
+};
+
+HWY_INLINE void add_bends(int degree, const double* terms, const Sample& s, const Bends* bends, V* field) {
+    const D d;
+    for (int a = 0; a <= degree; ++a)
+        for (int b = 0; a + b <= degree; ++b) {
+            V flat = hn::Zero(d);
+            V steep = hn::Zero(d);
+            V bent = hn::Zero(d);
+            for (int c = 0; a + b + c <= degree; ++c, ++terms) {
+                const V term = hn::Set(d, *terms);
+                flat = hn::MulAdd(term, s.z.t[c], flat);
+                steep = hn::MulAdd(term, s.z.dt[c], steep);
+                bent = hn::MulAdd(term, bends[2].d2t[c], bent);
+            }
+            field[0] = hn::MulAdd(hn::Mul(bends[0].d2t[a], s.y.t[b]), flat, field[0]);
+            field[1] = hn::MulAdd(hn::Mul(s.x.dt[a], s.y.dt[b]), flat, field[1]);
+            field[2] = hn::MulAdd(hn::Mul(s.x.dt[a], s.y.t[b]), steep, field[2]);
+            field[3] = hn::MulAdd(hn::Mul(s.x.t[a], bends[1].d2t[b]), flat, field[3]);
+            field[4] = hn::MulAdd(hn::Mul(s.x.t[a], s.y.dt[b]), steep, field[4]);
+            field[5] = hn::MulAdd(hn::Mul(s.x.t[a], s.y.t[b]), bent, field[5]);
+        }
+}
+
+void hessian(int degree, const double* terms, const CubeSamples& samples, double* const* result) {
+    const D d;
+    Sample sample;
+    Bends bends[3];
+    const V slope = hn::Set(d, 1.0 / samples.half_width);
+    for (std::int64_t at = 0; at < samples.count; at += lanes()) {
+        const auto mask = lanes_left(samples.count - at);
+        sample.load(degree, samples, at, mask);
+        bends[0].set(degree, sample.x.t[1], slope, sample.x); // T_1 is the place itself
+        bends[1].set(degree, sample.y.t[1], slope, sample.y);
+        bends[2].set(degree, sample.z.t[1], slope, sample.z);
+        V field[6];
+        for (int k = 0; k < 6; ++k) field[k] = hn::MaskedLoad(mask, d, result[k] + at);
+        add_bends(degree, terms, sample, bends, field);
+        for (int k = 0; k < 6; ++k) hn::BlendedStore(field[k], mask, d, result[k] + at);
+    }
+}
+
 } // namespace
 
-CubeLoops pick_loops() noexcept { return {translate, multiply, moments, evaluate}; }
+CubeLoops pick_loops() noexcept { return {translate, multiply, moments, evaluate, hessian}; }
 
 } // namespace hrbfnpr::implicit::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

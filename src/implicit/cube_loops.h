@@ -34,6 +34,8 @@ struct CubeLoops {
     // Adds the value and gradient of sum_abc terms[abc] T_a T_b T_c at the samples.
     void (*evaluate)(int degree, const double* terms, const CubeSamples& samples, double* value,
                      double* const* gradient);
+    // Adds its Hessian, xx xy xz yy yz zz.
+    void (*hessian)(int degree, const double* terms, const CubeSamples& samples, double* const* hessian);
 };
 
 [[nodiscard]] CubeLoops cube_loops(base::InstructionSet set) noexcept;

@@ -2,6 +2,7 @@
 
 #include "implicit/hermite_hessians.h"
 #include "implicit/hermite_sums.h"
+#include "implicit/hrbf_block.h"
 #include "kernel/polynomial.h"
 #include "kernel/radial.h"
 
@@ -10,20 +11,6 @@
 
 namespace hrbfnpr::implicit {
 namespace {
-
-// Points whose results are accumulated together: they stay in the first-level cache while
-// all centres pass by.
-constexpr std::int64_t block_size = 64;
-
-// Normalised points and what has been summed up for them.
-struct Block {
-    double x[block_size];
-    double y[block_size];
-    double z[block_size];
-    double value[block_size];
-    double gradient[3][block_size];
-    double hessian[6][block_size];
-};
 
 struct Centre {
     double x, y, z;
@@ -68,33 +55,6 @@ void add_centre(const Kernel& kernel, const Centre& centre, std::int64_t count, 
     }
 }
 
-// Normalises the points and starts the sums with the polynomial.
-void start(const HrbfData& data, const PointBatch& points, Block& block) noexcept {
-    for (std::int64_t i = 0; i < points.count; ++i) {
-        block.x[i] = normalised(points.x[i], data.centre.x, data.scale);
-        block.y[i] = normalised(points.y[i], data.centre.y, data.scale);
-        block.z[i] = normalised(points.z[i], data.centre.z, data.scale);
-        const kernel::PolynomialField p =
-            kernel::polynomial(data.polynomial_degree, data.polynomial.data(), {block.x[i], block.y[i], block.z[i]});
-        block.value[i] = p.value;
-        block.gradient[0][i] = p.gradient.x;
-        block.gradient[1][i] = p.gradient.y;
-        block.gradient[2][i] = p.gradient.z;
-        for (std::size_t c = 0; c < 6; ++c) block.hessian[c][i] = p.hessian[c];
-    }
-}
-
-// Undoes the normalisation: f = scale g, so grad f = grad g and Hess f = Hess g / scale.
-void finish(const HrbfData& data, const Block& block, std::int64_t count, const FieldBatch& fields) noexcept {
-    if (fields.value != nullptr)
-        for (std::int64_t i = 0; i < count; ++i) fields.value[i] = data.scale * block.value[i];
-    if (fields.wants_gradient())
-        for (std::size_t c = 0; c < 3; ++c) std::copy_n(block.gradient[c], count, fields.gradient[c]);
-    if (fields.wants_hessian())
-        for (std::size_t c = 0; c < 6; ++c)
-            for (std::int64_t i = 0; i < count; ++i) fields.hessian[c][i] = block.hessian[c][i] / data.scale;
-}
-
 template <int order, class Kernel>
 void evaluate_blocks(const HrbfData& data, const Kernel& kernel, const PointBatch& points,
                      const FieldBatch& fields) noexcept {
@@ -117,6 +77,31 @@ void evaluate_blocks(const HrbfData& data, const Kernel& kernel, const PointBatc
 }
 
 } // namespace
+
+void start(const HrbfData& data, const PointBatch& points, Block& block) noexcept {
+    for (std::int64_t i = 0; i < points.count; ++i) {
+        block.x[i] = normalised(points.x[i], data.centre.x, data.scale);
+        block.y[i] = normalised(points.y[i], data.centre.y, data.scale);
+        block.z[i] = normalised(points.z[i], data.centre.z, data.scale);
+        const kernel::PolynomialField p =
+            kernel::polynomial(data.polynomial_degree, data.polynomial.data(), {block.x[i], block.y[i], block.z[i]});
+        block.value[i] = p.value;
+        block.gradient[0][i] = p.gradient.x;
+        block.gradient[1][i] = p.gradient.y;
+        block.gradient[2][i] = p.gradient.z;
+        for (std::size_t c = 0; c < 6; ++c) block.hessian[c][i] = p.hessian[c];
+    }
+}
+
+void finish(const HrbfData& data, const Block& block, std::int64_t count, const FieldBatch& fields) noexcept {
+    if (fields.value != nullptr)
+        for (std::int64_t i = 0; i < count; ++i) fields.value[i] = data.scale * block.value[i];
+    if (fields.wants_gradient())
+        for (std::size_t c = 0; c < 3; ++c) std::copy_n(block.gradient[c], count, fields.gradient[c]);
+    if (fields.wants_hessian())
+        for (std::size_t c = 0; c < 6; ++c)
+            for (std::int64_t i = 0; i < count; ++i) fields.hessian[c][i] = block.hessian[c][i] / data.scale;
+}
 
 std::int64_t HrbfData::bytes() const noexcept {
     return sample_position.bytes() + sample_normal.bytes() + centre_position.bytes() + beta.bytes() + alpha.bytes() +

@@ -47,6 +47,11 @@ public:
     // Whether evaluate() may run on several threads at once, and on other threads than the caller's.
     [[nodiscard]] virtual bool concurrent() const noexcept = 0;
 
+    // Cells of space whose points are evaluated at less cost side by side; 0: there are none.
+    [[nodiscard]] virtual std::int64_t cells() const noexcept { return 0; }
+    // In [0, cells()).
+    [[nodiscard]] virtual std::int32_t cell_of(const glm::dvec3&) const noexcept { return 0; }
+
     // The box that the surface (or its samples) lies in; never empty, finite.
     [[nodiscard]] virtual const geometry::Bounds& bounds() const noexcept = 0;
 

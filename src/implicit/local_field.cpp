@@ -318,18 +318,31 @@ std::int32_t LocalField::cube_of(const glm::dvec3& point) const noexcept {
     return at;
 }
 
+CubeSamples LocalField::samples(const Cell& cell, const double* x, const double* y, const double* z,
+                                std::int64_t count) const noexcept {
+    const glm::dvec3 middle = centre(cell);
+    return {x, y, z, count, {middle.x, middle.y, middle.z}, sources_.tree().half_width(cell.level)};
+}
+
 void LocalField::add(std::int32_t cube, const Targets& t) const noexcept {
     const Cell& cell = cells_[cube];
     const AddHermiteSums add_sums = hermite_sums(set_, kernel::Kind::triharmonic);
     for (std::int64_t k = cell.near_begin; k < cell.near_end; ++k)
         add_sums(0.0, sources_.sources(near_[k].begin, near_[k].end), t);
     if (cell.terms < 0) return;
-    const glm::dvec3 middle = centre(cell);
     double* const gradient[3] = {t.gradient_x, t.gradient_y, t.gradient_z};
-    cube_loops(set_).evaluate(
-        sources_.basis(cell.level).degree(), terms_.data() + cell.terms,
-        {t.x, t.y, t.z, t.count, {middle.x, middle.y, middle.z}, sources_.tree().half_width(cell.level)}, t.value,
-        gradient);
+    cube_loops(set_).evaluate(sources_.basis(cell.level).degree(), terms_.data() + cell.terms,
+                              samples(cell, t.x, t.y, t.z, t.count), t.value, gradient);
+}
+
+void LocalField::add_hessians(std::int32_t cube, const HessianTargets& t) const noexcept {
+    const Cell& cell = cells_[cube];
+    const AddHermiteHessians add_sums = hermite_hessians(set_, kernel::Kind::triharmonic);
+    for (std::int64_t k = cell.near_begin; k < cell.near_end; ++k)
+        add_sums(0.0, sources_.sources(near_[k].begin, near_[k].end), t);
+    if (cell.terms < 0) return;
+    cube_loops(set_).hessian(sources_.basis(cell.level).degree(), terms_.data() + cell.terms,
+                             samples(cell, t.x, t.y, t.z, t.count), t.hessian);
 }
 
 std::int64_t LocalField::bytes() const noexcept {

@@ -4,6 +4,8 @@
 // cubes of centres; source_tree.h has the upward one.
 #pragma once
 
+#include "implicit/cube_loops.h"
+#include "implicit/hermite_hessians.h"
 #include "implicit/source_tree.h"
 
 #include <bit>
@@ -26,8 +28,9 @@ public:
     [[nodiscard]] std::int32_t cube_of(const glm::dvec3& point) const noexcept;
     [[nodiscard]] std::int64_t cubes() const noexcept { return cells_.size(); }
 
-    // Adds the sums at places in the cube.  Thread-safe.
+    // Add the sums, or their Hessians, at places in the cube.  Thread-safe.
     void add(std::int32_t cube, const Targets& targets) const noexcept;
+    void add_hessians(std::int32_t cube, const HessianTargets& targets) const noexcept;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
@@ -54,6 +57,8 @@ private:
     class Builder;
 
     [[nodiscard]] glm::dvec3 centre(const Cell& cell) const noexcept;
+    [[nodiscard]] CubeSamples samples(const Cell& cell, const double* x, const double* y, const double* z,
+                                      std::int64_t count) const noexcept;
 
     base::InstructionSet set_;
     SourceTree sources_;

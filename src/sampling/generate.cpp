@@ -212,6 +212,23 @@ PointSet Generation::run() {
 
 } // namespace
 
+double expected_evaluations(const SampleHint& samples, const GenerateSettings& settings) noexcept {
+    const bool paper = settings.distribution == Distribution::paper;
+    const std::int64_t seeds = settings.seed_source == SeedSource::points
+                                   ? settings.seed_points.count
+                                   : static_cast<std::int64_t>(samples.position.size() / 3);
+    double marks = 0.0;
+    for (std::size_t k = 0; k < settings.group.size(); ++k) {
+        const GroupSettings& group = settings.group[k];
+        if (!group.wanted) continue;
+        const std::int64_t grown = grown_count(seeds, k == 0 ? 5 : 3, group.levels);
+        const std::int64_t budget = group.budget > 0 ? group.budget : default_budget;
+        marks += static_cast<double>(paper ? grown : budget);
+    }
+    // Two or three a mark; or six candidates of each, and what fell away before.
+    return (paper ? 3.0 : 25.0) * marks;
+}
+
 PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
                   const GenerateSettings& settings, const base::Progress& progress) {
     const Site site{runtime, implicit, settings.projection_tolerance, settings.random_seed};

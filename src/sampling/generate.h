@@ -46,6 +46,9 @@ struct SampleHint {
                                 const SampleHint& samples, const GenerateSettings& settings,
                                 const base::Progress& progress);
 
+// Of the implicit, roughly.
+[[nodiscard]] double expected_evaluations(const SampleHint& samples, const GenerateSettings& settings) noexcept;
+
 // Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds,
 // 12 numbers each.  Returns rho_0.
 double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,

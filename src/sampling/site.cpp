@@ -1,5 +1,7 @@
 #include "sampling/site.h"
 
+#include "implicit/evaluate_all.h"
+
 #include <cmath>
 
 namespace hrbfnpr::sampling {
@@ -47,12 +49,7 @@ void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& 
     implicit::FieldBatch all;
     all.value = fields.value.data();
     all.gradient = {fields.gradient.x.data(), fields.gradient.y.data(), fields.gradient.z.data()};
-    const implicit::PointBatch batch{points.x.data(), points.y.data(), points.z.data(), count};
-    site.implicit.threads(site.runtime.parallel)
-        .for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
-            site.implicit.evaluate(implicit::slice(batch, begin, end), all.from(begin));
-        });
+    implicit::evaluate_all(site.runtime, site.implicit, points, all, progress);
 }
 
 } // namespace hrbfnpr::sampling

@@ -2,9 +2,9 @@
 
 #include "geometry/eigen2.h"
 #include "geometry/tangent_frame.h"
+#include "implicit/evaluate_all.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace hrbfnpr::surface {
@@ -75,30 +75,22 @@ Curvature principal_curvature(const glm::dvec3& gradient, const std::array<doubl
 void principal_curvatures(const base::Runtime& runtime, const implicit::Implicit& implicit,
                           const geometry::VecArray& points, base::Array<Curvature>& result,
                           const base::Progress& progress) {
-    constexpr auto size = static_cast<std::size_t>(implicit::batch_size);
     const std::int64_t count = points.size();
     const double diagonal = implicit.diagonal();
+    base::Array<double> columns(runtime.memory, 9 * count);
+    implicit::FieldBatch fields;
+    for (std::int64_t k = 0; k < 3; ++k) fields.gradient[static_cast<std::size_t>(k)] = columns.data() + k * count;
+    for (std::int64_t k = 0; k < 6; ++k) fields.hessian[static_cast<std::size_t>(k)] = columns.data() + (3 + k) * count;
+    implicit::evaluate_all(runtime, implicit, points, fields, progress);
     result.resize(count);
-    std::atomic<std::int64_t> done{0};
-    implicit.threads(runtime.parallel)
-        .for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
-            std::array<std::array<double, size>, 9> columns;
-            implicit::FieldBatch fields;
-            for (std::size_t k = 0; k < 3; ++k) fields.gradient[k] = columns[k].data();
-            for (std::size_t k = 0; k < 6; ++k) fields.hessian[k] = columns[3 + k].data();
-            implicit.evaluate(implicit::slice({points.x.data(), points.y.data(), points.z.data(), count}, begin, end),
-                              fields);
-            for (std::int64_t i = begin; i < end; ++i) {
-                const auto lane = static_cast<std::size_t>(i - begin);
-                std::array<double, 6> hessian;
-                for (std::size_t k = 0; k < 6; ++k) hessian[k] = columns[3 + k][lane];
-                result[i] =
-                    principal_curvature({columns[0][lane], columns[1][lane], columns[2][lane]}, hessian, diagonal);
-            }
-            const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
-            progress.update(static_cast<double>(now) / static_cast<double>(count));
-        });
+    runtime.parallel.for_chunks(count, 4096, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            std::array<double, 6> hessian;
+            for (std::size_t k = 0; k < 6; ++k) hessian[k] = fields.hessian[k][i];
+            const glm::dvec3 gradient(fields.gradient[0][i], fields.gradient[1][i], fields.gradient[2][i]);
+            result[i] = principal_curvature(gradient, hessian, diagonal);
+        }
+    });
 }
 
 } // namespace hrbfnpr::surface

@@ -1,5 +1,7 @@
 #include "surface/project.h"
 
+#include "implicit/evaluate_all.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -25,8 +27,9 @@ constexpr double smallest_share = 1e-14;
 //               = f^2 - sigma (s / (2 |g|^2)) 4 f^2 |g|^2 = f^2 (1 - 2 sigma s).
 class Batch {
 public:
-    Batch(const implicit::Implicit& implicit, const ProjectionSettings& settings) noexcept
-        : implicit_(implicit), settings_(settings), diagonal_(implicit.diagonal()),
+    // order: of the points, or null for their own.
+    Batch(const implicit::Implicit& implicit, const ProjectionSettings& settings, const std::int32_t* order) noexcept
+        : implicit_(implicit), settings_(settings), order_(order), diagonal_(implicit.diagonal()),
           centre_(implicit.bounds().centre()) {}
 
     void run(Projection& points, std::int64_t begin, std::int64_t end, const base::Progress& progress);
@@ -38,12 +41,17 @@ private:
     [[nodiscard]] bool finished(Projection& points, std::size_t i) noexcept;
     void end_with(Projection& points, std::size_t i, ProjectionStatus status) noexcept;
 
+    [[nodiscard]] std::int64_t index(std::size_t i) const noexcept {
+        const std::int64_t at = begin_ + static_cast<std::int64_t>(i);
+        return order_ != nullptr ? order_[at] : at;
+    }
     [[nodiscard]] static bool finite(double f, const glm::dvec3& g) noexcept {
         return std::isfinite(f) && std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z);
     }
 
     const implicit::Implicit& implicit_;
     const ProjectionSettings& settings_;
+    const std::int32_t* order_;
     double diagonal_;
     glm::dvec3 centre_;
     std::int64_t begin_ = 0;
@@ -63,7 +71,7 @@ private:
 };
 
 void Batch::end_with(Projection& points, std::size_t i, ProjectionStatus status) noexcept {
-    const std::int64_t at = begin_ + static_cast<std::int64_t>(i);
+    const std::int64_t at = index(i);
     points.position.set(at, position_[i]);
     points.gradient.set(at, gradient_[i]);
     points.status[at] = status;
@@ -140,7 +148,7 @@ void Batch::run(Projection& points, std::int64_t begin, std::int64_t end, const 
     begin_ = begin;
     active_count_ = static_cast<std::size_t>(end - begin);
     for (std::size_t i = 0; i < active_count_; ++i) {
-        trial_[i] = points.position[begin + static_cast<std::int64_t>(i)];
+        trial_[i] = points.position[index(i)];
         evaluations_[i] = 0;
         share_[i] = 1.0;
         active_[i] = i;
@@ -161,9 +169,10 @@ void project(const base::Runtime& runtime, const implicit::Implicit& implicit, c
     const std::int64_t count = points.position.size();
     points.gradient.resize(count);
     points.status.resize(count);
+    const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, points.position);
     std::atomic<std::int64_t> done{0};
     implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
-        Batch batch(implicit, settings);
+        Batch batch(implicit, settings, order.data());
         batch.run(points, begin, end, progress);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         progress.update(static_cast<double>(now) / static_cast<double>(count));

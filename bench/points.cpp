@@ -1,0 +1,211 @@
+// Points on the surface, from samples: the paper's Table 1 beside ours, marks a second, and evaluation beside plain
+// sums.
+// --models DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
+#include "peak.h"
+#include "scenes/handles.h"
+#include "timing.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace {
+
+struct Samples {
+    std::vector<double> points;
+    std::vector<double> normals;
+
+    [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(points.size() / 3); }
+    void add(const std::array<double, 3>& p, const std::array<double, 3>& n) {
+        const double length = std::hypot(n[0], n[1], n[2]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            points.push_back(p[c]);
+            normals.push_back(n[c] / length);
+        }
+    }
+};
+
+// Fibonacci's spiral on the sphere, with radius 1 + bump sin 4x cos(3y + z).
+Samples bumpy(std::int64_t count, double bump) {
+    Samples samples;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
+        const double angle = std::fmod(2.399963229728653 * static_cast<double>(i), 6.283185307179586);
+        const double flat = std::sqrt(1.0 - z * z);
+        const std::array<double, 3> s{flat * std::cos(angle), flat * std::sin(angle), z};
+        const double phase = 3.0 * s[1] + s[2];
+        const double radius = 1.0 + bump * std::sin(4.0 * s[0]) * std::cos(phase);
+        const std::array<double, 3> g{4.0 * bump * std::cos(4.0 * s[0]) * std::cos(phase),
+                                      -3.0 * bump * std::sin(4.0 * s[0]) * std::sin(phase),
+                                      -bump * std::sin(4.0 * s[0]) * std::sin(phase)};
+        const double along = g[0] * s[0] + g[1] * s[1] + g[2] * s[2];
+        std::array<double, 3> p{};
+        std::array<double, 3> n{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            p[c] = radius * s[c];
+            n[c] = radius * s[c] - (g[c] - along * s[c]);
+        }
+        samples.add(p, n);
+    }
+    return samples;
+}
+
+Samples axes() {
+    Samples samples;
+    for (std::size_t c = 0; c < 3; ++c)
+        for (const double sign : {1.0, -1.0}) {
+            std::array<double, 3> p{};
+            p[c] = sign;
+            samples.add(p, p);
+        }
+    return samples;
+}
+
+// Six float properties a vertex, ascii or little-endian.
+Samples read_ply(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string line;
+    std::size_t count = 0;
+    bool binary = false;
+    while (std::getline(file, line) && line != "end_header") {
+        if (line.rfind("element vertex", 0) == 0) count = std::stoull(line.substr(15));
+        if (line.rfind("format binary", 0) == 0) binary = true;
+    }
+    std::vector<float> numbers(6 * count);
+    if (binary)
+        file.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(24 * count));
+    else
+        for (float& number : numbers) file >> number;
+    if (!file || count == 0) throw std::runtime_error(path + " is not a PLY of points with normals");
+    Samples samples;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* at = numbers.data() + 6 * i;
+        samples.add({at[0], at[1], at[2]}, {at[3], at[4], at[5]});
+    }
+    return samples;
+}
+
+hrbfnpr_array view(const std::vector<double>& numbers) {
+    return {numbers.data(), static_cast<std::int64_t>(numbers.size() / 3), 0, HRBFNPR_SCALAR_FLOAT64, 3};
+}
+
+scenes::Model fit(hrbfnpr_context* context, const Samples& samples) {
+    scenes::Check check;
+    hrbfnpr_fit_desc desc;
+    check(hrbfnpr_fit_desc_init(&desc, sizeof desc));
+    desc.points = view(samples.points);
+    desc.normals = view(samples.normals);
+    hrbfnpr_model* model = nullptr;
+    check(hrbfnpr_model_fit(context, &desc, nullptr, &model, check.error()));
+    return scenes::Model(model);
+}
+
+struct Job {
+    std::uint32_t group;
+    std::int32_t levels;
+};
+
+struct Marks {
+    std::int64_t count = 0;
+    std::int64_t attempted = 0;
+};
+
+Marks generate(hrbfnpr_context* context, const hrbfnpr_model* model, const Samples& seeds, const Job& job,
+               std::uint32_t distribution = HRBFNPR_DISTRIBUTION_PAPER, std::int64_t budget = 0) {
+    scenes::Check check;
+    hrbfnpr_generate_desc desc;
+    check(hrbfnpr_generate_desc_init(&desc, sizeof desc));
+    desc.groups = 1U << job.group;
+    desc.distribution = distribution;
+    desc.seed_source = HRBFNPR_SEED_POINTS;
+    desc.seed_points = view(seeds.points);
+    desc.group[job.group].levels = job.levels;
+    desc.group[job.group].budget = budget;
+    hrbfnpr_point_set* raw = nullptr;
+    check(hrbfnpr_point_set_generate(context, model, &desc, nullptr, &raw, check.error()));
+    const scenes::PointSet set(raw);
+    hrbfnpr_array positions{};
+    check(hrbfnpr_point_set_view(raw, job.group, HRBFNPR_ATTRIBUTE_POSITION, &positions, check.error()));
+    return {positions.count, 0};
+}
+
+struct Row {
+    const char* name;
+    const char* file; // null: generated
+    std::int64_t samples;
+    Job stipples; // levels < 0: none
+    Job strokes;
+    double published; // seconds, in all
+};
+
+void run_table(hrbfnpr_context* context, const std::string& models) {
+    constexpr std::uint32_t stipple = HRBFNPR_GROUP_STIPPLE;
+    constexpr std::uint32_t combing = HRBFNPR_GROUP_COMBING;
+    constexpr std::uint32_t curvature = HRBFNPR_GROUP_CURVATURE;
+    const std::vector<Row> rows{
+        {"sphere", "sphere_6.ply", 6, {stipple, 4}, {combing, 4}, 8.3},
+        {"tori", "tori_256.ply", 256, {stipple, 3}, {combing, 4}, 217.9},
+        {"canyon", "canyon_512.ply", 512, {stipple, 3}, {combing, 4}, 570.0},
+        {"knot", "knot_1024.ply", 1024, {stipple, 3}, {curvature, 3}, 1100.0},
+        {"gargoyle", "gargoyle_2500.ply", 2500, {stipple, 3}, {combing, -1}, 2036.0},
+        {"david", "head_4096.ply", 4096, {stipple, 3}, {curvature, 3}, 7397.0},
+    };
+    std::printf("%-10s %8s %9s %9s %12s %9s %9s\n", "model", "samples", "stipples", "marks", "published s", "ours s",
+                "ratio");
+    for (const Row& row : rows) {
+        const Samples samples = row.samples == 6 ? axes()
+                                : models.empty() ? bumpy(row.samples, 0.15)
+                                                 : read_ply(models + "/" + row.file);
+        // The sphere's seeds: 607 500 marks are 2 * 81 of each of 3750 stipples.
+        const Samples seeds = row.samples == 6 ? bumpy(3750, 0.0) : samples;
+        Marks stipples;
+        Marks marks;
+        double fitted = 0.0;
+        double stippled = 0.0;
+        double all = 0.0;
+        all = bench::seconds([&] {
+            scenes::Model model;
+            fitted = bench::seconds([&] { model = fit(context, samples); });
+            stippled = bench::seconds([&] {
+                if (row.stipples.levels >= 0) stipples = generate(context, model.get(), samples, row.stipples);
+            });
+            if (row.strokes.levels >= 0) marks = generate(context, model.get(), seeds, row.strokes);
+        });
+        std::printf("%-10s %8lld %9lld %9lld %12.1f %9.3f %9.0f   (fit %.3f, stipples %.3f, strokes %.3f)\n", row.name,
+                    static_cast<long long>(samples.count()), static_cast<long long>(stipples.count),
+                    static_cast<long long>(marks.count), row.published, all, row.published / all, fitted, stippled,
+                    all - fitted - stippled);
+        std::fflush(stdout);
+        const std::string name = std::string("table1.") + row.name;
+        bench::report((name + ".seconds").c_str(), all);
+        bench::report((name + ".ratio_published").c_str(), row.published / all);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        std::string models;
+        for (int i = 1; i + 1 < argc; ++i)
+            if (std::strcmp(argv[i], "--models") == 0) models = argv[i + 1];
+        scenes::Check check;
+        hrbfnpr_context* raw = nullptr;
+        check(hrbfnpr_context_create(nullptr, &raw, check.error()));
+        const scenes::Context context(raw);
+        run_table(context.get(), models);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

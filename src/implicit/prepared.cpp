@@ -1,0 +1,123 @@
+#include "implicit/prepared.h"
+
+#include "base/random.h"
+#include "implicit/evaluate_all.h"
+#include "implicit/hrbf_block.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::implicit {
+namespace {
+
+constexpr std::int64_t fewest_centres = 512;
+constexpr LocalFieldOptions wanted; // its tolerance is the one that is stated
+// What is measured may be this much more before the field is made finer, or given up: a maximum over some hundred
+// places.
+constexpr double slack = 4.0;
+constexpr double gradients_share = 100.0;
+constexpr int finest = 1;
+constexpr std::int64_t probes = 512;
+
+[[nodiscard]] double spacing_of(const HrbfData& data) noexcept {
+    return data.spacing > 0.0 ? data.spacing / data.scale : 1.0;
+}
+
+} // namespace
+
+// Measured on two cores, AVX-512: all pairs take 0.15 ns each, and a field 0.3 s and 40 us for each centre.
+bool Prepared::pays(const HrbfData& data, double points) noexcept {
+    const auto centres = static_cast<double>(data.count());
+    return data.kernel == kernel::Kind::triharmonic && data.count() >= fewest_centres &&
+           1.5e-10 * points * centres > 0.3 + 4e-5 * centres;
+}
+
+std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const HrbfData& data,
+                                         const base::Progress& progress) {
+    if (data.kernel != kernel::Kind::triharmonic || data.count() < fewest_centres) return nullptr;
+    for (int finer = 0; finer <= finest; ++finer) {
+        auto prepared = std::make_unique<Prepared>(runtime, data, finer, progress);
+        const Error error = prepared->error();
+        if (error.value <= slack * wanted.tolerance && error.gradient <= slack * gradients_share * wanted.tolerance)
+            return prepared;
+        runtime.log(base::LogLevel::info,
+                    "evaluation: sums with %d centres are off by %.1e diagonals, gradients by %.1e",
+                    static_cast<int>(data.count()), error.value, error.gradient);
+    }
+    return nullptr;
+}
+
+Prepared::Prepared(const base::Runtime& runtime, const HrbfData& data, int finer, const base::Progress& progress)
+    : set_(runtime.instruction_set), data_(data), field_(runtime, data.centre_position, data.alpha.data(), data.beta,
+                                                         {spacing_of(data), wanted.tolerance, finer}, progress) {
+    measure_error(runtime, progress);
+}
+
+std::int32_t Prepared::cell_of(const glm::dvec3& point) const noexcept {
+    const std::int32_t cube = field_.cube_of({normalised(point.x, data_.centre.x, data_.scale),
+                                              normalised(point.y, data_.centre.y, data_.scale),
+                                              normalised(point.z, data_.centre.z, data_.scale)});
+    return cube >= 0 ? cube : static_cast<std::int32_t>(field_.cubes());
+}
+
+// Runs of points in one cell, as they come: evaluate_all brings them together.
+void Prepared::evaluate(const PointBatch& points, const FieldBatch& fields) const {
+    std::int64_t begin = 0;
+    std::int32_t cell = points.count > 0 ? cell_of({points.x[0], points.y[0], points.z[0]}) : 0;
+    while (begin < points.count) {
+        std::int64_t end = begin + 1;
+        std::int32_t next = cell;
+        for (; end < points.count; ++end) {
+            next = cell_of({points.x[end], points.y[end], points.z[end]});
+            if (next != cell) break;
+        }
+        evaluate_cell(cell, slice(points, begin, end), fields.from(begin));
+        begin = end;
+        cell = next;
+    }
+}
+
+void Prepared::evaluate_cell(std::int32_t cell, const PointBatch& points, const FieldBatch& fields) const noexcept {
+    if (cell == field_.cubes()) return implicit::evaluate(set_, data_, points, fields);
+    Block block;
+    double(&g)[3][block_size] = block.gradient;
+    double(&h)[6][block_size] = block.hessian;
+    for (std::int64_t begin = 0; begin < points.count; begin += block_size) {
+        const std::int64_t count = std::min(block_size, points.count - begin);
+        start(data_, slice(points, begin, begin + count), block);
+        if (fields.value != nullptr || fields.wants_gradient())
+            field_.add(cell, {block.x, block.y, block.z, block.value, g[0], g[1], g[2], count});
+        if (fields.wants_hessian())
+            field_.add_hessians(cell, {block.x, block.y, block.z, {h[0], h[1], h[2], h[3], h[4], h[5]}, count});
+        finish(data_, block, count, fields.from(begin));
+    }
+}
+
+// At places about a spacing from centres, against all centres.
+void Prepared::measure_error(const base::Runtime& runtime, const base::Progress& progress) {
+    const std::int64_t count = std::min(probes, data_.count());
+    geometry::VecArray places(runtime.memory);
+    for (std::int64_t k = 0; k < count; ++k) {
+        const std::int64_t i = k * data_.count() / count;
+        const std::array<double, 4> u = base::uniform4(0, static_cast<std::uint64_t>(i), base::Purpose::probe, 0);
+        const glm::dvec3 off = 2.0 * glm::dvec3(u[0], u[1], u[2]) - 1.0;
+        places.push_back(data_.centre + data_.scale * (data_.centre_position[i] + spacing_of(data_) * off));
+    }
+    base::Array<double> value(runtime.memory, 2 * count);
+    geometry::VecArray gradient(runtime.memory, 2 * count);
+    const FieldBatch quick{value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}};
+    evaluate_all(runtime, *this, places, quick, progress);
+    const FieldBatch plain = quick.from(count);
+    runtime.parallel.for_chunks(count, block_size, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        implicit::evaluate(set_, data_, slice({places.x.data(), places.y.data(), places.z.data(), count}, begin, end),
+                           plain.from(begin));
+    });
+    for (std::int64_t k = 0; k < count; ++k) {
+        error_.value = std::max(error_.value, std::abs(value[k] - value[count + k]) / diagonal());
+        error_.gradient = std::max(error_.gradient, glm::distance(gradient[k], gradient[count + k]));
+    }
+}
+
+} // namespace hrbfnpr::implicit
