@@ -1,11 +1,10 @@
-// Batched evaluation, projection and curvature.  A call of any size works through blocks of
-// points, so that its scratch stays small.
+// Batched evaluation, projection and curvature.
 #include "api/barrier.h"
 #include "api/checks.h"
 #include "api/descriptor.h"
 #include "api/model.h"
 #include "api/operation.h"
-#include "api/views.h"
+#include "api/queries.h"
 #include "surface/curvature.h"
 #include "surface/project.h"
 
@@ -32,55 +31,6 @@ hrbfnpr_project_desc defaults() noexcept {
 namespace {
 
 constexpr std::int64_t block_size = 65536;
-constexpr std::int64_t copy_grain = 4096;
-
-// The caller's query points, checked once and read in blocks.
-class Queries {
-public:
-    Queries(const base::Runtime& runtime, const hrbfnpr_array* points) : runtime_(runtime) {
-        view_ = in_view(deref(points, "points"), "points", points_type);
-    }
-
-    [[nodiscard]] std::int64_t count() const noexcept { return view_.count; }
-
-    // After all arguments are known to be right; takes a pass over the points.
-    void check_finite() const {
-        runtime_.parallel.for_chunks(view_.count, copy_grain, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i)
-                for (std::uint32_t axis = 0; axis < 3; ++axis)
-                    if (!std::isfinite(view_.get(i, axis)))
-                        fail(Status::invalid_argument, "points[%lld] is NaN or infinite; all points must be finite",
-                             static_cast<long long>(i));
-        });
-    }
-
-    void read(std::int64_t begin, std::int64_t end, geometry::VecArray& block) const {
-        block.resize(end - begin);
-        runtime_.parallel.for_chunks(end - begin, copy_grain, [&](std::int64_t from, std::int64_t to) {
-            for (std::int64_t i = from; i < to; ++i)
-                block.set(i, {view_.get(begin + i, 0), view_.get(begin + i, 1), view_.get(begin + i, 2)});
-        });
-    }
-
-    // work(begin, end, progress) for each block.
-    template <class F>
-    void for_blocks(const base::Progress& progress, F&& work) const {
-        const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(view_.count); };
-        for (std::int64_t begin = 0; begin < view_.count; begin += block_size) {
-            const std::int64_t end = std::min(view_.count, begin + block_size);
-            work(begin, end, progress.part(share(begin), share(end)));
-        }
-    }
-
-private:
-    const base::Runtime& runtime_;
-    base::InView view_;
-};
-
-void set_vector(const base::OutView& out, std::int64_t i, const glm::dvec3& v) noexcept {
-    for (int axis = 0; axis < 3; ++axis) out.set(i, static_cast<std::uint32_t>(axis), v[axis]);
-}
-
 struct FieldOutputs {
     base::OutView value, gradient, hessian;
 };
@@ -122,15 +72,16 @@ void evaluate(const hrbfnpr_model& model, const Queries& queries, const FieldOut
     const base::Parallel parallel = model.implicit().threads(runtime.parallel);
     geometry::VecArray points(runtime.memory);
     FieldBlock block(runtime.memory, out, std::min(queries.count(), block_size));
-    queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
-        queries.read(begin, end, points);
-        const implicit::PointBatch batch{points.x.data(), points.y.data(), points.z.data(), points.size()};
-        parallel.for_chunks(end - begin, implicit::batch_size, [&](std::int64_t from, std::int64_t to) {
-            part.update(static_cast<double>(from) / static_cast<double>(end - begin));
-            model.implicit().evaluate(implicit::slice(batch, from, to), block.fields().from(from));
-            block.write(from, to, begin);
-        });
-    });
+    for_blocks(queries.count(), block_size, progress,
+               [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+                   queries.read(begin, end, points);
+                   const implicit::PointBatch batch{points.x.data(), points.y.data(), points.z.data(), points.size()};
+                   parallel.for_chunks(end - begin, implicit::batch_size, [&](std::int64_t from, std::int64_t to) {
+                       part.update(static_cast<double>(from) / static_cast<double>(end - begin));
+                       model.implicit().evaluate(implicit::slice(batch, from, to), block.fields().from(from));
+                       block.write(from, to, begin);
+                   });
+               });
 }
 
 surface::ProjectionSettings checked(const hrbfnpr_project_desc& desc) {
@@ -165,11 +116,12 @@ std::int64_t project(const hrbfnpr_model& model, const Queries& queries, const s
                      const ProjectionOutputs& out, const base::Progress& progress) {
     surface::Projection block(model.runtime().memory);
     std::int64_t converged = 0;
-    queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
-        queries.read(begin, end, block.position);
-        surface::project(model.runtime(), model.implicit(), settings, block, part);
-        converged += write(block, out, begin);
-    });
+    for_blocks(queries.count(), block_size, progress,
+               [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+                   queries.read(begin, end, block.position);
+                   surface::project(model.runtime(), model.implicit(), settings, block, part);
+                   converged += write(block, out, begin);
+               });
     return converged;
 }
 
@@ -192,11 +144,12 @@ void curvature(const hrbfnpr_model& model, const Queries& queries, const Curvatu
                const base::Progress& progress) {
     geometry::VecArray points(model.runtime().memory);
     base::Array<surface::Curvature> block(model.runtime().memory);
-    queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
-        queries.read(begin, end, points);
-        surface::principal_curvatures(model.runtime(), model.implicit(), points, block, part);
-        write(block, out, begin);
-    });
+    for_blocks(queries.count(), block_size, progress,
+               [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+                   queries.read(begin, end, points);
+                   surface::principal_curvatures(model.runtime(), model.implicit(), points, block, part);
+                   write(block, out, begin);
+               });
 }
 
 } // namespace
@@ -210,7 +163,7 @@ hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_
                                       hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
-        const api::Queries queries(handle.runtime(), points);
+        const api::Queries queries(handle.runtime(), points, "points");
         const std::int64_t count = queries.count();
         const api::FieldOutputs out{api::out_view(value, "value", api::number_type, count),
                                     api::out_view(gradient, "gradient", api::points_type, count),
@@ -233,7 +186,7 @@ hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_a
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
         const surface::ProjectionSettings settings = api::checked(api::read_optional_struct(desc, "project_desc"));
-        const api::Queries queries(handle.runtime(), points);
+        const api::Queries queries(handle.runtime(), points, "points");
         const std::int64_t count = queries.count();
         const api::ProjectionOutputs out{api::out_view(position, "position", api::points_type, count),
                                          api::out_view(normal, "normal", api::points_type, count),
@@ -253,7 +206,7 @@ hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr
                                        hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
-        const api::Queries queries(handle.runtime(), points);
+        const api::Queries queries(handle.runtime(), points, "points");
         const std::int64_t count = queries.count();
         const api::CurvatureOutputs out{
             api::out_view(k1, "k1", api::number_type, count), api::out_view(k2, "k2", api::number_type, count),
