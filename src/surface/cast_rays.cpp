@@ -79,8 +79,7 @@ public:
 private:
     [[nodiscard]] Ray start(const glm::dvec3& origin, const glm::dvec3& direction) const noexcept;
     void pack(Ray::Phase phase) noexcept;
-    void march(const base::Progress& progress);
-    void refine(const base::Progress& progress);
+    void advance(Ray::Phase phase, const base::Progress& progress);
     void take_step(std::size_t i, double f) noexcept;
     void go_on(std::size_t i, double at, double f) noexcept;
     void bracket(std::size_t i, double f) noexcept;
@@ -111,15 +110,16 @@ Ray Batch::start(const glm::dvec3& origin, const glm::dvec3& direction) const no
     const glm::dvec3 scaled = direction / largest; // its square neither overflows nor vanishes
     ray.length = largest * glm::length(scaled);
     ray.direction = scaled / glm::length(scaled);
-    double to = settings_.t_max * ray.length;
+    const double last = settings_.t_max * ray.length;
+    double from = 0.0;
+    double to = last;
     ray.offset = settings_.t_min * ray.length;
-    if (!clip(region_, origin, ray.direction, ray.offset, to)) {
-        ray.phase = Ray::Phase::done;
-        return ray;
-    }
-    // From a far origin, rounding must not carry it to where f need not be defined.
+    bool meets = clip(region_, origin, ray.direction, ray.offset, to);
+    // From a far origin, rounding must not carry the ray to where f need not be defined: clip it again from here.
     ray.start = glm::clamp(origin + ray.offset * ray.direction, region_.min, region_.max);
-    ray.end = to - ray.offset;
+    ray.end = last - ray.offset;
+    meets = meets && clip(region_, ray.start, ray.direction, from, ray.end);
+    ray.phase = meets ? Ray::Phase::march : Ray::Phase::done;
     ray.lipschitz = lipschitz_;
     return ray;
 }
@@ -224,25 +224,18 @@ void Batch::pack(Ray::Phase phase) noexcept {
     }
 }
 
-void Batch::march(const base::Progress& progress) {
-    pack(Ray::Phase::march);
+// Evaluates f, or f and its gradient, for all rays of a phase.
+void Batch::advance(Ray::Phase phase, const base::Progress& progress) {
+    pack(phase);
     if (packed_count_ == 0) return;
     progress.check();
+    const bool march = phase == Ray::Phase::march;
     implicit::FieldBatch fields;
     fields.value = f_.data();
+    if (!march) fields.gradient = {gx_.data(), gy_.data(), gz_.data()};
     implicit_.evaluate({x_.data(), y_.data(), z_.data(), static_cast<std::int64_t>(packed_count_)}, fields);
-    for (std::size_t k = 0; k < packed_count_; ++k) take_step(packed_[k], f_[k]);
-}
-
-void Batch::refine(const base::Progress& progress) {
-    pack(Ray::Phase::refine);
-    if (packed_count_ == 0) return;
-    progress.check();
-    implicit::FieldBatch fields;
-    fields.value = f_.data();
-    fields.gradient = {gx_.data(), gy_.data(), gz_.data()};
-    implicit_.evaluate({x_.data(), y_.data(), z_.data(), static_cast<std::int64_t>(packed_count_)}, fields);
-    for (std::size_t k = 0; k < packed_count_; ++k) take_root(packed_[k], f_[k], {gx_[k], gy_[k], gz_[k]});
+    for (std::size_t k = 0; k < packed_count_; ++k)
+        march ? take_step(packed_[k], f_[k]) : take_root(packed_[k], f_[k], {gx_[k], gy_[k], gz_[k]});
 }
 
 void Batch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const base::Progress& progress) {
@@ -264,8 +257,8 @@ void Batch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const ba
             active_[active_count_++] = i;
     }
     while (active_count_ > 0) {
-        march(progress);
-        refine(progress);
+        advance(Ray::Phase::march, progress);
+        advance(Ray::Phase::refine, progress);
         std::size_t kept = 0;
         for (std::size_t k = 0; k < active_count_; ++k)
             if (rays_[active_[k]].phase != Ray::Phase::done) active_[kept++] = active_[k];

@@ -238,6 +238,18 @@ TEST(CastRays, FarOriginsMeetTheSurfaceAllTheSame) {
     EXPECT_NEAR(glm::length(hits.position[0]), 1.0, 1e-8);
     EXPECT_NEAR(hits.t[0], 1e9 - std::sqrt(0.75), 1e-6);
     EXPECT_NE(hits.status[1], RayStatus::not_finite);
+    // f is never asked for outside the region, though coordinates are rounded to 1e4 here.
+    const AnyField bounded(cube(1.0), [](const glm::dvec3& p) -> Field {
+        const glm::dvec3 q = glm::abs(p);
+        return {std::max({q.x, q.y, q.z}) < 1.174 ? glm::length(p) - 1.0 : std::nan(""), p / glm::length(p), {}};
+    });
+    std::vector<Line> lines;
+    for (int i = 0; i < 300; ++i) {
+        const auto [x, y, z] = spiral_point(i, 300);
+        lines.push_back({1e20 * glm::dvec3(x, y, z), -glm::dvec3(x, y, z)});
+    }
+    const RayHits far = cast(bounded, lines, at_most(2));
+    for (int i = 0; i < 300; ++i) EXPECT_NE(far.status[i], RayStatus::not_finite) << i;
 }
 
 TEST(CastRays, WhatIsNotFiniteEndsARay) {
