@@ -234,8 +234,12 @@ void Batch::advance(Ray::Phase phase, const base::Progress& progress) {
     fields.value = f_.data();
     if (!march) fields.gradient = {gx_.data(), gy_.data(), gz_.data()};
     implicit_.evaluate({x_.data(), y_.data(), z_.data(), static_cast<std::int64_t>(packed_count_)}, fields);
-    for (std::size_t k = 0; k < packed_count_; ++k)
-        march ? take_step(packed_[k], f_[k]) : take_root(packed_[k], f_[k], {gx_[k], gy_[k], gz_[k]});
+    for (std::size_t k = 0; k < packed_count_; ++k) {
+        if (march)
+            take_step(packed_[k], f_[k]);
+        else
+            take_root(packed_[k], f_[k], {gx_[k], gy_[k], gz_[k]});
+    }
 }
 
 void Batch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const base::Progress& progress) {
