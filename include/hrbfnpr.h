@@ -50,7 +50,7 @@
  *   argument was wrong, how, and what would be right.  No C++ exception, no
  *   abort and no signal leaves the library; it prints nothing.  One
  *   exception is stated: a CANCELLED or failed batch call (evaluate, project,
- *   curvature) may already have written a part of its output arrays.
+ *   curvature, cast_rays, contains) may already have written a part of its output arrays.
  *
  * Arrays.  Strides are in bytes and may be negative or larger than the
  *   element; 0 means packed.  Elements need no alignment beyond one byte.
@@ -615,6 +615,84 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, c
                                                    const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
                                                    const hrbfnpr_array_out* confidence,
                                                    hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+enum {
+    HRBFNPR_RAY_HIT = 0,             /* one hit or more */
+    HRBFNPR_RAY_MISS = 1,            /* none */
+    HRBFNPR_RAY_TRUNCATED = 2,       /* maximum_hits of 2 or more, and there is a further one */
+    HRBFNPR_RAY_ITERATION_LIMIT = 3, /* given up on; what was found before is kept */
+    HRBFNPR_RAY_NOT_FINITE = 4       /* f or its gradient was not finite; what was found before is kept */
+};
+
+typedef struct hrbfnpr_cast_desc {
+    uint32_t struct_size;
+    int32_t maximum_hits;    /* to find on a ray, 1 .. 256; 1: the first */
+    int32_t iteration_limit; /* evaluations per ray, 1 .. 1000000; 20000 */
+    uint32_t reserved;
+    double t_min;            /* where a ray begins and ends, in lengths of its direction: t_min finite, 0 */
+    double t_max;            /* not below t_min; infinity */
+    double lipschitz;        /* bound on |grad f| in the search box; 0 = hrbfnpr_model_lipschitz's */
+    double smallest_step;    /* in diagonals, above 0, at most 0.1; 1e-4 */
+    double tolerance;        /* on the place of a hit along the ray, in diagonals, above 0; 1e-9 */
+} hrbfnpr_cast_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
+
+/* Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
+ * steps that it cannot lie within [Hart 1996, "Sphere tracing"].
+ *
+ * The surface is looked for in the search box: the bounds, grown by 0.05
+ * diagonals on every side.  From a place where f is known the next is |f| /
+ * lipschitz away, but not less than smallest_step.  A change of sign between
+ * two places brackets a hit, which Newton's method along the ray, safeguarded
+ * by bisection, finds to the tolerance.  What changes no sign from one place to
+ * the next is missed: grazing rays that are inside, and sheets that are thick,
+ * for less than smallest_step.  So are hits that follow each other that
+ * closely, in pairs.  A hit at the very ends of the range may or may not be
+ * found.  A bound that is too small may miss more; a step that shows it to be
+ * is taken back, and the bound raised for that ray.  One that is too large
+ * costs time only.
+ *
+ * origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
+ *            length but zero.  Rays may start inside.
+ * With h = maximum_hits, for each ray its hits in order; each array or NULL:
+ * hits:      n x 1, UINT32: how many were found, 0 .. h.
+ * t:         n x h; infinity after the last.
+ * position, normal (the unit gradient): n x 3h, x y z of the first hit, then of
+ *            the second ...; 0 after the last.  t, position and normal FLOAT32
+ *            or FLOAT64.  From far origins position is the exacter one: t is
+ *            rounded.
+ * entering:  n x h, UINT8: 1 where f goes from + to - along the ray, else 0.
+ * status:    n x 1, UINT8 or UINT32 (HRBFNPR_RAY_...).
+ * hit_rays (nullable) gets the number of rays with a hit.
+ * desc may be NULL.  A ray that starts on the surface may or may not meet it
+ * there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
+ * numbers of directions and origins that differ, and fields out of their range
+ * are INVALID_ARGUMENT. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(
+    const hrbfnpr_model* model, const hrbfnpr_array* origins, const hrbfnpr_array* directions,
+    const hrbfnpr_cast_desc* desc, const hrbfnpr_array_out* hits, const hrbfnpr_array_out* t,
+    const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal, const hrbfnpr_array_out* entering,
+    const hrbfnpr_array_out* status, int64_t* hit_rays, hrbfnpr_operation* operation,
+    hrbfnpr_error* error);
+
+/* The bound that _cast_rays takes where none is given: the largest |grad f| at
+ * 24^3 points of the search box, times 1.5.  An estimate, and no proof.  A
+ * program that casts few rays at a time asks for it once and passes it on:
+ * otherwise each call evaluates those points. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipschitz,
+                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+/* Which of n points lie inside the surface.
+ * points: n x 3, FLOAT32 or FLOAT64, finite.
+ * inside: n x 1, UINT8, or NULL: 1 where f < 0 and the point lies in the search
+ *         box (the bounds, grown by 0.05 diagonals on every side), else 0.
+ *         Beyond it, where f means nothing, it is not evaluated.
+ * inside_count (nullable) gets the number of ones.
+ * Of a surface with a border, which bounds nothing, it is the side that f says. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, const hrbfnpr_array* points,
+                                                  const hrbfnpr_array_out* inside, int64_t* inside_count,
+                                                  hrbfnpr_operation* operation, hrbfnpr_error* error);
 
 /* Saving and loading.  The stream is little-endian, versioned and checksummed;
  * a loaded model evaluates to the same bits.  A custom model cannot be saved

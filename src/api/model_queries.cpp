@@ -1,11 +1,10 @@
-// Batched evaluation, projection and curvature.  A call of any size works through blocks of
-// points, so that its scratch stays small.
+// Batched evaluation, projection and curvature.
 #include "api/barrier.h"
 #include "api/checks.h"
 #include "api/descriptor.h"
 #include "api/model.h"
 #include "api/operation.h"
-#include "api/views.h"
+#include "api/queries.h"
 #include "implicit/evaluate_all.h"
 #include "surface/curvature.h"
 #include "surface/project.h"
@@ -32,56 +31,10 @@ hrbfnpr_project_desc defaults() noexcept {
 
 namespace {
 
-constexpr std::int64_t block_size = 65536;
-constexpr std::int64_t copy_grain = 4096;
+// Of a Hessian with the gradient, in evaluations of value and gradient.
+constexpr double hessian_cost = 2.5;
 
-// The caller's query points, checked once and read in blocks.
-class Queries {
-public:
-    Queries(const base::Runtime& runtime, const hrbfnpr_array* points) : runtime_(runtime) {
-        view_ = in_view(deref(points, "points"), "points", points_type);
-    }
-
-    [[nodiscard]] std::int64_t count() const noexcept { return view_.count; }
-
-    // After all arguments are known to be right; takes a pass over the points.
-    void check_finite() const {
-        runtime_.parallel.for_chunks(view_.count, copy_grain, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i)
-                for (std::uint32_t axis = 0; axis < 3; ++axis)
-                    if (!std::isfinite(view_.get(i, axis)))
-                        fail(Status::invalid_argument, "points[%lld] is NaN or infinite; all points must be finite",
-                             static_cast<long long>(i));
-        });
-    }
-
-    void read(std::int64_t begin, std::int64_t end, geometry::VecArray& block) const {
-        block.resize(end - begin);
-        runtime_.parallel.for_chunks(end - begin, copy_grain, [&](std::int64_t from, std::int64_t to) {
-            for (std::int64_t i = from; i < to; ++i)
-                block.set(i, {view_.get(begin + i, 0), view_.get(begin + i, 1), view_.get(begin + i, 2)});
-        });
-    }
-
-    // work(begin, end, progress) for each block.
-    template <class F>
-    void for_blocks(const base::Progress& progress, F&& work) const {
-        const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(view_.count); };
-        for (std::int64_t begin = 0; begin < view_.count; begin += block_size) {
-            const std::int64_t end = std::min(view_.count, begin + block_size);
-            work(begin, end, progress.part(share(begin), share(end)));
-        }
-    }
-
-private:
-    const base::Runtime& runtime_;
-    base::InView view_;
-};
-
-void set_vector(const base::OutView& out, std::int64_t i, const glm::dvec3& v) noexcept {
-    for (int axis = 0; axis < 3; ++axis) out.set(i, static_cast<std::uint32_t>(axis), v[axis]);
-}
-
+constexpr std::int64_t block_size = 262144;
 struct FieldOutputs {
     base::OutView value, gradient, hessian;
 };
@@ -120,7 +73,8 @@ private:
 void evaluate(const hrbfnpr_model& model, const Queries& queries, const FieldOutputs& out,
               const base::Progress& progress) {
     const base::Runtime& runtime = model.runtime();
-    const implicit::Implicit& implicit = model.implicit_for(static_cast<double>(queries.count()), progress);
+    const double cost = out.hessian ? hessian_cost : 1.0;
+    const implicit::Implicit& implicit = model.implicit_for(cost * static_cast<double>(queries.count()), progress);
     geometry::VecArray points(runtime.memory);
     FieldBlock block(runtime.memory, out, std::min(queries.count(), block_size));
     queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
@@ -166,11 +120,12 @@ std::int64_t project(const hrbfnpr_model& model, const Queries& queries, const s
         model.implicit_for(evaluations_each * static_cast<double>(queries.count()), progress);
     surface::Projection block(model.runtime().memory);
     std::int64_t converged = 0;
-    queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
-        queries.read(begin, end, block.position);
-        surface::project(model.runtime(), implicit, settings, block, part);
-        converged += write(block, out, begin);
-    });
+    for_blocks(queries.count(), block_size, progress,
+               [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+                   queries.read(begin, end, block.position);
+                   surface::project(model.runtime(), implicit, settings, block, part);
+                   converged += write(block, out, begin);
+               });
     return converged;
 }
 
@@ -191,14 +146,16 @@ void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs&
 
 void curvature(const hrbfnpr_model& model, const Queries& queries, const CurvatureOutputs& out,
                const base::Progress& progress) {
-    const implicit::Implicit& implicit = model.implicit_for(static_cast<double>(queries.count()), progress);
+    const implicit::Implicit& implicit =
+        model.implicit_for(hessian_cost * static_cast<double>(queries.count()), progress);
     geometry::VecArray points(model.runtime().memory);
     base::Array<surface::Curvature> block(model.runtime().memory);
-    queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
-        queries.read(begin, end, points);
-        surface::principal_curvatures(model.runtime(), implicit, points, block, part);
-        write(block, out, begin);
-    });
+    for_blocks(queries.count(), block_size, progress,
+               [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+                   queries.read(begin, end, points);
+                   surface::principal_curvatures(model.runtime(), implicit, points, block, part);
+                   write(block, out, begin);
+               });
 }
 
 } // namespace
@@ -212,7 +169,7 @@ hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_
                                       hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
-        const api::Queries queries(handle.runtime(), points);
+        const api::Queries queries(handle.runtime(), points, "points");
         const std::int64_t count = queries.count();
         const api::FieldOutputs out{api::out_view(value, "value", api::number_type, count),
                                     api::out_view(gradient, "gradient", api::points_type, count),
@@ -235,7 +192,7 @@ hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_a
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
         const surface::ProjectionSettings settings = api::checked(api::read_optional_struct(desc, "project_desc"));
-        const api::Queries queries(handle.runtime(), points);
+        const api::Queries queries(handle.runtime(), points, "points");
         const std::int64_t count = queries.count();
         const api::ProjectionOutputs out{api::out_view(position, "position", api::points_type, count),
                                          api::out_view(normal, "normal", api::points_type, count),
@@ -255,7 +212,7 @@ hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr
                                        hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
-        const api::Queries queries(handle.runtime(), points);
+        const api::Queries queries(handle.runtime(), points, "points");
         const std::int64_t count = queries.count();
         const api::CurvatureOutputs out{
             api::out_view(k1, "k1", api::number_type, count), api::out_view(k2, "k2", api::number_type, count),

@@ -217,16 +217,17 @@ double expected_evaluations(const SampleHint& samples, const GenerateSettings& s
     const std::int64_t seeds = settings.seed_source == SeedSource::points
                                    ? settings.seed_points.count
                                    : static_cast<std::int64_t>(samples.position.size() / 3);
-    double marks = 0.0;
+    constexpr std::int64_t candidates_each = 8; // of BLUE_NOISE, with what falls away
+    double evaluations = 0.0;
     for (std::size_t k = 0; k < settings.group.size(); ++k) {
         const GroupSettings& group = settings.group[k];
         if (!group.wanted) continue;
         const std::int64_t grown = grown_count(seeds, k == 0 ? 5 : 3, group.levels);
         const std::int64_t budget = group.budget > 0 ? group.budget : default_budget;
-        marks += static_cast<double>(paper ? grown : budget);
+        const double cost = k == 1 ? 8.0 : 3.0; // with Hessians on the way, or without
+        evaluations += cost * static_cast<double>(paper ? grown : candidates_each * budget);
     }
-    // Two or three a mark; or six candidates of each, and what fell away before.
-    return (paper ? 3.0 : 25.0) * marks;
+    return evaluations;
 }
 
 PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,

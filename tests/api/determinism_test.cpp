@@ -63,6 +63,22 @@ void append_queries(Bytes& bytes, const Model& model) {
         hrbfnpr_model_curvature(model.get(), &points, &curvatures, nullptr, nullptr, nullptr, nullptr, nullptr, error));
     EXPECT_OK(
         hrbfnpr_model_project(model.get(), &points, nullptr, &positions, nullptr, nullptr, nullptr, nullptr, error));
+    std::vector<double> t(3 * 1000);
+    std::vector<std::uint8_t> inside(1000);
+    const std::vector<double> direction(3 * 1000, 0.7);
+    auto desc = made(hrbfnpr_cast_desc_init);
+    desc.maximum_hits = 3;
+    desc.t_min = -5.0;
+    const hrbfnpr_array directions = in(direction);
+    const hrbfnpr_array_out ts = out(t, 3);
+    const hrbfnpr_array_out insides = out(inside, 1);
+    const std::vector<double> origin = inputs().point;
+    const hrbfnpr_array origins = in(origin);
+    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &origins, &directions, &desc, nullptr, &ts, nullptr, nullptr,
+                                      nullptr, nullptr, nullptr, nullptr, error));
+    EXPECT_OK(hrbfnpr_model_contains(model.get(), &origins, &insides, nullptr, nullptr, error));
+    append(bytes, t);
+    append(bytes, inside);
     append(bytes, value);
     append(bytes, gradient);
     append(bytes, hessian);

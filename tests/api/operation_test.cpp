@@ -73,6 +73,27 @@ struct Calls {
                                            error);
         };
     }
+    Call cast_call() {
+        return [this](hrbfnpr_operation* operation, hrbfnpr_error* error) {
+            const std::vector<double> directions(points.size(), 1.0);
+            const hrbfnpr_array from = in(points);
+            const hrbfnpr_array along = in(directions);
+            return hrbfnpr_model_cast_rays(model.get(), &from, &along, nullptr, nullptr, nullptr, nullptr, nullptr,
+                                           nullptr, nullptr, nullptr, operation, error);
+        };
+    }
+    Call lipschitz_call() {
+        return [this](hrbfnpr_operation* operation, hrbfnpr_error* error) {
+            double bound = 0.0;
+            return hrbfnpr_model_lipschitz(model.get(), &bound, operation, error);
+        };
+    }
+    Call contains_call() {
+        return [this](hrbfnpr_operation* operation, hrbfnpr_error* error) {
+            const hrbfnpr_array from = in(points);
+            return hrbfnpr_model_contains(model.get(), &from, nullptr, nullptr, operation, error);
+        };
+    }
     Call patches_call() {
         return [this](hrbfnpr_operation* operation, hrbfnpr_error* error) {
             std::vector<float> corners(36);
@@ -87,6 +108,9 @@ struct Calls {
                 {"evaluate", evaluate_call()},
                 {"project", project_call()},
                 {"curvature", curvature_call()},
+                {"cast rays", cast_call()},
+                {"lipschitz", lipschitz_call()},
+                {"contains", contains_call()},
                 {"step patches", patches_call()}};
     }
 

@@ -19,6 +19,7 @@ INIT(fit_desc);
 INIT(custom_desc);
 INIT(model_info);
 INIT(project_desc);
+INIT(cast_desc);
 INIT(generate_desc);
 INIT(point_set_desc);
 INIT(point_set_info);
@@ -32,10 +33,11 @@ INIT(vertex_layout);
 
 template <class T>
 class StructTest : public testing::Test {};
-using Structs = testing::Types<hrbfnpr_image, hrbfnpr_context_desc, hrbfnpr_context_info, hrbfnpr_fit_desc,
-                               hrbfnpr_custom_desc, hrbfnpr_model_info, hrbfnpr_project_desc, hrbfnpr_generate_desc,
-                               hrbfnpr_point_set_desc, hrbfnpr_point_set_info, hrbfnpr_camera, hrbfnpr_style,
-                               hrbfnpr_item, hrbfnpr_frame_info, hrbfnpr_draw_desc, hrbfnpr_vertex_layout>;
+using Structs =
+    testing::Types<hrbfnpr_image, hrbfnpr_context_desc, hrbfnpr_context_info, hrbfnpr_fit_desc, hrbfnpr_custom_desc,
+                   hrbfnpr_model_info, hrbfnpr_project_desc, hrbfnpr_cast_desc, hrbfnpr_generate_desc,
+                   hrbfnpr_point_set_desc, hrbfnpr_point_set_info, hrbfnpr_camera, hrbfnpr_style, hrbfnpr_item,
+                   hrbfnpr_frame_info, hrbfnpr_draw_desc, hrbfnpr_vertex_layout>;
 TYPED_TEST_SUITE(StructTest, Structs);
 
 // A struct of the future: ours with a tail.

@@ -23,7 +23,10 @@ def test_progress_never_falls():
     assert len(set(seen)) > 3
 
 
-@pytest.mark.parametrize("stage", ["fit", "evaluate", "project", "curvature", "generate", "step_patches"])
+@pytest.mark.parametrize(
+    "stage",
+    ["fit", "evaluate", "project", "curvature", "cast_rays", "lipschitz", "contains", "generate", "step_patches"],
+)
 def test_cancelled_before_it_starts(sphere, stage):
     operation = hrbfnpr.Operation()
     operation.cancel()
@@ -31,6 +34,8 @@ def test_cancelled_before_it_starts(sphere, stage):
     assert operation.cancelled
     calls = {
         "fit": lambda: hrbfnpr.Model.fit(MANY, MANY, solver="direct", operation=operation),
+        "cast_rays": lambda: sphere.cast_rays(MANY, -MANY, operation=operation),
+        "lipschitz": lambda: sphere.lipschitz(operation=operation),
         "generate": lambda: hrbfnpr.PointSet.generate(sphere, operation=operation),
         "step_patches": lambda: hrbfnpr.PointSet.step_patches(sphere, operation=operation),
     }

@@ -43,6 +43,11 @@ def value(points):
 
 ball = hrbfnpr.Model.from_function(value, bounds=((-1, -1, -1), (1, 1, 1)))
 assert abs(ball.evaluate([(0, 3, 0)]).value[0] - 2) < 1e-12
+rays = ball.cast_rays([(0, 3, 0), (0, 0, 3)], [(0, -1, 0), (0, 0, 1)], maximum_hits=2)
+assert rays.t.shape == (2, 2) and rays.position.shape == rays.normal.shape == (2, 2, 3)
+assert abs(rays.t[0, 1] - 4) < 1e-8 and abs(rays.position[0, 0, 1] - 1) < 1e-8 and rays.t[1, 0] == math.inf
+assert list(rays.hits) == [2, 0] and list(ball.contains([(0, 0.9, 0), (0, 1.1, 0)])) == [1, 0]
+assert ball.cast_rays([(0, 3, 0)], [(0, -1, 0)]).position.shape == (1, 3)
 marks = hrbfnpr.PointSet.generate(model, budget=500)
 assert marks.positions("stipple").shape == (len(marks), 3)
 style = hrbfnpr.Style("stipple", tone=lambda positions, normals: [0.0] * len(normals))

@@ -38,9 +38,10 @@ from ._library import ffi as _ffi
 from ._library import lib as _lib
 from ._library import library_path
 from ._model import Model
-from ._model_results import Curvature, Evaluation, ModelInfo, Projection
+from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits
 from ._names import CLASSES
 from ._names import PROJECTION as PROJECTION_STATUS
+from ._names import RAY as RAY_STATUS
 from ._operation import Operation
 from ._point_set import PointSet, StepPatches
 from ._point_set_info import GroupInfo, LevelInfo, PointSetInfo
@@ -50,13 +51,13 @@ from ._style import PRESETS, GroupStyle, Style
 __version__: str = _ffi.string(_lib.hrbfnpr_version_string()).decode()
 
 __all__ = [
-    "CLASSES", "PRESETS", "PROJECTION_STATUS", "BufferTooSmallError", "CallbackError", "Camera",
-    "CancelledError", "Context", "ContextInfo", "CorruptDataError", "Curvature", "Drawing", "Error",
-    "Evaluation", "FrameInfo", "GroupInfo", "GroupStyle", "InternalError", "InvalidArgumentError",
-    "Item", "LevelInfo", "Model", "ModelInfo", "NotConvergedError", "Operation", "OutOfMemoryError",
-    "PointSet", "PointSetInfo", "Projection", "Renderer", "SingularSystemError", "StepPatches",
-    "StreamError", "Style", "UnsupportedStructError", "VersionMismatchError", "build_info",
-    "default_context", "library_path", "set_default_context",
+    "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "BufferTooSmallError", "CallbackError",
+    "Camera", "CancelledError", "Context", "ContextInfo", "CorruptDataError", "Curvature", "Drawing",
+    "Error", "Evaluation", "FrameInfo", "GroupInfo", "GroupStyle", "InternalError",
+    "InvalidArgumentError", "Item", "LevelInfo", "Model", "ModelInfo", "NotConvergedError",
+    "Operation", "OutOfMemoryError", "PointSet", "PointSetInfo", "Projection", "RayHits", "Renderer",
+    "SingularSystemError", "StepPatches", "StreamError", "Style", "UnsupportedStructError",
+    "VersionMismatchError", "build_info", "default_context", "library_path", "set_default_context",
 ]  # fmt: skip
 
 

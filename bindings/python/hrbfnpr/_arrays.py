@@ -159,6 +159,15 @@ def new_array(shape: Sequence[int], code: str) -> Array:
     return data.cast(code, shape=list(shape)) if shape else data.cast(code)
 
 
+def reshaped(data: Array, shape: Sequence[int]) -> Array:
+    """A new array of the library's in another shape of as many elements; nothing is copied."""
+    if np is not None:
+        return data.reshape(tuple(shape))
+    if _product(shape) == 0 or not shape:
+        return data
+    return data.cast("B").cast(data.format, shape=list(shape))
+
+
 def block_out(argument: str, value: Any, shape: Sequence[int], components: int, codes: str) -> Block:
     """Caller's array to write to: it must have just this shape and one of these types."""
     if np is not None and isinstance(value, np.ndarray):

@@ -11,10 +11,11 @@ from ._errors import new_error, new_struct
 from ._function import FunctionState, on_evaluate, on_release
 from ._handles import Owner, own
 from ._library import ffi, lib
-from ._model_results import Curvature, Evaluation, ModelInfo, Projection, Vector
+from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits, Vector
 from ._names import KERNELS, REPAIRS, SOLVER_REASONS, SOLVERS, name_of, number_of
 from ._numpy import np
 from ._operation import Operation, Progress, running
+from ._rays import HitArrays, pairs
 from ._structs import read_struct
 
 Function = Callable[[Array], Any]
@@ -316,6 +317,95 @@ class Model(Owner):
         k1, k2, d1, d2, confidence = arrays
         one = block.shape
         return Curvature(_scalar(k1, one), _scalar(k2, one), d1, d2, _scalar(confidence, one))
+
+    def cast_rays(
+        self,
+        origins: Array,
+        directions: Array,
+        *,
+        maximum_hits: Optional[int] = None,
+        t_min: float = 0.0,
+        t_max: float = float("inf"),
+        lipschitz: float = 0.0,
+        smallest_step: float = 1e-4,
+        tolerance: float = 1e-9,
+        iteration_limit: int = 20000,
+        dtype: str = "float64",
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+    ) -> RayHits:
+        """Where rays origin + t direction meet the surface [Hart 1996, "Sphere tracing"].
+
+        Parameters
+        ----------
+        origins, directions : array of float, shape (..., 3)
+            A direction may have any length but zero; rays may start inside.  One origin, or one
+            direction, serves all rays.
+        maximum_hits : int, optional
+            Find up to so many hits of each ray, 1 to 256; None finds the first.
+        t_min, t_max : float
+            Where rays begin and end, in lengths of the direction.  To leave a surface that a ray
+            starts on, begin behind it.
+        lipschitz : float
+            Bound on the length of grad f in the bounds grown by 0.05 diagonals, beyond which no
+            surface is looked for; 0 = `lipschitz()` at each call.
+        smallest_step : float
+            In diagonals, at most 0.1.  What is met for a shorter length than this may be missed:
+            grazing rays, and thinner sheets.
+        tolerance : float
+            On the place of a hit along the ray, in diagonals.
+        iteration_limit : int
+        dtype : {"float64", "float32"}
+
+        Returns
+        -------
+        RayHits
+            hits (...): how many; t (...), position (..., 3), normal (..., 3) and entering (...), 1
+            where f goes from + to -; status (...), and the number of rays that hit.  With
+            maximum_hits they have an axis for the hits, in order: t (..., h), position (..., h, 3).
+            Where there is no hit t is infinite and the rest 0.
+        """
+        start, along = pairs(origins, directions)
+        room = 1 if maximum_hits is None else maximum_hits
+        desc = new_struct("hrbfnpr_cast_desc")
+        desc.maximum_hits, desc.iteration_limit = room, iteration_limit
+        desc.t_min, desc.t_max, desc.lipschitz = t_min, t_max, lipschitz
+        desc.smallest_step, desc.tolerance = smallest_step, tolerance
+        made = HitArrays(start.count, max(room, 0), _float_code(dtype))
+        hit_rays, error = ffi.new("int64_t *"), new_error()
+        with running(operation, progress, self._context) as (handle, state):
+            status = lib.hrbfnpr_model_cast_rays(
+                self._handle, start.view(), along.view(), desc, *made.views, hit_rays, handle, error
+            )
+            self._check(status, error, state)
+        each = start.shape if maximum_hits is None else (*start.shape, room)
+        return RayHits(**made.shaped(start.shape, each), hit_rays=hit_rays[0])
+
+    def lipschitz(self, *, progress: Optional[Progress] = None, operation: Optional[Operation] = None) -> float:
+        """The bound that `cast_rays` takes: the largest length of grad f at 24^3 points, times 1.5.
+
+        An estimate, and no proof.  Pass it to `cast_rays` if you cast few rays at a time: otherwise
+        each call evaluates those points.
+        """
+        bound, error = ffi.new("double *"), new_error()
+        with running(operation, progress, self._context) as (handle, state):
+            self._check(lib.hrbfnpr_model_lipschitz(self._handle, bound, handle, error), error, state)
+        return float(bound[0])
+
+    def contains(
+        self, points: Array, *, progress: Optional[Progress] = None, operation: Optional[Operation] = None
+    ) -> Array:
+        """Which points, of shape (..., 3), lie inside the surface; of shape (...), bool (without NumPy: 0 or 1).
+
+        That is, where f < 0, and in the bounds grown by 0.05 diagonals on every side.
+        """
+        block = block_in("points", points)
+        inside, inside_out = output("inside", None, block.shape, 1, "B")
+        error = new_error()
+        with running(operation, progress, self._context) as (handle, state):
+            status = lib.hrbfnpr_model_contains(self._handle, block.view(), inside_out, ffi.NULL, handle, error)
+            self._check(status, error, state)
+        return _scalar(inside if np is None else inside.view(bool), block.shape)
 
     @property
     def info(self) -> ModelInfo:

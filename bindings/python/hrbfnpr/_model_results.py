@@ -135,3 +135,19 @@ class Curvature(NamedTuple):
     d1: Array
     d2: Array
     confidence: Array
+
+
+class RayHits(NamedTuple):
+    """Result of `Model.cast_rays`.
+
+    `hits` is how many were found on a ray; `status` is 0 on one that is hit, 1 on one that is not; see
+    `RAY_STATUS` for the other numbers.
+    """
+
+    hits: Array
+    t: Array
+    position: Array
+    normal: Array
+    entering: Array
+    status: Array
+    hit_rays: int

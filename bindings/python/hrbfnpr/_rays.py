@@ -1,0 +1,58 @@
+"""Arrays of rays: pairs of origins and directions in, the hits of each ray out."""
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, Dict, List, Tuple
+
+from ._arrays import Array, Block, block_in, output, reshaped
+from ._numpy import np
+
+# Of the function's outputs, in its order: numbers for a hit (0: one for the ray), type ("": the caller's).
+_OUTPUTS = {
+    "hits": (0, "I"),
+    "t": (1, ""),
+    "position": (3, ""),
+    "normal": (3, ""),
+    "entering": (1, "B"),
+    "status": (0, "B"),
+}
+
+
+def _repeated(argument: str, block: Block, like: Block) -> Block:
+    rows = np.broadcast_to(block.keep, (like.count, 3))
+    return replace(block_in(argument, rows, 3, block.code), shape=like.shape)
+
+
+def pairs(origins: Array, directions: Array) -> Tuple[Block, Block]:
+    """Origins and directions of one shape; a single one of either serves all rays."""
+    start, along = block_in("origins", origins), block_in("directions", directions)
+    if start.shape == along.shape:
+        return start, along
+    if np is not None and start.shape == ():
+        return _repeated("origins", start, along), along
+    if np is not None and along.shape == ():
+        return start, _repeated("directions", along, start)
+    raise ValueError(
+        f"directions must have the shape of origins, {(*start.shape, 3)}, or one of them (3,), not {(*along.shape, 3)}"
+    )
+
+
+class HitArrays:
+    """The outputs for `count` rays with room for some hits of each."""
+
+    def __init__(self, count: int, room: int, code: str) -> None:
+        self._arrays: Dict[str, Array] = {}
+        self.views: List[Any] = []
+        for name, (size, kind) in _OUTPUTS.items():
+            array, view = output(name, None, (count,), max(1, size * room), kind or code)
+            self._arrays[name] = array
+            self.views.append(view)
+
+    def shaped(self, rays: Tuple[int, ...], hits: Tuple[int, ...]) -> Dict[str, Array]:
+        """By name: of shape `rays` what a ray has one of, of shape `hits` what each hit has."""
+        result = {}
+        for name, (size, _) in _OUTPUTS.items():
+            shape = rays if size == 0 else hits if size == 1 else (*hits, size)
+            array = reshaped(self._arrays[name], shape)
+            result[name] = array[()] if np is not None and shape == () else array
+        return result

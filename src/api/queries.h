@@ -1,0 +1,81 @@
+// A caller's points or vectors to ask a model about, checked once and read in blocks, so that the
+// scratch of a call of any size stays small.
+#pragma once
+
+#include "api/barrier.h"
+#include "api/views.h"
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "base/status.h"
+#include "geometry/vec_array.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::api {
+
+inline constexpr std::int64_t copy_grain = 4096;
+
+class Queries {
+public:
+    // name: the argument's in messages; lives as long as this.
+    Queries(const base::Runtime& runtime, const hrbfnpr_array* array, const char* name)
+        : runtime_(runtime), view_(in_view(deref(array, name), name, points_type)), name_(name) {}
+
+    [[nodiscard]] std::int64_t count() const noexcept { return view_.count; }
+
+    // After all arguments are known to be right; takes a pass over the points.
+    void check_finite() const {
+        check([&](std::int64_t i) {
+            for (std::uint32_t axis = 0; axis < 3; ++axis)
+                if (!std::isfinite(view_.get(i, axis)))
+                    fail(Status::invalid_argument, "%s[%lld] is NaN or infinite; all %s must be finite", name_,
+                         static_cast<long long>(i), name_);
+        });
+    }
+    void check_not_zero() const {
+        check([&](std::int64_t i) {
+            if (view_.get(i, 0) == 0.0 && view_.get(i, 1) == 0.0 && view_.get(i, 2) == 0.0)
+                fail(Status::invalid_argument, "%s[%lld] is zero; all %s must have a length", name_,
+                     static_cast<long long>(i), name_);
+        });
+    }
+
+    void read(std::int64_t begin, std::int64_t end, geometry::VecArray& block) const {
+        block.resize(end - begin);
+        runtime_.parallel.for_chunks(end - begin, copy_grain, [&](std::int64_t from, std::int64_t to) {
+            for (std::int64_t i = from; i < to; ++i)
+                block.set(i, {view_.get(begin + i, 0), view_.get(begin + i, 1), view_.get(begin + i, 2)});
+        });
+    }
+
+private:
+    template <class F>
+    void check(F&& look_at) const {
+        runtime_.parallel.for_chunks(view_.count, copy_grain, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t i = begin; i < end; ++i) look_at(i);
+        });
+    }
+
+    const base::Runtime& runtime_;
+    base::InView view_;
+    const char* name_;
+};
+
+// work(begin, end, progress) for each block of [0, count).
+template <class F>
+void for_blocks(std::int64_t count, std::int64_t block_size, const base::Progress& progress, F&& work) {
+    const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(count); };
+    for (std::int64_t begin = 0; begin < count; begin += block_size) {
+        const std::int64_t end = std::min(count, begin + block_size);
+        work(begin, end, progress.part(share(begin), share(end)));
+    }
+}
+
+inline void set_vector(const base::OutView& out, std::int64_t i, const glm::dvec3& v,
+                       std::uint32_t first_component = 0) noexcept {
+    for (std::uint32_t axis = 0; axis < 3; ++axis)
+        out.set(i, first_component + axis, v[static_cast<glm::length_t>(axis)]);
+}
+
+} // namespace hrbfnpr::api

@@ -1,0 +1,188 @@
+// Rays cast on a model, and which points lie inside it.
+#include "api/barrier.h"
+#include "api/checks.h"
+#include "api/descriptor.h"
+#include "api/model.h"
+#include "api/operation.h"
+#include "api/queries.h"
+#include "surface/cast_rays.h"
+#include "surface/region.h"
+
+using namespace hrbfnpr;
+
+static_assert(static_cast<int>(surface::RayStatus::hit) == HRBFNPR_RAY_HIT);
+static_assert(static_cast<int>(surface::RayStatus::miss) == HRBFNPR_RAY_MISS);
+static_assert(static_cast<int>(surface::RayStatus::truncated) == HRBFNPR_RAY_TRUNCATED);
+static_assert(static_cast<int>(surface::RayStatus::iteration_limit) == HRBFNPR_RAY_ITERATION_LIMIT);
+static_assert(static_cast<int>(surface::RayStatus::not_finite) == HRBFNPR_RAY_NOT_FINITE);
+
+namespace hrbfnpr::api {
+
+template <>
+hrbfnpr_cast_desc defaults() noexcept {
+    const surface::RaySettings settings;
+    hrbfnpr_cast_desc desc{};
+    desc.maximum_hits = settings.maximum_hits;
+    desc.iteration_limit = settings.iteration_limit;
+    desc.t_min = settings.t_min;
+    desc.t_max = settings.t_max;
+    desc.lipschitz = settings.lipschitz;
+    desc.smallest_step = settings.smallest_step;
+    desc.tolerance = settings.tolerance;
+    return desc;
+}
+
+namespace {
+
+constexpr std::int64_t block_size = 65536; // of points, or of places for hits
+constexpr std::int32_t most_hits = 256;
+
+surface::RaySettings checked(const hrbfnpr_cast_desc& desc) {
+    const Checks checks("cast_desc");
+    checks.between("maximum_hits", desc.maximum_hits, 1, most_hits);
+    checks.between("iteration_limit", desc.iteration_limit, 1, 1000000);
+    checks.zero("reserved", desc.reserved);
+    checks.finite("t_min", desc.t_min);
+    if (!(desc.t_max >= desc.t_min))
+        fail(Status::invalid_argument, "cast_desc.t_max is %g; it must be a number not below t_min, which is %g",
+             desc.t_max, desc.t_min);
+    checks.at_least("lipschitz", desc.lipschitz, 0.0);
+    checks.positive("smallest_step", desc.smallest_step);
+    checks.between("smallest_step", desc.smallest_step, 0.0, 0.1);
+    checks.positive("tolerance", desc.tolerance);
+    return {desc.maximum_hits, desc.iteration_limit, desc.t_min,    desc.t_max,
+            desc.lipschitz,    desc.smallest_step,   desc.tolerance};
+}
+
+struct RayOutputs {
+    base::OutView hits, t, position, normal, entering, status;
+};
+
+// Ray i of the block is ray first + i of the outputs.
+void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maximum_hits, const RayOutputs& out,
+               std::int64_t first) noexcept {
+    if (out.hits) out.hits.set(first + i, 0, static_cast<double>(block.count[i]));
+    if (out.status) out.status.set(first + i, 0, static_cast<double>(block.status[i]));
+    for (std::int64_t h = 0; h < maximum_hits; ++h) {
+        const std::int64_t at = i * maximum_hits + h;
+        const auto component = static_cast<std::uint32_t>(h);
+        if (out.t) out.t.set(first + i, component, block.t[at]);
+        if (out.position) set_vector(out.position, first + i, block.position[at], 3 * component);
+        if (out.normal) set_vector(out.normal, first + i, block.normal[at], 3 * component);
+        if (out.entering) out.entering.set(first + i, component, static_cast<double>(block.entering[at]));
+    }
+}
+
+// Returns how many rays have a hit.
+std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const Queries& directions,
+                       surface::RaySettings settings, const RayOutputs& out, const base::Progress& progress) {
+    const base::Runtime& runtime = model.runtime();
+    const bool estimate = settings.lipschitz == 0.0 && origins.count() > 0;
+    if (estimate) settings.lipschitz = surface::lipschitz_estimate(runtime, model.implicit(), progress.part(0.0, 0.1));
+    surface::Rays rays(runtime.memory);
+    surface::RayHits block(runtime.memory);
+    std::int64_t hit_rays = 0;
+    for_blocks(origins.count(), block_size / settings.maximum_hits, progress.part(estimate ? 0.1 : 0.0, 1.0),
+               [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+                   origins.read(begin, end, rays.origin);
+                   directions.read(begin, end, rays.direction);
+                   surface::cast_rays(runtime, model.implicit(), settings, rays, block, part);
+                   for (std::int64_t i = 0; i < end - begin; ++i) {
+                       write_ray(block, i, settings.maximum_hits, out, begin);
+                       hit_rays += block.count[i] > 0 ? 1 : 0;
+                   }
+               });
+    return hit_rays;
+}
+
+// Returns how many points are inside.
+std::int64_t contains(const hrbfnpr_model& model, const Queries& queries, const base::OutView& out,
+                      const base::Progress& progress) {
+    geometry::VecArray points(model.runtime().memory);
+    base::Array<std::uint8_t> block(model.runtime().memory);
+    std::int64_t inside = 0;
+    for_blocks(queries.count(), block_size, progress,
+               [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+                   queries.read(begin, end, points);
+                   surface::contains(model.runtime(), model.implicit(), points, block, part);
+                   for (std::int64_t i = 0; i < end - begin; ++i) {
+                       if (out) out.set(begin + i, 0, static_cast<double>(block[i]));
+                       inside += block[i];
+                   }
+               });
+    return inside;
+}
+
+void check_one_for_each(const Queries& origins, const Queries& directions) {
+    if (directions.count() != origins.count())
+        fail(Status::invalid_argument, "directions has %lld elements and origins has %lld; give one for each",
+             static_cast<long long>(directions.count()), static_cast<long long>(origins.count()));
+}
+
+} // namespace
+} // namespace hrbfnpr::api
+
+extern "C" {
+
+hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
+                                       const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc,
+                                       const hrbfnpr_array_out* hits, const hrbfnpr_array_out* t,
+                                       const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal,
+                                       const hrbfnpr_array_out* entering, const hrbfnpr_array_out* status,
+                                       int64_t* hit_rays, hrbfnpr_operation* operation, hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(model, "model");
+        const surface::RaySettings settings = api::checked(api::read_optional_struct(desc, "cast_desc"));
+        const api::Queries from(handle.runtime(), origins, "origins");
+        const api::Queries along(handle.runtime(), directions, "directions");
+        api::check_one_for_each(from, along);
+        const std::int64_t count = from.count();
+        const auto room = static_cast<std::uint32_t>(settings.maximum_hits);
+        const api::RayOutputs out{api::out_view(hits, "hits", {1, api::uint32_only}, count),
+                                  api::out_view(t, "t", {room, api::float_types}, count),
+                                  api::out_view(position, "position", {3 * room, api::float_types}, count),
+                                  api::out_view(normal, "normal", {3 * room, api::float_types}, count),
+                                  api::out_view(entering, "entering", {room, api::uint8_only}, count),
+                                  api::out_view(status, "status", {1, api::uint8_or_uint32}, count)};
+        from.check_finite();
+        along.check_finite();
+        along.check_not_zero();
+        const api::OperationUse use(operation);
+        const std::int64_t met = api::cast_rays(handle, from, along, settings, out, use.progress());
+        use.finish();
+        if (hit_rays != nullptr) *hit_rays = met;
+    });
+}
+
+hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipschitz, hrbfnpr_operation* operation,
+                                       hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(model, "model");
+        api::require_pointer(lipschitz, "lipschitz");
+        const api::OperationUse use(operation);
+        const double estimate = surface::lipschitz_estimate(handle.runtime(), handle.implicit(), use.progress());
+        use.finish();
+        *lipschitz = estimate;
+    });
+}
+
+hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, const hrbfnpr_array* points,
+                                      const hrbfnpr_array_out* inside, int64_t* inside_count,
+                                      hrbfnpr_operation* operation, hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(model, "model");
+        const api::Queries queries(handle.runtime(), points, "points");
+        const base::OutView out = api::out_view(inside, "inside", {1, api::uint8_only}, queries.count());
+        queries.check_finite();
+        const api::OperationUse use(operation);
+        const std::int64_t found = api::contains(handle, queries, out, use.progress());
+        use.finish();
+        if (inside_count != nullptr) *inside_count = found;
+    });
+}
+
+} // extern "C"

@@ -1,0 +1,298 @@
+#include "surface/cast_rays.h"
+
+#include "surface/region.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+
+namespace hrbfnpr::surface {
+namespace {
+
+constexpr std::int64_t batch_size = implicit::batch_size;
+constexpr auto lanes = static_cast<std::size_t>(batch_size);
+using Column = std::array<double, lanes>;
+
+// What a step may change f by, beyond L times its length, for rounding.
+constexpr double slack = 1.0 + 1e-9;
+
+// A ray inside the search region.  s is the distance from where the search begins.
+//
+// Marching: there is no root within |f| / L of a place, so that is the step [Hart 1996], but not
+// less than a smallest one, so that the march ends.  A longer step that changes f by more than L
+// times its length shows that L is too small there: it is taken back, and L raised for that ray.
+// So a change of sign is met in smallest steps only, if L held; its ends bracket a root.
+//
+// Refining: Newton along the ray from the secant's root; a step that leaves the bracket, or does
+// not halve the one before, is replaced by bisection.
+struct Ray {
+    enum class Phase : std::uint8_t { march, refine, done };
+
+    glm::dvec3 start{0.0};     // where the search begins
+    glm::dvec3 direction{0.0}; // unit
+    double length = 1.0;       // of the caller's direction
+    double offset = 0.0;       // of start from the caller's origin
+    double end = 0.0;          // s of where the search ends
+    double lipschitz = 0.0;
+    double at = 0.0;    // s up to which there is nothing more to find
+    double value = 0.0; // f there
+    double trial = 0.0; // s to evaluate next
+    double low = 0.0;   // the bracket of a root, and the last change of s in it
+    double high = 0.0;
+    double change = 0.0;
+    double behind = 0.0; // s and f of the bracket's far end as it was found: the march goes on there
+    double behind_value = 0.0;
+    std::int32_t evaluations = 0;
+    std::int32_t hits = 0;
+    bool inside = false; // f < 0 at `at`
+    Phase phase = Phase::march;
+};
+
+// Clips [from, to] along the unit direction to the region.  Returns whether anything is left.
+bool clip(const geometry::Bounds& region, const glm::dvec3& origin, const glm::dvec3& direction, double& from,
+          double& to) noexcept {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = region.min[axis] - origin[axis];
+        const double high = region.max[axis] - origin[axis];
+        if (direction[axis] == 0.0) {
+            if (!(low <= 0.0 && high >= 0.0)) return false;
+            continue;
+        }
+        const double a = low / direction[axis];
+        const double b = high / direction[axis];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+    return from <= to && std::isfinite(from);
+}
+
+class Batch {
+public:
+    Batch(const implicit::Implicit& implicit, const RaySettings& settings, double lipschitz, RayHits& hits) noexcept
+        : implicit_(implicit), settings_(settings), hits_(hits), region_(search_region(implicit)),
+          lipschitz_(lipschitz), smallest_step_(settings.smallest_step * implicit.diagonal()),
+          tolerance_(settings.tolerance * implicit.diagonal()) {}
+
+    void run(const Rays& rays, std::int64_t begin, std::int64_t end, const base::Progress& progress);
+
+private:
+    [[nodiscard]] Ray start(const glm::dvec3& origin, const glm::dvec3& direction) const noexcept;
+    void pack(Ray::Phase phase) noexcept;
+    void advance(Ray::Phase phase, const base::Progress& progress);
+    void take_step(std::size_t i, double f) noexcept;
+    void go_on(std::size_t i, double at, double f) noexcept;
+    void bracket(std::size_t i, double f) noexcept;
+    void take_root(std::size_t i, double f, const glm::dvec3& g) noexcept;
+    void hit(std::size_t i, double s, const glm::dvec3& g) noexcept;
+    void end_with(std::size_t i, RayStatus status) noexcept;
+    [[nodiscard]] bool counted(std::size_t i, bool finite) noexcept;
+
+    const implicit::Implicit& implicit_;
+    const RaySettings& settings_;
+    RayHits& hits_;
+    geometry::Bounds region_;
+    double lipschitz_;
+    double smallest_step_;
+    double tolerance_;
+    std::int64_t begin_ = 0;
+
+    std::array<Ray, lanes> rays_;
+    // The rays that go on, and those of them that are evaluated now, packed.
+    std::array<std::size_t, lanes> active_, packed_;
+    std::size_t active_count_ = 0, packed_count_ = 0;
+    Column x_, y_, z_, f_, gx_, gy_, gz_;
+};
+
+Ray Batch::start(const glm::dvec3& origin, const glm::dvec3& direction) const noexcept {
+    Ray ray;
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    const glm::dvec3 scaled = direction / largest; // its square neither overflows nor vanishes
+    ray.length = largest * glm::length(scaled);
+    ray.direction = scaled / glm::length(scaled);
+    const double last = settings_.t_max * ray.length;
+    double from = 0.0;
+    double to = last;
+    ray.offset = settings_.t_min * ray.length;
+    bool meets = clip(region_, origin, ray.direction, ray.offset, to);
+    // From a far origin, rounding must not carry the ray to where f need not be defined: clip it again from here.
+    ray.start = glm::clamp(origin + ray.offset * ray.direction, region_.min, region_.max);
+    ray.end = last - ray.offset;
+    meets = meets && clip(region_, ray.start, ray.direction, from, ray.end);
+    ray.phase = meets ? Ray::Phase::march : Ray::Phase::done;
+    ray.lipschitz = lipschitz_;
+    return ray;
+}
+
+void Batch::end_with(std::size_t i, RayStatus status) noexcept {
+    rays_[i].phase = Ray::Phase::done;
+    hits_.count[begin_ + static_cast<std::int64_t>(i)] = rays_[i].hits;
+    hits_.status[begin_ + static_cast<std::int64_t>(i)] = status;
+}
+
+// Counts an evaluation.  Returns whether its result can be used.
+bool Batch::counted(std::size_t i, bool finite) noexcept {
+    ++rays_[i].evaluations;
+    if (!finite) end_with(i, RayStatus::not_finite);
+    return finite;
+}
+
+void Batch::take_step(std::size_t i, double f) noexcept {
+    Ray& ray = rays_[i];
+    if (!counted(i, std::isfinite(f))) return;
+    if (ray.evaluations == 1) {
+        ray.inside = f < 0.0;
+        return go_on(i, 0.0, f);
+    }
+    const double step = ray.trial - ray.at;
+    const double slope = std::abs(f - ray.value) / step;
+    if (step > smallest_step_ * slack && slope > ray.lipschitz * slack) {
+        ray.lipschitz = std::max(2.0 * ray.lipschitz, 1.5 * slope);
+        return go_on(i, ray.at, ray.value);
+    }
+    if ((f < 0.0) != ray.inside) return bracket(i, f);
+    go_on(i, ray.trial, f);
+}
+
+// Nothing (more) is to be found up to `at`, where f is known: chooses the next step.
+void Batch::go_on(std::size_t i, double at, double f) noexcept {
+    Ray& ray = rays_[i];
+    ray.at = at;
+    ray.value = f;
+    if (at >= ray.end) return end_with(i, ray.hits > 0 ? RayStatus::hit : RayStatus::miss);
+    if (ray.evaluations >= settings_.iteration_limit) return end_with(i, RayStatus::iteration_limit);
+    const double step = std::max(smallest_step_, std::abs(f) / ray.lipschitz);
+    ray.trial = std::min(ray.end, at + step);
+    ray.phase = Ray::Phase::march;
+}
+
+// f changes its sign between `at` and the trial.
+void Batch::bracket(std::size_t i, double f) noexcept {
+    Ray& ray = rays_[i];
+    if (ray.hits == settings_.maximum_hits) return end_with(i, RayStatus::truncated);
+    if (ray.evaluations >= settings_.iteration_limit) return end_with(i, RayStatus::iteration_limit);
+    ray.low = ray.at;
+    ray.high = ray.behind = ray.trial;
+    ray.behind_value = f;
+    ray.change = ray.high - ray.low;
+    ray.trial = ray.low + ray.change * (ray.value / (ray.value - f));
+    ray.phase = Ray::Phase::refine;
+}
+
+void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) noexcept {
+    Ray& ray = rays_[i];
+    const double slope = glm::dot(g, ray.direction);
+    if (!counted(i, std::isfinite(f) && std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z))) return;
+    ((f < 0.0) == ray.inside ? ray.low : ray.high) = ray.trial;
+    const double newton = ray.trial - f / slope; // NaN or infinite where there is no slope
+    const bool within = newton >= ray.low && newton <= ray.high;
+    const double change = std::abs(newton - ray.trial);
+    if (within && change <= tolerance_) return hit(i, newton, g);
+    const double middle = 0.5 * (ray.low + ray.high);
+    const double next = within && change <= 0.5 * ray.change ? newton : middle;
+    if (ray.high - ray.low <= tolerance_ || next == ray.trial) return hit(i, ray.trial, g);
+    if (ray.evaluations >= settings_.iteration_limit) return end_with(i, RayStatus::iteration_limit);
+    ray.change = std::abs(next - ray.trial);
+    ray.trial = next;
+}
+
+void Batch::hit(std::size_t i, double s, const glm::dvec3& g) noexcept {
+    Ray& ray = rays_[i];
+    const std::int64_t at = (begin_ + static_cast<std::int64_t>(i)) * settings_.maximum_hits + ray.hits++;
+    const double slope = glm::length(g);
+    hits_.t[at] = std::clamp((ray.offset + s) / ray.length, settings_.t_min, settings_.t_max);
+    hits_.position.set(at, ray.start + s * ray.direction);
+    hits_.normal.set(at, std::isfinite(slope) && slope > 0.0 ? g / slope : glm::dvec3(0.0));
+    hits_.entering[at] = ray.inside ? 0 : 1;
+    ray.inside = !ray.inside;
+    if (settings_.maximum_hits == 1) return end_with(i, RayStatus::hit);
+    go_on(i, ray.behind, ray.behind_value);
+}
+
+// Picks the active rays of a phase, and their trials.
+void Batch::pack(Ray::Phase phase) noexcept {
+    packed_count_ = 0;
+    for (std::size_t k = 0; k < active_count_; ++k) {
+        const std::size_t i = active_[k];
+        const Ray& ray = rays_[i];
+        if (ray.phase != phase) continue;
+        const glm::dvec3 p = ray.start + ray.trial * ray.direction;
+        x_[packed_count_] = p.x;
+        y_[packed_count_] = p.y;
+        z_[packed_count_] = p.z;
+        packed_[packed_count_++] = i;
+    }
+}
+
+// Evaluates f, or f and its gradient, for all rays of a phase.
+void Batch::advance(Ray::Phase phase, const base::Progress& progress) {
+    pack(phase);
+    if (packed_count_ == 0) return;
+    progress.check();
+    const bool march = phase == Ray::Phase::march;
+    implicit::FieldBatch fields;
+    fields.value = f_.data();
+    if (!march) fields.gradient = {gx_.data(), gy_.data(), gz_.data()};
+    implicit_.evaluate({x_.data(), y_.data(), z_.data(), static_cast<std::int64_t>(packed_count_)}, fields);
+    for (std::size_t k = 0; k < packed_count_; ++k) {
+        if (march)
+            take_step(packed_[k], f_[k]);
+        else
+            take_root(packed_[k], f_[k], {gx_[k], gy_[k], gz_[k]});
+    }
+}
+
+void Batch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const base::Progress& progress) {
+    begin_ = begin;
+    active_count_ = 0;
+    const std::int64_t hits = settings_.maximum_hits;
+    for (std::int64_t at = begin * hits; at < end * hits; ++at) {
+        hits_.t[at] = std::numeric_limits<double>::infinity();
+        hits_.position.set(at, glm::dvec3(0.0));
+        hits_.normal.set(at, glm::dvec3(0.0));
+        hits_.entering[at] = 0;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(end - begin); ++i) {
+        const std::int64_t at = begin + static_cast<std::int64_t>(i);
+        rays_[i] = start(rays.origin[at], rays.direction[at]);
+        if (rays_[i].phase == Ray::Phase::done)
+            end_with(i, RayStatus::miss); // outside the region
+        else
+            active_[active_count_++] = i;
+    }
+    while (active_count_ > 0) {
+        advance(Ray::Phase::march, progress);
+        advance(Ray::Phase::refine, progress);
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < active_count_; ++k)
+            if (rays_[active_[k]].phase != Ray::Phase::done) active_[kept++] = active_[k];
+        active_count_ = kept;
+    }
+}
+
+} // namespace
+
+void cast_rays(const base::Runtime& runtime, const implicit::Implicit& implicit, const RaySettings& settings,
+               const Rays& rays, RayHits& hits, const base::Progress& progress) {
+    const std::int64_t count = rays.origin.size();
+    hits.t.resize(count * settings.maximum_hits);
+    hits.position.resize(count * settings.maximum_hits);
+    hits.normal.resize(count * settings.maximum_hits);
+    hits.entering.resize(count * settings.maximum_hits);
+    hits.count.resize(count);
+    hits.status.resize(count);
+    if (count == 0) return;
+    const bool estimate = !(settings.lipschitz > 0.0);
+    const double lipschitz =
+        estimate ? lipschitz_estimate(runtime, implicit, progress.part(0.0, 0.1)) : settings.lipschitz;
+    const base::Progress casting = progress.part(estimate ? 0.1 : 0.0, 1.0);
+    std::atomic<std::int64_t> done{0};
+    implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
+        Batch batch(implicit, settings, lipschitz, hits);
+        batch.run(rays, begin, end, casting);
+        const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
+        casting.update(static_cast<double>(now) / static_cast<double>(count));
+    });
+}
+
+} // namespace hrbfnpr::surface

@@ -1,0 +1,107 @@
+#include "surface/region.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::surface {
+namespace {
+
+constexpr std::int64_t batch_size = implicit::batch_size;
+using Column = std::array<double, static_cast<std::size_t>(batch_size)>;
+
+constexpr std::int64_t grid_side = 24;
+constexpr std::int64_t grid_size = grid_side * grid_side * grid_side;
+constexpr double safety = 1.5;
+
+// Node i of the grid, whose outermost nodes lie on the faces of the region.
+glm::dvec3 grid_node(const geometry::Bounds& region, std::int64_t i) noexcept {
+    const glm::dvec3 step(static_cast<double>(i % grid_side), static_cast<double>(i / grid_side % grid_side),
+                          static_cast<double>(i / (grid_side * grid_side)));
+    return region.min + step / static_cast<double>(grid_side - 1) * region.size();
+}
+
+// The largest finite |grad f| of the nodes [begin, end), at most a batch.
+double steepest(const implicit::Implicit& implicit, const geometry::Bounds& region, std::int64_t begin,
+                std::int64_t end) {
+    Column x, y, z, gx, gy, gz;
+    for (std::int64_t i = begin; i < end; ++i) {
+        const auto lane = static_cast<std::size_t>(i - begin);
+        const glm::dvec3 p = grid_node(region, i);
+        x[lane] = p.x;
+        y[lane] = p.y;
+        z[lane] = p.z;
+    }
+    implicit::FieldBatch fields;
+    fields.gradient = {gx.data(), gy.data(), gz.data()};
+    implicit.evaluate({x.data(), y.data(), z.data(), end - begin}, fields);
+    double most = 0.0;
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(end - begin); ++lane) {
+        const double slope = glm::length(glm::dvec3(gx[lane], gy[lane], gz[lane]));
+        if (std::isfinite(slope)) most = std::max(most, slope);
+    }
+    return most;
+}
+
+// Writes the answers for the points [begin, end), at most a batch.
+void contains_batch(const implicit::Implicit& implicit, const geometry::Bounds& region,
+                    const geometry::VecArray& points, base::Array<std::uint8_t>& inside, std::int64_t begin,
+                    std::int64_t end) {
+    Column x, y, z, f;
+    std::array<std::int64_t, static_cast<std::size_t>(batch_size)> which;
+    std::size_t count = 0;
+    for (std::int64_t i = begin; i < end; ++i) {
+        const glm::dvec3 p = points[i];
+        inside[i] = 0;
+        if (!region.contains(p)) continue;
+        x[count] = p.x;
+        y[count] = p.y;
+        z[count] = p.z;
+        which[count++] = i;
+    }
+    if (count == 0) return;
+    implicit::FieldBatch fields;
+    fields.value = f.data();
+    implicit.evaluate({x.data(), y.data(), z.data(), static_cast<std::int64_t>(count)}, fields);
+    for (std::size_t lane = 0; lane < count; ++lane) inside[which[lane]] = f[lane] < 0.0 ? 1 : 0;
+}
+
+} // namespace
+
+geometry::Bounds search_region(const implicit::Implicit& implicit) noexcept {
+    return implicit.bounds().grown(region_margin * implicit.diagonal());
+}
+
+double lipschitz_estimate(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                          const base::Progress& progress) {
+    constexpr std::int64_t chunks = (grid_size + batch_size - 1) / batch_size;
+    const geometry::Bounds region = search_region(implicit);
+    std::array<double, static_cast<std::size_t>(chunks)> most{};
+    std::atomic<std::int64_t> done{0};
+    implicit.threads(runtime.parallel).for_chunks(grid_size, batch_size, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        most[static_cast<std::size_t>(begin / batch_size)] = steepest(implicit, region, begin, end);
+        const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
+        progress.update(static_cast<double>(now) / static_cast<double>(grid_size));
+    });
+    const double estimate = safety * *std::max_element(most.begin(), most.end());
+    return std::clamp(estimate, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+}
+
+void contains(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& points,
+              base::Array<std::uint8_t>& inside, const base::Progress& progress) {
+    const std::int64_t count = points.size();
+    const geometry::Bounds region = search_region(implicit);
+    inside.resize(count);
+    std::atomic<std::int64_t> done{0};
+    implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        contains_batch(implicit, region, points, inside, begin, end);
+        const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
+        progress.update(static_cast<double>(now) / static_cast<double>(count));
+    });
+}
+
+} // namespace hrbfnpr::surface
