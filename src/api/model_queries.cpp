@@ -77,12 +77,13 @@ void evaluate(const hrbfnpr_model& model, const Queries& queries, const FieldOut
     const implicit::Implicit& implicit = model.implicit_for(cost * static_cast<double>(queries.count()), progress);
     geometry::VecArray points(runtime.memory);
     FieldBlock block(runtime.memory, out, std::min(queries.count(), block_size));
-    queries.for_blocks(progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
-        queries.read(begin, end, points);
-        implicit::evaluate_all(runtime, implicit, points, block.fields(), part);
-        runtime.parallel.for_chunks(end - begin, 4096,
-                                    [&](std::int64_t from, std::int64_t to) { block.write(from, to, begin); });
-    });
+    for_blocks(queries.count(), block_size, progress,
+               [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+                   queries.read(begin, end, points);
+                   implicit::evaluate_all(runtime, implicit, points, block.fields(), part);
+                   runtime.parallel.for_chunks(
+                       end - begin, 4096, [&](std::int64_t from, std::int64_t to) { block.write(from, to, begin); });
+               });
 }
 
 surface::ProjectionSettings checked(const hrbfnpr_project_desc& desc) {
