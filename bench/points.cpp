@@ -5,6 +5,7 @@
 #include "scenes/handles.h"
 #include "timing.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -114,28 +115,22 @@ struct Job {
     std::int32_t levels;
 };
 
-struct Marks {
-    std::int64_t count = 0;
-    std::int64_t attempted = 0;
-};
-
-Marks generate(hrbfnpr_context* context, const hrbfnpr_model* model, const Samples& seeds, const Job& job,
-               std::uint32_t distribution = HRBFNPR_DISTRIBUTION_PAPER, std::int64_t budget = 0) {
+// Their number.
+std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, const Samples& seeds, const Job& job) {
     scenes::Check check;
     hrbfnpr_generate_desc desc;
     check(hrbfnpr_generate_desc_init(&desc, sizeof desc));
     desc.groups = 1U << job.group;
-    desc.distribution = distribution;
+    desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
     desc.seed_source = HRBFNPR_SEED_POINTS;
     desc.seed_points = view(seeds.points);
     desc.group[job.group].levels = job.levels;
-    desc.group[job.group].budget = budget;
     hrbfnpr_point_set* raw = nullptr;
     check(hrbfnpr_point_set_generate(context, model, &desc, nullptr, &raw, check.error()));
     const scenes::PointSet set(raw);
     hrbfnpr_array positions{};
     check(hrbfnpr_point_set_view(raw, job.group, HRBFNPR_ATTRIBUTE_POSITION, &positions, check.error()));
-    return {positions.count, 0};
+    return positions.count;
 }
 
 struct Row {
@@ -167,8 +162,8 @@ void run_table(hrbfnpr_context* context, const std::string& models) {
                                                  : read_ply(models + "/" + row.file);
         // The sphere's seeds: 607 500 marks are 2 * 81 of each of 3750 stipples.
         const Samples seeds = row.samples == 6 ? bumpy(3750, 0.0) : samples;
-        Marks stipples;
-        Marks marks;
+        std::int64_t stipples = 0;
+        std::int64_t marks = 0;
         double fitted = 0.0;
         double stippled = 0.0;
         double all = 0.0;
@@ -181,13 +176,118 @@ void run_table(hrbfnpr_context* context, const std::string& models) {
             if (row.strokes.levels >= 0) marks = generate(context, model.get(), seeds, row.strokes);
         });
         std::printf("%-10s %8lld %9lld %9lld %12.1f %9.3f %9.0f   (fit %.3f, stipples %.3f, strokes %.3f)\n", row.name,
-                    static_cast<long long>(samples.count()), static_cast<long long>(stipples.count),
-                    static_cast<long long>(marks.count), row.published, all, row.published / all, fitted, stippled,
+                    static_cast<long long>(samples.count()), static_cast<long long>(stipples),
+                    static_cast<long long>(marks), row.published, all, row.published / all, fitted, stippled,
                     all - fitted - stippled);
         std::fflush(stdout);
         const std::string name = std::string("table1.") + row.name;
         bench::report((name + ".seconds").c_str(), all);
         bench::report((name + ".ratio_published").c_str(), row.published / all);
+    }
+}
+
+// Places about half a spacing around the samples, in no order.
+std::vector<double> places_near(const Samples& samples, std::int64_t count) {
+    std::vector<double> places;
+    const double spacing = std::sqrt(12.6 / static_cast<double>(samples.count()));
+    std::uint64_t state = 1;
+    const auto random = [&] {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<double>(state >> 11U) * 0x1p-53;
+    };
+    for (std::int64_t k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(random() * static_cast<double>(samples.count()));
+        for (std::size_t c = 0; c < 3; ++c) places.push_back(samples.points[3 * i + c] + spacing * (random() - 0.5));
+    }
+    return places;
+}
+
+// Seconds for f and its gradient.
+double evaluate(const hrbfnpr_model* model, const std::vector<double>& places, std::int64_t count,
+                std::vector<double>& results) {
+    scenes::Check check;
+    results.resize(places.size() / 3 * 4);
+    const hrbfnpr_array points{places.data(), count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    const hrbfnpr_array_out value{results.data(), count, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    const hrbfnpr_array_out gradient{results.data() + count, count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    return bench::seconds(
+        [&] { check(hrbfnpr_model_evaluate(model, &points, &value, &gradient, nullptr, nullptr, check.error())); });
+}
+
+double best_of(int runs, const hrbfnpr_model* model, const std::vector<double>& places, std::int64_t count,
+               std::vector<double>& results) {
+    double best = evaluate(model, places, count, results);
+    for (int run = 1; run < runs; ++run) best = std::min(best, evaluate(model, places, count, results));
+    return best;
+}
+
+scenes::Context context_with(std::int32_t threads, std::uint32_t instruction_set) {
+    scenes::Check check;
+    hrbfnpr_context_desc desc;
+    check(hrbfnpr_context_desc_init(&desc, sizeof desc));
+    desc.thread_count = threads;
+    desc.highest_instruction_set = instruction_set;
+    hrbfnpr_context* raw = nullptr;
+    check(hrbfnpr_context_create(&desc, &raw, check.error()));
+    return scenes::Context(raw);
+}
+
+// Of the direct sums, by hand: 44 for a pair (bench/points.cpp counts a fused multiply-add as two).
+constexpr double flops_of_pair = 44.0;
+
+void run_evaluation(hrbfnpr_context* context) {
+    constexpr std::int64_t many = 1000000;
+    constexpr std::int64_t some = 50000; // few enough to be summed over all centres
+    constexpr std::int64_t few = 500;
+    const scenes::Context plain_context = context_with(1, HRBFNPR_INSTRUCTION_SET_BASELINE);
+    const double peak = bench::peak_flops(static_cast<int>(std::thread::hardware_concurrency()));
+    std::vector<double> results;
+    double seconds_4096 = 0.0;
+    for (const std::int64_t count : {256, 1024, 4096, 16384, 65536}) {
+        const Samples samples = bumpy(count, 0.15);
+        const scenes::Model model = fit(context, samples);
+        const std::vector<double> places = places_near(samples, many);
+        const double direct = best_of(3, model.get(), places, some, results) * many / some;
+        const double first = evaluate(model.get(), places, many, results);
+        const double prepared = best_of(3, model.get(), places, many, results);
+        std::printf("evaluate %6lld centres: 1 M points in %.3f s, %.3f s the first time; over all centres %.3f s\n",
+                    static_cast<long long>(count), prepared, first, direct);
+        std::fflush(stdout);
+        const std::string name = "evaluate." + std::to_string(count);
+        bench::report((name + ".seconds").c_str(), prepared);
+        bench::report((name + ".ratio_direct_simd").c_str(), direct / prepared);
+        if (count > 4096) bench::report((name + ".over_4096").c_str(), prepared / seconds_4096);
+        if (count != 4096) continue;
+        seconds_4096 = prepared;
+        bench::report("evaluate.direct.fraction_of_peak",
+                      flops_of_pair * static_cast<double>(count) * many / direct / peak);
+        const scenes::Model plain = fit(plain_context.get(), samples);
+        const double reference = best_of(2, plain.get(), places, few, results) * many / few;
+        bench::report("evaluate.4096.ratio_plain", reference / prepared);
+    }
+}
+
+// As many marks from as many seeds on surfaces of more and more centres.
+void run_growth(hrbfnpr_context* context) {
+    const Samples seeds = bumpy(4000, 0.15);
+    double first = 0.0;
+    for (const std::int64_t count : {256, 1024, 4096, 16384, 65536}) {
+        const scenes::Model model = fit(context, bumpy(count, 0.15));
+        std::int64_t marks = 0;
+        const double seconds = bench::seconds([&] {
+            marks = generate(context, model.get(), seeds, {HRBFNPR_GROUP_STIPPLE, 3});
+        });
+        const double again = bench::seconds([&] {
+            marks = generate(context, model.get(), seeds, {HRBFNPR_GROUP_STIPPLE, 3});
+        });
+        if (count == 256) first = again;
+        std::printf("%lld marks on %lld centres: %.3f s, then %.3f s, %.0f marks a second\n",
+                    static_cast<long long>(marks), static_cast<long long>(count), seconds, again,
+                    static_cast<double>(marks) / again);
+        std::fflush(stdout);
+        const std::string name = "marks." + std::to_string(count);
+        bench::report((name + ".seconds").c_str(), seconds);
+        bench::report((name + ".over_256").c_str(), again / first);
     }
 }
 
@@ -202,6 +302,8 @@ int main(int argc, char** argv) {
         hrbfnpr_context* raw = nullptr;
         check(hrbfnpr_context_create(nullptr, &raw, check.error()));
         const scenes::Context context(raw);
+        run_evaluation(context.get());
+        run_growth(context.get());
         run_table(context.get(), models);
         return 0;
     } catch (const std::exception& error) {

@@ -209,8 +209,9 @@ CubeBasis::CubeBasis(const base::Runtime& runtime, int degree, const base::Progr
     Elimination elimination(runtime, matrix.data(), grid.size(), rows, size());
     const base::Array<std::int64_t>& row = elimination.run(progress);
     for (std::int64_t k = 0; k < size(); ++k) nodes_.set(k, grid[row[k]]);
-    invert(runtime, matrix.data(), rows);
-    polish(runtime);
+    progress.check();
+    invert(runtime, matrix.data(), rows, progress);
+    polish(runtime, progress);
     transpose();
 }
 
@@ -224,10 +225,12 @@ void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcep
 }
 
 // Coefficients of the basis times (L U)^-1.
-void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride) {
+void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride,
+                       const base::Progress& progress) {
     to_coefficients_ = triharmonic_coefficients(runtime.memory, degree_, term_stride());
     // Rows by themselves, several vectors of them at a time.
     runtime.parallel.for_chunks(term_stride(), rows_at_a_time, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         RightSolve(runtime.memory, cube_loops(runtime.instruction_set), {factor, factor_stride, size()},
                    to_coefficients_.data() + begin, term_stride(), static_cast<int>(end - begin))
             .run();
@@ -236,12 +239,13 @@ void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::
 
 // A step of refinement, C += C (I - U C) with the nodes' values U of the products: solid harmonics of high degrees are
 // nearly dependent in a cube.
-void CubeBasis::polish(const base::Runtime& runtime) {
+void CubeBasis::polish(const base::Runtime& runtime, const base::Progress& progress) {
     const std::int64_t n = size();
     const base::Array<double> values = vandermonde(nodes_, n, degree_, stride());
     base::Array<double> polished(runtime.memory, to_coefficients_.size());
     std::copy_n(to_coefficients_.data(), to_coefficients_.size(), polished.data());
     runtime.parallel.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         const auto count = static_cast<int>(end - begin);
         base::Array<double> in(runtime.memory, std::int64_t{terms()} * cube_batch);
         base::Array<double> rest(runtime.memory, std::int64_t{stride()} * cube_batch);

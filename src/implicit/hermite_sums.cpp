@@ -170,7 +170,38 @@ void add_sums(double radius, const Sources& sources, const Targets& targets) {
         add_part(kernel, sources, targets, at, targets.count - at < lanes ? targets.count - at : lanes);
 }
 
+// Values only.
+HWY_INLINE V value_sum(const Sources& s, V x, V y, V z) {
+    const D d;
+    V sum = hn::Zero(d);
+    for (std::int64_t j = 0; j < s.count; ++j) {
+        const V dx = hn::Sub(x, hn::Set(d, s.x[j]));
+        const V dy = hn::Sub(y, hn::Set(d, s.y[j]));
+        const V dz = hn::Sub(z, hn::Set(d, s.z[j]));
+        const V r2 = hn::MulAdd(dz, dz, hn::MulAdd(dy, dy, hn::Mul(dx, dx)));
+        const V r = hn::Mul(r2, inverse_root(hn::Max(r2, hn::Set(d, smallest_r2))));
+        const V q = hn::MulAdd(dz, hn::Set(d, s.beta_z[j]),
+                               hn::MulAdd(dy, hn::Set(d, s.beta_y[j]), hn::Mul(dx, hn::Set(d, s.beta_x[j]))));
+        sum = hn::MulAdd(r, hn::NegMulAdd(q, hn::Set(d, 3.0), hn::Mul(r2, hn::Set(d, s.alpha[j]))), sum);
+    }
+    return sum;
+}
+
+void add_values(const Sources& sources, const double* x, const double* y, const double* z, double* value,
+                std::int64_t count) {
+    const D d;
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    for (std::int64_t at = 0; at < count; at += lanes) {
+        const auto mask = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
+        const V sum = value_sum(sources, hn::MaskedLoad(mask, d, x + at), hn::MaskedLoad(mask, d, y + at),
+                                hn::MaskedLoad(mask, d, z + at));
+        add_some(value + at, sum, mask);
+    }
+}
+
 } // namespace
+
+AddTriharmonicValues pick_values() noexcept { return add_values; }
 
 AddHermiteSums pick_sums(kernel::Kind kind) noexcept {
     switch (kind) {
@@ -189,6 +220,10 @@ namespace hrbfnpr::implicit {
 
 AddHermiteSums hermite_sums(base::InstructionSet set, kernel::Kind kind) noexcept {
     return HRBFNPR_PICK(set, pick_sums)(kind);
+}
+
+AddTriharmonicValues triharmonic_values_of(base::InstructionSet set) noexcept {
+    return HRBFNPR_PICK(set, pick_values)();
 }
 
 } // namespace hrbfnpr::implicit

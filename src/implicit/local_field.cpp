@@ -4,6 +4,7 @@
 #include "implicit/cube_vectors.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hrbfnpr::implicit {
 namespace {
@@ -13,17 +14,33 @@ constexpr int separation = 2;
 
 // Cubes with more near centres are divided: about as many pairs as the polynomial costs, and a few more, as cubes and
 // polynomials have to be made, too.
-constexpr std::int64_t most_near = 250;
+// With many centres the cubes take longer to make than a million points to evaluate.
+constexpr std::int64_t many_centres = 16384;
+[[nodiscard]] std::int64_t most_near(std::int64_t centres) noexcept { return centres < many_centres ? 250 : 500; }
 // A cube is divided where there are centres within this many half widths of a part's middle.
 constexpr double beside = 1.4;
-// Centres in a cube of their own tree that is not divided: acting one by one on a cube's nodes, as many cost what
-// a translation does.
-constexpr std::int64_t sources_in_leaf = 12;
+// Centres act one by one on a cube's nodes if there are fewer than its nodes times this: a translation costs more.
+constexpr double worth_a_node = 0.1;
+// Centres in a cube of their own tree that is not divided.
+constexpr std::int64_t sources_in_leaf = 24;
 // Around the centres, of their width: a surface bulges beyond its samples.
 constexpr double margin = 0.2;
 
 constexpr std::int64_t chunk = 32;            // cells of a task
 constexpr std::int64_t translate_cells = 256; // that share the elements of a translation
+
+// What sums of smooth functions' weights are off by is as these.
+[[nodiscard]] double root_mean_square(const double* alpha, const geometry::VecArray& beta) noexcept {
+    double sum = 0.0;
+    for (std::int64_t i = 0; i < beta.size(); ++i) sum += alpha[i] * alpha[i] + glm::dot(beta[i], beta[i]);
+    return std::sqrt(sum / static_cast<double>(std::max<std::int64_t>(1, beta.size())));
+}
+
+// source_tree.cpp's degrees are those that weights of 0.2 need, of a rough surface; smaller ones need lower degrees.
+// The power was found by trying fits of 512 to 65 536 samples.
+[[nodiscard]] double tolerance_of(const LocalFieldOptions& options, double weight) noexcept {
+    return options.tolerance * std::pow(0.2 / std::max(1e-6, weight), 0.7);
+}
 
 } // namespace
 
@@ -74,9 +91,10 @@ private:
         return true;
     }
 
-    [[nodiscard]] static Kind kind_of(const Cell& cell, const geometry::Octree::Node& node) noexcept {
+    [[nodiscard]] Kind kind_of(const Cell& cell, const geometry::Octree::Node& node) const noexcept {
         if (too_near(cell, node)) return near;
-        return node.leaf() ? direct : translated;
+        const double few = worth_a_node * field_.sources_.basis(cell.level).size();
+        return node.leaf() || static_cast<double>(node.count()) < few ? direct : translated;
     }
 
     void classify() {
@@ -133,24 +151,22 @@ private:
         });
     }
 
-    // Of centres in undivided cubes, on the nodes of cells that do not touch these.
+    // Of few centres, on the nodes of cells that do not touch their cube.
     void act_directly(std::int32_t level, const base::Progress& progress) {
         const CubeBasis& basis = field_.sources_.basis(level);
         const double half = tree_.half_width(level);
-        const AddHermiteSums add = hermite_sums(runtime_.instruction_set, kernel::Kind::triharmonic);
+        const AddTriharmonicValues add = triharmonic_values_of(runtime_.instruction_set);
         runtime_.parallel.for_chunks(end_ - begin_, chunk, [&](std::int64_t first, std::int64_t last) {
             progress.check();
-            geometry::VecArray place(runtime_.memory, basis.stride());
-            geometry::VecArray gradient(runtime_.memory, basis.stride());
+            geometry::VecArray place(runtime_.memory, basis.size());
             for (std::int64_t k = first; k < last; ++k) {
                 const glm::dvec3 centre = field_.centre(field_.cells_[begin_ + k]);
                 for (std::int64_t i = 0; i < basis.size(); ++i) place.set(i, centre + half * basis.nodes()[i]);
-                const Targets targets{
-                    place.x.data(),    place.y.data(),    place.z.data(),    incoming_.data() + k * basis.stride(),
-                    gradient.x.data(), gradient.y.data(), gradient.z.data(), basis.size()};
                 for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
                     const geometry::Octree::Node& node = tree_.nodes()[candidates_[i]];
-                    if (kind_[i] == direct) add(0.0, field_.sources_.sources(node.begin, node.end), targets);
+                    if (kind_[i] == direct)
+                        add(field_.sources_.sources(node.begin, node.end), place.x.data(), place.y.data(),
+                            place.z.data(), incoming_.data() + k * basis.stride(), basis.size());
                 }
             }
         });
@@ -162,7 +178,8 @@ private:
         base::Array<std::int64_t> next(runtime_.memory);
         next_begin.push_back(0);
         for (std::int64_t k = 0; k < end_ - begin_; ++k) {
-            if (level + 1 < tree_.levels() && near_centres(k) > most_near) add_children(k, next_begin, next);
+            if (level + 1 < tree_.levels() && near_centres(k) > most_near(tree_.points().size()))
+                add_children(k, next_begin, next);
             if (field_.cells_[begin_ + k].serves()) keep_near(k);
         }
         std::swap(candidate_begin_, next_begin);
@@ -286,7 +303,9 @@ LocalField::LocalField(const base::Runtime& runtime, const geometry::VecArray& c
                        const geometry::VecArray& beta, const LocalFieldOptions& options, const base::Progress& progress)
     : set_(runtime.instruction_set),
       sources_(runtime, centres,
-               {options.spacing, options.finer, sources_in_leaf, options.tolerance, separation, margin}, progress),
+               {options.spacing, options.finer, sources_in_leaf, tolerance_of(options, root_mean_square(alpha, beta)),
+                separation, margin},
+               progress),
       cells_(runtime.memory), near_(runtime.memory), terms_(runtime.memory) {
     sources_.load(alpha, beta, progress);
     Builder(runtime, *this).run(progress);

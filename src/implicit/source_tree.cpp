@@ -70,9 +70,11 @@ int SourceTree::degree_of(std::int32_t level, const SourceTreeOptions& options) 
     if (!has_expansions(level)) return 0; // there are no far cubes
     const double width = std::max(1.0, tree_.half_width(level) / options.spacing);
     const double all = std::max(1.0, tree_.half_width(0) / options.spacing);
-    const double degree = options.separation == 1 ? degree_for_fits(width, all, options.tolerance)
-                                                  : degree_for_gradients(width, options.tolerance);
-    return std::clamp(static_cast<int>(std::ceil(degree)) + 2 * options.finer, 4, CubeBasis::degree_max);
+    // Even ones for gradients: fewer of them are fewer bases, which take longer to make than the sums.
+    const double degree = options.separation == 1
+                              ? std::ceil(degree_for_fits(width, all, options.tolerance))
+                              : 2.0 * std::ceil(0.5 * degree_for_gradients(width, options.tolerance));
+    return std::clamp(static_cast<int>(degree) + 2 * options.finer, 4, CubeBasis::degree_max);
 }
 
 std::shared_ptr<CubeBasis> SourceTree::find_basis(int degree, const base::Progress& progress) const {

@@ -222,7 +222,8 @@ double expected_evaluations(const SampleHint& samples, const GenerateSettings& s
     for (std::size_t k = 0; k < settings.group.size(); ++k) {
         const GroupSettings& group = settings.group[k];
         if (!group.wanted) continue;
-        const std::int64_t grown = grown_count(seeds, k == 0 ? 5 : 3, group.levels);
+        const std::int64_t grown =
+            k == 0 ? grown_count(seeds, 5, group.levels) : grown_count(2 * seeds, 3, group.levels);
         const std::int64_t budget = group.budget > 0 ? group.budget : default_budget;
         const double cost = k == 1 ? 8.0 : 3.0; // with Hessians on the way, or without
         evaluations += cost * static_cast<double>(paper ? grown : candidates_each * budget);

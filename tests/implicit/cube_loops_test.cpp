@@ -202,4 +202,45 @@ TEST(CubeLoops, EvaluateAddsThePolynomialAndItsGradient) {
     }
 }
 
+// Central differences of the gradient.
+TEST(CubeLoops, HessianIsTheGradientsDerivative) {
+    const int degree = 7;
+    const std::vector<glm::ivec3> list = terms(degree);
+    const Numbers coefficients = scattered(list.size(), 33);
+    const int count = 11;
+    const Points points = samples(count);
+    constexpr double step = 1e-5;
+    for (const base::InstructionSet set : instruction_sets()) {
+        Numbers found[6];
+        double* to[6];
+        for (std::size_t c = 0; c < 6; ++c) {
+            found[c].assign(count + 1, 0.5);
+            to[c] = found[c].data();
+        }
+        cube_loops(set).hessian(degree, coefficients.data(), in_cube(points), to);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Numbers gradient[2][3];
+            for (int side = 0; side < 2; ++side) {
+                Points moved;
+                for (std::size_t i = 0; i < points.size(); ++i) {
+                    glm::dvec3 p = points[i];
+                    p[static_cast<int>(axis)] += side == 0 ? -step : step;
+                    moved.add(p);
+                }
+                Numbers value(count);
+                for (Numbers& component : gradient[side]) component.assign(count, 0.0);
+                double* const out[3] = {gradient[side][0].data(), gradient[side][1].data(), gradient[side][2].data()};
+                cube_loops(set).evaluate(degree, coefficients.data(), in_cube(moved), value.data(), out);
+            }
+            for (std::size_t c = 0; c < 3; ++c)
+                for (std::size_t i = 0; i < points.size(); ++i) {
+                    const double slope = (gradient[1][c][i] - gradient[0][c][i]) / (2.0 * step);
+                    EXPECT_NEAR(found[test::hessian_index[axis][c]][i], 0.5 + slope, 1e-3 + 1e-4 * std::abs(slope))
+                        << base::name(set) << " " << axis << c;
+                }
+        }
+        for (const Numbers& component : found) EXPECT_EQ(component.back(), 0.5);
+    }
+}
+
 } // namespace
