@@ -1,16 +1,16 @@
 // Points on the surface, from samples: the paper's Table 1 beside ours, marks a second, and evaluation beside plain
 // sums.
-// --models DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
+// --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
 #include "peak.h"
 #include "scenes/handles.h"
 #include "timing.h"
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <fstream>
 #include <stdexcept>
@@ -115,8 +115,9 @@ struct Job {
     std::int32_t levels;
 };
 
-// Their number.
-std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, const Samples& seeds, const Job& job) {
+// Their number; -1 if cancelled.
+std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, const Samples& seeds, const Job& job,
+                      hrbfnpr_operation* operation = nullptr) {
     scenes::Check check;
     hrbfnpr_generate_desc desc;
     check(hrbfnpr_generate_desc_init(&desc, sizeof desc));
@@ -126,7 +127,9 @@ std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, cons
     desc.seed_points = view(seeds.points);
     desc.group[job.group].levels = job.levels;
     hrbfnpr_point_set* raw = nullptr;
-    check(hrbfnpr_point_set_generate(context, model, &desc, nullptr, &raw, check.error()));
+    const hrbfnpr_status status = hrbfnpr_point_set_generate(context, model, &desc, operation, &raw, check.error());
+    if (status == HRBFNPR_STATUS_CANCELLED) return -1;
+    check(status);
     const scenes::PointSet set(raw);
     hrbfnpr_array positions{};
     check(hrbfnpr_point_set_view(raw, job.group, HRBFNPR_ATTRIBUTE_POSITION, &positions, check.error()));
@@ -291,19 +294,48 @@ void run_growth(hrbfnpr_context* context) {
     }
 }
 
+// The longest time from cancelling to the call's return, over generations that are cancelled ever later.
+void run_cancelling(hrbfnpr_context* context) {
+    const Samples samples = bumpy(4096, 0.15);
+    const scenes::Model warm = fit(context, samples);
+    const double all = bench::seconds([&] { generate(context, warm.get(), samples, {HRBFNPR_GROUP_STIPPLE, 3}); });
+    double worst = 0.0;
+    constexpr int cancels = 40;
+    for (int k = 0; k < cancels; ++k) {
+        const scenes::Model model = fit(context, samples); // not prepared yet
+        scenes::Check check;
+        hrbfnpr_operation* operation = nullptr;
+        check(hrbfnpr_operation_create(context, &operation, check.error()));
+        std::chrono::steady_clock::time_point cancelled;
+        std::thread canceller([&] {
+            std::this_thread::sleep_for(std::chrono::duration<double>(all * (k + 0.5) / cancels));
+            cancelled = std::chrono::steady_clock::now();
+            hrbfnpr_operation_cancel(operation);
+        });
+        const bool ended = generate(context, model.get(), samples, {HRBFNPR_GROUP_STIPPLE, 3}, operation) < 0;
+        const auto returned = std::chrono::steady_clock::now();
+        canceller.join();
+        hrbfnpr_operation_release(operation);
+        if (ended) worst = std::max(worst, std::chrono::duration<double>(returned - cancelled).count());
+    }
+    bench::report("generate.cancel_ms_max", 1e3 * worst);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     try {
         std::string models;
-        for (int i = 1; i + 1 < argc; ++i)
-            if (std::strcmp(argv[i], "--models") == 0) models = argv[i + 1];
+        const std::string option = "--models=";
+        for (int i = 1; i < argc; ++i)
+            if (std::string(argv[i]).rfind(option, 0) == 0) models = std::string(argv[i]).substr(option.size());
         scenes::Check check;
         hrbfnpr_context* raw = nullptr;
         check(hrbfnpr_context_create(nullptr, &raw, check.error()));
         const scenes::Context context(raw);
         run_evaluation(context.get());
         run_growth(context.get());
+        run_cancelling(context.get());
         run_table(context.get(), models);
         return 0;
     } catch (const std::exception& error) {

@@ -20,8 +20,15 @@ static_assert(static_cast<std::uint32_t>(fit::RegularizationMode::automatic) == 
 const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const base::Progress& progress) const {
     const implicit::HrbfData* const hrbf = data();
     if (hrbf == nullptr || !implicit::Prepared::pays(*hrbf, evaluations)) return implicit();
+    {
+        const std::scoped_lock lock(preparing_);
+        if (tried_) return prepared_ != nullptr ? *prepared_ : implicit();
+    }
+    // Not under the lock: the caller's callbacks, which this calls, may come back.  Of two that are made at a time,
+    // which are the same, one stays.
+    std::unique_ptr<implicit::Prepared> made = implicit::Prepared::make(runtime(), *hrbf, progress.part(0.0, 0.0));
     const std::scoped_lock lock(preparing_);
-    if (!tried_) prepared_ = implicit::Prepared::make(runtime(), *hrbf, progress.part(0.0, 0.0));
+    if (!tried_) prepared_ = std::move(made);
     tried_ = true;
     return prepared_ != nullptr ? *prepared_ : implicit();
 }

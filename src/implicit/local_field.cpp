@@ -26,8 +26,9 @@ constexpr std::int64_t sources_in_leaf = 24;
 // Around the centres, of their width: a surface bulges beyond its samples.
 constexpr double margin = 0.2;
 
-constexpr std::int64_t chunk = 32;            // cells of a task
-constexpr std::int64_t translate_cells = 256; // that share the elements of a translation
+constexpr std::int64_t chunk = 32;             // cells of a task
+constexpr std::int64_t translate_cells = 1024; // that share the elements of a translation
+constexpr std::int64_t translate_tasks = 24;
 
 // What sums of smooth functions' weights are off by is as these.
 [[nodiscard]] double root_mean_square(const double* alpha, const geometry::VecArray& beta) noexcept {
@@ -132,23 +133,35 @@ private:
         });
     }
 
-    void translate(std::int32_t level, const base::Progress& progress) {
-        const CubeBasis& basis = field_.sources_.basis(level);
-        runtime_.parallel.for_chunks(end_ - begin_, translate_cells, [&](std::int64_t first, std::int64_t last) {
-            progress.check();
-            base::Array<SourceTree::Pair> pairs(runtime_.memory);
-            for (std::int64_t k = first; k < last; ++k)
-                for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
-                    if (kind_[i] != translated) continue;
-                    const std::int64_t node = candidates_[i];
-                    pairs.push_back({SourceTree::direction(field_.cells_[begin_ + k].cell, tree_.nodes()[node].cell),
-                                     static_cast<std::int32_t>(node), static_cast<std::int32_t>(k)});
-                }
-            std::sort(pairs.begin(), pairs.end(), [](const SourceTree::Pair& a, const SourceTree::Pair& b) {
-                return a.direction != b.direction ? a.direction < b.direction : a.target < b.target;
-            });
-            field_.sources_.translate(level, pairs.span(), 0, basis.stride(), incoming_.data());
+    // Cells [first, last) of the level with what acts on them, those at the same offset together.
+    [[nodiscard]] base::Array<SourceTree::Pair> pairs_of(std::int64_t first, std::int64_t last) const {
+        base::Array<SourceTree::Pair> pairs(runtime_.memory);
+        for (std::int64_t k = first; k < last; ++k)
+            for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
+                if (kind_[i] != translated) continue;
+                const std::int64_t node = candidates_[i];
+                pairs.push_back({SourceTree::direction(field_.cells_[begin_ + k].cell, tree_.nodes()[node].cell),
+                                 static_cast<std::int32_t>(node), static_cast<std::int32_t>(k)});
+            }
+        std::sort(pairs.begin(), pairs.end(), [](const SourceTree::Pair& a, const SourceTree::Pair& b) {
+            return a.direction != b.direction ? a.direction < b.direction : a.target < b.target;
         });
+        return pairs;
+    }
+
+    // A task has a group of cells and some of their nodes: there are enough of them, and none takes long.
+    void translate(std::int32_t level, const base::Progress& progress) {
+        const std::int64_t rows = field_.sources_.basis(level).stride();
+        for (std::int64_t first = 0; first < end_ - begin_; first += translate_cells) {
+            const base::Array<SourceTree::Pair> pairs =
+                pairs_of(first, std::min(end_ - begin_, first + translate_cells));
+            const std::int64_t parts = std::min(translate_tasks, rows / 8);
+            runtime_.parallel.for_each(parts, [&](std::int64_t part) {
+                progress.check();
+                field_.sources_.translate(level, pairs.span(), static_cast<int>(part * (rows / 8) / parts * 8),
+                                          static_cast<int>((part + 1) * (rows / 8) / parts * 8), incoming_.data());
+            });
+        }
     }
 
     // Of few centres, on the nodes of cells that do not touch their cube.

@@ -41,7 +41,7 @@ SourceTree::SourceTree(const base::Runtime& runtime, const geometry::VecArray& c
         size += levels_.back().basis->stride() * (tree_.level_end(level) - tree_.level_begin(level));
     }
     for (std::int32_t level = 2; level + 1 < tree_.levels(); ++level)
-        levels_[static_cast<std::size_t>(level)].transfers = find_transfers(level);
+        levels_[static_cast<std::size_t>(level)].transfers = find_transfers(level, progress);
     outgoing_.resize(size + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)));
 }
 
@@ -83,13 +83,15 @@ std::shared_ptr<CubeBasis> SourceTree::find_basis(int degree, const base::Progre
     return std::make_shared<CubeBasis>(runtime_, degree, progress);
 }
 
-std::shared_ptr<SourceTree::Transfers> SourceTree::find_transfers(std::int32_t level) const {
+std::shared_ptr<SourceTree::Transfers> SourceTree::find_transfers(std::int32_t level,
+                                                                  const base::Progress& progress) const {
     const CubeBasis& here = basis(level);
     const CubeBasis& child = basis(level + 1);
     for (std::int32_t other = 2; other < level; ++other)
         if (&basis(other) == &here && &basis(other + 1) == &child) return at(other).transfers;
     const auto transfers = std::make_shared<Transfers>();
     for (int octant = 0; octant < 8; ++octant) {
+        progress.check();
         transfers->to_child.push_back(here.interpolation(runtime_, in_parent(child, octant), child.size()));
         transfers->transposed.push_back(transposed(transfers->to_child.back(), child.size(), here.size()));
     }

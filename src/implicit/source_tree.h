@@ -88,7 +88,7 @@ private:
     }
     [[nodiscard]] int degree_of(std::int32_t level, const SourceTreeOptions& options) const noexcept;
     [[nodiscard]] std::shared_ptr<CubeBasis> find_basis(int degree, const base::Progress& progress) const;
-    [[nodiscard]] std::shared_ptr<Transfers> find_transfers(std::int32_t level) const;
+    [[nodiscard]] std::shared_ptr<Transfers> find_transfers(std::int32_t level, const base::Progress& progress) const;
     void gather_moments(std::int32_t level, const base::Progress& progress);
     void add_children(std::int64_t begin, std::int64_t end, std::int32_t level);
     [[nodiscard]] std::int64_t place(std::int64_t node, std::int32_t level) const noexcept {
