@@ -395,6 +395,10 @@ enum {
  * samples that coincide (within 1e-9 diagonals) and agree in their normal
  * (within 1 degree) are merged, and so are, of 33 samples and more, near
  * duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
+ * Of more than 6000, samples that contradict each other so much (slivers of a
+ * mesh in single precision) that the iterations break down get a little
+ * regularization, 1 cubic spacing, and a solver tolerance of 3e-4; the log and
+ * hrbfnpr_model_info.regularization say so.
  * Samples that coincide and disagree are an INVALID_ARGUMENT that names both
  * indices, as are NaN, infinity, zero normals, and an empty or mismatched
  * array.  One sample is a plane.

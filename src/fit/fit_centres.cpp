@@ -158,7 +158,8 @@ CentreFit fit_centres(const base::Runtime& runtime, const FitInput& input, const
     fit.misfit = std::move(solution.misfit);
     fit.result.history = std::move(solution.history);
     fit.result.report.kernel_radius = data.kernel_radius * data.scale;
-    fit.result.report.regularization = smoothing.value;
+    fit.result.report.regularization =
+        smoothing.value + solution.value_diagonal / std::pow(growth(data), kernel::homogeneity(data.kernel));
     fit.result.report.seconds_assemble = seconds_before + solution.seconds_assemble;
     return fit;
 }

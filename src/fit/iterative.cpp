@@ -172,7 +172,8 @@ void solve_iteratively(const base::Runtime& runtime, const HermiteSystem& system
                                   progress.part(0.05, 0.25));
     solution.seconds_precondition += watch.seconds();
     watch.restart();
-    Iteration iteration(runtime, arranged, preconditioner, options.tolerance, progress);
+    const double accuracy = options.product_tolerance > 0.0 ? options.product_tolerance : options.tolerance;
+    Iteration iteration(runtime, arranged, preconditioner, accuracy, progress);
     iteration.run(arranged, rhs, options, solution, progress.part(0.25, 1.0));
     solution.seconds_solve += watch.seconds();
 }

@@ -9,8 +9,9 @@ namespace hrbfnpr::fit {
 struct SolveOptions {
     SolverKind solver = SolverKind::automatic;
     std::int32_t refinement_steps = 2;
-    double tolerance = 0.0;   // of the iterative solver: relative residual, 2-norm; 0 = automatic
-    double acceptable = 1e-6; // ... where rounding, or an approximate product, lets it come no further
+    double tolerance = 0.0;         // of the iterative solver: relative residual, 2-norm; 0 = automatic
+    double acceptable = 1e-6;       // ... where rounding, or an approximate product, lets it come no further
+    double product_tolerance = 0.0; // that a fast product is made for; 0: as tolerance
     std::int32_t iterations = 200;
     std::int32_t neighbours = 0; // of its preconditioner; 0 = automatic
 };
@@ -30,6 +31,7 @@ struct Solution {
     double condition = 0.0;      // 1-norm estimate, of the factored matrix; of the preconditioned one, 2-norm
     std::int32_t iterations = 0; // of refinement, or of CG
     bool fallback = false;
+    double value_diagonal = 0.0; // where 0 was asked for, and would not do
     bool converged = false;      // the iterative solver reached its tolerance
     base::Array<double> history; // relative residual after each iteration of CG
     double seconds_assemble = 0.0;
