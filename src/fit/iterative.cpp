@@ -55,7 +55,7 @@ class Iteration {
 public:
     Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner, double tolerance,
               const base::Progress& progress)
-        : runtime_(runtime), size_(arranged.system().rows()), polynomials_(runtime, arranged.system()),
+        : size_(arranged.system().rows()), polynomials_(runtime, arranged.system()),
           product_(runtime, arranged.tree().points(), arranged.system().options(), tolerance, progress),
           cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory, size_),
           w_before_(runtime.memory, product_.approximate() ? size_ : 0), r_(runtime.memory, size_),
@@ -146,7 +146,6 @@ private:
         return std::sqrt(sum * static_cast<double>(size_) / static_cast<double>(product.size())) / scale_;
     }
 
-    const base::Runtime& runtime_;
     std::int64_t size_;
     PolynomialSpace polynomials_;
     HermiteProduct product_;
