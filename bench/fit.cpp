@@ -1,5 +1,6 @@
 // Fits of a bumpy closed surface by the iterative solver: seconds, memory and residuals over N; beside the direct
 // solver, LAPACK where it is installed, and what the processor could do.  --large: up to a million samples.
+#include "bumpy.h"
 #include "lapack.h"
 #include "peak.h"
 #include "scenes/handles.h"
@@ -15,43 +16,7 @@
 
 namespace {
 
-struct Samples {
-    std::vector<double> points;
-    std::vector<double> normals;
-
-    void add(const std::array<double, 3>& p, const std::array<double, 3>& n) {
-        const double length = std::hypot(n[0], n[1], n[2]);
-        for (std::size_t c = 0; c < 3; ++c) {
-            points.push_back(p[c]);
-            normals.push_back(n[c] / length);
-        }
-    }
-};
-
-// Fibonacci's spiral on the sphere, with radius 1 + 0.15 sin 4x cos(3y + z).
-Samples bumpy(std::int64_t count) {
-    Samples samples;
-    for (std::int64_t i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
-        const double angle = std::fmod(2.399963229728653 * static_cast<double>(i), 6.283185307179586);
-        const double flat = std::sqrt(1.0 - z * z);
-        const std::array<double, 3> s{flat * std::cos(angle), flat * std::sin(angle), z};
-        const double phase = 3.0 * s[1] + s[2];
-        const double radius = 1.0 + 0.15 * std::sin(4.0 * s[0]) * std::cos(phase);
-        const std::array<double, 3> g{0.6 * std::cos(4.0 * s[0]) * std::cos(phase),
-                                      -0.45 * std::sin(4.0 * s[0]) * std::sin(phase),
-                                      -0.15 * std::sin(4.0 * s[0]) * std::sin(phase)};
-        const double along = g[0] * s[0] + g[1] * s[1] + g[2] * s[2];
-        std::array<double, 3> p{};
-        std::array<double, 3> n{};
-        for (std::size_t c = 0; c < 3; ++c) {
-            p[c] = radius * s[c];
-            n[c] = radius * s[c] - (g[c] - along * s[c]);
-        }
-        samples.add(p, n);
-    }
-    return samples;
-}
+using bench::Samples;
 
 struct Fit {
     hrbfnpr_model_info info{};
@@ -130,7 +95,7 @@ void run(bool large) {
     std::vector<std::pair<std::string, double>> lines;
     double seconds_4096 = 0.0;
     for (const std::int64_t count : sizes) {
-        const Samples samples = bumpy(count);
+        const Samples samples = bench::bumpy(count, 0.15);
         const Fit f = best_fit(samples, HRBFNPR_SOLVER_ITERATIVE, count <= 4096 ? 5 : count <= 16384 ? 3 : 1);
         const double direct = count <= 1024 ? fit(samples, HRBFNPR_SOLVER_DIRECT).info.seconds_total : 0.0;
         print_row(count, f, direct);

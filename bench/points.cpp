@@ -1,6 +1,7 @@
 // Points on the surface, from samples: the paper's Table 1 beside ours, marks a second, and evaluation beside plain
 // sums.
 // --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
+#include "bumpy.h"
 #include "peak.h"
 #include "scenes/handles.h"
 #include "timing.h"
@@ -21,44 +22,8 @@
 
 namespace {
 
-struct Samples {
-    std::vector<double> points;
-    std::vector<double> normals;
-
-    [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(points.size() / 3); }
-    void add(const std::array<double, 3>& p, const std::array<double, 3>& n) {
-        const double length = std::hypot(n[0], n[1], n[2]);
-        for (std::size_t c = 0; c < 3; ++c) {
-            points.push_back(p[c]);
-            normals.push_back(n[c] / length);
-        }
-    }
-};
-
-// Fibonacci's spiral on the sphere, with radius 1 + bump sin 4x cos(3y + z).
-Samples bumpy(std::int64_t count, double bump) {
-    Samples samples;
-    for (std::int64_t i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
-        const double angle = std::fmod(2.399963229728653 * static_cast<double>(i), 6.283185307179586);
-        const double flat = std::sqrt(1.0 - z * z);
-        const std::array<double, 3> s{flat * std::cos(angle), flat * std::sin(angle), z};
-        const double phase = 3.0 * s[1] + s[2];
-        const double radius = 1.0 + bump * std::sin(4.0 * s[0]) * std::cos(phase);
-        const std::array<double, 3> g{4.0 * bump * std::cos(4.0 * s[0]) * std::cos(phase),
-                                      -3.0 * bump * std::sin(4.0 * s[0]) * std::sin(phase),
-                                      -bump * std::sin(4.0 * s[0]) * std::sin(phase)};
-        const double along = g[0] * s[0] + g[1] * s[1] + g[2] * s[2];
-        std::array<double, 3> p{};
-        std::array<double, 3> n{};
-        for (std::size_t c = 0; c < 3; ++c) {
-            p[c] = radius * s[c];
-            n[c] = radius * s[c] - (g[c] - along * s[c]);
-        }
-        samples.add(p, n);
-    }
-    return samples;
-}
+using bench::bumpy;
+using bench::Samples;
 
 Samples axes() {
     Samples samples;
@@ -178,10 +143,12 @@ void run_table(hrbfnpr_context* context, const std::string& models) {
             });
             if (row.strokes.levels >= 0) marks = generate(context, model.get(), seeds, row.strokes);
         });
-        std::printf("%-10s %8lld %9lld %9lld %12.1f %9.3f %9.0f   (fit %.3f, stipples %.3f, strokes %.3f)\n", row.name,
-                    static_cast<long long>(samples.count()), static_cast<long long>(stipples),
+        std::printf("%-10s %8lld %9lld %9lld %12.1f %9.3f %9.0f   (fit %.3f s; stipples %.3f s, %.0f a second; strokes "
+                    "%.3f s, %.0f marks a second)\n",
+                    row.name, static_cast<long long>(samples.count()), static_cast<long long>(stipples),
                     static_cast<long long>(marks), row.published, all, row.published / all, fitted, stippled,
-                    all - fitted - stippled);
+                    static_cast<double>(stipples) / stippled, all - fitted - stippled,
+                    static_cast<double>(marks) / (all - fitted - stippled));
         std::fflush(stdout);
         const std::string name = std::string("table1.") + row.name;
         bench::report((name + ".seconds").c_str(), all);

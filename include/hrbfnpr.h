@@ -571,10 +571,11 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32
  *           that sample's own (direction-dependent, zero-mean) term.
  *
  * Preparing.  Where there are so many points that it pays (of r^3 and 512
- * centres on: n N of about 1.5e9), the first such call of a model takes some
- * tenths of a second to sum up what is far into polynomials, which the model
- * keeps (5 to 10 kB a centre of few, 1 kB of many; the log says how much, and
- * what values and gradients are off by, which is measured); after that a point
+ * centres on: n N above 1.3e9 + 8e4 N, a Hessian counting as 2.5 points), the
+ * first such call of a model takes some tenths of a second, or 2 s with 65 000
+ * centres, to sum up what is far into polynomials, which the model keeps (1 to
+ * 4 kB a centre; the log says how much, and what values and gradients are off
+ * by, which is measured); after that a point
  * hardly costs more with more centres.  f is then within 1e-9 diagonals of the
  * sum over all centres, its gradient within 1e-7; of rough, uneven samples
  * within 20 times that, or all centres are summed.  What a call gives depends

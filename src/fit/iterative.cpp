@@ -69,6 +69,8 @@ public:
         scale_ = std::max(norm(rhs, size_), 1e-300);
         solution.residual = norm(r_.data(), size_) / scale_;
         run_until_confirmed(options, solution, progress);
+        // What was found last is an approximate product's own residual: whoever judges it needs the true one.
+        if (!solution.converged && solution.residual <= hopeless_residual) confirm(options, solution, progress);
         solution.x.resize(size_ + polynomials_.terms());
         std::copy_n(c_.data(), polynomials_.terms(), solution.x.data() + size_);
         arranged.scatter(w_.data(), solution.x.data());

@@ -211,7 +211,6 @@ CubeBasis::CubeBasis(const base::Runtime& runtime, int degree, const base::Progr
     for (std::int64_t k = 0; k < size(); ++k) nodes_.set(k, grid[row[k]]);
     progress.check();
     invert(runtime, matrix.data(), rows, progress);
-    polish(runtime, progress);
     transpose();
 }
 
@@ -235,32 +234,6 @@ void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::
                    to_coefficients_.data() + begin, term_stride(), static_cast<int>(end - begin))
             .run();
     });
-}
-
-// A step of refinement, C += C (I - U C) with the nodes' values U of the products: solid harmonics of high degrees are
-// nearly dependent in a cube.
-void CubeBasis::polish(const base::Runtime& runtime, const base::Progress& progress) {
-    const std::int64_t n = size();
-    const base::Array<double> values = vandermonde(nodes_, n, degree_, stride());
-    base::Array<double> polished(runtime.memory, to_coefficients_.size());
-    std::copy_n(to_coefficients_.data(), to_coefficients_.size(), polished.data());
-    runtime.parallel.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        const auto count = static_cast<int>(end - begin);
-        base::Array<double> in(runtime.memory, std::int64_t{terms()} * cube_batch);
-        base::Array<double> rest(runtime.memory, std::int64_t{stride()} * cube_batch);
-        for (std::int64_t v = 0; v < count; ++v) {
-            for (std::int64_t k = 0; k < terms(); ++k)
-                in[k * cube_batch + v] = -to_coefficients_[(begin + v) * term_stride() + k];
-            rest[v * stride() + begin + v] = 1.0;
-        }
-        add_product(runtime, {values.data(), stride(), terms()}, in.data(), rest.data(), count);
-        for (std::int64_t v = 0; v < count; ++v)
-            for (std::int64_t k = 0; k < n; ++k) in[k * cube_batch + v] = rest[v * stride() + k];
-        add_product(runtime, {to_coefficients_.data(), term_stride(), static_cast<int>(n)}, in.data(),
-                    polished.data() + begin * term_stride(), count);
-    });
-    to_coefficients_ = std::move(polished);
 }
 
 void CubeBasis::transpose() {

@@ -54,7 +54,6 @@ public:
 private:
     void invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride,
                 const base::Progress& progress);
-    void polish(const base::Runtime& runtime, const base::Progress& progress);
     void transpose();
 
     int degree_;
