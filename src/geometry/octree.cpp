@@ -1,20 +1,12 @@
 #include "geometry/octree.h"
 
+#include "geometry/morton.h"
+
 #include <algorithm>
 #include <cstdlib>
 
 namespace hrbfnpr::geometry {
 namespace {
-
-// Two zeros between each of the lowest 21 bits.
-[[nodiscard]] std::uint64_t spread(std::uint64_t x) noexcept {
-    x &= 0x1fffff;
-    x = (x | x << 32) & 0x1f00000000ffff;
-    x = (x | x << 16) & 0x1f0000ff0000ff;
-    x = (x | x << 8) & 0x100f00f00f00f00f;
-    x = (x | x << 4) & 0x10c30c30c30c30c3;
-    return (x | x << 2) & 0x1249249249249249;
-}
 
 struct Keyed {
     std::uint64_t key;
@@ -90,12 +82,11 @@ void Octree::sort(const VecArray& points) {
     base::Array<Keyed> keyed(points.memory(), points.size());
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const glm::dvec3 place = (points[i] - corner_) * (cells / width_);
-        std::uint64_t key = 0;
-        for (glm::length_t c = 0; c < 3; ++c)
-            key |= spread(static_cast<std::uint64_t>(
-                       std::clamp<std::int64_t>(static_cast<std::int64_t>(place[c]), 0, last)))
-                   << c;
-        keyed[i] = {key, i};
+        std::array<std::int64_t, 3> cell;
+        for (std::size_t c = 0; c < 3; ++c)
+            cell[c] =
+                std::clamp<std::int64_t>(static_cast<std::int64_t>(place[static_cast<glm::length_t>(c)]), 0, last);
+        keyed[i] = {morton_code(cell), i};
     }
     std::sort(keyed.begin(), keyed.end(),
               [](const Keyed& a, const Keyed& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); });

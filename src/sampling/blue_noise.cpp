@@ -15,8 +15,9 @@ constexpr double coarsest_cells = 96.0;
 constexpr double finest_cells = 4096.0;
 // A cell's side in spacings of marks: the candidates' layer is then one spacing to each side.
 constexpr double cell_spacings = 2.0;
-constexpr std::int64_t candidates_per_mark = 6;
+constexpr std::int64_t candidates_per_mark = 4;
 constexpr std::int64_t fewest_candidates = 6000;
+constexpr std::int64_t settled_at_once = 65536;
 
 // The samples' box and as much around it as the surface is known beyond its samples.  Another sheet
 // that the function happens to have farther out, and an open sheet's continuation, stay outside.
@@ -35,6 +36,42 @@ geometry::Bounds region_of(const Site& site, const Seeds& seeds, const SampleHin
     if (seeds.source == SeedSource::points || !inside())
         for (std::int64_t i = 0; i < seeds.position.size(); ++i) region.extend(seeds.position[i]);
     return region;
+}
+
+// Projects the chosen; those that do not arrive leave a gap in the order, and are counted.
+void bring_to_rest(const Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks,
+                   const base::Progress& progress) {
+    Settler settler(site);
+    LevelReport report;
+    const std::int64_t count = chosen.size();
+    marks.position.reserve(count);
+    marks.normal.reserve(count);
+    for (std::int64_t begin = 0; begin < count; begin += settled_at_once) {
+        const std::int64_t end = std::min(count, begin + settled_at_once);
+        settler.start.clear();
+        for (std::int64_t i = begin; i < end; ++i)
+            settler.start.push_back(cells.grid.origin +
+                                    glm::dvec3(chosen[i].position[0], chosen[i].position[1], chosen[i].position[2]));
+        const auto all = static_cast<double>(count);
+        // Farther than a cell is another sheet.
+        settler.settle(cells.grid.side, report,
+                       progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
+        for (std::int64_t i = 0; i < end - begin; ++i) {
+            if (!settler.placed(i)) continue;
+            if (!cells.region.contains(settler.position(i))) {
+                settler.drop(i, report.dropped_strayed, report);
+                continue;
+            }
+            marks.position.push_back(settler.position(i));
+            marks.normal.push_back(settler.normal(i));
+        }
+    }
+    LevelReport& all = marks.report;
+    all.dropped_budget = all.placed - count;
+    all.placed = report.placed;
+    all.dropped_not_converged += report.dropped_not_converged;
+    all.dropped_strayed += report.dropped_strayed;
+    all.dropped_degenerate += report.dropped_degenerate;
 }
 
 } // namespace
@@ -60,13 +97,13 @@ SurfaceCells cover_surface(const Site& site, const Seeds& seeds, const SampleHin
 EvenMarks spread_evenly(const Site& site, const SurfaceCells& cells, std::int64_t wanted, Group group,
                         const base::Progress& progress) {
     const Candidates candidates = draw_candidates(
-        site, cells, std::max(candidates_per_mark * wanted, fewest_candidates), group, progress.part(0.0, 0.7));
+        site, cells, std::max(candidates_per_mark * wanted, fewest_candidates), group, progress.part(0.0, 0.5));
+    const OrderedMarks chosen = progressive_order(site, candidates, wanted, progress.part(0.5, 0.9));
     EvenMarks marks(site.memory());
     marks.report = candidates.report;
     marks.area = candidates.area;
-    const base::Array<std::int64_t> order =
-        progressive_order(site, candidates.position, candidates.normal, wanted, progress.part(0.7, 1.0));
-    if (order.empty())
+    bring_to_rest(site, cells, chosen, marks, progress.part(0.9, 1.0));
+    if (marks.position.empty())
         fail(Status::not_converged,
              "no mark could be placed in %lld cells near the surface: %lld points were tried, %lld did not "
              "converge, %lld strayed, %lld were degenerate; raise projection_tolerance or use PAPER",
@@ -74,14 +111,6 @@ EvenMarks spread_evenly(const Site& site, const SurfaceCells& cells, std::int64_
              static_cast<long long>(marks.report.dropped_not_converged),
              static_cast<long long>(marks.report.dropped_strayed),
              static_cast<long long>(marks.report.dropped_degenerate));
-    marks.position.reserve(order.size());
-    marks.normal.reserve(order.size());
-    for (const std::int64_t i : order) {
-        marks.position.push_back(candidates.position[i]);
-        marks.normal.push_back(candidates.normal[i]);
-    }
-    marks.report.dropped_budget = marks.report.placed - order.size();
-    marks.report.placed = order.size();
     return marks;
 }
 

@@ -1,6 +1,10 @@
 #include "sampling/candidates.h"
 
 #include "base/random.h"
+#include "geometry/cell_map.h"
+#include "geometry/morton.h"
+#include "geometry/tangent_frame.h"
+#include "sampling/order_loops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,89 +13,208 @@ namespace hrbfnpr::sampling {
 namespace {
 
 constexpr std::uint32_t most_rounds = 4;
+// Points that are evaluated at a time.
+constexpr std::int64_t batch_points = 131072;
+
+// Candidates from each point that is evaluated: its foot, and others beside that in its tangent plane.
+constexpr std::uint32_t feet_of_point = 4;
+// How far beside, in sides of a cell; there a foot is as near to the surface as the first one.
+constexpr double stride = 0.5;
+
+// A point on the surface, to second order, and the cell that it is in.
+struct Foot {
+    std::int32_t cell; // number in SurfaceCells::cell, or nowhere
+    std::uint32_t ticket;
+    glm::vec3 position; // relative to the grid's origin
+    float normal;       // packed
+};
+constexpr std::int32_t nowhere = -1;
 
 // Points are drawn uniformly in the volume of the cells and kept within `band` of the surface: a
 // layer of constant thickness holds as many points per area everywhere, to second order in
-// band * curvature.  They are then projected.
+// band * curvature.  One Newton step takes them down to the surface.
 class Drawing {
 public:
-    Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates)
-        : site_(site), cells_(cells), group_(group), candidates_(candidates), settler_(site), trial_(site.memory()),
-          field_(site.memory()) {}
+    Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates);
 
     // `trials` points, spread evenly over the cells.
     void round(std::uint32_t number, double trials, const base::Progress& progress);
+    // Hands the candidates over, cell by cell.
+    void finish();
 
-    // The share of all trials that were within the band.
-    [[nodiscard]] double share() const noexcept { return trials_ > 0 ? static_cast<double>(near_) / trials_ : 0.0; }
+    [[nodiscard]] std::int64_t placed() const noexcept { return feet_.size(); }
+    // The share of all trials that were within the band; near_ counts their feet.
+    [[nodiscard]] double share() const noexcept {
+        return trials_ > 0 ? static_cast<double>(near_) / (feet_of_point * trials_) : 0.0;
+    }
 
 private:
-    void draw_in(const SurfaceCell& cell, std::uint32_t round, double per_cell);
-    void settle_trials(const base::Progress& progress);
+    [[nodiscard]] std::uint32_t count_in(const SurfaceCell& cell, double per_cell) const noexcept;
+    void draw_in(const SurfaceCell& cell, std::int64_t at, std::int64_t end) noexcept;
+    void draw(std::int64_t cell_begin, std::int64_t cell_end);
+    void step_down(const base::Progress& progress);
+    void land(std::int64_t i, double distance) noexcept;
 
     const Site& site_;
     const SurfaceCells& cells_;
-    Group group_;
     Candidates& candidates_;
-    Settler settler_;
-    geometry::VecArray trial_; // of the chunk, those near enough to be worth evaluating
+    geometry::CellMap numbers_;
+    std::uint32_t lane_;
+    std::uint32_t lane_of_round_ = 0;
+    base::Array<std::int64_t> slot_; // of the first trial of each cell of the batch
+    geometry::VecArray drawn_;       // a slot for each trial; NaN: not worth evaluating
+    base::Array<std::uint32_t> drawn_ticket_;
+    geometry::VecArray trial_;
+    base::Array<std::uint32_t> trial_ticket_;
     FieldSamples field_;
+    base::Array<Foot> landed_;
+    base::Array<Foot> feet_;
     double trials_ = 0.0;
     std::int64_t near_ = 0;
 };
 
-void Drawing::draw_in(const SurfaceCell& cell, std::uint32_t round, double per_cell) {
-    const glm::dvec3 corner = cells_.grid.corner(geometry::CellGrid::unpack(cell.packed));
+base::Array<std::uint64_t> codes_of(const Site& site, const SurfaceCells& cells) {
+    base::Array<std::uint64_t> codes(site.memory(), cells.cell.size());
+    for (std::int64_t i = 0; i < codes.size(); ++i) codes[i] = cells.cell[i].code;
+    return codes;
+}
+
+Drawing::Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates)
+    : site_(site), cells_(cells), candidates_(candidates), numbers_(site.memory(), codes_of(site, cells)),
+      lane_(lane_of(group)), slot_(site.memory()), drawn_(site.memory()), drawn_ticket_(site.memory()),
+      trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()), landed_(site.memory()),
+      feet_(site.memory()) {}
+
+// Number 0 of a cell and round decides whether the fraction of a trial becomes one.
+std::uint32_t Drawing::count_in(const SurfaceCell& cell, double per_cell) const noexcept {
+    const double extra = base::uniform4(site_.random_seed, cell.code, base::Purpose::candidate, lane_of_round_)[0];
+    return static_cast<std::uint32_t>(std::min(per_cell + extra, 65535.0));
+}
+
+void Drawing::draw_in(const SurfaceCell& cell, std::int64_t at, std::int64_t end) noexcept {
+    const glm::dvec3 corner = cells_.grid.corner(geometry::morton_cell(cell.code));
     const double side = cells_.grid.side;
-    // Number 0 of a cell and round decides whether the fraction of a trial becomes one.
-    const std::uint32_t lane = lane_of(group_, round) << 16U;
-    const double extra = base::uniform4(site_.random_seed, cell.packed, base::Purpose::candidate, lane)[0];
-    const auto count = static_cast<std::uint32_t>(std::min(per_cell + extra, 65535.0));
-    trials_ += count;
     // What the cell's plane calls this far off the band is not evaluated: its error within the cell is
     // 3/8 side^2 curvature, so this holds where the surface bends with radii above 1.5 sides.
     const double unlikely = cells_.band + 0.25 * side;
-    for (std::uint32_t number = 1; number <= count; ++number) {
-        const auto u = base::uniform4(site_.random_seed, cell.packed, base::Purpose::candidate, lane | number);
+    for (std::uint32_t number = 1; at < end; ++at, ++number) {
+        const auto u = base::uniform4(site_.random_seed, cell.code, base::Purpose::candidate, lane_of_round_ | number);
         const glm::dvec3 offset = side * glm::dvec3(u[0], u[1], u[2]);
         const double distance = cell.distance + glm::dot(cell.normal, offset - 0.5 * side);
-        if (std::abs(distance) > unlikely) continue; // NaN goes on
-        trial_.push_back(corner + offset);
+        // A distance that is not a number goes on.
+        const bool worth = !(std::abs(distance) > unlikely);
+        drawn_.set(at, worth ? corner + offset : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+        drawn_ticket_[at] = static_cast<std::uint32_t>(u[3] * 4294967296.0);
     }
 }
 
-void Drawing::settle_trials(const base::Progress& progress) {
-    evaluate(site_, trial_, field_, progress);
-    settler_.start.clear();
-    for (std::int64_t i = 0; i < trial_.size(); ++i) {
-        const double distance = field_.distance(i);
-        if (!(std::abs(distance) <= cells_.band)) continue;
-        ++near_;
-        // A Newton step ahead of the projection, with the gradient that is there already.
-        settler_.start.push_back(trial_[i] - distance * glm::normalize(field_.gradient[i]));
-    }
-    // Farther than a cell is another sheet.
-    settler_.settle(cells_.grid.side, candidates_.report, progress);
-    for (std::int64_t i = 0; i < settler_.start.size(); ++i) {
-        if (!settler_.placed(i)) continue;
-        if (!cells_.region.contains(settler_.position(i))) {
-            settler_.drop(i, candidates_.report.dropped_strayed, candidates_.report);
-            continue;
-        }
-        candidates_.position.push_back(settler_.position(i));
-        candidates_.normal.push_back(settler_.normal(i));
-    }
+void Drawing::draw(std::int64_t cell_begin, std::int64_t cell_end) {
+    site_.runtime.parallel.for_chunks(cell_end - cell_begin, 512, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) draw_in(cells_.cell[cell_begin + i], slot_[i], slot_[i + 1]);
+    });
     trial_.clear();
+    trial_ticket_.clear();
+    for (std::int64_t i = 0; i < drawn_.size(); ++i) {
+        if (std::isnan(drawn_.x[i])) continue;
+        trial_.push_back(drawn_[i]);
+        trial_ticket_.push_back(drawn_ticket_[i]);
+    }
+}
+
+void Drawing::land(std::int64_t i, double distance) noexcept {
+    const glm::dvec3 normal = glm::normalize(field_.gradient[i]);
+    const geometry::TangentFrame frame = geometry::combing_frame(normal);
+    const base::Philox random = base::philox(
+        site_.random_seed, {trial_ticket_[i], lane_of_round_,
+                            static_cast<std::uint32_t>(base::Purpose::candidate_order), static_cast<std::uint32_t>(i)});
+    constexpr double scale = 1.0 / 4294967296.0;
+    const float packed =
+        packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
+    glm::dvec3 at = trial_[i] - distance * normal;
+    for (std::uint32_t k = 0; k < feet_of_point; ++k) {
+        const std::int32_t cell =
+            cells_.region.contains(at) ? numbers_.find(geometry::morton_code(cells_.grid.cell_of(at))) : nowhere;
+        landed_[feet_of_point * i + k] = {cell, k == 0 ? trial_ticket_[i] : random[0],
+                                          glm::vec3(at - cells_.grid.origin), packed};
+        const double length = stride * cells_.grid.side * std::sqrt(random[1] * scale);
+        const double angle = 2.0 * 3.14159265358979323846 * random[2] * scale;
+        at += length * (std::cos(angle) * frame.u + std::sin(angle) * frame.r);
+    }
+}
+
+void Drawing::step_down(const base::Progress& progress) {
+    evaluate(site_, trial_, field_, progress);
+    landed_.resize(feet_of_point * trial_.size());
+    constexpr std::int32_t far = -2;
+    site_.runtime.parallel.for_chunks(trial_.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const double distance = field_.distance(i);
+            if (std::abs(distance) <= cells_.band)
+                land(i, distance);
+            else
+                for (std::uint32_t k = 0; k < feet_of_point; ++k) landed_[feet_of_point * i + k].cell = far;
+        }
+    });
+    for (const Foot& foot : landed_) {
+        if (foot.cell == far) continue;
+        ++near_;
+        if (foot.cell != nowhere) feet_.push_back(foot);
+    }
 }
 
 void Drawing::round(std::uint32_t number, double trials, const base::Progress& progress) {
-    const double per_cell = trials / static_cast<double>(cells_.cell.size());
-    for (std::int64_t i = 0; i < cells_.cell.size(); ++i) {
-        draw_in(cells_.cell[i], number, per_cell);
-        if (trial_.size() < chunk_size && i + 1 < cells_.cell.size()) continue;
-        settle_trials(base::Progress(progress).part(0.0, 0.0));
-        progress.update(static_cast<double>(i + 1) / static_cast<double>(cells_.cell.size()));
+    lane_of_round_ = (lane_ + static_cast<std::uint32_t>(group_count) * number) << 16U;
+    const std::int64_t cells = cells_.cell.size();
+    const double per_cell = trials / static_cast<double>(cells);
+    for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
+        slot_.clear();
+        std::int64_t slots = 0;
+        for (; end < cells && slots < batch_points; ++end) {
+            slot_.push_back(slots);
+            slots += count_in(cells_.cell[end], per_cell);
+        }
+        slot_.push_back(slots);
+        trials_ += static_cast<double>(slots);
+        drawn_.resize(slots);
+        drawn_ticket_.resize(slots);
+        draw(begin, end);
+        step_down(base::Progress(progress).part(0.0, 0.0));
+        progress.update(static_cast<double>(end) / static_cast<double>(cells));
     }
+}
+
+// A counting sort by cell; cells without any are left out.
+void Drawing::finish() {
+    base::Array<std::int64_t> next(site_.memory(), cells_.cell.size() + 1);
+    for (const Foot& foot : feet_) ++next[foot.cell + 1];
+    for (std::int64_t cell = 0; cell < cells_.cell.size(); ++cell) {
+        if (next[cell + 1] > 0) {
+            candidates_.code.push_back(cells_.cell[cell].code);
+            candidates_.first.push_back(next[cell]);
+        }
+        next[cell + 1] += next[cell];
+    }
+    candidates_.first.push_back(feet_.size());
+    for (base::Array<float>* array : {&candidates_.x, &candidates_.y, &candidates_.z, &candidates_.normal})
+        array->resize(feet_.size());
+    candidates_.ticket.resize(feet_.size());
+    for (const Foot& foot : feet_) {
+        const std::int64_t to = next[foot.cell]++;
+        candidates_.x[to] = foot.position.x;
+        candidates_.y[to] = foot.position.y;
+        candidates_.z[to] = foot.position.z;
+        candidates_.normal[to] = foot.normal;
+        candidates_.ticket[to] = foot.ticket;
+    }
+    // near / trials is the part of the volume that is in the band of thickness 2 band.  What lies in
+    // the region is all that is placed; of what is near, that is the same part as of the area.
+    LevelReport& report = candidates_.report;
+    report.attempted = near_;
+    report.placed = placed();
+    report.dropped_strayed = near_ - placed();
+    if (near_ > 0)
+        candidates_.area = share() * cells_.volume() / (2.0 * cells_.band) * static_cast<double>(placed()) /
+                           static_cast<double>(near_);
 }
 
 } // namespace
@@ -99,22 +222,19 @@ void Drawing::round(std::uint32_t number, double trials, const base::Progress& p
 Candidates draw_candidates(const Site& site, const SurfaceCells& cells, std::int64_t wanted, Group group,
                            const base::Progress& progress) {
     Candidates candidates(site.memory());
+    candidates.grid = cells.grid;
+    candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
     Drawing drawing(site, cells, group, candidates);
     double share = cells.band / cells.reach();
     for (std::uint32_t round = 0; round < most_rounds && share > 0.0; ++round) {
-        const std::int64_t missing = wanted - candidates.position.size();
+        const std::int64_t missing = wanted - drawing.placed();
         if (missing <= 0) break;
-        drawing.round(round, 1.02 * static_cast<double>(missing) / share,
+        drawing.round(round, 1.02 / feet_of_point * static_cast<double>(missing) / share,
                       progress.part(round == 0 ? 0.0 : 0.8, round == 0 ? 0.8 : 1.0));
         share = drawing.share();
     }
-    // near / trials is the part of the volume that is in the band of thickness 2 band.  What lies in
-    // the region is all that is placed; of what is near, that is the same part as of the area.
-    const LevelReport& report = candidates.report;
-    if (report.attempted > 0)
-        candidates.area = share * cells.volume() / (2.0 * cells.band) * static_cast<double>(report.placed) /
-                          static_cast<double>(report.attempted);
+    drawing.finish();
     return candidates;
 }
 

@@ -1,15 +1,21 @@
 // A blue-noise order of points: each prefix of it is evenly spread over the surface.
 #pragma once
 
-#include "sampling/site.h"
+#include "sampling/candidates.h"
+#include "sampling/order_loops.h"
 
 namespace hrbfnpr::sampling {
 
-// Places 0 .. n - 1 of the order as indices into `position`; n = min(wanted, what differs).
-// By dart throwing with a radius that falls by 4 % a pass.  Neighbours whose normals point to
-// opposite sides do not keep each other out: on a thin sheet both faces get their own order.
-[[nodiscard]] base::Array<std::int64_t> progressive_order(const Site& site, const geometry::VecArray& position,
-                                                          const geometry::VecArray& normal, std::int64_t wanted,
-                                                          const base::Progress& progress);
+// Relative to the candidates' grid.origin; near the surface.
+using OrderedMarks = base::Array<OrderMark>;
+
+// `wanted` marks, or as many as differ.  Each next one is where there is most room: among the candidates that keep
+// 0.71 of the densest packing's distance from all before, one at the lowest energy, which is a sum over the marks
+// within about two such distances (void and cluster, Ulichney 1993; elimination by weight, Yuksel 2015, does the like
+// backwards).  The distance alone (dart throwing) fills some parts of the surface before others; the energy alone lets
+// marks touch.  A candidate that is nearly far enough moves to the middle of its gap.  Neighbours whose normals point
+// to opposite sides do not see each other: on a thin sheet both faces get their own order.
+[[nodiscard]] OrderedMarks progressive_order(const Site& site, const Candidates& candidates, std::int64_t wanted,
+                                             const base::Progress& progress);
 
 } // namespace hrbfnpr::sampling

@@ -1,5 +1,8 @@
 #include "sampling/surface_cells.h"
 
+#include "geometry/morton.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -62,14 +65,15 @@ void Flood::judge(std::int64_t i, bool first) {
     const bool near = std::abs(distance) <= cells_.reach();
     const bool seeded = first && i < seeded_;
     if (!near && !seeded) return;
-    SurfaceCell cell{front_[i], std::numeric_limits<double>::quiet_NaN(), glm::dvec3(0.0)};
+    const Cell place = geometry::CellGrid::unpack(front_[i]);
+    SurfaceCell cell{geometry::morton_code(place), std::numeric_limits<double>::quiet_NaN(), glm::dvec3(0.0)};
     if (near) {
         cell.distance = distance;
         cell.normal = glm::normalize(field_.gradient[i]);
     }
     cells_.cell.push_back(cell);
     if (seeded || std::abs(distance) <= cells_.half_diagonal())
-        for_neighbourhood(geometry::CellGrid::unpack(front_[i]), [&](const Cell& next) { offer(next, next_); });
+        for_neighbourhood(place, [&](const Cell& next) { offer(next, next_); });
 }
 
 void Flood::run(const base::Progress& progress) {
@@ -98,6 +102,8 @@ SurfaceCells find_surface_cells(const Site& site, const geometry::VecArray& seed
     Flood flood(site, cells);
     flood.start(seeds);
     flood.run(progress);
+    std::sort(cells.cell.begin(), cells.cell.end(),
+              [](const SurfaceCell& a, const SurfaceCell& b) { return a.code < b.code; });
     progress.update(1.0);
     return cells;
 }

@@ -9,8 +9,8 @@ namespace hrbfnpr::sampling {
 
 // A cell and the plane that f looks like from its centre: f(x) / |grad f| ~ distance + normal . (x - centre).
 struct SurfaceCell {
-    std::uint64_t packed;
-    double distance; // NaN: no such plane
+    std::uint64_t code; // geometry/morton.h
+    double distance;    // NaN: no such plane
     glm::dvec3 normal;
 };
 
@@ -18,9 +18,9 @@ struct SurfaceCells {
     explicit SurfaceCells(base::Memory& memory) noexcept : cell(memory) {}
 
     geometry::CellGrid grid;
-    geometry::Bounds region; // marks stay inside
-    double band = 0.0;       // every point within this distance of the surface (inside the region) is in a cell
-    base::Array<SurfaceCell> cell;
+    geometry::Bounds region;       // marks stay inside
+    double band = 0.0;             // every point within this distance of the surface (inside the region) is in a cell
+    base::Array<SurfaceCell> cell; // along a space-filling curve
 
     [[nodiscard]] double volume() const noexcept {
         return static_cast<double>(cell.size()) * grid.side * grid.side * grid.side;

@@ -1,0 +1,43 @@
+// The inner loops of the progressive order, for each instruction set; the same bits from all of them.
+#pragma once
+
+#include "base/instruction_set.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::sampling {
+
+// The candidates of a cell, column by column in one piece of memory, so that few pages are touched.
+struct OrderBlock {
+    float* data;
+    std::int64_t stride; // from column to column
+    std::int64_t count;
+
+    static constexpr std::int64_t columns = 6;
+    // x, y, z; the normal's bits (packed_normal); the energy, a sum of (1 - s / reach^2)^4 over the marks on the same
+    // side at squared distance s; and the squared distance to the nearest of them.
+    enum Column : std::int64_t { x, y, z, normal, energy, clearance };
+
+    [[nodiscard]] float* column(std::int64_t c) const noexcept { return data + c * stride; }
+};
+
+struct OrderMark {
+    float position[3];
+    float normal[3];
+};
+
+// Ten bits a coordinate: enough to tell sides apart, and for a tangent plane.
+[[nodiscard]] float packed_normal(const float (&normal)[3]) noexcept;
+// Not of unit length.
+void unpack_normal(float packed, float (&normal)[3]) noexcept;
+
+struct OrderLoops {
+    // Candidates take note of a mark.
+    void (*feel)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach);
+    // The first with the lowest energy, of those with clearance >= enough; -1: none.
+    std::int64_t (*lowest)(const OrderBlock& block, float enough);
+};
+
+[[nodiscard]] OrderLoops order_loops(base::InstructionSet set) noexcept;
+
+} // namespace hrbfnpr::sampling

@@ -1,0 +1,359 @@
+#include "sampling/order_stage.h"
+
+#include "geometry/morton.h"
+#include "geometry/tangent_frame.h"
+#include "sampling/void_centre.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace hrbfnpr::sampling {
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr std::int64_t cells_of_task = 512;
+constexpr unsigned tile_bits = 2; // of each coordinate
+// A candidate whose gap was too small is tried again at this part of the squared radius.
+constexpr float again = 0.97F;
+// Marks around a candidate that are looked at; a plane has room for about 20 within the distance that counts.
+constexpr std::size_t most_around = 64;
+
+std::uint64_t code_of(const geometry::CellGrid& grid, const glm::dvec3& position) noexcept {
+    return geometry::morton_code(grid.cell_of(grid.origin + position));
+}
+
+glm::dvec3 vector(const float (&v)[3]) noexcept { return {v[0], v[1], v[2]}; }
+
+} // namespace
+
+OrderStage::OrderStage(const Site& site, const Candidates& candidates, const geometry::CellMap& home,
+                       std::int32_t home_level, const StageSettings& settings, const OrderedMarks& marks)
+    : site_(site),
+      grid_(candidates.grid), region_{candidates.region.min - grid_.origin, candidates.region.max - grid_.origin},
+      home_(home), home_level_(home_level), settings_(settings),
+      side_(static_cast<float>(std::ldexp(grid_.side, settings.level))),
+      loops_(order_loops(site.runtime.instruction_set)), code_(site.memory()), number_(site.memory()),
+      cell_(site.memory()), neighbour_(site.memory()), lowest_(site.memory()), block_(site.memory()),
+      slot_(site.memory()), extra_(site.memory()), tile_(site.memory()), fresh_(site.memory()),
+      fresh_count_(site.memory()), energy_(site.memory()), step_(site.memory()) {
+    take_candidates(candidates);
+    find_neighbours();
+    find_tiles();
+    for (const OrderMark& mark : marks) link(mark, cell_at(vector(mark.position)));
+    feel_all();
+}
+
+glm::vec3 OrderStage::low_corner(std::uint64_t code) const noexcept {
+    const geometry::CellGrid::Cell at = geometry::morton_cell(code);
+    return side_ * glm::vec3(static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]));
+}
+
+void OrderStage::take_candidates(const Candidates& candidates) {
+    base::Array<std::int64_t> taken(site_.memory());
+    taken.reserve(candidates.count());
+    const auto close_cell = [&] {
+        if (cell_.empty()) return;
+        Cell& cell = cell_.back();
+        cell.capacity = cell.count = static_cast<std::int32_t>(taken.size() - cell.block / OrderBlock::columns);
+    };
+    for (std::int64_t c = 0; c < candidates.cells(); ++c) {
+        const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings_.level);
+        if (code_.empty() || code_.back() != here) {
+            close_cell();
+            code_.push_back(here);
+            cell_.push_back({OrderBlock::columns * taken.size(), 0, 0, -1, 0, -1, 0, low_corner(here)});
+        }
+        for (std::int64_t i = candidates.first[c]; i < candidates.first[c + 1]; ++i)
+            if (candidates.ticket[i] < settings_.ticket_limit) taken.push_back(i);
+    }
+    close_cell();
+    block_.resize(OrderBlock::columns * taken.size());
+    site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) {
+            const OrderBlock block = block_of(cell_[c]);
+            for (std::int64_t k = 0; k < block.count; ++k) {
+                const std::int64_t i = taken[cell_[c].block / OrderBlock::columns + k];
+                block.column(OrderBlock::x)[k] = candidates.x[i];
+                block.column(OrderBlock::y)[k] = candidates.y[i];
+                block.column(OrderBlock::z)[k] = candidates.z[i];
+                block.column(OrderBlock::normal)[k] = candidates.normal[i];
+                block.column(OrderBlock::clearance)[k] = infinite;
+            }
+        }
+    });
+}
+
+void OrderStage::find_neighbours() {
+    number_ = geometry::CellMap(site_.memory(), code_);
+    neighbour_.resize(code_.size());
+    lowest_.resize(code_.size());
+    slot_.resize(slots_of_cell * code_.size());
+    site_.runtime.parallel.for_chunks(code_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) {
+            const geometry::CellGrid::Cell at = geometry::morton_cell(code_[c]);
+            for (std::int64_t step = 0; step < 27; ++step) {
+                const geometry::CellGrid::Cell there = {at[0] + step % 3 - 1, at[1] + step / 3 % 3 - 1,
+                                                        at[2] + step / 9 - 1};
+                if (!geometry::CellGrid::inside(there)) continue;
+                const std::int32_t number = number_.find(geometry::morton_code(there));
+                if (number >= 0) neighbour_[c][cell_[c].neighbours++] = number;
+            }
+        }
+    });
+}
+
+// A tile's turn is the parity of its coordinates, the last bits of its code.
+void OrderStage::find_tiles() {
+    const auto tile_of = [&](std::int64_t c) { return code_[c] >> (3 * tile_bits); };
+    for (std::size_t turn = 0; turn < 8; ++turn) {
+        for (std::int64_t begin = 0, end = 0; begin < code_.size(); begin = end) {
+            while (end < code_.size() && tile_of(end) == tile_of(begin)) ++end;
+            if ((tile_of(begin) & 7U) == turn)
+                tile_.push_back({static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)});
+        }
+        turn_[turn + 1] = tile_.size();
+    }
+}
+
+// A mark outside all cells of the stage is felt by none: home cells see to it that there are none.
+void OrderStage::link(const OrderMark& mark, std::int32_t cell) {
+    if (cell < 0) return;
+    Cell& c = cell_[cell];
+    if (c.marks < slots_of_cell) {
+        slot_[slots_of_cell * std::int64_t{cell} + c.marks++] = mark;
+        return;
+    }
+    extra_.push_back({mark, c.more});
+    c.more = static_cast<std::int32_t>(extra_.size() - 1);
+}
+
+template <class Visit>
+void OrderStage::for_marks(const Cell& cell, Visit&& visit) const {
+    const OrderMark* const slots = slot_.data() + slots_of_cell * (&cell - cell_.data());
+    for (std::int32_t k = 0; k < cell.marks; ++k) visit(slots[k]);
+    for (std::int32_t at = cell.more; at >= 0; at = extra_[at].next) visit(extra_[at].mark);
+}
+
+std::int32_t OrderStage::cell_at(const glm::dvec3& position) const noexcept {
+    return number_.find(code_of(grid_, position) >> static_cast<unsigned>(3 * settings_.level));
+}
+
+// The cell of a place near `cell`; -1 if that is no home.
+std::int32_t OrderStage::home_cell_at(const glm::dvec3& position, std::int32_t cell) const noexcept {
+    const std::uint64_t code = code_of(grid_, position);
+    const std::uint64_t here = code >> static_cast<unsigned>(3 * settings_.level);
+    if (settings_.level == home_level_) return here == code_[cell] ? cell : number_.find(here);
+    return home_.find(code >> static_cast<unsigned>(3 * home_level_)) < 0 ? -1 : number_.find(here);
+}
+
+void OrderStage::feel(const OrderMark& mark, const Cell& cell) noexcept {
+    loops_.feel(block_of(cell), mark, static_cast<float>(1.0 / (settings_.reach * settings_.reach)));
+}
+
+void OrderStage::feel_all() {
+    site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c)
+            for (std::size_t k = 0; k < cell_[c].neighbours; ++k)
+                for_marks(cell_[neighbour_[c][k]], [&](const OrderMark& mark) { feel(mark, cell_[c]); });
+    });
+}
+
+void OrderStage::refresh(std::int32_t cell, float enough) noexcept {
+    Cell& c = cell_[cell];
+    const OrderBlock block = block_of(c);
+    c.best = static_cast<std::int32_t>(loops_.lowest(block, enough));
+    lowest_[cell] = c.best < 0 ? infinite : block.column(OrderBlock::energy)[c.best];
+}
+
+void OrderStage::drop_nearer(double distance) {
+    const auto enough = static_cast<float>(distance * distance);
+    site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) {
+            const OrderBlock block = block_of(cell_[c]);
+            std::int32_t kept = 0;
+            for (std::int64_t i = 0; i < block.count; ++i) {
+                if (block.column(OrderBlock::clearance)[i] < enough) continue;
+                for (std::int64_t k = 0; k < OrderBlock::columns; ++k) block.column(k)[kept] = block.column(k)[i];
+                ++kept;
+            }
+            cell_[c].count = kept;
+        }
+    });
+}
+
+float OrderStage::lowest() const noexcept {
+    float lowest = infinite;
+    for (const float energy : lowest_) lowest = std::min(lowest, energy);
+    return lowest;
+}
+
+// Whether some point of a cell is nearer than that.
+bool OrderStage::reaches(const glm::vec3& position, float distance, std::int32_t cell) const noexcept {
+    const glm::vec3 low = cell_[cell].low;
+    const glm::vec3 outside = glm::max(glm::max(low - position, position - low - side_), glm::vec3(0.0F));
+    return glm::dot(outside, outside) < distance * distance;
+}
+
+// A tile's turn.
+class OrderStage::Turn {
+public:
+    Turn(OrderStage& stage, Fresh* fresh) noexcept : stage_(stage), fresh_(fresh) {}
+
+    // Returns the number of fresh marks.
+    std::int32_t run(const Tile& tile, std::span<const SweepStep> steps) {
+        for (std::size_t step = 0; step < steps.size(); ++step) {
+            radius_ = steps[step].radius;
+            enough_ = static_cast<float>(stage_.settings_.nearness * stage_.settings_.nearness * radius_ * radius_);
+            step_ = static_cast<std::uint8_t>(step);
+            // Later steps, with smaller radii, open a few more, which their cells find out when they are next felt.
+            for (std::int32_t cell = tile.begin; step == 0 && cell < tile.end; ++cell) stage_.refresh(cell, enough_);
+            fill(tile, steps[step].threshold);
+        }
+        return count_;
+    }
+
+private:
+    void fill(const Tile& tile, float threshold) {
+        const float* const lowest = stage_.lowest_.data();
+        while (count_ < most_fresh) {
+            const float* const least = std::min_element(lowest + tile.begin, lowest + tile.end);
+            if (!(*least < threshold)) break;
+            take(static_cast<std::int32_t>(least - lowest));
+        }
+    }
+
+    void take(std::int32_t cell) {
+        const Fresh fresh = place(cell);
+        if (fresh.cell < 0) {
+            float& clearance =
+                stage_.block_of(stage_.cell_[cell]).column(OrderBlock::clearance)[stage_.cell_[cell].best];
+            clearance = std::min(clearance, again * enough_);
+            stage_.refresh(cell, enough_);
+            return;
+        }
+        fresh_[count_++] = fresh;
+        for (std::size_t k = 0; k < stage_.cell_[fresh.cell].neighbours; ++k) {
+            const std::int32_t there = stage_.neighbour_[fresh.cell][k];
+            if (!stage_.reaches({fresh.mark.position[0], fresh.mark.position[1], fresh.mark.position[2]},
+                                static_cast<float>(stage_.settings_.reach), there))
+                continue;
+            stage_.feel(fresh.mark, stage_.cell_[there]);
+            stage_.refresh(there, enough_);
+        }
+    }
+
+    // The cell's best candidate itself if it keeps the distance, else a place in its gap that does.
+    [[nodiscard]] Fresh place(std::int32_t cell) {
+        const std::int64_t i = stage_.cell_[cell].best;
+        const OrderBlock block = stage_.block_of(stage_.cell_[cell]);
+        Fresh fresh{};
+        fresh.mark.position[0] = block.column(OrderBlock::x)[i];
+        fresh.mark.position[1] = block.column(OrderBlock::y)[i];
+        fresh.mark.position[2] = block.column(OrderBlock::z)[i];
+        fresh.energy = block.column(OrderBlock::energy)[i];
+        fresh.cell = cell;
+        fresh.step = step_;
+        unpack_normal(block.column(OrderBlock::normal)[i], fresh.mark.normal);
+        if (block.column(OrderBlock::clearance)[i] < static_cast<float>(radius_ * radius_)) move(fresh);
+        return fresh;
+    }
+
+    void look_at(const OrderMark& mark, const glm::dvec3& start, const geometry::TangentFrame& frame,
+                 const glm::dvec3& normal, double far) noexcept {
+        const glm::dvec3 between = vector(mark.position) - start;
+        if (around_ == most_around || glm::dot(between, between) > far * far ||
+            glm::dot(normal, vector(mark.normal)) < 0.0)
+            return;
+        const glm::dvec2 tangent(glm::dot(between, frame.u), glm::dot(between, frame.r));
+        const double length = glm::length(tangent);
+        flat_[around_] = length > 0.0 ? glm::length(between) / length * tangent : tangent;
+        between_[around_++] = between;
+    }
+
+    // In the tangent plane, where the distances from the candidate are taken as long as those in space.
+    void move(Fresh& fresh) noexcept {
+        const glm::dvec3 start = vector(fresh.mark.position);
+        const glm::dvec3 normal = glm::normalize(vector(fresh.mark.normal));
+        const geometry::TangentFrame frame = geometry::combing_frame(normal);
+        const double far = radius_ + 2.0 * stage_.settings_.farthest_move;
+        around_ = 0;
+        for (std::int32_t k = 0; k < count_; ++k) look_at(fresh_[k].mark, start, frame, normal, far);
+        for (std::size_t k = 0; k < stage_.cell_[fresh.cell].neighbours; ++k) {
+            const std::int32_t there = stage_.neighbour_[fresh.cell][k];
+            if (!stage_.reaches(glm::vec3(start), static_cast<float>(far), there)) continue;
+            stage_.for_marks(stage_.cell_[there],
+                             [&](const OrderMark& mark) { look_at(mark, start, frame, normal, far); });
+        }
+        const glm::dvec2 way = toward_void({flat_.data(), around_}, 1.02 * radius_, stage_.settings_.farthest_move);
+        settle(fresh, start, way.x * frame.u + way.y * frame.r);
+    }
+
+    void settle(Fresh& fresh, const glm::dvec3& start, const glm::dvec3& moved) noexcept {
+        const std::int32_t cell = std::exchange(fresh.cell, -1);
+        for (std::size_t i = 0; i < around_; ++i)
+            if (glm::distance(between_[i], moved) < radius_) return;
+        const glm::dvec3 end = start + moved;
+        if (!stage_.region_.contains(end)) return;
+        const glm::vec3 p(end);
+        for (int c = 0; c < 3; ++c) fresh.mark.position[c] = p[c];
+        fresh.cell = stage_.home_cell_at(end, cell);
+    }
+
+    OrderStage& stage_;
+    Fresh* fresh_;
+    std::int32_t count_ = 0;
+    double radius_ = 0.0;
+    float enough_ = 0.0F; // squared distance from marks that makes a candidate open
+    std::uint8_t step_ = 0;
+    // Marks around a candidate, as seen from it.
+    std::size_t around_ = 0;
+    std::array<glm::dvec2, most_around> flat_;
+    std::array<glm::dvec3, most_around> between_;
+};
+
+void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, OrderedMarks& marks) {
+    step_.clear();
+    energy_.clear();
+    for (std::size_t turn = 0; turn < 8; ++turn) {
+        const std::int64_t first = turn_[turn];
+        const std::int64_t tiles = turn_[turn + 1] - first;
+        fresh_.resize(most_fresh * tiles);
+        fresh_count_.resize(tiles);
+        site_.runtime.parallel.for_chunks(tiles, 64, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t t = begin; t < end; ++t)
+                fresh_count_[t] = Turn(*this, fresh_.data() + most_fresh * t).run(tile_[first + t], steps);
+        });
+        for (std::int64_t t = 0; t < tiles; ++t)
+            for (std::int32_t k = 0; k < fresh_count_[t]; ++k) append(fresh_[most_fresh * t + k], marks);
+    }
+    if (energy_.size() > room) keep_lowest(room, marks);
+}
+
+void OrderStage::append(const Fresh& fresh, OrderedMarks& marks) {
+    marks.push_back(fresh.mark);
+    link(fresh.mark, fresh.cell);
+    energy_.push_back(fresh.energy);
+    step_.push_back(fresh.step);
+}
+
+void OrderStage::keep_lowest(std::int64_t room, OrderedMarks& marks) {
+    const std::int64_t first = marks.size() - energy_.size();
+    base::Array<float> sorted(site_.memory(), energy_.size());
+    std::copy(energy_.begin(), energy_.end(), sorted.begin());
+    std::nth_element(sorted.begin(), sorted.begin() + room, sorted.end());
+    const float limit = sorted[room];
+    const auto below = std::count_if(energy_.begin(), energy_.end(), [&](float e) { return e < limit; });
+    std::int64_t equal = room - below;
+    std::int64_t kept = first;
+    for (std::int64_t i = 0; i < energy_.size(); ++i)
+        if (energy_[i] < limit || (energy_[i] == limit && equal-- > 0)) {
+            step_[kept - first] = step_[i];
+            marks[kept++] = marks[first + i];
+        }
+    marks.resize(kept);
+    step_.resize(kept - first);
+}
+
+} // namespace hrbfnpr::sampling

@@ -1,0 +1,120 @@
+// A stage of the progressive order: the number of marks grows fourfold, the reach of their energies stays.
+#pragma once
+
+#include "geometry/cell_map.h"
+#include "sampling/progressive_order.h"
+
+#include <array>
+#include <span>
+
+namespace hrbfnpr::sampling {
+
+struct StageSettings {
+    std::int32_t level = 0;         // cells have the candidates' cells' side times 2^level ...
+    double reach = 0.0;             // ... which is at least this: how far a mark's energy reaches
+    std::uint64_t ticket_limit = 0; // candidates with smaller tickets take part
+    double nearness = 0.8;          // part of the radius from which on a candidate may move into its gap
+    double farthest_move = 0.0;     // less than half a side
+};
+
+struct SweepStep {
+    double radius;
+    float threshold;
+};
+
+// Tiles of 4 x 4 x 4 cells are worked on in eight turns, in each of which no two are neighbours: what a mark changes
+// is less than two cells outside its tile.  Within its turn a tile is filled greedily, one mark after the other.
+class OrderStage {
+public:
+    // `home`: cells of `home_level` that marks must stay in.  `marks`: all so far.
+    OrderStage(const Site& site, const Candidates& candidates, const geometry::CellMap& home, std::int32_t home_level,
+               const StageSettings& settings, const OrderedMarks& marks);
+
+    // One after the other, tile by tile: places marks that keep the radius from all others at energies below the
+    // threshold, lowest first in each tile, and at most a few in each tile.  They are appended tile by tile; of more
+    // than `room` the lowest remain, and then the stage is over.
+    void sweep(std::span<const SweepStep> steps, std::int64_t room, OrderedMarks& marks);
+    // Of the marks of the last sweep: in which of its steps they were placed.
+    [[nodiscard]] const base::Array<std::uint8_t>& steps() const noexcept { return step_; }
+    // The lowest energy of a candidate that keeps the distance; infinite: there is none.
+    [[nodiscard]] float lowest() const noexcept;
+    // Forgets the candidates that are nearer than that to a mark: radii will be larger.
+    void drop_nearer(double distance);
+
+private:
+    struct Cell {
+        std::int64_t block; // where its candidates begin
+        std::int32_t capacity;
+        std::int32_t count;
+        std::int32_t best;       // open candidate of the lowest energy; -1: none
+        std::int32_t marks;      // in its slots
+        std::int32_t more;       // list of those that found no slot; -1: none
+        std::uint8_t neighbours; // itself among them
+        glm::vec3 low;           // corner, relative to the grid's origin
+    };
+    // Marks stand with their cells, so that a tile's turn finds them in the nearest cache.
+    static constexpr std::int32_t slots_of_cell = 8;
+    struct Extra {
+        OrderMark mark;
+        std::int32_t next;
+    };
+    struct Tile {
+        std::int32_t begin, end; // cells
+    };
+    struct Fresh {
+        OrderMark mark;
+        float energy;
+        std::int32_t cell; // -1: the gap is too small
+        std::uint8_t step;
+    };
+    static constexpr std::int64_t most_fresh = 16; // of a tile in a sweep
+
+    class Turn;
+
+    void take_candidates(const Candidates& candidates);
+    void find_neighbours();
+    void find_tiles();
+    [[nodiscard]] OrderBlock block_of(const Cell& cell) noexcept {
+        return {block_.data() + cell.block, cell.capacity, cell.count};
+    }
+    [[nodiscard]] bool reaches(const glm::vec3& position, float distance, std::int32_t cell) const noexcept;
+    void link(const OrderMark& mark, std::int32_t cell);
+    template <class Visit>
+    void for_marks(const Cell& cell, Visit&& visit) const;
+    void feel_all();
+    void feel(const OrderMark& mark, const Cell& cell) noexcept;
+    // The best of the candidates whose squared distance from marks is enough.
+    void refresh(std::int32_t cell, float enough) noexcept;
+    [[nodiscard]] glm::vec3 low_corner(std::uint64_t code) const noexcept;
+    [[nodiscard]] std::int32_t home_cell_at(const glm::dvec3& position, std::int32_t cell) const noexcept;
+    [[nodiscard]] std::int32_t cell_at(const glm::dvec3& position) const noexcept;
+    void append(const Fresh& fresh, OrderedMarks& marks);
+    void keep_lowest(std::int64_t room, OrderedMarks& marks);
+
+    const Site& site_;
+    geometry::CellGrid grid_;
+    geometry::Bounds region_; // relative to the grid's origin
+    const geometry::CellMap& home_;
+    std::int32_t home_level_;
+    StageSettings settings_;
+    float side_; // of a cell
+    OrderLoops loops_;
+
+    base::Array<std::uint64_t> code_; // of each cell
+    geometry::CellMap number_;
+    base::Array<Cell> cell_;
+    base::Array<std::array<std::int32_t, 27>> neighbour_;
+    base::Array<float> lowest_; // energy of the best candidate of each cell; infinite: there is none
+    base::Array<float> block_;
+    base::Array<OrderMark> slot_; // slots_of_cell of each cell
+    base::Array<Extra> extra_;
+
+    base::Array<Tile> tile_; // turn by turn
+    std::array<std::int64_t, 9> turn_{};
+    base::Array<Fresh> fresh_;              // most_fresh for each tile of the turn
+    base::Array<std::int32_t> fresh_count_; // of each tile of the turn
+    base::Array<float> energy_;             // of all marks of the sweep, when they were placed
+    base::Array<std::uint8_t> step_;
+};
+
+} // namespace hrbfnpr::sampling
