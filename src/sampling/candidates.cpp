@@ -7,14 +7,18 @@
 #include "sampling/order_loops.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace hrbfnpr::sampling {
 namespace {
 
 constexpr std::uint32_t most_rounds = 4;
 // Points that are evaluated at a time.
-constexpr std::int64_t batch_points = 131072;
+constexpr std::int64_t batch_points = 262144;
+constexpr std::int64_t cells_of_task = 512;
+constexpr std::int64_t points_of_task = 4096;
 
 // Candidates from each point that is evaluated: its foot, and others beside that in its tangent plane.
 constexpr std::uint32_t feet_of_point = 4;
@@ -23,19 +27,18 @@ constexpr double stride = 0.5;
 
 // A point on the surface, to second order, and the cell that it is in.
 struct Foot {
-    std::int32_t cell; // number in SurfaceCells::cell, or nowhere
+    std::int32_t cell; // number in SurfaceCells::cell
     std::uint32_t ticket;
     glm::vec3 position; // relative to the grid's origin
     float normal;       // packed
 };
-constexpr std::int32_t nowhere = -1;
 
 // Points are drawn uniformly in the volume of the cells and kept within `band` of the surface: a
 // layer of constant thickness holds as many points per area everywhere, to second order in
 // band * curvature.  One Newton step takes them down to the surface.
 class Drawing {
 public:
-    Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates);
+    Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates, std::int64_t wanted);
 
     // `trials` points, spread evenly over the cells.
     void round(std::uint32_t number, double trials, const base::Progress& progress);
@@ -53,7 +56,7 @@ private:
     void draw_in(const SurfaceCell& cell, std::int64_t at, std::int64_t end) noexcept;
     void draw(std::int64_t cell_begin, std::int64_t cell_end);
     void step_down(const base::Progress& progress);
-    void land(std::int64_t i, double distance) noexcept;
+    Foot* land(std::int64_t i, double distance, Foot* to) const noexcept;
 
     const Site& site_;
     const SurfaceCells& cells_;
@@ -67,6 +70,7 @@ private:
     geometry::VecArray trial_;
     base::Array<std::uint32_t> trial_ticket_;
     FieldSamples field_;
+    base::Array<std::int64_t> kept_, near_of_task_;
     base::Array<Foot> landed_;
     base::Array<Foot> feet_;
     double trials_ = 0.0;
@@ -79,11 +83,13 @@ base::Array<std::uint64_t> codes_of(const Site& site, const SurfaceCells& cells)
     return codes;
 }
 
-Drawing::Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates)
+Drawing::Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates, std::int64_t wanted)
     : site_(site), cells_(cells), candidates_(candidates), numbers_(site.memory(), codes_of(site, cells)),
       lane_(lane_of(group)), slot_(site.memory()), drawn_(site.memory()), drawn_ticket_(site.memory()),
-      trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()), landed_(site.memory()),
-      feet_(site.memory()) {}
+      trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()), kept_(site.memory()),
+      near_of_task_(site.memory()), landed_(site.memory()), feet_(site.memory()) {
+    feet_.reserve(wanted + wanted / 16 + feet_of_point * batch_points); // one piece
+}
 
 // Number 0 of a cell and round decides whether the fraction of a trial becomes one.
 std::uint32_t Drawing::count_in(const SurfaceCell& cell, double per_cell) const noexcept {
@@ -108,57 +114,83 @@ void Drawing::draw_in(const SurfaceCell& cell, std::int64_t at, std::int64_t end
     }
 }
 
+// Each task leaves what is worth evaluating at the front of its slots.
 void Drawing::draw(std::int64_t cell_begin, std::int64_t cell_end) {
-    site_.runtime.parallel.for_chunks(cell_end - cell_begin, 512, [&](std::int64_t begin, std::int64_t end) {
+    const std::int64_t cells = cell_end - cell_begin;
+    kept_.resize((cells + cells_of_task - 1) / cells_of_task);
+    site_.runtime.parallel.for_chunks(cells, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) draw_in(cells_.cell[cell_begin + i], slot_[i], slot_[i + 1]);
+        std::int64_t to = slot_[begin];
+        for (std::int64_t i = to; i < slot_[end]; ++i) {
+            if (std::isnan(drawn_.x[i])) continue;
+            drawn_.set(to, drawn_[i]);
+            drawn_ticket_[to++] = drawn_ticket_[i];
+        }
+        kept_[begin / cells_of_task] = to - slot_[begin];
     });
-    trial_.clear();
-    trial_ticket_.clear();
-    for (std::int64_t i = 0; i < drawn_.size(); ++i) {
-        if (std::isnan(drawn_.x[i])) continue;
-        trial_.push_back(drawn_[i]);
-        trial_ticket_.push_back(drawn_ticket_[i]);
+    const std::int64_t count = std::accumulate(kept_.begin(), kept_.end(), std::int64_t{0});
+    trial_.resize(count);
+    trial_ticket_.resize(count);
+    std::int64_t to = 0;
+    for (std::int64_t task = 0; task < kept_.size(); to += kept_[task++]) {
+        const std::int64_t from = slot_[task * cells_of_task];
+        std::copy_n(drawn_.x.data() + from, kept_[task], trial_.x.data() + to);
+        std::copy_n(drawn_.y.data() + from, kept_[task], trial_.y.data() + to);
+        std::copy_n(drawn_.z.data() + from, kept_[task], trial_.z.data() + to);
+        std::copy_n(drawn_ticket_.data() + from, kept_[task], trial_ticket_.data() + to);
     }
 }
 
-void Drawing::land(std::int64_t i, double distance) noexcept {
+// The feet of a trial point; returns the end of those that are in the region and its cells.
+Foot* Drawing::land(std::int64_t i, double distance, Foot* to) const noexcept {
     const glm::dvec3 normal = glm::normalize(field_.gradient[i]);
     const geometry::TangentFrame frame = geometry::combing_frame(normal);
-    const base::Philox random = base::philox(
-        site_.random_seed, {trial_ticket_[i], lane_of_round_,
-                            static_cast<std::uint32_t>(base::Purpose::candidate_order), static_cast<std::uint32_t>(i)});
-    constexpr double scale = 1.0 / 4294967296.0;
     const float packed =
         packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
-    glm::dvec3 at = trial_[i] - distance * normal;
+    const glm::dvec3 foot = trial_[i] - distance * normal;
+    glm::dvec3 at = foot;
+    std::uint32_t ticket = trial_ticket_[i];
     for (std::uint32_t k = 0; k < feet_of_point; ++k) {
         const std::int32_t cell =
-            cells_.region.contains(at) ? numbers_.find(geometry::morton_code(cells_.grid.cell_of(at))) : nowhere;
-        landed_[feet_of_point * i + k] = {cell, k == 0 ? trial_ticket_[i] : random[0],
-                                          glm::vec3(at - cells_.grid.origin), packed};
+            cells_.region.contains(at) ? numbers_.find(geometry::morton_code(cells_.grid.cell_of(at))) : -1;
+        if (cell >= 0) *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), packed};
+        const base::Philox random =
+            base::philox(site_.random_seed, {trial_ticket_[i], std::bit_cast<std::uint32_t>(static_cast<float>(foot.x)),
+                                             static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
+        constexpr double scale = 1.0 / 4294967296.0;
         const double length = stride * cells_.grid.side * std::sqrt(random[1] * scale);
         const double angle = 2.0 * 3.14159265358979323846 * random[2] * scale;
-        at += length * (std::cos(angle) * frame.u + std::sin(angle) * frame.r);
+        at = foot + length * (std::cos(angle) * frame.u + std::sin(angle) * frame.r);
+        ticket = random[0];
     }
+    return to;
 }
 
+// Each task leaves its feet at the front of its part of landed_.
 void Drawing::step_down(const base::Progress& progress) {
     evaluate(site_, trial_, field_, progress);
     landed_.resize(feet_of_point * trial_.size());
-    constexpr std::int32_t far = -2;
-    site_.runtime.parallel.for_chunks(trial_.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
+    const std::int64_t tasks = (trial_.size() + points_of_task - 1) / points_of_task;
+    kept_.resize(tasks);
+    near_of_task_.resize(tasks);
+    site_.runtime.parallel.for_chunks(trial_.size(), points_of_task, [&](std::int64_t begin, std::int64_t end) {
+        Foot* const first = landed_.data() + feet_of_point * begin;
+        Foot* to = first;
+        std::int64_t near = 0;
         for (std::int64_t i = begin; i < end; ++i) {
             const double distance = field_.distance(i);
-            if (std::abs(distance) <= cells_.band)
-                land(i, distance);
-            else
-                for (std::uint32_t k = 0; k < feet_of_point; ++k) landed_[feet_of_point * i + k].cell = far;
+            if (!(std::abs(distance) <= cells_.band)) continue;
+            ++near;
+            to = land(i, distance, to);
         }
+        kept_[begin / points_of_task] = to - first;
+        near_of_task_[begin / points_of_task] = feet_of_point * near;
     });
-    for (const Foot& foot : landed_) {
-        if (foot.cell == far) continue;
-        ++near_;
-        if (foot.cell != nowhere) feet_.push_back(foot);
+    for (std::int64_t task = 0; task < tasks; ++task) {
+        const std::int64_t before = feet_.size();
+        near_ += near_of_task_[task];
+        feet_.resize(before + kept_[task]);
+        std::copy_n(landed_.data() + feet_of_point * points_of_task * task, kept_[task], feet_.data() + before);
     }
 }
 
@@ -185,6 +217,8 @@ void Drawing::round(std::uint32_t number, double trials, const base::Progress& p
 
 // A counting sort by cell; cells without any are left out.
 void Drawing::finish() {
+    candidates_.code.reserve(cells_.cell.size());
+    candidates_.first.reserve(cells_.cell.size() + 1);
     base::Array<std::int64_t> next(site_.memory(), cells_.cell.size() + 1);
     for (const Foot& foot : feet_) ++next[foot.cell + 1];
     for (std::int64_t cell = 0; cell < cells_.cell.size(); ++cell) {
@@ -225,7 +259,7 @@ Candidates draw_candidates(const Site& site, const SurfaceCells& cells, std::int
     candidates.grid = cells.grid;
     candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
-    Drawing drawing(site, cells, group, candidates);
+    Drawing drawing(site, cells, group, candidates, wanted);
     double share = cells.band / cells.reach();
     for (std::uint32_t round = 0; round < most_rounds && share > 0.0; ++round) {
         const std::int64_t missing = wanted - drawing.placed();
