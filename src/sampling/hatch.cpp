@@ -2,6 +2,7 @@
 
 #include "sampling/stroke_field.h"
 #include "sampling/stroke_marks.h"
+#include "sampling/stroke_sets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,6 +164,8 @@ double Hatching::run(Marks& marks, const base::Progress& progress) {
     lay(field.field, progress.part(0.4, 0.7));
     order();
     keep_to_budget();
+    if (field.first_set)
+        strokes_ = split_by_set(site_.runtime, strokes_, *field.first_set, separation_ / step_, progress);
     settle_strokes(site_, strokes_, {settings_.group, separation_, step_, cells_.region}, marks, report_,
                    progress.part(0.7, 1.0));
     report_.step = separation_;

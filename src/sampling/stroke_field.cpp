@@ -18,6 +18,10 @@ constexpr double sure = 0.35;
 // has directions, but they are those of its noise.
 constexpr double flat_part = 0.25;
 
+// What measured directions count against smoothness, for the strokes and for telling their sets.
+constexpr double field_fidelity = 1.0;
+constexpr double set_fidelity = 0.1;
+
 struct Measured {
     explicit Measured(base::Memory& memory, std::int64_t count) : direction(memory, count), trust(memory, count) {}
 
@@ -80,10 +84,15 @@ StrokeFieldResult make_stroke_field(const Site& site, const SurfaceCells& cells,
     // A surface whose area is not known (none of its cells' volume is near) has samples apart at least.
     const auto count = static_cast<double>(even.position.size());
     const double area = even.area > 0.0 ? even.area : cells.rough_area();
-    const surface::FieldSamples field{even.position, even.normal, measured.direction, measured.trust,
-                                      std::sqrt(area / count)};
-    const surface::Symmetry symmetry = kind == StrokeField::line ? surface::Symmetry::line : surface::Symmetry::cross;
-    return {surface::DirectionField(site.runtime, field, symmetry, progress.part(0.9, 1.0)), area};
+    surface::FieldSamples field{even.position,  even.normal, measured.direction,
+                                measured.trust, std::sqrt(area / count), field_fidelity};
+    if (kind == StrokeField::line)
+        return {surface::DirectionField(site.runtime, field, surface::Symmetry::line, progress.part(0.9, 1.0)),
+                std::nullopt, area};
+    surface::DirectionField crosses(site.runtime, field, surface::Symmetry::cross, progress.part(0.9, 0.95));
+    field.fidelity = set_fidelity;
+    return {std::move(crosses),
+            surface::DirectionField(site.runtime, field, surface::Symmetry::line, progress.part(0.95, 1.0)), area};
 }
 
 } // namespace hrbfnpr::sampling

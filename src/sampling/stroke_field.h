@@ -5,10 +5,14 @@
 #include "surface/curvature.h"
 #include "surface/direction_field.h"
 
+#include <optional>
+
 namespace hrbfnpr::sampling {
 
 struct StrokeFieldResult {
     surface::DirectionField field;
+    // Of a cross field: the lines of set 0, smoother still, by which strokes are told apart.
+    std::optional<surface::DirectionField> first_set;
     double area = 0.0; // of the surface
 };
 

@@ -19,6 +19,8 @@ struct FieldSamples {
     const geometry::VecArray& direction; // unit, tangent: as measured
     const base::Array<double>& trust;    // in [0, 1]: of the measured direction
     double spacing;                      // sqrt(area per sample)
+    // How much a fully trusted direction counts against all neighbours together: the smaller, the smoother.
+    double fidelity = 1.0;
 };
 
 // Trusted samples keep their measured directions, and the others take the smoothest field between them.

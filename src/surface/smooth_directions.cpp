@@ -20,8 +20,6 @@ constexpr std::int64_t level_ratio = 4;
 constexpr std::int64_t coarsest = 48;
 constexpr int coarsest_rounds = 60;
 constexpr int rounds = 16;
-// How much a fully trusted direction counts against all neighbours together.
-constexpr double fidelity = 1.0;
 // Of the old value in a round: without, two halves of the samples could swap theirs for ever.
 constexpr double inertia = 0.5;
 
@@ -163,7 +161,7 @@ Turn Relaxation::relaxed(std::int64_t i) const noexcept {
         links += 1.0;
     }
     if (links > 0.0) sum = (1.0 / links) * sum;
-    sum = sum + inertia * value_[i] + (fidelity / voices_[i]) * measured_[i];
+    sum = sum + inertia * value_[i] + (samples_.fidelity / voices_[i]) * measured_[i];
     const double length = sum.length();
     return length > 1e-9 ? (1.0 / length) * sum : value_[i];
 }
