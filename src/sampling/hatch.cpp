@@ -176,7 +176,8 @@ double Hatching::run(Marks& marks, const base::Progress& progress) {
 } // namespace
 
 std::int64_t field_samples_for(std::int64_t marks) noexcept {
-    return std::clamp(marks / marks_of_sample, fewest_samples, most_samples);
+    const std::int64_t fewest = std::clamp<std::int64_t>(2 * marks, 256, fewest_samples); // few marks need few
+    return std::clamp(marks / marks_of_sample, fewest, most_samples);
 }
 
 double hatch(const Site& site, const SurfaceCells& cells, const HatchSettings& settings, Marks& marks,

@@ -27,10 +27,6 @@ struct Marks {
     base::Array<float> width; // may be empty: all 1
 
     [[nodiscard]] std::int64_t count() const noexcept { return position.size(); }
-    // Overwrites mark `to` with mark `from`.
-    void move(std::int64_t from, std::int64_t to) noexcept;
-    // Keeps the first `count` marks.
-    void shrink(std::int64_t count);
 };
 
 // More marks than this are refused before they are made: identities of marks are 32 bits wide.

@@ -84,8 +84,8 @@ StrokeFieldResult make_stroke_field(const Site& site, const SurfaceCells& cells,
     // A surface whose area is not known (none of its cells' volume is near) has samples apart at least.
     const auto count = static_cast<double>(even.position.size());
     const double area = even.area > 0.0 ? even.area : cells.rough_area();
-    surface::FieldSamples field{even.position,  even.normal, measured.direction,
-                                measured.trust, std::sqrt(area / count), field_fidelity};
+    surface::FieldSamples field{even.position,           even.normal,   measured.direction, measured.trust,
+                                std::sqrt(area / count), field_fidelity};
     if (kind == StrokeField::line)
         return {surface::DirectionField(site.runtime, field, surface::Symmetry::line, progress.part(0.9, 1.0)),
                 std::nullopt, area};
