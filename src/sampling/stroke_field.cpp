@@ -16,11 +16,11 @@ constexpr double unsure = 0.05;
 constexpr double sure = 0.35;
 // ... and half where the principal curvatures are this part of their mean difference apart: what is nearly flat
 // has directions, but they are those of its noise.
-constexpr double flat_part = 0.25;
+constexpr double flat_part = 0.6;
 
 // What measured directions count against smoothness, for the strokes and for telling their sets.
-constexpr double field_fidelity = 1.0;
-constexpr double set_fidelity = 0.1;
+constexpr double field_fidelity = 0.35;
+constexpr double set_fidelity = 0.06;
 
 struct Measured {
     explicit Measured(base::Memory& memory, std::int64_t count) : direction(memory, count), trust(memory, count) {}

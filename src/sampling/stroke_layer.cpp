@@ -8,8 +8,8 @@ namespace {
 // All in separations of the pass.  A gap is split where both halves are wide enough for `seed_room`, and the new
 // stroke goes on until a half is narrower than `test_room`: gaps end between these and twice these, and are a
 // separation wide on average.  Measured for the smallest variation that still leaves strokes long.
-constexpr double seed_room = 0.72;
-constexpr double test_room = 0.66;
+constexpr double seed_room = 0.75;
+constexpr double test_room = 0.70;
 // How far beside a stroke neighbours are looked for ...
 constexpr double sight = 1.6;
 // ... within this much along it.
@@ -21,7 +21,7 @@ constexpr double side_places = 0.5;
 // Points of strokes stand this densely in the grid.
 constexpr double grid_points = 0.2;
 // The shortest stroke: in separations of the last pass, and of its own.
-constexpr double shortest = 3.0;
+constexpr double shortest = 2.5;
 constexpr double shortest_of_pass = 0.75;
 
 // The tightest circle that a stroke follows, in separations of the last pass: tighter ones belong to a singular
@@ -109,7 +109,7 @@ Layering::Room Layering::room_at(const StrokePoint& point, double radius) const 
         const glm::dvec3 offset = node.point.position - point.position;
         const double distance = glm::length(offset);
         if (!(distance < radius) || !run_alike(node.point, point)) return;
-        room.nearest = std::min(room.nearest, distance);
+        room.nearest = std::min(room.nearest, std::sqrt(squared_clearance(point, offset)));
         if (std::abs(glm::dot(offset, point.direction)) > abreast * apart_) return;
         double& beside = glm::dot(offset, side) > 0.0 ? room.left : room.right;
         beside = std::min(beside, distance);

@@ -42,7 +42,7 @@ Tracer::Verdict Tracer::look(const StrokePoint& point, std::int32_t stroke, std:
     grid_.around(point.position, settings.test, [&](const StrokeGrid::Node& node) {
         if (verdict == Verdict::blocked) return;
         const glm::dvec3 offset = node.point.position - point.position;
-        if (glm::dot(offset, offset) >= settings.test * settings.test || !run_alike(node.point, point)) return;
+        if (squared_clearance(point, offset) >= settings.test * settings.test || !run_alike(node.point, point)) return;
         if (node.stroke != stroke) {
             verdict = Verdict::blocked;
             return;

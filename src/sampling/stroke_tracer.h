@@ -25,6 +25,14 @@ struct TraceSettings {
     return glm::dot(a.normal, b.normal) > 0.0 && std::abs(glm::dot(a.direction, b.direction)) > cosine;
 }
 
+// Squared distance by which strokes are kept apart: how near another one is ahead counts more than it is, so that
+// strokes end nearer to the tip of one that they go on from than to one beside them, and leave no bald spots.
+[[nodiscard]] inline double squared_clearance(const StrokePoint& from, const glm::dvec3& offset) noexcept {
+    constexpr double stretch = 1.7;
+    const double along = glm::dot(offset, from.direction);
+    return glm::dot(offset, offset) + (stretch * stretch - 1.0) * along * along;
+}
+
 class Tracer {
 public:
     Tracer(base::Memory& memory, const surface::DirectionField& field, StrokeGrid& grid) noexcept

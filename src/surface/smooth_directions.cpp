@@ -20,6 +20,8 @@ constexpr std::int64_t level_ratio = 4;
 constexpr std::int64_t coarsest = 48;
 constexpr int coarsest_rounds = 60;
 constexpr int rounds = 16;
+// Measured directions that are trusted more than this are taken to be right where they agree around.
+constexpr double trusted = 0.4;
 // Of the old value in a round: without, two halves of the samples could swap theirs for ever.
 constexpr double inertia = 0.5;
 
@@ -58,6 +60,7 @@ private:
     void link(std::int64_t count, const base::Progress& progress);
     void gather(std::int64_t fine, std::int64_t coarse);
     void spread(std::int64_t coarse, std::int64_t fine);
+    void believe(std::int64_t count);
     void relax(std::int64_t count, int times, const base::Progress& progress);
     [[nodiscard]] Turn relaxed(std::int64_t i) const noexcept;
     [[nodiscard]] std::int64_t coarse_neighbour(std::int64_t i, std::int64_t coarse) const noexcept;
@@ -151,6 +154,18 @@ void Relaxation::spread(std::int64_t coarse, std::int64_t fine) {
     }
 }
 
+// A region that a coarser level left a half turn away from what was measured all over it would stay so: its inside
+// has no reason to change, and its border no way to move.  Not on the finest level, where it is single bumps that
+// disagree with what is around them.
+void Relaxation::believe(std::int64_t count) {
+    for (std::int64_t i = 0; i < count; ++i) {
+        const Turn m = measured_[i];
+        const double length = m.length();
+        if (length > trusted * voices_[i] && m.x * value_[i].x + m.y * value_[i].y < 0.0)
+            value_[i] = (1.0 / length) * m;
+    }
+}
+
 Turn Relaxation::relaxed(std::int64_t i) const noexcept {
     Turn sum;
     double links = 0.0;
@@ -198,6 +213,7 @@ void Relaxation::run(const base::Progress& progress) {
             std::copy(measured.begin(), measured.end(), measured_.begin());
             for (double& voice : voices_) voice = 1.0;
         }
+        if (level > 0 && level + 1 < levels) believe(count);
         relax(count, level + 1 == levels ? coarsest_rounds : rounds, progress);
         progress.update(1.0 - 0.7 * static_cast<double>(level) / static_cast<double>(levels));
     }
