@@ -29,8 +29,8 @@ std::vector<Stroke> strokes_of(const MarkGroup& marks) {
     return strokes;
 }
 
-// Sideways distances from marks to the next stroke of the same set on either side, in `unit`, and the share of
-// sides on which there is none within 2.5 of it.
+// Sideways distances from marks to the next stroke that runs alike (of the same set, or of the other where they change
+// places) on either side, in `unit`, and the share of sides on which there is none within 2.5 of it.
 struct Spacing {
     double mean = 0.0, variation = 0.0, alone = 0.0, widest = 0.0;
 };
@@ -54,8 +54,7 @@ Spacing spacing_of(const PointSet& set, Group group, double share, double unit) 
         std::array<double, 2> nearest{1e300, 1e300};
         tree.within(tree.points()[at], 2.5 * unit, [&](std::int64_t other_at, double squared) {
             const std::int64_t j = mark[static_cast<std::size_t>(tree.index(other_at))];
-            if (marks.stroke[2 * i] == marks.stroke[2 * j] || ((marks.stroke[2 * i] ^ marks.stroke[2 * j]) & 1U) != 0)
-                return;
+            if (marks.stroke[2 * i] == marks.stroke[2 * j]) return;
             const glm::dvec3 offset = tree.points()[other_at] - tree.points()[at];
             if (glm::dot(n, vec(marks.normal, j)) < 0.0 || std::abs(glm::dot(offset, d)) > 0.6 * step) return;
             if (std::abs(glm::dot(d, vec(marks.direction, j))) < 0.7071) return;
@@ -246,7 +245,7 @@ TEST(Hatch, IsStraightOnAPlane) {
         const double cosine = std::abs(glm::dot(first, vec(marks.direction, i)));
         EXPECT_TRUE(cosine < 1e-3 || cosine > 0.999) << i << " " << cosine;
     }
-    expect_even(set, Group::curvature, 0.25, 0.10);
+    expect_even(set, Group::curvature, 0.25, 0.15); // a quarter of the strokes: many at the border
     // Nothing on the other side of a thin sheet keeps a stroke away.
     const ThinSlab slab(0.004);
     const PointSet two = make(slab, blue({Group::curvature}, 20000));
