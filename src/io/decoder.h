@@ -48,7 +48,7 @@ public:
     }
 
     // Whether there are further sections: those that files without them leave out.
-    [[nodiscard]] bool more() const noexcept { return remaining_ > 0; }
+    [[nodiscard]] bool more() const noexcept { return remaining_ >= section_header_size; }
 
     // After the last section: the payload is used up and its checksum is right.
     void finish();

@@ -122,13 +122,17 @@ void Settling::append() {
 }
 
 void Settling::append(const OrderedStroke& stroke, std::uint32_t number, std::int64_t first, const Piece& piece) {
-    const bool closed = stroke.closed && piece.count == stroke.count;
+    const bool whole = piece.count == stroke.count;
+    const std::array<bool, 2> has_tip{!(whole && (stroke.closed || stroke.goes_on_before)),
+                                      !(whole && (stroke.closed || stroke.goes_on_after))};
+    const double length = std::max(
+        1.0, std::min(taper * settings_.separation / settings_.step, 0.5 * static_cast<double>(piece.count - 1)));
     for (std::int64_t place = 0; place < piece.count; ++place) {
         const std::int64_t i = piece.begin + place;
-        const auto to_end = static_cast<double>(std::min(place, piece.count - 1 - place));
-        const double length =
-            std::min(taper * settings_.separation / settings_.step, 0.5 * static_cast<double>(piece.count - 1));
-        const double rise = closed ? 1.0 : smoothstep(0.0, std::max(length, 1.0), to_end);
+        // Beyond an end that goes on, or the joint of a closed one, there are no tips.
+        const double before = has_tip[0] ? static_cast<double>(place) : length;
+        const double after = has_tip[1] ? static_cast<double>(piece.count - 1 - place) : length;
+        const double rise = smoothstep(0.0, length, std::min(before, after));
         marks_.position.push_back(position_[i]);
         marks_.normal.push_back(normal_[i]);
         marks_.direction.push_back(stroke.point[(i - first) * stroke.every].direction);

@@ -14,6 +14,8 @@ struct OrderedStroke {
     std::uint32_t set = 0;
     std::uint8_t pass = 0;
     bool closed = false;
+    // Where one stroke was split into two of different sets they go on from each other: no taper there.
+    bool goes_on_before = false, goes_on_after = false;
 };
 
 struct StrokeMarkSettings {

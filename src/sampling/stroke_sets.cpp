@@ -74,6 +74,8 @@ base::Array<OrderedStroke> split_by_set(const base::Runtime& runtime, const base
             piece.count = end - begin;
             piece.set = of[begin];
             piece.closed = piece.closed && piece.count == strokes[s].count;
+            piece.goes_on_before = begin > 0 || (strokes[s].closed && !piece.closed);
+            piece.goes_on_after = end < strokes[s].count || (strokes[s].closed && !piece.closed);
             result.push_back(piece);
             begin = end;
         }
