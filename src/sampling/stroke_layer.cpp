@@ -10,6 +10,8 @@ namespace {
 // separation wide on average.  Measured for the smallest variation that still leaves strokes long.
 constexpr double seed_room = 0.75;
 constexpr double test_room = 0.70;
+// A point this near to a stroke is not moved into the gap beside it: others stand better.
+constexpr double least_room = 0.6;
 // How far beside a stroke neighbours are looked for ...
 constexpr double sight = 1.6;
 // ... within this much along it.
@@ -17,7 +19,7 @@ constexpr double abreast = 0.3;
 // Wider gaps are not split in halves: the new stroke keeps one separation from the nearer side.
 constexpr double widest_split = 2.4;
 // Places along a stroke from which its sides are looked at.
-constexpr double side_places = 0.5;
+constexpr double side_places = 0.8;
 // Points of strokes stand this densely in the grid.
 constexpr double grid_points = 0.2;
 // The shortest stroke: in separations of the last pass, and of its own.
@@ -30,6 +32,7 @@ constexpr double tightest = 0.55;
 constexpr double sharpest = 0.5;
 
 constexpr double buckets_per_separation = 8.0;
+constexpr std::int64_t most_reserved = 4000000; // points
 
 class Layering {
 public:
@@ -37,6 +40,8 @@ public:
         : field_(field), settings_(settings), grid_(memory), tracer_(memory, field, grid_), seed_(memory),
           heap_(memory), layer_(memory) {
         for (std::int64_t i = 0; i < field.size(); ++i) box_.extend(field.position(i));
+        // Growing step by step would ask the system for three times as much.
+        layer_.point.reserve(std::min(settings.most_points, most_reserved));
     }
 
     void pass(int number, const base::Progress& progress);
@@ -56,13 +61,14 @@ private:
     };
     // To the nearest strokes that run alike; infinite where none is in sight.
     struct Room {
-        double left, right, nearest;
+        double left, right;
     };
 
     void prepare(int number);
     void seed_from_samples(const base::Progress& progress);
     void seed_beside(std::int64_t stroke);
-    [[nodiscard]] Room room_at(const StrokePoint& point, double radius) const noexcept;
+    [[nodiscard]] bool crowded(const StrokePoint& point, double room) const noexcept;
+    [[nodiscard]] Room room_at(const StrokePoint& point) const noexcept;
     [[nodiscard]] std::int32_t move_to_middle(StrokePoint& point) const noexcept;
     void offer(StrokePoint point);
     void push(std::int32_t bucket, std::int64_t seed);
@@ -91,7 +97,7 @@ void Layering::prepare(int number) {
     trace_.least_cosine = std::cos(std::min(settings_.step / (tightest * settings_.separation), sharpest));
     trace_.turned = settings_.turned;
     trace_.region = settings_.region;
-    grid_.reset(box_.grown(apart_), apart_);
+    grid_.reset(box_.grown(apart_), sight * apart_);
     seed_.clear();
     heap_.clear();
     for (std::int64_t s = 0; s < layer_.stroke.size(); ++s) {
@@ -101,25 +107,37 @@ void Layering::prepare(int number) {
     }
 }
 
-Layering::Room Layering::room_at(const StrokePoint& point, double radius) const noexcept {
+bool Layering::crowded(const StrokePoint& point, double room) const noexcept {
+    bool found = false;
+    grid_.around(point.position, room, [&](const StrokeGrid::Node& node) {
+        const glm::dvec3 offset = node.point.position - point.position;
+        found = squared_clearance(point, offset) < room * room && run_alike(node.point, point);
+        return !found;
+    });
+    return found;
+}
+
+Layering::Room Layering::room_at(const StrokePoint& point) const noexcept {
     constexpr double far = 1e300;
-    Room room{far, far, far};
+    Room room{far, far};
+    const double radius = sight * apart_;
     const glm::dvec3 side = glm::cross(point.normal, point.direction);
     grid_.around(point.position, radius, [&](const StrokeGrid::Node& node) {
         const glm::dvec3 offset = node.point.position - point.position;
-        const double distance = glm::length(offset);
-        if (!(distance < radius) || !run_alike(node.point, point)) return;
-        room.nearest = std::min(room.nearest, std::sqrt(squared_clearance(point, offset)));
-        if (std::abs(glm::dot(offset, point.direction)) > abreast * apart_) return;
+        if (std::abs(glm::dot(offset, point.direction)) > abreast * apart_) return true;
+        const double squared = glm::dot(offset, offset);
+        if (!(squared < radius * radius) || !run_alike(node.point, point)) return true;
         double& beside = glm::dot(offset, side) > 0.0 ? room.left : room.right;
-        beside = std::min(beside, distance);
+        beside = std::min(beside, squared);
+        return true;
     });
-    return room;
+    return {std::sqrt(room.left), std::sqrt(room.right)};
 }
 
 // Returns how wide the gap is that the point stands in, in buckets; -1 if it is too narrow.
 std::int32_t Layering::move_to_middle(StrokePoint& point) const noexcept {
-    const Room room = room_at(point, sight * apart_);
+    if (crowded(point, least_room * apart_)) return -1; // most are, and few points tell
+    const Room room = room_at(point);
     const double gap = room.left + room.right;
     if (gap < 2.0 * seed_room * apart_) return -1;
     double shift = 0.0; // to the left
@@ -127,14 +145,12 @@ std::int32_t Layering::move_to_middle(StrokePoint& point) const noexcept {
         shift = 0.5 * (room.left - room.right);
     else if (std::min(room.left, room.right) < apart_)
         shift = room.left < room.right ? room.left - apart_ : apart_ - room.right;
-    double nearest = room.nearest;
     if (std::abs(shift) > 0.05 * apart_) {
         const glm::dvec3 side = glm::cross(point.normal, point.direction);
         if (!tracer_.settle(point.position + shift * side, point.normal, point.direction, settings_.turned, point))
             return -1;
-        nearest = room_at(point, seed_room * apart_).nearest;
     }
-    if (nearest < 0.97 * seed_room * apart_) return -1;
+    if (crowded(point, 0.97 * seed_room * apart_)) return -1;
     return static_cast<std::int32_t>(std::min(gap / apart_, 2.0 * sight) * buckets_per_separation);
 }
 

@@ -40,18 +40,19 @@ Tracer::Verdict Tracer::look(const StrokePoint& point, std::int32_t stroke, std:
     Verdict verdict = Verdict::free;
     const auto reach = static_cast<std::int32_t>(std::ceil(own_reach * settings.test / settings.step));
     grid_.around(point.position, settings.test, [&](const StrokeGrid::Node& node) {
-        if (verdict == Verdict::blocked) return;
         const glm::dvec3 offset = node.point.position - point.position;
-        if (squared_clearance(point, offset) >= settings.test * settings.test || !run_alike(node.point, point)) return;
+        if (squared_clearance(point, offset) >= settings.test * settings.test || !run_alike(node.point, point))
+            return true;
         if (node.stroke != stroke) {
             verdict = Verdict::blocked;
-            return;
+            return false;
         }
-        if (std::abs(node.place - place) <= reach) return;
+        if (std::abs(node.place - place) <= reach) return true;
         const double beside = glm::length(offset - glm::dot(offset, point.direction) * point.direction);
         const bool is_start = node.place >= 0 && node.place <= 2 * settings.thin;
         const bool same_way = glm::dot(node.point.direction, point.direction) > 0.0;
         verdict = is_start && same_way && beside < closing * settings.test ? Verdict::closes : Verdict::blocked;
+        return verdict != Verdict::blocked;
     });
     return verdict;
 }
