@@ -1,20 +1,9 @@
 #include "geometry/cell_set.h"
 
 namespace hrbfnpr::geometry {
-namespace {
-
-// The finaliser of splitmix64: every bit of a cell's number moves every bit of its place.
-std::uint64_t mixed(std::uint64_t bits) noexcept {
-    bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
-    bits = (bits ^ (bits >> 27U)) * 0x94D049BB133111EBU;
-    return bits ^ (bits >> 31U);
-}
-
-} // namespace
-
 bool CellSet::place(base::Array<std::uint64_t>& table, std::uint64_t stored) noexcept {
     const auto mask = static_cast<std::uint64_t>(table.size() - 1);
-    for (std::uint64_t at = mixed(stored) & mask;; at = (at + 1) & mask) {
+    for (std::uint64_t at = mixed_bits(stored) & mask;; at = (at + 1) & mask) {
         std::uint64_t& entry = table[static_cast<std::int64_t>(at)];
         if (entry == stored) return false;
         if (entry == 0) {

@@ -6,13 +6,6 @@
 
 namespace hrbfnpr::geometry {
 
-// The finaliser of splitmix64: every bit of a cell's number moves every bit of its place.
-[[nodiscard]] inline std::uint64_t mixed_bits(std::uint64_t bits) noexcept {
-    bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
-    bits = (bits ^ (bits >> 27U)) * 0x94D049BB133111EBU;
-    return bits ^ (bits >> 31U);
-}
-
 class PointGrid {
 public:
     // radius: of the balls that will be asked for.
