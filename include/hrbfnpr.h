@@ -743,12 +743,27 @@ enum {
 
 enum {
     /* Stipples evenly spread over the area in a progressive order, each prefix
-     * of which is evenly spread; strokes start from such points and are shown
-     * whole.  The default. */
+     * of which is evenly spread.  Strokes that keep their distance from each
+     * other along their whole length, in an order of whole strokes each prefix
+     * of which is evenly spaced too: coarse ones first, then those between
+     * them.  The default. */
     HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0,
     /* The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
      * drawn independently at random [NPAR 5, 6.2]. */
     HRBFNPR_DISTRIBUTION_PAPER = 1
+};
+
+/* What the strokes of BLUE_NOISE follow: directions as measured where they are
+ * sure, and the smoothest field between them where they are not (umbilics, flat
+ * parts, borders of the combing field's regions). */
+enum {
+    /* Each set has a field of its own.  The sets are kept apart everywhere, and
+     * where two principal directions change places a stroke turns with its own. */
+    HRBFNPR_STROKE_FIELD_LINE = 0,
+    /* One field of crosses, which does not tell one direction from the other:
+     * strokes go straight on where these change places, and a stroke belongs to
+     * the set that it follows for most of its length. */
+    HRBFNPR_STROKE_FIELD_CROSS = 1
 };
 
 enum {
@@ -765,13 +780,15 @@ enum {
 
 /* How one group grows. */
 typedef struct hrbfnpr_group_desc {
-    int32_t levels;      /* refinement steps, 0 .. 12.  PAPER: stipples 4, strokes 3.  BLUE_NOISE
-                            ignores it for stipples; a stroke has 3^levels marks */
+    int32_t levels;      /* refinement steps, 0 .. 12; stipples 4, strokes 3.  PAPER only; a stroke
+                            of it has 3^levels marks */
     uint32_t seeds;      /* HRBFNPR_GROUP_SEED_...; PAPER only, not for STIPPLE */
     int32_t seed_level;  /* with _STIPPLES: the last stippling level used; 0 */
     uint32_t reserved;
-    int64_t budget;      /* the most marks; 0 = no limit for PAPER, 40000 for BLUE_NOISE.  PAPER
-                            thins the level that exceeds it at random and stops there */
+    int64_t budget;      /* the most marks, of both sets of strokes together; 0 = no limit for
+                            PAPER and for strokes with a stroke_separation, else 40000.  PAPER
+                            thins the level that exceeds it at random and stops there;
+                            BLUE_NOISE leaves out the last strokes of the order */
 } hrbfnpr_group_desc;
 
 enum {
@@ -788,12 +805,21 @@ typedef struct hrbfnpr_generate_desc {
     uint32_t box_resolution; /* R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
     double box_jitter;       /* alpha: in cell sides, 0 .. 0.5; 0.25 */
     double initial_step;     /* rho_0; 0 = voxel diameter for BOX, mean empty-ball diameter of the
-                                seeds for others [NPAR 5.1].  BLUE_NOISE: the length of a
-                                stroke is 3 initial_step; 0 = 2.5 % of the diagonal */
+                                seeds for others [NPAR 5.1].  PAPER only */
     double projection_tolerance; /* as in hrbfnpr_project_desc; 1e-7 */
     uint64_t random_seed;    /* any number; 1 */
     hrbfnpr_array seed_points; /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
     hrbfnpr_group_desc group[3];
+    /* Strokes of BLUE_NOISE, in object units, 0 or more; ignored for PAPER. */
+    double stroke_separation; /* mean distance of neighbouring strokes of one set; 0 = such that all
+                                 strokes have as many marks as the group's budget */
+    double stroke_step;       /* distance of the marks of a stroke; 0 = a fifth of the separation */
+    double stroke_length;     /* the longest; 0 = no limit.  Strokes end where they come nearer to
+                                 another than about two thirds of the separation, leave the surface's
+                                 samples, or meet a singular point of the field; a closed one ends
+                                 at its start */
+    uint32_t stroke_field;    /* HRBFNPR_STROKE_FIELD_...; CROSS */
+    uint32_t reserved2;
 } hrbfnpr_generate_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint32_t struct_size);
@@ -816,17 +842,27 @@ enum {
                                         the u of its basis [NPAR 5.2] */
     HRBFNPR_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
     HRBFNPR_ATTRIBUTE_RANK = 4,      /* FLOAT32: the u of [NPAR 6.2], uniform in [0,1): a mark is
-                                        shown where u >= tau */
-    HRBFNPR_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed it, 0 = a seed */
-    HRBFNPR_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: stroke (2 * seed + set), and the mark's place
-                                        along it, 0 .. 3^levels - 1, the seed in the middle; for a
-                                        stipple its seed and 0 */
-    HRBFNPR_ATTRIBUTE_COUNT = 7
+                                        shown where u >= tau.  BLUE_NOISE: all marks of a stroke
+                                        have the same, and a share of the ranks is that share of
+                                        each set's marks */
+    HRBFNPR_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed it, 0 = a seed.
+                                        BLUE_NOISE strokes: the pass; each one halves the distance
+                                        that strokes keep */
+    HRBFNPR_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: stroke (2 * number + set), and the mark's place
+                                        along it.  PAPER: the number is the seed's, places are
+                                        0 .. 3^levels - 1, the seed in the middle.  BLUE_NOISE: 0 ..
+                                        n - 1 from end to end; strokes lie one after the other in the
+                                        arrays.  For a stipple its seed and 0 */
+    HRBFNPR_ATTRIBUTE_WIDTH = 7,     /* FLOAT32, relative, in (0,1]: 1 in the middle of a stroke,
+                                        less towards its tapered ends.  The ink of front marks has
+                                        this much of the style's radius.  Count 0 = all 1: stipples,
+                                        PAPER */
+    HRBFNPR_ATTRIBUTE_COUNT = 8
 };
 
 /* A group of ready-made marks.  position and normal are needed; the others may
  * be left empty: direction = stipple basis, rank = random, level = 0, stroke =
- * one for each mark, curvature = absent.  Types and components as in the list
+ * one for each mark, curvature = absent, width = 1 (else in (0,1]).  Types and components as in the list
  * above, FLOAT64 accepted for FLOAT32. */
 typedef struct hrbfnpr_group_arrays {
     hrbfnpr_array position; /* absolute, not relative to an origin */
@@ -836,6 +872,7 @@ typedef struct hrbfnpr_group_arrays {
     hrbfnpr_array rank;
     hrbfnpr_array level;
     hrbfnpr_array stroke;
+    hrbfnpr_array width;
 } hrbfnpr_group_arrays;
 
 typedef struct hrbfnpr_point_set_desc {
@@ -861,7 +898,8 @@ typedef struct hrbfnpr_level_info {
     int64_t attempted;
     int64_t placed;
     int64_t dropped_not_converged; /* projection ended short of the tolerance */
-    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step */
+    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step; or cut
+                                      off the rest of its stroke by one that was dropped */
     int64_t dropped_degenerate;    /* zero gradient or not finite */
     int64_t dropped_budget;        /* over the group's budget */
 } hrbfnpr_level_info;
@@ -869,10 +907,11 @@ typedef struct hrbfnpr_level_info {
 typedef struct hrbfnpr_group_info {
     int64_t count;         /* marks in the group */
     int64_t strokes;       /* strokes in the group; 0 for stipples */
-    int64_t full_count;    /* what the counts would be if nothing had been dropped (PAPER) */
-    int32_t levels;        /* refinement steps taken */
+    int64_t full_count;    /* what the counts would be if nothing had been dropped (PAPER), or had
+                              been left out for the budget (BLUE_NOISE strokes) */
+    int32_t levels;        /* refinement steps taken; BLUE_NOISE strokes: the last pass */
     uint32_t reserved;
-    double step;           /* initial step rho_0 used */
+    double step;           /* initial step rho_0 used; BLUE_NOISE strokes: the separation */
     double seconds;
     hrbfnpr_level_info level[13];
 } hrbfnpr_group_info;
@@ -899,7 +938,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* s
                                                       hrbfnpr_point_set_info* info, hrbfnpr_error* error);
 
 /* A zero-copy view of one attribute of one group, valid while the set lives.
- * An empty group, or CURVATURE where it was not generated, gives count 0. */
+ * An empty group, or CURVATURE or WIDTH where there is none, gives count 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, uint32_t group,
                                                   uint32_t attribute, hrbfnpr_array* out_view,
                                                   hrbfnpr_error* error);

@@ -20,6 +20,8 @@ static_assert(static_cast<int>(sampling::Group::combing) == HRBFNPR_GROUP_COMBIN
 static_assert(group_count == HRBFNPR_GROUP_COUNT);
 static_assert(static_cast<int>(sampling::Distribution::blue_noise) == HRBFNPR_DISTRIBUTION_BLUE_NOISE);
 static_assert(static_cast<int>(sampling::Distribution::paper) == HRBFNPR_DISTRIBUTION_PAPER);
+static_assert(static_cast<int>(sampling::StrokeField::line) == HRBFNPR_STROKE_FIELD_LINE);
+static_assert(static_cast<int>(sampling::StrokeField::cross) == HRBFNPR_STROKE_FIELD_CROSS);
 static_assert(static_cast<int>(sampling::SeedSource::automatic) == HRBFNPR_SEED_AUTO);
 static_assert(static_cast<int>(sampling::SeedSource::samples) == HRBFNPR_SEED_SAMPLES);
 static_assert(static_cast<int>(sampling::SeedSource::box) == HRBFNPR_SEED_BOX);
@@ -42,6 +44,7 @@ hrbfnpr_generate_desc defaults() noexcept {
     desc.group[HRBFNPR_GROUP_STIPPLE].levels = 4;
     desc.group[HRBFNPR_GROUP_CURVATURE].levels = 3;
     desc.group[HRBFNPR_GROUP_COMBING].levels = 3;
+    desc.stroke_field = static_cast<std::uint32_t>(settings.stroke_field);
     return desc;
 }
 
@@ -114,6 +117,11 @@ void check_numbers(const hrbfnpr_generate_desc& desc) {
     checks.between("box_jitter", desc.box_jitter, 0.0, 0.5);
     checks.at_least("initial_step", desc.initial_step, 0.0);
     checks.positive("projection_tolerance", desc.projection_tolerance);
+    checks.at_least("stroke_separation", desc.stroke_separation, 0.0);
+    checks.at_least("stroke_step", desc.stroke_step, 0.0);
+    checks.at_least("stroke_length", desc.stroke_length, 0.0);
+    checks.one_of("stroke_field", desc.stroke_field, HRBFNPR_STROKE_FIELD_CROSS + 1, "HRBFNPR_STROKE_FIELD_...");
+    checks.zero("reserved2", desc.reserved2);
 }
 
 sampling::GenerateSettings checked(const hrbfnpr_generate_desc& desc) {
@@ -126,6 +134,10 @@ sampling::GenerateSettings checked(const hrbfnpr_generate_desc& desc) {
     settings.initial_step = desc.initial_step;
     settings.projection_tolerance = desc.projection_tolerance;
     settings.random_seed = desc.random_seed;
+    settings.stroke_separation = desc.stroke_separation;
+    settings.stroke_step = desc.stroke_step;
+    settings.stroke_length = desc.stroke_length;
+    settings.stroke_field = static_cast<sampling::StrokeField>(desc.stroke_field);
     settings.seed_points = in_view(desc.seed_points, "generate_desc.seed_points", points_type);
     if (desc.seed_source == HRBFNPR_SEED_POINTS && settings.seed_points.empty())
         fail(Status::invalid_argument,
@@ -173,7 +185,7 @@ sampling::GroupArrays checked(const hrbfnpr_group_arrays& arrays, int group) {
     return {view(arrays.position, "position", points_type),   view(arrays.normal, "normal", points_type),
             view(arrays.direction, "direction", points_type), view(arrays.curvature, "curvature", points_type),
             view(arrays.rank, "rank", number_type),           view(arrays.level, "level", {1, uint8_only}),
-            view(arrays.stroke, "stroke", {2, uint32_only})};
+            view(arrays.stroke, "stroke", {2, uint32_only}),  view(arrays.width, "width", number_type)};
 }
 
 hrbfnpr_point_set* from_arrays(hrbfnpr_context& context, const hrbfnpr_point_set_desc& desc) {

@@ -71,8 +71,9 @@ hrbfnpr_array view_of(const sampling::PointSet& set, std::uint32_t group, std::u
     case HRBFNPR_ATTRIBUTE_RANK: return view(marks.rank, HRBFNPR_SCALAR_FLOAT32, 1);
     case HRBFNPR_ATTRIBUTE_LEVEL: return view(marks.level, HRBFNPR_SCALAR_UINT8, 1);
     case HRBFNPR_ATTRIBUTE_STROKE: return view(marks.stroke, HRBFNPR_SCALAR_UINT32, 2);
+    case HRBFNPR_ATTRIBUTE_WIDTH: return view(marks.width, HRBFNPR_SCALAR_FLOAT32, 1);
     default:
-        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_ATTRIBUTE_... (0 to 6)", attribute);
+        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_ATTRIBUTE_... (0 to 7)", attribute);
     }
 }
 

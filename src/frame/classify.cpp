@@ -126,7 +126,7 @@ private:
         const float ppe = marks_.ppe[place];
         const ToneTerms terms{marks_.tau[place], marks_.tau_depth[place], run_.pen.scale(ppe), share_};
         switch (front_verdict(run_.marks->rank[mark], terms, style_.tone_rule)) {
-        case Verdict::shown: return visible(place, run_.pen.front_ink(ppe), info);
+        case Verdict::shown: return visible(place, run_.front_ink(mark, ppe), info);
         case Verdict::tone: ++info.dropped_tone; break;
         case Verdict::zoom: ++info.dropped_zoom; break;
         case Verdict::depth: ++info.dropped_depth; break;

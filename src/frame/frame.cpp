@@ -106,7 +106,7 @@ void Frame::Impl::sum_counts() {
 float Frame::Impl::ink_radius(const Run& run, std::int64_t place) const noexcept {
     const float ppe = scene.marks.ppe[place];
     return scene.marks.mark_class[place] == MarkClass::silhouette ? run.pen.silhouette_ink(ppe)
-                                                                  : run.pen.front_ink(ppe);
+                                                                  : run.front_ink(place - run.first, ppe);
 }
 
 float Frame::Impl::cover_radius(const Run& run, std::int64_t place) const noexcept {

@@ -34,6 +34,12 @@ struct Run {
     bool paints_paper = false; // HIDDEN_LINES_ATTENUATE
     bool occludes = false;     // HIDDEN_LINES_HIDE
     Pen pen;
+
+    // Radius of the ink of a front mark, by its number in the group.  Contours are not tapered.
+    [[nodiscard]] float front_ink(std::int64_t mark, float ppe) const noexcept {
+        const float radius = pen.front_ink(ppe);
+        return marks->width.empty() ? radius : radius * marks->width[mark];
+    }
 };
 
 // A piece of a run: the unit of work.

@@ -47,6 +47,9 @@ public:
         expect_count(tag, elements.size(), count);
     }
 
+    // Whether there are further sections: those that files without them leave out.
+    [[nodiscard]] bool more() const noexcept { return remaining_ >= section_header_size; }
+
     // After the last section: the payload is used up and its checksum is right.
     void finish();
 

@@ -2,6 +2,8 @@
 #include "io/encoder.h"
 #include "io/files.h"
 
+#include <algorithm>
+
 namespace hrbfnpr::io {
 namespace {
 
@@ -17,6 +19,8 @@ constexpr std::uint32_t tag_direction = tag("DIRE");
 constexpr std::uint32_t tag_curvature = tag("CURV");
 constexpr std::uint32_t tag_level = tag("LEVL");
 constexpr std::uint32_t tag_stroke = tag("STRK");
+
+constexpr std::uint32_t tag_width = tag("WIDT");
 
 constexpr std::size_t level_numbers = 6;
 constexpr std::size_t levels = sampling::most_levels + 1;
@@ -66,6 +70,13 @@ void encode_group(Encoder& encoder, const sampling::MarkGroup& group) {
     encoder.section(tag_stroke, group.stroke.span());
 }
 
+// One for each group, at the end, and none where all are empty: as in files from before there were widths.
+void encode_widths(Encoder& encoder, const sampling::PointSet& set) {
+    const auto has_width = [](const sampling::MarkGroup& group) { return !group.width.empty(); };
+    if (std::none_of(set.group.begin(), set.group.end(), has_width)) return;
+    for (const sampling::MarkGroup& group : set.group) encoder.section(tag_width, group.width.span());
+}
+
 void encode(Encoder& encoder, const sampling::PointSet& set) {
     const std::array<std::uint32_t, 3> kind{static_cast<std::uint32_t>(set.distribution),
                                             static_cast<std::uint32_t>(set.seed_source), sampling::group_count};
@@ -73,6 +84,7 @@ void encode(Encoder& encoder, const sampling::PointSet& set) {
     encoder.section<double>(tag_numbers, numbers_of(set));
     encoder.section<std::int64_t>(tag_seeds, numbers_of(set.seeds));
     for (const sampling::MarkGroup& group : set.group) encode_group(encoder, group);
+    encode_widths(encoder, set);
 }
 
 void decode_kind(Decoder& decoder, sampling::PointSet& set) {
@@ -121,6 +133,15 @@ void decode_group(Decoder& decoder, sampling::MarkGroup& group) {
     decoder.section(tag_stroke, group.stroke, 2 * count);
 }
 
+void decode_widths(Decoder& decoder, sampling::PointSet& set) {
+    if (!decoder.more()) return;
+    for (sampling::MarkGroup& group : set.group) {
+        decoder.section(tag_width, group.width);
+        if (!group.width.empty() && group.width.size() != group.count())
+            decoder.damaged("a group's widths are not as many as its marks");
+    }
+}
+
 void check_group(const Decoder& decoder, const sampling::MarkGroup& group) {
     check_finite(decoder, "position", group.position.span());
     check_unit(decoder, "normal", group.normal.span());
@@ -128,6 +149,8 @@ void check_group(const Decoder& decoder, const sampling::MarkGroup& group) {
     check_finite(decoder, "curvature", group.curvature.span());
     for (const float rank : group.rank.span())
         if (!(rank >= 0.0F && rank < 1.0F)) decoder.damaged("a rank is outside [0, 1)");
+    for (const float width : group.width.span())
+        if (!(width > 0.0F && width <= 1.0F)) decoder.damaged("a width is outside (0, 1]");
 }
 
 void check_set(const Decoder& decoder, const sampling::PointSet& set) {
@@ -163,6 +186,7 @@ sampling::PointSet load_point_set(base::Memory& memory, Reader& reader) {
         if (count < 0) decoder.damaged("a count of its seeds is negative");
     set.seeds = level_of(seeds.data());
     for (sampling::MarkGroup& group : set.group) decode_group(decoder, group);
+    decode_widths(decoder, set);
     decoder.finish();
     check_set(decoder, set);
     return set;

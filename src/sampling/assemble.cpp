@@ -22,7 +22,7 @@ void store(base::Array<float>& array, std::int64_t i, const glm::dvec3& v) noexc
 base::Array<std::int64_t> order_of(const Marks& marks, const AssembleSettings& settings) {
     base::Array<std::int64_t> order(marks.position.memory(), marks.count());
     for (std::int64_t i = 0; i < order.size(); ++i) order[i] = i;
-    if (settings.progressive && settings.group != Group::stipple)
+    if (settings.progressive && settings.group != Group::stipple && marks.rank.empty())
         std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
             return marks.stroke[a] != marks.stroke[b] ? marks.stroke[a] < marks.stroke[b]
                                                       : marks.place[a] < marks.place[b];
@@ -30,7 +30,7 @@ base::Array<std::int64_t> order_of(const Marks& marks, const AssembleSettings& s
     return order;
 }
 
-void resize(MarkGroup& group, std::int64_t count, bool with_curvature) {
+void resize(MarkGroup& group, std::int64_t count, bool with_curvature, bool with_width) {
     group.position.resize(3 * count);
     group.normal.resize(3 * count);
     group.direction.resize(3 * count);
@@ -38,6 +38,7 @@ void resize(MarkGroup& group, std::int64_t count, bool with_curvature) {
     group.rank.resize(count);
     group.level.resize(count);
     group.stroke.resize(2 * count);
+    if (with_width) group.width.resize(count);
 }
 
 void compute_curvature(const Site& site, const Marks& marks, const base::Array<std::int64_t>& order,
@@ -74,7 +75,7 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
     const std::int64_t count = marks.count();
     const base::Array<std::int64_t> order = order_of(marks, settings);
     const bool is_stipple = settings.group == Group::stipple;
-    resize(result, count, settings.with_curvature);
+    resize(result, count, settings.with_curvature, !marks.width.empty());
     // Rank 1 first: a mark is shown where its rank is at least tau.
     const auto last = static_cast<double>(is_stipple ? count : settings.strokes);
     for (std::int64_t i = 0; i < count; ++i) {
@@ -87,6 +88,8 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
         const double number = is_stipple ? static_cast<double>(i) : static_cast<double>(marks.stroke[from]);
         result.rank[i] = settings.progressive ? rank_of(1.0 - (number + 0.5) / last)
                                               : random_rank(site.random_seed, marks.key[from], settings.group);
+        if (!marks.rank.empty()) result.rank[i] = marks.rank[from];
+        if (!marks.width.empty()) result.width[i] = marks.width[from];
         result.level[i] = marks.level[from];
         result.stroke[2 * i] = marks.stroke[from];
         result.stroke[2 * i + 1] = static_cast<std::uint32_t>(marks.place[from]);

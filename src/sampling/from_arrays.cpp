@@ -31,6 +31,7 @@ private:
     [[nodiscard]] glm::dvec3 normal(std::int64_t i) const;
     [[nodiscard]] glm::dvec3 direction(std::int64_t i, const glm::dvec3& n) const;
     [[nodiscard]] float rank(std::int64_t i) const;
+    [[nodiscard]] float width(std::int64_t i) const;
     void report();
 
     static void store(base::Array<float>& array, std::int64_t i, const glm::dvec3& v) noexcept {
@@ -88,6 +89,14 @@ float Importer::rank(std::int64_t i) const {
     return rank_of(u);
 }
 
+float Importer::width(std::int64_t i) const {
+    const double width = arrays_.width.get(i, 0);
+    const auto rounded = static_cast<float>(width);
+    if (!(rounded > 0.0F && width <= 1.0))
+        fail(Status::invalid_argument, "group[%d].width[%lld] is outside (0,1]", group_, number(i));
+    return rounded;
+}
+
 void Importer::positions(geometry::VecArray& result) const {
     check_count(arrays_.normal, "normal", true);
     check_count(arrays_.direction, "direction", false);
@@ -95,6 +104,7 @@ void Importer::positions(geometry::VecArray& result) const {
     check_count(arrays_.rank, "rank", false);
     check_count(arrays_.level, "level", false);
     check_count(arrays_.stroke, "stroke", false);
+    check_count(arrays_.width, "width", false);
     if (count_ > most_marks)
         fail(Status::invalid_argument, "group[%d].position has %lld elements, and %lld are the most", group_,
              number(count_), number(most_marks));
@@ -109,12 +119,14 @@ void Importer::rest() {
     marks_.level.resize(count_);
     marks_.stroke.resize(2 * count_);
     if (!arrays_.curvature.empty()) marks_.curvature.resize(3 * count_);
+    if (!arrays_.width.empty()) marks_.width.resize(count_);
     for (std::int64_t i = 0; i < count_; ++i) {
         const glm::dvec3 n = normal(i);
         store(marks_.normal, i, n);
         store(marks_.direction, i, direction(i, n));
         if (!arrays_.curvature.empty()) store(marks_.curvature, i, vector(arrays_.curvature, "curvature", i));
         marks_.rank[i] = rank(i);
+        if (!arrays_.width.empty()) marks_.width[i] = width(i);
         if (!arrays_.level.empty()) marks_.level[i] = static_cast<std::uint8_t>(arrays_.level.get(i, 0));
         const bool given = !arrays_.stroke.empty();
         marks_.stroke[2 * i] =

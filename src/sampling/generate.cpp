@@ -4,6 +4,7 @@
 #include "sampling/assemble.h"
 #include "sampling/blue_noise.h"
 #include "sampling/growth.h"
+#include "sampling/hatch.h"
 #include "sampling/seeds.h"
 
 #include <algorithm>
@@ -34,7 +35,9 @@ private:
     void blue_noise();
     void blue_noise_stipples(const SurfaceCells& cells);
     void blue_noise_strokes(const SurfaceCells& cells, Group group);
-    [[nodiscard]] std::int64_t blue_noise_starts(Group group) const;
+    [[nodiscard]] std::int64_t checked_budget(Group group) const;
+    [[nodiscard]] std::int64_t stroke_budget(Group group) const;
+    [[nodiscard]] std::int64_t spread_marks(Group group) const;
     void finish();
 
     const Site& site_;
@@ -108,28 +111,31 @@ void Generation::paper() {
 
 // ---- BLUE_NOISE ----------------------------------------------------------------------------
 
-std::int64_t Generation::blue_noise_starts(Group group) const {
+// 0 = no limit: only where the separation of strokes limits them.
+std::int64_t Generation::stroke_budget(Group group) const {
+    const std::int64_t budget = settings_.group[at(group)].budget;
+    return budget == 0 && settings_.stroke_separation > 0.0 ? 0 : checked_budget(group);
+}
+
+std::int64_t Generation::checked_budget(Group group) const {
     const GroupSettings& settings = settings_.group[at(group)];
     const std::int64_t budget = settings.budget > 0 ? settings.budget : default_budget;
     if (budget > most_marks)
         fail(Status::invalid_argument, "group[%d].budget = %lld: %lld marks are the most", static_cast<int>(group),
              static_cast<long long>(budget), static_cast<long long>(most_marks));
-    if (group == Group::stipple) return budget;
-    const std::int64_t marks_of_pair = grown_count(2, 3, settings.levels);
-    if (budget < marks_of_pair)
-        fail(Status::invalid_argument,
-             "group[%d].budget = %lld is less than the 2 * 3^%d = %lld marks of a stroke in each set: lower levels "
-             "or raise the budget",
-             static_cast<int>(group), static_cast<long long>(budget), settings.levels,
-             static_cast<long long>(marks_of_pair));
-    return budget / marks_of_pair;
+    return budget;
+}
+
+// Marks that are spread over the surface at once: stipples, or the samples of a field of directions.
+std::int64_t Generation::spread_marks(Group group) const {
+    return group == Group::stipple ? checked_budget(group) : field_samples_for(checked_budget(group));
 }
 
 void Generation::blue_noise_stipples(const SurfaceCells& cells) {
     const base::Stopwatch watch;
     GroupReport& report = set_.group[0].report;
     EvenMarks even =
-        spread_evenly(site_, cells, blue_noise_starts(Group::stipple), Group::stipple, group_progress(Group::stipple));
+        spread_evenly(site_, cells, checked_budget(Group::stipple), Group::stipple, group_progress(Group::stipple));
     Marks& marks = marks_[0];
     const std::int64_t count = even.position.size();
     marks.position = std::move(even.position);
@@ -148,27 +154,24 @@ void Generation::blue_noise_stipples(const SurfaceCells& cells) {
     report.seconds = watch.seconds();
 }
 
-// Strokes start from a blue-noise order of their own, and the number of a seed in it ranks its stroke.  The
-// second set starts from the order's second half: from the gaps between the starts of the first set, so that
-// strokes of the two sets do not all cross in their middles.
 void Generation::blue_noise_strokes(const SurfaceCells& cells, Group group) {
     const base::Stopwatch watch;
-    const base::Progress progress = group_progress(group);
     GroupReport& report = set_.group[at(group)].report;
-    const double step = stroke_step(site_, seeds_, settings_);
-    const EvenMarks even = spread_evenly(site_, cells, 2 * blue_noise_starts(group), group, progress.part(0.0, 0.4));
-    const Start start{even.position, even.normal, even.position.size(), true};
-    grow_strokes(site_, start, {group, settings_.group[at(group)].levels, step, 0, true}, marks_[at(group)], report,
-                 progress.part(0.4, 1.0));
-    clip_to(cells.region, marks_[at(group)], report);
-    area_ = std::max(area_, even.area);
+    HatchSettings settings;
+    settings.group = group;
+    settings.separation = settings_.stroke_separation;
+    settings.step = settings_.stroke_step;
+    settings.longest = settings_.stroke_length;
+    settings.budget = stroke_budget(group);
+    settings.field = settings_.stroke_field;
+    area_ = std::max(area_, hatch(site_, cells, settings, marks_[at(group)], report, group_progress(group)));
     report.seconds = watch.seconds();
 }
 
 void Generation::blue_noise() {
     std::int64_t most = 1;
     for (const Group group : {Group::stipple, Group::curvature, Group::combing})
-        if (wanted(group)) most = std::max(most, blue_noise_starts(group));
+        if (wanted(group)) most = std::max(most, spread_marks(group));
     const SurfaceCells cells = cover_surface(site_, seeds_, samples_, most, progress_.part(0.1, 0.2));
     if (wanted(Group::stipple)) blue_noise_stipples(cells);
     for (const Group group : {Group::curvature, Group::combing})

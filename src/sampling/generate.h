@@ -31,6 +31,11 @@ struct GenerateSettings {
     double projection_tolerance = 1e-7;
     std::uint64_t random_seed = 1;
     base::InView seed_points;
+    // BLUE_NOISE strokes, in object units
+    double stroke_separation = 0.0; // 0 = from the budget
+    double stroke_step = 0.0;       // 0 = a part of the separation
+    double stroke_length = 0.0;     // 0 = no limit
+    StrokeField stroke_field = StrokeField::cross;
     std::array<GroupSettings, group_count> group;
 };
 
@@ -56,7 +61,7 @@ double step_patches(const base::Runtime& runtime, const implicit::Implicit& impl
 
 // Ready-made marks; empty views as described at hrbfnpr_group_arrays.
 struct GroupArrays {
-    base::InView position, normal, direction, curvature, rank, level, stroke;
+    base::InView position, normal, direction, curvature, rank, level, stroke, width;
 };
 [[nodiscard]] PointSet from_arrays(const base::Runtime& runtime, const std::array<GroupArrays, group_count>& arrays,
                                    std::uint64_t random_seed);

@@ -16,19 +16,12 @@ constexpr std::int32_t sets = 2;
 constexpr double unsure = 0.02;
 constexpr double sure = 0.10;
 
-// Cosine of the turn from which on two directions of the combing field belong to different regions: at
-// their borders it turns by 60 degrees and more, and inside one by far less from mark to mark.
-constexpr double largest_turn = 0.8;
-
 double smoothstep(double low, double high, double t) noexcept {
     t = std::clamp((t - low) / (high - low), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
-// Strokes come in pairs, one of each set; an odd start out is left.
-std::int64_t stroke_count(const Start& start) noexcept {
-    return start.own_starts ? start.position.size() / sets * sets : sets * start.position.size();
-}
+std::int64_t stroke_count(const Start& start) noexcept { return sets * start.position.size(); }
 
 // v in the plane across n, unit; zero if v is (nearly) along n.
 glm::dvec3 in_plane(const glm::dvec3& v, const glm::dvec3& n) noexcept {
@@ -108,7 +101,7 @@ glm::dvec3 Strokes::direction(std::int32_t set, const glm::dvec3& n, const surfa
     const glm::dvec3 onward = in_plane(before, n);
     if (glm::dot(onward, onward) < 0.5) return field;
     if (glm::dot(field, onward) < 0.0) field = -field;
-    if (!by_curvature()) return settings_.steady && glm::dot(field, onward) < largest_turn ? onward : field;
+    if (!by_curvature()) return field;
     const double weight = smoothstep(unsure, sure, c.confidence);
     return glm::normalize(weight * field + (1.0 - weight) * onward); // no more than 90 degrees apart
 }
@@ -138,7 +131,7 @@ bool Strokes::place_seeds(const base::Progress& progress) {
                             key_of, progress);
     for (std::int64_t i = 0; i < count; ++i) {
         if (!thinning.keeps(key_of(i))) continue;
-        const std::int64_t from = start_.own_starts ? i % sets * (count / sets) + i / sets : i / sets;
+        const std::int64_t from = i / sets;
         append(start_.position[from], start_.normal[from], static_cast<std::uint32_t>(i), 0, 0,
                by_curvature() ? curvature_[from] : surface::Curvature{}, glm::dvec3(0.0));
     }
@@ -216,8 +209,7 @@ void Strokes::append_placed(std::uint8_t level, std::int32_t finest, const base:
 
 void grow_strokes(const Site& site, const Start& start, const GrowthSettings& settings, Marks& marks,
                   GroupReport& report, const base::Progress& progress) {
-    const std::int64_t full_seeds = start.own_starts ? start.full_count : sets * start.full_count;
-    report.full_count = grown_count(full_seeds, 1 + children, settings.levels);
+    report.full_count = grown_count(sets * start.full_count, 1 + children, settings.levels);
     report.step = settings.step;
     require_room(static_cast<int>(settings.group), grown_count(stroke_count(start), 1 + children, settings.levels),
                  settings.levels, settings.budget);
@@ -235,20 +227,6 @@ void grow_strokes(const Site& site, const Start& start, const GrowthSettings& se
     const auto unused = static_cast<std::int32_t>(grown_count(1, 1 + children, settings.levels - report.levels));
     const auto middle = static_cast<std::int32_t>((grown_count(1, 1 + children, report.levels) - 1) / 2);
     for (std::int32_t& place : marks.place) place = place / unused + middle;
-}
-
-void clip_to(const geometry::Bounds& region, Marks& marks, GroupReport& report) noexcept {
-    std::int64_t kept = 0;
-    for (std::int64_t i = 0; i < marks.count(); ++i) {
-        if (!region.contains(marks.position[i])) {
-            LevelReport& level = report.level[marks.level[i]];
-            --level.placed;
-            ++level.dropped_strayed;
-            continue;
-        }
-        marks.move(i, kept++);
-    }
-    marks.shrink(kept);
 }
 
 } // namespace hrbfnpr::sampling

@@ -6,31 +6,6 @@
 
 namespace hrbfnpr::sampling {
 
-// Some arrays are empty in some groups.
-void Marks::move(std::int64_t from, std::int64_t to) noexcept {
-    position.set(to, position[from]);
-    normal.set(to, normal[from]);
-    if (!direction.empty()) direction.set(to, direction[from]);
-    if (!curvature.empty()) curvature[to] = curvature[from];
-    if (!bend.empty()) bend[to] = bend[from];
-    key[to] = key[from];
-    stroke[to] = stroke[from];
-    place[to] = place[from];
-    level[to] = level[from];
-}
-
-void Marks::shrink(std::int64_t count) {
-    position.resize(count);
-    normal.resize(count);
-    if (!direction.empty()) direction.resize(count);
-    if (!curvature.empty()) curvature.resize(count);
-    if (!bend.empty()) bend.resize(count);
-    key.resize(count);
-    stroke.resize(count);
-    place.resize(count);
-    level.resize(count);
-}
-
 std::int64_t grown_count(std::int64_t base, std::int64_t factor, std::int32_t levels) noexcept {
     for (std::int32_t level = 0; level < levels; ++level) base *= factor;
     return base;

@@ -12,7 +12,7 @@ namespace hrbfnpr::sampling {
 struct Marks {
     explicit Marks(base::Memory& memory) noexcept
         : position(memory), normal(memory), direction(memory), curvature(memory), bend(memory), key(memory),
-          stroke(memory), place(memory), level(memory) {}
+          stroke(memory), place(memory), level(memory), rank(memory), width(memory) {}
 
     geometry::VecArray position;
     geometry::VecArray normal;
@@ -23,12 +23,10 @@ struct Marks {
     base::Array<std::uint32_t> stroke;           // 2 * seed + set; for a stipple its seed
     base::Array<std::int32_t> place;             // along the stroke, the seed at 0, in finest steps
     base::Array<std::uint8_t> level;
+    base::Array<float> rank;  // may be empty: by number, or at random.  If not, marks are in their final order
+    base::Array<float> width; // may be empty: all 1
 
     [[nodiscard]] std::int64_t count() const noexcept { return position.size(); }
-    // Overwrites mark `to` with mark `from`.
-    void move(std::int64_t from, std::int64_t to) noexcept;
-    // Keeps the first `count` marks.
-    void shrink(std::int64_t count);
 };
 
 // More marks than this are refused before they are made: identities of marks are 32 bits wide.

@@ -9,10 +9,11 @@
 
 namespace hrbfnpr::sampling {
 
-// Same numbers as HRBFNPR_GROUP_..., HRBFNPR_DISTRIBUTION_..., HRBFNPR_SEED_...
+// Same numbers as HRBFNPR_GROUP_..., HRBFNPR_DISTRIBUTION_..., HRBFNPR_STROKE_FIELD_..., HRBFNPR_SEED_...
 enum class Group : std::uint32_t { stipple = 0, curvature = 1, combing = 2 };
 inline constexpr int group_count = 3;
 enum class Distribution : std::uint32_t { blue_noise = 0, paper = 1 };
+enum class StrokeField : std::uint32_t { line = 0, cross = 1 };
 enum class SeedSource : std::uint32_t { automatic = 0, samples = 1, box = 2, points = 3 };
 
 inline constexpr int most_levels = 12;
@@ -40,7 +41,7 @@ struct GroupReport {
 struct MarkGroup {
     explicit MarkGroup(base::Memory& memory) noexcept
         : position(memory), normal(memory), direction(memory), curvature(memory), rank(memory), level(memory),
-          stroke(memory) {}
+          stroke(memory), width(memory) {}
 
     base::Array<float> position;       // 3n, relative to the set's origin
     base::Array<float> normal;         // 3n
@@ -49,6 +50,7 @@ struct MarkGroup {
     base::Array<float> rank;           // n
     base::Array<std::uint8_t> level;   // n
     base::Array<std::uint32_t> stroke; // 2n
+    base::Array<float> width;          // n, or empty: all 1
     GroupReport report;
 
     [[nodiscard]] std::int64_t count() const noexcept { return rank.size(); }

@@ -16,8 +16,6 @@ constexpr double well_spread_variation = 0.5;
 // Marks of the blue-noise order are found from any point of each sheet: a finer grid misses fewer sheets.
 constexpr std::int32_t automatic_box_resolution = 16;
 
-constexpr double blue_noise_step = 0.025; // of the diagonal
-
 // Collects what settles of a stream of starting points, a chunk at a time.
 class Collector {
 public:
@@ -185,11 +183,6 @@ Seeds make_seeds(const Site& site, const SampleHint& samples, const GenerateSett
     require_some(seeds);
     if (settings.initial_step > 0.0) seeds.step = settings.initial_step;
     return seeds;
-}
-
-double stroke_step(const Site& site, const Seeds& seeds, const GenerateSettings& settings) noexcept {
-    if (settings.distribution == Distribution::paper || settings.initial_step > 0.0) return seeds.step;
-    return blue_noise_step * site.implicit.diagonal();
 }
 
 } // namespace hrbfnpr::sampling

@@ -20,7 +20,4 @@ struct Seeds {
 [[nodiscard]] Seeds make_seeds(const Site& site, const SampleHint& samples, const GenerateSettings& settings,
                                const base::Progress& progress);
 
-// The step that strokes start with: BLUE_NOISE seeds are placed for their evenness, and tell nothing of it.
-[[nodiscard]] double stroke_step(const Site& site, const Seeds& seeds, const GenerateSettings& settings) noexcept;
-
 } // namespace hrbfnpr::sampling

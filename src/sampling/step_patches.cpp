@@ -36,7 +36,7 @@ double step_patches(const base::Runtime& runtime, const implicit::Implicit& impl
                     const GenerateSettings& settings, const base::OutView& corners, const base::Progress& progress) {
     const Site site{runtime, implicit, settings.projection_tolerance, settings.random_seed};
     const Seeds seeds = make_seeds(site, samples, settings, progress);
-    const double step = stroke_step(site, seeds, settings);
+    const double step = seeds.step;
     const base::Array<Ticket> order = shuffled(site, seeds.position.size());
     for (std::int64_t patch = 0; patch < corners.count; ++patch) {
         const std::int64_t seed = order[patch % order.size()].seed;

@@ -4,8 +4,9 @@
     snapshot.py CC            compare with snapshot.txt
     snapshot.py CC --update   append what is new
 
-Lines may only be added: a changed or a vanished line breaks binaries that exist.  The one exception is a
-struct's size, which may grow (fields are added at the end); the old sizes stay readable by struct_size.
+Lines may only be added: a changed or a vanished line breaks binaries that exist.  The exceptions are a
+struct's size, which may grow (fields are added at the end; the old sizes stay readable by struct_size), and the
+number of something (..._COUNT).
 """
 
 import subprocess
@@ -47,12 +48,16 @@ def keyed(lines: List[str]) -> Dict[str, str]:
     return dict(line.split(" = " if " = " in line else " : ", 1) for line in lines)
 
 
+def may_grow(key: str) -> bool:
+    return key.startswith("sizeof ") or (key.startswith("constant ") and key.endswith("_COUNT"))
+
+
 def compare(old: Dict[str, str], new: Dict[str, str]) -> List[str]:
     faults = []
     for key, value in old.items():
         if key not in new:
             faults.append(f"gone: {key}")
-        elif new[key] != value and not (key.startswith("sizeof ") and int(new[key]) > int(value)):
+        elif new[key] != value and not (may_grow(key) and int(new[key]) > int(value)):
             faults.append(f"changed: {key}: {value} -> {new[key]}")
     return faults
 

@@ -113,8 +113,8 @@ TEST(PointSet, RefusesUnknownViews) {
     const PointSet set = generate(context, model, desc);
     hrbfnpr_array view{};
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 3, 0, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT, "group is 3");
-    EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 7, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "attribute is 7");
+    EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 8, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "attribute is 8");
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 0, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "out_view is NULL");
 }

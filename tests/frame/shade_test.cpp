@@ -204,6 +204,23 @@ TEST_F(Shade, GroupsHaveTheirOwnInk) {
     EXPECT_EQ(frame.discs()[3].mark_class, frame::MarkClass::silhouette);
 }
 
+TEST_F(Shade, WidthTapersTheInkOfFrontMarksOnly) {
+    sampling::PointSet stroke(runtime.memory);
+    for (int i = 0; i < 4; ++i)
+        add_mark(stroke.group[1], {0.1 * i, 0, 0}, i < 3 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0), {0, 1, 0}, 0, 0);
+    for (const float width : {0.25F, 0.5F, 1.0F, 0.25F}) stroke.group[1].width.push_back(width);
+    Style style = plain_style();
+    style.group[1].radius = 8.0F;
+    style.silhouette_radius = 6.0F;
+    style.silhouette_groups = 2;
+    const std::array items{item_of(stroke, style)};
+    frame.prepare(items, front_camera(100, 100));
+    ASSERT_EQ(frame.discs().size(), 4U);
+    std::vector<float> radii;
+    for (const Disc& disc : frame.discs()) radii.push_back(disc.radius);
+    EXPECT_THAT(radii, ::testing::UnorderedElementsAre(2.0F, 4.0F, 8.0F, 6.0F));
+}
+
 TEST_F(Shade, SilhouettesComeFromTheirGroupsAndHiddenGroupsStayOut) {
     sampling::PointSet ball = sphere(runtime.memory, 4000);
     Style style = plain_style();

@@ -183,6 +183,13 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.group[1].direction[0] = NAN; }), "direction[0]");
     expect(set_message([](Set& s) { s.group[1].curvature[0] = NAN; }), "curvature[0]");
     expect(set_message([](Set& s) { s.group[1].curvature.push_back(0); }), "curvatures are not as many");
+    expect(set_message([](Set& s) { s.group[1].width.push_back(1); }), "widths are not as many");
+    const auto widths = [](Set& s, float odd) {
+        for (const float width : {0.5F, odd, 1.0F}) s.group[1].width.push_back(width);
+    };
+    expect(set_message([&](Set& s) { widths(s, 0.0F); }), "width is outside");
+    expect(set_message([&](Set& s) { widths(s, 1.5F); }), "width is outside");
+    expect(set_message([&](Set& s) { widths(s, NAN); }), "width is outside");
     expect(set_message([](Set& s) { s.group[0].stroke.push_back(0); }), "'STRK' has 7 elements instead of 6");
     expect(set_message([](Set& s) { s.group[2].report.levels = 13; }), "more than 12 levels");
     expect(set_message([](Set& s) { s.group[2].report.level[3].placed = -1; }), "negative");

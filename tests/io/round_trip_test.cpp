@@ -68,6 +68,16 @@ TEST(PointSetFile, KeepsEveryBit) {
         const Bytes first = bytes_of(point_set(memory, count));
         MemoryReader reader = reader_of(first);
         EXPECT_EQ(first, bytes_of(load_point_set(memory, reader)));
+        sampling::PointSet tapered = point_set(memory, count);
+        for (std::int64_t i = 0; i < count; ++i)
+            tapered.group[1].width.push_back(0.25F + 0.01F * static_cast<float>(i % 70));
+        const Bytes with = bytes_of(tapered);
+        EXPECT_EQ(with.size(), count == 0
+                                   ? first.size()
+                                   : first.size() + 3 * section_header_size + 4 * static_cast<std::size_t>(count))
+            << "files without widths are as they were";
+        MemoryReader again = reader_of(with);
+        EXPECT_EQ(with, bytes_of(load_point_set(memory, again)));
     }
 }
 

@@ -21,7 +21,7 @@ def test_attributes(marks, ring):
         count = marks.info.group[group].count
         assert 500 < count <= 3000
         shapes = {"positions": (count, 3), "normals": (count, 3), "directions": (count, 3), "ranks": (count,)}
-        shapes.update(levels=(count,), strokes=(count, 2))
+        shapes.update(levels=(count,), strokes=(count, 2), widths=(0 if group == "stipple" else count,))
         for name, shape in shapes.items():
             assert getattr(marks, name)(group).shape == shape
         assert np.abs(ring.evaluate(absolute(marks, group)).value).max() < 1e-5
@@ -51,6 +51,41 @@ def test_the_published_recursion():
         )
         assert sum(level.attempted for level in info.group[name].level) == info.group[name].count + dropped
         assert len(info.group[name].level) == info.group[name].levels + 1
+
+
+def torus_samples(along, around):
+    u, v = (a.ravel() for a in np.meshgrid(np.arange(along) * 2 * np.pi / along, np.arange(around) * 2 * np.pi / around))
+    out = np.stack([np.cos(u), np.sin(u), 0 * u], axis=1)
+    normals = np.cos(v)[:, None] * out + np.sin(v)[:, None] * np.array([0, 0, 1])
+    return out + 0.35 * normals, normals
+
+
+def test_strokes_follow_the_principal_directions_of_a_fitted_torus():
+    model = hrbfnpr.Model.fit(*torus_samples(128, 32))
+    for field in ("line", "cross"):
+        marks = hrbfnpr.PointSet.generate(model, "curvature", budget=30000, stroke_field=field)
+        p, d = absolute(marks, "curvature"), marks.directions("curvature").astype(float)
+        around = np.stack([-p[:, 1], p[:, 0], 0 * p[:, 0]], axis=1) / np.hypot(p[:, 0], p[:, 1])[:, None]
+        cosine = np.abs(np.einsum("ij,ij->i", around, d))
+        sine = np.linalg.norm(d - np.einsum("ij,ij->i", around, d)[:, None] * around, axis=1)
+        first = marks.strokes("curvature")[:, 0] % 2 == 0  # k2, the smaller one by sign, is the tube's
+        error = np.degrees(np.where(first, np.arctan2(sine, cosine), np.arctan2(cosine, sine)))
+        assert error.mean() <= 0.05 and np.quantile(error, 0.95) <= 0.2
+
+
+def test_separation_step_and_length_of_strokes(ring):
+    marks = hrbfnpr.PointSet.generate(
+        ring, "combing", stroke_separation=0.08, stroke_step=0.02, stroke_length=0.6, stroke_field="line"
+    )
+    strokes, p = marks.strokes("combing"), absolute(marks, "combing")
+    steps = np.linalg.norm(np.diff(p, axis=0), axis=1)[np.diff(strokes[:, 0].astype(int)) == 0]
+    assert abs(steps / 0.02 - 1).max() < 0.25
+    assert strokes[:, 1].max() <= 31
+    assert marks.info.group["combing"].step == 0.08
+    widths = marks.widths("combing")
+    assert 0 < widths.min() < 0.5 and widths.max() == 1
+    again = hrbfnpr.PointSet.load(marks.to_bytes())
+    np.testing.assert_array_equal(again.widths("combing"), widths)
 
 
 def test_strokes_from_stipples():
@@ -88,6 +123,10 @@ def test_options_arrive(ring):
         ({"levels": 13}, hrbfnpr.InvalidArgumentError, "levels"),
         ({"levels": {"dots": 1}}, ValueError, "levels"),
         ({"budget": -1}, hrbfnpr.InvalidArgumentError, "budget"),
+        ({"stroke_separation": -1}, hrbfnpr.InvalidArgumentError, "stroke_separation"),
+        ({"stroke_step": float("inf")}, hrbfnpr.InvalidArgumentError, "stroke_step"),
+        ({"stroke_length": float("nan")}, hrbfnpr.InvalidArgumentError, "stroke_length"),
+        ({"stroke_field": "curl"}, ValueError, "stroke_field"),
         ({"initial_step": float("nan")}, hrbfnpr.InvalidArgumentError, "initial_step"),
         ({"seed_points": [[0, 0]]}, ValueError, "seed_points"),
         ({"seed_source": "points"}, hrbfnpr.InvalidArgumentError, "seed_points"),

@@ -14,11 +14,12 @@ struct Arrays {
     std::vector<double> rank = {0.0, 0.25, 0.5, 1.0};
     std::vector<double> level = {0, 1, 1, 2};
     std::vector<double> stroke = {7, 0, 7, 1, 9, 0, 9, 1};
+    std::vector<double> width = {0.5, 1.0, 1.0, 0.25};
 
     [[nodiscard]] std::array<GroupArrays, group_count> views(std::size_t group = 1) const {
         std::array<GroupArrays, group_count> all;
         all[group] = {view(position), view(normal),   view(direction), view(curvature),
-                      view(rank, 1),  view(level, 1), view(stroke, 2)};
+                      view(rank, 1),  view(level, 1), view(stroke, 2), view(width, 1)};
         return all;
     }
 };
@@ -42,6 +43,7 @@ TEST(FromArrays, CopiesAndNormalises) {
     EXPECT_EQ(marks.level[3], 2);
     EXPECT_EQ(marks.stroke[6], 9U);
     EXPECT_EQ(marks.stroke[7], 1U);
+    EXPECT_EQ(marks.width[3], 0.25F);
     EXPECT_EQ(marks.report.strokes, 2);
     EXPECT_EQ(marks.report.levels, 2);
     EXPECT_EQ(marks.report.level[1].placed, 2);
@@ -59,6 +61,7 @@ TEST(FromArrays, FillsInWhatIsLeftEmpty) {
     const MarkGroup& marks = of(set, Group::stipple);
     ASSERT_EQ(marks.count(), 4);
     EXPECT_TRUE(marks.curvature.empty());
+    EXPECT_TRUE(marks.width.empty());
     for (std::int64_t i = 0; i < 4; ++i) {
         EXPECT_NEAR(glm::distance(vec(marks.direction, i), geometry::stipple_frame(vec(marks.normal, i)).u), 0.0, 1e-6);
         EXPECT_EQ(marks.level[i], 0);

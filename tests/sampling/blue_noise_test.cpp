@@ -153,10 +153,9 @@ TEST(BlueNoise, OpenSheetsEndALittleOutsideTheBounds) {
     EXPECT_GE(set.bounds.min.y, -1.0 - margin);
     expect_sound(set, plane);
     const GroupReport& strokes = of(set, Group::curvature).report;
-    EXPECT_GT(strokes.level[3].dropped_strayed, 10);
-    EXPECT_EQ(of(set, Group::curvature).count(),
-              strokes.level[0].placed + strokes.level[1].placed + strokes.level[2].placed + strokes.level[3].placed);
-    EXPECT_EQ(strokes.level[0].dropped_strayed, 0) << "seeds are inside";
+    std::int64_t placed = 0;
+    for (const LevelReport& level : strokes.level) placed += level.placed;
+    EXPECT_EQ(of(set, Group::curvature).count(), placed);
     const Evenness e = evenness(set, 1.0, std::pow(2.0 + 2.0 * margin, 2));
     EXPECT_GT(e.smallest, 0.6);
     EXPECT_GT(e.mean, 0.74);

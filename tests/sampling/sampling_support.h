@@ -113,7 +113,8 @@ inline bool same_bits(const PointSet& a, const PointSet& b) {
         const MarkGroup& y = b.group[g];
         if (!same_bits(x.position, y.position) || !same_bits(x.normal, y.normal) ||
             !same_bits(x.direction, y.direction) || !same_bits(x.curvature, y.curvature) ||
-            !same_bits(x.rank, y.rank) || !same_bits(x.level, y.level) || !same_bits(x.stroke, y.stroke))
+            !same_bits(x.rank, y.rank) || !same_bits(x.level, y.level) || !same_bits(x.stroke, y.stroke) ||
+            !same_bits(x.width, y.width))
             return false;
     }
     return true;

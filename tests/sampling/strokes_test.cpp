@@ -69,14 +69,6 @@ TEST(Strokes, OrderAndSpacingHoldOnCurvedSurfaces) {
     const PointSet lines = make(torus, settings);
     expect_sound(lines, torus);
     expect_even_strokes(lines, Group::curvature, 0.01, 0.12);
-    // Combing strokes of the published recursion break where the regions of the field meet; those of the
-    // default go on straight.
-    settings = blue({Group::curvature, Group::combing}, 5400, 3);
-    settings.initial_step = 0.09;
-    const PointSet steady = make(torus, settings);
-    expect_sound(steady, torus);
-    expect_even_strokes(steady, Group::curvature, 0.01, 0.12);
-    expect_even_strokes(steady, Group::combing, 0.01, 0.25);
 }
 
 // A meridian is a geodesic and stays in its half plane at any step.  A parallel is not: the osculating
@@ -173,35 +165,6 @@ TEST(Strokes, CombingFollowsStarksField) {
         const glm::dvec3 field = marks.stroke[2 * i] % 2 == 0 ? frame.r : frame.u;
         EXPECT_NEAR(std::abs(glm::dot(field, vec(marks.direction, i))), 1.0, 1e-4);
     }
-}
-
-TEST(BlueNoiseStrokes, AreWholeRankedBySeedAndWithinTheBudget) {
-    const Torus torus;
-    for (const Group group : {Group::curvature, Group::combing}) {
-        const GenerateSettings settings = blue({group}, 6000, 2);
-        const PointSet set = make(torus, settings);
-        expect_sound(set, torus);
-        const MarkGroup& marks = of(set, group);
-        const std::int64_t seeds = 6000 / 18;
-        EXPECT_EQ(marks.report.strokes, 2 * seeds);
-        EXPECT_EQ(marks.count(), 2 * seeds * 9);
-        EXPECT_NEAR(marks.report.step, 0.025 * torus.diagonal(), 1e-12);
-        for (std::int64_t i = 0; i < marks.count(); ++i) {
-            const std::int64_t stroke = i / 9; // strokes lie one after the other, in the order of their ranks
-            EXPECT_EQ(marks.stroke[2 * i], stroke);
-            EXPECT_EQ(marks.stroke[2 * i + 1], i % 9);
-            EXPECT_NEAR(marks.rank[i], 1.0 - (static_cast<double>(stroke) + 0.5) / static_cast<double>(2 * seeds),
-                        1e-6);
-        }
-        const double length = glm::distance(position(set, group, 0), position(set, group, 8));
-        EXPECT_NEAR(length, 8.0 / 3.0 * 0.025 * torus.diagonal(), 0.1 * length) << "3^2 marks, 8 gaps of step / 3";
-        EXPECT_NEAR(set.spacing, std::sqrt(torus.area() / static_cast<double>(marks.count())), 0.05 * set.spacing);
-    }
-}
-
-TEST(BlueNoiseStrokes, ABudgetBelowOneSeedIsRefused) {
-    expect_error(Status::invalid_argument, {"group[1].budget = 100", "3^4", "162"},
-                 [] { (void)make(Sphere(), blue({Group::curvature}, 100, 4)); });
 }
 
 } // namespace

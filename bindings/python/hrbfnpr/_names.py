@@ -21,6 +21,7 @@ RAY = _numbers("RAY", "hit", "miss", "truncated", "iteration_limit", "not_finite
 GROUPS = _numbers("GROUP", "stipple", "curvature", "combing")
 DISTRIBUTIONS = _numbers("DISTRIBUTION", "blue_noise", "paper")
 SEED_SOURCES = _numbers("SEED", "auto", "samples", "box", "points")
+STROKE_FIELDS = _numbers("STROKE_FIELD", "line", "cross")
 GROUP_SEEDS = _numbers("GROUP_SEED", "seeds", "stipples")
 DEPTH_CONVENTIONS = _numbers("DEPTH", "negative_one_to_one", "zero_to_one", "reversed")
 HIDDEN_LINES = _numbers("HIDDEN_LINES", "attenuate", "hide", "show")

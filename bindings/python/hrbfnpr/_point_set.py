@@ -11,7 +11,16 @@ from ._errors import new_error, new_struct
 from ._handles import Owner, own
 from ._library import ffi, lib
 from ._model import Model
-from ._names import DISTRIBUTIONS, GROUP_SEEDS, GROUPS, SEED_SOURCES, group_bits, group_names, number_of
+from ._names import (
+    DISTRIBUTIONS,
+    GROUP_SEEDS,
+    GROUPS,
+    SEED_SOURCES,
+    STROKE_FIELDS,
+    group_bits,
+    group_names,
+    number_of,
+)
 from ._operation import Operation, Progress, running
 from ._point_set_info import PointSetInfo, Vector, read_info
 
@@ -26,6 +35,7 @@ _ATTRIBUTES = {
     "rank": (1, FLOATS),
     "level": (1, "B"),
     "stroke": (2, "I"),
+    "width": (1, FLOATS),
 }
 
 
@@ -49,7 +59,10 @@ def _load(data: bytes) -> PointSet:
     return PointSet.load(data)
 
 
-_PLAIN_FIELDS = ("box_resolution", "box_jitter", "initial_step", "projection_tolerance", "random_seed")
+_PLAIN_FIELDS = (
+    "box_resolution", "box_jitter", "initial_step", "projection_tolerance", "random_seed",
+    "stroke_separation", "stroke_step", "stroke_length",
+)  # fmt: skip
 
 
 def _generate_desc(
@@ -62,6 +75,7 @@ def _generate_desc(
     budget: Optional[PerGroup] = None,
     stroke_seeds: str = "seeds",
     seed_level: int = 0,
+    stroke_field: str = "cross",
     curvature_of: Union[str, Iterable[str]] = (),
     **plain: Any,
 ) -> Tuple[Any, Any]:
@@ -70,6 +84,7 @@ def _generate_desc(
     desc.groups = group_bits(groups)
     desc.distribution = number_of("distribution", DISTRIBUTIONS, distribution)
     desc.seed_source = number_of("seed_source", SEED_SOURCES, seed_source)
+    desc.stroke_field = number_of("stroke_field", STROKE_FIELDS, stroke_field)
     keep = None
     if seed_points is not None:
         keep = block_in("seed_points", seed_points).fill(desc.seed_points)
@@ -125,6 +140,10 @@ class PointSet(Owner):
         budget: Optional[PerGroup] = None,
         stroke_seeds: str = "seeds",
         seed_level: int = 0,
+        stroke_separation: float = 0.0,
+        stroke_step: float = 0.0,
+        stroke_length: float = 0.0,
+        stroke_field: str = "cross",
         curvature_of: Union[str, Iterable[str]] = (),
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
@@ -144,22 +163,31 @@ class PointSet(Owner):
         box_resolution, box_jitter : int, float
             Cells along the longest side (1 to 256) and jitter in cell sides (0 to 0.5) [NPAR 4.2].
         initial_step : float
-            rho_0 in the unit of the model; 0 = estimated.  With "blue_noise" a stroke is 3 steps
-            long, and 0 is 2.5 % of the diagonal.
+            rho_0 of the "paper" distribution, in the unit of the model; 0 = estimated.
         projection_tolerance : float
             As in `Model.project`.
         random_seed : int
         seed_points : array of float, shape (n, 3), optional
             Given, they are the seeds unless `seed_source` says otherwise.
         levels : int or mapping of group to int, optional
-            Refinement steps, 0 to 12; by default 4 for stipples and 3 for strokes.  A stroke has
-            3^levels marks.
+            Refinement steps of the "paper" distribution, 0 to 12; by default 4 for stipples and 3
+            for strokes, which have 3^levels marks.
         budget : int or mapping of group to int, optional
-            The most marks; 0 (default) = 40000 with "blue_noise", no limit with "paper".
+            The most marks, of both sets of strokes together; 0 (default) = 40000 with "blue_noise",
+            no limit with "paper" or for strokes with a `stroke_separation`.
         stroke_seeds : {"seeds", "stipples"}
             What strokes of the "paper" distribution start from.
         seed_level : int
             With "stipples", the last stippling level used.
+        stroke_separation : float
+            Mean distance of neighbouring "blue_noise" strokes of one set, in the unit of the model;
+            0 = such that they have as many marks as the budget.
+        stroke_step : float
+            Distance of the marks of such a stroke; 0 = a fifth of the separation.
+        stroke_length : float
+            The longest such stroke; 0 = no limit.
+        stroke_field : {"cross", "line"}
+            Whether such strokes go straight on where the two directions change places, or turn.
         curvature_of : iterable of str
             Groups beside "curvature" whose marks shall know their curvature too.
         progress, operation, context
@@ -188,6 +216,10 @@ class PointSet(Owner):
             budget=budget,
             stroke_seeds=stroke_seeds,
             seed_level=seed_level,
+            stroke_separation=stroke_separation,
+            stroke_step=stroke_step,
+            stroke_length=stroke_length,
+            stroke_field=stroke_field,
             curvature_of=curvature_of,
         )
         out, error = ffi.new("hrbfnpr_point_set **"), new_error()
@@ -211,7 +243,7 @@ class PointSet(Owner):
         ----------
         groups : mapping of group to mapping of attribute to array
             Attributes: position (n, 3), absolute, and normal (n, 3) are needed; direction (n, 3),
-            curvature (n, 3), rank (n), level (n) and stroke (n, 2) may be left out.
+            curvature (n, 3), rank (n), level (n), stroke (n, 2) and width (n) may be left out.
         random_seed : int
             For ranks that are not given.
 
@@ -329,12 +361,16 @@ class PointSet(Owner):
         return self._view(group, "RANK")
 
     def levels(self, group: str) -> Array:
-        """uint8 (n,): the refinement step that placed the mark, 0 = a seed."""
+        """uint8 (n,): the refinement step, or the pass of strokes, that placed the mark."""
         return self._view(group, "LEVEL")
 
     def strokes(self, group: str) -> Array:
-        """uint32 (n, 2): stroke (2 seed + set) and the mark's place along it; a stipple's seed and 0."""
+        """uint32 (n, 2): stroke (2 number + set) and the mark's place along it; a stipple's seed and 0."""
         return self._view(group, "STROKE")
+
+    def widths(self, group: str) -> Array:
+        """float32 (n,): of the ink, relative, in (0, 1]; tapered strokes only, else empty."""
+        return self._view(group, "WIDTH")
 
     def save(self, target: _streams.Target) -> None:
         """Write to a path (atomically) or a binary file object; versioned and checksummed."""

@@ -13,13 +13,11 @@ from .._point_set import PointSet
 from .._style import Style
 
 LONG_SIDE = 1600
-STROKE_LEVELS = 4
 STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make a line
 MOST_MARKS = {"stipple": 300_000, "curvature": 800_000, "combing": 800_000}
 
-# Ink over area at the darkest tone.  That of strokes is of two sets together, each of which leaves
-# some paper between its lines.
-_COVERAGE = {"stipple": 0.8, "curvature": 1.2, "combing": 1.2}
+# Ink over area at the darkest tone; of strokes that of one set, which leaves some paper between its lines.
+_COVERAGE = {"stipple": 0.8, "curvature": 0.55, "combing": 0.55}
 
 
 def _unit(v: Any) -> Any:
@@ -93,20 +91,20 @@ def marks(
     """Arguments of `PointSet.generate` that fill the darkest tone; `options` are those given."""
     if options.get("distribution") == "paper":
         return _paper_levels(groups, style, area * pixels**2, options, centres)
-    levels = options.get("levels", {})
-    steps = {name: levels.get(name, STROKE_LEVELS) for name in groups if name != "stipple"}
-    chosen: Dict[str, Any] = {"levels": {**levels, **steps}}
+    chosen: Dict[str, Any] = {}
     budget: Dict[str, int] = {}
     for name in groups:
-        ink = getattr(style, name)
+        radius = getattr(style, name).radius
         if name == "stipple":
-            inked = math.pi * ink.radius**2
+            wanted = _COVERAGE[name] * area * pixels**2 / (math.pi * radius**2)
         else:
-            apart = STROKE_SPACING * ink.radius
-            step = apart * 3 ** steps[name] / 3 / pixels
-            chosen["initial_step"] = min(step, chosen.get("initial_step", step))
-            inked = 2 * ink.radius * apart
-        budget[name] = max(1, min(MOST_MARKS[name], round(_COVERAGE[name] * area * pixels**2 / inked)))
+            # Both sets have area / separation of length each.
+            step = STROKE_SPACING * radius / pixels
+            chosen["stroke_step"] = min(step, chosen.get("stroke_step", step))
+            wanted = 2 * area * pixels * _COVERAGE[name] / (2 * radius) / step
+            if options.get("stroke_separation"):
+                continue  # as many as there are
+        budget[name] = max(1, min(MOST_MARKS[name], round(wanted)))
     return {**chosen, "budget": {**budget, **options.get("budget", {})}}
 
 

@@ -23,7 +23,7 @@ from ._progress import Reporter
 
 _GENERATE = (
     "distribution", "budget", "levels", "initial_step", "seed_source", "box_resolution", "box_jitter",
-    "stroke_seeds", "seed_level", "projection_tolerance", "curvature_of", "random_seed",
+    "stroke_seeds", "seed_level", "stroke_separation", "stroke_step", "stroke_length", "stroke_field", "projection_tolerance", "curvature_of", "random_seed",
 )  # fmt: skip
 _STYLE = (
     "paper", "hidden_lines", "silhouette_threshold", "attenuation_front", "attenuation_back", "cover_radius",

@@ -20,6 +20,7 @@ from .._names import (
     REPAIRS,
     SEED_SOURCES,
     SOLVERS,
+    STROKE_FIELDS,
     TONE_RULES,
 )
 from .._style import PRESETS
@@ -100,14 +101,18 @@ def _add_marks(parser: Parser) -> None:
     _add(group, "--marks", "budget", values.per_group, "N", "the most marks of each group, or GROUP=N,...; enough "
          "to make the darkest tone nearly black")  # fmt: skip
     group.add_argument("--budget", dest="budget", type=values.per_group, help=argparse.SUPPRESS)
-    _add(group, "--levels", "levels", values.per_group, "N", "refinement steps, or GROUP=N,...; a stroke has 3^N marks")
-    _add(group, "--step", "initial_step", values.number, "LENGTH", "initial step rho_0; strokes are 3 of it long")
+    _add(group, "--levels", "levels", values.per_group, "N", "refinement steps of PAPER, or GROUP=N,...")
+    _add(group, "--step", "initial_step", values.number, "LENGTH", "initial step rho_0 of PAPER")
     _add_choice(group, "--seeds", "seed_source", tuple(SEED_SOURCES), "where marks start")
     _add(group, "--seed-points", "seed_points", str, "FILE", "points to be the seeds")
     _add(group, "--box-resolution", "box_resolution", values.count(1, 256), "N", "cells of the box of seeds; 8")
     _add(group, "--box-jitter", "box_jitter", values.number, "X", "in cell sides, 0 to 0.5; 0.25")
     _add_choice(group, "--stroke-seeds", "stroke_seeds", tuple(GROUP_SEEDS), "what strokes of paper start from")
     _add(group, "--seed-level", "seed_level", values.count(0, 12), "N", "last level of those stipples; 0")
+    _add(group, "--separation", "stroke_separation", values.number, "LENGTH", "of neighbouring strokes")
+    _add(group, "--stroke-step", "stroke_step", values.number, "LENGTH", "of the marks along a stroke")
+    _add(group, "--stroke-length", "stroke_length", values.number, "LENGTH", "of the longest stroke; 0 = no limit")
+    _add_choice(group, "--stroke-field", "stroke_field", tuple(STROKE_FIELDS), "where the directions change places")
     _add(group, "--projection-tolerance", "projection_tolerance", values.number, "X", "share of the diagonal; 1e-7")
     _add(group, "--curvature-of", "curvature_of", values.groups, "NAMES", "keep curvatures of these groups too")
 

@@ -1,0 +1,32 @@
+#include "geometry/point_grid.h"
+
+#include <bit>
+
+namespace hrbfnpr::geometry {
+
+PointGrid::PointGrid(const VecArray& points, double radius)
+    : radius_(radius), begin_(points.memory()), index_(points.memory(), points.size()),
+      cell_(points.memory(), points.size()) {
+    Bounds box;
+    for (std::int64_t i = 0; i < points.size(); ++i) box.extend(points[i]);
+    if (points.empty()) box = {glm::dvec3(0.0), glm::dvec3(0.0)};
+    // Beyond 2^21 cells a side the last ones are shared, which is slow and right.
+    grid_ = {box.min, std::max(2.0 * radius, 1e-6 * box.diagonal())};
+    const auto buckets =
+        static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(std::max<std::int64_t>(points.size(), 1))));
+    begin_.resize(buckets + 1);
+    const auto cell_of = [&](std::int64_t i) { return CellGrid::pack(grid_.cell_of(points[i])); };
+    // Sorting by counting, which keeps the order of the points of a bucket.
+    for (std::int64_t i = 0; i < points.size(); ++i) ++begin_[bucket(cell_of(i)) + 1];
+    for (std::int64_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
+    base::Array<std::int64_t> next(points.memory(), buckets);
+    for (std::int64_t b = 0; b < buckets; ++b) next[b] = begin_[b];
+    for (std::int64_t i = 0; i < points.size(); ++i) {
+        const std::uint64_t cell = cell_of(i);
+        const std::int64_t at = next[bucket(cell)]++;
+        index_[at] = i;
+        cell_[at] = cell;
+    }
+}
+
+} // namespace hrbfnpr::geometry

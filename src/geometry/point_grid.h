@@ -1,0 +1,48 @@
+// Points sorted into the cells of a grid: for many small balls of one radius, where a tree is slow.
+#pragma once
+
+#include "geometry/cell_set.h"
+#include "geometry/vec_array.h"
+
+namespace hrbfnpr::geometry {
+
+class PointGrid {
+public:
+    // radius: of the balls that will be asked for.
+    PointGrid(const VecArray& points, double radius);
+
+    [[nodiscard]] std::int64_t size() const noexcept { return index_.size(); }
+    // Which of the given points stands at place `at` of the grid's order.
+    [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return index_[at]; }
+
+    // Calls visit(at) once for every point within the radius of p, and for some that are farther away.
+    template <class Visit>
+    void around(const glm::dvec3& p, Visit&& visit) const;
+
+private:
+    [[nodiscard]] std::int64_t bucket(std::uint64_t cell) const noexcept {
+        return static_cast<std::int64_t>(mixed_bits(cell) & static_cast<std::uint64_t>(begin_.size() - 2));
+    }
+
+    double radius_;
+    CellGrid grid_;                   // of cells two radii wide: a ball meets eight of them
+    base::Array<std::int64_t> begin_; // of each bucket in the order, and the end; a power of two and 1
+    base::Array<std::int64_t> index_;
+    base::Array<std::uint64_t> cell_; // of each point in the order: cells may share a bucket
+};
+
+template <class Visit>
+void PointGrid::around(const glm::dvec3& p, Visit&& visit) const {
+    const CellGrid::Cell low = grid_.cell_of(p - radius_);
+    const CellGrid::Cell high = grid_.cell_of(p + radius_);
+    for (std::int64_t z = low[2]; z <= high[2]; ++z)
+        for (std::int64_t y = low[1]; y <= high[1]; ++y)
+            for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+                const std::uint64_t cell = CellGrid::pack({x, y, z});
+                const std::int64_t b = bucket(cell);
+                for (std::int64_t at = begin_[b]; at < begin_[b + 1]; ++at)
+                    if (cell_[at] == cell) visit(at);
+            }
+}
+
+} // namespace hrbfnpr::geometry
