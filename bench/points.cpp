@@ -3,6 +3,7 @@
 // --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
 #include "bumpy.h"
 #include "peak.h"
+#include "read_models.h"
 #include "scenes/handles.h"
 #include "timing.h"
 
@@ -13,7 +14,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -23,6 +23,7 @@
 namespace {
 
 using bench::bumpy;
+using bench::read_ply;
 using bench::Samples;
 
 Samples axes() {
@@ -33,30 +34,6 @@ Samples axes() {
             p[c] = sign;
             samples.add(p, p);
         }
-    return samples;
-}
-
-// Six float properties a vertex, ascii or little-endian.
-Samples read_ply(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string line;
-    std::size_t count = 0;
-    bool binary = false;
-    while (std::getline(file, line) && line != "end_header") {
-        if (line.rfind("element vertex", 0) == 0) count = std::stoull(line.substr(15));
-        if (line.rfind("format binary", 0) == 0) binary = true;
-    }
-    std::vector<float> numbers(6 * count);
-    if (binary)
-        file.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(24 * count));
-    else
-        for (float& number : numbers) file >> number;
-    if (!file || count == 0) throw std::runtime_error(path + " is not a PLY of points with normals");
-    Samples samples;
-    for (std::size_t i = 0; i < count; ++i) {
-        const float* at = numbers.data() + 6 * i;
-        samples.add({at[0], at[1], at[2]}, {at[3], at[4], at[5]});
-    }
     return samples;
 }
 

@@ -15,7 +15,7 @@ constexpr double coarsest_cells = 96.0;
 constexpr double finest_cells = 4096.0;
 // A cell's side in spacings of marks: the candidates' layer is then one spacing to each side.
 constexpr double cell_spacings = 2.0;
-constexpr std::int64_t candidates_per_mark = 4;
+constexpr std::int64_t candidates_per_mark = 5;
 constexpr std::int64_t fewest_candidates = 6000;
 constexpr std::int64_t settled_at_once = 65536;
 

@@ -21,9 +21,9 @@ constexpr std::int64_t cells_of_task = 512;
 constexpr std::int64_t points_of_task = 4096;
 
 // Candidates from each point that is evaluated: its foot, and others beside that in its tangent plane.
-constexpr std::uint32_t feet_of_point = 4;
+constexpr std::uint32_t feet_of_point = 5;
 // How far beside, in sides of a cell; there a foot is as near to the surface as the first one.
-constexpr double stride = 0.5;
+constexpr double stride = 0.6;
 
 // A point on the surface, to second order, and the cell that it is in.
 struct Foot {
@@ -32,6 +32,19 @@ struct Foot {
     glm::vec3 position; // relative to the grid's origin
     float normal;       // packed
 };
+
+// Cosine of the angle between a foot's normal and its cell's up to which the cell is flat.
+constexpr double straight = 0.97;
+
+float packed(const glm::dvec3& normal) noexcept {
+    return packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
+}
+
+glm::dvec3 unpacked(float bits) noexcept {
+    float normal[3];
+    unpack_normal(bits, normal);
+    return glm::normalize(glm::dvec3(normal[0], normal[1], normal[2]));
+}
 
 // Points are drawn uniformly in the volume of the cells and kept within `band` of the surface: a
 // layer of constant thickness holds as many points per area everywhere, to second order in
@@ -56,6 +69,8 @@ private:
     void draw_in(const SurfaceCell& cell, std::int64_t at, std::int64_t end) noexcept;
     void draw(std::int64_t cell_begin, std::int64_t cell_end);
     void step_down(const base::Progress& progress);
+    void step_down_again(std::int64_t first, const base::Progress& progress);
+    [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept;
     Foot* land(std::int64_t i, double distance, Foot* to) const noexcept;
 
     const Site& site_;
@@ -71,6 +86,7 @@ private:
     base::Array<std::uint32_t> trial_ticket_;
     FieldSamples field_;
     base::Array<std::int64_t> kept_, near_of_task_;
+    base::Array<std::int64_t> bent_;
     base::Array<Foot> landed_;
     base::Array<Foot> feet_;
     double trials_ = 0.0;
@@ -87,7 +103,7 @@ Drawing::Drawing(const Site& site, const SurfaceCells& cells, Group group, Candi
     : site_(site), cells_(cells), candidates_(candidates), numbers_(site.memory(), codes_of(site, cells)),
       lane_(lane_of(group)), slot_(site.memory()), drawn_(site.memory()), drawn_ticket_(site.memory()),
       trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()), kept_(site.memory()),
-      near_of_task_(site.memory()), landed_(site.memory()), feet_(site.memory()) {
+      near_of_task_(site.memory()), bent_(site.memory()), landed_(site.memory()), feet_(site.memory()) {
     feet_.reserve(wanted + wanted / 16 + feet_of_point * batch_points); // one piece
 }
 
@@ -141,19 +157,22 @@ void Drawing::draw(std::int64_t cell_begin, std::int64_t cell_end) {
     }
 }
 
+// -1: outside the region or the cells.
+std::int32_t Drawing::cell_of(const glm::dvec3& p) const noexcept {
+    return cells_.region.contains(p) ? numbers_.find(geometry::morton_code(cells_.grid.cell_of(p))) : -1;
+}
+
 // The feet of a trial point; returns the end of those that are in the region and its cells.
 Foot* Drawing::land(std::int64_t i, double distance, Foot* to) const noexcept {
     const glm::dvec3 normal = glm::normalize(field_.gradient[i]);
     const geometry::TangentFrame frame = geometry::combing_frame(normal);
-    const float packed =
-        packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
+    const float bits = packed(normal);
     const glm::dvec3 foot = trial_[i] - distance * normal;
     glm::dvec3 at = foot;
     std::uint32_t ticket = trial_ticket_[i];
     for (std::uint32_t k = 0; k < feet_of_point; ++k) {
-        const std::int32_t cell =
-            cells_.region.contains(at) ? numbers_.find(geometry::morton_code(cells_.grid.cell_of(at))) : -1;
-        if (cell >= 0) *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), packed};
+        const std::int32_t cell = cell_of(at);
+        if (cell >= 0) *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), bits};
         const base::Philox random =
             base::philox(site_.random_seed, {trial_ticket_[i], std::bit_cast<std::uint32_t>(static_cast<float>(foot.x)),
                                              static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
@@ -186,11 +205,35 @@ void Drawing::step_down(const base::Progress& progress) {
         kept_[begin / points_of_task] = to - first;
         near_of_task_[begin / points_of_task] = feet_of_point * near;
     });
+    const std::int64_t first = feet_.size();
     for (std::int64_t task = 0; task < tasks; ++task) {
         const std::int64_t before = feet_.size();
         near_ += near_of_task_[task];
         feet_.resize(before + kept_[task]);
         std::copy_n(landed_.data() + feet_of_point * points_of_task * task, kept_[task], feet_.data() + before);
+    }
+    step_down_again(first, progress);
+}
+
+// Where the surface bends within a cell, feet are not yet near enough to it.
+void Drawing::step_down_again(std::int64_t first, const base::Progress& progress) {
+    bent_.clear();
+    trial_.clear();
+    for (std::int64_t i = first; i < feet_.size(); ++i) {
+        const glm::dvec3 normal = unpacked(feet_[i].normal);
+        if (glm::dot(normal, cells_.cell[feet_[i].cell].normal) >= straight) continue;
+        bent_.push_back(i);
+        trial_.push_back(cells_.grid.origin + glm::dvec3(feet_[i].position));
+    }
+    evaluate(site_, trial_, field_, progress);
+    for (std::int64_t k = 0; k < bent_.size(); ++k) {
+        Foot& foot = feet_[bent_[k]];
+        const double distance = field_.distance(k);
+        if (!(std::abs(distance) <= cells_.band)) continue;
+        const glm::dvec3 normal = glm::normalize(field_.gradient[k]);
+        const glm::dvec3 at = trial_[k] - distance * normal;
+        const std::int32_t cell = cell_of(at);
+        if (cell >= 0) foot = {cell, foot.ticket, glm::vec3(at - cells_.grid.origin), packed(normal)};
     }
 }
 

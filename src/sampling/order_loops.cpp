@@ -35,6 +35,7 @@ HWY_INLINE W coordinate(hn::Vec<U> bits) {
 void feel(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach) {
     const F d;
     const W inverse = hn::Set(d, inverse_squared_reach);
+    const float least_turn = opposite * unpacked_length * unpacked_length;
     for (std::int64_t at = 0; at < block.count; at += lanes()) {
         const auto mask = lanes_left(block.count - at);
         const auto load = [&](OrderBlock::Column c) { return hn::MaskedLoad(mask, d, block.column(c) + at); };
@@ -45,7 +46,7 @@ void feel(const OrderBlock& block, const OrderMark& mark, float inverse_squared_
         const auto bits = hn::BitCast(U(), load(OrderBlock::normal));
         const W turn = dot(coordinate<0>(bits), coordinate<10>(bits), coordinate<20>(bits), hn::Set(d, mark.normal[0]),
                            hn::Set(d, mark.normal[1]), hn::Set(d, mark.normal[2]));
-        const auto same_side = hn::And(mask, hn::Ge(turn, hn::Zero(d)));
+        const auto same_side = hn::And(mask, hn::Ge(turn, hn::Set(d, least_turn)));
         const W rest = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0F), hn::Mul(squared, inverse)));
         const W rest2 = hn::Mul(rest, rest);
         const W energy = hn::Add(load(OrderBlock::energy), hn::Mul(rest2, rest2));

@@ -26,9 +26,14 @@ struct OrderMark {
     float normal[3];
 };
 
+// Normals that turn by more than this cosine belong to opposite sides: over a crease marks still see each other,
+// through a thin sheet they do not.
+inline constexpr float opposite = -0.3F;
+
 // Ten bits a coordinate: enough to tell sides apart, and for a tangent plane.
 [[nodiscard]] float packed_normal(const float (&normal)[3]) noexcept;
-// Not of unit length.
+// Of about this length, not of unit length.
+inline constexpr float unpacked_length = 511.5F;
 void unpack_normal(float packed, float (&normal)[3]) noexcept;
 
 struct OrderLoops {

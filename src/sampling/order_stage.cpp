@@ -264,7 +264,7 @@ private:
                  const glm::dvec3& normal, double far) noexcept {
         const glm::dvec3 between = vector(mark.position) - start;
         if (around_ == most_around || glm::dot(between, between) > far * far ||
-            glm::dot(normal, vector(mark.normal)) < 0.0)
+            glm::dot(normal, vector(mark.normal)) < double{opposite * unpacked_length})
             return;
         const glm::dvec2 tangent(glm::dot(between, frame.u), glm::dot(between, frame.r));
         const double length = glm::length(tangent);

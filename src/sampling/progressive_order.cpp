@@ -14,7 +14,7 @@ namespace {
 
 // The distance that marks keep, in that of the densest packing of as many.  Above 0.72 gaps for all are hard to find,
 // and the more regular order shows in the spectrum at low frequencies (measured: docs/quality.md).
-constexpr double kept_distance = 0.71;
+constexpr double kept_distance = 0.70;
 // It is that of a number of marks this much larger, which one step of a sweep is to reach.
 constexpr double growth_of_step = 1.015;
 // Where no place is left, a smaller distance will have to do.
@@ -23,7 +23,7 @@ constexpr double concession = 0.98;
 constexpr double least_distance = 0.65;
 constexpr double growth_between_cleanings = 1.25;
 // Reach of a mark's energy, in distances of the densest packing at the end of a stage.
-constexpr double reach_of_energy = 1.7;
+constexpr double reach_of_energy = 1.8;
 // Below it all places count as equally empty.
 constexpr float least_threshold = 0.05F;
 // Sweeps of large orders have many steps: each takes all candidates through the processor's caches.
@@ -36,7 +36,7 @@ constexpr float threshold_of_step = 1.038F; // growth_of_step ^ slope_of_thresho
 constexpr float rise = 1.06F;
 constexpr float small_rise = 1.02F; // when the stage is nearly full
 // Earlier stages have more candidates for each mark to choose from.
-constexpr double candidates_of_early_marks = 8.0;
+constexpr double candidates_of_early_marks = 12.0;
 
 class Ordering {
 public:
@@ -93,7 +93,7 @@ StageSettings Ordering::settings_of(std::int32_t level, std::int64_t marks) cons
     // Marks of one round are at least a cell apart, and stay the radius apart: that of the stage's first marks, as
     // the stage before, whose cells are twice as wide, ended with the densest packing of this one's side.
     // No farther than candidates are true to the surface: they are many where marks are few.
-    settings.farthest_move = std::min(0.5 * (1.0 - kept_distance) * side(level), candidates_.grid.side);
+    settings.farthest_move = std::min(0.5 * (1.0 - kept_distance) * side(level), 0.25 * candidates_.grid.side);
     return settings;
 }
 
