@@ -796,6 +796,46 @@ enum {
     HRBFNPR_GENERATE_CURVATURE_OF_COMBING = 2   /* ... and for combing marks */
 };
 
+enum {
+    HRBFNPR_DENSITY_UNIFORM = 0,   /* as many stipples per area everywhere */
+    HRBFNPR_DENSITY_CURVATURE = 1, /* more where the surface bends: 1 - s + s c / (c + mean of c), s =
+                                      density_strength, c = sqrt((k1^2 + k2^2) / 2) */
+    HRBFNPR_DENSITY_CALLBACK = 2   /* density_function */
+};
+
+/* A density on the surface: fills density (count) from absolute positions and
+ * unit normals (count x 3 each), 1 where marks are to be densest, 0 where none
+ * are wanted; clamped to 1, negative or NaN is CALLBACK.  Called with some
+ * thousand places at a time, on the thread that called _generate.  Non-zero
+ * fails it with CALLBACK. */
+typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions,
+                                      const double* normals, double* density);
+
+enum {
+    HRBFNPR_ORDER_SEPARATE = 0, /* the ranks of each layer of marks cover all tones */
+    HRBFNPR_ORDER_LAYERED = 1   /* one layer of those that are made after the other, in the order of
+                                   HRBFNPR_LAYER_..., each over an equal part of the tones: cross-hatching
+                                   builds up from light to dark */
+};
+
+/* Layers of marks that hold ranks of their own. */
+enum {
+    HRBFNPR_LAYER_STIPPLE = 0,
+    HRBFNPR_LAYER_CURVATURE_FIRST = 1,
+    HRBFNPR_LAYER_CURVATURE_SECOND = 2,
+    HRBFNPR_LAYER_COMBING_FIRST = 3,
+    HRBFNPR_LAYER_COMBING_SECOND = 4,
+    HRBFNPR_LAYER_COUNT = 5
+};
+
+/* The darkness 1 - tau at which the first mark of a layer is shown, and that
+ * at which all are: rank u becomes 1 - begin - (1 - u) (end - begin).
+ * 0 <= begin < end <= 1, or both 0: as `order` says. */
+typedef struct hrbfnpr_layer {
+    float begin;
+    float end;
+} hrbfnpr_layer;
+
 typedef struct hrbfnpr_generate_desc {
     uint32_t struct_size;
     uint32_t groups;         /* bit (1 << HRBFNPR_GROUP_...) each; 1 (stipples only) */
@@ -819,7 +859,19 @@ typedef struct hrbfnpr_generate_desc {
                                  samples, or meet a singular point of the field; a closed one ends
                                  at its start */
     uint32_t stroke_field;    /* HRBFNPR_STROKE_FIELD_...; CROSS */
+    /* Stipples of BLUE_NOISE, which keep their evenness: a mark is left out where its place in the
+     * uniform order, divided by the density, is too high.  Ignored for PAPER. */
+    uint32_t density;        /* HRBFNPR_DENSITY_...; UNIFORM */
+    double density_strength; /* of CURVATURE, 0 .. 1; 0.5 */
+    hrbfnpr_density_fn density_function; /* for CALLBACK.  Where its mean is below 1/16 of 1, fewer
+                                            marks than the budget are made */
+    void* density_user;
+    /* Ranks of all layers, for every distribution. */
+    uint32_t order;          /* HRBFNPR_ORDER_...; SEPARATE */
     uint32_t reserved2;
+    int64_t shared_budget;   /* the most marks of all groups together: each layer gets its part of the
+                                tones; 0 = each group has its own.  Not with budgets of groups */
+    hrbfnpr_layer layer[5];  /* HRBFNPR_LAYER_...; all 0 */
 } hrbfnpr_generate_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint32_t struct_size);

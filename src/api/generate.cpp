@@ -9,6 +9,8 @@
 #include "api/point_set.h"
 #include "api/views.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 
 using namespace hrbfnpr;
@@ -22,6 +24,10 @@ static_assert(static_cast<int>(sampling::Distribution::blue_noise) == HRBFNPR_DI
 static_assert(static_cast<int>(sampling::Distribution::paper) == HRBFNPR_DISTRIBUTION_PAPER);
 static_assert(static_cast<int>(sampling::StrokeField::line) == HRBFNPR_STROKE_FIELD_LINE);
 static_assert(static_cast<int>(sampling::StrokeField::cross) == HRBFNPR_STROKE_FIELD_CROSS);
+static_assert(static_cast<int>(sampling::Density::uniform) == HRBFNPR_DENSITY_UNIFORM);
+static_assert(static_cast<int>(sampling::Density::curvature) == HRBFNPR_DENSITY_CURVATURE);
+static_assert(static_cast<int>(sampling::Density::callback) == HRBFNPR_DENSITY_CALLBACK);
+static_assert(sampling::layer_count == HRBFNPR_LAYER_COUNT);
 static_assert(static_cast<int>(sampling::SeedSource::automatic) == HRBFNPR_SEED_AUTO);
 static_assert(static_cast<int>(sampling::SeedSource::samples) == HRBFNPR_SEED_SAMPLES);
 static_assert(static_cast<int>(sampling::SeedSource::box) == HRBFNPR_SEED_BOX);
@@ -45,6 +51,7 @@ hrbfnpr_generate_desc defaults() noexcept {
     desc.group[HRBFNPR_GROUP_CURVATURE].levels = 3;
     desc.group[HRBFNPR_GROUP_COMBING].levels = 3;
     desc.stroke_field = static_cast<std::uint32_t>(settings.stroke_field);
+    desc.density_strength = settings.density.strength;
     return desc;
 }
 
@@ -122,6 +129,63 @@ void check_numbers(const hrbfnpr_generate_desc& desc) {
     checks.at_least("stroke_length", desc.stroke_length, 0.0);
     checks.one_of("stroke_field", desc.stroke_field, HRBFNPR_STROKE_FIELD_CROSS + 1, "HRBFNPR_STROKE_FIELD_...");
     checks.zero("reserved2", desc.reserved2);
+    checks.one_of("order", desc.order, HRBFNPR_ORDER_LAYERED + 1, "HRBFNPR_ORDER_...");
+    checks.at_least("shared_budget", static_cast<double>(desc.shared_budget), 0.0);
+}
+
+sampling::DensitySettings checked_density(const hrbfnpr_generate_desc& desc) {
+    const Checks checks("generate_desc");
+    checks.one_of("density", desc.density, HRBFNPR_DENSITY_CALLBACK + 1, "HRBFNPR_DENSITY_...");
+    checks.between("density_strength", desc.density_strength, 0.0, 1.0);
+    if (desc.density == HRBFNPR_DENSITY_CALLBACK) checks.given("density_function", desc.density_function != nullptr);
+    return {static_cast<sampling::Density>(desc.density), desc.density_strength, desc.density_function,
+            desc.density_user};
+}
+
+int group_of_layer(int layer) noexcept { return (layer + 1) / 2; }
+
+// The layers that are made share the tones evenly in LAYERED order, but for those that say their part themselves.
+void fill_layers(const hrbfnpr_generate_desc& desc, sampling::GenerateSettings& settings) {
+    const auto made = [&](int layer) { return settings.group[static_cast<std::size_t>(group_of_layer(layer))].wanted; };
+    double layers = 0.0;
+    for (int layer = 0; layer < HRBFNPR_LAYER_COUNT; ++layer) layers += made(layer) ? 1.0 : 0.0;
+    double before = 0.0;
+    for (int layer = 0; layer < HRBFNPR_LAYER_COUNT; ++layer) {
+        const hrbfnpr_layer& given = desc.layer[layer];
+        sampling::TonePart& part = settings.layer[static_cast<std::size_t>(layer)];
+        if (!(given.begin == 0.0F && given.end == 0.0F)) {
+            if (!(given.begin >= 0.0F && given.begin < given.end && given.end <= 1.0F))
+                fail(Status::invalid_argument,
+                     "generate_desc.layer[%d] is from %g to %g; it must be 0 <= begin < end <= 1, or both 0", layer,
+                     static_cast<double>(given.begin), static_cast<double>(given.end));
+            part = {static_cast<double>(given.begin), static_cast<double>(given.end)};
+        } else if (desc.order == HRBFNPR_ORDER_LAYERED && made(layer)) {
+            part = {before / layers, (before + 1.0) / layers};
+        }
+        if (made(layer)) before += 1.0;
+    }
+}
+
+// Each layer's marks in proportion to its part of the tones.
+void share_budget(std::int64_t budget, sampling::GenerateSettings& settings) {
+    if (budget == 0) return;
+    std::array<double, group_count> share{};
+    double all = 0.0;
+    for (int layer = 0; layer < HRBFNPR_LAYER_COUNT; ++layer) {
+        const auto group = static_cast<std::size_t>(group_of_layer(layer));
+        if (!settings.group[group].wanted) continue;
+        if (settings.group[group].budget != 0)
+            fail(Status::invalid_argument,
+                 "generate_desc.shared_budget is %lld and group[%d].budget is %lld: one of them must be 0",
+                 static_cast<long long>(budget), static_cast<int>(group),
+                 static_cast<long long>(settings.group[group].budget));
+        share[group] += settings.layer[static_cast<std::size_t>(layer)].length();
+        all += settings.layer[static_cast<std::size_t>(layer)].length();
+    }
+    for (std::size_t group = 0; group < share.size(); ++group)
+        if (share[group] > 0.0)
+            settings.group[group].budget =
+                std::max<std::int64_t>(1, static_cast<std::int64_t>(static_cast<double>(budget) * share[group] / all));
 }
 
 sampling::GenerateSettings checked(const hrbfnpr_generate_desc& desc) {
@@ -144,6 +208,9 @@ sampling::GenerateSettings checked(const hrbfnpr_generate_desc& desc) {
              "generate_desc.seed_points is empty; seed_source POINTS needs one point at least");
     for (int group = 0; group < group_count; ++group)
         settings.group[static_cast<std::size_t>(group)] = checked_group(desc, group);
+    settings.density = checked_density(desc);
+    fill_layers(desc, settings);
+    share_budget(desc.shared_budget, settings);
     return settings;
 }
 

@@ -61,11 +61,6 @@ void compute_curvature(const Site& site, const Marks& marks, const base::Array<s
 
 } // namespace
 
-float rank_of(double u) noexcept {
-    constexpr float below_one = 0x1.fffffep-1F;
-    return std::min(static_cast<float>(u), below_one);
-}
-
 float random_rank(std::uint64_t random_seed, std::uint64_t key, Group group) noexcept {
     return rank_of(base::uniform4(random_seed, key, base::Purpose::rank, lane_of(group))[0]);
 }
@@ -89,6 +84,7 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
         result.rank[i] = settings.progressive ? rank_of(1.0 - (number + 0.5) / last)
                                               : random_rank(site.random_seed, marks.key[from], settings.group);
         if (!marks.rank.empty()) result.rank[i] = marks.rank[from];
+        result.rank[i] = settings.part[is_stipple ? 0U : marks.stroke[from] & 1U].rank(result.rank[i]);
         if (!marks.width.empty()) result.width[i] = marks.width[from];
         result.level[i] = marks.level[from];
         result.stroke[2 * i] = marks.stroke[from];

@@ -3,13 +3,12 @@
 
 #include "sampling/marks.h"
 #include "sampling/point_set.h"
+#include "sampling/tone_part.h"
 
+#include <array>
 #include <span>
 
 namespace hrbfnpr::sampling {
-
-// A rank in [0,1): rounding to float must not make it 1.
-[[nodiscard]] float rank_of(double u) noexcept;
 
 // The u of [NPAR 6.2], independent for each mark.
 [[nodiscard]] float random_rank(std::uint64_t random_seed, std::uint64_t key, Group group) noexcept;
@@ -20,7 +19,8 @@ struct AssembleSettings {
     bool with_curvature = false;
     // In the order of their ranks: a stipple's is its place in the array, a stroke's its number.
     bool progressive = false;
-    std::int64_t strokes = 0; // of the group, if progressive
+    std::int64_t strokes = 0;     // of the group, if progressive
+    std::array<TonePart, 2> part; // of the two sets; the first one's for stipples
 };
 
 // Fills all of `result` but its report.  Positions become relative to `origin`.

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "sampling/assemble.h"
 #include "sampling/blue_noise.h"
+#include "sampling/graded.h"
 #include "sampling/growth.h"
 #include "sampling/hatch.h"
 #include "sampling/seeds.h"
@@ -134,8 +135,8 @@ std::int64_t Generation::spread_marks(Group group) const {
 void Generation::blue_noise_stipples(const SurfaceCells& cells) {
     const base::Stopwatch watch;
     GroupReport& report = set_.group[0].report;
-    EvenMarks even =
-        spread_evenly(site_, cells, checked_budget(Group::stipple), Group::stipple, group_progress(Group::stipple));
+    EvenMarks even = spread_by_density(site_, cells, checked_budget(Group::stipple), settings_.density,
+                                       group_progress(Group::stipple));
     Marks& marks = marks_[0];
     const std::int64_t count = even.position.size();
     marks.position = std::move(even.position);
@@ -191,6 +192,8 @@ void Generation::finish() {
         settings.with_curvature = group == Group::curvature || settings_.group[at(group)].with_curvature;
         settings.progressive = settings_.distribution == Distribution::blue_noise;
         settings.strokes = set_.group[at(group)].report.strokes;
+        const std::size_t layer = group == Group::stipple ? 0 : 2 * at(group) - 1;
+        settings.part = {settings_.layer[layer], settings_.layer[group == Group::stipple ? 0 : layer + 1]};
         assemble(site_, marks_[at(group)], settings, set_.origin, set_.group[at(group)], progress_.part(0.95, 1.0));
         marks_[at(group)] = Marks(site_.memory()); // gives the doubles back
     }

@@ -5,7 +5,9 @@
 #include "base/runtime.h"
 #include "base/view.h"
 #include "implicit/implicit.h"
+#include "sampling/density.h"
 #include "sampling/point_set.h"
+#include "sampling/tone_part.h"
 
 #include <array>
 #include <span>
@@ -20,6 +22,9 @@ struct GroupSettings {
     std::int64_t budget = 0;
     bool with_curvature = false; // fill MarkGroup::curvature
 };
+
+// Same numbers as HRBFNPR_LAYER_...: stipples, then the two sets of each group of strokes.
+inline constexpr std::size_t layer_count = 5;
 
 // Checked by the boundary; defaults as in hrbfnpr_generate_desc.
 struct GenerateSettings {
@@ -37,6 +42,8 @@ struct GenerateSettings {
     double stroke_length = 0.0;     // 0 = no limit
     StrokeField stroke_field = StrokeField::cross;
     std::array<GroupSettings, group_count> group;
+    DensitySettings density;
+    std::array<TonePart, layer_count> layer;
 };
 
 // What is known of the samples that the implicit came from: 3n packed positions, empty

@@ -80,7 +80,7 @@ void expect_even(const PointSet& set, Group group, double most_variation, double
     for (const double share : {1.0, 0.5, 0.25}) {
         const Spacing spacing = spacing_of(set, group, share, separation / share);
         EXPECT_NEAR(spacing.mean, 1.0, 0.1) << share;
-        EXPECT_LE(spacing.variation, share < 0.5 ? 1.1 * most_variation : most_variation) << share;
+        EXPECT_LE(spacing.variation, share < 1.0 ? 1.1 * most_variation : most_variation) << share;
         EXPECT_LE(spacing.alone, most_alone) << share;
     }
 }

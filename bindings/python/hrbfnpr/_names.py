@@ -22,6 +22,11 @@ GROUPS = _numbers("GROUP", "stipple", "curvature", "combing")
 DISTRIBUTIONS = _numbers("DISTRIBUTION", "blue_noise", "paper")
 SEED_SOURCES = _numbers("SEED", "auto", "samples", "box", "points")
 STROKE_FIELDS = _numbers("STROKE_FIELD", "line", "cross")
+DENSITIES = _numbers("DENSITY", "uniform", "curvature", "callback")
+ORDERS = _numbers("ORDER", "separate", "layered")
+LAYERS = _numbers(
+    "LAYER", "stipple", "curvature_first", "curvature_second", "combing_first", "combing_second"
+)
 GROUP_SEEDS = _numbers("GROUP_SEED", "seeds", "stipples")
 DEPTH_CONVENTIONS = _numbers("DEPTH", "negative_one_to_one", "zero_to_one", "reversed")
 HIDDEN_LINES = _numbers("HIDDEN_LINES", "attenuate", "hide", "show")

@@ -1,30 +1,35 @@
 """Point sets: marks on a surface."""
 from __future__ import annotations
 
-from typing import Any, Iterable, List, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 from . import _streams
-from ._arrays import FLOATS, Array, block_in, output, wrap
-from ._callbacks import check
+from ._arrays import FLOATS, Array, block_in, output, store, wrap
+from ._callbacks import CallbackState, callback, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
 from ._handles import Owner, own
 from ._library import ffi, lib
 from ._model import Model
 from ._names import (
+    DENSITIES,
     DISTRIBUTIONS,
     GROUP_SEEDS,
     GROUPS,
+    LAYERS,
+    ORDERS,
     SEED_SOURCES,
     STROKE_FIELDS,
     group_bits,
     group_names,
     number_of,
 )
+from ._numpy import np
 from ._operation import Operation, Progress, running
 from ._point_set_info import PointSetInfo, Vector, read_info
 
 PerGroup = Union[int, Mapping[str, int]]
+Density = Union[str, Callable[[Array, Array], Array]]
 
 # Attribute -> components, types that the library takes (the last one is what others become).
 _ATTRIBUTES = {
@@ -55,13 +60,40 @@ def _per_group(argument: str, value: Optional[PerGroup]) -> List[Tuple[int, int]
     return [(number, int(value)) for number in GROUPS.values()]
 
 
+def _places(address: Any, count: int) -> Array:
+    """An array of the callee's own: it may keep or change it."""
+    data = bytearray(ffi.buffer(address, count * 24))
+    if np is not None:
+        return np.frombuffer(data).reshape(count, 3)
+    return memoryview(data).cast("d", shape=[count, 3])
+
+
+@callback("int32_t(void *, int64_t, const double *, const double *, double *)", failure=1)
+def _on_density(user: Any, count: int, positions: Any, normals: Any, density: Any) -> int:
+    result = ffi.from_handle(user).function(_places(positions, count), _places(normals, count))
+    store("the result of density", result, count, 1, "d", density)
+    return 0
+
+
+def _fill_density(desc: Any, density: Density) -> Tuple[Optional[CallbackState], Any]:
+    """The state of a density function, and what must be kept alive."""
+    if not callable(density):
+        desc.density = number_of("density", {k: v for k, v in DENSITIES.items() if k != "callback"}, density)
+        return None, None
+    state = CallbackState(density)
+    user = state.new_handle()
+    desc.density = DENSITIES["callback"]
+    desc.density_function, desc.density_user = _on_density, user
+    return state, user
+
+
 def _load(data: bytes) -> PointSet:
     return PointSet.load(data)
 
 
 _PLAIN_FIELDS = (
     "box_resolution", "box_jitter", "initial_step", "projection_tolerance", "random_seed",
-    "stroke_separation", "stroke_step", "stroke_length",
+    "stroke_separation", "stroke_step", "stroke_length", "density_strength", "shared_budget",
 )  # fmt: skip
 
 
@@ -76,18 +108,29 @@ def _generate_desc(
     stroke_seeds: str = "seeds",
     seed_level: int = 0,
     stroke_field: str = "cross",
+    density: Density = "uniform",
+    order: str = "separate",
+    layers: Optional[Mapping[str, Tuple[float, float]]] = None,
     curvature_of: Union[str, Iterable[str]] = (),
     **plain: Any,
-) -> Tuple[Any, Any]:
-    """The library's descriptor, and what must be kept alive with it.  Arguments as in `generate`."""
+) -> Tuple[Any, Optional[CallbackState], Any]:
+    """The library's descriptor, the state of its density function, and what must be kept alive.
+
+    Arguments as in `generate`.
+    """
     desc = new_struct("hrbfnpr_generate_desc")
     desc.groups = group_bits(groups)
     desc.distribution = number_of("distribution", DISTRIBUTIONS, distribution)
     desc.seed_source = number_of("seed_source", SEED_SOURCES, seed_source)
     desc.stroke_field = number_of("stroke_field", STROKE_FIELDS, stroke_field)
-    keep = None
+    desc.order = number_of("order", ORDERS, order)
+    for layer, (begin, end) in (layers or {}).items():
+        part = desc.layer[number_of("layers", LAYERS, layer)]
+        part.begin, part.end = begin, end
+    state, user = _fill_density(desc, density)
+    keep = [user]
     if seed_points is not None:
-        keep = block_in("seed_points", seed_points).fill(desc.seed_points)
+        keep.append(block_in("seed_points", seed_points).fill(desc.seed_points))
         if desc.seed_source == SEED_SOURCES["auto"]:
             desc.seed_source = SEED_SOURCES["points"]
     for name in group_names(group_bits(curvature_of)):
@@ -104,7 +147,7 @@ def _generate_desc(
         if name not in _PLAIN_FIELDS:
             raise TypeError(f"unexpected argument {name!r}")
         setattr(desc, name, value)
-    return desc, keep
+    return desc, state, keep
 
 
 class PointSet(Owner):
@@ -144,6 +187,11 @@ class PointSet(Owner):
         stroke_step: float = 0.0,
         stroke_length: float = 0.0,
         stroke_field: str = "cross",
+        density: Density = "uniform",
+        density_strength: float = 0.5,
+        order: str = "separate",
+        layers: Optional[Mapping[str, Tuple[float, float]]] = None,
+        shared_budget: int = 0,
         curvature_of: Union[str, Iterable[str]] = (),
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
@@ -188,6 +236,21 @@ class PointSet(Owner):
             The longest such stroke; 0 = no limit.
         stroke_field : {"cross", "line"}
             Whether such strokes go straight on where the two directions change places, or turn.
+        density : {"uniform", "curvature"} or callable
+            Where "blue_noise" stipples are denser: where the surface bends, or as a function says.
+            It gets positions and unit normals, shape (n, 3) each, and returns n numbers from 0
+            (none) to 1 (densest).
+        density_strength : float
+            0 to 1: of "curvature".
+        order : {"separate", "layered"}
+            Whether the ranks of each layer of marks cover all tones, or one layer appears after
+            the other from light to dark: stipples, the two sets of "curvature", those of "combing".
+        layers : mapping of str to (float, float), optional
+            The darkness at which the first mark of a layer ("stipple", "curvature_first",
+            "curvature_second", "combing_first", "combing_second") is shown, and at which all are.
+        shared_budget : int
+            The most marks of all groups together, divided by the layers' parts of the tones;
+            0 = each group has its own `budget`.
         curvature_of : iterable of str
             Groups beside "curvature" whose marks shall know their curvature too.
         progress, operation, context
@@ -202,7 +265,7 @@ class PointSet(Owner):
             If a function of the model raised.
         """
         context = resolve(context)
-        desc, keep = _generate_desc(
+        desc, density_state, keep = _generate_desc(
             groups,
             distribution=distribution,
             seed_source=seed_source,
@@ -220,12 +283,17 @@ class PointSet(Owner):
             stroke_step=stroke_step,
             stroke_length=stroke_length,
             stroke_field=stroke_field,
+            density=density,
+            density_strength=density_strength,
+            order=order,
+            layers=layers,
+            shared_budget=shared_budget,
             curvature_of=curvature_of,
         )
         out, error = ffi.new("hrbfnpr_point_set **"), new_error()
         with running(operation, progress, context._handle) as (handle, state):
             status = lib.hrbfnpr_point_set_generate(context._handle, model._handle, desc, handle, out, error)
-            check(status, error, state, shared=model._function)
+            check(status, error, state, density_state, shared=model._function)
         del keep
         return cls(own(out[0], lib.hrbfnpr_point_set_release, context), context)
 
@@ -293,7 +361,7 @@ class PointSet(Owner):
             corners (count, 4, 3), counter-clockwise seen from outside, and the step rho_0.
         """
         context = resolve(context)
-        desc, keep = _generate_desc(**generate)
+        desc, _, keep = _generate_desc(**generate)
         corners, view = output("corners", None, (count,), 12, "d")
         step, error = ffi.new("double *"), new_error()
         with running(operation, progress, context._handle) as (handle, state):
