@@ -69,6 +69,9 @@ struct Window {
     }
 };
 
+// Straight distances tell how far apart two marks are on a small patch only: not over a crease or around a rim.
+inline bool same_patch(const Mark& a, const Mark& b) { return dot(a.normal, b.normal) >= 0.5; }
+
 // The distances of the first `count` marks in d = sqrt(2 / sqrt(3) area / n), that of the densest packing.
 inline void measure_distances(const std::vector<Mark>& marks, std::size_t count, double density, const Window& window,
                               Evenness& result) {
@@ -82,8 +85,7 @@ inline void measure_distances(const std::vector<Mark>& marks, std::size_t count,
         double nearest = 4.0 * d * d;
         grid.around(marks[i].position, [&](std::size_t other) {
             const Vec3 between = marks[other].position - marks[i].position;
-            if (other != i && dot(marks[i].normal, marks[other].normal) >= 0.0)
-                nearest = std::min(nearest, dot(between, between));
+            if (other != i && same_patch(marks[i], marks[other])) nearest = std::min(nearest, dot(between, between));
         });
         smallest = std::min(smallest, std::sqrt(nearest));
         sum += std::sqrt(nearest);

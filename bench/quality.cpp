@@ -1,12 +1,14 @@
 // How even the marks are: PAPER, white noise and BLUE_NOISE at every prefix; tones, directions, spacing of strokes.
 // --bunny=FILE: an OBJ mesh; --head=FILE: a PLY of points with normals, for the time of the order (else a generated
 // one).
+#include "analytic.h"
 #include "bumpy.h"
 #include "evenness.h"
 #include "read_models.h"
 #include "scenes/handles.h"
 #include "scenes/shapes.h"
 #include "timing.h"
+#include "tone_ramp.h"
 
 #include <cstdio>
 #include <cstring>
@@ -18,47 +20,15 @@ namespace {
 
 using bench::Evenness;
 using bench::Mark;
+using bench::plane;
 using bench::Samples;
+using bench::sphere;
+using bench::torus;
+using bench::tube;
 using bench::Vec3;
 using bench::operator-;
 
 constexpr double pi = 3.14159265358979323846;
-
-std::int32_t plane(void*, std::int64_t count, const double* points, double* value, double* gradient, double*) {
-    for (std::int64_t i = 0; i < count; ++i) {
-        value[i] = points[3 * i + 2];
-        if (gradient == nullptr) continue;
-        gradient[3 * i] = gradient[3 * i + 1] = 0.0;
-        gradient[3 * i + 2] = 1.0;
-    }
-    return 0;
-}
-
-std::int32_t sphere(void*, std::int64_t count, const double* points, double* value, double* gradient, double*) {
-    for (std::int64_t i = 0; i < count; ++i) {
-        const double* p = points + 3 * i;
-        const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-        value[i] = r - 1.0;
-        for (int c = 0; gradient != nullptr && c < 3; ++c) gradient[3 * i + c] = p[c] / std::max(r, 1e-12);
-    }
-    return 0;
-}
-
-constexpr double tube = 0.4;
-
-std::int32_t torus(void*, std::int64_t count, const double* points, double* value, double* gradient, double*) {
-    for (std::int64_t i = 0; i < count; ++i) {
-        const double* p = points + 3 * i;
-        const double ring = std::max(std::hypot(p[0], p[1]), 1e-12);
-        const double out = std::max(std::hypot(ring - 1.0, p[2]), 1e-12);
-        value[i] = out - tube;
-        if (gradient == nullptr) continue;
-        gradient[3 * i] = (ring - 1.0) / out * p[0] / ring;
-        gradient[3 * i + 1] = (ring - 1.0) / out * p[1] / ring;
-        gradient[3 * i + 2] = p[2] / out;
-    }
-    return 0;
-}
 
 scenes::Model custom(hrbfnpr_context* context, hrbfnpr_implicit_fn function, const Vec3& half) {
     scenes::Check check;
@@ -244,65 +214,14 @@ void run_surface(hrbfnpr_context* context, const Surface& surface, Totals& total
 
 // ---- Tone ----------------------------------------------------------------------------------
 
-constexpr int ramp_width = 640;
-constexpr int ramp_height = 320;
 constexpr double darkest = 0.60; // coverage of all marks
-
-double asked(double x) { return 0.05 + 0.5 * x / ramp_width; }
 
 std::int32_t ramp_tone(void*, std::int64_t count, const float* positions, const float*, float* tau) {
     for (std::int64_t i = 0; i < count; ++i) {
-        const double x = (double{positions[3 * i]} + 2.0) / 4.0 * ramp_width;
-        tau[i] = static_cast<float>(1.0 - std::clamp(asked(x), 0.0, darkest) / darkest);
+        const double x = (double{positions[3 * i]} + 2.0) / 4.0 * bench::ramp_width;
+        tau[i] = static_cast<float>(1.0 - std::clamp(bench::asked(x), 0.0, darkest) / darkest);
     }
     return 0;
-}
-
-std::vector<double> blurred(const std::vector<double>& image) {
-    constexpr double sigma = 4.0;
-    constexpr int reach = 16;
-    std::vector<double> kernel;
-    for (int k = -reach; k <= reach; ++k) kernel.push_back(std::exp(-k * k / (2.0 * sigma * sigma)));
-    const double sum = std::accumulate(kernel.begin(), kernel.end(), 0.0);
-    const auto pass = [&](const std::vector<double>& from, int dx, int dy) {
-        std::vector<double> to(from.size());
-        for (int y = 0; y < ramp_height; ++y)
-            for (int x = 0; x < ramp_width; ++x) {
-                double value = 0.0;
-                for (int k = -reach; k <= reach; ++k) {
-                    const int u = std::clamp(x + k * dx, 0, ramp_width - 1);
-                    const int v = std::clamp(y + k * dy, 0, ramp_height - 1);
-                    value += kernel[static_cast<std::size_t>(k + reach)] *
-                             from[static_cast<std::size_t>(v * ramp_width + u)];
-                }
-                to[static_cast<std::size_t>(y * ramp_width + x)] = value / sum;
-            }
-        return to;
-    };
-    return pass(pass(image, 1, 0), 0, 1);
-}
-
-struct ToneError {
-    double psnr, bias;
-};
-
-ToneError tone_error(const std::vector<double>& ink) {
-    std::vector<double> wanted(ink.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = asked(static_cast<double>(i % ramp_width) + 0.5);
-    const std::vector<double> a = blurred(ink);
-    const std::vector<double> b = blurred(wanted);
-    double squares = 0.0;
-    double sum = 0.0;
-    double number = 0.0;
-    for (int y = 16; y < ramp_height - 16; ++y)
-        for (int x = 16; x < ramp_width - 16; ++x) {
-            const double error =
-                a[static_cast<std::size_t>(y * ramp_width + x)] - b[static_cast<std::size_t>(y * ramp_width + x)];
-            squares += error * error;
-            sum += error;
-            number += 1.0;
-        }
-    return {10.0 * std::log10(number / squares), sum / number};
 }
 
 // Discs of 1.5 pixels, drawn by the library.
@@ -326,7 +245,7 @@ std::vector<double> drawn(hrbfnpr_context* context, const hrbfnpr_point_set* set
     const Vec3 target{0.0, 0.0, 0.0};
     const Vec3 up{0.0, 1.0, 0.0};
     check(hrbfnpr_camera_look_at(&camera, eye.data(), target.data(), up.data(), check.error()));
-    check(hrbfnpr_camera_orthographic(&camera, 2.0, ramp_width, ramp_height, 1.0, 10.0, check.error()));
+    check(hrbfnpr_camera_orthographic(&camera, 2.0, bench::ramp_width, bench::ramp_height, 1.0, 10.0, check.error()));
     hrbfnpr_item item;
     check(hrbfnpr_item_init(&item, sizeof item));
     item.point_set = set;
@@ -335,12 +254,12 @@ std::vector<double> drawn(hrbfnpr_context* context, const hrbfnpr_point_set* set
     check(hrbfnpr_renderer_create(context, &raw, check.error()));
     const scenes::Renderer renderer(raw);
     check(hrbfnpr_renderer_prepare(raw, &item, 1, 0, &camera, nullptr, check.error()));
-    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(4 * ramp_width * ramp_height));
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(4 * bench::ramp_width * bench::ramp_height));
     hrbfnpr_image image;
     check(hrbfnpr_image_init(&image, sizeof image));
     image.format = HRBFNPR_FORMAT_RGBA8;
-    image.width = ramp_width;
-    image.height = ramp_height;
+    image.width = bench::ramp_width;
+    image.height = bench::ramp_height;
     image.pixels = pixels.data();
     check(hrbfnpr_renderer_draw_image(raw, &image, nullptr, check.error()));
     std::vector<double> ink_of(pixels.size() / 4);
@@ -348,11 +267,11 @@ std::vector<double> drawn(hrbfnpr_context* context, const hrbfnpr_point_set* set
     return ink_of;
 }
 
-ToneError run_tone(hrbfnpr_context* context) {
+bench::ToneError run_tone(hrbfnpr_context* context) {
     // As many marks as cover `darkest` without overlap, on the picture and as much of the plane as lies around it.
     const Vec3 half{2.2, 1.2, 0.4};
     const scenes::Model model = custom(context, plane, half);
-    const double pixel = 4.0 / ramp_width;
+    const double pixel = 4.0 / bench::ramp_width;
     constexpr std::int64_t few = 4000;
     const double wide =
         info_of(generate(context, model.get(), marks_of(HRBFNPR_GROUP_STIPPLE, few)).get()).spacing / pixel;
@@ -362,12 +281,12 @@ ToneError run_tone(hrbfnpr_context* context) {
     const double spacing = info_of(blue.get()).spacing / pixel;
     std::printf("\ntone ramp 0.05 to 0.55, %lld marks of 1.5 px, coverage of all %.3f\n",
                 static_cast<long long>(budget), pi * 2.25 / (spacing * spacing));
-    const ToneError error = tone_error(drawn(context, blue.get()));
+    const bench::ToneError error = bench::tone_error(drawn(context, blue.get()));
     std::printf("%-12s psnr %.2f dB, bias %+.4f\n", "BLUE_NOISE", error.psnr, error.bias);
     desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
     desc.seed_source = HRBFNPR_SEED_BOX;
     desc.group[0].levels = 5;
-    const ToneError paper = tone_error(drawn(context, generate(context, model.get(), desc).get()));
+    const bench::ToneError paper = bench::tone_error(drawn(context, generate(context, model.get(), desc).get()));
     std::printf("%-12s psnr %.2f dB, bias %+.4f\n", "PAPER", paper.psnr, paper.bias);
     return error;
 }
@@ -518,7 +437,7 @@ void run(const std::string& bunny, const std::string& head, bool only_marks) {
                 "low", "power");
     Totals totals;
     for (const Surface& surface : surfaces) run_surface(raw, surface, totals);
-    const ToneError tone = run_tone(raw);
+    const bench::ToneError tone = run_tone(raw);
     StrokeTotals strokes;
     OrderTime time{};
     if (!only_marks) {

@@ -1,5 +1,6 @@
 #include "sampling/blue_noise.h"
 
+#include "geometry/point_tree.h"
 #include "sampling/candidates.h"
 #include "sampling/progressive_order.h"
 
@@ -18,6 +19,8 @@ constexpr double cell_spacings = 2.0;
 constexpr std::int64_t candidates_per_mark = 5;
 constexpr std::int64_t fewest_candidates = 6000;
 constexpr std::int64_t settled_at_once = 65536;
+// Of the densest packing's distance; the order keeps 0.70.
+constexpr double least_apart = 0.66;
 
 // The samples' box and as much around it as the surface is known beyond its samples.  Another sheet
 // that the function happens to have farther out, and an open sheet's continuation, stay outside.
@@ -38,11 +41,45 @@ geometry::Bounds region_of(const Site& site, const Seeds& seeds, const SampleHin
     return region;
 }
 
+// Of the densest packing of that many marks.
+double densest(double area, std::int64_t marks) noexcept {
+    return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(marks));
+}
+
+// Where the surface bends within the spacing of marks, they may come to rest beside each other.  Of two that are nearer
+// than all others the later one is dropped.
+void keep_apart(const base::Array<std::int64_t>& wandered, EvenMarks& marks, LevelReport& report) {
+    if (wandered.empty()) return;
+    base::Memory& memory = marks.position.memory();
+    const geometry::PointTree tree(marks.position, {});
+    base::Array<std::uint8_t> dropped(memory, marks.position.size());
+    for (const std::int64_t i : wandered) {
+        const auto apart = [&](std::int64_t later) { return least_apart * densest(marks.area, later + 1); };
+        tree.within(marks.position[i], apart(i), [&](std::int64_t at, double squared) {
+            const std::int64_t j = tree.index(at);
+            const std::int64_t later = std::max(i, j);
+            if (j == i || dropped[i] != 0 || dropped[j] != 0 || squared >= apart(later) * apart(later)) return;
+            if (glm::dot(marks.normal[i], marks.normal[j]) >= 0.0) dropped[later] = 1;
+        });
+    }
+    std::int64_t kept = 0;
+    for (std::int64_t i = 0; i < dropped.size(); ++i) {
+        if (dropped[i] != 0) continue;
+        marks.position.set(kept, marks.position[i]);
+        marks.normal.set(kept++, marks.normal[i]);
+    }
+    report.placed = kept;
+    report.dropped_strayed += dropped.size() - kept;
+    marks.position.resize(kept);
+    marks.normal.resize(kept);
+}
+
 // Projects the chosen; those that do not arrive leave a gap in the order, and are counted.
 void bring_to_rest(const Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks,
                    const base::Progress& progress) {
     Settler settler(site);
     LevelReport report;
+    base::Array<std::int64_t> wandered(site.memory());
     const std::int64_t count = chosen.size();
     marks.position.reserve(count);
     marks.normal.reserve(count);
@@ -62,10 +99,16 @@ void bring_to_rest(const Site& site, const SurfaceCells& cells, const OrderedMar
                 settler.drop(i, report.dropped_strayed, report);
                 continue;
             }
+            const OrderMark& mark = chosen[begin + i];
+            const double way = glm::distance(settler.position(i), settler.start[i]);
+            const double turn = glm::dot(settler.normal(i), glm::dvec3(mark.normal[0], mark.normal[1], mark.normal[2]));
+            if (way > 0.05 * densest(marks.area, begin + i + 1) || turn < 0.9 * double{unpacked_length})
+                wandered.push_back(marks.position.size());
             marks.position.push_back(settler.position(i));
             marks.normal.push_back(settler.normal(i));
         }
     }
+    keep_apart(wandered, marks, report);
     LevelReport& all = marks.report;
     all.dropped_budget = all.placed - count;
     all.placed = report.placed;

@@ -20,8 +20,9 @@ constexpr std::int64_t batch_points = 262144;
 constexpr std::int64_t cells_of_task = 512;
 constexpr std::int64_t points_of_task = 4096;
 
-// Candidates from each point that is evaluated: its foot, and others beside that in its tangent plane.
-constexpr std::uint32_t feet_of_point = 5;
+// Candidates from each point that is evaluated: its foot, and others beside that in its tangent plane.  Fewer where
+// cells are small to the distance of marks: they would be one to the order.
+constexpr std::uint32_t most_feet = 5;
 // How far beside, in sides of a cell; there a foot is as near to the surface as the first one.
 constexpr double stride = 0.6;
 
@@ -31,19 +32,18 @@ struct Foot {
     std::uint32_t ticket;
     glm::vec3 position; // relative to the grid's origin
     float normal;       // packed
+    bool bent;          // perhaps not yet on the surface
 };
 
 // Cosine of the angle between a foot's normal and its cell's up to which the cell is flat.
 constexpr double straight = 0.97;
+// In sides of a cell: how far a cell's plane may be off, and when a foot is near enough to the surface.
+constexpr double expected = 0.1;
+constexpr double near_enough = 0.02;
+constexpr int most_steps = 6;
 
 float packed(const glm::dvec3& normal) noexcept {
     return packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
-}
-
-glm::dvec3 unpacked(float bits) noexcept {
-    float normal[3];
-    unpack_normal(bits, normal);
-    return glm::normalize(glm::dvec3(normal[0], normal[1], normal[2]));
 }
 
 // Points are drawn uniformly in the volume of the cells and kept within `band` of the surface: a
@@ -58,10 +58,11 @@ public:
     // Hands the candidates over, cell by cell.
     void finish();
 
+    [[nodiscard]] std::int64_t feet_of_point() const noexcept { return feet_of_point_; }
     [[nodiscard]] std::int64_t placed() const noexcept { return feet_.size(); }
     // The share of all trials that were within the band; near_ counts their feet.
     [[nodiscard]] double share() const noexcept {
-        return trials_ > 0 ? static_cast<double>(near_) / (feet_of_point * trials_) : 0.0;
+        return trials_ > 0 ? static_cast<double>(near_) / (static_cast<double>(feet_of_point_) * trials_) : 0.0;
     }
 
 private:
@@ -71,6 +72,7 @@ private:
     void step_down(const base::Progress& progress);
     void step_down_again(std::int64_t first, const base::Progress& progress);
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept;
+    [[nodiscard]] bool surprises(const glm::dvec3& p, double distance) const noexcept;
     Foot* land(std::int64_t i, double distance, Foot* to) const noexcept;
 
     const Site& site_;
@@ -78,6 +80,7 @@ private:
     Candidates& candidates_;
     geometry::CellMap numbers_;
     std::uint32_t lane_;
+    std::int64_t feet_of_point_;
     std::uint32_t lane_of_round_ = 0;
     base::Array<std::int64_t> slot_; // of the first trial of each cell of the batch
     geometry::VecArray drawn_;       // a slot for each trial; NaN: not worth evaluating
@@ -93,6 +96,12 @@ private:
     std::int64_t near_ = 0;
 };
 
+std::int64_t feet_for(const SurfaceCells& cells, std::int64_t wanted) noexcept {
+    const double spacing = std::sqrt(cells.rough_area() * most_feet / static_cast<double>(wanted)); // of marks
+    const double feet = 0.5 * most_feet * cells.grid.side / spacing;
+    return std::clamp(static_cast<std::int64_t>(std::lround(feet)), std::int64_t{1}, std::int64_t{most_feet});
+}
+
 base::Array<std::uint64_t> codes_of(const Site& site, const SurfaceCells& cells) {
     base::Array<std::uint64_t> codes(site.memory(), cells.cell.size());
     for (std::int64_t i = 0; i < codes.size(); ++i) codes[i] = cells.cell[i].code;
@@ -101,10 +110,11 @@ base::Array<std::uint64_t> codes_of(const Site& site, const SurfaceCells& cells)
 
 Drawing::Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates, std::int64_t wanted)
     : site_(site), cells_(cells), candidates_(candidates), numbers_(site.memory(), codes_of(site, cells)),
-      lane_(lane_of(group)), slot_(site.memory()), drawn_(site.memory()), drawn_ticket_(site.memory()),
-      trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()), kept_(site.memory()),
-      near_of_task_(site.memory()), bent_(site.memory()), landed_(site.memory()), feet_(site.memory()) {
-    feet_.reserve(wanted + wanted / 16 + feet_of_point * batch_points); // one piece
+      lane_(lane_of(group)), feet_of_point_(feet_for(cells, wanted)), slot_(site.memory()), drawn_(site.memory()),
+      drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()),
+      kept_(site.memory()), near_of_task_(site.memory()), bent_(site.memory()), landed_(site.memory()),
+      feet_(site.memory()) {
+    feet_.reserve(wanted + wanted / 16 + feet_of_point_ * batch_points); // one piece
 }
 
 // Number 0 of a cell and round decides whether the fraction of a trial becomes one.
@@ -162,17 +172,29 @@ std::int32_t Drawing::cell_of(const glm::dvec3& p) const noexcept {
     return cells_.region.contains(p) ? numbers_.find(geometry::morton_code(cells_.grid.cell_of(p))) : -1;
 }
 
+// Whether a cell's plane is wrong about one of its points.
+bool Drawing::surprises(const glm::dvec3& p, double distance) const noexcept {
+    const std::int32_t number = cell_of(p);
+    if (number < 0) return true;
+    const SurfaceCell& cell = cells_.cell[number];
+    const glm::dvec3 centre = cells_.grid.centre(geometry::morton_cell(cell.code));
+    return !(std::abs(cell.distance + glm::dot(cell.normal, p - centre) - distance) <= expected * cells_.grid.side);
+}
+
 // The feet of a trial point; returns the end of those that are in the region and its cells.
 Foot* Drawing::land(std::int64_t i, double distance, Foot* to) const noexcept {
     const glm::dvec3 normal = glm::normalize(field_.gradient[i]);
     const geometry::TangentFrame frame = geometry::combing_frame(normal);
     const float bits = packed(normal);
     const glm::dvec3 foot = trial_[i] - distance * normal;
+    const bool surprising = surprises(trial_[i], distance);
     glm::dvec3 at = foot;
     std::uint32_t ticket = trial_ticket_[i];
-    for (std::uint32_t k = 0; k < feet_of_point; ++k) {
+    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(feet_of_point_); ++k) {
         const std::int32_t cell = cell_of(at);
-        if (cell >= 0) *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), bits};
+        if (cell >= 0)
+            *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), bits,
+                     surprising || !(glm::dot(normal, cells_.cell[cell].normal) >= straight)};
         const base::Philox random =
             base::philox(site_.random_seed, {trial_ticket_[i], std::bit_cast<std::uint32_t>(static_cast<float>(foot.x)),
                                              static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
@@ -188,12 +210,12 @@ Foot* Drawing::land(std::int64_t i, double distance, Foot* to) const noexcept {
 // Each task leaves its feet at the front of its part of landed_.
 void Drawing::step_down(const base::Progress& progress) {
     evaluate(site_, trial_, field_, progress);
-    landed_.resize(feet_of_point * trial_.size());
+    landed_.resize(feet_of_point_ * trial_.size());
     const std::int64_t tasks = (trial_.size() + points_of_task - 1) / points_of_task;
     kept_.resize(tasks);
     near_of_task_.resize(tasks);
     site_.runtime.parallel.for_chunks(trial_.size(), points_of_task, [&](std::int64_t begin, std::int64_t end) {
-        Foot* const first = landed_.data() + feet_of_point * begin;
+        Foot* const first = landed_.data() + feet_of_point_ * begin;
         Foot* to = first;
         std::int64_t near = 0;
         for (std::int64_t i = begin; i < end; ++i) {
@@ -203,37 +225,40 @@ void Drawing::step_down(const base::Progress& progress) {
             to = land(i, distance, to);
         }
         kept_[begin / points_of_task] = to - first;
-        near_of_task_[begin / points_of_task] = feet_of_point * near;
+        near_of_task_[begin / points_of_task] = feet_of_point_ * near;
     });
     const std::int64_t first = feet_.size();
     for (std::int64_t task = 0; task < tasks; ++task) {
         const std::int64_t before = feet_.size();
         near_ += near_of_task_[task];
         feet_.resize(before + kept_[task]);
-        std::copy_n(landed_.data() + feet_of_point * points_of_task * task, kept_[task], feet_.data() + before);
+        std::copy_n(landed_.data() + feet_of_point_ * points_of_task * task, kept_[task], feet_.data() + before);
     }
     step_down_again(first, progress);
 }
 
-// Where the surface bends within a cell, feet are not yet near enough to it.
+// Where a cell's plane does not tell how far its points are, one step is not enough.
 void Drawing::step_down_again(std::int64_t first, const base::Progress& progress) {
     bent_.clear();
-    trial_.clear();
-    for (std::int64_t i = first; i < feet_.size(); ++i) {
-        const glm::dvec3 normal = unpacked(feet_[i].normal);
-        if (glm::dot(normal, cells_.cell[feet_[i].cell].normal) >= straight) continue;
-        bent_.push_back(i);
-        trial_.push_back(cells_.grid.origin + glm::dvec3(feet_[i].position));
-    }
-    evaluate(site_, trial_, field_, progress);
-    for (std::int64_t k = 0; k < bent_.size(); ++k) {
-        Foot& foot = feet_[bent_[k]];
-        const double distance = field_.distance(k);
-        if (!(std::abs(distance) <= cells_.band)) continue;
-        const glm::dvec3 normal = glm::normalize(field_.gradient[k]);
-        const glm::dvec3 at = trial_[k] - distance * normal;
-        const std::int32_t cell = cell_of(at);
-        if (cell >= 0) foot = {cell, foot.ticket, glm::vec3(at - cells_.grid.origin), packed(normal)};
+    for (std::int64_t i = first; i < feet_.size(); ++i)
+        if (feet_[i].bent) bent_.push_back(i);
+    for (int step = 0; step < most_steps && !bent_.empty(); ++step) {
+        trial_.clear();
+        for (const std::int64_t i : bent_) trial_.push_back(cells_.grid.origin + glm::dvec3(feet_[i].position));
+        evaluate(site_, trial_, field_, progress);
+        std::int64_t left = 0;
+        for (std::int64_t k = 0; k < bent_.size(); ++k) {
+            Foot& foot = feet_[bent_[k]];
+            const double distance = field_.distance(k);
+            if (!(std::abs(distance) <= cells_.band)) continue;
+            const glm::dvec3 normal = glm::normalize(field_.gradient[k]);
+            const glm::dvec3 at = trial_[k] - distance * normal;
+            const std::int32_t cell = cell_of(at);
+            if (cell < 0) continue;
+            foot = {cell, foot.ticket, glm::vec3(at - cells_.grid.origin), packed(normal), true};
+            if (std::abs(distance) > near_enough * cells_.grid.side) bent_[left++] = bent_[k];
+        }
+        bent_.resize(left);
     }
 }
 
@@ -307,7 +332,7 @@ Candidates draw_candidates(const Site& site, const SurfaceCells& cells, std::int
     for (std::uint32_t round = 0; round < most_rounds && share > 0.0; ++round) {
         const std::int64_t missing = wanted - drawing.placed();
         if (missing <= 0) break;
-        drawing.round(round, 1.02 / feet_of_point * static_cast<double>(missing) / share,
+        drawing.round(round, 1.02 / static_cast<double>(drawing.feet_of_point()) * static_cast<double>(missing) / share,
                       progress.part(round == 0 ? 0.0 : 0.8, round == 0 ? 0.8 : 1.0));
         share = drawing.share();
     }
