@@ -108,6 +108,20 @@ def marks(
     return {**chosen, "budget": {**budget, **options.get("budget", {})}}
 
 
+def layers(groups: Sequence[str], style: Style) -> Dict[str, Tuple[float, float]]:
+    """Equal parts of the tones for the layers that the style draws; some groups are only there for paper."""
+    drawn = []
+    for name in ("stipple", "curvature", "combing"):
+        if name not in groups or not getattr(style, name).shown:
+            continue
+        if name == "stipple":
+            drawn.append(name)
+        else:
+            sets = getattr(style, name).sets
+            drawn += [f"{name}_{which}" for bit, which in enumerate(("first", "second")) if sets >> bit & 1]
+    return {layer: (k / len(drawn), (k + 1) / len(drawn)) for k, layer in enumerate(drawn)}
+
+
 def _paper_levels(
     groups: Sequence[str], style: Style, area_in_pixels: float, options: Dict[str, Any], centres: int
 ) -> Dict[str, Any]:

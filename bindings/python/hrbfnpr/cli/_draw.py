@@ -23,7 +23,8 @@ from ._progress import Reporter
 
 _GENERATE = (
     "distribution", "budget", "levels", "initial_step", "seed_source", "box_resolution", "box_jitter",
-    "stroke_seeds", "seed_level", "stroke_separation", "stroke_step", "stroke_length", "stroke_field", "projection_tolerance", "curvature_of", "random_seed",
+    "stroke_seeds", "seed_level", "stroke_separation", "stroke_step", "stroke_length", "stroke_field", "density",
+    "density_strength", "order", "shared_budget", "projection_tolerance", "curvature_of", "random_seed",
 )  # fmt: skip
 _STYLE = (
     "paper", "hidden_lines", "silhouette_threshold", "attenuation_front", "attenuation_back", "cover_radius",
@@ -94,6 +95,8 @@ def generate(
     for name in ("budget", "levels"):  # what was given for some groups leaves the others
         if isinstance(options.get(name), dict):
             options[name] = {**automatic.get(name, {}), **options[name]}
+    if options.get("shared_budget"):
+        options.pop("budget", None)
     if arguments.seed_points is not None:
         options["seed_points"] = shapes.read(arguments.seed_points).points
     with report.stage("placing marks") as bar:
@@ -116,6 +119,8 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
         area = known.info.spacing**2 * len(known)
         options = given(arguments, _GENERATE)
         automatic = _automatic.marks(groups, style, area, pixels, options, max(source.info.centres, 1))
+        if options.get("order") == "layered":
+            automatic["layers"] = _automatic.layers(groups, style)
         marks = generate(arguments, source, groups, automatic, context, report)
     else:
         marks = source

@@ -12,11 +12,13 @@ from typing import Any, List, NoReturn, Sequence
 
 from .. import __version__
 from .._names import (
+    DENSITIES,
     DISTRIBUTIONS,
     GROUP_SEEDS,
     HIDDEN_LINES,
     KERNELS,
     LIGHT_SPACES,
+    ORDERS,
     REPAIRS,
     SEED_SOURCES,
     SOLVERS,
@@ -113,6 +115,13 @@ def _add_marks(parser: Parser) -> None:
     _add(group, "--stroke-step", "stroke_step", values.number, "LENGTH", "of the marks along a stroke")
     _add(group, "--stroke-length", "stroke_length", values.number, "LENGTH", "of the longest stroke; 0 = no limit")
     _add_choice(group, "--stroke-field", "stroke_field", tuple(STROKE_FIELDS), "where the directions change places")
+    _add_choice(group, "--density", "density", tuple(name for name in DENSITIES if name != "callback"),
+                "where stipples are denser")  # fmt: skip
+    _add(group, "--density-strength", "density_strength", values.number, "X", "of curvature, 0 to 1; 0.5")
+    _add_choice(group, "--order", "order", tuple(ORDERS), "whether one layer of marks follows the other from light "
+                "to dark")  # fmt: skip
+    _add(group, "--shared-marks", "shared_budget", values.count(0), "N", "the most marks of all groups together, in "
+         "place of --marks")  # fmt: skip
     _add(group, "--projection-tolerance", "projection_tolerance", values.number, "X", "share of the diagonal; 1e-7")
     _add(group, "--curvature-of", "curvature_of", values.groups, "NAMES", "keep curvatures of these groups too")
 
