@@ -162,5 +162,19 @@ TEST(PaperPush, PutsADiscBehindAllOfItsSphere) {
     }
 }
 
+// A mark that is shown stays while the zoom grows, or the tone darkens, or the depth comes nearer.
+TEST(FrontVerdict, ZoomingInOnlyAddsMarks) {
+    for (float u = 0.005F; u < 1.0F; u += 0.01F)
+        for (const float tau : {0.0F, 0.3F, 0.8F}) {
+            bool shown = false;
+            for (float zoom = 0.05F; zoom < 3.0F; zoom *= 1.1F) {
+                const ToneTerms terms{tau, 0.9F, zoom_scale(zoom, 2.0F), 0.7F};
+                const bool now = front_verdict(u, terms, ToneRule::share) == Verdict::shown;
+                EXPECT_TRUE(now || !shown) << u << " at zoom " << zoom;
+                shown = now;
+            }
+        }
+}
+
 } // namespace
 } // namespace hrbfnpr::frame

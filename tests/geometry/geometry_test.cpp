@@ -1,5 +1,7 @@
+#include "geometry/cell_map.h"
 #include "geometry/cell_set.h"
 #include "geometry/eigen2.h"
+#include "geometry/morton.h"
 #include "geometry/point_tree.h"
 #include "geometry/tangent_frame.h"
 
@@ -75,6 +77,25 @@ TEST(PointTree, CanBeCancelled) {
     operation.cancel();
     const VecArray points = awkward(10000);
     EXPECT_THROW(PointTree(points, base::Progress(&operation)), Error);
+}
+
+TEST(Morton, CodesGoBackToTheirCells) {
+    for (const std::array<std::int64_t, 3>& cell :
+         {std::array<std::int64_t, 3>{0, 0, 0}, {1, 2, 3}, {12345, 654321, 2097151}, {2097151, 0, 77}}) {
+        EXPECT_EQ(morton_cell(morton_code(cell)), cell);
+        EXPECT_EQ(morton_code(cell) >> 3U, morton_code({cell[0] / 2, cell[1] / 2, cell[2] / 2})) << "the larger cell";
+    }
+    EXPECT_EQ(morton_code({1, 0, 0}), 1U);
+    EXPECT_EQ(morton_code({0, 1, 1}), 6U);
+}
+
+TEST(CellMap, FindsWhatItWasGiven) {
+    base::Array<std::uint64_t> codes(memory());
+    for (std::uint64_t i = 0; i < 1000; ++i) codes.push_back(i * i * 7919U);
+    const CellMap map(memory(), codes);
+    for (std::int64_t i = 0; i < codes.size(); ++i) EXPECT_EQ(map.find(codes[i]), i);
+    for (std::uint64_t i = 1; i < 1000; ++i) EXPECT_EQ(map.find(i * i * 7919U + 1), -1);
+    EXPECT_EQ(CellMap(memory()).find(3), -1);
 }
 
 TEST(CellSet, IsASet) {

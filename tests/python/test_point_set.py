@@ -98,6 +98,35 @@ def test_strokes_from_stipples():
     assert marks.info.group["combing"].full_count == 12 * 5 * 2 * 3
 
 
+def test_densities(ring):
+    def upper(points, normals):
+        assert points.shape == normals.shape
+        return points[:, 2] > 0
+
+    marks = hrbfnpr.PointSet.generate(ring, budget=500, density=upper)
+    assert len(marks) == 500
+    assert (marks.positions("stipple")[:, 2] + marks.origin[2]).min() > -1e-3
+    assert len(hrbfnpr.PointSet.generate(ring, budget=500, density="curvature", density_strength=1.0)) == 500
+
+    def fails(points, normals):
+        raise KeyError("no density today")
+
+    with pytest.raises(hrbfnpr.CallbackError, match="no density today"):
+        hrbfnpr.PointSet.generate(ring, budget=500, density=fails)
+
+
+def test_layers_share_a_budget(ring):
+    marks = hrbfnpr.PointSet.generate(ring, ("stipple", "curvature"), order="layered", shared_budget=9000)
+    assert len(marks.positions("stipple")) == pytest.approx(3000, rel=0.02)
+    assert len(marks.positions("curvature")) == pytest.approx(6000, rel=0.1)
+    assert marks.ranks("stipple").min() >= 2 / 3 - 1e-6
+    ranks, second = marks.ranks("curvature"), marks.strokes("curvature")[:, 0] % 2 == 1
+    assert 1 / 3 - 1e-6 <= ranks[~second].min() and ranks[~second].max() <= 2 / 3 + 1e-6
+    assert ranks[second].max() <= 1 / 3 + 1e-6
+    chosen = hrbfnpr.PointSet.generate(ring, budget=100, layers={"stipple": (0.25, 0.5)})
+    assert 0.5 - 1e-6 <= chosen.ranks("stipple").min() and chosen.ranks("stipple").max() <= 0.75
+
+
 def test_options_arrive(ring):
     marks = hrbfnpr.PointSet.generate(ring, budget=200, curvature_of="stipple", initial_step=0.1, random_seed=7)
     assert marks.info.group["stipple"].count <= 200
@@ -127,6 +156,14 @@ def test_options_arrive(ring):
         ({"stroke_step": float("inf")}, hrbfnpr.InvalidArgumentError, "stroke_step"),
         ({"stroke_length": float("nan")}, hrbfnpr.InvalidArgumentError, "stroke_length"),
         ({"stroke_field": "curl"}, ValueError, "stroke_field"),
+        ({"density": "thick"}, ValueError, "density"),
+        ({"density_strength": 1.5}, hrbfnpr.InvalidArgumentError, "density_strength"),
+        ({"order": "random"}, ValueError, "order"),
+        ({"layers": {"hair": (0, 1)}}, ValueError, "layers"),
+        ({"layers": {"stipple": (0.5, 0.5)}}, hrbfnpr.InvalidArgumentError, r"layer\[0\]"),
+        ({"layers": {"stipple": (0.0, 1.5)}}, hrbfnpr.InvalidArgumentError, r"layer\[0\]"),
+        ({"shared_budget": -1}, hrbfnpr.InvalidArgumentError, "shared_budget"),
+        ({"shared_budget": 100, "budget": 50}, hrbfnpr.InvalidArgumentError, r"shared_budget.*group\[0\]"),
         ({"initial_step": float("nan")}, hrbfnpr.InvalidArgumentError, "initial_step"),
         ({"seed_points": [[0, 0]]}, ValueError, "seed_points"),
         ({"seed_source": "points"}, hrbfnpr.InvalidArgumentError, "seed_points"),

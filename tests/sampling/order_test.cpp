@@ -1,0 +1,280 @@
+// The parts of the progressive order: its loops, the way into a gap, densities and parts of the tones.
+#include "sampling_support.h"
+
+#include "geometry/point_tree.h"
+#include "sampling/order_loops.h"
+#include "sampling/void_centre.h"
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+namespace hrbfnpr::sampling {
+namespace {
+
+using namespace test;
+
+struct Block {
+    explicit Block(std::int64_t count)
+        : count_(count), data(static_cast<std::size_t>(OrderBlock::columns * (count + 3))) {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<float> number(-1.0F, 1.0F);
+        for (std::int64_t i = 0; i < count; ++i) {
+            const glm::vec3 n = glm::normalize(glm::vec3(number(random), number(random), number(random)));
+            const float normal[3] = {n.x, n.y, n.z};
+            for (std::int64_t c = 0; c < 3; ++c) view().column(c)[i] = number(random);
+            view().column(OrderBlock::normal)[i] = packed_normal(normal);
+            view().column(OrderBlock::energy)[i] = 1.0F + number(random);
+            view().column(OrderBlock::clearance)[i] = 1.0F + number(random);
+        }
+    }
+    [[nodiscard]] OrderBlock view() { return {data.data(), count_ + 3, count_}; }
+
+    std::int64_t count_;
+    std::vector<float> data;
+};
+
+// The sums as they are written, one candidate at a time.
+void feel_plainly(const OrderBlock& block, const OrderMark& mark, float inverse) {
+    for (std::int64_t i = 0; i < block.count; ++i) {
+        float squared = 0.0F;
+        float turn = 0.0F;
+        float normal[3];
+        unpack_normal(block.column(OrderBlock::normal)[i], normal);
+        for (std::int64_t c = 0; c < 3; ++c) {
+            const float offset = block.column(c)[i] - mark.position[c];
+            squared += offset * offset;
+            turn += normal[c] * mark.normal[c];
+        }
+        if (turn < opposite * unpacked_length * unpacked_length) continue;
+        const float rest = std::max(0.0F, 1.0F - squared * inverse);
+        block.column(OrderBlock::energy)[i] += rest * rest * (rest * rest);
+        block.column(OrderBlock::clearance)[i] = std::min(block.column(OrderBlock::clearance)[i], squared);
+    }
+}
+
+TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
+    const float up[3] = {0.0F, 0.6F, 0.8F};
+    OrderMark mark{{0.1F, -0.2F, 0.3F}, {}};
+    unpack_normal(packed_normal(up), mark.normal);
+    for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512})
+        for (const std::int64_t count : {1, 3, 4, 15, 16, 17, 100}) {
+            const OrderLoops loops = order_loops(base::choose_instruction_set(set));
+            Block plain(count);
+            Block fast(count);
+            feel_plainly(plain.view(), mark, 0.4F);
+            loops.feel(fast.view(), mark, 0.4F);
+            EXPECT_EQ(plain.data, fast.data) << count;
+            std::int64_t best = -1;
+            const OrderBlock block = plain.view();
+            for (std::int64_t i = 0; i < count; ++i)
+                if (block.column(OrderBlock::clearance)[i] >= 0.5F &&
+                    (best < 0 || block.column(OrderBlock::energy)[i] < block.column(OrderBlock::energy)[best]))
+                    best = i;
+            EXPECT_EQ(loops.lowest(fast.view(), 0.5F), best) << count;
+            EXPECT_EQ(loops.lowest(fast.view(), 9.0F), -1);
+        }
+}
+
+TEST(OrderLoops, OfEqualEnergiesTheFirstIsTheLowest) {
+    Block block(40);
+    for (std::int64_t i = 0; i < 40; ++i) {
+        block.view().column(OrderBlock::energy)[i] = i % 7 == 5 ? 0.25F : 0.5F;
+        block.view().column(OrderBlock::clearance)[i] = i < 10 ? 0.0F : 1.0F;
+    }
+    for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::automatic})
+        EXPECT_EQ(order_loops(base::choose_instruction_set(set)).lowest(block.view(), 0.5F), 12);
+}
+
+TEST(PackedNormals, AreExactToATenthOfADegree) {
+    std::mt19937 random(3);
+    std::normal_distribution<float> number;
+    for (int i = 0; i < 1000; ++i) {
+        const glm::vec3 n = glm::normalize(glm::vec3(number(random), number(random), number(random)));
+        const float normal[3] = {n.x, n.y, n.z};
+        float back[3];
+        unpack_normal(packed_normal(normal), back);
+        EXPECT_GT(glm::dot(n, glm::normalize(glm::vec3(back[0], back[1], back[2]))), std::cos(0.0035F));
+    }
+    const float ends[3] = {1.0F, -1.0F, 1.0F + 1e-6F};
+    float back[3];
+    unpack_normal(packed_normal(ends), back);
+    EXPECT_NEAR(back[0], unpacked_length, 1.0F);
+    EXPECT_NEAR(back[1], -unpacked_length, 1.0F);
+    EXPECT_NEAR(back[2], unpacked_length, 1.0F);
+}
+
+double nearest(const std::vector<glm::dvec2>& points, const glm::dvec2& p) {
+    double least = 1e300;
+    for (const glm::dvec2& q : points) least = std::min(least, glm::distance(p, q));
+    return least;
+}
+
+TEST(VoidCentre, IsTheMiddleOfATriangle) {
+    const std::vector<glm::dvec2> corners = {{0.3, 0.0}, {-0.8, 0.9}, {-0.8, -0.9}};
+    const glm::dvec2 way = toward_void(corners, 10.0, 5.0);
+    const double radius = nearest(corners, way);
+    for (const glm::dvec2& corner : corners) EXPECT_NEAR(glm::distance(corner, way), radius, 1e-9);
+}
+
+TEST(VoidCentre, StopsWhereThereIsRoomEnough) {
+    const std::vector<glm::dvec2> corners = {{0.3, 0.0}, {-0.8, 0.9}, {-0.8, -0.9}};
+    const glm::dvec2 way = toward_void(corners, 0.5, 5.0);
+    EXPECT_NEAR(nearest(corners, way), 0.5, 1e-9);
+    EXPECT_NEAR(way.x, -0.2, 1e-9) << "straight away from the nearest";
+    EXPECT_EQ(toward_void(corners, 0.5, 0.1), glm::dvec2(0.0)) << "too far";
+    EXPECT_EQ(toward_void({}, 0.5, 1.0), glm::dvec2(0.0));
+}
+
+TEST(VoidCentre, NeverComesNearer) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> number(-2.0, 2.0);
+    for (int trial = 0; trial < 500; ++trial) {
+        std::vector<glm::dvec2> points;
+        for (int i = 0; i < 12; ++i) points.emplace_back(number(random), number(random));
+        const glm::dvec2 way = toward_void(points, 0.8, 1.5);
+        EXPECT_GE(nearest(points, way), nearest(points, {0.0, 0.0}) - 1e-9);
+        EXPECT_LE(glm::length(way), 1.5 + 1e-12);
+    }
+}
+
+// The variance of a smooth count of marks, in that of independent ones: bench/evenness.h, docs/quality.md.
+double low_frequencies(const PointSet& set, std::int64_t count, double area) {
+    geometry::VecArray points(runtime().memory);
+    for (std::int64_t i = 0; i < count; ++i) points.push_back(position(set, Group::stipple, i));
+    const geometry::PointTree tree(points, {});
+    const double density = static_cast<double>(count) / area;
+    const double sigma = 2.0 / (3.14159265 * std::sqrt(density));
+    double sum = 0.0;
+    double squares = 0.0;
+    constexpr int places = 4000;
+    for (int k = 0; k < places; ++k) {
+        const std::array<double, 3> p = spiral_point(k, places);
+        double energy = 0.0;
+        tree.within({p[0], p[1], p[2]}, 3.5 * sigma,
+                    [&](std::int64_t, double squared) { energy += std::exp(-squared / (2.0 * sigma * sigma)); });
+        sum += energy / places;
+        squares += energy * energy / places;
+    }
+    return (squares - sum * sum) / (density * 3.14159265 * sigma * sigma);
+}
+
+TEST(ProgressiveOrder, EveryPrefixHasNoLowFrequencies) {
+    const Sphere sphere;
+    const double area = 4.0 * 3.14159265358979;
+    const PointSet set = make(sphere, blue({Group::stipple}, 12000));
+    for (const double share : {0.05, 0.15, 0.25, 0.4, 0.6, 0.8, 1.0})
+        EXPECT_LT(low_frequencies(set, std::lround(share * 12000), area), 0.10) << share;
+    GenerateSettings random = paper({Group::stipple}, 3);
+    random.group[0].budget = 12000;
+    EXPECT_GT(low_frequencies(make(sphere, random), 12000, area), 0.5) << "the measure tells others apart";
+}
+
+TEST(Density, SharesTheMarksAsTheFunctionSays) {
+    GenerateSettings settings = blue({Group::stipple}, 4000);
+    settings.density.kind = Density::callback;
+    settings.density.function = [](void*, std::int64_t count, const double* p, const double*, double* density) {
+        for (std::int64_t i = 0; i < count; ++i) density[i] = p[3 * i] > 0.0 ? 1.0 : p[3 * i + 1] > 0.0 ? 0.25 : 0.0;
+        return 0;
+    };
+    const PointSet set = make(Sphere(), settings);
+    ASSERT_EQ(of(set, Group::stipple).count(), 4000);
+    for (const std::int64_t prefix : {500, 4000}) {
+        std::array<int, 3> parts{};
+        for (std::int64_t i = 0; i < prefix; ++i) {
+            const glm::dvec3 p = position(set, Group::stipple, i);
+            ++parts[p.x > 0.0 ? 0U : p.y > 0.0 ? 1U : 2U];
+        }
+        // Half the sphere at 1, a quarter at 1/4, a quarter at 0: 8 to 1 to 0.
+        EXPECT_NEAR(parts[0], 8.0 / 9.0 * static_cast<double>(prefix), 0.02 * static_cast<double>(prefix));
+        EXPECT_NEAR(parts[1], static_cast<double>(prefix) / 9.0, 0.02 * static_cast<double>(prefix));
+        EXPECT_EQ(parts[2], 0);
+    }
+    const LevelReport& report = of(set, Group::stipple).report.level[0];
+    EXPECT_EQ(report.attempted, report.placed + report.dropped_budget + report.dropped_strayed +
+                                    report.dropped_not_converged + report.dropped_degenerate);
+}
+
+TEST(Density, FollowsCurvature) {
+    GenerateSettings settings = blue({Group::stipple}, 4000);
+    settings.density.kind = Density::curvature;
+    settings.density.strength = 1.0;
+    const Torus torus(1.0, 0.8);
+    const PointSet set = make(torus, settings);
+    int inner = 0;
+    for (std::int64_t i = 0; i < 4000; ++i)
+        if (const glm::dvec3 p = position(set, Group::stipple, i); std::hypot(p.x, p.y) < 1.0) ++inner;
+    const double uniform = 0.5 - 0.8 / 3.14159265;
+    EXPECT_GT(inner / 4000.0, uniform + 0.05) << "the inner half bends more";
+    settings.density.strength = 0.0;
+    const PointSet even = make(torus, settings);
+    inner = 0;
+    for (std::int64_t i = 0; i < 4000; ++i)
+        if (const glm::dvec3 p = position(even, Group::stipple, i); std::hypot(p.x, p.y) < 1.0) ++inner;
+    EXPECT_NEAR(inner / 4000.0, uniform, 0.01);
+}
+
+TEST(Density, BadOnesAreErrors) {
+    GenerateSettings settings = blue({Group::stipple}, 400);
+    settings.density.kind = Density::callback;
+    const auto status_of = [&](DensityFn function) {
+        settings.density.function = function;
+        try {
+            make(Sphere(), settings);
+        } catch (const Error& error) {
+            return error.status();
+        }
+        return Status::ok;
+    };
+    EXPECT_EQ(status_of([](void*, std::int64_t, const double*, const double*, double*) { return 3; }),
+              Status::callback);
+    EXPECT_EQ(status_of([](void*, std::int64_t count, const double*, const double*, double* d) {
+                  std::fill(d, d + count, -0.5);
+                  return 0;
+              }),
+              Status::callback);
+    EXPECT_EQ(status_of([](void*, std::int64_t count, const double*, const double*, double* d) {
+                  std::fill(d, d + count, std::nan(""));
+                  return 0;
+              }),
+              Status::callback);
+    EXPECT_EQ(status_of([](void*, std::int64_t count, const double*, const double*, double* d) {
+                  std::fill(d, d + count, 0.0);
+                  return 0;
+              }),
+              Status::invalid_argument);
+}
+
+TEST(TonePart, KeepsTheOrderInsideItsPart) {
+    constexpr TonePart whole;
+    EXPECT_EQ(whole.rank(0.3F), 0.3F);
+    constexpr TonePart half{0.5, 1.0};
+    EXPECT_FLOAT_EQ(half.rank(1.0F), 0.5F);
+    EXPECT_FLOAT_EQ(half.rank(0.0F), 0.0F);
+    constexpr TonePart first{0.0, 0.25};
+    EXPECT_LT(first.rank(1.0F), 1.0F);
+    EXPECT_FLOAT_EQ(first.rank(0.0F), 0.75F);
+}
+
+TEST(TonePart, LayersAppearOneAfterTheOther) {
+    GenerateSettings settings = blue({Group::stipple, Group::curvature}, 3000);
+    settings.layer[0] = {0.0, 0.3};
+    settings.layer[1] = {0.3, 0.6};
+    settings.layer[2] = {0.6, 1.0};
+    const PointSet set = make(Torus(), settings);
+    const MarkGroup& stipples = of(set, Group::stipple);
+    for (const float rank : stipples.rank) EXPECT_GE(rank, 0.7F - 1e-6F);
+    const MarkGroup& strokes = of(set, Group::curvature);
+    std::array<int, 2> seen{};
+    for (std::int64_t i = 0; i < strokes.count(); ++i) {
+        const std::uint32_t which = strokes.stroke[2 * i] & 1U;
+        ++seen[which];
+        EXPECT_GE(strokes.rank[i], which == 0 ? 0.4F - 1e-6F : 0.0F);
+        EXPECT_LE(strokes.rank[i], which == 0 ? 0.7F + 1e-6F : 0.4F + 1e-6F);
+    }
+    EXPECT_GT(seen[0], 500);
+    EXPECT_GT(seen[1], 500);
+}
+
+} // namespace
+} // namespace hrbfnpr::sampling
