@@ -205,7 +205,7 @@ TEST(Density, FollowsCurvature) {
     for (std::int64_t i = 0; i < 4000; ++i)
         if (const glm::dvec3 p = position(set, Group::stipple, i); std::hypot(p.x, p.y) < 1.0) ++inner;
     const double uniform = 0.5 - 0.8 / 3.14159265;
-    EXPECT_GT(inner / 4000.0, uniform + 0.05) << "the inner half bends more";
+    EXPECT_GT(inner / 4000.0, uniform + 0.02) << "the inner half bends more";
     settings.density.strength = 0.0;
     const PointSet even = make(torus, settings);
     inner = 0;

@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+"""Draws the pictures of docs/quality.md: PAPER, white noise and BLUE_NOISE beside each other.
+
+    PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/quality_pictures.py MESH.obj docs/images
+
+Rows: a flat patch, a ramp of tones, a torus, the mesh.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+import hrbfnpr
+from hrbfnpr import shapes
+
+SIDE = 480
+MARKS = 12000
+PANEL = (SIDE, SIDE)
+
+
+def plane() -> hrbfnpr.Model:
+    """The plane z = 0."""
+    return hrbfnpr.Model.from_function(
+        lambda p: p[:, 2], gradient=lambda p: np.tile([0.0, 0.0, 1.0], (len(p), 1)), bounds=((-1, -1, -0.2), (1, 1, 0.2))
+    )
+
+
+def torus() -> hrbfnpr.Model:
+    """A torus about z, lying."""
+    return hrbfnpr.Model.from_function(
+        lambda p: np.hypot(np.hypot(p[:, 0], p[:, 1]) - 1.0, p[:, 2]) - 0.4, bounds=((-1.4, -1.4, -0.4), (1.4, 1.4, 0.4))
+    )
+
+
+def white(model: hrbfnpr.Model) -> hrbfnpr.PointSet:
+    """Independent marks: a random part of far more."""
+    many = hrbfnpr.PointSet.generate(model, budget=16 * MARKS)
+    chosen = np.random.default_rng(1).choice(len(many), MARKS, replace=False)
+    positions = np.asarray(many.positions("stipple"), dtype=float)[chosen] + np.asarray(many.origin)
+    normals = np.asarray(many.normals("stipple"), dtype=float)[chosen]
+    return hrbfnpr.PointSet.from_arrays({"stipple": {"position": positions, "normal": normals}})
+
+
+def schemes(model: hrbfnpr.Model) -> list:
+    """The same number of marks by each scheme."""
+    paper = hrbfnpr.PointSet.generate(
+        model, distribution="paper", seed_source="box", box_resolution=6, levels=6, budget=MARKS
+    )
+    return [paper, white(model), hrbfnpr.PointSet.generate(model, budget=MARKS)]
+
+
+def panel(marks: hrbfnpr.PointSet, style: hrbfnpr.Style, camera: hrbfnpr.Camera) -> Image.Image:
+    """One drawing."""
+    return hrbfnpr.Renderer().drawing((marks, style), camera).to_pil()
+
+
+def rows(mesh: str) -> list:
+    """Panels, row by row."""
+    flat = schemes(plane())
+    above = hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0), (0, 1, 0)).orthographic(1.2, PANEL, 1.0, 10.0)
+    even = hrbfnpr.Style("stipple", tone="none", hidden_lines="show")
+    even.stipple.radius = 1.4
+    ramp = even.copy(tone=lambda p, n: 1.0 - 0.5 * (p[:, 0] + 0.6))
+    lit = hrbfnpr.Style("stipple")
+    lit.stipple.radius = 1.2
+    result = [[panel(marks, style, above) for marks in flat] for style in (even, ramp)]
+    points, normals = shapes.samples(shapes.read(mesh), 1100)
+    for model, direction in (
+        (torus(), (0.2, 1.0, -0.8)),
+        (hrbfnpr.Model.fit(points, normals), (-0.4, -0.25, -1.0)),
+    ):
+        up = (0, 0, 1) if direction[1] == 1.0 else (0, 1, 0)
+        sets = schemes(model)
+        camera = hrbfnpr.Camera.fit(sets[2], direction, up, size=PANEL)
+        result.append([panel(marks, lit, camera) for marks in sets])
+    return result
+
+
+def main() -> None:
+    mesh, folder = sys.argv[1], Path(sys.argv[2])
+    panels = rows(mesh)
+    gap = 8
+    sheet = Image.new("L", (3 * SIDE + 2 * gap, len(panels) * (SIDE + gap) - gap), 255)
+    for y, row in enumerate(panels):
+        for x, image in enumerate(row):
+            sheet.paste(image.convert("RGB").convert("L"), (x * (SIDE + gap), y * (SIDE + gap)))
+    sheet.quantize(16).save(folder / "quality.png", optimize=True)
+
+
+if __name__ == "__main__":
+    main()
