@@ -14,8 +14,8 @@ namespace {
 constexpr double coarsest_cells = 96.0;
 // ... nor finer than this, so that no budget asks for more cells than there is memory for.
 constexpr double finest_cells = 4096.0;
-// A cell's side in spacings of marks: the candidates' layer is then one spacing to each side.
-constexpr double cell_spacings = 2.0;
+// A cell's side in spacings of marks: wide enough for the energies of the order, and few enough to be found quickly.
+constexpr double cell_spacings = 2.2;
 constexpr std::int64_t candidates_per_mark = 5;
 constexpr std::int64_t fewest_candidates = 6000;
 constexpr std::int64_t settled_at_once = 65536;
@@ -102,7 +102,7 @@ void bring_to_rest(const Site& site, const SurfaceCells& cells, const OrderedMar
             const OrderMark& mark = chosen[begin + i];
             const double way = glm::distance(settler.position(i), settler.start[i]);
             const double turn = glm::dot(settler.normal(i), glm::dvec3(mark.normal[0], mark.normal[1], mark.normal[2]));
-            if (way > 0.05 * densest(marks.area, begin + i + 1) || turn < 0.9 * double{unpacked_length})
+            if (way > 0.1 * densest(marks.area, begin + i + 1) || turn < 0.9 * double{unpacked_length})
                 wandered.push_back(marks.position.size());
             marks.position.push_back(settler.position(i));
             marks.normal.push_back(settler.normal(i));
