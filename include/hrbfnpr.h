@@ -743,10 +743,12 @@ enum {
 
 enum {
     /* Stipples evenly spread over the area in a progressive order, each prefix
-     * of which is evenly spread (docs/quality.md: distances, spectrum, tone);
-     * evenly spaced strokes along a smooth field, long ones, in an order of the
-     * same kind.  A budget of stipples may be missed by some marks in a
-     * thousand where the surface bends within their spacing.  The default. */
+     * of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
+     * budget may be missed by some marks in a thousand where the surface bends
+     * within their spacing.  Strokes that keep their distance from each other
+     * along their whole length, in an order of whole strokes each prefix of
+     * which is evenly spaced too: coarse ones first, then those between them.
+     * The default. */
     HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0,
     /* The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
      * drawn independently at random [NPAR 5, 6.2]. */
