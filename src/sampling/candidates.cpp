@@ -41,6 +41,8 @@ constexpr double straight = 0.97;
 constexpr double expected = 0.1;
 constexpr double near_enough = 0.02;
 constexpr int most_steps = 6;
+// Feet that are looked at, to see whether one step is enough for the others.
+constexpr std::int64_t every_foot = 67;
 
 float packed(const glm::dvec3& normal) noexcept {
     return packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
@@ -70,6 +72,7 @@ private:
     void draw_in(const SurfaceCell& cell, std::int64_t at, std::int64_t end) noexcept;
     void draw(std::int64_t cell_begin, std::int64_t cell_end);
     void step_down(const base::Progress& progress);
+    bool many_are_off(std::int64_t first, const base::Progress& progress);
     void step_down_again(std::int64_t first, const base::Progress& progress);
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept;
     [[nodiscard]] bool surprises(const glm::dvec3& p, double distance) const noexcept;
@@ -90,6 +93,7 @@ private:
     FieldSamples field_;
     base::Array<std::int64_t> kept_, near_of_task_;
     base::Array<std::int64_t> bent_;
+    bool all_bent_ = false;
     base::Array<Foot> landed_;
     base::Array<Foot> feet_;
     double trials_ = 0.0;
@@ -237,11 +241,24 @@ void Drawing::step_down(const base::Progress& progress) {
     step_down_again(first, progress);
 }
 
+// Of a function that is no distance, of a square for one, planes tell the wrong distance alike at all points.
+bool Drawing::many_are_off(std::int64_t first, const base::Progress& progress) {
+    trial_.clear();
+    for (std::int64_t i = first; i < feet_.size(); i += every_foot)
+        if (!feet_[i].bent) trial_.push_back(cells_.grid.origin + glm::dvec3(feet_[i].position));
+    evaluate(site_, trial_, field_, progress);
+    std::int64_t off = 0;
+    for (std::int64_t k = 0; k < trial_.size(); ++k)
+        if (!(std::abs(field_.distance(k)) <= expected * cells_.grid.side)) ++off;
+    return 50 * off > trial_.size();
+}
+
 // Where a cell's plane does not tell how far its points are, one step is not enough.
 void Drawing::step_down_again(std::int64_t first, const base::Progress& progress) {
+    if (!all_bent_) all_bent_ = many_are_off(first, progress);
     bent_.clear();
     for (std::int64_t i = first; i < feet_.size(); ++i)
-        if (feet_[i].bent) bent_.push_back(i);
+        if (all_bent_ || feet_[i].bent) bent_.push_back(i);
     for (int step = 0; step < most_steps && !bent_.empty(); ++step) {
         trial_.clear();
         for (const std::int64_t i : bent_) trial_.push_back(cells_.grid.origin + glm::dvec3(feet_[i].position));
@@ -250,16 +267,23 @@ void Drawing::step_down_again(std::int64_t first, const base::Progress& progress
         for (std::int64_t k = 0; k < bent_.size(); ++k) {
             Foot& foot = feet_[bent_[k]];
             const double distance = field_.distance(k);
-            if (!(std::abs(distance) <= cells_.band)) continue;
-            const glm::dvec3 normal = glm::normalize(field_.gradient[k]);
-            const glm::dvec3 at = trial_[k] - distance * normal;
-            const std::int32_t cell = cell_of(at);
-            if (cell < 0) continue;
+            const bool near = std::abs(distance) <= cells_.band;
+            const glm::dvec3 normal = near ? glm::normalize(field_.gradient[k]) : glm::dvec3(0.0);
+            const glm::dvec3 at = near ? trial_[k] - distance * normal : trial_[k];
+            const std::int32_t cell = near ? cell_of(at) : -1;
+            if (cell < 0) {
+                foot.cell = -1; // it is no candidate after all
+                continue;
+            }
             foot = {cell, foot.ticket, glm::vec3(at - cells_.grid.origin), packed(normal), true};
             if (std::abs(distance) > near_enough * cells_.grid.side) bent_[left++] = bent_[k];
         }
         bent_.resize(left);
     }
+    std::int64_t kept = first;
+    for (std::int64_t i = first; i < feet_.size(); ++i)
+        if (feet_[i].cell >= 0) feet_[kept++] = feet_[i];
+    feet_.resize(kept);
 }
 
 void Drawing::round(std::uint32_t number, double trials, const base::Progress& progress) {

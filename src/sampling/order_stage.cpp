@@ -17,6 +17,8 @@ constexpr std::int64_t cells_of_task = 512;
 constexpr unsigned tile_bits = 2; // of each coordinate
 // A candidate whose gap was too small is tried again at this part of the squared radius.
 constexpr float again = 0.97F;
+// Cosine of the angle between normals of marks between which a surface is flat enough to move on.
+constexpr double straight = 0.7;
 // Marks around a candidate that are looked at; a plane has room for about 20 within the distance that counts.
 constexpr std::size_t most_around = 64;
 
@@ -263,9 +265,9 @@ private:
     void look_at(const OrderMark& mark, const glm::dvec3& start, const geometry::TangentFrame& frame,
                  const glm::dvec3& normal, double far) noexcept {
         const glm::dvec3 between = vector(mark.position) - start;
-        if (around_ == most_around || glm::dot(between, between) > far * far ||
-            glm::dot(normal, vector(mark.normal)) < double{opposite * unpacked_length})
-            return;
+        const double turn = glm::dot(normal, vector(mark.normal)) / double{unpacked_length};
+        if (around_ == most_around || glm::dot(between, between) > far * far || turn < double{opposite}) return;
+        bent_ = bent_ || turn < straight;
         const glm::dvec2 tangent(glm::dot(between, frame.u), glm::dot(between, frame.r));
         const double length = glm::length(tangent);
         flat_[around_] = length > 0.0 ? glm::length(between) / length * tangent : tangent;
@@ -279,6 +281,7 @@ private:
         const geometry::TangentFrame frame = geometry::combing_frame(normal);
         const double far = radius_ + 2.0 * stage_.settings_.farthest_move;
         around_ = 0;
+        bent_ = false;
         for (std::int32_t k = 0; k < count_; ++k) look_at(fresh_[k].mark, start, frame, normal, far);
         for (std::size_t k = 0; k < stage_.cell_[fresh.cell].neighbours; ++k) {
             const std::int32_t there = stage_.neighbour_[fresh.cell][k];
@@ -292,6 +295,7 @@ private:
 
     void settle(Fresh& fresh, const glm::dvec3& start, const glm::dvec3& moved) noexcept {
         const std::int32_t cell = std::exchange(fresh.cell, -1);
+        if (bent_) return; // a tangent plane is no way along it
         for (std::size_t i = 0; i < around_; ++i)
             if (glm::distance(between_[i], moved) < radius_) return;
         const glm::dvec3 end = start + moved;
@@ -309,6 +313,7 @@ private:
     std::uint8_t step_ = 0;
     // Marks around a candidate, as seen from it.
     std::size_t around_ = 0;
+    bool bent_ = false; // some have another normal
     std::array<glm::dvec2, most_around> flat_;
     std::array<glm::dvec3, most_around> between_;
 };

@@ -144,6 +144,45 @@ TEST(BlueNoise, ThinSheetsAreCoveredOnBothFaces) {
     }
 }
 
+// Also where f is no distance: a Newton step from between the faces lands far outside.
+TEST(BlueNoise, EachFaceOfAThinSheetIsEven) {
+    const ThinSlab slab(0.004);
+    for (const std::int64_t budget : {2000, 20000}) {
+        const PointSet set = make(slab, blue({Group::stipple}, budget));
+        EXPECT_EQ(of(set, Group::stipple).count(), budget);
+        geometry::VecArray upper(runtime().memory);
+        for (std::int64_t i = 0; i < of(set, Group::stipple).count(); ++i)
+            if (const glm::dvec3 p = position(set, Group::stipple, i); p.z > 0.0) upper.push_back(p);
+        const geometry::PointTree tree(upper, {});
+        double smallest = 1e300;
+        for (std::int64_t at = 0; at < tree.size(); ++at) smallest = std::min(smallest, tree.nearest_other(at));
+        EXPECT_GT(smallest, 0.62 * std::sqrt(2.0 / std::sqrt(3.0)) * set.spacing) << budget;
+    }
+}
+
+// A lens whose rim is far sharper than the spacing of marks.
+TEST(BlueNoise, MarksKeepApartAroundASharpRim) {
+    const AnyField lens({{-1.0, -1.0, -0.05}, {1.0, 1.0, 0.05}}, [](const glm::dvec3& p) {
+        constexpr double flat = 400.0;
+        Field field;
+        const glm::dvec3 slope(2.0 * p.x, 2.0 * p.y, 2.0 * flat * p.z);
+        field.value = p.x * p.x + p.y * p.y + flat * p.z * p.z - 1.0;
+        field.gradient = slope;
+        return field;
+    });
+    const PointSet set = make(lens, blue({Group::stipple}, 3000));
+    const MarkGroup& marks = of(set, Group::stipple);
+    EXPECT_GE(marks.count(), 2940);
+    const double densest = std::sqrt(2.0 / std::sqrt(3.0)) * set.spacing;
+    double smallest = 1e300;
+    for (std::int64_t i = 0; i < marks.count(); ++i)
+        for (std::int64_t j = 0; j < i; ++j) {
+            if (glm::dot(vec(marks.normal, i), vec(marks.normal, j)) < 0.5) continue;
+            smallest = std::min(smallest, glm::distance(vec(marks.position, i), vec(marks.position, j)));
+        }
+    EXPECT_GT(smallest, 0.64 * densest);
+}
+
 TEST(BlueNoise, OpenSheetsEndALittleOutsideTheBounds) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}});
     const PointSet set = make(plane, blue({Group::stipple, Group::curvature}, 3000));
