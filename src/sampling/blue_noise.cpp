@@ -102,7 +102,7 @@ void bring_to_rest(const Site& site, const SurfaceCells& cells, const OrderedMar
             const OrderMark& mark = chosen[begin + i];
             const double way = glm::distance(settler.position(i), settler.start[i]);
             const double turn = glm::dot(settler.normal(i), glm::dvec3(mark.normal[0], mark.normal[1], mark.normal[2]));
-            if (way > 0.1 * densest(marks.area, begin + i + 1) || turn < 0.9 * double{unpacked_length})
+            if (way > 0.04 * densest(marks.area, begin + i + 1) || turn < 0.95 * double{unpacked_length})
                 wandered.push_back(marks.position.size());
             marks.position.push_back(settler.position(i));
             marks.normal.push_back(settler.normal(i));

@@ -10,7 +10,7 @@ namespace hrbfnpr::sampling {
 namespace {
 
 // Marks that tell the density's mean, to one or two hundredths.
-constexpr std::int64_t probes = 4096;
+constexpr std::int64_t probes = 2048;
 // An even order of more than this many times the marks that remain is not made.
 constexpr double most_excess = 16.0;
 constexpr std::int64_t call_size = 4096;
@@ -100,15 +100,14 @@ EvenMarks spread_by_density(const Site& site, const SurfaceCells& cells, std::in
                             const DensitySettings& density, const base::Progress& progress) {
     if (density.kind == Density::uniform) return spread_evenly(site, cells, wanted, Group::stipple, progress);
     Densities densities(site, density);
-    const EvenMarks probe =
-        spread_evenly(site, cells, std::min(wanted, probes), Group::stipple, progress.part(0.0, 0.1));
+    const EvenMarks probe = spread_evenly(site, cells, probes, Group::stipple, progress.part(0.0, 0.1));
     const double mean = mean_of(densities.at(probe, progress.part(0.1, 0.15)));
     if (!(mean > 0.0))
         fail(Status::invalid_argument, "the density is 0 at all of %lld places on the surface: no mark can be made",
              static_cast<long long>(probe.position.size()));
     const double all =
         std::min(static_cast<double>(wanted) / std::max(mean, 1.0 / most_excess), static_cast<double>(most_marks));
-    const EvenMarks even = spread_evenly(site, cells, static_cast<std::int64_t>(std::ceil(1.03 * all)), Group::stipple,
+    const EvenMarks even = spread_evenly(site, cells, static_cast<std::int64_t>(std::ceil(1.06 * all)), Group::stipple,
                                          progress.part(0.15, 0.9));
     const base::Array<double> at = densities.at(even, progress.part(0.9, 1.0));
     base::Array<Place> places(site.memory());
