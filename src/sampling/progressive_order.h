@@ -10,7 +10,7 @@ namespace hrbfnpr::sampling {
 using OrderedMarks = base::Array<OrderMark>;
 
 // `wanted` marks, or as many as differ.  Each next one is where there is most room: among the candidates that keep
-// 0.71 of the densest packing's distance from all before, one at the lowest energy, which is a sum over the marks
+// 0.70 of the densest packing's distance from all before, one at the lowest energy, which is a sum over the marks
 // within about two such distances (void and cluster, Ulichney 1993; elimination by weight, Yuksel 2015, does the like
 // backwards).  The distance alone (dart throwing) fills some parts of the surface before others; the energy alone lets
 // marks touch.  A candidate that is nearly far enough moves to the middle of its gap.  Neighbours whose normals point
