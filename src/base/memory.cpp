@@ -2,34 +2,11 @@
 
 #include <new>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
-
 namespace hrbfnpr::base {
 namespace {
 
-#if defined(__linux__)
-// Arrays of this size are walked in no order that the processor's table of pages could follow: pages of 2 MiB where
-// the system gives them on request (measured: a third of the time of a blue-noise order of 512 000 marks).
-constexpr std::uint64_t huge_page = std::uint64_t{1} << 21U;
-constexpr std::uint64_t worth_huge_pages = 2 * huge_page;
-
-void advise(void* memory, std::uint64_t size) noexcept {
-    if (memory == nullptr || size < worth_huge_pages) return;
-    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-    const std::uintptr_t first = (begin + huge_page - 1) & ~(huge_page - 1);
-    const std::uintptr_t last = (begin + size) & ~(huge_page - 1);
-    if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-}
-#else
-void advise(void* /*memory*/, std::uint64_t /*size*/) noexcept {}
-#endif
-
 void* default_allocate(void* /*user*/, std::uint64_t size, std::uint64_t alignment) {
-    void* memory = ::operator new (size, std::align_val_t{alignment}, std::nothrow);
-    advise(memory, size);
-    return memory;
+    return ::operator new (size, std::align_val_t{alignment}, std::nothrow);
 }
 
 void default_deallocate(void* /*user*/, void* memory, std::uint64_t /*size*/, std::uint64_t alignment) {
