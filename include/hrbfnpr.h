@@ -856,7 +856,7 @@ typedef struct hrbfnpr_generate_desc {
     double stroke_separation; /* mean distance of neighbouring strokes of one set; 0 = such that all
                                  strokes have as many marks as the group's budget */
     double stroke_step;       /* distance of the marks of a stroke; 0 = a fifth of the separation */
-    double stroke_length;     /* the longest; 0 = no limit.  Strokes end where they come nearer to
+    double stroke_length;     /* at most; 0 = no limit.  Strokes end where they come nearer to
                                  another than about two thirds of the separation, leave the surface's
                                  samples, or meet a singular point of the field; a closed one ends
                                  at its start */

@@ -41,11 +41,6 @@ geometry::Bounds region_of(const Site& site, const Seeds& seeds, const SampleHin
     return region;
 }
 
-// Of the densest packing of that many marks.
-double densest(double area, std::int64_t marks) noexcept {
-    return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(marks));
-}
-
 // Where the surface bends within the spacing of marks, they may come to rest beside each other.  Of two that are nearer
 // than all others the later one is dropped.
 void keep_apart(const base::Array<std::int64_t>& wandered, EvenMarks& marks, LevelReport& report) {
@@ -54,7 +49,9 @@ void keep_apart(const base::Array<std::int64_t>& wandered, EvenMarks& marks, Lev
     const geometry::PointTree tree(marks.position, {});
     base::Array<std::uint8_t> dropped(memory, marks.position.size());
     for (const std::int64_t i : wandered) {
-        const auto apart = [&](std::int64_t later) { return least_apart * densest(marks.area, later + 1); };
+        const auto apart = [&](std::int64_t later) {
+            return least_apart * densest_distance(marks.area, static_cast<double>(later + 1));
+        };
         tree.within(marks.position[i], apart(i), [&](std::int64_t at, double squared) {
             const std::int64_t j = tree.index(at);
             const std::int64_t later = std::max(i, j);
@@ -102,7 +99,8 @@ void bring_to_rest(const Site& site, const SurfaceCells& cells, const OrderedMar
             const OrderMark& mark = chosen[begin + i];
             const double way = glm::distance(settler.position(i), settler.start[i]);
             const double turn = glm::dot(settler.normal(i), glm::dvec3(mark.normal[0], mark.normal[1], mark.normal[2]));
-            if (way > 0.04 * densest(marks.area, begin + i + 1) || turn < 0.95 * double{unpacked_length})
+            if (way > 0.04 * densest_distance(marks.area, static_cast<double>(begin + i + 1)) ||
+                turn < 0.95 * double{unpacked_length})
                 wandered.push_back(marks.position.size());
             marks.position.push_back(settler.position(i));
             marks.normal.push_back(settler.normal(i));

@@ -223,7 +223,7 @@ double expected_evaluations(const SampleHint& samples, const GenerateSettings& s
     const std::int64_t seeds = settings.seed_source == SeedSource::points
                                    ? settings.seed_points.count
                                    : static_cast<std::int64_t>(samples.position.size() / 3);
-    constexpr std::int64_t candidates_each = 8; // of BLUE_NOISE, with what falls away
+    constexpr std::int64_t candidates_each = 5; // of BLUE_NOISE, with cells and projection
     double evaluations = 0.0;
     for (std::size_t k = 0; k < settings.group.size(); ++k) {
         const GroupSettings& group = settings.group[k];

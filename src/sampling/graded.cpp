@@ -9,10 +9,12 @@
 namespace hrbfnpr::sampling {
 namespace {
 
-// Marks that tell the density's mean, to one or two hundredths.
+// Marks that tell the density's mean.
 constexpr std::int64_t probes = 2048;
 // An even order of more than this many times the marks that remain is not made.
 constexpr double most_excess = 16.0;
+// The mean is known to a few hundredths.
+constexpr double margin = 1.06;
 constexpr std::int64_t call_size = 4096;
 
 class Densities {
@@ -105,10 +107,10 @@ EvenMarks spread_by_density(const Site& site, const SurfaceCells& cells, std::in
     if (!(mean > 0.0))
         fail(Status::invalid_argument, "the density is 0 at all of %lld places on the surface: no mark can be made",
              static_cast<long long>(probe.position.size()));
-    const double all =
-        std::min(static_cast<double>(wanted) / std::max(mean, 1.0 / most_excess), static_cast<double>(most_marks));
-    const EvenMarks even = spread_evenly(site, cells, static_cast<std::int64_t>(std::ceil(1.06 * all)), Group::stipple,
-                                         progress.part(0.15, 0.9));
+    const double all = std::min(margin * static_cast<double>(wanted) / std::max(mean, 1.0 / most_excess),
+                                static_cast<double>(most_marks));
+    const EvenMarks even =
+        spread_evenly(site, cells, static_cast<std::int64_t>(all), Group::stipple, progress.part(0.15, 0.9));
     const base::Array<double> at = densities.at(even, progress.part(0.9, 1.0));
     base::Array<Place> places(site.memory());
     for (std::int64_t i = 0; i < at.size(); ++i) {

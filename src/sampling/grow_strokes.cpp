@@ -2,6 +2,8 @@
 #include "sampling/growth.h"
 #include "surface/curvature.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,11 +17,6 @@ constexpr std::int32_t sets = 2;
 // below `unsure`.
 constexpr double unsure = 0.02;
 constexpr double sure = 0.10;
-
-double smoothstep(double low, double high, double t) noexcept {
-    t = std::clamp((t - low) / (high - low), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
 
 std::int64_t stroke_count(const Start& start) noexcept { return sets * start.position.size(); }
 
@@ -102,7 +99,7 @@ glm::dvec3 Strokes::direction(std::int32_t set, const glm::dvec3& n, const surfa
     if (glm::dot(onward, onward) < 0.5) return field;
     if (glm::dot(field, onward) < 0.0) field = -field;
     if (!by_curvature()) return field;
-    const double weight = smoothstep(unsure, sure, c.confidence);
+    const double weight = glm::smoothstep(unsure, sure, c.confidence);
     return glm::normalize(weight * field + (1.0 - weight) * onward); // no more than 90 degrees apart
 }
 

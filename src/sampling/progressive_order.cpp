@@ -12,8 +12,7 @@
 namespace hrbfnpr::sampling {
 namespace {
 
-// The distance that marks keep, in that of the densest packing of as many.  Above 0.72 gaps for all are hard to find,
-// and the more regular order shows in the spectrum at low frequencies (measured: docs/quality.md).
+// The distance that marks keep, in that of the densest packing of as many: docs/quality.md.
 constexpr double kept_distance = 0.70;
 // It is that of a number of marks this much larger, which one step of a sweep is to reach.
 constexpr double growth_of_step = 1.015;
@@ -48,9 +47,7 @@ public:
 
 private:
     // Of the densest packing of that many marks.
-    [[nodiscard]] double densest(double marks) const noexcept {
-        return std::sqrt(2.0 / std::sqrt(3.0) * candidates_.area / marks);
-    }
+    [[nodiscard]] double densest(double marks) const noexcept { return densest_distance(candidates_.area, marks); }
     [[nodiscard]] double side(std::int32_t level) const noexcept { return std::ldexp(candidates_.grid.side, level); }
     void find_home();
     [[nodiscard]] StageSettings settings_of(std::int32_t level, std::int64_t marks) const noexcept;
@@ -90,9 +87,8 @@ StageSettings Ordering::settings_of(std::int32_t level, std::int64_t marks) cons
     const double taken = std::min(all, std::max(64.0, candidates_of_early_marks * static_cast<double>(marks)));
     settings.ticket_limit = static_cast<std::uint64_t>(taken / all * 4294967296.0);
     settings.nearness = std::max(0.8, 1.0 - static_cast<double>(marks) / taken);
-    // Marks of one round are at least a cell apart, and stay the radius apart: that of the stage's first marks, as
-    // the stage before, whose cells are twice as wide, ended with the densest packing of this one's side.
-    // No farther than candidates are true to the surface: they are many where marks are few.
+    // Into the cells next door at most, and no farther than candidates are true to the surface: they are many where
+    // marks are few.
     settings.farthest_move = std::min(0.5 * (1.0 - kept_distance) * side(level), 0.25 * candidates_.grid.side);
     return settings;
 }

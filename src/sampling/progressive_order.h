@@ -4,7 +4,14 @@
 #include "sampling/candidates.h"
 #include "sampling/order_loops.h"
 
+#include <cmath>
+
 namespace hrbfnpr::sampling {
+
+// Distance of neighbours in the densest packing of that many marks.
+[[nodiscard]] inline double densest_distance(double area, double marks) noexcept {
+    return std::sqrt(2.0 / std::sqrt(3.0) * area / marks);
+}
 
 // Relative to the candidates' grid.origin; near the surface.
 using OrderedMarks = base::Array<OrderMark>;

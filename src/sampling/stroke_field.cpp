@@ -3,6 +3,8 @@
 #include "geometry/tangent_frame.h"
 #include "sampling/blue_noise.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,7 +43,7 @@ Measured measure_curvature(const Site& site, const VecArray& position, const bas
         const double difference = c.k1 - c.k2;
         const double strength = difference > 0.0 ? difference / (difference + flat_part * typical) : 0.0;
         measured.direction.set(i, c.d1);
-        measured.trust[i] = strength * smoothstep(unsure, sure, c.confidence);
+        measured.trust[i] = strength * glm::smoothstep(unsure, sure, c.confidence);
     }
     return measured;
 }
@@ -58,11 +60,6 @@ Measured measure_combing(const Site& site, const VecArray& normal) {
 
 } // namespace
 
-double smoothstep(double low, double high, double t) noexcept {
-    t = std::clamp((t - low) / (high - low), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
 // The border is where the two smallest components of n are alike in magnitude.
 Combing combing_at(const glm::dvec3& n) noexcept {
     const geometry::TangentFrame frame = geometry::combing_frame(n);
@@ -72,7 +69,7 @@ Combing combing_at(const glm::dvec3& n) noexcept {
     if (a > b) std::swap(a, b);
     if (b > c) std::swap(b, c);
     if (a > b) std::swap(a, b);
-    return {frame.r, frame.u, smoothstep(0.05, 0.35, b - a)};
+    return {frame.r, frame.u, glm::smoothstep(0.05, 0.35, b - a)};
 }
 
 StrokeFieldResult make_stroke_field(const Site& site, const SurfaceCells& cells, Group group, StrokeField kind,

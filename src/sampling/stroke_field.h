@@ -28,6 +28,4 @@ struct Combing {
 };
 [[nodiscard]] Combing combing_at(const glm::dvec3& n) noexcept;
 
-[[nodiscard]] double smoothstep(double low, double high, double t) noexcept;
-
 } // namespace hrbfnpr::sampling

@@ -209,7 +209,6 @@ bool Layering::lay(const StrokePoint& seed) {
     if (settings_.longest > 0.0) least = std::min(least, 0.6 * settings_.longest);
     if (length < least && !tracer_.closed()) {
         grid_.shrink(before);
-        layer_.too_short += tracer_.count();
         return false;
     }
     const std::int64_t begin = layer_.point.size();

@@ -31,7 +31,6 @@ struct Layer {
 
     base::Array<StrokePoint> point; // stroke by stroke, from end to end
     base::Array<Stroke> stroke;
-    std::int64_t too_short = 0; // points of strokes that were given up
 };
 
 [[nodiscard]] Layer lay_strokes(base::Memory& memory, const surface::DirectionField& field,

@@ -4,6 +4,8 @@
 #include "sampling/stroke_field.h"
 #include "surface/curvature.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -132,7 +134,7 @@ void Settling::append(const OrderedStroke& stroke, std::uint32_t number, std::in
         // Beyond an end that goes on, or the joint of a closed one, there are no tips.
         const double before = has_tip[0] ? static_cast<double>(place) : length;
         const double after = has_tip[1] ? static_cast<double>(piece.count - 1 - place) : length;
-        const double rise = smoothstep(0.0, length, std::min(before, after));
+        const double rise = glm::smoothstep(0.0, length, std::min(before, after));
         marks_.position.push_back(position_[i]);
         marks_.normal.push_back(normal_[i]);
         marks_.direction.push_back(stroke.point[(i - first) * stroke.every].direction);
@@ -151,7 +153,7 @@ glm::dvec3 Settling::exact(std::int64_t i, const glm::dvec3& along, double& weig
         const surface::Curvature& c = curvature_[i];
         first = c.d1;
         second = c.d2;
-        weight = smoothstep(unsure, sure, c.confidence);
+        weight = glm::smoothstep(unsure, sure, c.confidence);
     } else {
         const Combing combing = combing_at(marks_.normal[i]);
         first = combing.r;
@@ -161,7 +163,7 @@ glm::dvec3 Settling::exact(std::int64_t i, const glm::dvec3& along, double& weig
     const double one = glm::dot(first, along);
     const double two = glm::dot(second, along);
     const double cosine = std::max(std::abs(one), std::abs(two));
-    weight *= smoothstep(other, same, cosine);
+    weight *= glm::smoothstep(other, same, cosine);
     if (std::abs(one) >= std::abs(two)) return one < 0.0 ? -first : first;
     return two < 0.0 ? -second : second;
 }

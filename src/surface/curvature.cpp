@@ -4,6 +4,8 @@
 #include "geometry/tangent_frame.h"
 #include "implicit/evaluate_all.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,16 +25,11 @@ struct Symmetric3 {
     }
 };
 
-double smoothstep(double t) noexcept {
-    t = std::clamp(t, 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
 // The first direction, as an angle in the combing frame itself, where the field is the angle 0.
 // Directions have no sign, so they are averaged as vectors of twice their angle.
 glm::dvec2 blended(double cosine, double sine, double confidence) noexcept {
     if (confidence >= sure) return {cosine, sine};
-    const double weight = smoothstep(confidence / sure);
+    const double weight = glm::smoothstep(0.0, 1.0, confidence / sure);
     const double cosine2 = weight * (cosine * cosine - sine * sine) + (1.0 - weight);
     const double sine2 = weight * 2.0 * sine * cosine;
     const double angle = 0.5 * std::atan2(sine2, cosine2);

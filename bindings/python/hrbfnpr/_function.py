@@ -36,7 +36,7 @@ class FunctionState(CallbackState):
         return user
 
 
-def _points(address: Any, count: int) -> Any:
+def points_of(address: Any, count: int) -> Any:
     """The points as an array of the callee's own: it may keep or change it."""
     data = bytearray(ffi.buffer(address, count * 24))
     if np is not None:
@@ -53,11 +53,11 @@ def _fill(name: str, target: Any, result: Any, count: int, width: int) -> None:
 @callback("int32_t(void *, int64_t, const double *, double *, double *, double *)", failure=1)
 def on_evaluate(user: Any, count: int, points: Any, value: Any, gradient: Any, hessian: Any) -> int:
     state = ffi.from_handle(user)
-    _fill("value", value, state.function(_points(points, count)), count, 1)
+    _fill("value", value, state.function(points_of(points, count)), count, 1)
     if gradient:
-        _fill("gradient", gradient, state.gradient(_points(points, count)), count, 3)
+        _fill("gradient", gradient, state.gradient(points_of(points, count)), count, 3)
     if hessian:
-        _fill("hessian", hessian, state.hessian(_points(points, count)), count, 6)
+        _fill("hessian", hessian, state.hessian(points_of(points, count)), count, 6)
     return 0
 
 

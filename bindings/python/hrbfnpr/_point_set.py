@@ -8,6 +8,7 @@ from ._arrays import FLOATS, Array, block_in, output, store, wrap
 from ._callbacks import CallbackState, callback, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
+from ._function import points_of
 from ._handles import Owner, own
 from ._library import ffi, lib
 from ._model import Model
@@ -24,7 +25,6 @@ from ._names import (
     group_names,
     number_of,
 )
-from ._numpy import np
 from ._operation import Operation, Progress, running
 from ._point_set_info import PointSetInfo, Vector, read_info
 
@@ -60,17 +60,9 @@ def _per_group(argument: str, value: Optional[PerGroup]) -> List[Tuple[int, int]
     return [(number, int(value)) for number in GROUPS.values()]
 
 
-def _places(address: Any, count: int) -> Array:
-    """An array of the callee's own: it may keep or change it."""
-    data = bytearray(ffi.buffer(address, count * 24))
-    if np is not None:
-        return np.frombuffer(data).reshape(count, 3)
-    return memoryview(data).cast("d", shape=[count, 3])
-
-
 @callback("int32_t(void *, int64_t, const double *, const double *, double *)", failure=1)
 def _on_density(user: Any, count: int, positions: Any, normals: Any, density: Any) -> int:
-    result = ffi.from_handle(user).function(_places(positions, count), _places(normals, count))
+    result = ffi.from_handle(user).function(points_of(positions, count), points_of(normals, count))
     store("the result of density", result, count, 1, "d", density)
     return 0
 
