@@ -1086,6 +1086,31 @@ enum {
 };
 
 enum {
+    /* Each mark of ink is seen through the sheets of surface in front of it, which are found
+     * from the marks: its opacity is multiplied by what they let through.  A sheet never dims its
+     * own ink, and the picture does not depend on the number of marks. */
+    HRBFNPR_VISIBILITY_SHEETS = 0,
+    /* As published: marks paint discs of paper and of ink, from far to near [NPAR 6.1]. */
+    HRBFNPR_VISIBILITY_PAINTED = 1
+};
+
+enum {
+    /* The coverage of the drawing is the tone that was asked for, 1 - tau: the number of marks
+     * follows from their size, their density on the screen and how they overlap, so that the
+     * tone stays when the zoom or the budget changes.  Where there are not marks enough, all
+     * are shown. */
+    HRBFNPR_TONE_CURVE_COVERAGE = 0,
+    HRBFNPR_TONE_CURVE_LINEAR = 1 /* the share of marks is 1 - tau [NPAR 6.2] */
+};
+
+enum {
+    /* A line of constant width: marks whose image lies within silhouette_width pixels of
+     * the contour's, by the surface's curvature along the line of sight. */
+    HRBFNPR_SILHOUETTE_LAW_WIDTH = 0,
+    HRBFNPR_SILHOUETTE_LAW_ANGLE = 1 /* |n . v| <= silhouette_threshold, as published [NPAR 6] */
+};
+
+enum {
     HRBFNPR_TONE_NONE = 0,    /* tau = 0: all front marks are shown */
     HRBFNPR_TONE_LIGHT = 1,   /* tau = max(0, n . l)^tone_exponent [NPAR 6.2] */
     HRBFNPR_TONE_CALLBACK = 2 /* tau from tone_function */
@@ -1121,20 +1146,28 @@ typedef struct hrbfnpr_style {
     uint32_t struct_size;
     uint32_t hidden_lines;       /* HRBFNPR_HIDDEN_LINES_...; ATTENUATE */
     double silhouette_threshold; /* delta in (0,1): front n.v < -delta, back n.v > delta, else
-                                    silhouette, v from the camera to the mark [NPAR 6]; 0.2 */
+                                    silhouette, v from the camera to the mark [NPAR 6]; 0.2.  With
+                                    SILHOUETTE_LAW_WIDTH only a limit that the band keeps */
     double attenuation_front;    /* lambda of alpha_f = nu^2 lambda; 1 */
     double attenuation_back;     /* lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1 */
     float cover_radius;          /* of the paper that front marks paint, pixels; 0 = from the
                                     marks' spacing on the screen */
-    float halo_width;            /* how much wider the paper of back marks is, pixels; 2 */
+    float halo_width;            /* SHEETS: how far beyond its contour a surface hides what lies
+                                    behind, pixels at any zoom.  PAINTED: how much wider the paper of
+                                    back marks is, pixels; 2 */
     float cover_layers;          /* n > 0: a sheet is as opaque as n overlapping marks of opacity alpha,
                                     1 - (1 - alpha)^n, whatever the marks' density and the zoom; 0: each
                                     mark paints with alpha itself, as published; 8 */
-    uint32_t reserved;
+    uint32_t visibility;         /* HRBFNPR_VISIBILITY_...; SHEETS.  One for all styles of a frame */
     uint32_t tone;               /* HRBFNPR_TONE_...; LIGHT */
     uint32_t tone_rule;          /* HRBFNPR_TONE_RULE_...; SHARE */
     uint32_t light_space;        /* HRBFNPR_LIGHT_...; CAMERA */
     uint32_t silhouette_groups;  /* groups whose silhouette marks are drawn, bit (1 << group); 7 */
+    uint32_t tone_curve;         /* HRBFNPR_TONE_CURVE_...; COVERAGE.  For TONE_RULE_SHARE */
+    uint32_t silhouette_law;     /* HRBFNPR_SILHOUETTE_LAW_...; WIDTH.  For SHEETS; PAINTED is ANGLE */
+    float tone_fade;             /* 0 .. 1, SHEETS: a mark grows from nothing to its full area over this
+                                    share of the marks shown, instead of popping; 0 = it pops; 0.25 */
+    float silhouette_width;      /* of WIDTH: pixels on either side of the contour; 1 */
     double light[3];             /* towards the light, normalised on use; (-0.4, 0.6, 0.7) */
     double tone_exponent;        /* lambda of the tone law, > 0; 1 */
     hrbfnpr_tone_fn tone_function; /* for CALLBACK */
@@ -1195,6 +1228,9 @@ typedef struct hrbfnpr_item {
     uint32_t reserved;
     const hrbfnpr_point_set* point_set;
     const hrbfnpr_style* style; /* NULL = default style */
+    const hrbfnpr_model* model; /* NULL, or the surface that the marks lie on: with SHEETS, what
+                                   hides a mark is then found by casting a ray from it to the
+                                   eye, exact but slow (some 10 microseconds a mark drawn) */
     double transform[16];       /* object to world, column-major, affine, invertible */
 } hrbfnpr_item;
 
@@ -1235,8 +1271,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_prepare(hrbfnpr_renderer* renderer, 
                                                     hrbfnpr_frame_info* info, hrbfnpr_error* error);
 
 enum {
-    HRBFNPR_DRAW_OVER = 1 /* lay the drawing over the image's contents instead of replacing them
-                             inside the viewport; wants a style with transparent paper */
+    HRBFNPR_DRAW_OVER = 1, /* lay the drawing over the image's contents instead of replacing them
+                              inside the viewport; wants a style with transparent paper */
+    HRBFNPR_DRAW_LINEAR_LIGHT = 2 /* blend in linear light (sRGB decoded), not in encoded values */
 };
 
 /* Class of what is nearest at a pixel, in class outputs and vertices. */

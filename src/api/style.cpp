@@ -11,6 +11,12 @@ using namespace hrbfnpr;
 static_assert(static_cast<int>(frame::HiddenLines::attenuate) == HRBFNPR_HIDDEN_LINES_ATTENUATE);
 static_assert(static_cast<int>(frame::HiddenLines::hide) == HRBFNPR_HIDDEN_LINES_HIDE);
 static_assert(static_cast<int>(frame::HiddenLines::show) == HRBFNPR_HIDDEN_LINES_SHOW);
+static_assert(static_cast<int>(frame::Visibility::sheets) == HRBFNPR_VISIBILITY_SHEETS);
+static_assert(static_cast<int>(frame::Visibility::painted) == HRBFNPR_VISIBILITY_PAINTED);
+static_assert(static_cast<int>(frame::ToneCurve::coverage) == HRBFNPR_TONE_CURVE_COVERAGE);
+static_assert(static_cast<int>(frame::ToneCurve::linear) == HRBFNPR_TONE_CURVE_LINEAR);
+static_assert(static_cast<int>(frame::SilhouetteLaw::width) == HRBFNPR_SILHOUETTE_LAW_WIDTH);
+static_assert(static_cast<int>(frame::SilhouetteLaw::angle) == HRBFNPR_SILHOUETTE_LAW_ANGLE);
 static_assert(static_cast<int>(frame::Tone::none) == HRBFNPR_TONE_NONE);
 static_assert(static_cast<int>(frame::Tone::light) == HRBFNPR_TONE_LIGHT);
 static_assert(static_cast<int>(frame::Tone::callback) == HRBFNPR_TONE_CALLBACK);
@@ -57,10 +63,15 @@ hrbfnpr_style from_style(const frame::Style& from) noexcept {
     to.cover_radius = from.cover_radius;
     to.halo_width = from.halo_width;
     to.cover_layers = from.cover_layers;
+    to.visibility = static_cast<std::uint32_t>(from.visibility);
     to.tone = static_cast<std::uint32_t>(from.tone);
     to.tone_rule = static_cast<std::uint32_t>(from.tone_rule);
     to.light_space = static_cast<std::uint32_t>(from.light_space);
     to.silhouette_groups = from.silhouette_groups;
+    to.tone_curve = static_cast<std::uint32_t>(from.tone_curve);
+    to.silhouette_law = static_cast<std::uint32_t>(from.silhouette_law);
+    to.tone_fade = from.tone_fade;
+    to.silhouette_width = from.silhouette_width;
     for (int axis = 0; axis < 3; ++axis) to.light[axis] = from.light[axis];
     to.tone_exponent = from.tone_exponent;
     to.depth_min = from.depth_min;
@@ -83,7 +94,10 @@ void check_hidden_lines(const Checks& checks, const hrbfnpr_style& style) {
     checks.between("cover_radius", static_cast<double>(style.cover_radius), 0.0, largest_radius);
     checks.between("halo_width", static_cast<double>(style.halo_width), 0.0, largest_radius);
     checks.between("cover_layers", static_cast<double>(style.cover_layers), 0.0, 1e6);
-    checks.zero("reserved", style.reserved);
+    checks.one_of("visibility", style.visibility, HRBFNPR_VISIBILITY_PAINTED + 1, "HRBFNPR_VISIBILITY_...");
+    checks.one_of("silhouette_law", style.silhouette_law, HRBFNPR_SILHOUETTE_LAW_ANGLE + 1,
+                  "HRBFNPR_SILHOUETTE_LAW_...");
+    checks.between("silhouette_width", static_cast<double>(style.silhouette_width), 0.0, largest_radius);
 }
 
 void check_tone(const Checks& checks, const hrbfnpr_style& style, const char* owner) {
@@ -94,6 +108,8 @@ void check_tone(const Checks& checks, const hrbfnpr_style& style, const char* ow
     if (style.tone == HRBFNPR_TONE_LIGHT && style.light[0] == 0.0 && style.light[1] == 0.0 && style.light[2] == 0.0)
         fail(Status::invalid_argument, "%s.light is zero; give it a direction, or set tone to HRBFNPR_TONE_NONE",
              owner);
+    checks.one_of("tone_curve", style.tone_curve, HRBFNPR_TONE_CURVE_LINEAR + 1, "HRBFNPR_TONE_CURVE_...");
+    checks.between("tone_fade", static_cast<double>(style.tone_fade), 0.0, 1.0);
     checks.positive("tone_exponent", style.tone_exponent);
     checks.given("tone_function", style.tone != HRBFNPR_TONE_CALLBACK || style.tone_function != nullptr);
 }
@@ -148,10 +164,15 @@ frame::Style checked_style(const hrbfnpr_style& style, const char* owner) {
     to.cover_radius = style.cover_radius;
     to.halo_width = style.halo_width;
     to.cover_layers = style.cover_layers;
+    to.visibility = static_cast<frame::Visibility>(style.visibility);
     to.tone = static_cast<frame::Tone>(style.tone);
     to.tone_rule = static_cast<frame::ToneRule>(style.tone_rule);
     to.light_space = static_cast<frame::LightSpace>(style.light_space);
     to.silhouette_groups = style.silhouette_groups;
+    to.tone_curve = static_cast<frame::ToneCurve>(style.tone_curve);
+    to.silhouette_law = static_cast<frame::SilhouetteLaw>(style.silhouette_law);
+    to.tone_fade = style.tone_fade;
+    to.silhouette_width = style.silhouette_width;
     to.light = {style.light[0], style.light[1], style.light[2]};
     to.tone_exponent = style.tone_exponent;
     to.tone_function = style.tone_function;

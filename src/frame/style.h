@@ -10,6 +10,9 @@
 namespace hrbfnpr::frame {
 
 enum class HiddenLines : std::uint32_t { attenuate = 0, hide = 1, show = 2 };
+enum class Visibility : std::uint32_t { sheets = 0, painted = 1 };
+enum class ToneCurve : std::uint32_t { coverage = 0, linear = 1 };
+enum class SilhouetteLaw : std::uint32_t { width = 0, angle = 1 };
 enum class Tone : std::uint32_t { none = 0, light = 1, callback = 2 };
 enum class ToneRule : std::uint32_t { share = 0, paper = 1 };
 enum class LightSpace : std::uint32_t { world = 0, camera = 1 };
@@ -33,10 +36,15 @@ struct Style {
     float cover_radius = 0.0F;
     float halo_width = 2.0F;
     float cover_layers = 8.0F;
+    Visibility visibility = Visibility::sheets;
     Tone tone = Tone::light;
     ToneRule tone_rule = ToneRule::share;
     LightSpace light_space = LightSpace::camera;
     std::uint32_t silhouette_groups = 7;
+    ToneCurve tone_curve = ToneCurve::coverage;
+    SilhouetteLaw silhouette_law = SilhouetteLaw::width;
+    float tone_fade = 0.25F;
+    float silhouette_width = 1.0F;
     glm::dvec3 light{-0.4, 0.6, 0.7};
     double tone_exponent = 1.0;
     ToneFn tone_function = nullptr;
