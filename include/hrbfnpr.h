@@ -1241,17 +1241,21 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct
 typedef struct hrbfnpr_frame_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t marks;       /* in all items, of the groups that the styles use */
+    int64_t marks;       /* in all items, of the groups that the styles use: outside + front + back +
+                            silhouette + culled */
     int64_t outside;     /* outside the frustum */
     int64_t front;       /* of those inside: by class */
     int64_t back;
     int64_t silhouette;
     int64_t shown;         /* drawn as ink */
-    int64_t dropped_tone;  /* front marks not shown because of light or share */
+    int64_t dropped_tone;  /* front marks not shown because of light or share, and contour marks that a
+                              line of even density does not need */
     int64_t dropped_depth; /* front and silhouette marks not shown because of depth attenuation */
     int64_t dropped_zoom;  /* front marks not shown because of tone scaling */
-    int64_t dropped_hidden; /* marks not drawn with HIDDEN_LINES_HIDE */
-    int64_t painted;       /* discs of paper */
+    int64_t dropped_hidden; /* marks not drawn because nothing of them is seen through what is in front */
+    int64_t painted;       /* PAINTED: discs of paper; SHEETS: marks that sheets were found from */
+    int64_t culled;        /* SHEETS: marks that are of no class, since no tone or contour could show
+                              them: they were not looked at one by one */
     int64_t nanoseconds_classify; /* transform, classify, tone */
     int64_t nanoseconds_visibility;
     int64_t nanoseconds_sort;

@@ -92,10 +92,11 @@ output::Image checked(const hrbfnpr_image& image) {
 }
 
 output::DrawSettings checked(const hrbfnpr_draw_desc& desc, const output::Image& image) {
-    Checks("draw_desc").flags("flags", desc.flags, HRBFNPR_DRAW_OVER);
+    Checks("draw_desc").flags("flags", desc.flags, HRBFNPR_DRAW_OVER | HRBFNPR_DRAW_LINEAR_LIGHT);
     const std::int64_t count = std::int64_t{image.width} * image.height;
     output::DrawSettings settings;
     settings.over = (desc.flags & HRBFNPR_DRAW_OVER) != 0;
+    settings.linear_light = (desc.flags & HRBFNPR_DRAW_LINEAR_LIGHT) != 0;
     settings.host_depth = in_view(desc.host_depth, "draw_desc.host_depth", {1, float32_only}, count);
     settings.depth = out_view(&desc.depth, "draw_desc.depth", {1, float32_only}, count);
     settings.id = out_view(&desc.id, "draw_desc.id", {1, uint32_only}, count);

@@ -228,7 +228,7 @@ hrbfnpr_point_set* generate(hrbfnpr_context& context, const hrbfnpr_model& model
             context.runtime.log(base::LogLevel::info, "generate: %lld marks in group %d in %.3f s",
                                 static_cast<long long>(group.count()), static_cast<int>(&group - set.group.data()),
                                 group.report.seconds);
-    return make_handle<hrbfnpr_point_set>(context, std::move(set));
+    return adopt(context, std::move(set));
 }
 
 double step_patches(const hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_generate_desc& desc,
@@ -260,7 +260,7 @@ hrbfnpr_point_set* from_arrays(hrbfnpr_context& context, const hrbfnpr_point_set
     std::array<sampling::GroupArrays, group_count> arrays;
     for (int group = 0; group < group_count; ++group)
         arrays[static_cast<std::size_t>(group)] = checked(desc.group[group], group);
-    return make_handle<hrbfnpr_point_set>(context, sampling::from_arrays(context.runtime, arrays, desc.random_seed));
+    return adopt(context, sampling::from_arrays(context.runtime, arrays, desc.random_seed));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "api/descriptor.h"
 #include "api/streams.h"
 #include "io/files.h"
+#include "sampling/cluster_marks.h"
 
 using namespace hrbfnpr;
 
@@ -12,6 +13,11 @@ namespace hrbfnpr::api {
 template <>
 hrbfnpr_point_set_info defaults() noexcept {
     return {};
+}
+
+hrbfnpr_point_set* adopt(hrbfnpr_context& context, sampling::PointSet&& set) {
+    sampling::cluster_marks(context.runtime, set);
+    return make_handle<hrbfnpr_point_set>(context, std::move(set));
 }
 
 namespace {
@@ -78,7 +84,7 @@ hrbfnpr_array view_of(const sampling::PointSet& set, std::uint32_t group, std::u
 }
 
 hrbfnpr_point_set* load(hrbfnpr_context& context, io::Reader& reader) {
-    return make_handle<hrbfnpr_point_set>(context, io::load_point_set(context.runtime.memory, reader));
+    return adopt(context, io::load_point_set(context.runtime.memory, reader));
 }
 
 } // namespace

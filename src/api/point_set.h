@@ -10,3 +10,10 @@ struct hrbfnpr_point_set : hrbfnpr::api::Child {
 
     const hrbfnpr::sampling::PointSet set;
 };
+
+namespace hrbfnpr::api {
+
+// Makes a finished set ready for frames, and a handle of it.
+[[nodiscard]] hrbfnpr_point_set* adopt(hrbfnpr_context& context, sampling::PointSet&& set);
+
+} // namespace hrbfnpr::api

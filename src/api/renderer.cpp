@@ -102,6 +102,7 @@ hrbfnpr_frame_info describe(const hrbfnpr_renderer& renderer) noexcept {
     info.dropped_zoom = from.dropped_zoom;
     info.dropped_hidden = from.dropped_hidden;
     info.painted = from.painted;
+    info.culled = from.culled;
     info.nanoseconds_classify = from.nanoseconds_classify;
     info.nanoseconds_visibility = from.nanoseconds_visibility;
     info.nanoseconds_sort = from.nanoseconds_sort;

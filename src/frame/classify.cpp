@@ -161,8 +161,6 @@ private:
     float share_;
 };
 
-constexpr std::int64_t call_size = 4096;
-
 } // namespace
 
 void classify(const base::Parallel& parallel, Scene& scene) {
@@ -173,52 +171,17 @@ void classify(const base::Parallel& parallel, Scene& scene) {
     });
 }
 
-void ToneCalls::run(Scene& scene) {
-    forget(); // what a failed frame left
-    std::int32_t item = -1;
+void ask_tones(Scene& scene, ToneCalls& calls) {
     for (const Run& run : scene.runs) {
-        if (scene.item_of(run).style.tone != Tone::callback) continue;
-        if (run.item != item && item >= 0) call(scene, scene.items[item]);
-        item = run.item;
+        const ItemView& item = scene.item_of(run);
+        if (item.style.tone != Tone::callback) continue;
+        calls.begin(item, scene.marks.tau);
         for (std::int64_t i = 0; i < run.count; ++i) {
-            if (scene.marks.mark_class[run.first + i] != MarkClass::front || !may_be_ink(run, i)) continue;
-            const ItemView& view = scene.item_of(run);
-            const glm::vec3 position(view.to_world * glm::dvec4(vector_at(run.marks->position, i), 1.0));
-            const glm::vec3 normal = glm::normalize(view.normal_to_world * vector_at(run.marks->normal, i));
-            marks_.push_back(run.first + i);
-            for (int k = 0; k < 3; ++k) {
-                positions_.push_back(position[k]);
-                normals_.push_back(normal[k]);
-            }
-            if (marks_.size() == call_size) call(scene, view);
+            if (scene.marks.mark_class[run.first + i] == MarkClass::front && may_be_ink(run, i))
+                calls.add(vector_at(run.marks->position, i), vector_at(run.marks->normal, i), run.first + i);
         }
+        calls.end();
     }
-    if (item >= 0) call(scene, scene.items[item]);
-}
-
-void ToneCalls::call(Scene& scene, const ItemView& item) {
-    const std::int64_t count = marks_.size();
-    if (count == 0) return;
-    tau_.clear();
-    tau_.resize(count);
-    const std::int32_t result =
-        item.style.tone_function(item.style.tone_user, count, positions_.data(), normals_.data(), tau_.data());
-    if (result != 0)
-        fail(Status::callback, "tone_function returned %d; it must return 0 unless it failed",
-             static_cast<int>(result));
-    for (std::int64_t i = 0; i < count; ++i) {
-        if (std::isnan(tau_[i]))
-            fail(Status::callback, "tone_function gave NaN as tau[%lld]; it must fill every element with a number",
-                 static_cast<long long>(i));
-        scene.marks.tau[marks_[i]] = std::clamp(tau_[i], 0.0F, 1.0F);
-    }
-    forget();
-}
-
-void ToneCalls::forget() noexcept {
-    marks_.clear();
-    positions_.clear();
-    normals_.clear();
 }
 
 void decide(const base::Parallel& parallel, Scene& scene, const VisibilityMap* visibility,

@@ -3,6 +3,7 @@
 
 #include "base/runtime.h"
 #include "frame/scene.h"
+#include "frame/tone_calls.h"
 #include "frame/visibility.h"
 
 namespace hrbfnpr::frame {
@@ -11,22 +12,7 @@ namespace hrbfnpr::frame {
 void classify(const base::Parallel& parallel, Scene& scene);
 
 // Asks the styles' tone callbacks for tau of the front marks that need one, on this thread.
-class ToneCalls {
-public:
-    explicit ToneCalls(base::Memory& memory) noexcept
-        : positions_(memory), normals_(memory), tau_(memory), marks_(memory) {}
-    void run(Scene& scene);
-    [[nodiscard]] std::int64_t bytes() const noexcept {
-        return positions_.bytes() + normals_.bytes() + tau_.bytes() + marks_.bytes();
-    }
-
-private:
-    void call(Scene& scene, const ItemView& item);
-    void forget() noexcept;
-
-    base::Array<float> positions_, normals_, tau_;
-    base::Array<std::int64_t> marks_;
-};
+void ask_tones(Scene& scene, ToneCalls& calls);
 
 // Fills `role` from tone, depth, zoom and, if not null, visibility.  counts: one for each chunk.
 void decide(const base::Parallel& parallel, Scene& scene, const VisibilityMap* visibility,

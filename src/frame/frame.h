@@ -1,4 +1,4 @@
-// One frame: from point sets, camera and styles to the ordered list of discs to draw.  [NPAR 6]
+// One frame: from point sets, camera and styles to what is to be drawn.  [NPAR 6]
 #pragma once
 
 #include "base/memory.h"
@@ -14,6 +14,8 @@ namespace hrbfnpr::frame {
 
 // Same numbers as HRBFNPR_CLASS_...
 enum class MarkClass : std::uint8_t { none = 0, front = 1, back = 2, silhouette = 3 };
+
+class SheetFrame;
 
 struct Item {
     const sampling::PointSet* set = nullptr;
@@ -34,16 +36,19 @@ struct Disc {
 };
 
 // Same fields as hrbfnpr_frame_info.  Marks of the groups that a style draws or takes contours from:
-//   marks = outside + front + back + silhouette; of those,
+//   marks = outside + front + back + silhouette + culled; of those,
 //   front + silhouette = shown + dropped_... + those whose group or set of directions is not drawn.
+// By sheets, marks of a cluster whose ranks nothing shows are culled before their class is known.
 // A mark is outside if no disc of it could touch the viewport, or it lies before the near or behind
 // the far plane.  A dropped mark counts once, for the first of: share and light (tone), zoom, depth,
 // hidden.  Marks that are not numbers count as outside.
 struct FrameInfo {
     std::int64_t marks = 0, outside = 0, front = 0, back = 0, silhouette = 0, shown = 0;
-    std::int64_t dropped_tone = 0, dropped_depth = 0, dropped_zoom = 0, dropped_hidden = 0, painted = 0;
+    std::int64_t dropped_tone = 0, dropped_depth = 0, dropped_zoom = 0, dropped_hidden = 0, painted = 0, culled = 0;
     std::int64_t nanoseconds_classify = 0, nanoseconds_visibility = 0, nanoseconds_sort = 0, nanoseconds_draw = 0;
     std::int64_t scratch_bytes = 0;
+
+    FrameInfo& operator+=(const FrameInfo& other) noexcept;
 };
 
 // Reused from frame to frame: allocates nothing once warm.
@@ -58,7 +63,10 @@ public:
     [[nodiscard]] bool prepared() const noexcept;
     [[nodiscard]] const Camera& camera() const noexcept;
     [[nodiscard]] const glm::vec4& paper() const noexcept;
-    [[nodiscard]] std::span<const Disc> discs() const noexcept; // far to near: the order of painting
+    // Far to near: the order of painting.
+    [[nodiscard]] std::span<const Disc> discs() const;
+    // NULL: painted as published.
+    [[nodiscard]] const SheetFrame* sheet_frame() const noexcept;
     [[nodiscard]] const FrameInfo& info() const noexcept;
 
     // The mark behind a disc, for outputs that want more of it than a disc holds.

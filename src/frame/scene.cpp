@@ -105,6 +105,7 @@ void add_runs(Scene& scene, const Item& item, std::int64_t item_index, std::int6
     const std::uint32_t used = used_groups(style);
     const int cover = cover_group(*item.set, used);
     const double eye_per_object = mean_scale(item.transform) * static_cast<double>(scene.lens.eye_per_world);
+    float earlier = 0.0F;
     for (std::size_t g = 0; g < style.group.size(); ++g) {
         const sampling::MarkGroup& marks = item.set->group[g];
         const std::int64_t first_id = ids + 1;
@@ -125,22 +126,17 @@ void add_runs(Scene& scene, const Item& item, std::int64_t item_index, std::int6
         const bool covers = static_cast<int>(g) == cover || !(style.cover_layers > 0.0F);
         run.paints_paper = style.hidden_lines == HiddenLines::attenuate && covers;
         run.occludes = style.hidden_lines == HiddenLines::hide && static_cast<int>(g) == cover;
+        run.spread_evenly = item.set->distribution == sampling::Distribution::blue_noise;
+        if (run.spread_evenly && g > 0) run.separation = static_cast<float>(marks.report.step * eye_per_object);
+        run.covers = style.hidden_lines != HiddenLines::show && static_cast<int>(g) == cover;
         run.pen = pen_of(style, g, spacing_of(*item.set, g), eye_per_object, scene.lens);
+        run.earlier_contours = earlier;
+        if (run.draws_silhouettes) earlier += 1.0F / (run.pen.spacing * run.pen.spacing);
         scene.runs.push_back(run);
     }
     if (ids > most_marks)
         fail(Status::invalid_argument, "items[%lld].point_set brings the frame to %lld marks; the most are %lld",
              static_cast<long long>(item_index), static_cast<long long>(ids), static_cast<long long>(most_marks));
-}
-
-void add_chunks(Scene& scene) {
-    for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
-        const Run& run = scene.runs[r];
-        for (std::int64_t begin = 0; begin < run.count; begin += chunk_size) {
-            const std::int64_t end = std::min(run.count, begin + chunk_size);
-            scene.chunks.push_back({static_cast<std::int32_t>(r), run.first + begin, run.first + end});
-        }
-    }
 }
 
 } // namespace
@@ -169,7 +165,6 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& camera) {
     scene.lens = make_lens(camera);
     scene.items.clear();
     scene.runs.clear();
-    scene.chunks.clear();
     std::int64_t ids = 0;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const auto index = static_cast<std::int64_t>(i);
@@ -178,11 +173,25 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& camera) {
             fail(Status::invalid_argument,
                  "items[%lld].style.paper differs from that of items[0]; all styles of a frame need the same paper",
                  static_cast<long long>(index));
+        if (items[i].style.visibility != items[0].style.visibility)
+            fail(Status::invalid_argument,
+                 "items[%lld].style.visibility differs from that of items[0]; all styles of a frame need the same",
+                 static_cast<long long>(index));
         scene.items.push_back(view_of(items[i], camera));
         add_runs(scene, items[i], index, ids);
     }
-    add_chunks(scene);
-    scene.marks.resize(scene.runs.empty() ? 0 : scene.runs.back().first + scene.runs.back().count);
+}
+
+void add_chunks(Scene& scene) {
+    scene.chunks.clear();
+    for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
+        const Run& run = scene.runs[r];
+        for (std::int64_t begin = 0; begin < run.count; begin += chunk_size) {
+            const std::int64_t end = std::min(run.count, begin + chunk_size);
+            scene.chunks.push_back({static_cast<std::int32_t>(r), run.first + begin, run.first + end});
+        }
+    }
+    scene.marks.resize(scene.mark_count());
 }
 
 } // namespace hrbfnpr::frame

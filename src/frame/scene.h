@@ -31,8 +31,12 @@ struct Run {
     std::uint32_t sets = 3; // of front ink
     bool draws_front = false;
     bool draws_silhouettes = false;
-    bool paints_paper = false; // HIDDEN_LINES_ATTENUATE
-    bool occludes = false;     // HIDDEN_LINES_HIDE
+    bool paints_paper = false;     // HIDDEN_LINES_ATTENUATE
+    bool occludes = false;         // HIDDEN_LINES_HIDE
+    float earlier_contours = 0.0F; // contour marks per area of the item's runs before this one, eye space
+    float separation = 0.0F;       // of strokes, eye units; 0: none is known
+    bool spread_evenly = false;    // in a blue-noise order
+    bool covers = false;           // its marks tell where the sheets of its item are
     Pen pen;
 
     // Radius of the ink of a front mark, by its number in the group.  Contours are not tapered.
@@ -81,11 +85,16 @@ struct Scene {
     Marks marks;
 
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
+    [[nodiscard]] std::int64_t mark_count() const noexcept {
+        return runs.empty() ? 0 : runs.span().back().first + runs.span().back().count;
+    }
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
 
-// Fills lens, items, runs and chunks, and makes room for the marks.  Throws Error{invalid_argument}.
+// Fills lens, items and runs.  Throws Error{invalid_argument}.
 void set_up(Scene& scene, std::span<const Item> items, const Camera& camera);
+// Fills chunks, and makes room for the marks.
+void add_chunks(Scene& scene);
 
 // Where a disc of paper is painted in the order of painting, eye units along the view.
 [[nodiscard]] inline float paper_depth(const Marks& marks, std::int64_t place, float radius) noexcept {

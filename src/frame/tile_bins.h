@@ -8,58 +8,84 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <span>
 
 namespace hrbfnpr::frame {
 
-// The same bins for any thread count: counted and filled in chunks of the discs.  Discs over
+// Consecutive elements of an array that has gaps.
+struct Piece {
+    std::int64_t begin = 0, end = 0;
+};
+
+// The same bins for any thread count: counted and filled in parts of the discs.  Discs over
 // very many tiles stand in one list that every tile looks through, so that memory is bounded.
 class TileBins {
 public:
-    static constexpr std::int32_t tile_size = 32; // pixels: a tile of float RGBA fits the first-level cache
-
     // A round footprint in pixels of the binned picture.
     struct Footprint {
         float x, y, radius;
     };
 
-    explicit TileBins(base::Memory& memory) noexcept
-        : rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory) {}
+    TileBins(base::Memory& memory, std::int32_t tile_size) noexcept
+        : tile_size_(tile_size), rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory),
+          pieces_(memory), starts_(memory) {}
 
-    // footprint(i, out) returns false for what is not to be binned; it is asked once for each i < count.
+    // footprint(i, out) returns false for what is not to be binned; it is asked once for each i of the pieces, which
+    // ascend.
     template <class F>
-    void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height, std::int64_t count,
+    void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height, std::span<const Piece> pieces,
                const F& footprint) {
-        columns_ = (width + tile_size - 1) / tile_size;
-        rows_ = (height + tile_size - 1) / tile_size;
-        resize_scratch(rects_, count);
-        parallel.for_chunks(count, measure_grain, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i) {
+        columns_ = (width + tile_size_ - 1) / tile_size_;
+        rows_ = (height + tile_size_ - 1) / tile_size_;
+        number(pieces);
+        resize_scratch(rects_, total_);
+        parallel.for_chunks(total_, measure_grain, [&](std::int64_t begin, std::int64_t end) {
+            for_each_disc(begin, end, [&](std::int64_t number, std::int64_t i) {
                 Footprint print{};
-                rects_[i] = footprint(i, print) ? rect_of(print) : Rect{};
-            }
+                rects_[number] = footprint(i, print) ? rect_of(print) : Rect{};
+            });
         });
         distribute(parallel);
     }
 
+    [[nodiscard]] std::int32_t tile_size() const noexcept { return tile_size_; }
     [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
     [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t tiles() const noexcept { return std::int64_t{columns_} * rows_; }
     [[nodiscard]] std::int64_t bytes() const noexcept {
-        return rects_.bytes() + counts_.bytes() + offsets_.bytes() + entries_.bytes() + large_.bytes();
+        return rects_.bytes() + counts_.bytes() + offsets_.bytes() + entries_.bytes() + large_.bytes() +
+               pieces_.bytes() + starts_.bytes();
     }
 
-    // Calls f(disc) for the discs that touch the tile, in ascending order.
-    template <class F>
-    void for_tile(std::int64_t tile, F&& f) const {
+    // Puts each tile's discs into another order than that of their numbers.
+    template <class Before>
+    void order(const base::Parallel& parallel, const Before& before) {
+        parallel.for_each(tiles(), [&](std::int64_t tile) {
+            std::sort(entries_.data() + offsets_[tile], entries_.data() + offsets_[tile + 1], before);
+        });
+        std::sort(large_.begin(), large_.end(), [&](const Large& a, const Large& b) { return before(a.disc, b.disc); });
+    }
+    // The tile of a place in the picture, or the one nearest to it.
+    [[nodiscard]] std::int64_t tile_of(float x, float y) const noexcept {
+        const float tile = static_cast<float>(tile_size_);
+        const auto column = static_cast<std::int64_t>(std::clamp(x / tile, 0.0F, static_cast<float>(columns_ - 1)));
+        const auto row = static_cast<std::int64_t>(std::clamp(y / tile, 0.0F, static_cast<float>(rows_ - 1)));
+        return row * columns_ + column;
+    }
+
+    // Calls f(disc) for the discs that touch the tile, in ascending order, or in that of order().
+    template <class F, class Before = std::less<>>
+    void for_tile(std::int64_t tile, F&& f, const Before& before = {}) const {
         const auto column = static_cast<std::uint16_t>(tile % columns_);
         const auto row = static_cast<std::uint16_t>(tile / columns_);
         const std::uint32_t* own = entries_.data() + offsets_[tile];
         const std::uint32_t* const own_end = entries_.data() + offsets_[tile + 1];
-        for (const std::uint32_t large : large_) {
-            const Rect& rect = rects_[large];
+        for (const Large& large : large_) {
+            const Rect& rect = large.rect;
             if (column < rect.left || column >= rect.right || row < rect.top || row >= rect.bottom) continue;
-            while (own != own_end && *own < large) f(*own++);
-            f(large);
+            while (own != own_end && before(*own, large.disc)) f(*own++);
+            f(large.disc);
         }
         while (own != own_end) f(*own++);
     }
@@ -75,12 +101,16 @@ private:
             return std::int64_t{right - left} * std::int64_t{bottom - top};
         }
     };
+    struct Large {
+        std::uint32_t disc;
+        Rect rect;
+    };
 
     [[nodiscard]] Rect rect_of(const Footprint& print) const noexcept {
         // Clamped as floats: radii may be larger than any integer, or not numbers at all.
-        const auto cell = [](float at, std::int32_t limit) {
-            const float t = std::floor(at / static_cast<float>(tile_size));
-            return static_cast<std::int32_t>(std::clamp(t, -1.0F, static_cast<float>(limit)));
+        const float scale = 1.0F / static_cast<float>(tile_size_);
+        const auto cell = [scale](float at, std::int32_t limit) {
+            return static_cast<std::int32_t>(std::clamp(at * scale + 1.0F, 0.0F, static_cast<float>(limit + 1))) - 1;
         };
         if (!(print.radius >= 0.0F) || !std::isfinite(print.x) || !std::isfinite(print.y)) return {};
         const std::int32_t left = std::max(cell(print.x - print.radius, columns_), 0);
@@ -92,15 +122,31 @@ private:
                 static_cast<std::uint16_t>(bottom)};
     }
 
+    // Calls f(number, disc) for the discs of these numbers: the pieces' elements one after the other.
+    template <class F>
+    void for_each_disc(std::int64_t begin, std::int64_t end, F&& f) const {
+        const std::int64_t* const after = std::upper_bound(starts_.begin(), starts_.end(), begin);
+        for (std::int64_t p = after - starts_.begin() - 1; begin < end; ++p) {
+            const std::int64_t stop = std::min(end, starts_[p + 1]);
+            const std::int64_t shift = pieces_[p].begin - starts_[p];
+            for (; begin < stop; ++begin) f(begin, begin + shift);
+        }
+    }
+
+    void number(std::span<const Piece> pieces);
     void distribute(const base::Parallel& parallel);
 
+    std::int32_t tile_size_;
     std::int32_t columns_ = 0;
     std::int32_t rows_ = 0;
-    base::Array<Rect> rects_;            // of each disc
-    base::Array<std::uint32_t> counts_;  // chunk by chunk, for each tile
+    std::int64_t total_ = 0;
+    base::Array<Rect> rects_;            // of each disc, by its number
+    base::Array<std::uint32_t> counts_;  // part by part, for each tile
     base::Array<std::int64_t> offsets_;  // of each tile's entries, and the end
     base::Array<std::uint32_t> entries_; // discs
-    base::Array<std::uint32_t> large_;   // discs that are in no tile's entries
+    base::Array<Large> large_;           // discs that are in no tile's entries
+    base::Array<Piece> pieces_;
+    base::Array<std::int64_t> starts_; // number of each piece's first disc, and the end
 };
 
 } // namespace hrbfnpr::frame

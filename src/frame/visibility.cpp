@@ -1,5 +1,6 @@
 #include "frame/visibility.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,7 +23,8 @@ void VisibilityMap::build(const base::Parallel& parallel, const Scene& scene) {
     width_ = static_cast<std::int32_t>(std::ceil(viewport.z * texels_per_pixel_));
     height_ = static_cast<std::int32_t>(std::ceil(viewport.w * texels_per_pixel_));
     collect(parallel, scene);
-    bins_.build(parallel, width_, height_, occluders_.size(), [this](std::int64_t i, TileBins::Footprint& print) {
+    const std::array all = {Piece{0, occluders_.size()}};
+    bins_.build(parallel, width_, height_, all, [this](std::int64_t i, TileBins::Footprint& print) {
         const Occluder& disc = occluders_[i];
         print = {disc.x, disc.y, disc.radius};
         return disc.radius >= 0.0F;
@@ -50,10 +52,10 @@ void VisibilityMap::collect(const base::Parallel& parallel, const Scene& scene) 
 }
 
 void VisibilityMap::fill_tile(std::int64_t tile) noexcept {
-    const auto left = static_cast<std::int32_t>(tile % bins_.columns()) * TileBins::tile_size;
-    const auto top = static_cast<std::int32_t>(tile / bins_.columns()) * TileBins::tile_size;
-    const std::int32_t right = std::min(left + TileBins::tile_size, width_);
-    const std::int32_t bottom = std::min(top + TileBins::tile_size, height_);
+    const auto left = static_cast<std::int32_t>(tile % bins_.columns()) * tile_size;
+    const auto top = static_cast<std::int32_t>(tile / bins_.columns()) * tile_size;
+    const std::int32_t right = std::min(left + tile_size, width_);
+    const std::int32_t bottom = std::min(top + tile_size, height_);
     for (std::int32_t y = top; y < bottom; ++y) {
         float* row = depth_.data() + std::int64_t{y} * width_;
         std::fill(row + left, row + right, std::numeric_limits<float>::infinity());
@@ -62,8 +64,8 @@ void VisibilityMap::fill_tile(std::int64_t tile) noexcept {
 }
 
 void VisibilityMap::draw(const Occluder& disc, std::int32_t left, std::int32_t top) noexcept {
-    const std::int32_t right = std::min(left + TileBins::tile_size, width_);
-    const std::int32_t bottom = std::min(top + TileBins::tile_size, height_);
+    const std::int32_t right = std::min(left + tile_size, width_);
+    const std::int32_t bottom = std::min(top + tile_size, height_);
     for (std::int32_t y = top; y < bottom; ++y) {
         const float dy = static_cast<float>(y) + 0.5F - disc.y;
         const float half_squared = disc.radius * disc.radius - dy * dy;

@@ -11,7 +11,8 @@ namespace hrbfnpr::frame {
 // behind their own sheet as discs of paper do, so that it does not hide its own ink.
 class VisibilityMap {
 public:
-    explicit VisibilityMap(base::Memory& memory) noexcept : bins_(memory), depth_(memory), occluders_(memory) {}
+    explicit VisibilityMap(base::Memory& memory) noexcept
+        : bins_(memory, tile_size), depth_(memory), occluders_(memory) {}
 
     void build(const base::Parallel& parallel, const Scene& scene);
 
@@ -21,6 +22,8 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept { return bins_.bytes() + depth_.bytes() + occluders_.bytes(); }
 
 private:
+    static constexpr std::int32_t tile_size = 32;
+
     struct Occluder {
         float x, y, radius, depth; // in texels of the map; eye units
     };

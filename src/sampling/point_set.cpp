@@ -4,7 +4,7 @@ namespace hrbfnpr::sampling {
 
 std::int64_t MarkGroup::bytes() const noexcept {
     return position.bytes() + normal.bytes() + direction.bytes() + curvature.bytes() + rank.bytes() + level.bytes() +
-           stroke.bytes() + width.bytes();
+           stroke.bytes() + width.bytes() + clusters.bytes();
 }
 
 std::int64_t PointSet::bytes() const noexcept {

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "geometry/vec.h"
+#include "sampling/mark_clusters.h"
 
 #include <array>
 #include <cstdint>
@@ -41,7 +42,7 @@ struct GroupReport {
 struct MarkGroup {
     explicit MarkGroup(base::Memory& memory) noexcept
         : position(memory), normal(memory), direction(memory), curvature(memory), rank(memory), level(memory),
-          stroke(memory), width(memory) {}
+          stroke(memory), width(memory), clusters(memory) {}
 
     base::Array<float> position;       // 3n, relative to the set's origin
     base::Array<float> normal;         // 3n
@@ -51,6 +52,7 @@ struct MarkGroup {
     base::Array<std::uint8_t> level;   // n
     base::Array<std::uint32_t> stroke; // 2n
     base::Array<float> width;          // n, or empty: all 1
+    MarkClusters clusters;             // of all marks, by cluster_marks()
     GroupReport report;
 
     [[nodiscard]] std::int64_t count() const noexcept { return rank.size(); }

@@ -2,6 +2,9 @@
 
 #include "frame/tile_bins.h"
 #include "output/raster/pixels.h"
+#include "output/raster/rects.h"
+#include "output/raster/sheet_raster.h"
+#include "output/raster/srgb.h"
 
 #include <array>
 #include <cmath>
@@ -12,27 +15,7 @@ namespace {
 using frame::Disc;
 using frame::TileBins;
 
-constexpr std::int32_t tile_size = TileBins::tile_size;
-constexpr float smallest_radius = 0.5F;
-
-// Half-open, pixels.
-struct Rect {
-    std::int32_t left = 0, top = 0, right = 0, bottom = 0;
-    [[nodiscard]] bool empty() const noexcept { return left >= right || top >= bottom; }
-};
-
-// The pixels of the image whose centres lie in the viewport.
-[[nodiscard]] Rect drawn_rect(const glm::dvec4& viewport, const Image& image) noexcept {
-    const auto edge = [](double at, std::int32_t limit) {
-        return static_cast<std::int32_t>(std::clamp(std::ceil(at - 0.5), 0.0, static_cast<double>(limit)));
-    };
-    return {edge(viewport.x, image.width), edge(viewport.y, image.height), edge(viewport.x + viewport.z, image.width),
-            edge(viewport.y + viewport.w, image.height)};
-}
-
-[[nodiscard]] glm::vec4 premultiplied(const glm::vec4& straight) noexcept {
-    return {glm::vec3(straight) * straight.w, straight.w};
-}
+constexpr std::int32_t tile_size = 32; // a tile of float RGBA fits the first-level cache
 
 // One tile while it is painted; small enough for the stack of a host's job thread.
 struct Tile {
@@ -50,10 +33,11 @@ struct Tile {
 } // namespace
 
 struct Raster::Impl {
-    explicit Impl(const base::Runtime& host) : runtime(host), bins(host.memory) {}
+    explicit Impl(const base::Runtime& host) : runtime(host), bins(host.memory, tile_size), by_sheets(host) {}
 
     const base::Runtime& runtime;
     TileBins bins;
+    SheetRaster by_sheets;
 };
 
 namespace {
@@ -63,8 +47,8 @@ class Painter {
 public:
     Painter(const TileBins& bins, const frame::Frame& frame, const Image& image, const DrawSettings& settings,
             const Rect& rect) noexcept
-        : bins_(bins), discs_(frame.discs()), convention_(frame.camera().depth), paper_(premultiplied(frame.paper())),
-          image_(image), settings_(settings), rect_(rect),
+        : bins_(bins), discs_(frame.discs()), convention_(frame.camera().depth),
+          paper_(in_light(premultiplied(frame.paper()), settings)), image_(image), settings_(settings), rect_(rect),
           wants_outputs_(settings.depth || settings.id || settings.mark_class) {}
 
     void operator()(std::int64_t index) const {
@@ -86,13 +70,17 @@ public:
     }
 
 private:
+    [[nodiscard]] static glm::vec4 in_light(const glm::vec4& color, const DrawSettings& settings) noexcept {
+        return settings.linear_light ? to_linear(color) : color;
+    }
+
     void paint(Tile& tile, std::uint32_t index) const {
         const Disc& disc = discs_[index];
         // A disc below half a pixel keeps its ink by getting paler instead of smaller.
         const float radius = std::max(disc.radius, smallest_radius);
         const float dimmed = disc.radius / radius;
         const float alpha = disc.color.w * dimmed * dimmed;
-        const glm::vec4 source = disc.is_paper ? paper_ : glm::vec4(glm::vec3(disc.color), 1.0F);
+        const glm::vec4 source = disc.is_paper ? paper_ : in_light(glm::vec4(glm::vec3(disc.color), 1.0F), settings_);
         const float outer = radius + 0.5F;
         const float outer_squared = outer * outer;
         const float inner = radius - 0.5F;
@@ -134,8 +122,8 @@ private:
         for (std::int32_t x = tile.rect.left; x < tile.rect.right; ++x) {
             std::byte* const pixel = row + std::int64_t{4} * x;
             glm::vec4 color = tile.color[cell(x - tile.rect.left, y - tile.rect.top)];
-            if (settings_.over) color += load_pixel(pixel, image_.format) * (1.0F - color.w);
-            store_pixel(pixel, color, image_.format);
+            if (settings_.over) color += in_light(load_pixel(pixel, image_.format), settings_) * (1.0F - color.w);
+            store_pixel(pixel, settings_.linear_light ? from_linear(color) : color, image_.format);
         }
     }
 
@@ -168,11 +156,16 @@ Raster::Raster(const base::Runtime& runtime) : impl_(std::make_unique<Impl>(runt
 Raster::~Raster() = default;
 
 void Raster::draw(const frame::Frame& frame, const Image& image, const DrawSettings& settings) {
+    if (frame.sheet_frame() != nullptr) {
+        impl_->by_sheets.draw(frame, image, settings);
+        return;
+    }
     const Rect rect = drawn_rect(frame.camera().viewport, image);
     if (rect.empty()) return;
     const base::Parallel& parallel = impl_->runtime.parallel;
     const std::span<const Disc> discs = frame.discs();
-    impl_->bins.build(parallel, rect.right - rect.left, rect.bottom - rect.top, static_cast<std::int64_t>(discs.size()),
+    const std::array all = {frame::Piece{0, static_cast<std::int64_t>(discs.size())}};
+    impl_->bins.build(parallel, rect.right - rect.left, rect.bottom - rect.top, all,
                       [&](std::int64_t i, TileBins::Footprint& print) {
                           const Disc& disc = discs[static_cast<std::size_t>(i)];
                           print = {disc.x - static_cast<float>(rect.left), disc.y - static_cast<float>(rect.top),
@@ -182,6 +175,6 @@ void Raster::draw(const frame::Frame& frame, const Image& image, const DrawSetti
     parallel.for_each(impl_->bins.tiles(), Painter(impl_->bins, frame, image, settings, rect));
 }
 
-std::int64_t Raster::scratch_bytes() const noexcept { return impl_->bins.bytes(); }
+std::int64_t Raster::scratch_bytes() const noexcept { return impl_->bins.bytes() + impl_->by_sheets.scratch_bytes(); }
 
 } // namespace hrbfnpr::output

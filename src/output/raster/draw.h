@@ -21,6 +21,7 @@ struct Image {
 // Views of width * height elements, or empty.
 struct DrawSettings {
     bool over = false;
+    bool linear_light = false;
     base::InView host_depth;
     base::OutView depth;
     base::OutView id;

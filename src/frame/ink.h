@@ -1,0 +1,41 @@
+// What a frame by sheets is made of: ink, and the covers that its sheets are found from.
+#pragma once
+
+#include "frame/frame.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::frame {
+
+// A disc of ink.
+struct Ink {
+    float x, y;   // pixels
+    float radius; // pixels
+    float alpha;  // what the sheets in front let through of it; 0: not drawn
+    float depth;  // eye units along the view
+    float window; // depth in the camera's convention
+    float ppe;    // pixels per eye unit
+    std::uint32_t id;
+    std::uint32_t color; // 2 * run, plus 1 for a contour's
+    MarkClass mark_class;
+    bool faces_back;
+    std::int8_t probe_x, probe_y; // from its place to where it is asked what hides it, 1 / probe_steps pixels
+};
+inline constexpr float probe_steps = 16.0F;
+
+// A round piece of a sheet, seen as an ellipse.
+struct Cover {
+    float x, y;             // pixels
+    float radius;           // of the disc in space, pixels
+    float depth;            // eye units along the view
+    float slope_x, slope_y; // of the sheet: eye units of depth per pixel
+    float ppe;
+    float clear; // what the sheet lets through
+    float window;
+    float halo; // pixels around a place on the contour; 0: none
+    float halo_clear;
+    std::uint32_t id;
+    bool faces_back;
+};
+
+} // namespace hrbfnpr::frame

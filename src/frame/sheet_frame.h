@@ -1,0 +1,60 @@
+// A frame by sheets: ink, dimmed by what it is seen through, in tiles.
+#pragma once
+
+#include "frame/gather.h"
+#include "frame/order.h"
+#include "frame/sheets.h"
+
+namespace hrbfnpr::frame {
+
+class SheetFrame {
+public:
+    explicit SheetFrame(const base::Runtime& runtime) noexcept;
+
+    // Throws Error{callback, out_of_memory}.
+    void run(Scene& scene);
+
+    // With alpha 0: not drawn.
+    [[nodiscard]] std::span<const Ink> inks() const noexcept { return inks_; }
+    [[nodiscard]] std::span<const Cover> covers() const noexcept { return gather_.covers(); }
+    // Of the inks and of the covers, over the viewport; first_pixel is their top-left corner.
+    [[nodiscard]] const TileBins& ink_bins() const noexcept { return ink_bins_; }
+    [[nodiscard]] const TileBins& cover_bins() const noexcept { return sheets_.bins(); }
+    [[nodiscard]] bool has_sheets() const noexcept { return has_sheets_; }
+    [[nodiscard]] glm::ivec2 first_pixel() const noexcept { return first_pixel_; }
+    // Straight RGBA of an ink's color.
+    [[nodiscard]] const glm::vec4& color(std::uint32_t number) const noexcept { return colors_[number]; }
+    // All inks have the same: then their order does not matter.
+    [[nodiscard]] bool one_color() const noexcept { return one_color_; }
+    [[nodiscard]] const glm::vec4& ink_color() const noexcept { return ink_color_; }
+    // Whether a is painted before b.
+    [[nodiscard]] bool before(std::uint32_t a, std::uint32_t b) const noexcept;
+
+    // The inks as discs, far to near; made when first asked for after run().
+    [[nodiscard]] std::span<const Disc> discs();
+
+    [[nodiscard]] const FrameInfo& info() const noexcept { return info_; }
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+
+private:
+    void take_colors(const Scene& scene);
+    void bin(const Scene& scene);
+
+    const base::Runtime& runtime_;
+    Gather gather_;
+    Sheets sheets_;
+    TileBins ink_bins_;
+    std::span<Ink> inks_;
+    base::Array<glm::vec4> colors_;
+    FarToNear order_;
+    base::Array<std::uint64_t> keys_;
+    base::Array<Disc> discs_;
+    FrameInfo info_;
+    glm::ivec2 first_pixel_{0};
+    glm::vec4 ink_color_{0.0F}; // if there is but one
+    bool one_color_ = true;
+    bool has_sheets_ = false;
+    bool has_discs_ = false;
+};
+
+} // namespace hrbfnpr::frame

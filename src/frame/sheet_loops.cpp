@@ -1,0 +1,116 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "frame/sheet_loops.cpp"
+#include "base/simd.h"
+
+#include "frame/sheet_loops.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hrbfnpr::frame::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, 8>; // discs are a few pixels wide
+using W = hn::Vec<F>;
+
+HWY_INLINE std::int32_t clamped(float at, std::int32_t limit) {
+    const float top = static_cast<float>(limit);
+    return static_cast<std::int32_t>(at < 0.0F ? 0.0F : at > top ? top : at);
+}
+
+// Calls put(offset, depth, inside) for vectors of pixels that may lie within the disc.
+template <bool round, class Put>
+HWY_INLINE void for_pixels(const SheetPlanes& p, const SheetDisc& disc, Put&& put) {
+    const F d;
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
+    const std::int32_t left = clamped(disc.x - disc.radius, p.width);
+    const std::int32_t right = clamped(disc.x + disc.radius + 1.0F, p.width);
+    const std::int32_t top = clamped(disc.y - disc.radius, p.height);
+    const std::int32_t bottom = clamped(disc.y + disc.radius + 1.0F, p.height);
+    const W squared_radius = hn::Set(d, disc.radius * disc.radius);
+    const W step = hn::Iota(d, 0.0F);
+    const W slope_x = hn::Set(d, disc.slope_x);
+    const W ppe = hn::Set(d, disc.ppe);
+    for (std::int32_t y = top; y < bottom; ++y) {
+        const float dy = static_cast<float>(y) + 0.5F - disc.y;
+        const W across = hn::Set(d, dy * disc.slope_y);
+        const W squared_y = hn::Set(d, dy * dy);
+        for (std::int32_t x = left; x < right; x += lanes) {
+            const W dx = hn::Add(hn::Set(d, static_cast<float>(x) + 0.5F - disc.x), step);
+            const W fall = hn::Add(hn::Mul(dx, slope_x), across);
+            W squared = hn::Add(hn::Mul(dx, dx), squared_y);
+            if constexpr (!round) {
+                const W pixels = hn::Mul(fall, ppe);
+                squared = hn::Add(squared, hn::Mul(pixels, pixels));
+            }
+            put(y * p.stride + x, hn::Add(hn::Set(d, disc.depth), fall), hn::Le(squared, squared_radius));
+        }
+    }
+}
+
+// The nearer of two stays; of equals the darker.
+template <class Mask>
+HWY_INLINE void keep_nearer(float* depths, float* clears, W depth, W clear, Mask inside) {
+    const F d;
+    const W old = hn::LoadU(d, depths);
+    const W old_clear = hn::LoadU(d, clears);
+    const auto nearer = hn::Lt(depth, old);
+    const auto darker = hn::And(hn::Eq(depth, old), hn::Lt(clear, old_clear));
+    const auto take = hn::And(inside, hn::Or(nearer, darker));
+    hn::StoreU(hn::IfThenElse(take, depth, old), d, depths);
+    hn::StoreU(hn::IfThenElse(take, clear, old_clear), d, clears);
+}
+
+void lay(const SheetPlanes& p, const SheetDisc& disc) {
+    const W clear = hn::Set(F(), disc.clear);
+    const auto sheet = disc.faces_back ? SheetPlanes::back : SheetPlanes::front;
+    float* const depths = p.depth[sheet];
+    float* const clears = p.clear[sheet];
+    for_pixels<false>(p, disc, [&](std::int32_t at, W depth, auto inside) HWY_ATTR {
+        keep_nearer(depths + at, clears + at, depth, clear, inside);
+    });
+}
+
+void lay_next(const SheetPlanes& p, const SheetDisc& disc) {
+    const F d;
+    const W clear = hn::Set(d, disc.clear);
+    const auto own = disc.faces_back ? SheetPlanes::back : SheetPlanes::front;
+    const auto sheet = disc.faces_back ? SheetPlanes::next_back : SheetPlanes::next_front;
+    const W gap = hn::Set(d, sheet_gap * disc.radius / disc.ppe);
+    const W between = hn::Set(d, side_gap / disc.ppe);
+    for_pixels<false>(p, disc, [&](std::int32_t at, W depth, auto inside) HWY_ATTR {
+        auto behind = hn::Gt(depth, hn::Add(hn::LoadU(d, p.depth[own] + at), gap));
+        if (!disc.faces_back) {
+            // Between two sheets that face the eye there is one that does not: the gap may be small.
+            const W back = hn::LoadU(d, p.depth[SheetPlanes::back] + at);
+            const auto parted = hn::And(hn::Gt(depth, hn::Add(back, between)),
+                                        hn::Gt(back, hn::LoadU(d, p.depth[SheetPlanes::front] + at)));
+            behind = hn::Or(behind, parted);
+        }
+        keep_nearer(p.depth[sheet] + at, p.clear[sheet] + at, depth, clear, hn::And(inside, behind));
+    });
+}
+
+void lay_halo(const SheetPlanes& p, const SheetDisc& disc) {
+    const F d;
+    const W clear = hn::Set(d, disc.clear);
+    const W depth = hn::Set(d, disc.depth);
+    for_pixels<true>(p, disc, [&](std::int32_t at, W, auto inside) HWY_ATTR {
+        keep_nearer(p.halo + at, p.halo_clear + at, depth, clear, inside);
+    });
+}
+
+} // namespace
+
+SheetLoops pick_sheet_loops() noexcept { return {lay, lay_next, lay_halo}; }
+
+} // namespace hrbfnpr::frame::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hrbfnpr::frame {
+
+SheetLoops sheet_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_sheet_loops)(); }
+
+} // namespace hrbfnpr::frame
+#endif

@@ -1,0 +1,43 @@
+// The sheets behind each pixel of a tile, for each instruction set; the same bits from all of them.
+#pragma once
+
+#include "base/instruction_set.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::frame {
+
+// Rows of `stride` floats, one for each pixel.  Of a line of sight: the nearest sheet that faces the eye, the nearest
+// that faces away, and the ones after them; depth and what they let through.
+struct SheetPlanes {
+    enum Sheet : std::int64_t { front, back, next_front, next_back, sheets };
+
+    std::int32_t width, height, stride; // stride >= width + 8
+    float* depth[sheets];
+    float* clear[sheets];
+    float* halo; // depth of the nearest contour whose halo reaches the pixel
+    float* halo_clear;
+};
+
+// A cover in pixels of the planes.
+struct SheetDisc {
+    float x, y, radius;
+    float depth, slope_x, slope_y, ppe;
+    float clear;
+    bool faces_back;
+};
+
+struct SheetLoops {
+    void (*lay)(const SheetPlanes& planes, const SheetDisc& disc);      // the nearest sheets
+    void (*lay_next)(const SheetPlanes& planes, const SheetDisc& disc); // those behind, once the nearest are laid
+    void (*lay_halo)(const SheetPlanes& planes, const SheetDisc& disc);
+};
+
+// A sheet of the same side lies behind another one if it is so many radii of its discs farther away.
+inline constexpr float sheet_gap = 4.0F;
+// A sheet of the other side, pixels.
+inline constexpr float side_gap = 1.0F;
+
+[[nodiscard]] SheetLoops sheet_loops(base::InstructionSet set) noexcept;
+
+} // namespace hrbfnpr::frame

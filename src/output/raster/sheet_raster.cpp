@@ -1,0 +1,237 @@
+#include "output/raster/sheet_raster.h"
+
+#include "output/raster/pixels.h"
+#include "output/raster/rects.h"
+#include "output/raster/srgb.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+
+namespace hrbfnpr::output {
+namespace {
+
+using frame::Cover;
+using frame::Ink;
+using frame::SheetFrame;
+
+constexpr std::int32_t side = frame::Sheets::tile_size;
+constexpr std::int32_t stride = side + 16; // vectors may run over a row's end
+constexpr std::int64_t plane = std::int64_t{stride} * side;
+enum Plane : std::int64_t { clear, red, green, blue, host, planes };
+
+// Everything that a tile's task reads.
+class Painter {
+public:
+    Painter(const frame::Frame& frame, const SheetFrame& sheets, const Image& image, const DrawSettings& settings,
+            const SplatLoops& loops, float* scratch, const Rect& drawn) noexcept
+        : sheets_(sheets), convention_(frame.camera().depth), image_(image), settings_(settings), loops_(loops),
+          scratch_(scratch), drawn_(drawn), paper_(in_light(premultiplied(frame.paper()))),
+          outputs_(settings.depth || settings.id || settings.mark_class),
+          // One colour, and nothing but the drawing: a pixel is a function of what is left of the paper.
+          simple_(sheets.one_color() && !settings.over && !settings.linear_light) {}
+
+    void operator()(std::int64_t tile) const {
+        const frame::TileBins& bins = sheets_.ink_bins();
+        const glm::ivec2 first = sheets_.first_pixel() + glm::ivec2(static_cast<int>(tile % bins.columns()) * side,
+                                                                    static_cast<int>(tile / bins.columns()) * side);
+        const Rect rect = {std::max(first.x, drawn_.left), std::max(first.y, drawn_.top),
+                           std::min(first.x + side, drawn_.right), std::min(first.y + side, drawn_.bottom)};
+        if (rect.empty()) return;
+        const SplatTile target = prepare(rect, first);
+        const Ink* const inks = sheets_.inks().data();
+        const auto x0 = static_cast<float>(first.x);
+        const auto y0 = static_cast<float>(first.y);
+        bins.for_tile(
+            tile,
+            [&](std::uint32_t i) {
+                const Ink& ink = inks[i];
+                if (!(ink.alpha > 0.0F)) return;
+                const glm::vec4& color = sheets_.color(ink.color);
+                SplatDisc disc{ink.x - x0, ink.y - y0, ink.radius, ink.alpha * color.w, {}, host_depth(ink.window)};
+                if (target.color[0] != nullptr) {
+                    const glm::vec4 light = in_light({color.x, color.y, color.z, 1.0F});
+                    for (int c = 0; c < 3; ++c) disc.color[c] = light[c];
+                }
+                loops_.splat(target, disc);
+            },
+            [&](std::uint32_t a, std::uint32_t b) { return sheets_.one_color() ? a < b : sheets_.before(a, b); });
+        for (std::int32_t y = rect.top; y < rect.bottom; ++y) store_row(rect, first, y);
+        if (outputs_) store_outputs(tile, rect);
+    }
+
+private:
+    [[nodiscard]] glm::vec4 in_light(const glm::vec4& color) const noexcept {
+        return settings_.linear_light ? to_linear(color) : color;
+    }
+    // Falling towards the eye.
+    [[nodiscard]] float host_depth(float window) const noexcept {
+        return convention_ == frame::DepthConvention::reversed ? -window : window;
+    }
+
+    [[nodiscard]] SplatTile prepare(const Rect& rect, const glm::ivec2& first) const noexcept {
+        SplatTile tile{side, side, stride, scratch_, {}, nullptr};
+        std::fill_n(scratch_ + clear * plane, plane, 1.0F);
+        if (!sheets_.one_color()) {
+            for (int c = 0; c < 3; ++c) {
+                tile.color[c] = scratch_ + (red + c) * plane;
+                std::fill_n(tile.color[c], plane, 0.0F);
+            }
+        }
+        if (settings_.host_depth.empty()) return tile;
+        tile.host = scratch_ + host * plane;
+        for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
+            float* const row = scratch_ + host * plane + (y - first.y) * stride - first.x;
+            for (std::int32_t x = rect.left; x < rect.right; ++x)
+                row[x] =
+                    host_depth(static_cast<float>(settings_.host_depth.get(std::int64_t{y} * image_.width + x, 0)));
+        }
+        return tile;
+    }
+
+    void store_row(const Rect& rect, const glm::ivec2& first, std::int32_t y) const noexcept {
+        std::byte* const row = image_.pixels + y * image_.row_stride;
+        const std::int64_t at = std::int64_t{y - first.y} * stride - first.x;
+        if (!simple_) {
+            for (std::int32_t x = rect.left; x < rect.right; ++x) store_one(row + std::int64_t{4} * x, at + x);
+            return;
+        }
+        std::array<std::uint32_t, stride> pixels;
+        loops_.store(row_colors(), scratch_ + at + rect.left, rect.right - rect.left, pixels.data());
+        std::memcpy(row + std::int64_t{4} * rect.left, pixels.data(),
+                    std::size_t{4} * static_cast<std::size_t>(rect.right - rect.left));
+    }
+
+    [[nodiscard]] RowColors row_colors() const noexcept {
+        RowColors colors{};
+        glm::vec4 ink = one_ink();
+        glm::vec4 paper = paper_;
+        if (is_bgra(image_.format)) {
+            std::swap(ink.x, ink.z);
+            std::swap(paper.x, paper.z);
+        }
+        for (int c = 0; c < 4; ++c) {
+            colors.paper[c] = paper[c];
+            colors.ink[c] = ink[c];
+        }
+        colors.straight = !is_premultiplied(image_.format);
+        return colors;
+    }
+
+    // The colour of all inks, opaque: their alpha is in what they leave of the paper.
+    [[nodiscard]] glm::vec4 one_ink() const noexcept { return in_light({glm::vec3(sheets_.ink_color()), 1.0F}); }
+
+    void store_one(std::byte* pixel, std::int64_t at) const noexcept {
+        const float left = scratch_[at];
+        glm::vec4 color = paper_ * left;
+        if (sheets_.one_color())
+            color += one_ink() * (1.0F - left);
+        else
+            color += glm::vec4(scratch_[red * plane + at], scratch_[green * plane + at], scratch_[blue * plane + at],
+                               1.0F - left);
+        if (settings_.over) color += in_light(load_pixel(pixel, image_.format)) * (1.0F - color.w);
+        store_pixel(pixel, settings_.linear_light ? from_linear(color) : color, image_.format);
+    }
+
+    // What is nearest at a pixel's centre: a sheet, or ink, which lies a little nearer than its sheet.
+    struct Nearest {
+        float depth; // eye units
+        float window;
+        std::uint32_t id;
+        frame::MarkClass mark_class;
+    };
+
+    void store_outputs(std::int64_t tile, const Rect& rect) const {
+        std::array<Nearest, side> row;
+        for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
+            row.fill(
+                {std::numeric_limits<float>::infinity(), frame::far_depth(convention_), 0, frame::MarkClass::none});
+            const auto note = [&](float cx, float cy, float radius, const Nearest& what, auto&& reaches) {
+                const float dy = static_cast<float>(y) + 0.5F - cy;
+                if (!(dy * dy <= radius * radius)) return;
+                const auto last = static_cast<float>(rect.right - 1);
+                const auto from =
+                    static_cast<std::int32_t>(std::clamp(cx - radius, static_cast<float>(rect.left), last));
+                const auto to = static_cast<std::int32_t>(std::clamp(cx + radius, static_cast<float>(rect.left), last));
+                for (std::int32_t x = from; x <= to; ++x) {
+                    const float dx = static_cast<float>(x) + 0.5F - cx;
+                    Nearest& nearest = row[static_cast<std::size_t>(x - rect.left)];
+                    if (what.depth < nearest.depth && reaches(dx, dy) && !behind_host(what.window, x, y))
+                        nearest = what;
+                }
+            };
+            note_covers(tile, note);
+            note_inks(tile, note);
+            store_output_row(rect, y, row);
+        }
+    }
+
+    template <class Note>
+    void note_covers(std::int64_t tile, const Note& note) const {
+        if (!sheets_.has_sheets()) return;
+        const Cover* const covers = sheets_.covers().data();
+        sheets_.cover_bins().for_tile(tile, [&](std::uint32_t i) {
+            const Cover& c = covers[i];
+            const frame::MarkClass side_of = c.faces_back ? frame::MarkClass::back : frame::MarkClass::front;
+            note(c.x, c.y, c.radius, {c.depth, c.window, c.id, side_of}, [&](float dx, float dy) {
+                const float fall = (dx * c.slope_x + dy * c.slope_y) * c.ppe;
+                return dx * dx + dy * dy + fall * fall <= c.radius * c.radius;
+            });
+        });
+    }
+
+    template <class Note>
+    void note_inks(std::int64_t tile, const Note& note) const {
+        const Ink* const inks = sheets_.inks().data();
+        sheets_.ink_bins().for_tile(tile, [&](std::uint32_t i) {
+            const Ink& ink = inks[i];
+            if (!(ink.alpha > 0.0F)) return;
+            const float radius = std::max(ink.radius, smallest_radius);
+            note(ink.x, ink.y, radius, {ink.depth - 2.0F * radius / ink.ppe, ink.window, ink.id, ink.mark_class},
+                 [&](float dx, float dy) { return dx * dx + dy * dy <= radius * radius; });
+        });
+    }
+
+    void store_output_row(const Rect& rect, std::int32_t y, const std::array<Nearest, side>& row) const noexcept {
+        for (std::int32_t x = rect.left; x < rect.right; ++x) {
+            const Nearest& nearest = row[static_cast<std::size_t>(x - rect.left)];
+            const std::int64_t element = std::int64_t{y} * image_.width + x;
+            if (settings_.depth) settings_.depth.set(element, 0, static_cast<double>(nearest.window));
+            if (settings_.id) settings_.id.set(element, 0, static_cast<double>(nearest.id));
+            if (settings_.mark_class) settings_.mark_class.set(element, 0, static_cast<double>(nearest.mark_class));
+        }
+    }
+
+    [[nodiscard]] bool behind_host(float window, std::int32_t x, std::int32_t y) const noexcept {
+        if (settings_.host_depth.empty()) return false;
+        const auto own = static_cast<float>(settings_.host_depth.get(std::int64_t{y} * image_.width + x, 0));
+        return frame::nearer(own, window, convention_);
+    }
+
+    const SheetFrame& sheets_;
+    frame::DepthConvention convention_;
+    const Image& image_;
+    const DrawSettings& settings_;
+    const SplatLoops& loops_;
+    float* scratch_;
+    Rect drawn_;
+    glm::vec4 paper_; // premultiplied, in the light that is blended in
+    bool outputs_, simple_;
+};
+
+} // namespace
+
+void SheetRaster::draw(const frame::Frame& frame, const Image& image, const DrawSettings& settings) {
+    const SheetFrame& sheets = *frame.sheet_frame();
+    const Rect drawn = drawn_rect(frame.camera().viewport, image);
+    if (drawn.empty()) return;
+    const std::int64_t lanes = std::max(1, runtime_.parallel.threads());
+    frame::resize_scratch(planes_, lanes * planes * plane);
+    std::atomic<std::int64_t> next{0};
+    runtime_.parallel.for_each(lanes, [&](std::int64_t lane) {
+        const Painter paint(frame, sheets, image, settings, loops_, planes_.data() + lane * planes * plane, drawn);
+        for (std::int64_t tile = next++; tile < sheets.ink_bins().tiles(); tile = next++) paint(tile);
+    });
+}
+
+} // namespace hrbfnpr::output

@@ -1,0 +1,203 @@
+#include "sampling/cluster_marks.h"
+
+#include "geometry/morton.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::sampling {
+namespace {
+
+constexpr int cell_bits = 16;              // of each coordinate of a mark's place along the curve
+constexpr std::int64_t fewest_to_fit = 12; // marks for the turn of the normals; else it is the parent cell's
+
+struct Keyed {
+    std::uint64_t key; // set of directions, side of the cube that the normal points at, place along the curve
+    std::uint32_t mark;
+};
+
+struct Turn {
+    glm::dmat3 shape{0.0};
+    double bend = -1.0;
+};
+
+[[nodiscard]] glm::dvec3 vector_at(const base::Array<float>& a, std::int64_t i) noexcept {
+    return {static_cast<double>(a[3 * i]), static_cast<double>(a[3 * i + 1]), static_cast<double>(a[3 * i + 2])};
+}
+
+[[nodiscard]] std::uint64_t side_of(const glm::dvec3& n) noexcept {
+    const glm::dvec3 a = glm::abs(n);
+    const int axis = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
+    return static_cast<std::uint64_t>(2 * axis + (n[axis] < 0.0 ? 1 : 0));
+}
+
+class Clustering {
+public:
+    Clustering(MarkGroup& group, bool strokes, MarkClusters& result)
+        : group_(group), strokes_(strokes), result_(result), order_(group.rank.memory(), group.count()) {}
+
+    void run() {
+        if (group_.count() == 0) return;
+        sort();
+        split(0, order_.size(), 3 * cell_bits, Turn{});
+        fill();
+    }
+
+private:
+    void sort() {
+        geometry::Bounds bounds;
+        for (std::int64_t i = 0; i < order_.size(); ++i) bounds.extend(vector_at(group_.position, i));
+        const glm::dvec3 size = bounds.size();
+        const double side = std::max({size.x, size.y, size.z});
+        const double scale = side > 0.0 ? ((1 << cell_bits) - 1) / side : 0.0;
+        for (std::int64_t i = 0; i < order_.size(); ++i) {
+            const glm::dvec3 at = (vector_at(group_.position, i) - bounds.min) * scale;
+            const std::uint64_t code = geometry::morton_code(
+                {static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y), static_cast<std::int64_t>(at.z)});
+            const std::uint64_t set = strokes_ ? group_.stroke[2 * i] & 1U : 0U;
+            order_[i] = {(set * 8 + side_of(vector_at(group_.normal, i))) << (3 * cell_bits) | code,
+                         static_cast<std::uint32_t>(i)};
+        }
+        std::sort(order_.begin(), order_.end(),
+                  [](const Keyed& a, const Keyed& b) { return a.key != b.key ? a.key < b.key : a.mark < b.mark; });
+    }
+
+    // Parts that agree in the key down to `shift`, until they are small enough.
+    void split(std::int64_t begin, std::int64_t end, int shift, const Turn& parent) {
+        while (begin < end) {
+            const std::uint64_t head = order_[begin].key >> shift;
+            const Keyed* const next = std::partition_point(order_.data() + begin, order_.data() + end,
+                                                           [&](const Keyed& k) { return k.key >> shift == head; });
+            const std::int64_t stop = next - order_.data();
+            const Turn turn =
+                stop - begin >= fewest_to_fit && stop - begin <= 16 * most_in_cluster ? turn_of(begin, stop) : parent;
+            if (stop - begin <= most_in_cluster || shift == 0)
+                close(begin, stop, turn);
+            else
+                split(begin, stop, shift - 3, turn);
+            begin = stop;
+        }
+    }
+
+    void close(std::int64_t begin, std::int64_t end, const Turn& turn) {
+        std::sort(order_.data() + begin, order_.data() + end, [&](const Keyed& a, const Keyed& b) {
+            const float u = group_.rank[a.mark];
+            const float v = group_.rank[b.mark];
+            return u != v ? u > v : a.mark < b.mark;
+        });
+        // More marks than that are at one place only if they are all alike.
+        for (; begin < end; begin += most_in_cluster)
+            result_.cluster.push_back(cluster_of(begin, std::min(end, begin + most_in_cluster), turn));
+    }
+
+    // The linear map that takes the marks' offsets from their mean to the normals', in the sense of least squares.
+    [[nodiscard]] Turn turn_of(std::int64_t begin, std::int64_t end) const {
+        glm::dvec3 place(0.0);
+        glm::dvec3 normal(0.0);
+        for (std::int64_t i = begin; i < end; ++i) {
+            place += vector_at(group_.position, order_[i].mark);
+            normal += vector_at(group_.normal, order_[i].mark);
+        }
+        const double count = static_cast<double>(end - begin);
+        place /= count;
+        normal /= count;
+        glm::dmat3 spread(0.0);
+        glm::dmat3 mixed(0.0);
+        for (std::int64_t i = begin; i < end; ++i) {
+            const glm::dvec3 p = vector_at(group_.position, order_[i].mark) - place;
+            const glm::dvec3 n = vector_at(group_.normal, order_[i].mark) - normal;
+            spread += glm::outerProduct(p, p);
+            mixed += glm::outerProduct(n, p);
+        }
+        // Marks lie near a plane: what is across it is left out.
+        const glm::dvec3 axis = glm::normalize(normal);
+        const double trace = spread[0][0] + spread[1][1] + spread[2][2];
+        const glm::dmat3 map = mixed * glm::inverse(spread + trace * glm::outerProduct(axis, axis));
+        Turn turn;
+        turn.shape = 0.5 * (map + glm::transpose(map));
+        double squares = 0.0;
+        for (int c = 0; c < 3; ++c) squares += glm::dot(turn.shape[c], turn.shape[c]);
+        turn.bend = std::sqrt(squares); // the Frobenius norm is no smaller than the largest eigenvalue
+        return std::isfinite(turn.bend) ? turn : Turn{};
+    }
+
+    [[nodiscard]] Cluster cluster_of(std::int64_t begin, std::int64_t end, const Turn& turn) const {
+        Cluster cluster;
+        cluster.begin = static_cast<std::int32_t>(begin);
+        cluster.end = static_cast<std::int32_t>(end);
+        cluster.set = strokes_ ? group_.stroke[2 * std::int64_t{order_[begin].mark}] & 1U : 0U;
+        geometry::Bounds bounds;
+        glm::dvec3 sum(0.0);
+        for (std::int64_t i = begin; i < end; ++i) {
+            bounds.extend(vector_at(group_.position, order_[i].mark));
+            sum += vector_at(group_.normal, order_[i].mark);
+        }
+        const glm::dvec3 centre = bounds.centre();
+        const glm::dvec3 axis = glm::normalize(sum);
+        double radius = 0.0;
+        double cosine = 1.0;
+        for (std::int64_t i = begin; i < end; ++i) {
+            radius = std::max(radius, glm::length(vector_at(group_.position, order_[i].mark) - centre));
+            cosine = std::min(cosine, glm::dot(axis, vector_at(group_.normal, order_[i].mark)));
+        }
+        for (int k = 0; k < 3; ++k) {
+            cluster.centre[static_cast<std::size_t>(k)] = static_cast<float>(centre[k]);
+            cluster.axis[static_cast<std::size_t>(k)] = static_cast<float>(axis[k]);
+        }
+        // Both are a little larger than the truth, so that floats hold them.
+        cluster.radius = static_cast<float>(radius * 1.00001);
+        const double cone = std::acos(std::clamp(cosine, -1.0, 1.0)) + 1e-3;
+        cluster.cone_cosine = static_cast<float>(std::cos(cone));
+        cluster.cone_sine = static_cast<float>(std::sin(cone));
+        cluster.bend = static_cast<float>(turn.bend);
+        const glm::dmat3& s = turn.shape;
+        const std::array<double, 6> shape = {s[0][0], s[1][0], s[2][0], s[1][1], s[2][1], s[2][2]};
+        for (std::size_t k = 0; k < shape.size(); ++k) cluster.shape[k] = static_cast<float>(shape[k]);
+        return cluster;
+    }
+
+    void fill() {
+        const std::int64_t count = order_.size();
+        for (base::Array<float>* a :
+             {&result_.x, &result_.y, &result_.z, &result_.nx, &result_.ny, &result_.nz, &result_.rank})
+            a->resize(count);
+        if (!group_.width.empty()) result_.width.resize(count);
+        result_.mark.resize(count);
+        for (std::int64_t i = 0; i < count; ++i) {
+            const std::int64_t mark = order_[i].mark;
+            result_.x[i] = group_.position[3 * mark];
+            result_.y[i] = group_.position[3 * mark + 1];
+            result_.z[i] = group_.position[3 * mark + 2];
+            result_.nx[i] = group_.normal[3 * mark];
+            result_.ny[i] = group_.normal[3 * mark + 1];
+            result_.nz[i] = group_.normal[3 * mark + 2];
+            result_.rank[i] = group_.rank[mark];
+            result_.mark[i] = order_[i].mark;
+            if (!group_.width.empty()) result_.width[i] = group_.width[mark];
+        }
+    }
+
+    MarkGroup& group_;
+    bool strokes_;
+    MarkClusters& result_;
+    base::Array<Keyed> order_;
+};
+
+} // namespace
+
+std::int64_t MarkClusters::bytes() const noexcept {
+    return x.bytes() + y.bytes() + z.bytes() + nx.bytes() + ny.bytes() + nz.bytes() + rank.bytes() + width.bytes() +
+           mark.bytes() + cluster.bytes();
+}
+
+void cluster_marks(const base::Runtime& runtime, PointSet& set) {
+    runtime.parallel.for_each(group_count, [&](std::int64_t group) {
+        const auto g = static_cast<std::size_t>(group);
+        set.group[g].clusters = MarkClusters(runtime.memory);
+        Clustering(set.group[g], g != 0, set.group[g].clusters).run();
+    });
+}
+
+} // namespace hrbfnpr::sampling
