@@ -1,6 +1,6 @@
 // Seconds of each stage, from samples to a picture, of a torus with bumps; and how many times
 // as long each takes on one thread as on all.
-#include "scenes/handles.h"
+#include "calls.h"
 #include "timing.h"
 
 #include <array>
@@ -63,20 +63,10 @@ hrbfnpr_array view(const std::vector<Vec>& vectors) {
     return {vectors.data(), static_cast<std::int64_t>(vectors.size()), 0, HRBFNPR_SCALAR_FLOAT64, 3};
 }
 
-scenes::Context make_context(int threads) {
-    scenes::Check check;
-    hrbfnpr_context_desc desc;
-    check(hrbfnpr_context_desc_init(&desc, sizeof desc));
-    desc.thread_count = threads;
-    hrbfnpr_context* context = nullptr;
-    check(hrbfnpr_context_create(&desc, &context, check.error()));
-    return scenes::Context(context);
-}
-
 // The four stages on one context, each on what the one before it made.
 class Pipeline {
 public:
-    Pipeline(int threads, const Samples& samples) : samples_(samples), context_(make_context(threads)) {
+    Pipeline(int threads, const Samples& samples) : samples_(samples), context_(bench::make_context(threads)) {
         hrbfnpr_renderer* renderer = nullptr;
         check_(hrbfnpr_renderer_create(context_.get(), &renderer, check_.error()));
         renderer_.reset(renderer);

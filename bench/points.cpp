@@ -2,9 +2,9 @@
 // sums.
 // --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
 #include "bumpy.h"
+#include "calls.h"
 #include "peak.h"
 #include "read_models.h"
-#include "scenes/handles.h"
 #include "timing.h"
 
 #include <algorithm>
@@ -37,19 +37,8 @@ Samples axes() {
     return samples;
 }
 
-hrbfnpr_array view(const std::vector<double>& numbers) {
-    return {numbers.data(), static_cast<std::int64_t>(numbers.size() / 3), 0, HRBFNPR_SCALAR_FLOAT64, 3};
-}
-
 scenes::Model fit(hrbfnpr_context* context, const Samples& samples) {
-    scenes::Check check;
-    hrbfnpr_fit_desc desc;
-    check(hrbfnpr_fit_desc_init(&desc, sizeof desc));
-    desc.points = view(samples.points);
-    desc.normals = view(samples.normals);
-    hrbfnpr_model* model = nullptr;
-    check(hrbfnpr_model_fit(context, &desc, nullptr, &model, check.error()));
-    return scenes::Model(model);
+    return bench::fit(context, samples.points, samples.normals);
 }
 
 struct Job {
@@ -66,7 +55,7 @@ std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, cons
     desc.groups = 1U << job.group;
     desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
     desc.seed_source = HRBFNPR_SEED_POINTS;
-    desc.seed_points = view(seeds.points);
+    desc.seed_points = bench::view(seeds.points);
     desc.group[job.group].levels = job.levels;
     hrbfnpr_point_set* raw = nullptr;
     const hrbfnpr_status status = hrbfnpr_point_set_generate(context, model, &desc, operation, &raw, check.error());
@@ -168,17 +157,6 @@ double best_of(int runs, const hrbfnpr_model* model, const std::vector<double>& 
     return best;
 }
 
-scenes::Context context_with(std::int32_t threads, std::uint32_t instruction_set) {
-    scenes::Check check;
-    hrbfnpr_context_desc desc;
-    check(hrbfnpr_context_desc_init(&desc, sizeof desc));
-    desc.thread_count = threads;
-    desc.highest_instruction_set = instruction_set;
-    hrbfnpr_context* raw = nullptr;
-    check(hrbfnpr_context_create(&desc, &raw, check.error()));
-    return scenes::Context(raw);
-}
-
 // Of the direct sums, by hand: 44 for a pair (bench/points.cpp counts a fused multiply-add as two).
 constexpr double flops_of_pair = 44.0;
 
@@ -186,7 +164,7 @@ void run_evaluation(hrbfnpr_context* context) {
     constexpr std::int64_t many = 1000000;
     constexpr std::int64_t some = 50000; // few enough to be summed over all centres
     constexpr std::int64_t few = 500;
-    const scenes::Context plain_context = context_with(1, HRBFNPR_INSTRUCTION_SET_BASELINE);
+    const scenes::Context plain_context = bench::make_context(1, HRBFNPR_INSTRUCTION_SET_BASELINE);
     const double peak = bench::peak_flops(static_cast<int>(std::thread::hardware_concurrency()));
     std::vector<double> results;
     double seconds_4096 = 0.0;
@@ -269,14 +247,8 @@ void run_cancelling(hrbfnpr_context* context) {
 
 int main(int argc, char** argv) {
     try {
-        std::string models;
-        const std::string option = "--models=";
-        for (int i = 1; i < argc; ++i)
-            if (std::string(argv[i]).rfind(option, 0) == 0) models = std::string(argv[i]).substr(option.size());
-        scenes::Check check;
-        hrbfnpr_context* raw = nullptr;
-        check(hrbfnpr_context_create(nullptr, &raw, check.error()));
-        const scenes::Context context(raw);
+        const std::string models = bench::option(argc, argv, "--models=");
+        const scenes::Context context = bench::make_context();
         run_evaluation(context.get());
         run_growth(context.get());
         run_cancelling(context.get());

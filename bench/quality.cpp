@@ -3,9 +3,10 @@
 // one).
 #include "analytic.h"
 #include "bumpy.h"
+#include "calls.h"
 #include "evenness.h"
+#include "ramp_drawing.h"
 #include "read_models.h"
-#include "scenes/handles.h"
 #include "scenes/shapes.h"
 #include "timing.h"
 #include "tone_ramp.h"
@@ -18,8 +19,14 @@
 
 namespace {
 
+using bench::attribute;
+using bench::custom;
 using bench::Evenness;
+using bench::fit;
+using bench::generate;
+using bench::info_of;
 using bench::Mark;
+using bench::marks_of;
 using bench::plane;
 using bench::Samples;
 using bench::sphere;
@@ -30,75 +37,12 @@ using bench::operator-;
 
 constexpr double pi = 3.14159265358979323846;
 
-scenes::Model custom(hrbfnpr_context* context, hrbfnpr_implicit_fn function, const Vec3& half) {
-    scenes::Check check;
-    hrbfnpr_custom_desc desc;
-    check(hrbfnpr_custom_desc_init(&desc, sizeof desc));
-    desc.flags = HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_THREAD_SAFE;
-    desc.function = function;
-    for (std::size_t c = 0; c < 3; ++c) {
-        desc.bounds_min[c] = -half[c];
-        desc.bounds_max[c] = half[c];
-    }
-    hrbfnpr_model* model = nullptr;
-    check(hrbfnpr_model_create_custom(context, &desc, &model, check.error()));
-    return scenes::Model(model);
-}
-
-scenes::Model fit(hrbfnpr_context* context, const std::vector<double>& points, const std::vector<double>& normals) {
-    scenes::Check check;
-    hrbfnpr_fit_desc desc;
-    check(hrbfnpr_fit_desc_init(&desc, sizeof desc));
-    const auto view = [](const std::vector<double>& numbers) {
-        return hrbfnpr_array{numbers.data(), static_cast<std::int64_t>(numbers.size() / 3), 0, HRBFNPR_SCALAR_FLOAT64,
-                             3};
-    };
-    desc.points = view(points);
-    desc.normals = view(normals);
-    hrbfnpr_model* model = nullptr;
-    check(hrbfnpr_model_fit(context, &desc, nullptr, &model, check.error()));
-    return scenes::Model(model);
-}
-
 struct Surface {
     const char* name;
     scenes::Model model;
     double area; // 0: as the library estimates it
     bool flat = false;
 };
-
-hrbfnpr_generate_desc marks_of(std::uint32_t group, std::int64_t budget) {
-    scenes::Check check;
-    hrbfnpr_generate_desc desc;
-    check(hrbfnpr_generate_desc_init(&desc, sizeof desc));
-    desc.groups = 1U << group;
-    desc.group[group].budget = budget;
-    return desc;
-}
-
-scenes::PointSet generate(hrbfnpr_context* context, const hrbfnpr_model* model, const hrbfnpr_generate_desc& desc) {
-    scenes::Check check;
-    hrbfnpr_point_set* set = nullptr;
-    check(hrbfnpr_point_set_generate(context, model, &desc, nullptr, &set, check.error()));
-    return scenes::PointSet(set);
-}
-
-template <class T>
-const T* attribute(const hrbfnpr_point_set* set, std::uint32_t group, std::uint32_t which, std::int64_t& count) {
-    scenes::Check check;
-    hrbfnpr_array array{};
-    check(hrbfnpr_point_set_view(set, group, which, &array, check.error()));
-    count = array.count;
-    return static_cast<const T*>(array.data);
-}
-
-hrbfnpr_point_set_info info_of(const hrbfnpr_point_set* set) {
-    scenes::Check check;
-    hrbfnpr_point_set_info info;
-    check(hrbfnpr_point_set_info_init(&info, sizeof info));
-    check(hrbfnpr_point_set_get_info(set, &info, check.error()));
-    return info;
-}
 
 // By falling rank.
 std::vector<Mark> ordered(const hrbfnpr_point_set* set, std::uint32_t group) {
@@ -218,75 +162,35 @@ constexpr double darkest = 0.60; // coverage of all marks
 
 std::int32_t ramp_tone(void*, std::int64_t count, const float* positions, const float*, float* tau) {
     for (std::int64_t i = 0; i < count; ++i) {
-        const double x = (double{positions[3 * i]} + 2.0) / 4.0 * bench::ramp_width;
+        const double x = bench::ramp_column(positions[3 * i]);
         tau[i] = static_cast<float>(1.0 - std::clamp(bench::asked(x), 0.0, darkest) / darkest);
     }
     return 0;
 }
 
-// Discs of 1.5 pixels, drawn by the library.
-std::vector<double> drawn(hrbfnpr_context* context, const hrbfnpr_point_set* set) {
-    scenes::Check check;
-    hrbfnpr_style style;
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_STIPPLE, nullptr, check.error()));
-    style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
-    style.tone = HRBFNPR_TONE_CALLBACK;
-    style.tone_function = ramp_tone;
-    hrbfnpr_group_style& ink = style.group[HRBFNPR_GROUP_STIPPLE];
-    ink.radius = 1.5F;
-    ink.radius_zoom = 0.0F;
-    for (std::size_t c = 0; c < 4; ++c) {
-        ink.ink[c] = c == 3 ? 1.0F : 0.0F;
-        style.paper[c] = 1.0F;
-    }
-    hrbfnpr_camera camera;
-    check(hrbfnpr_camera_init(&camera, sizeof camera));
-    const Vec3 eye{0.0, 0.0, 5.0};
-    const Vec3 target{0.0, 0.0, 0.0};
-    const Vec3 up{0.0, 1.0, 0.0};
-    check(hrbfnpr_camera_look_at(&camera, eye.data(), target.data(), up.data(), check.error()));
-    check(hrbfnpr_camera_orthographic(&camera, 2.0, bench::ramp_width, bench::ramp_height, 1.0, 10.0, check.error()));
-    hrbfnpr_item item;
-    check(hrbfnpr_item_init(&item, sizeof item));
-    item.point_set = set;
-    item.style = &style;
-    hrbfnpr_renderer* raw = nullptr;
-    check(hrbfnpr_renderer_create(context, &raw, check.error()));
-    const scenes::Renderer renderer(raw);
-    check(hrbfnpr_renderer_prepare(raw, &item, 1, 0, &camera, nullptr, check.error()));
-    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(4 * bench::ramp_width * bench::ramp_height));
-    hrbfnpr_image image;
-    check(hrbfnpr_image_init(&image, sizeof image));
-    image.format = HRBFNPR_FORMAT_RGBA8;
-    image.width = bench::ramp_width;
-    image.height = bench::ramp_height;
-    image.pixels = pixels.data();
-    check(hrbfnpr_renderer_draw_image(raw, &image, nullptr, check.error()));
-    std::vector<double> ink_of(pixels.size() / 4);
-    for (std::size_t i = 0; i < ink_of.size(); ++i) ink_of[i] = 1.0 - pixels[4 * i] / 255.0;
-    return ink_of;
+// What the order alone gives: a share of the marks, each in full.
+bench::ToneError error_of(hrbfnpr_context* context, const hrbfnpr_point_set* set) {
+    hrbfnpr_style style = bench::ramp_style(ramp_tone);
+    style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
+    style.tone_fade = 0.0F;
+    return bench::tone_error(bench::drawn_ramp(context, set, style));
 }
 
 bench::ToneError run_tone(hrbfnpr_context* context) {
-    // As many marks as cover `darkest` without overlap, on the picture and as much of the plane as lies around it.
-    const Vec3 half{2.2, 1.2, 0.4};
-    const scenes::Model model = custom(context, plane, half);
+    const scenes::Model model = custom(context, plane, {2.2, 1.2, 0.4});
     const double pixel = 4.0 / bench::ramp_width;
-    constexpr std::int64_t few = 4000;
-    const double wide =
-        info_of(generate(context, model.get(), marks_of(HRBFNPR_GROUP_STIPPLE, few)).get()).spacing / pixel;
-    const auto budget = static_cast<std::int64_t>(darkest / (pi * 2.25) * wide * wide * few);
+    const std::int64_t budget = bench::ramp_budget(context, model.get(), darkest);
     hrbfnpr_generate_desc desc = marks_of(HRBFNPR_GROUP_STIPPLE, budget);
     const scenes::PointSet blue = generate(context, model.get(), desc);
     const double spacing = info_of(blue.get()).spacing / pixel;
     std::printf("\ntone ramp 0.05 to 0.55, %lld marks of 1.5 px, coverage of all %.3f\n",
                 static_cast<long long>(budget), pi * 2.25 / (spacing * spacing));
-    const bench::ToneError error = bench::tone_error(drawn(context, blue.get()));
+    const bench::ToneError error = error_of(context, blue.get());
     std::printf("%-12s psnr %.2f dB, bias %+.4f\n", "BLUE_NOISE", error.psnr, error.bias);
     desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
     desc.seed_source = HRBFNPR_SEED_BOX;
     desc.group[0].levels = 5;
-    const bench::ToneError paper = bench::tone_error(drawn(context, generate(context, model.get(), desc).get()));
+    const bench::ToneError paper = error_of(context, generate(context, model.get(), desc).get());
     std::printf("%-12s psnr %.2f dB, bias %+.4f\n", "PAPER", paper.psnr, paper.bias);
     return error;
 }
@@ -416,17 +320,9 @@ OrderTime run_time(hrbfnpr_context* context, const Samples& samples) {
     return {c.ratio, first_blue / first_paper};
 }
 
-std::string option(int argc, char** argv, const char* name) {
-    for (int i = 1; i < argc; ++i)
-        if (std::strncmp(argv[i], name, std::strlen(name)) == 0) return argv[i] + std::strlen(name);
-    return {};
-}
-
 void run(const std::string& bunny, const std::string& head, bool only_marks) {
-    scenes::Check check;
-    hrbfnpr_context* raw = nullptr;
-    check(hrbfnpr_context_create(nullptr, &raw, check.error()));
-    const scenes::Context context(raw);
+    const scenes::Context context = bench::make_context();
+    hrbfnpr_context* raw = context.get();
     std::vector<Surface> surfaces;
     surfaces.push_back({"flat", custom(raw, plane, {1.1, 1.1, 0.3}), 0.0, true});
     surfaces.push_back({"sphere", custom(raw, sphere, {1.0, 1.0, 1.0}), 4.0 * pi, false});
@@ -461,7 +357,7 @@ void run(const std::string& bunny, const std::string& head, bool only_marks) {
 } // namespace
 
 int main(int argc, char** argv) try {
-    run(option(argc, argv, "--bunny="), option(argc, argv, "--head="),
+    run(bench::option(argc, argv, "--bunny="), bench::option(argc, argv, "--head="),
         std::any_of(argv + 1, argv + argc, [](const char* a) { return std::strcmp(a, "--marks") == 0; }));
     return 0;
 } catch (const std::exception& error) {

@@ -17,7 +17,7 @@ package_set() {
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
     test) echo libgtest-dev libgmock-dev python3-pytest python3-numpy python3-cffi python3-dev binutils ;;
     coverage) echo gcovr ;;
-    bench) echo libopenblas0 ;;
+    bench) echo libopenblas0 libegl-dev libgles-dev libgl1-mesa-dri ;;
     thread) echo clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 ;;
     npm) echo npm ;;
     lint) echo clang-format-14 clang-tidy-14 libomp-14-dev ;;

@@ -91,6 +91,8 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
         ["--light", "-1,0,0", "--light-space", "world", "--tone-exponent", "2", "--tone-rule", "paper"],
         ["--tone", "none", "--share", "0.5", "--mark-radius", "0.6", "--ink", "#203040", "--paper", "1,0.9,0.8"],
         ["--hidden-lines", "hide", "--delta", "0.3", "--halo", "4", "--cover-radius", "3", "--cover-layers", "0"],
+        ["--visibility", "painted", "--tone-curve", "linear", "--silhouette-law", "angle", "--tone-fade", "0"],
+        ["--visibility", "sheets", "--tone-curve", "coverage", "--silhouette-law", "width", "--silhouette-width", "2"],
         ["--attenuation-front", "0.5", "--attenuation-back", "0.2", "--style", "silhouette"],
         ["--depth-range", "2,9", "--zoom-reference", "50", "--zoom-exponent", "1"],
         ["--silhouette-ink", "#ff0000", "--silhouette-radius", "2", "--silhouette-groups", "stipple"],

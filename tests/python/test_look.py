@@ -98,6 +98,18 @@ def test_every_field_can_be_read_and_written():
     for name in ("silhouette_threshold", "tone_exponent", "halo_width", "zoom_reference"):
         setattr(style, name, 0.75)
         assert getattr(style, name) == 0.75
+    for name, numbers in {
+        "visibility": {"sheets": 0, "painted": 1},
+        "tone_curve": {"coverage": 0, "linear": 1},
+        "silhouette_law": {"width": 0, "angle": 1},
+    }.items():
+        assert name in style.fields() and getattr(style, name) == next(iter(numbers))
+        for choice, number in numbers.items():
+            setattr(style, name, choice)
+            assert getattr(style, name) == choice and getattr(style._prepared()[0], name) == number
+    assert (style.tone_fade, style.silhouette_width) == (0.25, 1)
+    style.update(tone_fade=0.5, silhouette_width=2.5)
+    assert (style._prepared()[0].tone_fade, style._prepared()[0].silhouette_width) == (0.5, 2.5)
     style.hidden_lines = "hide"
     style.light = (1, 2, 3)
     style.silhouette_groups = ("curvature",)
@@ -130,6 +142,11 @@ def test_groups_of_a_style():
         (lambda s: setattr(s, "tone", "callback"), ValueError),
         (lambda s: setattr(s, "tone", "dark"), ValueError),
         (lambda s: setattr(s, "hidden_lines", "no"), ValueError),
+        (lambda s: setattr(s, "visibility", "hidden"), ValueError),
+        (lambda s: setattr(s, "tone_curve", "cubic"), ValueError),
+        (lambda s: setattr(s, "silhouette_law", "none"), ValueError),
+        (lambda s: setattr(s, "tone_fade", "slow"), ValueError),
+        (lambda s: setattr(s, "silhouette_width", None), TypeError),
         (lambda s: setattr(s, "halo_width", "wide"), ValueError),
         (lambda s: s.update(halo=3), TypeError),
         (lambda s: hrbfnpr.Style("stipple", hallo=3), TypeError),
@@ -146,7 +163,7 @@ def tone(positions, normals):
 
 
 def test_styles_can_be_copied():
-    style = hrbfnpr.Style("full", halo_width=7, stipple={"radius": 3}, tone=tone)
+    style = hrbfnpr.Style("full", halo_width=7, visibility="painted", stipple={"radius": 3}, tone=tone)
     others = [copy.copy(style), copy.deepcopy(style), pickle.loads(pickle.dumps(style)), style.copy()]
     for other in others:
         assert other == style and other is not style

@@ -73,6 +73,39 @@ def test_over(renderer, marks, camera):
     assert (canvas[0, 0] == (10, 200, 30, 255)).all() and (canvas != (10, 200, 30, 255)).any()
 
 
+class Spy:
+    """The library with one function that only says what it was called with."""
+
+    def __init__(self, name, look):
+        self._lib = hrbfnpr._renderer.lib
+        self.seen = []
+        setattr(self, name, lambda *arguments: self.seen.append(look(*arguments)) or 0)
+
+    def __getattr__(self, name):
+        return getattr(self._lib, name)
+
+
+def test_flags_of_a_drawing(renderer, marks, camera, monkeypatch):
+    spy = Spy("hrbfnpr_renderer_draw_image", lambda renderer, image, desc, error: desc.flags)
+    monkeypatch.setattr(hrbfnpr._renderer, "lib", spy)
+    for options in ({}, {"over": True}, {"linear_light": True}, {"over": True, "linear_light": True}):
+        renderer.draw((marks, STYLE), camera, **options)
+    assert spy.seen == [0, 1, 2, 3]
+
+
+def test_the_model_of_an_item(renderer, marks, camera, ring, monkeypatch):
+    image = renderer.draw(hrbfnpr.Item(marks, STYLE, model=ring), camera)
+    assert (image != 255).any() and hrbfnpr.Item(marks).model is None
+    with pytest.raises(ValueError, match="closed"):
+        closed = hrbfnpr.Model.load(ring.to_bytes())
+        closed.close()
+        renderer.prepare(hrbfnpr.Item(marks, STYLE, model=closed), camera)
+    spy = Spy("hrbfnpr_renderer_prepare", lambda renderer, items, count, *_: [items[i].model for i in range(count)])
+    monkeypatch.setattr(hrbfnpr._renderer, "lib", spy)
+    renderer.prepare([hrbfnpr.Item(marks, model=ring), marks], camera)
+    assert spy.seen == [[ring._handle, hrbfnpr._renderer.ffi.NULL]]
+
+
 def test_outputs(renderer, marks, camera):
     drawing = renderer.drawing((marks, STYLE), camera, depth=True, id=True, class_=True)
     assert drawing.depth.shape == drawing.id.shape == drawing.class_.shape == (120, 160)
@@ -116,8 +149,9 @@ def test_bad_frames(renderer, marks, camera):
         renderer.prepare(hrbfnpr.Item(marks, None, np.zeros((4, 4))), camera)
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="paper"):
         renderer.prepare([(marks, STYLE), (marks, STYLE.copy(paper="#000000"))], camera)
-    with pytest.raises(hrbfnpr.InvalidArgumentError, match="tone_exponent"):
-        renderer.prepare((marks, STYLE.copy(tone_exponent=-1)), camera)
+    for name, value in {"tone_exponent": -1, "tone_fade": 1.5, "silhouette_width": -1}.items():
+        with pytest.raises(hrbfnpr.InvalidArgumentError, match=name):
+            renderer.prepare((marks, STYLE.copy(**{name: value})), camera)
     with pytest.raises(ValueError, match="closed"):
         closed = hrbfnpr.PointSet.load(marks.to_bytes())
         closed.close()

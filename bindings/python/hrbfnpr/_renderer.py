@@ -13,6 +13,7 @@ from ._drawing import Drawing
 from ._errors import new_error, new_struct
 from ._handles import Owner, own
 from ._library import ffi, lib
+from ._model import Model
 from ._names import FORMATS, number_of
 from ._numpy import np
 from ._point_set import PointSet
@@ -72,11 +73,15 @@ class Item:
         The library's default style if None.
     transform : array of float, shape (4, 4), optional
         Object to world, affine, invertible; the identity if None.
+    model : Model, optional
+        The surface that the marks lie on.  With the visibility "sheets", what hides a mark is then
+        found by casting a ray from it to the eye: exact, but some 10 microseconds a mark drawn.
     """
 
     point_set: PointSet
     style: Optional[Style] = None
     transform: Optional[Array] = None
+    model: Optional[Model] = None
 
 
 def _as_items(items: Items) -> List[Item]:
@@ -148,14 +153,16 @@ class Renderer(Owner):
         Raises
         ------
         InvalidArgumentError
-            For a camera without a viewport, a singular transform, or styles of different paper.
+            For a camera without a viewport, a singular transform, or styles of different paper or
+            visibility.
         CallbackError
-            If a tone function raised.
+            If a tone function or the function of an item's model raised.
         """
         chosen = _as_items(items)
         structs = ffi.new("hrbfnpr_item[]", max(len(chosen), 1))
         keep: List[Any] = []
         states: List[Optional[CallbackState]] = []
+        functions: List[CallbackState] = []  # of the models
         for item, struct in zip(chosen, structs):
             check(lib.hrbfnpr_item_init(ffi.addressof(struct), ffi.sizeof("hrbfnpr_item")), None)
             struct.point_set = item.point_set._handle
@@ -164,6 +171,11 @@ class Renderer(Owner):
                 struct.style, state, kept = item.style._prepared()
                 states.append(state)
                 keep.append(kept)
+            if item.model is not None:
+                struct.model = item.model._handle
+                keep.append(struct.model)
+                if item.model._function is not None:
+                    functions.append(item.model._function)
             if item.transform is not None:
                 struct.transform = matrix_in("transform", item.transform)
         info, error = new_struct("hrbfnpr_frame_info"), new_error()
@@ -173,7 +185,8 @@ class Renderer(Owner):
                 self._handle, structs, len(chosen), size, camera._struct, info, error
             )
         del keep
-        check(status, error, *states)
+        raised = next((function for function in functions if function.exception is not None), None)
+        check(status, error, *states, shared=raised)
         return read_struct(FrameInfo, info)
 
     def draw(
@@ -185,6 +198,7 @@ class Renderer(Owner):
         *,
         format: str = "rgba8",
         over: bool = False,
+        linear_light: bool = False,
         host_depth: Optional[Array] = None,
         depth: Optional[Array] = None,
         id: Optional[Array] = None,
@@ -203,6 +217,8 @@ class Renderer(Owner):
         format : {"rgba8", "bgra8", "rgba8_premultiplied", "bgra8_premultiplied"}
         over : bool
             Lay the drawing over the image's contents; wants a style with transparent paper.
+        linear_light : bool
+            Blend in linear light (sRGB decoded), not in encoded values.
         host_depth : array of float32, shape (height, width), optional
             Depth buffer of the host's scene, in the camera's convention: hides marks behind it.
         depth, id, class_ : arrays, shape (height, width), optional
@@ -221,7 +237,9 @@ class Renderer(Owner):
         shape = tuple(pixels.shape[:2])
         image = _image(pixels, format)
         desc = new_struct("hrbfnpr_draw_desc")
-        desc.flags = ffi.integer_const("HRBFNPR_DRAW_OVER") if over else 0
+        for flag, wanted in (("OVER", over), ("LINEAR_LIGHT", linear_light)):
+            if wanted:
+                desc.flags |= ffi.integer_const(f"HRBFNPR_DRAW_{flag}")
         keep: List[Any] = []
         if host_depth is not None:
             block = block_in("host_depth", host_depth, 1, "f")
@@ -260,7 +278,7 @@ class Renderer(Owner):
         depth, id, class_ : bool
             Which outputs to make beside the image.
         **options
-            `over` and `host_depth` of `draw`.
+            `over`, `linear_light` and `host_depth` of `draw`.
         """
         width, height = camera.size if size is None else size
         wanted = (("depth", depth, "f"), ("id", id, "I"), ("class_", class_, "B"))

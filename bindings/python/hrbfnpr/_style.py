@@ -11,8 +11,11 @@ from ._names import (
     GROUPS,
     HIDDEN_LINES,
     LIGHT_SPACES,
+    SILHOUETTE_LAWS,
+    TONE_CURVES,
     TONE_RULES,
     TONES,
+    VISIBILITIES,
     group_bits,
     group_names,
     name_of,
@@ -130,13 +133,36 @@ class Style(_Attributes):
     """
 
     hidden_lines = _choice(HIDDEN_LINES, '"attenuate" (painted over by paper), "hide" or "show" [NPAR 6.1].')
-    silhouette_threshold = _number("delta in (0, 1): marks with abs(n . v) below it are silhouettes [NPAR 6].")
+    visibility = _choice(
+        VISIBILITIES,
+        '"sheets": marks are seen through the sheets of surface in front of them, whatever their number; "painted": '
+        "paper and ink from far to near [NPAR 6.1].  One for all styles of a frame.",
+    )
+    silhouette_threshold = _number(
+        'delta in (0, 1): marks with abs(n . v) below it are silhouettes [NPAR 6]; of silhouette_law "width" only a '
+        "limit that the line keeps."
+    )
+    silhouette_law = _choice(
+        SILHOUETTE_LAWS, '"width": a line of constant width; "angle": by silhouette_threshold alone, as published.'
+    )
+    silhouette_width = _number('Of silhouette_law "width": pixels on either side of the contour.')
     attenuation_front = _number("lambda of alpha_f = nu^2 lambda.")
     attenuation_back = _number("lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda.")
     cover_radius = _number("Of the paper that front marks paint, pixels; 0 = from the marks' spacing.")
-    halo_width = _number("How much wider the paper of back marks is, pixels.")
+    halo_width = _number(
+        'Pixels; of visibility "sheets" how far beyond its contour a surface hides what lies behind, else how much '
+        "wider the paper of back marks is."
+    )
     cover_layers = _number("n > 0: a sheet is as opaque as n overlapping marks; 0: as published.")
     tone_rule = _choice(TONE_RULES, '"share" or "paper": how tone, depth, zoom and share are combined.')
+    tone_curve = _choice(
+        TONE_CURVES,
+        'Of tone_rule "share".  "coverage": marks cover 1 - tau of the paper at any zoom and number of marks; '
+        '"linear": the share of marks is 1 - tau [NPAR 6.2].',
+    )
+    tone_fade = _number(
+        "0 to 1: marks grow from nothing to their full area over this share of the marks shown; 0 = they pop."
+    )
     light_space = _choice(LIGHT_SPACES, '"world" or "camera".')
     tone_exponent = _number("lambda of the tone law tau = max(0, n . l)^lambda, > 0 [NPAR 6.2].")
     depth_min = _number("Distance from the camera where depth attenuation starts.")

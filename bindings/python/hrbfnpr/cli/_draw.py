@@ -27,9 +27,10 @@ _GENERATE = (
     "density_strength", "order", "shared_budget", "projection_tolerance", "curvature_of", "random_seed",
 )  # fmt: skip
 _STYLE = (
-    "paper", "hidden_lines", "silhouette_threshold", "attenuation_front", "attenuation_back", "cover_radius",
-    "cover_layers", "halo_width", "tone", "tone_rule", "tone_exponent", "light", "light_space", "zoom_reference",
-    "zoom_exponent", "silhouette_groups", "ink",
+    "paper", "hidden_lines", "visibility", "silhouette_threshold", "silhouette_law", "silhouette_width",
+    "attenuation_front", "attenuation_back", "cover_radius", "cover_layers", "halo_width", "tone", "tone_rule",
+    "tone_curve", "tone_fade", "tone_exponent", "light", "light_space", "zoom_reference", "zoom_exponent",
+    "silhouette_groups", "ink",
 )  # fmt: skip
 
 

@@ -21,9 +21,12 @@ from .._names import (
     ORDERS,
     REPAIRS,
     SEED_SOURCES,
+    SILHOUETTE_LAWS,
     SOLVERS,
     STROKE_FIELDS,
+    TONE_CURVES,
     TONE_RULES,
+    VISIBILITIES,
 )
 from .._style import PRESETS
 from . import _values as values
@@ -148,14 +151,19 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--paper", "paper", values.paint, "COLOUR", "as --ink")
     group.add_argument("--transparent", action="store_true", help="paper that lets all through")
     _add_choice(group, "--hidden-lines", "hidden_lines", tuple(HIDDEN_LINES), "what becomes of them")
-    _add(group, "--delta", "silhouette_threshold", values.number, "X", "width of silhouettes, 0 to 1")
+    _add_choice(group, "--visibility", "visibility", tuple(VISIBILITIES), "how hidden marks are found")
+    _add(group, "--delta", "silhouette_threshold", values.number, "X", "limit of silhouettes, 0 to 1")
+    _add_choice(group, "--silhouette-law", "silhouette_law", tuple(SILHOUETTE_LAWS), "which marks are silhouettes")
+    _add(group, "--silhouette-width", "silhouette_width", values.number, "PIXELS", "on either side of the contour")
     _add(group, "--attenuation-front", "attenuation_front", values.number, "LAMBDA", "of what lies behind front marks")
     _add(group, "--attenuation-back", "attenuation_back", values.number, "LAMBDA", "of what lies behind back marks")
     _add(group, "--cover-radius", "cover_radius", values.number, "PIXELS", "of the paper that marks paint; automatic")
     _add(group, "--cover-layers", "cover_layers", values.number, "N", "opacity of a sheet in marks; 0 as published")
-    _add(group, "--halo", "halo_width", values.number, "PIXELS", "how much wider the paper of back marks is")
+    _add(group, "--halo", "halo_width", values.number, "PIXELS", "how far beyond its contour a surface hides")
     group.add_argument("--tone", choices=["none", "light"], metavar="NAME", default=None, help="none or light")
     _add_choice(group, "--tone-rule", "tone_rule", tuple(TONE_RULES), "how tone, depth, zoom and share combine")
+    _add_choice(group, "--tone-curve", "tone_curve", tuple(TONE_CURVES), "what is as dark as asked for")
+    _add(group, "--tone-fade", "tone_fade", values.number, "X", "share of marks that grow instead of popping, 0 to 1")
     _add(group, "--tone-exponent", "tone_exponent", values.number, "LAMBDA", "of the tone law; more is darker")
     _add(group, "--light", "light", values.direction, "X,Y,Z", "towards the light")
     _add_choice(group, "--light-space", "light_space", tuple(LIGHT_SPACES), "frame of the light")

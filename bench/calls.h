@@ -1,0 +1,102 @@
+// The library's calls as the benchmarks make them: contexts, surfaces, marks; and the benchmarks' own options.
+#pragma once
+
+#include "scenes/handles.h"
+#include "vec3.h"
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+// The rest of the argument that begins with `name`, or nothing.
+[[nodiscard]] inline std::string option(int argc, char** argv, const char* name) {
+    for (int i = 1; i < argc; ++i)
+        if (std::strncmp(argv[i], name, std::strlen(name)) == 0) return argv[i] + std::strlen(name);
+    return {};
+}
+
+[[nodiscard]] inline scenes::Context make_context(std::int32_t threads = 0,
+                                                  std::uint32_t instruction_set = HRBFNPR_INSTRUCTION_SET_AUTO) {
+    scenes::Check check;
+    hrbfnpr_context_desc desc;
+    check(hrbfnpr_context_desc_init(&desc, sizeof desc));
+    desc.thread_count = threads;
+    desc.highest_instruction_set = instruction_set;
+    hrbfnpr_context* context = nullptr;
+    check(hrbfnpr_context_create(&desc, &context, check.error()));
+    return scenes::Context(context);
+}
+
+// In the box from -half to half.
+[[nodiscard]] inline scenes::Model custom(hrbfnpr_context* context, hrbfnpr_implicit_fn function, const Vec3& half) {
+    scenes::Check check;
+    hrbfnpr_custom_desc desc;
+    check(hrbfnpr_custom_desc_init(&desc, sizeof desc));
+    desc.flags = HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_THREAD_SAFE;
+    desc.function = function;
+    for (std::size_t c = 0; c < 3; ++c) {
+        desc.bounds_min[c] = -half[c];
+        desc.bounds_max[c] = half[c];
+    }
+    hrbfnpr_model* model = nullptr;
+    check(hrbfnpr_model_create_custom(context, &desc, &model, check.error()));
+    return scenes::Model(model);
+}
+
+// Packed x y z.
+[[nodiscard]] inline hrbfnpr_array view(const std::vector<double>& numbers) {
+    return {numbers.data(), static_cast<std::int64_t>(numbers.size() / 3), 0, HRBFNPR_SCALAR_FLOAT64, 3};
+}
+
+[[nodiscard]] inline scenes::Model fit(hrbfnpr_context* context, const std::vector<double>& points,
+                                       const std::vector<double>& normals) {
+    scenes::Check check;
+    hrbfnpr_fit_desc desc;
+    check(hrbfnpr_fit_desc_init(&desc, sizeof desc));
+    desc.points = view(points);
+    desc.normals = view(normals);
+    hrbfnpr_model* model = nullptr;
+    check(hrbfnpr_model_fit(context, &desc, nullptr, &model, check.error()));
+    return scenes::Model(model);
+}
+
+[[nodiscard]] inline hrbfnpr_generate_desc marks_of(std::uint32_t group, std::int64_t budget) {
+    scenes::Check check;
+    hrbfnpr_generate_desc desc;
+    check(hrbfnpr_generate_desc_init(&desc, sizeof desc));
+    desc.groups = 1U << group;
+    desc.group[group].budget = budget;
+    return desc;
+}
+
+inline scenes::PointSet generate(hrbfnpr_context* context, const hrbfnpr_model* model,
+                                 const hrbfnpr_generate_desc& desc) {
+    scenes::Check check;
+    hrbfnpr_point_set* set = nullptr;
+    check(hrbfnpr_point_set_generate(context, model, &desc, nullptr, &set, check.error()));
+    return scenes::PointSet(set);
+}
+
+// The numbers of one attribute; `count` gets how many marks have it.
+template <class T>
+[[nodiscard]] const T* attribute(const hrbfnpr_point_set* set, std::uint32_t group, std::uint32_t which,
+                                 std::int64_t& count) {
+    scenes::Check check;
+    hrbfnpr_array array{};
+    check(hrbfnpr_point_set_view(set, group, which, &array, check.error()));
+    count = array.count;
+    return static_cast<const T*>(array.data);
+}
+
+[[nodiscard]] inline hrbfnpr_point_set_info info_of(const hrbfnpr_point_set* set) {
+    scenes::Check check;
+    hrbfnpr_point_set_info info;
+    check(hrbfnpr_point_set_info_init(&info, sizeof info));
+    check(hrbfnpr_point_set_get_info(set, &info, check.error()));
+    return info;
+}
+
+} // namespace bench

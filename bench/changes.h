@@ -1,0 +1,160 @@
+// How the marks of a picture change from one frame to the next: which pop, and which vanish.
+#pragma once
+
+#include "orbit.h"
+#include "painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace bench {
+
+struct Changes {
+    double frames = 0.0;
+    double shown = 0.0;    // marks in one of two frames, summed over pairs
+    double pops = 0.0;     // of these: by more than half of their full ink
+    double removals = 0.0; // of these: from 1 % of it or more to less
+
+    [[nodiscard]] double pop_rate() const { return pops / shown; }
+    [[nodiscard]] double removal_rate() const { return removals / shown; }
+};
+
+// The marks of one point set, looked at again and again.  Only front ones count that are away from the contour, and
+// in the picture, both before and after.
+class Follower {
+public:
+    Follower(const hrbfnpr_point_set* set, const hrbfnpr_style& style) {
+        const hrbfnpr_point_set_info info = info_of(set);
+        for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+            std::int64_t count = 0;
+            std::int64_t widths = 0;
+            const float* position = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION, count);
+            const float* normal = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_NORMAL, count);
+            const float* width = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_WIDTH, widths);
+            const hrbfnpr_group_style& pen = style.group[group];
+            for (std::int64_t i = 0; i < count; ++i) {
+                const glm::dvec3 place = glm::make_vec3(info.origin) + glm::dvec3(glm::make_vec3(position + 3 * i));
+                const double radius = double{pen.radius} * (widths > 0 ? double{width[i]} : 1.0);
+                marks_.push_back({place, glm::make_vec3(normal + 3 * i), ink_of(radius, double{pen.ink[3]}), radius});
+            }
+        }
+    }
+
+    [[nodiscard]] static double ink_of(double radius, double alpha) {
+        return 3.14159265358979323846 * radius * radius * alpha;
+    }
+
+    // `original`: the mark that each mark of the set is, or nothing where it is this set's own.
+    void look(const hrbfnpr_camera& camera, const std::vector<Disc>& discs,
+              const std::vector<std::uint32_t>& original = {}) {
+        before_.swap(now_);
+        now_.assign(marks_.size(), {});
+        const Lens lens(camera);
+        for (std::size_t i = 0; i < marks_.size(); ++i)
+            now_[i].counts = lens.facing(marks_[i].place, marks_[i].normal) < -away &&
+                             lens.holds(lens.image_of(marks_[i].place), marks_[i].radius);
+        for (const Disc& disc : discs) {
+            if (disc.is_paper != 0 || disc.mark_class != HRBFNPR_CLASS_FRONT) continue;
+            const std::size_t own = disc.id - 1;
+            now_[original.empty() ? own : original[own]].ink += ink_of(double{disc.radius}, double{disc.color[3]});
+        }
+        changes_.frames += 1.0;
+        if (before_.empty()) return;
+        for (std::size_t i = 0; i < marks_.size(); ++i) compare(marks_[i].full, before_[i], now_[i]);
+    }
+    [[nodiscard]] const Changes& changes() const { return changes_; }
+
+private:
+    // |n . v| from which on a mark is none of the contour's, whatever draws that.
+    static constexpr double away = 0.25;
+
+    struct Mark {
+        glm::dvec3 place, normal;
+        double full; // ink, square pixels
+        double radius;
+    };
+    struct State {
+        double ink = 0.0;
+        bool counts = false;
+    };
+
+    void compare(double full, const State& before, const State& now) {
+        const double least = 0.01 * full;
+        if (!before.counts || !now.counts || std::max(before.ink, now.ink) < least) return;
+        changes_.shown += 1.0;
+        if (std::abs(before.ink - now.ink) > 0.5 * full) changes_.pops += 1.0;
+        if (before.ink >= least && now.ink < least) changes_.removals += 1.0;
+    }
+
+    std::vector<Mark> marks_;
+    std::vector<State> before_, now_;
+    Changes changes_;
+};
+
+// The same marks with new random ranks; the second number of STROKE says which mark it was.
+[[nodiscard]] inline scenes::PointSet rerolled(hrbfnpr_context* context, const hrbfnpr_point_set* set,
+                                               std::uint64_t seed, std::vector<std::uint32_t>& original) {
+    scenes::Check check;
+    hrbfnpr_point_set_desc desc;
+    check(hrbfnpr_point_set_desc_init(&desc, sizeof desc));
+    desc.random_seed = seed;
+    const hrbfnpr_point_set_info info = info_of(set);
+    std::vector<std::vector<double>> places(HRBFNPR_GROUP_COUNT);
+    std::vector<std::vector<std::uint32_t>> names(HRBFNPR_GROUP_COUNT);
+    std::uint32_t number = 0;
+    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+        std::int64_t count = 0;
+        std::int64_t widths = 0;
+        const float* position = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION, count);
+        const float* normal = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_NORMAL, count);
+        const float* width = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_WIDTH, widths);
+        const std::uint32_t* stroke = attribute<std::uint32_t>(set, group, HRBFNPR_ATTRIBUTE_STROKE, count);
+        if (count == 0) continue;
+        for (std::int64_t i = 0; i < count; ++i) {
+            for (int c = 0; c < 3; ++c) places[group].push_back(info.origin[c] + double{position[3 * i + c]});
+            names[group].insert(names[group].end(), {stroke[2 * i], number++});
+        }
+        hrbfnpr_group_arrays& arrays = desc.group[group];
+        arrays.position = view(places[group]);
+        arrays.normal = {normal, count, 0, HRBFNPR_SCALAR_FLOAT32, 3};
+        arrays.stroke = {names[group].data(), count, 0, HRBFNPR_SCALAR_UINT32, 2};
+        if (widths > 0) arrays.width = {width, count, 0, HRBFNPR_SCALAR_FLOAT32, 1};
+    }
+    hrbfnpr_point_set* raw = nullptr;
+    check(hrbfnpr_point_set_create_from_arrays(context, &desc, &raw, check.error()));
+    scenes::PointSet made(raw);
+    original.clear();
+    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+        std::int64_t count = 0;
+        const std::uint32_t* stroke = attribute<std::uint32_t>(raw, group, HRBFNPR_ATTRIBUTE_STROKE, count);
+        for (std::int64_t i = 0; i < count; ++i) original.push_back(stroke[2 * i + 1]);
+    }
+    return made;
+}
+
+struct Way {
+    int steps;
+    double degrees, zoom; // of a step
+};
+
+// Along a way, from the same ranks throughout or from new ones in each frame.
+[[nodiscard]] inline Changes follow(hrbfnpr_context* context, const hrbfnpr_point_set* set, const hrbfnpr_style& style,
+                                    const Orbit& orbit, const Way& way, bool reroll) {
+    Follower follower(set, style);
+    Painter painter(context, set, style);
+    for (int step = 0; step <= way.steps; ++step) {
+        const hrbfnpr_camera camera = orbit.at(step * way.degrees, std::pow(way.zoom, step));
+        scenes::PointSet other;
+        std::vector<std::uint32_t> original;
+        if (reroll) {
+            other = rerolled(context, set, static_cast<std::uint64_t>(step) + 2, original);
+            painter.use(other.get());
+        }
+        follower.look(camera, painter.discs(camera), original);
+    }
+    return follower.changes();
+}
+
+} // namespace bench

@@ -1,0 +1,77 @@
+// The ramp of tones as the library draws it, on the plane z = 0 from (-2, -1) to (2, 1).
+#pragma once
+
+#include "calls.h"
+#include "tone_ramp.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bench {
+
+// A world position's column.
+[[nodiscard]] inline double ramp_column(float x) { return (double{x} + 2.0) / 4.0 * ramp_width; }
+
+inline constexpr double ramp_radius = 1.5; // of a mark, pixels
+
+// Black discs on white, as many as `tone` says.
+[[nodiscard]] inline hrbfnpr_style ramp_style(hrbfnpr_tone_fn tone) {
+    scenes::Check check;
+    hrbfnpr_style style;
+    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_STIPPLE, nullptr, check.error()));
+    style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
+    style.tone = HRBFNPR_TONE_CALLBACK;
+    style.tone_function = tone;
+    hrbfnpr_group_style& ink = style.group[HRBFNPR_GROUP_STIPPLE];
+    ink.radius = static_cast<float>(ramp_radius);
+    ink.radius_zoom = 0.0F;
+    for (std::size_t c = 0; c < 4; ++c) {
+        ink.ink[c] = c == 3 ? 1.0F : 0.0F;
+        style.paper[c] = 1.0F;
+    }
+    return style;
+}
+
+// The ink of each pixel.
+[[nodiscard]] inline std::vector<double> drawn_ramp(hrbfnpr_context* context, const hrbfnpr_point_set* set,
+                                                    const hrbfnpr_style& style) {
+    scenes::Check check;
+    hrbfnpr_camera camera;
+    check(hrbfnpr_camera_init(&camera, sizeof camera));
+    const Vec3 eye{0.0, 0.0, 5.0};
+    const Vec3 target{0.0, 0.0, 0.0};
+    const Vec3 up{0.0, 1.0, 0.0};
+    check(hrbfnpr_camera_look_at(&camera, eye.data(), target.data(), up.data(), check.error()));
+    check(hrbfnpr_camera_orthographic(&camera, 2.0, ramp_width, ramp_height, 1.0, 10.0, check.error()));
+    hrbfnpr_item item;
+    check(hrbfnpr_item_init(&item, sizeof item));
+    item.point_set = set;
+    item.style = &style;
+    hrbfnpr_renderer* raw = nullptr;
+    check(hrbfnpr_renderer_create(context, &raw, check.error()));
+    const scenes::Renderer renderer(raw);
+    check(hrbfnpr_renderer_prepare(raw, &item, 1, 0, &camera, nullptr, check.error()));
+    std::vector<std::uint8_t> pixels(std::size_t{4} * ramp_width * ramp_height);
+    hrbfnpr_image image;
+    check(hrbfnpr_image_init(&image, sizeof image));
+    image.format = HRBFNPR_FORMAT_RGBA8;
+    image.width = ramp_width;
+    image.height = ramp_height;
+    image.pixels = pixels.data();
+    check(hrbfnpr_renderer_draw_image(raw, &image, nullptr, check.error()));
+    std::vector<double> ink(pixels.size() / 4);
+    for (std::size_t i = 0; i < ink.size(); ++i) ink[i] = 1.0 - pixels[4 * i] / 255.0;
+    return ink;
+}
+
+// As many blue-noise stipples as would cover `coverage` without overlap, on the picture and as much of the plane as
+// lies around it.
+[[nodiscard]] inline std::int64_t ramp_budget(hrbfnpr_context* context, const hrbfnpr_model* plane, double coverage) {
+    constexpr double pi = 3.14159265358979323846;
+    constexpr std::int64_t few = 4000;
+    const double spacing = info_of(generate(context, plane, marks_of(HRBFNPR_GROUP_STIPPLE, few)).get()).spacing;
+    const double wide = spacing * ramp_width / 4.0; // pixels
+    return static_cast<std::int64_t>(coverage / (pi * ramp_radius * ramp_radius) * wide * wide * few);
+}
+
+} // namespace bench
