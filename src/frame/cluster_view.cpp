@@ -86,6 +86,9 @@ ItemSight sight_of(const ItemView& item, const Lens& lens) noexcept {
                                       : glm::vec3(back * (centre - glm::dvec3(item.eye_offset)));
     const glm::vec3 light = glm::transpose(item.normal_to_light) * item.light;
     if (glm::length(light) > 0.0F) sight.light = glm::normalize(light);
+    sight.seer.rigid = true;
+    set_rows(sight.seer.normal, item.normal_to_eye / std::cbrt(std::abs(glm::determinant(item.normal_to_eye))));
+    for (int k = 0; k < 3; ++k) sight.seer.light[k] = sight.light[k];
     return sight;
 }
 

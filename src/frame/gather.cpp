@@ -122,7 +122,10 @@ void Gather::run(Scene& scene) {
         const Work& work = work_[i];
         const Run& run = scene.runs[work.run];
         Gatherer gatherer(*this, scene, run, work.run, work.first_place);
-        for (std::int64_t c = work.begin; c < work.end; ++c) gatherer(run.marks->clusters.cluster[c]);
+        for (std::int64_t c = work.begin; c < work.end; ++c) {
+            gatherer.expect(c + 4);
+            gatherer(run.marks->clusters.cluster[c]);
+        }
         ink_pieces_[i] = {work.first_place, gatherer.ink_end()};
         cover_pieces_[i] = {work.first_place, gatherer.cover_end()};
         counts_[i] = gatherer.info();

@@ -39,6 +39,7 @@ Gatherer::Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t
       sight_(all.sights_[run.item]), item_ink_(all.item_inks_[run.item]), clear_(all.clears_[all.clear_of_[run.item]]),
       marks_(run.marks->clusters), color_(2U * static_cast<std::uint32_t>(run_number)),
       share_(style_.group[static_cast<std::size_t>(run.group)].share),
+      more_for_fade_(1.0F / (1.0F - 0.5F * style_.tone_fade)),
       depth_active_(style_.depth_min > 0.0 && style_.depth_max > style_.depth_min),
       ink_(all.inks_.data() + first_place), cover_(all.covers_.data() + first_place) {}
 
@@ -62,7 +63,8 @@ Gatherer::Local Gatherer::local_of(const sampling::Cluster& cluster) const noexc
         by_width
             ? std::min(contour_band(1.05F * style_.silhouette_width, cluster.bend * local.pixel_curvature), widest_band)
             : static_cast<float>(style_.silhouette_threshold);
-    if (style_.tone_curve == ToneCurve::coverage) local.ink = item_ink_.per_pixel(view.ppe);
+    if (style_.tone_curve == ToneCurve::coverage) local.per_ink = 1.0F / item_ink_.per_pixel(view.ppe);
+    local.most_shown = most_shown(local);
     return local;
 }
 
@@ -78,7 +80,7 @@ void Gatherer::operator()(const sampling::Cluster& cluster) noexcept {
     const bool whole = count_whole(local, marks);
     const bool tone = local.front_ink && local.view.nu_min < 0.0F;
     const bool contour = run_.draws_silhouettes && !whole;
-    const std::int64_t inks = std::max(tone ? first_hidden(cluster, most_shown(local)) : 0,
+    const std::int64_t inks = std::max(tone ? first_hidden(cluster, local.most_shown) : 0,
                                        contour ? first_hidden(cluster, most_of_contour(local)) : 0);
     if (!whole)
         info_.culled += marks - inks;
@@ -90,6 +92,18 @@ void Gatherer::operator()(const sampling::Cluster& cluster) noexcept {
     all_.loops_.see(sight_.seer, block(marks_, cluster.begin, count), seen);
     if (covers > 0) cover(local, seen, covers);
     for (std::int64_t i = 0; i < inks; ++i) mark(local, seen, i, whole);
+}
+
+void Gatherer::expect(std::int64_t cluster) const noexcept {
+    if (cluster >= marks_.cluster.size()) return;
+    const std::int64_t at = marks_.cluster[cluster].begin;
+    for (const base::Array<float>* array :
+         {&marks_.x, &marks_.y, &marks_.z, &marks_.nx, &marks_.ny, &marks_.nz, &marks_.rank})
+    {
+        __builtin_prefetch(array->data() + at);
+        __builtin_prefetch(array->data() + at + 16);
+    }
+    __builtin_prefetch(marks_.mark.data() + at);
 }
 
 // Whether all marks of the cluster are of one class, which is then counted.
@@ -132,8 +146,8 @@ float Gatherer::most_shown(const Local& local) const noexcept {
 float Gatherer::shown_for(const Local& local, float tau, float nu) const noexcept {
     float shown = 1.0F - tau;
     if (style_.tone_curve == ToneCurve::coverage)
-        shown = std::min(1.0F, item_ink_.needed(shown) * std::abs(nu) / local.ink);
-    return shown / (1.0F - 0.5F * style_.tone_fade);
+        shown = std::min(1.0F, item_ink_.needed(shown) * std::abs(nu) * local.per_ink);
+    return shown * more_for_fade_;
 }
 
 std::int64_t Gatherer::covers_of(const Local& local) const noexcept {
@@ -229,8 +243,8 @@ bool Gatherer::inside(const Seen& seen, std::int64_t i) const noexcept {
 }
 
 void Gatherer::mark(const Local& local, const Seen& seen, std::int64_t i, bool counted) noexcept {
-    if (!inside(seen, i)) {
-        if (!counted) ++info_.outside;
+    if (!local.view.inside && !inside(seen, i)) {
+        ++info_.outside;
         return;
     }
     const float nu = seen.nu[i];
@@ -288,6 +302,10 @@ float Gatherer::tau_of(const Seen& seen, std::int64_t i, std::int64_t place) con
 float Gatherer::tone_share(const Local& local, const Seen& seen, std::int64_t i, FrameInfo& info) const noexcept {
     const std::int64_t place = local.cluster->begin + i;
     const float rank = marks_.rank[place];
+    if (!(1.0F - rank <= local.most_shown)) {
+        ++info.dropped_tone;
+        return 0.0F;
+    }
     const float tau = tau_of(seen, i, place);
     const float scale = run_.pen.scale(seen.ppe[i]);
     if (style_.tone_rule == ToneRule::paper) {
@@ -297,18 +315,14 @@ float Gatherer::tone_share(const Local& local, const Seen& seen, std::int64_t i,
         info.dropped_depth += verdict == Verdict::depth;
         return verdict == Verdict::shown ? 1.0F : 0.0F;
     }
-    float shown = share_ * shown_for(local, tau, seen.nu[i]);
-    if (!(grown(rank, shown) > 0.0F)) {
-        ++info.dropped_tone;
+    const float shown = share_ * shown_for(local, tau, seen.nu[i]);
+    const float area = grown(rank, shown * scale * depth_tone_of(seen, i));
+    if (!(area > 0.0F)) {
+        const bool tone = !(grown(rank, shown) > 0.0F);
+        const bool zoom = !tone && !(grown(rank, shown * scale) > 0.0F);
+        ++(tone ? info.dropped_tone : zoom ? info.dropped_zoom : info.dropped_depth);
         return 0.0F;
     }
-    shown *= scale;
-    if (!(grown(rank, shown) > 0.0F)) {
-        ++info.dropped_zoom;
-        return 0.0F;
-    }
-    const float area = grown(rank, shown * depth_tone_of(seen, i));
-    if (!(area > 0.0F)) ++info.dropped_depth;
     // Coverage counts on foreshortening; else the ink of the front vanishes where it turns away.
     const bool turns = style_.tone_fade > 0.0F && style_.tone_curve == ToneCurve::linear;
     return turns ? area * std::min(1.0F, -seen.nu[i] / front_fade) : area;

@@ -11,6 +11,8 @@ public:
              std::int64_t first_place) noexcept;
 
     void operator()(const sampling::Cluster& cluster) noexcept;
+    // This cluster comes soon: its marks lie in as many pieces of memory as they have numbers.
+    void expect(std::int64_t cluster) const noexcept;
 
     [[nodiscard]] std::int64_t ink_end() const noexcept { return ink_ - all_.inks_.data(); }
     [[nodiscard]] std::int64_t cover_end() const noexcept { return cover_ - all_.covers_.data(); }
@@ -23,7 +25,8 @@ private:
         ClusterView view;
         float pixel_curvature = 0.0F; // of an object's curvature of 1
         float band = 0.0F;            // |nu| up to which a mark may be a contour's
-        float ink = 1.0F;             // per pixel, if all marks are shown and nothing is foreshortened
+        float per_ink = 1.0F;         // 1 / ink per pixel, if all marks are shown and nothing is foreshortened
+        float most_shown = 1.0F;      // no tone shows a larger share of its marks
         bool front_ink = false;       // marks of this set are drawn
     };
     // A mark as a part of its contour.
@@ -68,6 +71,7 @@ private:
     const sampling::MarkClusters& marks_;
     std::uint32_t color_;
     float share_;
+    float more_for_fade_; // marks, as those that fade in are small
     bool depth_active_;
     FrameInfo info_;
     Ink* ink_;

@@ -44,6 +44,14 @@ HWY_INLINE void place(const Seer& s, W px, W py, W pz, std::int64_t at, Seen& se
     hn::StoreU(hn::Mul(hn::Set(d, s.pixels), inverse), d, seen.ppe + at);
 }
 
+HWY_INLINE W light(const Seer& s, W nx, W ny, W nz) {
+    if (s.rigid) return dot3(s.light, nx, ny, nz);
+    const W lx = dot3(s.normal_light[0], nx, ny, nz);
+    const W ly = dot3(s.normal_light[1], nx, ny, nz);
+    const W lz = dot3(s.normal_light[2], nx, ny, nz);
+    return hn::Div(dot3(s.light, lx, ly, lz), hn::Sqrt(squared(lx, ly, lz)));
+}
+
 void see(const Seer& s, const MarkBlock& m, Seen& seen) {
     const F d;
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
@@ -60,24 +68,27 @@ void see(const Seer& s, const MarkBlock& m, Seen& seen) {
         const W ez = affine(s.eye[2], px, py, pz);
         const Sight v = sight(s, ex, ey, ez);
         const W length = hn::Sqrt(squared(v.x, v.y, v.z));
+        const W inverse = hn::Div(hn::Set(d, 1.0F), length);
         const W nx = load(m.nx);
         const W ny = load(m.ny);
         const W nz = load(m.nz);
-        const W tx = dot3(s.normal[0], nx, ny, nz);
-        const W ty = dot3(s.normal[1], nx, ny, nz);
-        const W tz = dot3(s.normal[2], nx, ny, nz);
-        const W unit = hn::Div(hn::Set(d, 1.0F), hn::Sqrt(squared(tx, ty, tz)));
+        W tx = dot3(s.normal[0], nx, ny, nz);
+        W ty = dot3(s.normal[1], nx, ny, nz);
+        W tz = dot3(s.normal[2], nx, ny, nz);
+        if (!s.rigid) {
+            const W unit = hn::Div(hn::Set(d, 1.0F), hn::Sqrt(squared(tx, ty, tz)));
+            tx = hn::Mul(tx, unit);
+            ty = hn::Mul(ty, unit);
+            tz = hn::Mul(tz, unit);
+        }
         const W facing = hn::Add(hn::Add(hn::Mul(tx, v.x), hn::Mul(ty, v.y)), hn::Mul(tz, v.z));
-        hn::StoreU(hn::Div(hn::Mul(facing, unit), length), d, seen.nu + at);
-        hn::StoreU(hn::Mul(tx, unit), d, seen.side_x + at);
-        hn::StoreU(hn::Mul(ty, unit), d, seen.side_y + at);
-        hn::StoreU(hn::Div(hn::Neg(v.z), length), d, seen.along + at);
+        hn::StoreU(hn::Mul(facing, inverse), d, seen.nu + at);
+        hn::StoreU(tx, d, seen.side_x + at);
+        hn::StoreU(ty, d, seen.side_y + at);
+        hn::StoreU(hn::Mul(hn::Neg(v.z), inverse), d, seen.along + at);
         hn::StoreU(hn::Neg(ez), d, seen.depth + at);
         hn::StoreU(s.parallel ? hn::Neg(ez) : length, d, seen.distance + at);
-        const W lx = dot3(s.normal_light[0], nx, ny, nz);
-        const W ly = dot3(s.normal_light[1], nx, ny, nz);
-        const W lz = dot3(s.normal_light[2], nx, ny, nz);
-        hn::StoreU(hn::Div(dot3(s.light, lx, ly, lz), hn::Sqrt(squared(lx, ly, lz))), d, seen.lit + at);
+        hn::StoreU(light(s, nx, ny, nz), d, seen.lit + at);
     }
 }
 

@@ -11,6 +11,7 @@ namespace hrbfnpr::frame {
 struct Seer {
     float clip[4][4];         // to x w, y w, window depth w, w
     float eye[3][4];          // to eye space
+    bool rigid;               // `normal` keeps lengths, and `light` is a direction of the set's own space
     float normal[3][3];       // to eye space, of any length
     float normal_light[3][3]; // to the space that the light is in
     float light[3];

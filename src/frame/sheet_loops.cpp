@@ -27,23 +27,21 @@ HWY_INLINE void for_pixels(const SheetPlanes& p, const SheetDisc& disc, Put&& pu
     const std::int32_t right = clamped(disc.x + disc.radius + 1.0F, p.width);
     const std::int32_t top = clamped(disc.y - disc.radius, p.height);
     const std::int32_t bottom = clamped(disc.y + disc.radius + 1.0F, p.height);
-    const W squared_radius = hn::Set(d, disc.radius * disc.radius);
-    const W step = hn::Iota(d, 0.0F);
+    // Within the disc: (1 + u^2) x^2 + 2 u v x y + (1 + v^2) y^2 <= radius^2, (u, v) its slope in pixels.
+    const float u = round ? 0.0F : disc.slope_x * disc.ppe;
+    const float v = round ? 0.0F : disc.slope_y * disc.ppe;
+    const W square = hn::Set(d, 1.0F + u * u);
+    const W step = hn::Iota(d, static_cast<float>(left) + 0.5F - disc.x);
     const W slope_x = hn::Set(d, disc.slope_x);
-    const W ppe = hn::Set(d, disc.ppe);
     for (std::int32_t y = top; y < bottom; ++y) {
         const float dy = static_cast<float>(y) + 0.5F - disc.y;
-        const W across = hn::Set(d, dy * disc.slope_y);
-        const W squared_y = hn::Set(d, dy * dy);
-        for (std::int32_t x = left; x < right; x += lanes) {
-            const W dx = hn::Add(hn::Set(d, static_cast<float>(x) + 0.5F - disc.x), step);
-            const W fall = hn::Add(hn::Mul(dx, slope_x), across);
-            W squared = hn::Add(hn::Mul(dx, dx), squared_y);
-            if constexpr (!round) {
-                const W pixels = hn::Mul(fall, ppe);
-                squared = hn::Add(squared, hn::Mul(pixels, pixels));
-            }
-            put(y * p.stride + x, hn::Add(hn::Set(d, disc.depth), fall), hn::Le(squared, squared_radius));
+        const W mixed = hn::Set(d, 2.0F * u * v * dy);
+        const W rest = hn::Set(d, disc.radius * disc.radius - (1.0F + v * v) * dy * dy);
+        const W depth = hn::Set(d, disc.depth + dy * disc.slope_y);
+        W dx = step;
+        for (std::int32_t x = left; x < right; x += lanes, dx = hn::Add(dx, hn::Set(d, static_cast<float>(lanes)))) {
+            const W squared = hn::Mul(hn::Add(hn::Mul(square, dx), mixed), dx);
+            put(y * p.stride + x, hn::Add(depth, hn::Mul(dx, slope_x)), hn::Le(squared, rest));
         }
     }
 }

@@ -40,10 +40,18 @@ public:
         rows_ = (height + tile_size_ - 1) / tile_size_;
         number(pieces);
         resize_scratch(rects_, total_);
-        parallel.for_chunks(total_, measure_grain, [&](std::int64_t begin, std::int64_t end) {
+        // At most 16 parts: each keeps a count for each tile.
+        grain_ = std::max(least_grain, (total_ + 15) / 16);
+        const std::int64_t parts = (total_ + grain_ - 1) / grain_;
+        resize_scratch(counts_, parts * tiles());
+        parallel.for_chunks(total_, grain_, [&](std::int64_t begin, std::int64_t end) {
+            std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
+            std::fill_n(counts, tiles(), 0U);
             for_each_disc(begin, end, [&](std::int64_t number, std::int64_t i) {
                 Footprint print{};
-                rects_[number] = footprint(i, print) ? rect_of(print) : Rect{};
+                const Rect rect = footprint(i, print) ? rect_of(print) : Rect{};
+                rects_[number] = rect;
+                for_tiles(rect, [counts](std::int64_t tile) { ++counts[tile]; });
             });
         });
         distribute(parallel);
@@ -91,7 +99,7 @@ public:
     }
 
 private:
-    static constexpr std::int64_t measure_grain = 8192;
+    static constexpr std::int64_t least_grain = 8192;
     static constexpr std::int64_t most_tiles_of_one = 64;
 
     // Half-open, in tiles; empty by default.
@@ -133,6 +141,15 @@ private:
         }
     }
 
+    // Calls f(tile) for the tiles of a disc that is not large.
+    template <class F>
+    void for_tiles(const Rect& rect, F&& f) const {
+        if (rect.tiles() > most_tiles_of_one) return;
+        for (std::int64_t row = rect.top; row < rect.bottom; ++row) {
+            for (std::int64_t column = rect.left; column < rect.right; ++column) f(row * columns_ + column);
+        }
+    }
+
     void number(std::span<const Piece> pieces);
     void distribute(const base::Parallel& parallel);
 
@@ -140,6 +157,7 @@ private:
     std::int32_t columns_ = 0;
     std::int32_t rows_ = 0;
     std::int64_t total_ = 0;
+    std::int64_t grain_ = 1;             // discs of a part
     base::Array<Rect> rects_;            // of each disc, by its number
     base::Array<std::uint32_t> counts_;  // part by part, for each tile
     base::Array<std::int64_t> offsets_;  // of each tile's entries, and the end

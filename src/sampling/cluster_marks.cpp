@@ -119,7 +119,9 @@ private:
         turn.shape = 0.5 * (map + glm::transpose(map));
         double squares = 0.0;
         for (int c = 0; c < 3; ++c) squares += glm::dot(turn.shape[c], turn.shape[c]);
-        turn.bend = std::sqrt(squares); // the Frobenius norm is no smaller than the largest eigenvalue
+        // Of a symmetric map of a plane, from its trace and its Frobenius norm.  [Kindlmann et al. 2003]
+        const double t = turn.shape[0][0] + turn.shape[1][1] + turn.shape[2][2];
+        turn.bend = 0.5 * (std::abs(t) + std::sqrt(std::max(0.0, 2.0 * squares - t * t)));
         return std::isfinite(turn.bend) ? turn : Turn{};
     }
 
