@@ -146,4 +146,18 @@ ClusterView view_cluster(const sampling::Cluster& cluster, const ItemSight& sigh
     return view;
 }
 
+float ppe_at(const sampling::Cluster& cluster, const ItemSight& sight, const Lens& lens) noexcept {
+    const float(&row)[4] = sight.seer.clip[3];
+    const float w = row[0] * cluster.centre[0] + row[1] * cluster.centre[1] + row[2] * cluster.centre[2] + row[3];
+    return w > 0.0F ? lens.pixels / w : 1.0F;
+}
+
+float radial_curvature(const sampling::Cluster& cluster, const glm::vec3& n, const glm::vec3& v) noexcept {
+    const glm::vec3 w = v - glm::dot(v, n) * n; // the line of sight along the surface
+    const auto& s = cluster.shape;
+    const float turn = w.x * (s[0] * w.x + 2.0F * (s[1] * w.y + s[2] * w.z)) + w.y * (s[3] * w.y + 2.0F * s[4] * w.z) +
+                       w.z * s[5] * w.z;
+    return std::abs(turn) / glm::dot(w, w);
+}
+
 } // namespace hrbfnpr::frame

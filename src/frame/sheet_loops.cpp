@@ -10,7 +10,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, 8>; // discs are a few pixels wide
+using F = hn::CappedTag<float, 16>; // discs are a few pixels wide
 using W = hn::Vec<F>;
 
 HWY_INLINE std::int32_t clamped(float at, std::int32_t limit) {

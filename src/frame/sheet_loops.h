@@ -12,7 +12,7 @@ namespace hrbfnpr::frame {
 struct SheetPlanes {
     enum Sheet : std::int64_t { front, back, next_front, next_back, sheets };
 
-    std::int32_t width, height, stride; // stride >= width + 8
+    std::int32_t width, height, stride; // stride >= width + 16
     float* depth[sheets];
     float* clear[sheets];
     float* halo; // depth of the nearest contour whose halo reaches the pixel
