@@ -152,12 +152,24 @@ float ppe_at(const sampling::Cluster& cluster, const ItemSight& sight, const Len
     return w > 0.0F ? lens.pixels / w : 1.0F;
 }
 
+namespace {
+
+// The turn of the normal for a step w along the surface.
+[[nodiscard]] glm::vec3 turn_for(const sampling::Cluster& cluster, const glm::vec3& w) noexcept {
+    const auto& s = cluster.shape;
+    return {s[0] * w.x + s[1] * w.y + s[2] * w.z, s[1] * w.x + s[3] * w.y + s[4] * w.z,
+            s[2] * w.x + s[4] * w.y + s[5] * w.z};
+}
+
+} // namespace
+
 float radial_curvature(const sampling::Cluster& cluster, const glm::vec3& n, const glm::vec3& v) noexcept {
     const glm::vec3 w = v - glm::dot(v, n) * n; // the line of sight along the surface
-    const auto& s = cluster.shape;
-    const float turn = w.x * (s[0] * w.x + 2.0F * (s[1] * w.y + s[2] * w.z)) + w.y * (s[3] * w.y + 2.0F * s[4] * w.z) +
-                       w.z * s[5] * w.z;
-    return std::abs(turn) / glm::dot(w, w);
+    return glm::dot(w, turn_for(cluster, w)) / glm::dot(w, w);
+}
+
+glm::vec3 contour_direction(const sampling::Cluster& cluster, const glm::vec3& n, const glm::vec3& v) noexcept {
+    return glm::cross(n, turn_for(cluster, v - glm::dot(v, n) * n));
 }
 
 } // namespace hrbfnpr::frame

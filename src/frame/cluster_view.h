@@ -51,8 +51,14 @@ struct ClusterView {
 // Pixels per eye unit at the cluster's centre; 1 if that is behind the camera.
 [[nodiscard]] float ppe_at(const sampling::Cluster& cluster, const ItemSight& sight, const Lens& lens) noexcept;
 
-// Normal curvature of the cluster's surface where the normal is n, along the line of sight v; object space.
+// Normal curvature of the cluster's surface where the normal is n, along the line of sight v; object space.  Positive
+// where convex.
 [[nodiscard]] float radial_curvature(const sampling::Cluster& cluster, const glm::vec3& n, const glm::vec3& v) noexcept;
+
+// The direction of the contour there, of any length: along it the normal stays across the line of sight, so that it is
+// conjugate to that.  [Koenderink 1984, "What does the occluding contour tell us about solid shape?"]
+[[nodiscard]] glm::vec3 contour_direction(const sampling::Cluster& cluster, const glm::vec3& n,
+                                          const glm::vec3& v) noexcept;
 
 // |nu| up to which contour_distance() may be within `width` pixels, where no curvature is larger than `pixel_bend`.
 [[nodiscard]] inline float contour_band(float width, float pixel_bend) noexcept {

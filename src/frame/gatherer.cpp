@@ -17,9 +17,11 @@ constexpr float widest_band = 0.9F;
 // Ink of the front vanishes towards the contour over this much of n . v, where nothing else makes it vanish.
 constexpr float front_fade = 0.08F;
 // Contours are asked for what hides them so many pixels outside of their own sheet.
-constexpr float probe = 2.0F;
+constexpr float probe = 3.0F;
 // A halo goes out from marks within this many pixels of the contour.
 constexpr float halo_band = 1.0F;
+// A contour that runs into the depth more steeply has no halo.
+constexpr float steepest_contour = 8.0F;
 // Marks of a contour for each of its pixels.
 constexpr float contour_marks = 3.0F;
 
@@ -208,24 +210,49 @@ void Gatherer::cover(const Local& local, const Seen& seen, std::int64_t count) n
         c.slope_y = y * shrink;
         c.clear = clear_.at(nu);
         c.window = seen.window[i];
-        c.halo = bears_halo(local, nu, i) ? style_.halo_width : 0.0F;
-        c.halo_clear = clear_.halo;
+        set_halo(c, local, seen, i);
         c.id = run_.first_id + blocks[i / MarkBlock::size].mark[i % MarkBlock::size];
         c.faces_back = nu > 0.0F;
         ++info_.painted;
     }
 }
 
-bool Gatherer::bears_halo(const Local& local, float nu, std::int64_t i) const noexcept {
-    const Judge& judge = local.judge;
-    if (!(style_.halo_width > 0.0F) || !(std::abs(nu) <= widest_band)) return false;
-    if (!judge.by_width && local.cluster->bend < 0.0F) return std::abs(nu) <= 0.5F * judge.band;
+Gatherer::Rim Gatherer::rim_of(const Local& local, std::int64_t i) const noexcept {
     const MarkBlock& m = marks_.block[local.cluster->block + i / MarkBlock::size];
     const std::int64_t at = i % MarkBlock::size;
     const glm::vec3 n(m.nx[at], m.ny[at], m.nz[at]);
     const glm::vec3 v = sight_.seer.parallel ? sight_.eye : glm::vec3(m.x[at], m.y[at], m.z[at]) - sight_.eye;
-    return contour_distance(nu, radial_curvature(*local.cluster, n, v) * judge.pixel_curvature) <= halo_band;
+    return {n, v, radial_curvature(*local.cluster, n, v)};
 }
+
+// A halo goes out from the contour, and may be nowhere in front of its own line, which may run into the depth.
+void Gatherer::set_halo(Cover& c, const Local& local, const Seen& seen, std::int64_t i) const noexcept {
+    const float nu = seen.nu[i];
+    c.halo = 0.0F;
+    if (!(style_.halo_width > 0.0F) || !(std::abs(nu) <= widest_band) || local.cluster->bend < 0.0F) return;
+    const Rim rim = rim_of(local, i);
+    const float away = contour_distance(nu, std::abs(rim.curvature) * local.judge.pixel_curvature);
+    if (!(away <= halo_band)) return;
+    const glm::vec3 along = item_.to_eye * contour_direction(*local.cluster, rim.normal, rim.sight);
+    const float across = std::sqrt(along.x * along.x + along.y * along.y);
+    const float slope = -along.z / across;
+    const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
+    if (!(std::abs(slope) <= steepest_contour) || !(side > 0.0F)) return; // it ends here
+    c.halo = style_.halo_width;
+    c.halo_clear = clear_.halo;
+    c.halo_x = c.x + away * seen.side_x[i] / side;
+    c.halo_y = c.y - away * seen.side_y[i] / side;
+    // Where a surface bends little, its marks tell little of how far away the contour is: its own line stays before
+    // the halo, and so does what is hardly behind.
+    const float pixel_radius = 1.0F / (std::abs(rim.curvature) * local.judge.pixel_curvature);
+    const float slack = std::sqrt(2.0F * halo_band * pixel_radius) + std::abs(slope) * c.halo;
+    c.halo_depth = c.depth + to_rim(rim, nu) + slack / c.ppe;
+    c.halo_slope_x = slope * along.x / (across * c.ppe);
+    c.halo_slope_y = -slope * along.y / (across * c.ppe);
+}
+
+// How much farther than the mark its contour is: n . v turns with the curvature along the line of sight.
+float Gatherer::to_rim(const Rim& rim, float nu) const noexcept { return -nu * sight_.scale / rim.curvature; }
 
 const float* Gatherer::taus(const Local& local, const Seen& seen, std::int64_t count, float* scratch) const noexcept {
     if (style_.tone == Tone::callback)
@@ -290,6 +317,8 @@ void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float r
     ink.faces_back = seen.nu[i] > 0.0F;
     const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
     const float step = contour && side > 0.0F ? probe * probe_steps / side : 0.0F;
+    // A line is where its contour is, not where its marks are around it.
+    if (contour && local.judge.by_width) ink.depth += to_rim(rim_of(local, i), seen.nu[i]);
     ink.probe_x = static_cast<std::int8_t>(seen.side_x[i] * step);
     ink.probe_y = static_cast<std::int8_t>(-seen.side_y[i] * step);
 }

@@ -27,6 +27,12 @@ private:
         Judge judge;
     };
 
+    // A mark near a contour, in object space.
+    struct Rim {
+        glm::vec3 normal, sight;
+        float curvature; // along the line of sight
+    };
+
     [[nodiscard]] Judge common_judge() const noexcept;
     [[nodiscard]] Local local_of(const sampling::Cluster& cluster) const noexcept;
     void set_contour(Local& local) const noexcept;
@@ -36,7 +42,9 @@ private:
     [[nodiscard]] float most_shown(const Local& local) const noexcept;
     [[nodiscard]] std::int64_t covers_of(const Local& local) const noexcept;
     void cover(const Local& local, const Seen& seen, std::int64_t count) noexcept;
-    [[nodiscard]] bool bears_halo(const Local& local, float nu, std::int64_t i) const noexcept;
+    [[nodiscard]] Rim rim_of(const Local& local, std::int64_t i) const noexcept;
+    [[nodiscard]] float to_rim(const Rim& rim, float nu) const noexcept;
+    void set_halo(Cover& c, const Local& local, const Seen& seen, std::int64_t i) const noexcept;
     void ink(const Local& local, const Seen& seen, std::int64_t count, bool counted) noexcept;
     [[nodiscard]] const float* taus(const Local& local, const Seen& seen, std::int64_t count,
                                     float* scratch) const noexcept;

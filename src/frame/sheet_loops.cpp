@@ -90,10 +90,8 @@ void lay_next(const SheetPlanes& p, const SheetDisc& disc) {
 }
 
 void lay_halo(const SheetPlanes& p, const SheetDisc& disc) {
-    const F d;
-    const W clear = hn::Set(d, disc.clear);
-    const W depth = hn::Set(d, disc.depth);
-    for_pixels<true>(p, disc, [&](std::int32_t at, W, auto inside) HWY_ATTR {
+    const W clear = hn::Set(F(), disc.clear);
+    for_pixels<true>(p, disc, [&](std::int32_t at, W depth, auto inside) HWY_ATTR {
         keep_nearer(p.halo + at, p.halo_clear + at, depth, clear, inside);
     });
 }

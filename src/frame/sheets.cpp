@@ -74,11 +74,12 @@ void Sheets::lay_tile(const SheetPlanes& planes, std::span<const Cover> covers, 
     for (float* const depth : {planes.depth[SheetPlanes::front], planes.depth[SheetPlanes::back], planes.halo})
         std::fill_n(depth, plane, nothing);
     bins_.for_tile(tile, [&](std::uint32_t i) {
-        SheetDisc disc = disc_of(covers[i], corner);
-        loops_.lay(planes, disc);
-        if (!(covers[i].halo > 0.0F)) return;
-        disc.radius = covers[i].halo;
-        disc.clear = covers[i].halo_clear;
+        const Cover& c = covers[i];
+        loops_.lay(planes, disc_of(c, corner));
+        if (!(c.halo > 0.0F)) return;
+        const SheetDisc disc = {c.halo_x - corner.x, c.halo_y - corner.y, c.halo, c.halo_depth,
+                                c.halo_slope_x,      c.halo_slope_y,      c.ppe,  c.halo_clear,
+                                c.faces_back};
         loops_.lay_halo(planes, disc);
     });
 }
