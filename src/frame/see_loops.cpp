@@ -174,7 +174,9 @@ HWY_INLINE W shown_for(const Judge& j, W tau, W nu) {
     if (j.coverage) {
         const hn::RebindToSigned<F> integer;
         const W at = hn::Mul(shown, hn::Set(d, static_cast<float>(needed_steps)));
-        const auto cell = hn::Min(hn::ConvertTo(integer, at), hn::Set(integer, needed_steps - 1));
+        // Lanes behind the last mark may hold anything.
+        const auto cell =
+            hn::Max(hn::Min(hn::ConvertTo(integer, at), hn::Set(integer, needed_steps - 1)), hn::Zero(integer));
         const W below = hn::GatherIndex(d, j.needed, cell);
         const W above = hn::GatherIndex(d, j.needed + 1, cell);
         const W needed = hn::Add(below, hn::Mul(hn::Sub(above, below), hn::Sub(at, hn::ConvertTo(d, cell))));
