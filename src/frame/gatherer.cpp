@@ -180,7 +180,9 @@ std::int64_t Gatherer::covers_of(const Local& local) const noexcept {
     if (!run_.covers) return 0;
     if (!run_.spread_evenly && run_.group != 0) return local.cluster->count;
     const float pixels = run_.pen.spacing * local.view.ppe / cover_spacing;
-    return pixels >= 1.0F ? local.cluster->count : first_hidden(*local.cluster, pixels * pixels);
+    if (pixels >= 1.0F) return local.cluster->count;
+    // The first of a cluster are as even as the first of all.
+    return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster->count)));
 }
 
 void Gatherer::cover(const Local& local, const Seen& seen, std::int64_t count) noexcept {

@@ -1,7 +1,7 @@
 // What a frame by sheets is made of: ink, and the covers that its sheets are found from.
 #pragma once
 
-#include "frame/frame.h"
+#include "frame/mark_class.h"
 
 #include <cstdint>
 

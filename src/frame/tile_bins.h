@@ -85,6 +85,17 @@ public:
     // Calls f(disc) for the discs that touch the tile, in ascending order, or in that of order().
     template <class F, class Before = std::less<>>
     void for_tile(std::int64_t tile, F&& f, const Before& before = {}) const {
+        for_spans(
+            tile,
+            [&](std::span<const std::uint32_t> discs) {
+                for (const std::uint32_t disc : discs) f(disc);
+            },
+            before);
+    }
+
+    // Calls f(discs) for consecutive parts of what for_tile() runs through.
+    template <class F, class Before = std::less<>>
+    void for_spans(std::int64_t tile, F&& f, const Before& before = {}) const {
         const auto column = static_cast<std::uint16_t>(tile % columns_);
         const auto row = static_cast<std::uint16_t>(tile / columns_);
         const std::uint32_t* own = entries_.data() + offsets_[tile];
@@ -92,10 +103,13 @@ public:
         for (const Large& large : large_) {
             const Rect& rect = large.rect;
             if (column < rect.left || column >= rect.right || row < rect.top || row >= rect.bottom) continue;
-            while (own != own_end && before(*own, large.disc)) f(*own++);
-            f(large.disc);
+            const std::uint32_t* const stop =
+                std::partition_point(own, own_end, [&](std::uint32_t disc) { return before(disc, large.disc); });
+            if (stop != own) f(std::span(own, stop));
+            own = stop;
+            f(std::span(&large.disc, 1));
         }
-        while (own != own_end) f(*own++);
+        if (own != own_end) f(std::span(own, own_end));
     }
 
 private:
