@@ -72,8 +72,13 @@ void Flood::judge(std::int64_t i, bool first) {
         cell.normal = glm::normalize(field_.gradient[i]);
     }
     cells_.cell.push_back(cell);
-    if (seeded || std::abs(distance) <= cells_.half_diagonal())
-        for_neighbourhood(place, [&](const Cell& next) { offer(next, next_); });
+    if (!seeded && std::abs(distance) > cells_.half_diagonal()) return;
+    const double side = cells_.grid.side;
+    for_neighbourhood(place, [&](const Cell& next) {
+        // What the cell's plane calls too far off is left to a neighbour whose plane does not.
+        const glm::dvec3 way = side * glm::dvec3(next[0] - place[0], next[1] - place[1], next[2] - place[2]);
+        if (!(std::abs(cell.distance + glm::dot(cell.normal, way)) > cells_.reach() + 0.3 * side)) offer(next, next_);
+    });
 }
 
 void Flood::run(const base::Progress& progress) {
