@@ -148,9 +148,19 @@ std::int64_t keep(const OrderBlock& block, float enough) {
     return kept;
 }
 
+std::int64_t smallest(const float* numbers, std::int64_t count) {
+    const F d;
+    Search search(0.0F);
+    for (std::int64_t at = 0; at < count; at += lanes()) {
+        const auto mask = lanes_left(count - at);
+        search.look(hn::MaskedLoad(mask, d, numbers + at), hn::Zero(d), at, mask);
+    }
+    return search.found().at;
+}
+
 } // namespace
 
-OrderLoops pick_loops() noexcept { return {feel, lowest, feel_and_find, keep}; }
+OrderLoops pick_loops() noexcept { return {feel, lowest, feel_and_find, keep, smallest}; }
 
 } // namespace hrbfnpr::sampling::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

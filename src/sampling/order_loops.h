@@ -53,6 +53,8 @@ struct OrderLoops {
                                  float enough);
     // Those with clearance >= enough move to the front, columns as far apart as they are many; returns that number.
     std::int64_t (*keep)(const OrderBlock& block, float enough);
+    // The first of the smallest; -1: all are infinite.
+    std::int64_t (*smallest)(const float* numbers, std::int64_t count);
 };
 
 [[nodiscard]] OrderLoops order_loops(base::InstructionSet set) noexcept;

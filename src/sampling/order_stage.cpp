@@ -16,7 +16,7 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr std::int64_t cells_of_task = 512;
-constexpr unsigned tile_bits = 2; // of each coordinate
+constexpr unsigned tile_bits = 3; // of each coordinate
 // A candidate whose gap was too small is tried again at this part of the squared radius.
 constexpr float again = 0.97F;
 // Cosine of the angle between normals of marks between which a surface is flat enough to move on.
@@ -133,26 +133,28 @@ void OrderStage::find_tiles() {
     neighbour_.resize(code_.size());
     lowest_.resize(code_.size());
     floor_.resize(code_.size());
-    site_.runtime.parallel.for_chunks(tile_.size(), 64, [&](std::int64_t begin, std::int64_t end) {
+    site_.runtime.parallel.for_chunks(tile_.size(), 16, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t t = begin; t < end; ++t) find_neighbours(tile_[t]);
     });
 }
 
-// A tile is a block of the map, and its neighbours are in the 27 blocks around.
+// The neighbours of a block's cells are in the 27 blocks of the map around it.
 void OrderStage::find_neighbours(const Tile& tile) noexcept {
-    static_assert(geometry::CellMap::cells_of_block == std::uint64_t{1} << (3 * tile_bits));
-    const geometry::CellGrid::Cell place = geometry::morton_cell(code_[tile.begin] >> (3 * tile_bits));
+    constexpr std::uint64_t cells_of_block = geometry::CellMap::cells_of_block;
     std::array<const std::int32_t*, 27> block{};
-    for (std::int64_t step = 0; step < 27; ++step) {
-        const geometry::CellGrid::Cell there = stepped(place, step);
-        if (geometry::CellGrid::inside(there))
-            block[static_cast<std::size_t>(step)] = number_.find_block(geometry::morton_code(there));
-    }
     for (std::int32_t c = tile.begin; c < tile.end; ++c) {
-        const geometry::CellGrid::Cell at = geometry::morton_cell(code_[c] % geometry::CellMap::cells_of_block);
+        if (c == tile.begin || code_[c] / cells_of_block != code_[c - 1] / cells_of_block) {
+            const geometry::CellGrid::Cell place = geometry::morton_cell(code_[c] / cells_of_block);
+            for (std::int64_t step = 0; step < 27; ++step) {
+                const geometry::CellGrid::Cell there = stepped(place, step);
+                block[static_cast<std::size_t>(step)] =
+                    geometry::CellGrid::inside(there) ? number_.find_block(geometry::morton_code(there)) : nullptr;
+            }
+        }
+        const geometry::CellGrid::Cell at = geometry::morton_cell(code_[c] % cells_of_block);
         for (std::int64_t step = 0; step < 27; ++step) {
             const geometry::CellGrid::Cell there = stepped({at[0] + 4, at[1] + 4, at[2] + 4}, step);
-            const auto* numbers =
+            const std::int32_t* const numbers =
                 block[static_cast<std::size_t>(there[0] / 4 + 3 * (there[1] / 4) + 9 * (there[2] / 4))];
             const std::int32_t number =
                 numbers == nullptr ? -1 : numbers[geometry::morton_code({there[0] % 4, there[1] % 4, there[2] % 4})];
@@ -286,11 +288,11 @@ public:
 
 private:
     void fill(const Tile& tile, float threshold) {
-        const float* const lowest = stage_.lowest_.data();
+        const float* const lowest = stage_.lowest_.data() + tile.begin;
         while (count_ < most_fresh) {
-            const float* const least = std::min_element(lowest + tile.begin, lowest + tile.end);
-            if (!(*least < threshold)) break;
-            take(static_cast<std::int32_t>(least - lowest));
+            const std::int64_t least = stage_.loops_.smallest(lowest, tile.end - tile.begin);
+            if (least < 0 || !(lowest[least] < threshold)) break;
+            take(tile.begin + static_cast<std::int32_t>(least));
         }
     }
 
@@ -392,7 +394,7 @@ void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, Orde
         const std::int64_t tiles = turn_[turn + 1] - first;
         fresh_.resize(most_fresh * tiles);
         fresh_count_.resize(tiles);
-        site_.runtime.parallel.for_chunks(tiles, 64, [&](std::int64_t begin, std::int64_t end) {
+        site_.runtime.parallel.for_chunks(tiles, 16, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t t = begin; t < end; ++t) {
                 for (std::int64_t ahead = 1; ahead <= Turn::steps_ahead && t + ahead < end; ++ahead)
                     Turn::bring(*this, tile_[first + t + ahead], ahead, steps.back().threshold);

@@ -22,7 +22,7 @@ struct SweepStep {
     float threshold;
 };
 
-// Tiles of 4 x 4 x 4 cells are worked on in eight turns, in each of which no two are neighbours: what a mark changes
+// Tiles of 8 x 8 x 8 cells are worked on in eight turns, in each of which no two are neighbours: what a mark changes
 // is less than two cells outside its tile.  Within its turn a tile is filled greedily, one mark after the other.
 class OrderStage {
 public:
@@ -73,7 +73,7 @@ private:
         std::int32_t cell; // -1: the gap is too small
         std::uint8_t step;
     };
-    static constexpr std::int64_t most_fresh = 16; // of a tile in a sweep
+    static constexpr std::int64_t most_fresh = 64; // of a tile in a sweep
 
     class Turn;
 

@@ -84,6 +84,21 @@ TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
         }
 }
 
+TEST(OrderLoops, TheFirstOfTheSmallestIsFound) {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    std::vector<float> numbers(100, none);
+    for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512}) {
+        const OrderLoops loops = order_loops(base::choose_instruction_set(set));
+        std::fill(numbers.begin(), numbers.end(), none);
+        EXPECT_EQ(loops.smallest(numbers.data(), 100), -1);
+        numbers[95] = numbers[83] = numbers[67] = 0.5F;
+        EXPECT_EQ(loops.smallest(numbers.data(), 100), 67);
+        EXPECT_EQ(loops.smallest(numbers.data(), 67), -1);
+        numbers[3] = 0.25F;
+        EXPECT_EQ(loops.smallest(numbers.data(), 5), 3);
+    }
+}
+
 TEST(OrderLoops, WhatIsKeptStaysInOrder) {
     for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512})
         for (const std::int64_t count : {1, 3, 16, 17, 100}) {
