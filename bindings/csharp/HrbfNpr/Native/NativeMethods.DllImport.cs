@@ -1,0 +1,279 @@
+// Made by make_native.py from include/hrbfnpr.h; do not edit.
+#if !NET7_0_OR_GREATER
+using System;
+using System.Runtime.InteropServices;
+
+namespace HrbfNpr
+{
+    internal static unsafe partial class NativeMethods
+    {
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern uint hrbfnpr_version();
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern uint hrbfnpr_abi_version();
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern byte* hrbfnpr_version_string();
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern byte* hrbfnpr_status_name(int status);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_error_init(hrbfnpr_error* error, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_build_info(byte* destination, long capacity, long* needed);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_image_init(hrbfnpr_image* image, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_context_create(hrbfnpr_context_desc* desc, out IntPtr out_context,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_context_retain(IntPtr context);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_context_release(IntPtr context);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_context_info_init(ContextInfo* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_context_get_info(ContextHandle context, ContextInfo* info,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_operation_create(IntPtr context, out IntPtr out_operation,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_operation_release(IntPtr operation);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_operation_cancel(OperationHandle operation);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_operation_is_cancelled(OperationHandle operation);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern double hrbfnpr_operation_progress(OperationHandle operation);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_operation_set_callback(OperationHandle operation, IntPtr callback,
+            void* user, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_fit(ContextHandle context, hrbfnpr_fit_desc* desc,
+            OperationHandle operation, out IntPtr out_model, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_create_custom(ContextHandle context, hrbfnpr_custom_desc* desc,
+            out IntPtr out_model, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_model_retain(IntPtr model);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_model_release(IntPtr model);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_info_init(ModelInfo* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_get_info(ModelHandle model, ModelInfo* info, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_view(ModelHandle model, uint attribute, hrbfnpr_array* out_view,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_evaluate(ModelHandle model, hrbfnpr_array* points,
+            hrbfnpr_array* value, hrbfnpr_array* gradient, hrbfnpr_array* hessian, OperationHandle operation,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_project(ModelHandle model, hrbfnpr_array* points,
+            hrbfnpr_project_desc* desc, hrbfnpr_array* position, hrbfnpr_array* normal, hrbfnpr_array* status,
+            long* converged, OperationHandle operation, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_curvature(ModelHandle model, hrbfnpr_array* points,
+            hrbfnpr_array* k1, hrbfnpr_array* k2, hrbfnpr_array* d1, hrbfnpr_array* d2, hrbfnpr_array* confidence,
+            OperationHandle operation, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_cast_rays(ModelHandle model, hrbfnpr_array* origins,
+            hrbfnpr_array* directions, hrbfnpr_cast_desc* desc, hrbfnpr_array* hits, hrbfnpr_array* t,
+            hrbfnpr_array* position, hrbfnpr_array* normal, hrbfnpr_array* entering, hrbfnpr_array* status,
+            long* hit_rays, OperationHandle operation, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_lipschitz(ModelHandle model, double* lipschitz,
+            OperationHandle operation, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_contains(ModelHandle model, hrbfnpr_array* points,
+            hrbfnpr_array* inside, long* inside_count, OperationHandle operation, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_save(ModelHandle model, IntPtr write, void* user,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_save_memory(ModelHandle model, void* destination, long capacity,
+            long* size, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_load(ContextHandle context, IntPtr read, void* user,
+            out IntPtr out_model, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_load_memory(ContextHandle context, void* data, long size,
+            out IntPtr out_model, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_generate(ContextHandle context, ModelHandle model,
+            hrbfnpr_generate_desc* desc, OperationHandle operation, out IntPtr out_point_set, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_create_from_arrays(ContextHandle context,
+            hrbfnpr_point_set_desc* desc, out IntPtr out_point_set, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_point_set_retain(IntPtr set);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_point_set_release(IntPtr set);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_info_init(PointSetInfo* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_get_info(PointSetHandle set, PointSetInfo* info,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_view(PointSetHandle set, uint group, uint attribute,
+            hrbfnpr_array* out_view, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_step_patches(ContextHandle context, ModelHandle model,
+            hrbfnpr_generate_desc* desc, hrbfnpr_array* corners, double* step, OperationHandle operation,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_save(PointSetHandle set, IntPtr write, void* user,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_save_memory(PointSetHandle set, void* destination, long capacity,
+            long* size, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_load(ContextHandle context, IntPtr read, void* user,
+            out IntPtr out_point_set, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_load_memory(ContextHandle context, void* data, long size,
+            out IntPtr out_point_set, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_camera_init(hrbfnpr_camera* camera, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_camera_look_at(hrbfnpr_camera* camera, double* eye, double* target,
+            double* up, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle,
+            double width, double height, double near_plane, double far_plane, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_height,
+            double width, double height, double near_plane, double far_plane, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, double* bounds_min,
+            double* bounds_max, double* direction, double* up, double vertical_angle, double width, double height,
+            double margin, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, hrbfnpr_array* points,
+            double* origin, double* direction, double* up, double vertical_angle, double width, double height,
+            double margin, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_style_init(hrbfnpr_style* style, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_style_init_preset(hrbfnpr_style* style, uint struct_size, uint preset,
+            uint* generate_groups, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern byte* hrbfnpr_style_preset_name(uint preset);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_renderer_create(ContextHandle context, out IntPtr out_renderer,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_renderer_release(IntPtr renderer);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_item_init(hrbfnpr_item* item, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_frame_info_init(FrameInfo* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_renderer_prepare(RendererHandle renderer, hrbfnpr_item* items,
+            long item_count, long item_stride, hrbfnpr_camera* camera, FrameInfo* info, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_draw_desc_init(hrbfnpr_draw_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_renderer_draw_image(RendererHandle renderer, hrbfnpr_image* image,
+            hrbfnpr_draw_desc* desc, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_renderer_get_info(RendererHandle renderer, FrameInfo* info,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_renderer_vertex_bound(RendererHandle renderer, long* count,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_renderer_write_vertices(RendererHandle renderer,
+            hrbfnpr_vertex_layout* layout, void* destination, long capacity, long* count, hrbfnpr_error* error);
+    }
+}
+#endif

@@ -1,0 +1,132 @@
+using System;
+#if NET7_0_OR_GREATER
+using System.Collections.Generic;
+using System.IO;
+using System.Reflection;
+using System.Runtime.InteropServices;
+#endif
+
+namespace HrbfNpr
+{
+    /// <summary>Names the C struct that a struct of this assembly has the layout of; a test compares them.</summary>
+    [AttributeUsage(AttributeTargets.Struct)]
+    internal sealed class NativeStructAttribute : Attribute
+    {
+        internal NativeStructAttribute(string name)
+        {
+            Name = name;
+        }
+
+        internal string Name { get; }
+    }
+
+    /// <summary>Names the beginning of the C constants that an enum mirrors; a test compares them.</summary>
+    [AttributeUsage(AttributeTargets.Enum)]
+    internal sealed class NativeConstantsAttribute : Attribute
+    {
+        internal NativeConstantsAttribute(string prefix)
+        {
+            Prefix = prefix;
+        }
+
+        internal string Prefix { get; }
+    }
+
+    /// <summary>The functions of the C library.</summary>
+    internal static unsafe partial class NativeMethods
+    {
+#if (UNITY_IOS || UNITY_WEBGL) && !UNITY_EDITOR
+        internal const string Name = "__Internal"; // linked into the player
+#else
+        internal const string Name = "hrbfnpr";
+#endif
+
+#if NET7_0_OR_GREATER
+        static NativeMethods()
+        {
+            try
+            {
+                NativeLibrary.SetDllImportResolver(typeof(NativeMethods).Assembly, Resolve);
+            }
+            catch (InvalidOperationException)
+            {
+                // The program has set a resolver of its own for this assembly, and it is its to find the library.
+            }
+        }
+
+        private static IntPtr Resolve(string name, Assembly assembly, DllImportSearchPath? searchPath)
+        {
+            if (name != Name)
+            {
+                return IntPtr.Zero;
+            }
+            string chosen = Environment.GetEnvironmentVariable("HRBFNPR_LIBRARY");
+            if (!string.IsNullOrEmpty(chosen))
+            {
+                return NativeLibrary.Load(chosen); // then no other one is tried
+            }
+            string[] fileNames = FileNames();
+            foreach (string folder in Folders(assembly))
+            {
+                foreach (string fileName in fileNames)
+                {
+                    string path = Path.Combine(folder, fileName);
+                    if (File.Exists(path) && NativeLibrary.TryLoad(path, out IntPtr library))
+                    {
+                        return library;
+                    }
+                }
+            }
+            if (NativeLibrary.TryLoad(name, assembly, searchPath, out IntPtr found))
+            {
+                return found;
+            }
+            foreach (string fileName in fileNames)
+            {
+                if (NativeLibrary.TryLoad(fileName, assembly, searchPath, out found))
+                {
+                    return found;
+                }
+            }
+            return IntPtr.Zero; // the runtime throws DllNotFoundException
+        }
+
+        private static string[] FileNames()
+        {
+            if (OperatingSystem.IsWindows())
+            {
+                return new[] { "hrbfnpr.dll", "libhrbfnpr.dll" };
+            }
+            if (OperatingSystem.IsMacOS() || OperatingSystem.IsIOS())
+            {
+                return new[] { $"libhrbfnpr.{AbiVersion}.dylib", "libhrbfnpr.dylib" };
+            }
+            return new[] { $"libhrbfnpr.so.{AbiVersion}", "libhrbfnpr.so" };
+        }
+
+        private static IEnumerable<string> Folders(Assembly assembly)
+        {
+            string folder = AppContext.BaseDirectory;
+            foreach (string rid in new[] { RuntimeInformation.RuntimeIdentifier, PortableIdentifier() })
+            {
+                yield return Path.Combine(folder, "runtimes", rid, "native");
+            }
+            yield return folder;
+#pragma warning disable IL3000 // empty in a single-file program, which BaseDirectory serves
+            string beside = Path.GetDirectoryName(assembly.Location);
+#pragma warning restore IL3000
+            if (!string.IsNullOrEmpty(beside))
+            {
+                yield return Path.Combine(beside, "runtimes", PortableIdentifier(), "native");
+                yield return beside;
+            }
+        }
+
+        private static string PortableIdentifier()
+        {
+            string system = OperatingSystem.IsWindows() ? "win" : OperatingSystem.IsMacOS() ? "osx" : "linux";
+            return system + "-" + RuntimeInformation.ProcessArchitecture.ToString().ToLowerInvariant();
+        }
+#endif
+    }
+}
