@@ -1,0 +1,476 @@
+using System;
+
+namespace HrbfNpr
+{
+    /// <summary>What a call of the library ended with; the numbers are fixed for ever.</summary>
+    [NativeConstants("HRBFNPR_STATUS_")]
+    public enum Status
+    {
+        /// <summary>Success.</summary>
+        Ok = 0,
+        /// <summary>An argument was wrong.</summary>
+        InvalidArgument = -1,
+        /// <summary>The allocator said no.</summary>
+        OutOfMemory = -2,
+        /// <summary>A destination was too small.</summary>
+        BufferTooSmall = -3,
+        /// <summary>The library is older than this assembly and does not know a field that was set.</summary>
+        UnsupportedStruct = -4,
+        /// <summary>The fit has no (numerically) unique solution.</summary>
+        SingularSystem = -5,
+        /// <summary>An iteration ended short of its goal.</summary>
+        NotConverged = -6,
+        /// <summary>The call was cancelled.</summary>
+        Cancelled = -7,
+        /// <summary>A stream failed.</summary>
+        Io = -8,
+        /// <summary>The data is not ours, truncated or damaged.</summary>
+        CorruptData = -9,
+        /// <summary>The data, or this assembly, is too new for the library.</summary>
+        VersionMismatch = -10,
+        /// <summary>A function of the program failed.</summary>
+        Callback = -11,
+        /// <summary>A bug in the library.</summary>
+        Internal = -99,
+    }
+
+    /// <summary>Type of the numbers in an array.</summary>
+    [NativeConstants("HRBFNPR_SCALAR_")]
+    public enum ScalarType
+    {
+        /// <summary><see cref="float"/>.</summary>
+        Float32 = 1,
+        /// <summary><see cref="double"/>.</summary>
+        Float64 = 2,
+        /// <summary><see cref="byte"/>.</summary>
+        Uint8 = 3,
+        /// <summary><see cref="uint"/>.</summary>
+        Uint32 = 4,
+    }
+
+    /// <summary>Byte order of pixels in memory; 8 bits a channel.</summary>
+    [NativeConstants("HRBFNPR_FORMAT_")]
+    public enum PixelFormat
+    {
+        /// <summary>Straight RGBA (default).</summary>
+        Rgba8 = 1,
+        /// <summary>Straight BGRA.</summary>
+        Bgra8 = 2,
+        /// <summary>RGBA, colour times alpha.</summary>
+        Rgba8Premultiplied = 3,
+        /// <summary>BGRA, colour times alpha.</summary>
+        Bgra8Premultiplied = 4,
+    }
+
+    /// <summary>How important a line of the log is.</summary>
+    [NativeConstants("HRBFNPR_LOG_")]
+    public enum LogLevel
+    {
+        /// <summary>For who works on the library.</summary>
+        Debug = 0,
+        /// <summary>What was done.</summary>
+        Info = 1,
+        /// <summary>What may be wrong.</summary>
+        Warning = 2,
+    }
+
+    /// <summary>Vector instructions of the processor.</summary>
+    [NativeConstants("HRBFNPR_INSTRUCTION_SET_")]
+    public enum InstructionSet
+    {
+        /// <summary>The best that build and processor have.</summary>
+        Auto = 0,
+        /// <summary>What the library was compiled for.</summary>
+        Baseline = 1,
+        /// <summary>AVX2 with FMA.</summary>
+        Avx2 = 2,
+        /// <summary>AVX-512.</summary>
+        Avx512 = 3,
+        /// <summary>NEON.</summary>
+        Neon = 4,
+    }
+
+    /// <summary>Radial functions phi(r) [NPAR 4.1].</summary>
+    [NativeConstants("HRBFNPR_KERNEL_")]
+    public enum Kernel
+    {
+        /// <summary>r^3 (default); no radius.</summary>
+        Triharmonic = 0,
+        /// <summary>exp(-r^2 / 2 radius^2).</summary>
+        Gaussian = 1,
+        /// <summary>(1 - r/radius)^4 (4 r/radius + 1) within the radius.</summary>
+        WendlandC2 = 2,
+        /// <summary>Reported for a model made from a function.</summary>
+        Custom = 3,
+    }
+
+    /// <summary>How the linear system of a fit is solved.</summary>
+    [NativeConstants("HRBFNPR_SOLVER_")]
+    public enum Solver
+    {
+        /// <summary>The library chooses (default).</summary>
+        Auto = 0,
+        /// <summary>Dense factorisation: memory about 64 N^2 bytes, time N^3.</summary>
+        Direct = 1,
+        /// <summary>Preconditioned conjugate gradients: memory about 2 to 6 kB a sample.</summary>
+        Iterative = 2,
+    }
+
+    /// <summary>Why the solver that was used is the one.</summary>
+    [NativeConstants("HRBFNPR_SOLVER_REASON_")]
+    public enum SolverReason
+    {
+        /// <summary>The caller named it.</summary>
+        Requested = 0,
+        /// <summary>The direct one is the faster one.</summary>
+        Small = 1,
+        /// <summary>The direct one would take too much memory or time.</summary>
+        Large = 2,
+        /// <summary>The iterative one did not reach its tolerance.</summary>
+        NotConverged = 3,
+        /// <summary>The iterative one needs a definite system.</summary>
+        NotDefinite = 4,
+    }
+
+    /// <summary>What becomes of samples that look wrong; they are counted in any case.</summary>
+    [NativeConstants("HRBFNPR_REPAIR_")]
+    public enum Repair
+    {
+        /// <summary>Nothing (default).</summary>
+        Keep = 0,
+        /// <summary>They are left out.</summary>
+        Drop = 1,
+        /// <summary>Of flipped normals only: turned round.</summary>
+        Reorient = 2,
+    }
+
+    /// <summary>Where the regularization of a fit comes from.</summary>
+    [NativeConstants("HRBFNPR_REGULARIZATION_")]
+    public enum RegularizationMode
+    {
+        /// <summary><see cref="FitOptions.Regularization"/> (default).</summary>
+        Given = 0,
+        /// <summary>From the noise of the samples.</summary>
+        Auto = 1,
+    }
+
+    /// <summary>What became of a point that was to be projected.</summary>
+    [NativeConstants("HRBFNPR_PROJECTION_")]
+    public enum ProjectionStatus : byte
+    {
+        /// <summary>It lies on the surface.</summary>
+        Converged = 0,
+        /// <summary>Iteration limit, or no step lowers f^2.</summary>
+        NotConverged = 1,
+        /// <summary>Stuck at a critical point off the surface.</summary>
+        ZeroGradient = 2,
+        /// <summary>f or its gradient was not finite.</summary>
+        NotFinite = 3,
+    }
+
+    /// <summary>What became of a ray.</summary>
+    [NativeConstants("HRBFNPR_RAY_")]
+    public enum RayStatus : byte
+    {
+        /// <summary>One hit or more.</summary>
+        Hit = 0,
+        /// <summary>None.</summary>
+        Miss = 1,
+        /// <summary>There are more hits than were asked for (two or more).</summary>
+        Truncated = 2,
+        /// <summary>Given up on; what was found before is kept.</summary>
+        IterationLimit = 3,
+        /// <summary>f or its gradient was not finite; what was found before is kept.</summary>
+        NotFinite = 4,
+    }
+
+    /// <summary>The three groups of marks [NPAR 5].</summary>
+    [NativeConstants("HRBFNPR_GROUP_")]
+    public enum Group
+    {
+        /// <summary>Scattered marks.</summary>
+        Stipple = 0,
+        /// <summary>Strokes along the principal directions: d1 (set 0) and d2 (set 1).</summary>
+        Curvature = 1,
+        /// <summary>Strokes along Stark's two directions: r (set 0) and u (set 1).</summary>
+        Combing = 2,
+    }
+
+    /// <summary>Any of the three groups of marks.</summary>
+    [Flags]
+    public enum Groups
+    {
+        /// <summary>No group.</summary>
+        None = 0,
+        /// <summary><see cref="Group.Stipple"/>.</summary>
+        Stipple = 1,
+        /// <summary><see cref="Group.Curvature"/>.</summary>
+        Curvature = 2,
+        /// <summary><see cref="Group.Combing"/>.</summary>
+        Combing = 4,
+        /// <summary>All three.</summary>
+        All = 7,
+    }
+
+    /// <summary>How marks are spread.</summary>
+    [NativeConstants("HRBFNPR_DISTRIBUTION_")]
+    public enum Distribution
+    {
+        /// <summary>Evenly, in a progressive order each prefix of which is even (default).</summary>
+        BlueNoise = 0,
+        /// <summary>The published recursion, with random ranks [NPAR 5, 6.2].</summary>
+        Paper = 1,
+    }
+
+    /// <summary>What the strokes of <see cref="Distribution.BlueNoise"/> follow.</summary>
+    [NativeConstants("HRBFNPR_STROKE_FIELD_")]
+    public enum StrokeField
+    {
+        /// <summary>A field for each set: a stroke turns with its own direction.</summary>
+        Line = 0,
+        /// <summary>One field of crosses: strokes go straight on where directions change places (default).</summary>
+        Cross = 1,
+    }
+
+    /// <summary>Where marks start from.</summary>
+    [NativeConstants("HRBFNPR_SEED_")]
+    public enum SeedSource
+    {
+        /// <summary>The model's samples if they are well spread, else the box (default).</summary>
+        Auto = 0,
+        /// <summary>The model's samples; not of a model from a function.</summary>
+        Samples = 1,
+        /// <summary>A jittered grid in the bounds, projected.</summary>
+        Box = 2,
+        /// <summary><see cref="GenerateOptions.SeedPoints"/>, projected.</summary>
+        Points = 3,
+    }
+
+    /// <summary>What the strokes of <see cref="Distribution.Paper"/> start from.</summary>
+    [NativeConstants("HRBFNPR_GROUP_SEED_")]
+    public enum StrokeSeeds
+    {
+        /// <summary>The seeds (default).</summary>
+        Seeds = 0,
+        /// <summary>The stipples up to a level.</summary>
+        Stipples = 1,
+    }
+
+    /// <summary>How dense stipples are over the surface.</summary>
+    [NativeConstants("HRBFNPR_DENSITY_")]
+    public enum Density
+    {
+        /// <summary>As many per area everywhere (default).</summary>
+        Uniform = 0,
+        /// <summary>More where the surface bends.</summary>
+        Curvature = 1,
+        /// <summary>As <see cref="GenerateOptions.DensityFunction"/> says.</summary>
+        Callback = 2,
+    }
+
+    /// <summary>In which order layers of marks appear from light to dark.</summary>
+    [NativeConstants("HRBFNPR_ORDER_")]
+    public enum LayerOrder
+    {
+        /// <summary>The ranks of each layer cover all tones (default).</summary>
+        Separate = 0,
+        /// <summary>One layer after the other.</summary>
+        Layered = 1,
+    }
+
+    /// <summary>Layers of marks that hold ranks of their own.</summary>
+    [NativeConstants("HRBFNPR_LAYER_")]
+    public enum Layer
+    {
+        /// <summary>Stipples.</summary>
+        Stipple = 0,
+        /// <summary>Strokes along the first principal direction.</summary>
+        CurvatureFirst = 1,
+        /// <summary>Strokes along the second principal direction.</summary>
+        CurvatureSecond = 2,
+        /// <summary>Strokes along the first combing direction.</summary>
+        CombingFirst = 3,
+        /// <summary>Strokes along the second combing direction.</summary>
+        CombingSecond = 4,
+    }
+
+    /// <summary>What is known of each mark, per group.</summary>
+    [NativeConstants("HRBFNPR_ATTRIBUTE_")]
+    public enum MarkAttribute
+    {
+        /// <summary>3 float, relative to <see cref="PointSetInfo.Origin"/>.</summary>
+        Position = 0,
+        /// <summary>3 float, unit, outward.</summary>
+        Normal = 1,
+        /// <summary>3 float, unit, tangent: along the stroke; for a stipple the u of its basis [NPAR 5.2].</summary>
+        Direction = 2,
+        /// <summary>3 float: k1, k2, confidence; absent where not generated.</summary>
+        Curvature = 3,
+        /// <summary>1 float in [0, 1): the u of [NPAR 6.2]; a mark is shown where u >= tau.</summary>
+        Rank = 4,
+        /// <summary>1 byte: the refinement step, or the pass of strokes, that placed the mark.</summary>
+        Level = 5,
+        /// <summary>2 uint: stroke (2 number + set) and the mark's place along it; a stipple's seed and 0.</summary>
+        Stroke = 6,
+        /// <summary>1 float in (0, 1]: relative width; absent where all are 1.</summary>
+        Width = 7,
+    }
+
+    /// <summary>What a model keeps of its samples and of its fit.</summary>
+    [NativeConstants("HRBFNPR_MODEL_ATTRIBUTE_")]
+    public enum ModelAttribute
+    {
+        /// <summary>The centres, 3 double.</summary>
+        Position = 0,
+        /// <summary>Their unit normals, 3 double.</summary>
+        Normal = 1,
+        /// <summary>Relative residual after each iteration of the iterative solver, 1 double.</summary>
+        ResidualHistory = 2,
+    }
+
+    /// <summary>Range of window depth from near to far plane.</summary>
+    [NativeConstants("HRBFNPR_DEPTH_")]
+    public enum DepthConvention
+    {
+        /// <summary>Clip space of OpenGL; written depth is 0 to 1 (default).</summary>
+        NegativeOneToOne = 0,
+        /// <summary>Direct3D, Vulkan, Metal.</summary>
+        ZeroToOne = 1,
+        /// <summary>1 at the near plane, 0 at the far plane.</summary>
+        Reversed = 2,
+    }
+
+    /// <summary>What becomes of marks behind nearer surfaces [NPAR 6.1].</summary>
+    [NativeConstants("HRBFNPR_HIDDEN_LINES_")]
+    public enum HiddenLines
+    {
+        /// <summary>Painted over by paper, layer by layer.</summary>
+        Attenuate = 0,
+        /// <summary>Not drawn.</summary>
+        Hide = 1,
+        /// <summary>Nothing is painted over.</summary>
+        Show = 2,
+    }
+
+    /// <summary>How it is found what lies in front of a mark; one for all styles of a frame.</summary>
+    [NativeConstants("HRBFNPR_VISIBILITY_")]
+    public enum Visibility
+    {
+        /// <summary>Marks are seen through the sheets of surface in front of them, whatever their number.</summary>
+        Sheets = 0,
+        /// <summary>As published: discs of paper and of ink, from far to near [NPAR 6.1].</summary>
+        Painted = 1,
+    }
+
+    /// <summary>How many marks a tone takes; of <see cref="ToneRule.Share"/>.</summary>
+    [NativeConstants("HRBFNPR_TONE_CURVE_")]
+    public enum ToneCurve
+    {
+        /// <summary>As many as cover 1 - tau of the paper, at any zoom and number of marks.</summary>
+        Coverage = 0,
+        /// <summary>The share 1 - tau [NPAR 6.2].</summary>
+        Linear = 1,
+    }
+
+    /// <summary>Which marks belong to the contour.</summary>
+    [NativeConstants("HRBFNPR_SILHOUETTE_LAW_")]
+    public enum SilhouetteLaw
+    {
+        /// <summary>A line of constant width, <see cref="Style.SilhouetteWidth"/>.</summary>
+        Width = 0,
+        /// <summary>By <see cref="Style.SilhouetteThreshold"/> alone, as published [NPAR 6].</summary>
+        Angle = 1,
+    }
+
+    /// <summary>Where the tone of front marks comes from.</summary>
+    [NativeConstants("HRBFNPR_TONE_")]
+    public enum Tone
+    {
+        /// <summary>All front marks are shown.</summary>
+        None = 0,
+        /// <summary>tau = max(0, n . l)^exponent [NPAR 6.2].</summary>
+        Light = 1,
+        /// <summary><see cref="Style.ToneFunction"/>.</summary>
+        Callback = 2,
+    }
+
+    /// <summary>How tone, depth, zoom and share are combined.</summary>
+    [NativeConstants("HRBFNPR_TONE_RULE_")]
+    public enum ToneRule
+    {
+        /// <summary>All effects thin one and the same order of marks.</summary>
+        Share = 0,
+        /// <summary>As published, test by test.</summary>
+        Paper = 1,
+    }
+
+    /// <summary>What the light of a style moves with.</summary>
+    [NativeConstants("HRBFNPR_LIGHT_")]
+    public enum LightSpace
+    {
+        /// <summary>The world.</summary>
+        World = 0,
+        /// <summary>The camera.</summary>
+        Camera = 1,
+    }
+
+    /// <summary>Named styles.</summary>
+    [NativeConstants("HRBFNPR_STYLE_")]
+    public enum StylePreset
+    {
+        /// <summary>Stipples by light, no contours.</summary>
+        Stipple = 0,
+        /// <summary>Second principal direction by light, contours.</summary>
+        Hatch = 1,
+        /// <summary>Both principal directions by light, contours.</summary>
+        CrossHatch = 2,
+        /// <summary>Combing strokes by light, contours.</summary>
+        Combing = 3,
+        /// <summary>Contours only, hidden ones attenuated.</summary>
+        Silhouette = 4,
+        /// <summary>Contours and stipples.</summary>
+        ContourAndStipple = 5,
+        /// <summary>Contours only, hidden ones shown.</summary>
+        Xray = 6,
+        /// <summary>Stipples, cross hatching, contours and halo: Figure 1 (e).</summary>
+        Full = 7,
+    }
+
+    /// <summary>Class of what is nearest at a pixel, and of a vertex.</summary>
+    [NativeConstants("HRBFNPR_CLASS_")]
+    public enum MarkClass
+    {
+        /// <summary>Nothing.</summary>
+        None = 0,
+        /// <summary>A mark that faces the eye.</summary>
+        Front = 1,
+        /// <summary>A mark that faces away.</summary>
+        Back = 2,
+        /// <summary>A mark of the contour.</summary>
+        Silhouette = 3,
+    }
+
+    /// <summary>What a vertex can carry.</summary>
+    [NativeConstants("HRBFNPR_VERTEX_")]
+    public enum VertexAttribute
+    {
+        /// <summary>World, 3 float.</summary>
+        Position = 0,
+        /// <summary>Pixel x, pixel y, depth; 3 float.</summary>
+        Window = 1,
+        /// <summary>Pixels; 1 float.</summary>
+        Radius = 2,
+        /// <summary>Straight RGBA; 4 byte or 4 float.</summary>
+        Color = 3,
+        /// <summary>World, unit; 3 float.</summary>
+        Normal = 4,
+        /// <summary>World, unit; 3 float.</summary>
+        Direction = 5,
+        /// <summary>1 + running number of the mark; 1 uint.</summary>
+        Id = 6,
+        /// <summary><see cref="MarkClass"/>; 1 byte or 1 uint.</summary>
+        Class = 7,
+        /// <summary>1 = a disc of paper, 0 = ink; 1 byte or 1 uint.</summary>
+        IsPaper = 8,
+    }
+}

@@ -1,0 +1,124 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace HrbfNpr
+{
+    /// <summary>An implicit function of the program's, for n points at a time.</summary>
+    /// <param name="points">3 n numbers.</param>
+    /// <param name="value">To be filled: n numbers, negative inside, finite within twice the bounds.</param>
+    /// <param name="gradient">To be filled: 3 n numbers, near 1 in length at the surface; null if not wanted.</param>
+    /// <param name="hessian">To be filled: 6 n numbers, xx xy xz yy yz zz; null if not wanted.</param>
+    /// <remarks>What it throws comes out of the call that evaluates it, in a <see cref="CallbackException"/>.</remarks>
+    public delegate void ImplicitFunction(double[] points, double[] value, double[] gradient, double[] hessian);
+
+#if NET7_0_OR_GREATER
+    /// <summary>As <see cref="ImplicitFunction"/>, in place; what is not wanted is empty.</summary>
+    public delegate void ImplicitSpanFunction(
+        ReadOnlySpan<double> points, Span<double> value, Span<double> gradient, Span<double> hessian);
+#endif
+
+    /// <summary>What a function computes, and how it may be called.</summary>
+    public sealed class FunctionOptions
+    {
+        /// <summary>Whether it fills gradients; else they are differenced (default).</summary>
+        public bool HasGradient { get; set; }
+
+        /// <summary>Whether it fills Hessians; else they are differenced (default).</summary>
+        public bool HasHessian { get; set; }
+
+        /// <summary>Whether several threads may call it at once; false.</summary>
+        public bool ThreadSafe { get; set; }
+
+        /// <summary>For differences; 0 = 1e-4 of the box's diagonal, 1e-3 for the Hessian (default).</summary>
+        public double DifferenceStep { get; set; }
+
+        internal uint Flags
+        {
+            get { return (HasGradient ? 1u : 0) | (HasHessian ? 2u : 0) | (ThreadSafe ? 4u : 0); }
+        }
+    }
+
+    /// <summary>The function of one model, and what it threw last.</summary>
+    internal sealed unsafe class FunctionState : CallbackState
+    {
+        internal static readonly IntPtr Evaluate;
+        internal static readonly IntPtr Release;
+        private static readonly NativeCallbacks.Implicit EvaluateCallback = OnEvaluate;
+        private static readonly NativeCallbacks.Release ReleaseCallback = OnRelease;
+        private readonly ImplicitFunction function;
+
+        static FunctionState()
+        {
+            Evaluate = Marshal.GetFunctionPointerForDelegate(EvaluateCallback);
+            Release = Marshal.GetFunctionPointerForDelegate(ReleaseCallback);
+        }
+
+        internal FunctionState(ImplicitFunction function)
+        {
+            this.function = function ?? throw new ArgumentNullException(nameof(function));
+        }
+
+#if NET7_0_OR_GREATER
+        private readonly ImplicitSpanFunction spanFunction;
+
+        internal FunctionState(ImplicitSpanFunction function)
+        {
+            spanFunction = function ?? throw new ArgumentNullException(nameof(function));
+        }
+#endif
+
+        private void Call(long count, double* points, double* value, double* gradient, double* hessian)
+        {
+#if NET7_0_OR_GREATER
+            if (spanFunction != null)
+            {
+                int n = checked((int)count);
+                spanFunction(
+                    new ReadOnlySpan<double>(points, 3 * n), new Span<double>(value, n),
+                    new Span<double>(gradient, gradient == null ? 0 : 3 * n),
+                    new Span<double>(hessian, hessian == null ? 0 : 6 * n));
+                return;
+            }
+#endif
+            var place = new double[count * 3];
+            Marshal.Copy((IntPtr)points, place, 0, place.Length);
+            var values = new double[count];
+            double[] gradients = gradient == null ? null : new double[count * 3];
+            double[] hessians = hessian == null ? null : new double[count * 6];
+            function(place, values, gradients, hessians);
+            Marshal.Copy(values, 0, (IntPtr)value, values.Length);
+            if (gradients != null)
+            {
+                Marshal.Copy(gradients, 0, (IntPtr)gradient, gradients.Length);
+            }
+            if (hessians != null)
+            {
+                Marshal.Copy(hessians, 0, (IntPtr)hessian, hessians.Length);
+            }
+        }
+
+        [MonoPInvokeCallback(typeof(NativeCallbacks.Implicit))]
+        private static int OnEvaluate(
+            IntPtr user, long count, double* points, double* value, double* gradient, double* hessian)
+        {
+            var state = From<FunctionState>(user);
+            try
+            {
+                state.Call(count, points, value, gradient, hessian);
+                return 0;
+            }
+            catch (Exception exception)
+            {
+                state.Keep(exception);
+                return 1;
+            }
+        }
+
+        /// <summary>With the last reference of the model, on any thread.</summary>
+        [MonoPInvokeCallback(typeof(NativeCallbacks.Release))]
+        private static void OnRelease(IntPtr user)
+        {
+            GCHandle.FromIntPtr(user).Free();
+        }
+    }
+}

@@ -1,0 +1,108 @@
+using System;
+using System.Runtime.InteropServices;
+using System.Threading;
+
+namespace HrbfNpr
+{
+    /// <summary>Tells IL2CPP, which knows the attribute by its name, that native code calls the method.</summary>
+    [AttributeUsage(AttributeTargets.Method)]
+    internal sealed class MonoPInvokeCallbackAttribute : Attribute
+    {
+        internal MonoPInvokeCallbackAttribute(Type type)
+        {
+            Type = type;
+        }
+
+        internal Type Type { get; }
+    }
+
+    /// <summary>
+    /// What a callback works with, and where it leaves its exception: none may leave a callback.  The `user` pointer
+    /// is a GCHandle of it.
+    /// </summary>
+    internal class CallbackState
+    {
+        private Exception exception;
+
+        internal Exception LastException
+        {
+            get { return Volatile.Read(ref exception); }
+        }
+
+        internal static T From<T>(IntPtr user)
+            where T : CallbackState
+        {
+            return (T)GCHandle.FromIntPtr(user).Target;
+        }
+
+        /// <summary>Keeps the first exception.</summary>
+        internal void Keep(Exception thrown)
+        {
+            Interlocked.CompareExchange(ref exception, thrown, null);
+        }
+
+        internal Exception TakeException()
+        {
+            return Interlocked.Exchange(ref exception, null);
+        }
+    }
+
+    /// <summary>A GCHandle of a state, for the time of a call.</summary>
+    internal struct UserHandle : IDisposable
+    {
+        private GCHandle handle;
+
+        internal UserHandle(CallbackState state)
+        {
+            handle = state == null ? default(GCHandle) : GCHandle.Alloc(state);
+        }
+
+        internal IntPtr Pointer
+        {
+            get { return GCHandle.ToIntPtr(handle); }
+        }
+
+        public void Dispose()
+        {
+            if (handle.IsAllocated)
+            {
+                handle.Free();
+            }
+        }
+    }
+
+    /// <summary>The types of the callbacks, as in hrbfnpr.h.</summary>
+    internal static unsafe class NativeCallbacks
+    {
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void Log(IntPtr user, int level, byte* message);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void Task(IntPtr taskContext, long index);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void RunTasks(IntPtr user, IntPtr task, IntPtr taskContext, long count);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int Progress(IntPtr user, double progress);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int Write(IntPtr user, byte* data, ulong size);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate long Read(IntPtr user, byte* data, ulong size);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int Implicit(
+            IntPtr user, long count, double* points, double* value, double* gradient, double* hessian);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void Release(IntPtr user);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int Density(IntPtr user, long count, double* positions, double* normals, double* density);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int Tone(IntPtr user, long count, float* positions, float* normals, float* tau);
+    }
+}

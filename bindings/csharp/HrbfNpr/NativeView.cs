@@ -1,0 +1,144 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace HrbfNpr
+{
+    /// <summary>
+    /// A part of a model's or point set's own memory: nothing is copied.  It keeps the object alive, so that it may
+    /// outlive it, and must not be written to.  Any thread may use it.
+    /// </summary>
+    public sealed unsafe class NativeView : IDisposable
+    {
+        private readonly NativeHandle owner;
+        private readonly IntPtr data;
+
+        internal NativeView(NativeHandle owner, hrbfnpr_array view)
+        {
+            this.owner = owner;
+            data = view.data;
+            Count = view.count;
+            Scalar = (ScalarType)view.scalar;
+            Components = (int)view.components;
+            Stride = view.stride != 0 ? view.stride : Components * ScalarSize;
+        }
+
+        /// <summary>Elements, such as marks; 0 where there is nothing.</summary>
+        public long Count { get; }
+
+        /// <summary>Bytes from an element to the next.</summary>
+        public long Stride { get; }
+
+        /// <summary>Type of the numbers.</summary>
+        public ScalarType Scalar { get; }
+
+        /// <summary>Numbers in an element, side by side.</summary>
+        public int Components { get; }
+
+        /// <summary>Address of the first element; valid as long as the view is neither disposed of nor finalised.</summary>
+        /// <exception cref="ObjectDisposedException">The view was disposed of.</exception>
+        public IntPtr Data
+        {
+            get
+            {
+                if (owner.IsClosed)
+                {
+                    throw new ObjectDisposedException(nameof(NativeView));
+                }
+                return data;
+            }
+        }
+
+        private int ScalarSize
+        {
+            get { return Scalar == ScalarType.Float64 ? 8 : Scalar == ScalarType.Uint8 ? 1 : 4; }
+        }
+
+        /// <summary>The view as an argument of a call; keep the view alive as long as the call runs.</summary>
+        public ArrayView ToArrayView()
+        {
+            return ArrayView.At(Data, Count, Scalar, Components, Stride);
+        }
+
+        /// <summary>A copy of all numbers, element by element.</summary>
+        /// <typeparam name="T">float, double, byte or uint, as <see cref="Scalar"/> says.</typeparam>
+        /// <exception cref="InvalidCastException">The numbers are of another type.</exception>
+        public T[] ToArray<T>()
+            where T : struct
+        {
+            CheckType(typeof(T));
+            bool held = false;
+            try
+            {
+                owner.DangerousAddRef(ref held);
+                var result = new T[Count * Components];
+                if (Count == 0)
+                {
+                    return result;
+                }
+                GCHandle pin = GCHandle.Alloc(result, GCHandleType.Pinned);
+                try
+                {
+                    Copy((byte*)pin.AddrOfPinnedObject());
+                }
+                finally
+                {
+                    pin.Free();
+                }
+                return result;
+            }
+            finally
+            {
+                if (held)
+                {
+                    owner.DangerousRelease();
+                }
+            }
+        }
+
+#if NET7_0_OR_GREATER
+        /// <summary>All numbers, in place: the span must not be used after the view is disposed of.</summary>
+        /// <typeparam name="T">float, double, byte or uint, as <see cref="Scalar"/> says.</typeparam>
+        /// <exception cref="InvalidCastException">The numbers are of another type, or not packed.</exception>
+        public ReadOnlySpan<T> AsSpan<T>()
+            where T : unmanaged
+        {
+            CheckType(typeof(T));
+            if (Stride != Components * ScalarSize)
+            {
+                throw new InvalidCastException("the elements of this view do not lie side by side");
+            }
+            return new ReadOnlySpan<T>((void*)Data, checked((int)(Count * Components)));
+        }
+#endif
+
+        /// <summary>Lets go of the object.</summary>
+        public void Dispose()
+        {
+            owner.Dispose();
+        }
+
+        private void CheckType(Type type)
+        {
+            Type wanted = Scalar == ScalarType.Float64 ? typeof(double) : Scalar == ScalarType.Float32 ? typeof(float)
+                : Scalar == ScalarType.Uint8 ? typeof(byte) : typeof(uint);
+            if (type != wanted && Count > 0)
+            {
+                throw new InvalidCastException("this view holds numbers of type " + wanted.Name + ", not " + type.Name);
+            }
+        }
+
+        private void Copy(byte* target)
+        {
+            long size = Components * ScalarSize;
+            if (Stride == size)
+            {
+                Buffer.MemoryCopy((void*)data, target, size * Count, size * Count);
+                return;
+            }
+            for (long i = 0; i < Count; ++i)
+            {
+                Buffer.MemoryCopy((byte*)data + i * Stride, target + i * size, size, size);
+            }
+        }
+    }
+}
