@@ -79,7 +79,8 @@ def methods(functions):
             if part.strip() == "void":
                 continue
             declaration, parameter = re.match(r"(.*?)(\w+)$", part.strip()).groups()
-            parameters.append(f"{parameter_type(name, declaration)} {parameter}")
+            kind = "IntPtr" if parameter == "user" else parameter_type(name, declaration)
+            parameters.append(f"{kind} {parameter}")
         yield parameter_type(name, result), name, parameters
 
 

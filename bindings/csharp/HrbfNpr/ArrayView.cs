@@ -66,16 +66,18 @@ namespace HrbfNpr
         }
 
         /// <summary>An array of structs, each of which begins with <paramref name="components"/> numbers.</summary>
-        /// <param name="array">Of a type without references, such as a vector of three <c>float</c>.</param>
+        /// <param name="array">Such as one of vectors of three <c>float</c>.</param>
         /// <param name="scalar">Type of the numbers.</param>
         /// <param name="components">Numbers in an element, side by side.</param>
-        public static ArrayView Of(Array array, ScalarType scalar, int components)
+        /// <typeparam name="T">A type without references, laid out in order.</typeparam>
+        public static ArrayView Of<T>(T[] array, ScalarType scalar, int components)
+            where T : struct
         {
             if (array == null)
             {
                 throw new ArgumentNullException(nameof(array));
             }
-            return new ArrayView(array, IntPtr.Zero, array.LongLength, scalar, components, ElementSize(array));
+            return new ArrayView(array, IntPtr.Zero, array.LongLength, scalar, components, Marshal.SizeOf<T>());
         }
 
         /// <summary>Native memory, such as a pinned span's or a NativeArray's.</summary>
@@ -89,15 +91,16 @@ namespace HrbfNpr
             return new ArrayView(null, data, count, scalar, components, stride);
         }
 
+        /// <summary>An array of an enum of bytes.</summary>
+        internal static ArrayView OfBytes(Array array)
+        {
+            return Packed(array, ScalarType.Uint8);
+        }
+
         private static ArrayView Packed(Array array, ScalarType scalar)
         {
             return array == null ? default(ArrayView)
                 : new ArrayView(array, IntPtr.Zero, array.LongLength, scalar, 0, 0);
-        }
-
-        private static int ElementSize(Array array)
-        {
-            return Marshal.SizeOf(array.GetType().GetElementType());
         }
 
         /// <summary>Elements of <paramref name="wanted"/> numbers each.</summary>

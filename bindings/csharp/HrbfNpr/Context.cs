@@ -244,8 +244,7 @@ namespace HrbfNpr
 
             internal Tasks(IntPtr task, IntPtr taskContext, long count)
             {
-                this.task = (NativeCallbacks.Task)Marshal.GetDelegateForFunctionPointer(
-                    task, typeof(NativeCallbacks.Task));
+                this.task = Marshal.GetDelegateForFunctionPointer<NativeCallbacks.Task>(task);
                 this.taskContext = taskContext;
                 started = new int[count];
             }

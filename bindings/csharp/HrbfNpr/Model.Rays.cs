@@ -34,7 +34,7 @@ namespace HrbfNpr
                 hrbfnpr_array position = ((ArrayView)result.Position).ToNative(pins, result.Room * 3, "position");
                 hrbfnpr_array normal = ((ArrayView)result.Normal).ToNative(pins, result.Room * 3, "normal");
                 hrbfnpr_array entering = ((ArrayView)result.Entering).ToNative(pins, result.Room, "entering");
-                hrbfnpr_array status = ArrayView.Of(result.Status, ScalarType.Uint8, 1).ToNative(pins, 1, "status");
+                hrbfnpr_array status = ArrayView.OfBytes(result.Status).ToNative(pins, 1, "status");
                 long hitRays;
                 hrbfnpr_error error = Errors.New();
                 int failed = NativeMethods.hrbfnpr_model_cast_rays(

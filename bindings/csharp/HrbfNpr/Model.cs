@@ -207,7 +207,7 @@ namespace HrbfNpr
             CancellationToken cancellationToken = default(CancellationToken))
         {
             var result = new Projection(points.CountOf(3, nameof(points)));
-            ArrayView status = ArrayView.Of(result.Status, ScalarType.Uint8, 1);
+            ArrayView status = ArrayView.OfBytes(result.Status);
             result.Converged = ProjectInto(
                 points, result.Position, result.Normal, status, options, progress, cancellationToken);
             return result;

@@ -66,7 +66,7 @@ namespace HrbfNpr
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_operation_set_callback(OperationHandle operation, IntPtr callback,
-            void* user, hrbfnpr_error* error);
+            IntPtr user, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint struct_size);
@@ -134,7 +134,7 @@ namespace HrbfNpr
             hrbfnpr_array* inside, long* inside_count, OperationHandle operation, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_model_save(ModelHandle model, IntPtr write, void* user,
+        internal static extern int hrbfnpr_model_save(ModelHandle model, IntPtr write, IntPtr user,
             hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
@@ -142,7 +142,7 @@ namespace HrbfNpr
             long* size, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_model_load(ContextHandle context, IntPtr read, void* user,
+        internal static extern int hrbfnpr_model_load(ContextHandle context, IntPtr read, IntPtr user,
             out IntPtr out_model, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
@@ -186,7 +186,7 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_point_set_save(PointSetHandle set, IntPtr write, void* user,
+        internal static extern int hrbfnpr_point_set_save(PointSetHandle set, IntPtr write, IntPtr user,
             hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
@@ -194,7 +194,7 @@ namespace HrbfNpr
             long* size, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_point_set_load(ContextHandle context, IntPtr read, void* user,
+        internal static extern int hrbfnpr_point_set_load(ContextHandle context, IntPtr read, IntPtr user,
             out IntPtr out_point_set, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]

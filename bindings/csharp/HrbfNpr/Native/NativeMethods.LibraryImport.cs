@@ -67,7 +67,7 @@ namespace HrbfNpr
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_operation_set_callback(OperationHandle operation, IntPtr callback,
-            void* user, hrbfnpr_error* error);
+            IntPtr user, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint struct_size);
@@ -135,7 +135,7 @@ namespace HrbfNpr
             hrbfnpr_array* inside, long* inside_count, OperationHandle operation, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_model_save(ModelHandle model, IntPtr write, void* user,
+        internal static partial int hrbfnpr_model_save(ModelHandle model, IntPtr write, IntPtr user,
             hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
@@ -143,7 +143,7 @@ namespace HrbfNpr
             long* size, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_model_load(ContextHandle context, IntPtr read, void* user,
+        internal static partial int hrbfnpr_model_load(ContextHandle context, IntPtr read, IntPtr user,
             out IntPtr out_model, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
@@ -187,7 +187,7 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_point_set_save(PointSetHandle set, IntPtr write, void* user,
+        internal static partial int hrbfnpr_point_set_save(PointSetHandle set, IntPtr write, IntPtr user,
             hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
@@ -195,7 +195,7 @@ namespace HrbfNpr
             long capacity, long* size, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_point_set_load(ContextHandle context, IntPtr read, void* user,
+        internal static partial int hrbfnpr_point_set_load(ContextHandle context, IntPtr read, IntPtr user,
             out IntPtr out_point_set, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
