@@ -384,6 +384,11 @@ namespace HrbfNpr
 
         private static Model Load(byte* data, long size, Context context)
         {
+            byte none;
+            if (size == 0)
+            {
+                data = &none; // empty data is corrupt, not missing
+            }
             context = Context.Resolve(context);
             hrbfnpr_error error = Errors.New();
             var made = new ModelHandle();

@@ -1,0 +1,46 @@
+// 192 samples of a torus become a pen-and-ink drawing, torus.ppm.
+using System;
+using System.IO;
+using System.Text;
+using HrbfNpr;
+
+public static class Quickstart
+{
+    public static void Main()
+    {
+        var points = new double[3 * 192];
+        var normals = new double[3 * 192];
+        for (int i = 0; i < 192; ++i)
+        {
+            double a = 2 * Math.PI * (i / 8) / 24, b = 2 * Math.PI * (i % 8) / 8;
+            double[] normal = { Math.Cos(a) * Math.Cos(b), Math.Sin(a) * Math.Cos(b), Math.Sin(b) };
+            double[] centre = { Math.Cos(a), Math.Sin(a), 0 };
+            for (int k = 0; k < 3; ++k)
+            {
+                normals[3 * i + k] = normal[k];
+                points[3 * i + k] = centre[k] + 0.4 * normal[k];
+            }
+        }
+
+        var style = new Style(StylePreset.ContourAndStipple);
+        using (Model model = Model.Fit(points, normals)) // samples become a smooth surface,
+        using (PointSet marks = PointSet.Generate(model, new GenerateOptions { Groups = style.Groups }))
+        using (var renderer = new Renderer()) // on which the marks of a style are placed
+        {
+            ModelInfo info = model.Info;
+            Camera camera = Camera.FitBounds(
+                info.BoundsMin, info.BoundsMax, (0, 1, -1), (0, 0, 1), 800, 600, 0.5, 0.02);
+            byte[] pixels = renderer.Draw(camera, new Item(marks, style)); // and drawn for a camera.
+
+            using (FileStream file = File.Create("torus.ppm"))
+            {
+                byte[] header = Encoding.ASCII.GetBytes("P6 800 600 255\n");
+                file.Write(header, 0, header.Length);
+                for (int i = 0; i < pixels.Length; i += 4)
+                {
+                    file.Write(pixels, i, 3);
+                }
+            }
+        }
+    }
+}

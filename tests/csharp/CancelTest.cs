@@ -1,0 +1,117 @@
+using System;
+using System.Diagnostics;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Xunit;
+
+namespace HrbfNpr.Tests
+{
+    public class CancelTest
+    {
+        private static readonly double[] Many = Shapes.Sphere(600); // a fit that takes long enough
+        private static readonly FitOptions Direct = new FitOptions { Solver = Solver.Direct };
+
+        [Fact]
+        public void ProgressNeverFalls()
+        {
+            var reports = new Reports();
+            using (Model model = Model.Fit((ArrayView)Many, (ArrayView)Many, Direct, null, reports))
+            {
+                Assert.True(reports.Seen.Distinct().Count() > 3);
+                Assert.Equal(reports.Seen.OrderBy(at => at).ToArray(), reports.Seen.ToArray());
+                Assert.InRange(reports.Seen.Last(), reports.Seen[0], 1.0);
+                var marking = new Reports();
+                PointSet.Generate(model, new GenerateOptions { Budget = 500 }, null, marking).Dispose();
+                Assert.True(marking.Seen.Count > 0 && marking.Seen[0] >= 0);
+            }
+        }
+
+        [Fact]
+        public void ACancelledTokenStopsEveryCallBeforeItStarts()
+        {
+            using (Model model = Shapes.FitSphere())
+            using (var source = new CancellationTokenSource())
+            {
+                source.Cancel();
+                CancellationToken token = source.Token;
+                Cancelled(() => Model.Fit((ArrayView)Many, (ArrayView)Many, cancellationToken: token));
+                Cancelled(() => model.Evaluate(Many, cancellationToken: token));
+                Cancelled(() => model.Project(Many, cancellationToken: token));
+                Cancelled(() => model.Curvature(Many, cancellationToken: token));
+                Cancelled(() => model.CastRays(Many, Many, cancellationToken: token));
+                Cancelled(() => model.Contains(Many, cancellationToken: token));
+                Cancelled(() => model.Lipschitz(cancellationToken: token));
+                Cancelled(() => PointSet.Generate(model, cancellationToken: token));
+                Cancelled(() => PointSet.StepPatches(model, 3, cancellationToken: token));
+            }
+        }
+
+        [Fact]
+        public void AnotherThreadCancelsAFit()
+        {
+            using (var source = new CancellationTokenSource())
+            using (var began = new ManualResetEventSlim())
+            {
+                var canceller = new Thread(() =>
+                {
+                    began.Wait();
+                    source.Cancel();
+                });
+                canceller.Start();
+                var reports = new Reports(at =>
+                {
+                    began.Set();
+                    canceller.Join();
+                });
+                CancelledException thrown = Assert.Throws<CancelledException>(() => Model.Fit(
+                    (ArrayView)Many, (ArrayView)Many, Direct, null, reports, source.Token));
+                Assert.Equal(source.Token, thrown.CancellationToken);
+                Assert.Equal(Status.Cancelled, thrown.Status);
+                Assert.True(reports.Seen.Last() < 0.9);
+            }
+        }
+
+        [Fact]
+        public void ATimerCancelsAndTheTaskEndsAsCancelled()
+        {
+            double[] huge = Shapes.Sphere(1500);
+            Stopwatch watch = Stopwatch.StartNew();
+            using (var source = new CancellationTokenSource(30))
+            {
+                CancellationToken token = source.Token;
+                Task<Model> task = Task.Run(
+                    () => Model.Fit((ArrayView)huge, (ArrayView)huge, Direct, cancellationToken: token), token);
+                Assert.Throws<AggregateException>(() => task.Wait());
+                Assert.True(task.IsCanceled);
+            }
+            Assert.True(watch.ElapsedMilliseconds < 20000);
+        }
+
+        [Fact]
+        public void CancellingAfterwardsDoesNothing()
+        {
+            using (var source = new CancellationTokenSource())
+            using (Model model = Model.Fit(
+                (ArrayView)Shapes.Sphere6, (ArrayView)Shapes.Sphere6, cancellationToken: source.Token))
+            {
+                source.Cancel();
+                Assert.Equal(6L, model.Info.Samples);
+            }
+        }
+
+        [Fact]
+        public void AReportThatThrowsCancels()
+        {
+            var own = new InvalidOperationException("enough");
+            CallbackException thrown = Assert.Throws<CallbackException>(() => Model.Fit(
+                (ArrayView)Many, (ArrayView)Many, Direct, null, new Reports(at => { throw own; })));
+            Assert.Same(own, thrown.InnerException);
+        }
+
+        private static void Cancelled(Action call)
+        {
+            Assert.Equal(Status.Cancelled, Assert.Throws<CancelledException>(call).Status);
+        }
+    }
+}

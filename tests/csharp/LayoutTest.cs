@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Runtime.InteropServices;
+using System.Text;
+using Xunit;
+
+namespace HrbfNpr.Tests
+{
+    /// <summary>Structs and constants against the facts that tests/abi/snapshot.py measures.</summary>
+    public class LayoutTest
+    {
+        private const BindingFlags Fields = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
+        private readonly Dictionary<string, long> facts = new Dictionary<string, long>();
+
+        public LayoutTest()
+        {
+            foreach (string line in File.ReadAllLines(Environment.GetEnvironmentVariable("HRBFNPR_FACTS")))
+            {
+                int equal = line.IndexOf(" = ", StringComparison.Ordinal);
+                if (equal > 0)
+                {
+                    facts.Add(line.Substring(0, equal), long.Parse(line.Substring(equal + 3)));
+                }
+            }
+        }
+
+        [Fact]
+        public void EveryStructHasItsSizeAndOffsets()
+        {
+            var faults = new List<string>();
+            var seen = new HashSet<string>();
+            foreach (Type type in typeof(Model).Assembly.GetTypes())
+            {
+                object[] names = type.GetCustomAttributes(typeof(NativeStructAttribute), false);
+                if (names.Length == 1)
+                {
+                    string name = ((NativeStructAttribute)names[0]).Name;
+                    seen.Add(name);
+                    faults.AddRange(Compare(type, name));
+                }
+            }
+            IEnumerable<string> wanted = facts.Keys.Where(key => key.StartsWith("sizeof ")).Select(key => key.Substring(7));
+            faults.AddRange(wanted.Where(name => !seen.Contains(name)).Select(name => name + " is missing"));
+            Assert.Empty(faults);
+            Assert.True(seen.Count >= 25);
+        }
+
+        [Fact]
+        public void EveryConstantHasItsValue()
+        {
+            var faults = new List<string>();
+            var seen = new HashSet<string>();
+            foreach (Type type in typeof(Model).Assembly.GetTypes().Where(type => type.IsEnum))
+            {
+                object[] prefixes = type.GetCustomAttributes(typeof(NativeConstantsAttribute), false);
+                foreach (object prefix in prefixes)
+                {
+                    foreach (object value in Enum.GetValues(type))
+                    {
+                        string name = ((NativeConstantsAttribute)prefix).Prefix + UpperSnake(value.ToString());
+                        seen.Add(name);
+                        bool known = facts.TryGetValue("constant " + name, out long number);
+                        if (!known || number != Convert.ToInt64(value))
+                        {
+                            faults.Add(type.Name + "." + value + " is not " + name);
+                        }
+                    }
+                }
+            }
+            Assert.Equal(facts["constant HRBFNPR_ABI_VERSION"], (long)NativeMethods.AbiVersion);
+            foreach (string key in facts.Keys.Where(key => key.StartsWith("constant ")))
+            {
+                string name = key.Substring(9);
+                // Flags are properties here, and checked by what they do; counts are of C alone.
+                bool elsewhere = name.EndsWith("_COUNT") || name.Contains("VERSION_") || name.EndsWith("ABI_VERSION")
+                    || name.StartsWith("HRBFNPR_CUSTOM_") || name.StartsWith("HRBFNPR_GENERATE_")
+                    || name.StartsWith("HRBFNPR_DRAW_");
+                if (!elsewhere && !seen.Contains(name))
+                {
+                    faults.Add(name + " is missing");
+                }
+            }
+            Assert.Empty(faults);
+            Assert.Equal(1L, facts["constant HRBFNPR_CUSTOM_HAS_GRADIENT"]);
+            Assert.Equal(2L, facts["constant HRBFNPR_CUSTOM_HAS_HESSIAN"]);
+            Assert.Equal(4L, facts["constant HRBFNPR_CUSTOM_THREAD_SAFE"]);
+            Assert.Equal(1L, facts["constant HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES"]);
+            Assert.Equal(2L, facts["constant HRBFNPR_GENERATE_CURVATURE_OF_COMBING"]);
+            Assert.Equal(1L, facts["constant HRBFNPR_DRAW_OVER"]);
+            Assert.Equal(2L, facts["constant HRBFNPR_DRAW_LINEAR_LIGHT"]);
+        }
+
+        private static string UpperSnake(string name)
+        {
+            var result = new StringBuilder();
+            foreach (char letter in name)
+            {
+                if (char.IsUpper(letter) && result.Length > 0)
+                {
+                    result.Append('_');
+                }
+                result.Append(char.ToUpperInvariant(letter));
+            }
+            return result.ToString();
+        }
+
+        private static string Plain(string name)
+        {
+            return name.Replace("_", string.Empty).ToLowerInvariant();
+        }
+
+        private IEnumerable<string> Compare(Type type, string name)
+        {
+            if (!facts.ContainsKey("sizeof " + name))
+            {
+                yield return name + " is not in the header";
+                yield break;
+            }
+            int size = Marshal.SizeOf(type);
+            if (size != facts["sizeof " + name])
+            {
+                yield return name + " has " + size + " bytes, not " + facts["sizeof " + name];
+            }
+            string prefix = "offsetof " + name + ".";
+            string[] wanted = facts.Keys.Where(key => key.StartsWith(prefix)).ToArray();
+            var offsets = new Dictionary<string, long>();
+            foreach (FieldInfo field in type.GetFields(Fields))
+            {
+                offsets[Plain(field.Name)] = Marshal.OffsetOf(type, field.Name).ToInt64();
+            }
+            foreach (string key in wanted)
+            {
+                string field = Plain(key.Substring(prefix.Length));
+                bool known = offsets.TryGetValue(field, out long offset) || offsets.TryGetValue(field + "0", out offset);
+                if (!known || offset != facts[key])
+                {
+                    yield return key + " is " + facts[key] + ", not " + (known ? offset.ToString() : "known here");
+                }
+            }
+        }
+    }
+}
