@@ -3,21 +3,29 @@
     run.py native WORK                          the declarations are those that the header makes
     run.py dotnet WORK LIBRARY CC SCENE [QUICKSTART]
     run.py mono WORK LIBRARY CC SCENE [QUICKSTART]
+    run.py nuget WORK LIBRARY                   the NuGet package, and a program that has nothing but it
+    run.py unity WORK LIBRARY                   the Unity package, without Unity
 
 CC compiles a program that measures the header, SCENE is draw_scene, QUICKSTART the quick start in C.  Returns 77
 where there is no runtime, or no packages to test with.
 """
 
+import json
 import os
+import platform
+import re
 import shutil
 import subprocess
 import sys
+import tarfile
+import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BINDING = ROOT / "bindings" / "csharp"
 TESTS = ROOT / "tests" / "csharp"
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
+RID = "linux-arm64" if platform.machine() == "aarch64" else "linux-x64"
 # Where packages may lie on a machine without a network; nuget.org is asked if there are none.
 PACKAGES = os.environ.get("HRBFNPR_NUGET_SOURCE", "/opt/nuget/packages")
 
@@ -88,20 +96,26 @@ class DotNet:
             skip(f"the tests need an SDK of .NET 8 or later, not {version or 'none'}")
         self.framework = f"net{version.split('.')[0]}.0"
         self.common = [f"-p:ArtifactsPath={work / 'artifacts'}", "-p:UseSharedCompilation=false", "-nodeReuse:false"]
-        self.common += ["-p:UseAppHost=false", "-m:1", "-v:quiet", "-nologo"]
+        self.common += ["-p:UseAppHost=false", "-p:NuGetAudit=false", "-m:1", "-v:quiet", "-nologo"]
 
-    def restore(self, project, *properties, sources=()):
-        local = [PACKAGES] if Path(PACKAGES).is_dir() else []
-        for chosen in ([*local], []) if local else ([],):
-            named = [part for source in (*chosen, *sources) for part in ("--source", source)] if chosen else \
-                [f"-p:RestoreAdditionalProjectSources={source}" for source in sources]
-            status, text = run(
-                [self.command, "restore", project, *self.common, *properties, *named], env=self.values)
-            if status == 0:
-                return
-        if any(code in text for code in ("NU1101", "NU1102", "NU1301", "NU1100")):
+    def try_restore(self, project, *properties):
+        """Whether all packages are there: in the folder of packages, else in what NuGet is set up with."""
+        folder = [["--source", PACKAGES]] if Path(PACKAGES).is_dir() else []
+        for source in (*folder, []):
+            command = [self.command, "restore", project, *self.common, *properties, *source]
+            result = subprocess.run(
+                [str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                env=self.values)
+            if result.returncode == 0:
+                return True
+            if not re.search(r"\bNU1(100|101|102|103|301)\b", result.stdout):
+                print(result.stdout)
+                sys.exit(1)
+        return False
+
+    def restore(self, project, *properties):
+        if not self.try_restore(project, *properties):
             skip("there are no NuGet packages to build with: neither a folder of them nor nuget.org")
-        sys.exit(1)
 
     def __call__(self, verb, project, *arguments, env=None):
         return must(
@@ -142,12 +156,112 @@ def test_mono(work, library, compiler, scene, quickstart=None):
     return run([mono, program], cwd=work, env=values)[0]
 
 
+def require(condition, fault):
+    if not condition:
+        print(fault)
+        sys.exit(1)
+
+
+def package(kind, work, library, *options, env=None):
+    folder = work / "packages"
+    shutil.rmtree(folder, ignore_errors=True)
+    must([sys.executable, "-B", BINDING / "package.py", kind, folder, "--native", f"{RID}={library}", *options],
+         env=env)
+    return folder
+
+
+def test_nuget(work, library):
+    dotnet = DotNet(work)
+    project = BINDING / "HrbfNpr" / "HrbfNpr.csproj"
+    frameworks, chosen = ["netstandard2.0", "net8.0"], []
+    if not dotnet.try_restore(project):
+        # The reference packages of older frameworks come from nuget.org; the SDK brings its own.
+        print(f"without a network: the package is made for {dotnet.framework} only")
+        frameworks, chosen = [dotnet.framework], [f"-p:HrbfNprFrameworks={dotnet.framework}"]
+        dotnet.restore(project, *chosen)
+    folder = package("nuget", work, library, "--no-restore", *dotnet.common, *chosen, env=dotnet.values)
+    (file,) = folder.glob("HrbfNpr.*.nupkg")
+    names = set(zipfile.ZipFile(file).namelist())
+    wanted = {"README.md", "HrbfNpr.nuspec", f"runtimes/{RID}/native/libhrbfnpr.so"}
+    wanted |= {f"lib/{framework}/HrbfNpr.{kind}" for framework in frameworks for kind in ("dll", "xml")}
+    require(wanted <= names, f"the package lacks {sorted(wanted - names)}")
+
+    project = TESTS / "consumer" / "Consumer.csproj"
+    cache = work / "cache"  # not the user's, which would keep this version of the package
+    shutil.rmtree(cache, ignore_errors=True)
+    properties = [f"-p:ConsumerFramework={dotnet.framework}", f"-p:ConsumerPackages={cache}"]
+    properties += [f"-p:HrbfNprVersion={re.search(r'HrbfNpr.(.*).nupkg', file.name).group(1)}"]
+    must([dotnet.command, "restore", project, *dotnet.common, *properties, "--source", folder], env=dotnet.values)
+    dotnet("build", project, *properties)
+    (program,) = (work / "artifacts" / "bin" / "Consumer").rglob("Consumer.dll")
+    values = {name: value for name, value in dotnet.values.items() if name != "HRBFNPR_LIBRARY"}
+    (work / "torus.ppm").unlink(missing_ok=True)
+    must([dotnet.command, program], cwd=work, env=values)
+    require((work / "torus.ppm").stat().st_size == 3 * 800 * 600 + 15, "the program drew nothing")
+    print(f"{len(names)} files in the package, and a program draws with it")
+    return 0
+
+
+def check_unity_files(folder):
+    """Every asset has its .meta file, and no two the same identity."""
+    identities = set()
+    for path in folder.rglob("*"):
+        inside = path.relative_to(folder)
+        if path.suffix == ".meta" or any(part.endswith("~") for part in inside.parts):
+            require(not any(part.endswith("~") for part in inside.parts) or path.suffix != ".meta",
+                    f"{inside} is not imported by Unity")
+            continue
+        meta = path.with_name(path.name + ".meta")
+        require(meta.is_file(), f"{inside} has no .meta file")
+        identities.add(re.search(r"^guid: ([0-9a-f]{32})$", meta.read_text(), re.MULTILINE).group(1))
+    require(len(identities) == len(list(folder.rglob("*.meta"))), "two assets have the same guid")
+    return len(identities)
+
+
+def test_unity(work, library):
+    folder = package("unity", work, library)
+    archive = next(folder.glob("*.tgz"))
+    unpacked = folder / "unpacked"
+    with tarfile.open(archive) as file:
+        file.extractall(unpacked)
+    root = unpacked / "package"
+    wanted = ["package.json", "README.md", "CHANGELOG.md", "LICENSE.md", "Third Party Notices.md",
+              "Runtime/HrbfNpr.asmdef", "Runtime/Model.cs", "Runtime/Native/NativeMethods.DllImport.cs",
+              f"Runtime/Plugins/{RID}/libhrbfnpr.so", "Samples~/PenAndInk/PenAndInk.cs", "Documentation~/index.md"]
+    missing = [name for name in wanted if not (root / name).is_file()]
+    require(not missing, f"the package lacks {missing}")
+    manifest = json.loads((root / "package.json").read_text(encoding="utf-8"))
+    require(archive.name == f"{manifest['name']}-{manifest['version']}.tgz", "package.json is of another package")
+    require(all((root / sample["path"]).is_dir() for sample in manifest["samples"]), "a sample is missing")
+    for definition in root.rglob("*.asmdef"):
+        require("name" in json.loads(definition.read_text(encoding="utf-8")), f"{definition.name} has no name")
+    plugin = (root / f"Runtime/Plugins/{RID}/libhrbfnpr.so.meta").read_text()
+    require("Standalone: Linux64" in plugin, "the plugin is not for its platform")
+    count = check_unity_files(root)
+
+    mcs = shutil.which("mcs")
+    if mcs is not None:  # Unity compiles the sources, and those of a sample
+        compile_ = [mcs, "-langversion:7.2", "-unsafe", "-warnaserror", "-target:library"]
+        assembly = work / "HrbfNpr.dll"
+        must([*compile_, f"-out:{assembly}", *sorted((root / "Runtime").rglob("*.cs"))])
+        must([*compile_, f"-out:{work / 'Sample.dll'}", f"-r:{assembly}", TESTS / "unity" / "UnityStub.cs",
+              *sorted((root / "Samples~").rglob("*.cs"))])
+    print(f"{count} assets in the package" + ("" if mcs else "; not compiled, there is no mcs here"))
+    return 0
+
+
 def test_native(work):
     status = run([sys.executable, "-B", BINDING / "make_native.py", "--check"])[0]
     example = (ROOT / "examples" / "quickstart.cs").read_text(encoding="utf-8")
     if f"```csharp\n{example}```\n" not in (ROOT / "README.md").read_text(encoding="utf-8"):
         print("README.md does not contain examples/quickstart.cs to the letter")
         status = 1
+    version = re.search(r"^\s*VERSION (\d+\.\d+\.\d+)$", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE).group(1)
+    for name, line in (("HrbfNpr/HrbfNpr.csproj", f"<Version>{version}</Version>"),
+                       ("Unity/package.json", f'"version": "{version}"')):
+        if line not in (BINDING / name).read_text(encoding="utf-8"):
+            print(f"{name} does not say {line}")
+            status = 1
     for path in [*mono_sources(), *TESTS.rglob("*.cs"), *BINDING.glob("Unity/**/*.cs")]:
         count = len(path.read_text(encoding="utf-8").splitlines())
         if count > 500 and path.name != "Enums.cs":
@@ -159,7 +273,8 @@ def test_native(work):
 def main():
     what, work = sys.argv[1], Path(sys.argv[2]).resolve()
     work.mkdir(parents=True, exist_ok=True)
-    return {"native": test_native, "dotnet": test_dotnet, "mono": test_mono}[what](work, *sys.argv[3:])
+    tests = {"native": test_native, "dotnet": test_dotnet, "mono": test_mono, "nuget": test_nuget, "unity": test_unity}
+    return tests[what](work, *sys.argv[3:])
 
 
 if __name__ == "__main__":
