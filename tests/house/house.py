@@ -51,7 +51,7 @@ LONGEST_FILE = 500
 def source_files(root, folders, suffixes):
     for folder in folders:
         for path in sorted((root / folder).rglob("*")):
-            hidden = any(part in ("build", "dist", "__pycache__") for part in path.relative_to(root).parts)
+            hidden = any(part in ("build", "dist", "bin", "obj", "__pycache__") for part in path.relative_to(root).parts)
             if path.suffix in suffixes and path.is_file() and not hidden:
                 yield path
 
@@ -130,7 +130,7 @@ def forbidden(root):
 
 def sizes(root):
     folders = ["src", "tests", "bench", "examples", "bindings"]
-    for path in source_files(root, folders, {".h", ".cpp", ".c", ".py", ".cmake"}):
+    for path in source_files(root, folders, {".h", ".cpp", ".c", ".cs", ".py", ".cmake"}):
         count = sum(1 for _ in lines(path))
         if count > LONGEST_FILE:
             yield f"{path.relative_to(root)} has {count} lines: split it ({LONGEST_FILE} at most)"
