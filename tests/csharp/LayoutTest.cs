@@ -93,6 +93,42 @@ namespace HrbfNpr.Tests
             Assert.Equal(2L, facts["constant HRBFNPR_DRAW_LINEAR_LIGHT"]);
         }
 
+        [Fact]
+        public void EveryFieldHasAProperty()
+        {
+            var faults = new List<string>();
+            faults.AddRange(Unseen(typeof(hrbfnpr_fit_desc), typeof(FitOptions), "points", "normals"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_project_desc), typeof(ProjectOptions)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_cast_desc), typeof(CastOptions)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_custom_desc), typeof(FunctionOptions),
+                "flags", "function", "user", "release", "bounds_min", "bounds_max"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_group_desc), typeof(GroupOptions)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_generate_desc), typeof(GenerateOptions), "flags", "density_user"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_group_arrays), typeof(GroupArrays)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_group_style), typeof(GroupStyle)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_style), typeof(Style), "tone_user"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_item), typeof(Item)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_draw_desc), typeof(DrawOptions), "flags", "class_"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_context_desc), typeof(ContextOptions),
+                "abi_version", "flags", "log_user", "run_tasks_user"));
+            Assert.Empty(faults);
+        }
+
+        /// <summary>Fields of a descriptor that a program cannot set through the class that stands for it.</summary>
+        private static IEnumerable<string> Unseen(Type native, Type shown, params string[] otherwise)
+        {
+            var properties = new HashSet<string>(shown.GetProperties().Select(property => Plain(property.Name)));
+            foreach (FieldInfo field in native.GetFields(Fields))
+            {
+                bool array = char.IsDigit(field.Name[field.Name.Length - 1]); // group0, layer0: each has a name here
+                bool plain = field.Name == "struct_size" || field.Name.StartsWith("reserved");
+                if (!array && !plain && !otherwise.Contains(field.Name) && !properties.Contains(Plain(field.Name)))
+                {
+                    yield return native.Name + "." + field.Name + " cannot be set through " + shown.Name;
+                }
+            }
+        }
+
         private static string UpperSnake(string name)
         {
             var result = new StringBuilder();
