@@ -60,6 +60,18 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void ALibraryOfAnotherAbiIsRefused()
+        {
+            hrbfnpr_context_desc desc;
+            Errors.Check(NativeMethods.hrbfnpr_context_desc_init(&desc, (uint)sizeof(hrbfnpr_context_desc)));
+            desc.abi_version = NativeMethods.AbiVersion + 1;
+            hrbfnpr_error error = Errors.New();
+            int status = NativeMethods.hrbfnpr_context_create(&desc, out IntPtr created, &error);
+            Assert.Equal((int)Status.VersionMismatch, status);
+            Assert.Equal(IntPtr.Zero, created);
+        }
+
+        [Fact]
         public void AMessageWithLettersBeyondAscii()
         {
             hrbfnpr_error error = Errors.New();

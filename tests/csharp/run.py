@@ -91,6 +91,8 @@ class DotNet:
             "NUGET_ENHANCED_MAX_NETWORK_TRY_COUNT": "2",
             "NUGET_ENHANCED_NETWORK_RETRY_DELAY_MILLISECONDS": "200",
         }
+        if "HOME" not in os.environ:
+            self.values["DOTNET_CLI_HOME"] = str(work)
         version = subprocess.run(
             [self.command, "--version"], capture_output=True, text=True, env=self.values
         ).stdout.strip()
@@ -200,6 +202,9 @@ def test_nuget(work, library):
     (work / "torus.ppm").unlink(missing_ok=True)
     must([dotnet.command, program], cwd=work, env=values)
     require((work / "torus.ppm").stat().st_size == 3 * 800 * 600 + 15, "the program drew nothing")
+    values["HRBFNPR_LIBRARY"] = str(work / "nowhere.so")  # named, and then no other is tried
+    wrong = subprocess.run([dotnet.command, program], cwd=work, env=values, capture_output=True, text=True)
+    require(wrong.returncode != 0 and "DllNotFoundException" in wrong.stderr, "HRBFNPR_LIBRARY was not listened to")
     print(f"{len(names)} files in the package, and a program draws with it")
     return 0
 
