@@ -3,8 +3,6 @@
 #include "frame/cover_law.h"
 #include "frame/gatherer.h"
 
-#include <numbers>
-
 namespace hrbfnpr::frame {
 namespace {
 
@@ -33,7 +31,7 @@ float ItemInk::per_pixel(float ppe) const noexcept {
     for (std::size_t k = 0; k < terms; ++k) {
         const Term& t = term[k];
         const float radius = t.pen->front_ink(ppe);
-        float area = std::numbers::pi_v<float> * radius * radius;
+        float area = disc_ink(radius);
         // The discs of a stroke overlap, and make a line.
         if (t.step > 0.0F) area = std::min(area, 2.0F * radius * t.step * ppe);
         ink += t.marks_per_area * area;

@@ -1,5 +1,6 @@
 #include "frame/gatherer.h"
 
+#include "base/prefetch.h"
 #include "frame/cover_law.h"
 #include "frame/tone.h"
 
@@ -129,9 +130,7 @@ void Gatherer::operator()(const sampling::Cluster& cluster) noexcept {
 
 void Gatherer::expect(std::int64_t cluster) const noexcept {
     if (cluster >= marks_.cluster.size()) return;
-    const auto* const block = reinterpret_cast<const std::byte*>(&marks_.block[marks_.cluster[cluster].block]);
-    constexpr std::size_t line = base::Memory::alignment;
-    for (std::size_t at = 0; at < sizeof(MarkBlock); at += line) __builtin_prefetch(block + at);
+    base::prefetch(&marks_.block[marks_.cluster[cluster].block], 1);
 }
 
 // Whether all marks of the cluster are of one class, which is then counted.
