@@ -24,7 +24,4 @@ inline constexpr float cover_spacing = 4.0F;
 // mark; marks at random leave one place in two thousand.
 inline constexpr float even_cover = 0.85F;
 inline constexpr float random_cover = 1.6F;
-// Sheets are not taken as steeper than this, depth over pixels: their ellipses would fall between pixels.
-inline constexpr float steepest = 4.0F;
-
 } // namespace hrbfnpr::frame

@@ -41,4 +41,7 @@ struct Cover {
     bool faces_back;
 };
 
+// Sheets are not taken as steeper than this, depth over pixels: their ellipses would fall between pixels.
+inline constexpr float steepest = 4.0F;
+
 } // namespace hrbfnpr::frame

@@ -105,6 +105,8 @@ HWY_INLINE void lay_next(const SheetPlanes& p, const SheetDisc& disc, const Cove
 void lay_all_next(const SheetPlanes& p, const CoverList& list) {
     for (std::int64_t i = 0; i < list.count; ++i) {
         const Cover& c = list.covers[list.numbers[i]];
+        const float reach = steepest * c.radius / c.ppe;
+        if (c.depth + reach < list.nearest || c.depth - reach > list.farthest) continue;
         lay_next(p, disc_of(list, c), c);
     }
 }

@@ -26,6 +26,7 @@ struct CoverList {
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
+    float nearest, farthest; // depths between which lay_next() is asked for sheets
 };
 
 struct SheetLoops {

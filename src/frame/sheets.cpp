@@ -22,13 +22,15 @@ constexpr float own_gap = 3.0F * sheet_gap * cover_spacing;
 
 [[nodiscard]] CoverList list_of(std::span<const Cover> covers, std::span<const std::uint32_t> numbers,
                                 const glm::vec2& corner) noexcept {
-    return {covers.data(), numbers.data(), static_cast<std::int64_t>(numbers.size()), corner.x, corner.y};
+    return {covers.data(), numbers.data(), static_cast<std::int64_t>(numbers.size()), corner.x, corner.y,
+            -nothing,      nothing};
 }
 
 // What a mark is seen through.
 struct Dimmed {
     float clear = 1.0F;
-    bool may_be_dimmed_more = false;
+    // Other sheets may lie between the ink and here; nothing: none can.
+    float more_behind = nothing;
 };
 
 // By the nearest sheets and the halo, or by the next ones, at (x, y) pixels of the planes, clamped to them.
@@ -53,7 +55,8 @@ Dimmed dim(const SheetPlanes& p, const Ink& ink, float x, float y, bool next) no
     const bool behind_front = front + (ink.faces_back ? other : own) < ink.depth || (behind_back && front < back);
     if (behind_front) result.clear *= p.clear[first][at];
     if (behind_back) result.clear *= p.clear[first + 1][at];
-    result.may_be_dimmed_more = behind_back || behind_front;
+    // In solids, a sheet that faces away lies between two that face the eye.
+    if (behind_back || (behind_front && back == nothing)) result.more_behind = std::min(front, back);
     return result;
 }
 
@@ -112,27 +115,34 @@ std::int64_t Sheets::dim_tile(const SheetPlanes& planes, std::span<const Cover> 
                               const TileBins& ink_bins, std::int64_t tile, const glm::vec2& origin) const noexcept {
     const glm::vec2 corner = origin + glm::vec2(static_cast<float>(tile % ink_bins.columns() * tile_size - apron),
                                                 static_cast<float>(tile / ink_bins.columns() * tile_size - apron));
+    const TileBins::Extent own = ink_bins.own_extent(tile);
     const auto for_own = [&](auto&& f) {
         ink_bins.for_tile(tile, [&](std::uint32_t i) {
-            if (ink_bins.tile_of(inks[i].x - origin.x, inks[i].y - origin.y) == tile) f(inks[i]);
+            if (own.holds(inks[i].x - origin.x, inks[i].y - origin.y)) f(inks[i]);
         });
     };
     std::int64_t seen = 0;
     bool laid = false;
-    bool more = false;
+    float nearest = nothing;
+    float farthest = -nothing;
     for_own([&](Ink& ink) {
         if (!laid) lay_tile(planes, covers, tile, corner);
         laid = true;
         const Dimmed dimmed = dim(planes, ink, ink.x - corner.x, ink.y - corner.y, false);
         ink.alpha = dimmed.clear < faintest ? 0.0F : dimmed.clear;
-        more = more || (dimmed.may_be_dimmed_more && ink.alpha > 0.0F);
         seen += ink.alpha > 0.0F;
+        if (!(ink.alpha > 0.0F) || dimmed.more_behind == nothing) return;
+        nearest = std::min(nearest, dimmed.more_behind);
+        farthest = std::max(farthest, ink.depth);
     });
-    if (!more) return seen;
+    if (nearest == nothing) return seen;
     for (float* const depth : {planes.depth[SheetPlanes::next_front], planes.depth[SheetPlanes::next_back]})
         std::fill_n(depth, plane, nothing);
     bins_.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
-        loops_.lay_next(planes, list_of(covers, numbers, corner));
+        CoverList list = list_of(covers, numbers, corner);
+        list.nearest = nearest;
+        list.farthest = farthest;
+        loops_.lay_next(planes, list);
     });
     seen = 0;
     for_own([&](Ink& ink) {
