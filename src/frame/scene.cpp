@@ -36,6 +36,8 @@ void check_transform(const glm::dmat4& m, std::int64_t index) {
 ItemView view_of(const Item& item, const Camera& camera) {
     ItemView view;
     view.style = item.style;
+    view.model = item.model;
+    view.origin = item.set->origin;
     // Far from the world's origin the large numbers cancel here, in double.
     view.to_world = item.transform;
     view.to_world[3] = item.transform * glm::dvec4(item.set->origin, 1.0);

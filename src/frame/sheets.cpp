@@ -10,8 +10,6 @@ namespace hrbfnpr::frame {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::infinity();
-// Fainter ink would not change a pixel.
-constexpr float faintest = 1.0F / 512.0F;
 // A contour lies behind a sheet that is nearer by so many pixels: where it is asked, its own sheet is not, but the
 // discs of that may be.
 constexpr float contour_gap = 4.0F;
@@ -51,8 +49,10 @@ Dimmed dim(const SheetPlanes& p, const Ink& ink, float x, float y, bool next) no
     const std::int64_t first = next ? std::int64_t{SheetPlanes::next_front} : std::int64_t{SheetPlanes::front};
     const float front = p.depth[first][at];
     const float back = p.depth[first + 1][at];
-    const bool behind_back = back + (ink.faces_back ? own : other) < ink.depth;
-    const bool behind_front = front + (ink.faces_back ? other : own) < ink.depth || (behind_back && front < back);
+    if ((ink.flags & ink_is_exact) != 0) return result;
+    const bool faces_back = (ink.flags & ink_faces_back) != 0;
+    const bool behind_back = back + (faces_back ? own : other) < ink.depth;
+    const bool behind_front = front + (faces_back ? other : own) < ink.depth || (behind_back && front < back);
     if (behind_front) result.clear *= p.clear[first][at];
     if (behind_back) result.clear *= p.clear[first + 1][at];
     // In solids, a sheet that faces away lies between two that face the eye.
@@ -129,7 +129,7 @@ std::int64_t Sheets::dim_tile(const SheetPlanes& planes, std::span<const Cover> 
         if (!laid) lay_tile(planes, covers, tile, corner);
         laid = true;
         const Dimmed dimmed = dim(planes, ink, ink.x - corner.x, ink.y - corner.y, false);
-        ink.alpha = dimmed.clear < faintest ? 0.0F : dimmed.clear;
+        ink.alpha = dimmed.clear < faintest_ink ? 0.0F : dimmed.clear;
         seen += ink.alpha > 0.0F;
         if (!(ink.alpha > 0.0F) || dimmed.more_behind == nothing) return;
         nearest = std::min(nearest, dimmed.more_behind);
@@ -147,7 +147,7 @@ std::int64_t Sheets::dim_tile(const SheetPlanes& planes, std::span<const Cover> 
     seen = 0;
     for_own([&](Ink& ink) {
         if (ink.alpha > 0.0F) ink.alpha *= dim(planes, ink, ink.x - corner.x, ink.y - corner.y, true).clear;
-        if (ink.alpha < faintest) ink.alpha = 0.0F;
+        if (ink.alpha < faintest_ink) ink.alpha = 0.0F;
         seen += ink.alpha > 0.0F;
     });
     return seen;
