@@ -110,7 +110,10 @@ class Contours : public ::testing::Test {
 protected:
     Line line(const sampling::PointSet& set, float width, const frame::Camera& camera,
               const std::vector<glm::dvec3>& contour, const Bend& bend) {
-        const std::array items{sheet_item(set, contours(width))};
+        Style style = contours(width);
+        style.hidden_lines = hidden_lines;
+        style.halo_width = halo;
+        const std::array items{sheet_item(set, style)};
         frame.prepare(items, camera);
         std::vector<glm::dvec2> truth;
         for (const glm::dvec3& p : contour) truth.push_back(image_of(camera, p));
@@ -137,8 +140,26 @@ protected:
         return result;
     }
 
+    // A sphere hides none of its own contour.
+    void expect_whole_sphere() {
+        const sampling::PointSet set = spread(runtime, test::Sphere(), 150000);
+        const glm::dvec3 eye(1.0, -2.0, 3.0);
+        for (const auto hidden : {frame::HiddenLines::hide, frame::HiddenLines::attenuate}) {
+            hidden_lines = hidden;
+            for (const double half : {3.0, 1.25}) {
+                const Line found =
+                    line(set, 1.0F, camera_from(eye, size, half), sphere_contour(eye, false), sphere_bend);
+                EXPECT_LE(found.farthest, 1.1) << half;
+                EXPECT_LE(found.bare, 0.01) << half;
+                EXPECT_LE(found.widest_gap, 3.0) << half;
+            }
+        }
+    }
+
     base::Runtime runtime;
     Frame frame{runtime};
+    frame::HiddenLines hidden_lines = frame::HiddenLines::show;
+    float halo = 0.0F;
 };
 
 TEST_F(Contours, OfASphereAreThinAndWhole) {
@@ -183,6 +204,14 @@ TEST_F(Contours, OfATorusAreThinAndWhole) {
             EXPECT_LE(perspective.bare, 0.005) << tilt << " " << half << " " << perspective.widest_gap;
         }
     }
+}
+
+TEST_F(Contours, AreNotHiddenByTheirOwnSheet) { expect_whole_sphere(); }
+
+// Marks a pixel inside of the contour lie many pixels nearer to the eye than it, and their halo hides it.
+TEST_F(Contours, DISABLED_AreNotHiddenByTheirOwnHalo) {
+    halo = 2.0F;
+    expect_whole_sphere();
 }
 
 TEST_F(Contours, AreOfOneDensityWhateverTheZoom) {
