@@ -86,6 +86,9 @@ ItemSight sight_of(const ItemView& item, const Lens& lens) noexcept {
                                       : glm::vec3(back * (centre - glm::dvec3(item.eye_offset)));
     const glm::vec3 light = glm::transpose(item.normal_to_light) * item.light;
     if (glm::length(light) > 0.0F) sight.light = glm::normalize(light);
+    sight.seer.rigid = true;
+    set_rows(sight.seer.normal, item.normal_to_eye / std::cbrt(std::abs(glm::determinant(item.normal_to_eye))));
+    for (int k = 0; k < 3; ++k) sight.seer.light[k] = sight.light[k];
     return sight;
 }
 
@@ -141,6 +144,32 @@ ClusterView view_cluster(const sampling::Cluster& cluster, const ItemSight& sigh
     view.nu_min = nu.least;
     view.nu_max = nu.most;
     return view;
+}
+
+float ppe_at(const sampling::Cluster& cluster, const ItemSight& sight, const Lens& lens) noexcept {
+    const float(&row)[4] = sight.seer.clip[3];
+    const float w = row[0] * cluster.centre[0] + row[1] * cluster.centre[1] + row[2] * cluster.centre[2] + row[3];
+    return w > 0.0F ? lens.pixels / w : 1.0F;
+}
+
+namespace {
+
+// The turn of the normal for a step w along the surface.
+[[nodiscard]] glm::vec3 turn_for(const sampling::Cluster& cluster, const glm::vec3& w) noexcept {
+    const auto& s = cluster.shape;
+    return {s[0] * w.x + s[1] * w.y + s[2] * w.z, s[1] * w.x + s[3] * w.y + s[4] * w.z,
+            s[2] * w.x + s[4] * w.y + s[5] * w.z};
+}
+
+} // namespace
+
+float radial_curvature(const sampling::Cluster& cluster, const glm::vec3& n, const glm::vec3& v) noexcept {
+    const glm::vec3 w = v - glm::dot(v, n) * n; // the line of sight along the surface
+    return glm::dot(w, turn_for(cluster, w)) / glm::dot(w, w);
+}
+
+glm::vec3 contour_direction(const sampling::Cluster& cluster, const glm::vec3& n, const glm::vec3& v) noexcept {
+    return glm::cross(n, turn_for(cluster, v - glm::dot(v, n) * n));
 }
 
 } // namespace hrbfnpr::frame

@@ -45,8 +45,20 @@ struct ClusterView {
 // How far, in pixels, a mark's image lies from the contour's: it is at the angle nu from it along a circle whose
 // curvature is the radial one.
 [[nodiscard]] inline float contour_distance(float nu, float pixel_curvature) noexcept {
-    return nu * nu / ((1.0F + std::sqrt(std::max(0.0F, 1.0F - nu * nu))) * pixel_curvature);
+    return nu * nu / ((1.0F + std::sqrt(std::max(0.0F, 1.0F - nu * nu))) * pixel_curvature); // inf where flat
 }
+
+// Pixels per eye unit at the cluster's centre; 1 if that is behind the camera.
+[[nodiscard]] float ppe_at(const sampling::Cluster& cluster, const ItemSight& sight, const Lens& lens) noexcept;
+
+// Normal curvature of the cluster's surface where the normal is n, along the line of sight v; object space.  Positive
+// where convex.
+[[nodiscard]] float radial_curvature(const sampling::Cluster& cluster, const glm::vec3& n, const glm::vec3& v) noexcept;
+
+// The direction of the contour there, of any length: along it the normal stays across the line of sight, so that it is
+// conjugate to that.  [Koenderink 1984, "What does the occluding contour tell us about solid shape?"]
+[[nodiscard]] glm::vec3 contour_direction(const sampling::Cluster& cluster, const glm::vec3& n,
+                                          const glm::vec3& v) noexcept;
 
 // |nu| up to which contour_distance() may be within `width` pixels, where no curvature is larger than `pixel_bend`.
 [[nodiscard]] inline float contour_band(float width, float pixel_bend) noexcept {

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/runtime.h"
 #include "frame/camera.h"
+#include "frame/mark_class.h"
 #include "frame/style.h"
 #include "sampling/point_set.h"
 
@@ -11,9 +12,6 @@
 #include <span>
 
 namespace hrbfnpr::frame {
-
-// Same numbers as HRBFNPR_CLASS_...
-enum class MarkClass : std::uint8_t { none = 0, front = 1, back = 2, silhouette = 3 };
 
 class SheetFrame;
 

@@ -3,8 +3,6 @@
 #include "frame/cover_law.h"
 #include "frame/gatherer.h"
 
-#include <numbers>
-
 namespace hrbfnpr::frame {
 namespace {
 
@@ -33,7 +31,7 @@ float ItemInk::per_pixel(float ppe) const noexcept {
     for (std::size_t k = 0; k < terms; ++k) {
         const Term& t = term[k];
         const float radius = t.pen->front_ink(ppe);
-        float area = std::numbers::pi_v<float> * radius * radius;
+        float area = disc_ink(radius);
         // The discs of a stroke overlap, and make a line.
         if (t.step > 0.0F) area = std::min(area, 2.0F * radius * t.step * ppe);
         ink += t.marks_per_area * area;
@@ -66,8 +64,8 @@ ItemInk Gather::ink_of(const Scene& scene, std::int64_t item) const noexcept {
     }
     const Overlap overlap = !apart ? Overlap::random : lines > 0.0F ? Overlap::lines : Overlap::blue_noise;
     const float layers = lines + (ink.terms > 1 ? 1.0F : 0.0F);
-    for (std::size_t i = 0; i <= ItemInk::steps; ++i)
-        ink.needed_for[i] = ink_for(static_cast<float>(i) / ItemInk::steps, overlap, layers);
+    for (std::size_t i = 0; i < ink.needed.size(); ++i)
+        ink.needed[i] = ink_for(static_cast<float>(i) / needed_steps, overlap, layers);
     return ink;
 }
 
@@ -96,14 +94,17 @@ void Gather::add_pieces(const Scene& scene) {
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
         const Run& run = scene.runs[r];
         const base::Array<sampling::Cluster>& clusters = run.marks->clusters.cluster;
-        Work work{static_cast<std::int32_t>(r), 0, 0, run.first};
+        Work work{static_cast<std::int32_t>(r), 0, 0, run.first_place};
+        std::int64_t marks = 0;
         for (std::int64_t c = 0; c < clusters.size(); ++c) {
             work.end = static_cast<std::int32_t>(c + 1);
             const bool last = c + 1 == clusters.size();
-            if (!last && clusters[c].end - clusters[work.begin].begin < marks_of_work) continue;
+            marks += clusters[c].count;
+            if (!last && marks < marks_of_work) continue;
             work_.push_back(work);
             work.begin = work.end;
-            work.first_place = run.first + clusters[c].end;
+            work.first_place = run.first_place + (last ? 0 : clusters[c + 1].block * sampling::MarkBlock::size);
+            marks = 0;
         }
     }
 }
@@ -112,9 +113,9 @@ void Gather::run(Scene& scene) {
     set_up(scene);
     add_pieces(scene);
     ask_tones(scene);
-    const std::int64_t marks = scene.mark_count();
-    resize_scratch(inks_, marks);
-    resize_scratch(covers_, marks);
+    const std::int64_t places = scene.place_count();
+    resize_scratch(inks_, places);
+    resize_scratch(covers_, places);
     resize_scratch(ink_pieces_, work_.size());
     resize_scratch(cover_pieces_, work_.size());
     resize_scratch(counts_, work_.size());
@@ -122,7 +123,10 @@ void Gather::run(Scene& scene) {
         const Work& work = work_[i];
         const Run& run = scene.runs[work.run];
         Gatherer gatherer(*this, scene, run, work.run, work.first_place);
-        for (std::int64_t c = work.begin; c < work.end; ++c) gatherer(run.marks->clusters.cluster[c]);
+        for (std::int64_t c = work.begin; c < work.end; ++c) {
+            gatherer.expect(c + 4);
+            gatherer(run.marks->clusters.cluster[c]);
+        }
         ink_pieces_[i] = {work.first_place, gatherer.ink_end()};
         cover_pieces_[i] = {work.first_place, gatherer.cover_end()};
         counts_[i] = gatherer.info();
@@ -132,7 +136,7 @@ void Gather::run(Scene& scene) {
 void Gather::ask_tones(Scene& scene) {
     const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
     if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
-    resize_scratch(tau_, scene.mark_count());
+    resize_scratch(tau_, scene.place_count());
     for (const Run& run : scene.runs) {
         if (!asks(run) || !run.draws_front) continue;
         tone_calls_.begin(scene.item_of(run), tau_);
@@ -146,16 +150,15 @@ void Gather::ask_cluster(const Scene& scene, const Run& run, const sampling::Clu
     const ItemSight& sight = sights_[run.item];
     const ClusterView view = view_cluster(cluster, sight, scene.lens, frustum_, scene.lens.diagonal);
     if (view.outside || view.nu_min > 0.0F) return;
-    const sampling::MarkClusters& m = run.marks->clusters;
+    const sampling::MarkBlock* const blocks = run.marks->clusters.block.data() + cluster.block;
     Seen seen;
-    loops_.see(sight.seer,
-               {m.x.data() + cluster.begin, m.y.data() + cluster.begin, m.z.data() + cluster.begin,
-                m.nx.data() + cluster.begin, m.ny.data() + cluster.begin, m.nz.data() + cluster.begin,
-                cluster.end - cluster.begin},
-               seen);
-    for (std::int64_t i = cluster.begin; i < cluster.end; ++i) {
-        if (seen.ppe[i - cluster.begin] > 0.0F && seen.nu[i - cluster.begin] < 0.0F)
-            tone_calls_.add({m.x[i], m.y[i], m.z[i]}, {m.nx[i], m.ny[i], m.nz[i]}, run.first + i);
+    loops_.see(sight.seer, {blocks, cluster.count}, seen);
+    for (std::int64_t i = 0; i < cluster.count; ++i) {
+        if (!(seen.ppe[i] > 0.0F && seen.nu[i] < 0.0F)) continue;
+        const sampling::MarkBlock& m = blocks[i / sampling::MarkBlock::size];
+        const std::int64_t at = i % sampling::MarkBlock::size;
+        tone_calls_.add({m.x[at], m.y[at], m.z[at]}, {m.nx[at], m.ny[at], m.nz[at]},
+                        run.first_place + cluster.block * sampling::MarkBlock::size + i);
     }
 }
 

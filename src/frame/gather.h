@@ -20,16 +20,9 @@ struct ItemInk {
     std::array<Term, 3> term;
     std::size_t terms = 0;
     // ink_for() of these coverages, so that a mark need not take a root.
-    static constexpr std::size_t steps = 64;
-    std::array<float, steps + 1> needed_for{};
+    std::array<float, needed_steps + 1> needed{};
 
     [[nodiscard]] float per_pixel(float ppe) const noexcept;
-    // Ink per area that covers this share of it.
-    [[nodiscard]] float needed(float coverage) const noexcept {
-        const float at = std::clamp(coverage, 0.0F, 1.0F) * steps;
-        const auto cell = static_cast<std::size_t>(std::min(at, static_cast<float>(steps - 1)));
-        return needed_for[cell] + (needed_for[cell + 1] - needed_for[cell]) * (at - static_cast<float>(cell));
-    }
 };
 
 // What a sheet lets through, by |nu|.

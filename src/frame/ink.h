@@ -1,7 +1,7 @@
 // What a frame by sheets is made of: ink, and the covers that its sheets are found from.
 #pragma once
 
-#include "frame/frame.h"
+#include "frame/mark_class.h"
 
 #include <cstdint>
 
@@ -12,7 +12,7 @@ struct Ink {
     float x, y;   // pixels
     float radius; // pixels
     float alpha;  // what the sheets in front let through of it; 0: not drawn
-    float depth;  // eye units along the view
+    float depth;  // eye units along the view; of a contour its own, not the mark's
     float window; // depth in the camera's convention
     float ppe;    // pixels per eye unit
     std::uint32_t id;
@@ -32,8 +32,11 @@ struct Cover {
     float ppe;
     float clear; // what the sheet lets through
     float window;
-    float halo; // pixels around a place on the contour; 0: none
+    // Pixels around the nearest place of the contour; 0: none, and the rest does not count.
+    float halo;
     float halo_clear;
+    float halo_x, halo_y, halo_depth;
+    float halo_slope_x, halo_slope_y; // of the contour: eye units of depth per pixel along it
     std::uint32_t id;
     bool faces_back;
 };

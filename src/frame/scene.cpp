@@ -117,6 +117,7 @@ void add_runs(Scene& scene, const Item& item, std::int64_t item_index, std::int6
         run.group = static_cast<std::int32_t>(g);
         run.first = scene.runs.empty() ? 0 : scene.runs.back().first + scene.runs.back().count;
         run.count = marks.count();
+        run.first_place = scene.place_count();
         run.first_id = static_cast<std::uint32_t>(first_id);
         // A stipple belongs to no set of directions.
         run.sets = g == 0 ? 3U : style.group[g].sets;

@@ -27,6 +27,7 @@ struct Run {
     std::int32_t group = 0;
     std::int64_t first = 0; // place of its first mark in the arrays below
     std::int64_t count = 0;
+    std::int64_t first_place = 0; // of its clusters' blocks, one after the other
     std::uint32_t first_id = 0;
     std::uint32_t sets = 3; // of front ink
     bool draws_front = false;
@@ -39,6 +40,9 @@ struct Run {
     bool covers = false;           // its marks tell where the sheets of its item are
     Pen pen;
 
+    [[nodiscard]] std::int64_t places() const noexcept {
+        return marks->clusters.block.size() * sampling::MarkBlock::size;
+    }
     // Radius of the ink of a front mark, by its number in the group.  Contours are not tapered.
     [[nodiscard]] float front_ink(std::int64_t mark, float ppe) const noexcept {
         const float radius = pen.front_ink(ppe);
@@ -87,6 +91,9 @@ struct Scene {
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
     [[nodiscard]] std::int64_t mark_count() const noexcept {
         return runs.empty() ? 0 : runs.span().back().first + runs.span().back().count;
+    }
+    [[nodiscard]] std::int64_t place_count() const noexcept {
+        return runs.empty() ? 0 : runs.span().back().first_place + runs.span().back().places();
     }
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };

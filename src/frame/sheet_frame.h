@@ -22,6 +22,7 @@ public:
     [[nodiscard]] const TileBins& cover_bins() const noexcept { return sheets_.bins(); }
     [[nodiscard]] bool has_sheets() const noexcept { return has_sheets_; }
     [[nodiscard]] glm::ivec2 first_pixel() const noexcept { return first_pixel_; }
+    [[nodiscard]] std::uint32_t colors() const noexcept { return static_cast<std::uint32_t>(colors_.size()); }
     // Straight RGBA of an ink's color.
     [[nodiscard]] const glm::vec4& color(std::uint32_t number) const noexcept { return colors_[number]; }
     // All inks have the same: then their order does not matter.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/instruction_set.h"
+#include "frame/ink.h"
 
 #include <cstdint>
 
@@ -12,25 +13,25 @@ namespace hrbfnpr::frame {
 struct SheetPlanes {
     enum Sheet : std::int64_t { front, back, next_front, next_back, sheets };
 
-    std::int32_t width, height, stride; // stride >= width + 8
+    std::int32_t width, height, stride; // stride >= width + 16
     float* depth[sheets];
     float* clear[sheets];
     float* halo; // depth of the nearest contour whose halo reaches the pixel
     float* halo_clear;
 };
 
-// A cover in pixels of the planes.
-struct SheetDisc {
-    float x, y, radius;
-    float depth, slope_x, slope_y, ppe;
-    float clear;
-    bool faces_back;
+// Covers by their numbers; (left, top) is the planes' first pixel.
+struct CoverList {
+    const Cover* covers;
+    const std::uint32_t* numbers;
+    std::int64_t count;
+    float left, top;
 };
 
 struct SheetLoops {
-    void (*lay)(const SheetPlanes& planes, const SheetDisc& disc);      // the nearest sheets
-    void (*lay_next)(const SheetPlanes& planes, const SheetDisc& disc); // those behind, once the nearest are laid
-    void (*lay_halo)(const SheetPlanes& planes, const SheetDisc& disc);
+    void (*lay)(const SheetPlanes& planes, const CoverList& list);      // the nearest sheets
+    void (*lay_next)(const SheetPlanes& planes, const CoverList& list); // those behind, once the nearest are laid
+    void (*lay_halos)(const SheetPlanes& planes, const CoverList& list);
 };
 
 // A sheet of the same side lies behind another one if it is so many radii of its discs farther away.

@@ -20,8 +20,9 @@ constexpr float halo_gap = 4.0F;
 // Ink lies so many pixels behind another sheet that faces like its own.
 constexpr float own_gap = 3.0F * sheet_gap * cover_spacing;
 
-[[nodiscard]] SheetDisc disc_of(const Cover& c, const glm::vec2& corner) noexcept {
-    return {c.x - corner.x, c.y - corner.y, c.radius, c.depth, c.slope_x, c.slope_y, c.ppe, c.clear, c.faces_back};
+[[nodiscard]] CoverList list_of(std::span<const Cover> covers, std::span<const std::uint32_t> numbers,
+                                const glm::vec2& corner) noexcept {
+    return {covers.data(), numbers.data(), static_cast<std::int64_t>(numbers.size()), corner.x, corner.y};
 }
 
 // What a mark is seen through.
@@ -73,13 +74,10 @@ void Sheets::lay_tile(const SheetPlanes& planes, std::span<const Cover> covers, 
                       const glm::vec2& corner) const noexcept {
     for (float* const depth : {planes.depth[SheetPlanes::front], planes.depth[SheetPlanes::back], planes.halo})
         std::fill_n(depth, plane, nothing);
-    bins_.for_tile(tile, [&](std::uint32_t i) {
-        SheetDisc disc = disc_of(covers[i], corner);
-        loops_.lay(planes, disc);
-        if (!(covers[i].halo > 0.0F)) return;
-        disc.radius = covers[i].halo;
-        disc.clear = covers[i].halo_clear;
-        loops_.lay_halo(planes, disc);
+    bins_.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
+        const CoverList list = list_of(covers, numbers, corner);
+        loops_.lay(planes, list);
+        loops_.lay_halos(planes, list);
     });
 }
 
@@ -133,7 +131,9 @@ std::int64_t Sheets::dim_tile(const SheetPlanes& planes, std::span<const Cover> 
     if (!more) return seen;
     for (float* const depth : {planes.depth[SheetPlanes::next_front], planes.depth[SheetPlanes::next_back]})
         std::fill_n(depth, plane, nothing);
-    bins_.for_tile(tile, [&](std::uint32_t i) { loops_.lay_next(planes, disc_of(covers[i], corner)); });
+    bins_.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
+        loops_.lay_next(planes, list_of(covers, numbers, corner));
+    });
     seen = 0;
     for_own([&](Ink& ink) {
         if (ink.alpha > 0.0F) ink.alpha *= dim(planes, ink, ink.x - corner.x, ink.y - corner.y, true).clear;

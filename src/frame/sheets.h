@@ -30,7 +30,7 @@ public:
 private:
     static constexpr std::int32_t apron = 4; // pixels around a tile, for probes
     static constexpr std::int32_t side = tile_size + 2 * apron;
-    static constexpr std::int32_t stride = side + 8;
+    static constexpr std::int32_t stride = side + 16;
     static constexpr std::int64_t plane = std::int64_t{stride} * side;
     static constexpr std::int64_t planes_of_one = 2 * SheetPlanes::sheets + 2;
 

@@ -15,26 +15,8 @@ void TileBins::number(std::span<const Piece> pieces) {
 }
 
 void TileBins::distribute(const base::Parallel& parallel) {
-    // At most 16 parts: each keeps a count for each tile.
-    const std::int64_t grain = std::max(measure_grain, (total_ + 15) / 16);
-    const std::int64_t parts = (total_ + grain - 1) / grain;
-    counts_.clear();
-    counts_.resize(parts * tiles());
-    const auto each_tile = [&](std::int64_t begin, std::int64_t end, auto&& f) {
-        for_each_disc(begin, end, [&](std::int64_t number, std::int64_t disc) {
-            const Rect& rect = rects_[number];
-            if (rect.tiles() > most_tiles_of_one) return;
-            for (std::int64_t row = rect.top; row < rect.bottom; ++row) {
-                for (std::int64_t column = rect.left; column < rect.right; ++column)
-                    f(begin / grain * tiles() + row * columns_ + column, disc);
-            }
-        });
-    };
-    parallel.for_chunks(total_, grain, [&](std::int64_t begin, std::int64_t end) {
-        each_tile(begin, end, [&](std::int64_t cell, std::int64_t) { ++counts_[cell]; });
-    });
-
     // From counts to the place of each part's first entry, relative to its tile's.
+    const std::int64_t parts = (total_ + grain_ - 1) / grain_;
     resize_scratch(offsets_, tiles() + 1);
     std::int64_t total = 0;
     for (std::int64_t tile = 0; tile < tiles(); ++tile) {
@@ -47,10 +29,12 @@ void TileBins::distribute(const base::Parallel& parallel) {
     }
     offsets_[tiles()] = total;
     resize_scratch(entries_, total);
-    parallel.for_chunks(total_, grain, [&](std::int64_t begin, std::int64_t end) {
-        const std::int64_t part = begin / grain * tiles();
-        each_tile(begin, end, [&](std::int64_t cell, std::int64_t disc) {
-            entries_[offsets_[cell - part] + counts_[cell]++] = static_cast<std::uint32_t>(disc);
+    parallel.for_chunks(total_, grain_, [&](std::int64_t begin, std::int64_t end) {
+        std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
+        for_each_disc(begin, end, [&](std::int64_t number, std::int64_t disc) {
+            for_tiles(rects_[number], [&](std::int64_t tile) {
+                entries_[offsets_[tile] + counts[tile]++] = static_cast<std::uint32_t>(disc);
+            });
         });
     });
     large_.clear();

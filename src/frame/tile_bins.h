@@ -40,10 +40,18 @@ public:
         rows_ = (height + tile_size_ - 1) / tile_size_;
         number(pieces);
         resize_scratch(rects_, total_);
-        parallel.for_chunks(total_, measure_grain, [&](std::int64_t begin, std::int64_t end) {
+        // At most 16 parts: each keeps a count for each tile.
+        grain_ = std::max(least_grain, (total_ + 15) / 16);
+        const std::int64_t parts = (total_ + grain_ - 1) / grain_;
+        resize_scratch(counts_, parts * tiles());
+        parallel.for_chunks(total_, grain_, [&](std::int64_t begin, std::int64_t end) {
+            std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
+            std::fill_n(counts, tiles(), 0U);
             for_each_disc(begin, end, [&](std::int64_t number, std::int64_t i) {
                 Footprint print{};
-                rects_[number] = footprint(i, print) ? rect_of(print) : Rect{};
+                const Rect rect = footprint(i, print) ? rect_of(print) : Rect{};
+                rects_[number] = rect;
+                for_tiles(rect, [counts](std::int64_t tile) { ++counts[tile]; });
             });
         });
         distribute(parallel);
@@ -77,6 +85,17 @@ public:
     // Calls f(disc) for the discs that touch the tile, in ascending order, or in that of order().
     template <class F, class Before = std::less<>>
     void for_tile(std::int64_t tile, F&& f, const Before& before = {}) const {
+        for_spans(
+            tile,
+            [&](std::span<const std::uint32_t> discs) {
+                for (const std::uint32_t disc : discs) f(disc);
+            },
+            before);
+    }
+
+    // Calls f(discs) for consecutive parts of what for_tile() runs through.
+    template <class F, class Before = std::less<>>
+    void for_spans(std::int64_t tile, F&& f, const Before& before = {}) const {
         const auto column = static_cast<std::uint16_t>(tile % columns_);
         const auto row = static_cast<std::uint16_t>(tile / columns_);
         const std::uint32_t* own = entries_.data() + offsets_[tile];
@@ -84,14 +103,17 @@ public:
         for (const Large& large : large_) {
             const Rect& rect = large.rect;
             if (column < rect.left || column >= rect.right || row < rect.top || row >= rect.bottom) continue;
-            while (own != own_end && before(*own, large.disc)) f(*own++);
-            f(large.disc);
+            const std::uint32_t* const stop =
+                std::partition_point(own, own_end, [&](std::uint32_t disc) { return before(disc, large.disc); });
+            if (stop != own) f(std::span(own, stop));
+            own = stop;
+            f(std::span(&large.disc, 1));
         }
-        while (own != own_end) f(*own++);
+        if (own != own_end) f(std::span(own, own_end));
     }
 
 private:
-    static constexpr std::int64_t measure_grain = 8192;
+    static constexpr std::int64_t least_grain = 8192;
     static constexpr std::int64_t most_tiles_of_one = 64;
 
     // Half-open, in tiles; empty by default.
@@ -133,6 +155,15 @@ private:
         }
     }
 
+    // Calls f(tile) for the tiles of a disc that is not large.
+    template <class F>
+    void for_tiles(const Rect& rect, F&& f) const {
+        if (rect.tiles() > most_tiles_of_one) return;
+        for (std::int64_t row = rect.top; row < rect.bottom; ++row) {
+            for (std::int64_t column = rect.left; column < rect.right; ++column) f(row * columns_ + column);
+        }
+    }
+
     void number(std::span<const Piece> pieces);
     void distribute(const base::Parallel& parallel);
 
@@ -140,6 +171,7 @@ private:
     std::int32_t columns_ = 0;
     std::int32_t rows_ = 0;
     std::int64_t total_ = 0;
+    std::int64_t grain_ = 1;             // discs of a part
     base::Array<Rect> rects_;            // of each disc, by its number
     base::Array<std::uint32_t> counts_;  // part by part, for each tile
     base::Array<std::int64_t> offsets_;  // of each tile's entries, and the end

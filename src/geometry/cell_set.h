@@ -53,6 +53,7 @@ struct CellGrid {
     return bits ^ (bits >> 31U);
 }
 
+// Cells that are near each other share entries: blocks of 4 x 4 x 4.
 class CellSet {
 public:
     explicit CellSet(base::Memory& memory) noexcept : table_(memory) {}
@@ -62,11 +63,16 @@ public:
     bool insert(std::uint64_t packed);
 
 private:
-    // Packed cells have 63 bits; a stored one is increased by 1, so that 0 is a free place.
-    static bool place(base::Array<std::uint64_t>& table, std::uint64_t stored) noexcept;
+    struct Block {
+        std::uint64_t name; // its first cell, and 1 in the lowest bit; 0: a free place
+        std::uint64_t cells;
+    };
+
+    [[nodiscard]] static Block& place(base::Array<Block>& table, std::uint64_t name) noexcept;
     void grow();
 
-    base::Array<std::uint64_t> table_; // open addressing, a power of two, at most half full
+    base::Array<Block> table_; // open addressing, a power of two, at most half full
+    std::int64_t blocks_ = 0;
     std::int64_t size_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #include "sampling/blue_noise.h"
 
-#include "geometry/point_tree.h"
+#include "geometry/point_grid.h"
 #include "sampling/candidates.h"
 #include "sampling/progressive_order.h"
 
@@ -41,24 +41,78 @@ geometry::Bounds region_of(const Site& site, const Seeds& seeds, const SampleHin
     return region;
 }
 
-// Where the surface bends within the spacing of marks, they may come to rest beside each other.  Of two that are nearer
-// than all others the later one is dropped.
-void keep_apart(const base::Array<std::int64_t>& wandered, EvenMarks& marks, LevelReport& report) {
-    if (wandered.empty()) return;
-    base::Memory& memory = marks.position.memory();
-    const geometry::PointTree tree(marks.position, {});
-    base::Array<std::uint8_t> dropped(memory, marks.position.size());
-    for (const std::int64_t i : wandered) {
-        const auto apart = [&](std::int64_t later) {
-            return least_apart * densest_distance(marks.area, static_cast<double>(later + 1));
-        };
-        tree.within(marks.position[i], apart(i), [&](std::int64_t at, double squared) {
-            const std::int64_t j = tree.index(at);
+// Two marks that are nearer than all others.
+struct Crowd {
+    std::int64_t later, earlier;
+    [[nodiscard]] bool operator<(const Crowd& other) const noexcept {
+        return later != other.later ? later < other.later : earlier < other.earlier;
+    }
+};
+
+// Finds the crowds that a mark has wandered into.  The later of two says how far they must be apart, so marks are
+// looked at in octaves, in each of which that is nearly the same distance.
+class Crowds {
+public:
+    Crowds(const Site& site, const EvenMarks& marks, const base::Array<std::int64_t>& wandered)
+        : site_(site), marks_(marks), wandered_(wandered), near_(site.memory()), found_(site.memory()) {}
+
+    // In ascending order.
+    base::Array<Crowd> find() {
+        const std::int64_t count = marks_.position.size();
+        for (std::int64_t begin = 0, end = 1; begin < count; begin = end, end = std::min(2 * end, count))
+            look_through(begin, end);
+        std::sort(found_.begin(), found_.end());
+        return std::move(found_);
+    }
+
+private:
+    [[nodiscard]] double apart(std::int64_t later) const noexcept {
+        return least_apart * densest_distance(marks_.area, static_cast<double>(later + 1));
+    }
+
+    void look_through(std::int64_t begin, std::int64_t end) {
+        geometry::VecArray position(site_.memory());
+        for (const std::int64_t i : wandered_)
+            if (i < end) position.push_back(marks_.position[i]);
+        if (position.empty()) return;
+        const geometry::PointGrid grid(position, apart(begin));
+        near_.resize(end);
+        site_.runtime.parallel.for_chunks(end, 8192, [&](std::int64_t from, std::int64_t to) {
+            for (std::int64_t j = from; j < to; ++j) {
+                near_[j] = 0;
+                visit(grid, begin, j, [&](const Crowd&) { near_[j] = 1; });
+            }
+        });
+        for (std::int64_t j = 0; j < end; ++j)
+            if (near_[j] != 0) visit(grid, begin, j, [&](const Crowd& crowd) { found_.push_back(crowd); });
+    }
+
+    // The crowds of mark j and one that wandered, of which the later one is not before `begin`.
+    template <class Visit>
+    void visit(const geometry::PointGrid& grid, std::int64_t begin, std::int64_t j, Visit&& visit) const {
+        grid.around(marks_.position[j], [&](std::int64_t at) {
+            const std::int64_t i = wandered_[grid.index(at)];
             const std::int64_t later = std::max(i, j);
-            if (j == i || dropped[i] != 0 || dropped[j] != 0 || squared >= apart(later) * apart(later)) return;
-            if (glm::dot(marks.normal[i], marks.normal[j]) >= 0.0) dropped[later] = 1;
+            if (i == j || later < begin) return;
+            const glm::dvec3 between = marks_.position[i] - marks_.position[j];
+            if (glm::dot(between, between) >= apart(later) * apart(later)) return;
+            if (glm::dot(marks_.normal[i], marks_.normal[j]) >= 0.0) visit(Crowd{later, std::min(i, j)});
         });
     }
+
+    const Site& site_;
+    const EvenMarks& marks_;
+    const base::Array<std::int64_t>& wandered_;
+    base::Array<std::uint8_t> near_;
+    base::Array<Crowd> found_;
+};
+
+// Where the surface bends within the spacing of marks, they may come to rest beside each other.  Of two that are nearer
+// than all others the later one is dropped.
+void keep_apart(const Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks, LevelReport& report) {
+    base::Array<std::uint8_t> dropped(site.memory(), marks.position.size());
+    for (const Crowd& crowd : Crowds(site, marks, wandered).find())
+        if (dropped[crowd.earlier] == 0) dropped[crowd.later] = 1;
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < dropped.size(); ++i) {
         if (dropped[i] != 0) continue;
@@ -106,7 +160,7 @@ void bring_to_rest(const Site& site, const SurfaceCells& cells, const OrderedMar
             marks.normal.push_back(settler.normal(i));
         }
     }
-    keep_apart(wandered, marks, report);
+    if (!wandered.empty()) keep_apart(site, wandered, marks, report);
     LevelReport& all = marks.report;
     all.dropped_budget = all.placed - count;
     all.placed = report.placed;

@@ -199,6 +199,7 @@ Foot* Drawing::land(std::int64_t i, double distance, Foot* to) const noexcept {
         if (cell >= 0)
             *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), bits,
                      surprising || !(glm::dot(normal, cells_.cell[cell].normal) >= straight)};
+        if (k + 1 == static_cast<std::uint32_t>(feet_of_point_)) break;
         const base::Philox random =
             base::philox(site_.random_seed, {trial_ticket_[i], std::bit_cast<std::uint32_t>(static_cast<float>(foot.x)),
                                              static_cast<std::uint32_t>(base::Purpose::candidate_order), k});

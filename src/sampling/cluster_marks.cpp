@@ -119,14 +119,15 @@ private:
         turn.shape = 0.5 * (map + glm::transpose(map));
         double squares = 0.0;
         for (int c = 0; c < 3; ++c) squares += glm::dot(turn.shape[c], turn.shape[c]);
-        turn.bend = std::sqrt(squares); // the Frobenius norm is no smaller than the largest eigenvalue
+        // Of a symmetric map of a plane, from its trace and its Frobenius norm.  [Kindlmann et al. 2003]
+        const double t = turn.shape[0][0] + turn.shape[1][1] + turn.shape[2][2];
+        turn.bend = 0.5 * (std::abs(t) + std::sqrt(std::max(0.0, 2.0 * squares - t * t)));
         return std::isfinite(turn.bend) ? turn : Turn{};
     }
 
     [[nodiscard]] Cluster cluster_of(std::int64_t begin, std::int64_t end, const Turn& turn) const {
         Cluster cluster;
-        cluster.begin = static_cast<std::int32_t>(begin);
-        cluster.end = static_cast<std::int32_t>(end);
+        cluster.count = static_cast<std::int32_t>(end - begin);
         cluster.set = strokes_ ? group_.stroke[2 * std::int64_t{order_[begin].mark}] & 1U : 0U;
         geometry::Bounds bounds;
         glm::dvec3 sum(0.0);
@@ -159,24 +160,32 @@ private:
     }
 
     void fill() {
-        const std::int64_t count = order_.size();
-        for (base::Array<float>* a :
-             {&result_.x, &result_.y, &result_.z, &result_.nx, &result_.ny, &result_.nz, &result_.rank})
-            a->resize(count);
-        if (!group_.width.empty()) result_.width.resize(count);
-        result_.mark.resize(count);
-        for (std::int64_t i = 0; i < count; ++i) {
-            const std::int64_t mark = order_[i].mark;
-            result_.x[i] = group_.position[3 * mark];
-            result_.y[i] = group_.position[3 * mark + 1];
-            result_.z[i] = group_.position[3 * mark + 2];
-            result_.nx[i] = group_.normal[3 * mark];
-            result_.ny[i] = group_.normal[3 * mark + 1];
-            result_.nz[i] = group_.normal[3 * mark + 2];
-            result_.rank[i] = group_.rank[mark];
-            result_.mark[i] = order_[i].mark;
-            if (!group_.width.empty()) result_.width[i] = group_.width[mark];
+        constexpr std::int64_t size = MarkBlock::size;
+        std::int64_t blocks = 0;
+        for (Cluster& cluster : result_.cluster) {
+            cluster.block = blocks;
+            blocks += (cluster.count + size - 1) / size;
         }
+        result_.block.resize(blocks);
+        if (!group_.width.empty()) result_.width.resize(blocks * size);
+        const Keyed* from = order_.data();
+        for (const Cluster& cluster : result_.cluster) {
+            for (std::int64_t i = 0; i < cluster.count; ++i) put(cluster.block * size + i, (from++)->mark);
+        }
+    }
+
+    void put(std::int64_t place, std::int64_t mark) {
+        MarkBlock& block = result_.block[place / MarkBlock::size];
+        const std::int64_t at = place % MarkBlock::size;
+        block.x[at] = group_.position[3 * mark];
+        block.y[at] = group_.position[3 * mark + 1];
+        block.z[at] = group_.position[3 * mark + 2];
+        block.nx[at] = group_.normal[3 * mark];
+        block.ny[at] = group_.normal[3 * mark + 1];
+        block.nz[at] = group_.normal[3 * mark + 2];
+        block.rank[at] = group_.rank[mark];
+        block.mark[at] = static_cast<std::uint32_t>(mark);
+        if (!group_.width.empty()) result_.width[place] = group_.width[mark];
     }
 
     MarkGroup& group_;
@@ -187,10 +196,7 @@ private:
 
 } // namespace
 
-std::int64_t MarkClusters::bytes() const noexcept {
-    return x.bytes() + y.bytes() + z.bytes() + nx.bytes() + ny.bytes() + nz.bytes() + rank.bytes() + width.bytes() +
-           mark.bytes() + cluster.bytes();
-}
+std::int64_t MarkClusters::bytes() const noexcept { return block.bytes() + width.bytes() + cluster.bytes(); }
 
 void cluster_marks(const base::Runtime& runtime, PointSet& set) {
     runtime.parallel.for_each(group_count, [&](std::int64_t group) {

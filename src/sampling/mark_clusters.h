@@ -9,11 +9,20 @@
 
 namespace hrbfnpr::sampling {
 
-// Marks [begin, end) of the arrays below, ranks falling.
+// Sixteen marks, each number of all of them in a line of the cache.
+struct MarkBlock {
+    static constexpr std::int64_t size = 16;
+    float x[size], y[size], z[size]; // relative to the set's origin
+    float nx[size], ny[size], nz[size];
+    float rank[size];         // falling, from block to block of a cluster
+    std::uint32_t mark[size]; // its number in the group
+};
+
 struct Cluster {
-    std::int32_t begin = 0, end = 0;
-    std::uint32_t set = 0; // of directions; all marks of a cluster have the same
-    float radius = 0.0F;   // around the centre
+    std::int64_t block = 0; // its first; a cluster's last may be part empty
+    std::int32_t count = 0; // of marks
+    std::uint32_t set = 0;  // of directions; all marks of a cluster have the same
+    float radius = 0.0F;    // around the centre
     std::array<float, 3> centre{};
     std::array<float, 3> axis{}; // of a cone that holds all normals
     float cone_cosine = 1.0F;    // of its half angle
@@ -23,17 +32,11 @@ struct Cluster {
     std::array<float, 6> shape{};
 };
 
-// Arrays of all marks, cluster by cluster; positions relative to the set's origin.
 struct MarkClusters {
-    explicit MarkClusters(base::Memory& memory) noexcept
-        : x(memory), y(memory), z(memory), nx(memory), ny(memory), nz(memory), rank(memory), width(memory),
-          mark(memory), cluster(memory) {}
+    explicit MarkClusters(base::Memory& memory) noexcept : block(memory), width(memory), cluster(memory) {}
 
-    base::Array<float> x, y, z;
-    base::Array<float> nx, ny, nz;
-    base::Array<float> rank;
-    base::Array<float> width;        // or empty: all 1
-    base::Array<std::uint32_t> mark; // its number in the group
+    base::Array<MarkBlock> block;
+    base::Array<float> width; // of each place in the blocks; or empty: all 1
     base::Array<Cluster> cluster;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;

@@ -35,12 +35,26 @@ inline constexpr float opposite = -0.3F;
 // Of about this length, not of unit length.
 inline constexpr float unpacked_length = 511.5F;
 void unpack_normal(float packed, float (&normal)[3]) noexcept;
+[[nodiscard]] float repacked_normal(const float (&unpacked)[3]) noexcept;
+
+// What the energies of a cell come to; infinite where there is no such candidate.
+struct OrderLowest {
+    std::int64_t at; // the first with the lowest energy, of those with clearance >= enough; -1: none
+    float energy;    // its energy
+    float of_all;    // the lowest energy, whatever the clearance
+};
 
 struct OrderLoops {
     // Candidates take note of a mark.
     void (*feel)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach);
-    // The first with the lowest energy, of those with clearance >= enough; -1: none.
-    std::int64_t (*lowest)(const OrderBlock& block, float enough);
+    OrderLowest (*lowest)(const OrderBlock& block, float enough);
+    // Both, one after the other.
+    OrderLowest (*feel_and_find)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach,
+                                 float enough);
+    // Those with clearance >= enough move to the front, columns as far apart as they are many; returns that number.
+    std::int64_t (*keep)(const OrderBlock& block, float enough);
+    // The first of the smallest; -1: all are infinite.
+    std::int64_t (*smallest)(const float* numbers, std::int64_t count);
 };
 
 [[nodiscard]] OrderLoops order_loops(base::InstructionSet set) noexcept;

@@ -1,10 +1,12 @@
 #include "sampling/order_stage.h"
 
+#include "base/prefetch.h"
 #include "geometry/morton.h"
 #include "geometry/tangent_frame.h"
 #include "sampling/void_centre.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,7 +16,7 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr std::int64_t cells_of_task = 512;
-constexpr unsigned tile_bits = 2; // of each coordinate
+constexpr unsigned tile_bits = 3; // of each coordinate
 // A candidate whose gap was too small is tried again at this part of the squared radius.
 constexpr float again = 0.97F;
 // Cosine of the angle between normals of marks between which a surface is flat enough to move on.
@@ -27,6 +29,30 @@ std::uint64_t code_of(const geometry::CellGrid& grid, const glm::dvec3& position
 }
 
 glm::dvec3 vector(const float (&v)[3]) noexcept { return {v[0], v[1], v[2]}; }
+glm::vec3 place_of(const OrderMark& mark) noexcept { return {mark.position[0], mark.position[1], mark.position[2]}; }
+
+// One of the 27 around and including a cell.
+geometry::CellGrid::Cell stepped(const geometry::CellGrid::Cell& cell, std::int64_t step) noexcept {
+    return {cell[0] + step % 3 - 1, cell[1] + step / 3 % 3 - 1, cell[2] + step / 9 - 1};
+}
+
+// Which of the 27 around a cell have a point that is nearer than that to one of the cell's.
+std::uint32_t reached(const glm::vec3& in_cell, float side, float distance) noexcept {
+    float squared[3][3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const float low = std::max(in_cell[axis], 0.0F);
+        const float high = std::max(side - in_cell[axis], 0.0F);
+        squared[axis][0] = low * low;
+        squared[axis][1] = 0.0F;
+        squared[axis][2] = high * high;
+    }
+    std::uint32_t found = 0;
+    unsigned step = 0;
+    for (const float z : squared[2])
+        for (const float y : squared[1])
+            for (const float x : squared[0]) found |= (x + y + z < distance * distance ? 1U : 0U) << step++;
+    return found;
+}
 
 } // namespace
 
@@ -37,11 +63,10 @@ OrderStage::OrderStage(const Site& site, const Candidates& candidates, const geo
       home_(home), home_level_(home_level), settings_(settings),
       side_(static_cast<float>(std::ldexp(grid_.side, settings.level))),
       loops_(order_loops(site.runtime.instruction_set)), code_(site.memory()), number_(site.memory()),
-      cell_(site.memory()), neighbour_(site.memory()), lowest_(site.memory()), block_(site.memory()),
-      slot_(site.memory()), extra_(site.memory()), tile_(site.memory()), fresh_(site.memory()),
+      cell_(site.memory()), neighbour_(site.memory()), lowest_(site.memory()), floor_(site.memory()),
+      block_(site.memory()), extra_(site.memory()), tile_(site.memory()), fresh_(site.memory()),
       fresh_count_(site.memory()), energy_(site.memory()), step_(site.memory()) {
     take_candidates(candidates);
-    find_neighbours();
     find_tiles();
     for (const OrderMark& mark : marks) link(mark, cell_at(vector(mark.position)));
     feel_all();
@@ -53,55 +78,42 @@ glm::vec3 OrderStage::low_corner(std::uint64_t code) const noexcept {
 }
 
 void OrderStage::take_candidates(const Candidates& candidates) {
-    base::Array<std::int64_t> taken(site_.memory());
-    taken.reserve(candidates.count());
-    const auto close_cell = [&] {
-        if (cell_.empty()) return;
-        Cell& cell = cell_.back();
-        cell.capacity = cell.count = static_cast<std::int32_t>(taken.size() - cell.block / OrderBlock::columns);
-    };
+    base::Array<std::int64_t> part(site_.memory()); // of each cell: the candidates' first cell in it
     for (std::int64_t c = 0; c < candidates.cells(); ++c) {
         const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings_.level);
-        if (code_.empty() || code_.back() != here) {
-            close_cell();
-            code_.push_back(here);
-            cell_.push_back({OrderBlock::columns * taken.size(), 0, 0, -1, 0, -1, 0, low_corner(here)});
-        }
-        for (std::int64_t i = candidates.first[c]; i < candidates.first[c + 1]; ++i)
-            if (candidates.ticket[i] < settings_.ticket_limit) taken.push_back(i);
+        if (!code_.empty() && code_.back() == here) continue;
+        code_.push_back(here);
+        cell_.push_back({0, 0, 0, -1, 0, -1, 0, low_corner(here), {}});
+        part.push_back(c);
     }
-    close_cell();
-    block_.resize(OrderBlock::columns * taken.size());
-    site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t c = begin; c < end; ++c) {
-            const OrderBlock block = block_of(cell_[c]);
-            for (std::int64_t k = 0; k < block.count; ++k) {
-                const std::int64_t i = taken[cell_[c].block / OrderBlock::columns + k];
-                block.column(OrderBlock::x)[k] = candidates.x[i];
-                block.column(OrderBlock::y)[k] = candidates.y[i];
-                block.column(OrderBlock::z)[k] = candidates.z[i];
-                block.column(OrderBlock::normal)[k] = candidates.normal[i];
-                block.column(OrderBlock::clearance)[k] = infinite;
-            }
-        }
+    part.push_back(candidates.cells());
+    const auto begin_of = [&](std::int64_t c) { return candidates.first[part[c]]; };
+    const auto taken = [&](std::int64_t i) { return candidates.ticket[i] < settings_.ticket_limit; };
+    const auto for_cells = [&](auto&& visit) {
+        site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t c = begin; c < end; ++c) visit(c);
+        });
+    };
+    for_cells([&](std::int64_t c) {
+        for (std::int64_t i = begin_of(c); i < begin_of(c + 1); ++i) cell_[c].count += taken(i) ? 1 : 0;
     });
-}
-
-void OrderStage::find_neighbours() {
-    number_ = geometry::CellMap(site_.memory(), code_);
-    neighbour_.resize(code_.size());
-    lowest_.resize(code_.size());
-    slot_.resize(slots_of_cell * code_.size());
-    site_.runtime.parallel.for_chunks(code_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t c = begin; c < end; ++c) {
-            const geometry::CellGrid::Cell at = geometry::morton_cell(code_[c]);
-            for (std::int64_t step = 0; step < 27; ++step) {
-                const geometry::CellGrid::Cell there = {at[0] + step % 3 - 1, at[1] + step / 3 % 3 - 1,
-                                                        at[2] + step / 9 - 1};
-                if (!geometry::CellGrid::inside(there)) continue;
-                const std::int32_t number = number_.find(geometry::morton_code(there));
-                if (number >= 0) neighbour_[c][cell_[c].neighbours++] = number;
-            }
+    std::int64_t numbers = 0;
+    for (Cell& cell : cell_) {
+        cell.block = numbers;
+        cell.stride = cell.count;
+        numbers += OrderBlock::columns * cell.count;
+    }
+    block_.resize(numbers);
+    for_cells([&](std::int64_t c) {
+        const OrderBlock block = block_of(cell_[c]);
+        std::int64_t k = 0;
+        for (std::int64_t i = begin_of(c); i < begin_of(c + 1); ++i) {
+            if (!taken(i)) continue;
+            block.column(OrderBlock::x)[k] = candidates.x[i];
+            block.column(OrderBlock::y)[k] = candidates.y[i];
+            block.column(OrderBlock::z)[k] = candidates.z[i];
+            block.column(OrderBlock::normal)[k] = candidates.normal[i];
+            block.column(OrderBlock::clearance)[k++] = infinite;
         }
     });
 }
@@ -117,24 +129,61 @@ void OrderStage::find_tiles() {
         }
         turn_[turn + 1] = tile_.size();
     }
+    number_ = geometry::CellMap(site_.memory(), code_);
+    neighbour_.resize(code_.size());
+    lowest_.resize(code_.size());
+    floor_.resize(code_.size());
+    site_.runtime.parallel.for_chunks(tile_.size(), 16, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t t = begin; t < end; ++t) find_neighbours(tile_[t]);
+    });
+}
+
+// The neighbours of a block's cells are in the 27 blocks of the map around it.
+void OrderStage::find_neighbours(const Tile& tile) noexcept {
+    constexpr std::uint64_t cells_of_block = geometry::CellMap::cells_of_block;
+    std::array<const std::int32_t*, 27> block{};
+    for (std::int32_t c = tile.begin; c < tile.end; ++c) {
+        if (c == tile.begin || code_[c] / cells_of_block != code_[c - 1] / cells_of_block) {
+            const geometry::CellGrid::Cell place = geometry::morton_cell(code_[c] / cells_of_block);
+            for (std::int64_t step = 0; step < 27; ++step) {
+                const geometry::CellGrid::Cell there = stepped(place, step);
+                block[static_cast<std::size_t>(step)] =
+                    geometry::CellGrid::inside(there) ? number_.find_block(geometry::morton_code(there)) : nullptr;
+            }
+        }
+        const geometry::CellGrid::Cell at = geometry::morton_cell(code_[c] % cells_of_block);
+        for (std::int64_t step = 0; step < 27; ++step) {
+            const geometry::CellGrid::Cell there = stepped({at[0] + 4, at[1] + 4, at[2] + 4}, step);
+            const std::int32_t* const numbers =
+                block[static_cast<std::size_t>(there[0] / 4 + 3 * (there[1] / 4) + 9 * (there[2] / 4))];
+            const std::int32_t number =
+                numbers == nullptr ? -1 : numbers[geometry::morton_code({there[0] % 4, there[1] % 4, there[2] % 4})];
+            neighbour_[c][static_cast<std::size_t>(step)] = number;
+            if (number >= 0) cell_[c].neighbour |= 1U << static_cast<unsigned>(step);
+        }
+    }
+}
+
+OrderStage::Slot OrderStage::slot_of(const OrderMark& mark) noexcept {
+    return {{mark.position[0], mark.position[1], mark.position[2]}, repacked_normal(mark.normal)};
 }
 
 // A mark outside all cells of the stage is felt by none: home cells see to it that there are none.
 void OrderStage::link(const OrderMark& mark, std::int32_t cell) {
     if (cell < 0) return;
     Cell& c = cell_[cell];
+    const Slot slot = slot_of(mark);
     if (c.marks < slots_of_cell) {
-        slot_[slots_of_cell * std::int64_t{cell} + c.marks++] = mark;
+        c.slot[static_cast<std::size_t>(c.marks++)] = slot;
         return;
     }
-    extra_.push_back({mark, c.more});
+    extra_.push_back({slot, c.more});
     c.more = static_cast<std::int32_t>(extra_.size() - 1);
 }
 
 template <class Visit>
 void OrderStage::for_marks(const Cell& cell, Visit&& visit) const {
-    const OrderMark* const slots = slot_.data() + slots_of_cell * (&cell - cell_.data());
-    for (std::int32_t k = 0; k < cell.marks; ++k) visit(slots[k]);
+    for (std::int32_t k = 0; k < cell.marks; ++k) visit(cell.slot[static_cast<std::size_t>(k)]);
     for (std::int32_t at = cell.more; at >= 0; at = extra_[at].next) visit(extra_[at].mark);
 }
 
@@ -150,52 +199,49 @@ std::int32_t OrderStage::home_cell_at(const glm::dvec3& position, std::int32_t c
     return home_.find(code >> static_cast<unsigned>(3 * home_level_)) < 0 ? -1 : number_.find(here);
 }
 
-void OrderStage::feel(const OrderMark& mark, const Cell& cell) noexcept {
-    loops_.feel(block_of(cell), mark, static_cast<float>(1.0 / (settings_.reach * settings_.reach)));
+// Calls visit on the cells that have a point nearer than that to one in `cell`.
+template <class Visit>
+void OrderStage::for_reached(const glm::vec3& position, double distance, std::int32_t cell, Visit&& visit) const {
+    const Cell& c = cell_[cell];
+    std::uint32_t left = c.neighbour & reached(position - c.low, side_, static_cast<float>(distance));
+    for (; left != 0; left &= left - 1) visit(neighbour_[cell][static_cast<std::size_t>(std::countr_zero(left))]);
 }
 
 void OrderStage::feel_all() {
     site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c)
-            for (std::size_t k = 0; k < cell_[c].neighbours; ++k)
-                for_marks(cell_[neighbour_[c][k]], [&](const OrderMark& mark) { feel(mark, cell_[c]); });
+            for (const std::int32_t there : neighbour_[c]) {
+                if (there < 0) continue;
+                for_marks(cell_[there], [&](const Slot& slot) {
+                    OrderMark mark{{slot.position[0], slot.position[1], slot.position[2]}, {}};
+                    unpack_normal(slot.normal, mark.normal);
+                    loops_.feel(block_of(cell_[c]), mark, inverse_squared_reach());
+                });
+            }
     });
 }
 
-void OrderStage::refresh(std::int32_t cell, float enough) noexcept {
-    Cell& c = cell_[cell];
-    const OrderBlock block = block_of(c);
-    c.best = static_cast<std::int32_t>(loops_.lowest(block, enough));
-    lowest_[cell] = c.best < 0 ? infinite : block.column(OrderBlock::energy)[c.best];
+void OrderStage::note(std::int32_t cell, const OrderLowest& found) noexcept {
+    cell_[cell].best = static_cast<std::int32_t>(found.at);
+    lowest_[cell] = found.energy;
+    floor_[cell] = found.of_all;
 }
 
 void OrderStage::drop_nearer(double distance) {
     const auto enough = static_cast<float>(distance * distance);
     site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) {
-            const OrderBlock block = block_of(cell_[c]);
-            std::int32_t kept = 0;
-            for (std::int64_t i = 0; i < block.count; ++i) {
-                if (block.column(OrderBlock::clearance)[i] < enough) continue;
-                for (std::int64_t k = 0; k < OrderBlock::columns; ++k) block.column(k)[kept] = block.column(k)[i];
-                ++kept;
-            }
-            cell_[c].count = kept;
+            cell_[c].count = cell_[c].stride = static_cast<std::int32_t>(loops_.keep(block_of(cell_[c]), enough));
+            floor_[c] = 0.0F; // so that the best one is found again
         }
     });
 }
 
-float OrderStage::lowest() const noexcept {
-    float lowest = infinite;
-    for (const float energy : lowest_) lowest = std::min(lowest, energy);
-    return lowest;
-}
-
-// Whether some point of a cell is nearer than that.
-bool OrderStage::reaches(const glm::vec3& position, float distance, std::int32_t cell) const noexcept {
-    const glm::vec3 low = cell_[cell].low;
-    const glm::vec3 outside = glm::max(glm::max(low - position, position - low - side_), glm::vec3(0.0F));
-    return glm::dot(outside, outside) < distance * distance;
+float OrderStage::lowest() noexcept {
+    site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) refresh(static_cast<std::int32_t>(c), enough_);
+    });
+    return *std::min_element(lowest_.begin(), lowest_.end());
 }
 
 // A tile's turn.
@@ -203,14 +249,38 @@ class OrderStage::Turn {
 public:
     Turn(OrderStage& stage, Fresh* fresh) noexcept : stage_(stage), fresh_(fresh) {}
 
+    // Before a tile's turn comes, what its first marks will change is brought from memory, in three steps: each needs
+    // what the one before asked for.
+    static constexpr std::int64_t steps_ahead = 3;
+    static void bring(const OrderStage& stage, const Tile& tile, std::int64_t ahead, float threshold) noexcept {
+        for (std::int32_t cell = tile.begin; cell < tile.end; ++cell) {
+            if (!(stage.lowest_[cell] < threshold)) continue;
+            const Cell& c = stage.cell_[cell];
+            if (ahead == 3) {
+                base::prefetch(&c, 1);
+                base::prefetch(&stage.neighbour_[cell], 1);
+                continue;
+            }
+            for (std::uint32_t left = c.neighbour; left != 0; left &= left - 1) {
+                const Cell& near =
+                    stage.cell_[stage.neighbour_[cell][static_cast<std::size_t>(std::countr_zero(left))]];
+                if (ahead == 2)
+                    base::prefetch(&near, 1);
+                else
+                    base::prefetch(stage.block_.data() + near.block, OrderBlock::columns * near.stride);
+            }
+        }
+    }
+
     // Returns the number of fresh marks.
     std::int32_t run(const Tile& tile, std::span<const SweepStep> steps) {
         for (std::size_t step = 0; step < steps.size(); ++step) {
             radius_ = steps[step].radius;
             enough_ = static_cast<float>(stage_.settings_.nearness * stage_.settings_.nearness * radius_ * radius_);
             step_ = static_cast<std::uint8_t>(step);
-            // Later steps, with smaller radii, open a few more, which their cells find out when they are next felt.
-            for (std::int32_t cell = tile.begin; step == 0 && cell < tile.end; ++cell) stage_.refresh(cell, enough_);
+            // Smaller radii open more candidates.  Those of later steps are found when their cells are next felt.
+            for (std::int32_t cell = tile.begin; step == 0 && cell < tile.end; ++cell)
+                if (stage_.floor_[cell] < steps.back().threshold) stage_.refresh(cell, enough_);
             fill(tile, steps[step].threshold);
         }
         return count_;
@@ -218,11 +288,11 @@ public:
 
 private:
     void fill(const Tile& tile, float threshold) {
-        const float* const lowest = stage_.lowest_.data();
+        const float* const lowest = stage_.lowest_.data() + tile.begin;
         while (count_ < most_fresh) {
-            const float* const least = std::min_element(lowest + tile.begin, lowest + tile.end);
-            if (!(*least < threshold)) break;
-            take(static_cast<std::int32_t>(least - lowest));
+            const std::int64_t least = stage_.loops_.smallest(lowest, tile.end - tile.begin);
+            if (least < 0 || !(lowest[least] < threshold)) break;
+            take(tile.begin + static_cast<std::int32_t>(least));
         }
     }
 
@@ -236,14 +306,10 @@ private:
             return;
         }
         fresh_[count_++] = fresh;
-        for (std::size_t k = 0; k < stage_.cell_[fresh.cell].neighbours; ++k) {
-            const std::int32_t there = stage_.neighbour_[fresh.cell][k];
-            if (!stage_.reaches({fresh.mark.position[0], fresh.mark.position[1], fresh.mark.position[2]},
-                                static_cast<float>(stage_.settings_.reach), there))
-                continue;
-            stage_.feel(fresh.mark, stage_.cell_[there]);
-            stage_.refresh(there, enough_);
-        }
+        stage_.for_reached(place_of(fresh.mark), stage_.settings_.reach, fresh.cell, [&](std::int32_t there) {
+            stage_.note(there, stage_.loops_.feel_and_find(stage_.block_of(stage_.cell_[there]), fresh.mark,
+                                                           stage_.inverse_squared_reach(), enough_));
+        });
     }
 
     // The cell's best candidate itself if it keeps the distance, else a place in its gap that does.
@@ -262,11 +328,14 @@ private:
         return fresh;
     }
 
-    void look_at(const OrderMark& mark, const glm::dvec3& start, const geometry::TangentFrame& frame,
+    void look_at(const Slot& mark, const glm::dvec3& start, const geometry::TangentFrame& frame,
                  const glm::dvec3& normal, double far) noexcept {
         const glm::dvec3 between = vector(mark.position) - start;
-        const double turn = glm::dot(normal, vector(mark.normal)) / double{unpacked_length};
-        if (around_ == most_around || glm::dot(between, between) > far * far || turn < double{opposite}) return;
+        if (around_ == most_around || glm::dot(between, between) > far * far) return;
+        float unpacked[3];
+        unpack_normal(mark.normal, unpacked);
+        const double turn = glm::dot(normal, vector(unpacked)) / double{unpacked_length};
+        if (turn < double{opposite}) return;
         bent_ = bent_ || turn < straight;
         const glm::dvec2 tangent(glm::dot(between, frame.u), glm::dot(between, frame.r));
         const double length = glm::length(tangent);
@@ -282,13 +351,10 @@ private:
         const double far = radius_ + 2.0 * stage_.settings_.farthest_move;
         around_ = 0;
         bent_ = false;
-        for (std::int32_t k = 0; k < count_; ++k) look_at(fresh_[k].mark, start, frame, normal, far);
-        for (std::size_t k = 0; k < stage_.cell_[fresh.cell].neighbours; ++k) {
-            const std::int32_t there = stage_.neighbour_[fresh.cell][k];
-            if (!stage_.reaches(glm::vec3(start), static_cast<float>(far), there)) continue;
-            stage_.for_marks(stage_.cell_[there],
-                             [&](const OrderMark& mark) { look_at(mark, start, frame, normal, far); });
-        }
+        for (std::int32_t k = 0; k < count_; ++k) look_at(slot_of(fresh_[k].mark), start, frame, normal, far);
+        stage_.for_reached(place_of(fresh.mark), far, fresh.cell, [&](std::int32_t there) {
+            stage_.for_marks(stage_.cell_[there], [&](const Slot& mark) { look_at(mark, start, frame, normal, far); });
+        });
         const glm::dvec2 way = toward_void({flat_.data(), around_}, 1.02 * radius_, stage_.settings_.farthest_move);
         settle(fresh, start, way.x * frame.u + way.y * frame.r);
     }
@@ -321,14 +387,19 @@ private:
 void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, OrderedMarks& marks) {
     step_.clear();
     energy_.clear();
+    const double nearest = settings_.nearness * steps.back().radius;
+    enough_ = static_cast<float>(nearest * nearest);
     for (std::size_t turn = 0; turn < 8; ++turn) {
         const std::int64_t first = turn_[turn];
         const std::int64_t tiles = turn_[turn + 1] - first;
         fresh_.resize(most_fresh * tiles);
         fresh_count_.resize(tiles);
-        site_.runtime.parallel.for_chunks(tiles, 64, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t t = begin; t < end; ++t)
+        site_.runtime.parallel.for_chunks(tiles, 16, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t t = begin; t < end; ++t) {
+                for (std::int64_t ahead = 1; ahead <= Turn::steps_ahead && t + ahead < end; ++ahead)
+                    Turn::bring(*this, tile_[first + t + ahead], ahead, steps.back().threshold);
                 fresh_count_[t] = Turn(*this, fresh_.data() + most_fresh * t).run(tile_[first + t], steps);
+            }
         });
         for (std::int64_t t = 0; t < tiles; ++t)
             for (std::int32_t k = 0; k < fresh_count_[t]; ++k) append(fresh_[most_fresh * t + k], marks);

@@ -22,7 +22,7 @@ struct SweepStep {
     float threshold;
 };
 
-// Tiles of 4 x 4 x 4 cells are worked on in eight turns, in each of which no two are neighbours: what a mark changes
+// Tiles of 8 x 8 x 8 cells are worked on in eight turns, in each of which no two are neighbours: what a mark changes
 // is less than two cells outside its tile.  Within its turn a tile is filled greedily, one mark after the other.
 class OrderStage {
 public:
@@ -36,26 +36,32 @@ public:
     void sweep(std::span<const SweepStep> steps, std::int64_t room, OrderedMarks& marks);
     // Of the marks of the last sweep: in which of its steps they were placed.
     [[nodiscard]] const base::Array<std::uint8_t>& steps() const noexcept { return step_; }
-    // The lowest energy of a candidate that keeps the distance; infinite: there is none.
-    [[nodiscard]] float lowest() const noexcept;
+    // The lowest energy of a candidate that keeps the distance of the last step; infinite: there is none.
+    [[nodiscard]] float lowest() noexcept;
     // Forgets the candidates that are nearer than that to a mark: radii will be larger.
     void drop_nearer(double distance);
 
 private:
-    struct Cell {
-        std::int64_t block; // where its candidates begin
-        std::int32_t capacity;
+    // A mark in 16 bytes: its normal in the bits that it came from.
+    struct Slot {
+        float position[3];
+        float normal;
+    };
+    static constexpr std::int32_t slots_of_cell = 5;
+    // Marks stand with their cells, so that what is around a mark is in few cache lines: two for each cell.
+    struct alignas(64) Cell {
+        std::int64_t block;  // where its candidates begin
+        std::int32_t stride; // of its columns
         std::int32_t count;
         std::int32_t best;       // open candidate of the lowest energy; -1: none
         std::int32_t marks;      // in its slots
         std::int32_t more;       // list of those that found no slot; -1: none
-        std::uint8_t neighbours; // itself among them
+        std::uint32_t neighbour; // which of the 27 around it there are, itself among them
         glm::vec3 low;           // corner, relative to the grid's origin
+        std::array<Slot, slots_of_cell> slot;
     };
-    // Marks stand with their cells, so that a tile's turn finds them in the nearest cache.
-    static constexpr std::int32_t slots_of_cell = 8;
     struct Extra {
-        OrderMark mark;
+        Slot mark;
         std::int32_t next;
     };
     struct Tile {
@@ -67,24 +73,29 @@ private:
         std::int32_t cell; // -1: the gap is too small
         std::uint8_t step;
     };
-    static constexpr std::int64_t most_fresh = 16; // of a tile in a sweep
+    static constexpr std::int64_t most_fresh = 64; // of a tile in a sweep
 
     class Turn;
 
     void take_candidates(const Candidates& candidates);
-    void find_neighbours();
     void find_tiles();
+    void find_neighbours(const Tile& tile) noexcept;
     [[nodiscard]] OrderBlock block_of(const Cell& cell) noexcept {
-        return {block_.data() + cell.block, cell.capacity, cell.count};
+        return {block_.data() + cell.block, cell.stride, cell.count};
     }
-    [[nodiscard]] bool reaches(const glm::vec3& position, float distance, std::int32_t cell) const noexcept;
+    template <class Visit>
+    void for_reached(const glm::vec3& position, double distance, std::int32_t cell, Visit&& visit) const;
+    [[nodiscard]] static Slot slot_of(const OrderMark& mark) noexcept;
     void link(const OrderMark& mark, std::int32_t cell);
     template <class Visit>
     void for_marks(const Cell& cell, Visit&& visit) const;
     void feel_all();
-    void feel(const OrderMark& mark, const Cell& cell) noexcept;
-    // The best of the candidates whose squared distance from marks is enough.
-    void refresh(std::int32_t cell, float enough) noexcept;
+    [[nodiscard]] float inverse_squared_reach() const noexcept {
+        return static_cast<float>(1.0 / (settings_.reach * settings_.reach));
+    }
+    // Takes note of what was found of the candidates whose squared distance from marks is enough.
+    void note(std::int32_t cell, const OrderLowest& found) noexcept;
+    void refresh(std::int32_t cell, float enough) noexcept { note(cell, loops_.lowest(block_of(cell_[cell]), enough)); }
     [[nodiscard]] glm::vec3 low_corner(std::uint64_t code) const noexcept;
     [[nodiscard]] std::int32_t home_cell_at(const glm::dvec3& position, std::int32_t cell) const noexcept;
     [[nodiscard]] std::int32_t cell_at(const glm::dvec3& position) const noexcept;
@@ -103,10 +114,11 @@ private:
     base::Array<std::uint64_t> code_; // of each cell
     geometry::CellMap number_;
     base::Array<Cell> cell_;
-    base::Array<std::array<std::int32_t, 27>> neighbour_;
+    base::Array<std::array<std::int32_t, 27>> neighbour_; // -1: not there
     base::Array<float> lowest_; // energy of the best candidate of each cell; infinite: there is none
+    base::Array<float> floor_;  // no candidate of the cell has a lower energy
+    float enough_ = 0.0F;       // squared distance from marks that made a candidate open in the last step
     base::Array<float> block_;
-    base::Array<OrderMark> slot_; // slots_of_cell of each cell
     base::Array<Extra> extra_;
 
     base::Array<Tile> tile_; // turn by turn

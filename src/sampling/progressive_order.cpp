@@ -26,7 +26,7 @@ constexpr double reach_of_energy = 1.8;
 // Below it all places count as equally empty.
 constexpr float least_threshold = 0.05F;
 // Sweeps of large orders have many steps: each takes all candidates through the processor's caches.
-constexpr std::size_t steps_of_sweep = 4;
+constexpr std::size_t steps_of_sweep = 6;
 constexpr double fewest_for_many_steps = 2000.0;
 // The threshold grows about with this power of the number of marks (from 0.06 to 2 in a stage, measured) ...
 constexpr double slope_of_threshold = 2.5;

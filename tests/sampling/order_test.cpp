@@ -6,6 +6,7 @@
 #include "sampling/void_centre.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -71,8 +72,49 @@ TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
                 if (block.column(OrderBlock::clearance)[i] >= 0.5F &&
                     (best < 0 || block.column(OrderBlock::energy)[i] < block.column(OrderBlock::energy)[best]))
                     best = i;
-            EXPECT_EQ(loops.lowest(fast.view(), 0.5F), best) << count;
-            EXPECT_EQ(loops.lowest(fast.view(), 9.0F), -1);
+            EXPECT_EQ(loops.lowest(fast.view(), 0.5F).at, best) << count;
+            EXPECT_EQ(loops.lowest(fast.view(), 9.0F).at, -1);
+            Block both(count);
+            const OrderLowest found = loops.feel_and_find(both.view(), mark, 0.4F, 0.5F);
+            EXPECT_EQ(plain.data, both.data) << count;
+            EXPECT_EQ(found.at, best) << count;
+            const float* const energies = block.column(OrderBlock::energy);
+            EXPECT_EQ(found.energy, best < 0 ? std::numeric_limits<float>::infinity() : energies[best]);
+            EXPECT_EQ(found.of_all, *std::min_element(energies, energies + count));
+        }
+}
+
+TEST(OrderLoops, TheFirstOfTheSmallestIsFound) {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    std::vector<float> numbers(100, none);
+    for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512}) {
+        const OrderLoops loops = order_loops(base::choose_instruction_set(set));
+        std::fill(numbers.begin(), numbers.end(), none);
+        EXPECT_EQ(loops.smallest(numbers.data(), 100), -1);
+        numbers[95] = numbers[83] = numbers[67] = 0.5F;
+        EXPECT_EQ(loops.smallest(numbers.data(), 100), 67);
+        EXPECT_EQ(loops.smallest(numbers.data(), 67), -1);
+        numbers[3] = 0.25F;
+        EXPECT_EQ(loops.smallest(numbers.data(), 5), 3);
+    }
+}
+
+TEST(OrderLoops, WhatIsKeptStaysInOrder) {
+    for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512})
+        for (const std::int64_t count : {1, 3, 16, 17, 100}) {
+            Block before(count);
+            Block after(count);
+            const std::int64_t kept = order_loops(base::choose_instruction_set(set)).keep(after.view(), 1.0F);
+            const OrderBlock packed{after.data.data(), kept, kept};
+            std::int64_t to = 0;
+            for (std::int64_t i = 0; i < count; ++i) {
+                if (before.view().column(OrderBlock::clearance)[i] < 1.0F) continue;
+                ASSERT_LT(to, kept);
+                for (std::int64_t c = 0; c < OrderBlock::columns; ++c)
+                    EXPECT_EQ(packed.column(c)[to], before.view().column(c)[i]) << count;
+                ++to;
+            }
+            EXPECT_EQ(to, kept) << count;
         }
 }
 
@@ -83,7 +125,7 @@ TEST(OrderLoops, OfEqualEnergiesTheFirstIsTheLowest) {
         block.view().column(OrderBlock::clearance)[i] = i < 10 ? 0.0F : 1.0F;
     }
     for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::automatic})
-        EXPECT_EQ(order_loops(base::choose_instruction_set(set)).lowest(block.view(), 0.5F), 12);
+        EXPECT_EQ(order_loops(base::choose_instruction_set(set)).lowest(block.view(), 0.5F).at, 12);
 }
 
 TEST(PackedNormals, AreExactToATenthOfADegree) {

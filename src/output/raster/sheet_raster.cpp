@@ -24,9 +24,9 @@ enum Plane : std::int64_t { clear, red, green, blue, host, planes };
 class Painter {
 public:
     Painter(const frame::Frame& frame, const SheetFrame& sheets, const Image& image, const DrawSettings& settings,
-            const SplatLoops& loops, float* scratch, const Rect& drawn) noexcept
+            const SplatLoops& loops, float* scratch, const float* colors, const Rect& drawn) noexcept
         : sheets_(sheets), convention_(frame.camera().depth), image_(image), settings_(settings), loops_(loops),
-          scratch_(scratch), drawn_(drawn), paper_(in_light(premultiplied(frame.paper()))),
+          scratch_(scratch), colors_(colors), drawn_(drawn), paper_(in_light(premultiplied(frame.paper()))),
           outputs_(settings.depth || settings.id || settings.mark_class),
           // One colour, and nothing but the drawing: a pixel is a function of what is left of the paper.
           simple_(sheets.one_color() && !settings.over && !settings.linear_light) {}
@@ -39,23 +39,16 @@ public:
                            std::min(first.x + side, drawn_.right), std::min(first.y + side, drawn_.bottom)};
         if (rect.empty()) return;
         const SplatTile target = prepare(rect, first);
-        const Ink* const inks = sheets_.inks().data();
-        const auto x0 = static_cast<float>(first.x);
-        const auto y0 = static_cast<float>(first.y);
-        bins.for_tile(
+        const bool one = sheets_.one_color();
+        const float toward = convention_ == frame::DepthConvention::reversed ? -1.0F : 1.0F;
+        bins.for_spans(
             tile,
-            [&](std::uint32_t i) {
-                const Ink& ink = inks[i];
-                if (!(ink.alpha > 0.0F)) return;
-                const glm::vec4& color = sheets_.color(ink.color);
-                SplatDisc disc{ink.x - x0, ink.y - y0, ink.radius, ink.alpha * color.w, {}, host_depth(ink.window)};
-                if (target.color[0] != nullptr) {
-                    const glm::vec4 light = in_light({color.x, color.y, color.z, 1.0F});
-                    for (int c = 0; c < 3; ++c) disc.color[c] = light[c];
-                }
-                loops_.splat(target, disc);
+            [&](std::span<const std::uint32_t> numbers) {
+                loops_.splat(target, {sheets_.inks().data(), numbers.data(), static_cast<std::int64_t>(numbers.size()),
+                                      static_cast<float>(first.x), static_cast<float>(first.y), colors_,
+                                      sheets_.ink_color().w, toward});
             },
-            [&](std::uint32_t a, std::uint32_t b) { return sheets_.one_color() ? a < b : sheets_.before(a, b); });
+            [&](std::uint32_t a, std::uint32_t b) { return one ? a < b : sheets_.before(a, b); });
         for (std::int32_t y = rect.top; y < rect.bottom; ++y) store_row(rect, first, y);
         if (outputs_) store_outputs(tile, rect);
     }
@@ -64,11 +57,6 @@ private:
     [[nodiscard]] glm::vec4 in_light(const glm::vec4& color) const noexcept {
         return settings_.linear_light ? to_linear(color) : color;
     }
-    // Falling towards the eye.
-    [[nodiscard]] float host_depth(float window) const noexcept {
-        return convention_ == frame::DepthConvention::reversed ? -window : window;
-    }
-
     [[nodiscard]] SplatTile prepare(const Rect& rect, const glm::ivec2& first) const noexcept {
         SplatTile tile{side, side, stride, scratch_, {}, nullptr};
         std::fill_n(scratch_ + clear * plane, plane, 1.0F);
@@ -80,11 +68,11 @@ private:
         }
         if (settings_.host_depth.empty()) return tile;
         tile.host = scratch_ + host * plane;
+        const float toward = convention_ == frame::DepthConvention::reversed ? -1.0F : 1.0F;
         for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
             float* const row = scratch_ + host * plane + (y - first.y) * stride - first.x;
             for (std::int32_t x = rect.left; x < rect.right; ++x)
-                row[x] =
-                    host_depth(static_cast<float>(settings_.host_depth.get(std::int64_t{y} * image_.width + x, 0)));
+                row[x] = toward * static_cast<float>(settings_.host_depth.get(std::int64_t{y} * image_.width + x, 0));
         }
         return tile;
     }
@@ -214,6 +202,7 @@ private:
     const DrawSettings& settings_;
     const SplatLoops& loops_;
     float* scratch_;
+    const float* colors_; // as in InkList
     Rect drawn_;
     glm::vec4 paper_; // premultiplied, in the light that is blended in
     bool outputs_, simple_;
@@ -225,11 +214,19 @@ void SheetRaster::draw(const frame::Frame& frame, const Image& image, const Draw
     const SheetFrame& sheets = *frame.sheet_frame();
     const Rect drawn = drawn_rect(frame.camera().viewport, image);
     if (drawn.empty()) return;
+    colors_.clear();
+    for (std::uint32_t color = 0; color < sheets.colors(); ++color) {
+        const glm::vec4 ink = sheets.color(color);
+        const glm::vec4 opaque(glm::vec3(ink), 1.0F);
+        const glm::vec4 light = settings.linear_light ? to_linear(opaque) : opaque;
+        for (const float value : {light.x, light.y, light.z, ink.w}) colors_.push_back(value);
+    }
     const std::int64_t lanes = std::max(1, runtime_.parallel.threads());
     frame::resize_scratch(planes_, lanes * planes * plane);
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(lanes, [&](std::int64_t lane) {
-        const Painter paint(frame, sheets, image, settings, loops_, planes_.data() + lane * planes * plane, drawn);
+        const Painter paint(frame, sheets, image, settings, loops_, planes_.data() + lane * planes * plane,
+                            colors_.data(), drawn);
         for (std::int64_t tile = next++; tile < sheets.ink_bins().tiles(); tile = next++) paint(tile);
     });
 }

@@ -18,6 +18,11 @@ HWY_INLINE std::int32_t clamped(float at, std::int32_t limit) {
     return static_cast<std::int32_t>(at < 0.0F ? 0.0F : at > top ? top : at);
 }
 
+// A disc in pixels of the tile.
+struct SplatDisc {
+    float x, y, radius, alpha, depth;
+};
+
 // The part of a pixel that the disc covers, taken as how far the rim lies beyond the pixel's centre.
 HWY_INLINE W coverage(W squared, W outer) {
     const F d;
@@ -56,24 +61,41 @@ HWY_INLINE W before_host(const SplatTile& t, const SplatDisc& disc, std::int32_t
     return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.host + at), hn::Set(d, disc.depth)), cover);
 }
 
-void splat(const SplatTile& t, const SplatDisc& disc) {
+HWY_INLINE void splat_one(const SplatTile& t, const SplatDisc& disc) {
     const F d;
-    if (t.color[0] == nullptr) {
-        for_pixels(t, disc, [&](std::int32_t at, W cover) HWY_ATTR {
-            const W left = hn::Sub(hn::Set(d, 1.0F), before_host(t, disc, at, cover));
-            hn::StoreU(hn::Mul(hn::LoadU(d, t.clear + at), left), d, t.clear + at);
-        });
-        return;
-    }
+    for_pixels(t, disc, [&](std::int32_t at, W cover) HWY_ATTR {
+        const W left = hn::Sub(hn::Set(d, 1.0F), before_host(t, disc, at, cover));
+        hn::StoreU(hn::Mul(hn::LoadU(d, t.clear + at), left), d, t.clear + at);
+    });
+}
+
+HWY_INLINE void splat_colored(const SplatTile& t, const SplatDisc& disc, const float* color) {
+    const F d;
     for_pixels(t, disc, [&](std::int32_t at, W all) HWY_ATTR {
         const W cover = before_host(t, disc, at, all);
         const W left = hn::Sub(hn::Set(d, 1.0F), cover);
         hn::StoreU(hn::Mul(hn::LoadU(d, t.clear + at), left), d, t.clear + at);
         for (int c = 0; c < 3; ++c) {
-            const W own = hn::Mul(hn::Set(d, disc.color[c]), cover);
+            const W own = hn::Mul(hn::Set(d, color[c]), cover);
             hn::StoreU(hn::Add(hn::Mul(hn::LoadU(d, t.color[c] + at), left), own), d, t.color[c] + at);
         }
     });
+}
+
+void splat(const SplatTile& t, const InkList& list) {
+    for (std::int64_t i = 0; i < list.count; ++i) {
+        const frame::Ink& ink = list.inks[list.numbers[i]];
+        if (!(ink.alpha > 0.0F)) continue;
+        SplatDisc disc = {ink.x - list.left, ink.y - list.top, ink.radius, ink.alpha * list.one_alpha,
+                          ink.window * list.toward};
+        if (t.color[0] == nullptr) {
+            splat_one(t, disc);
+            continue;
+        }
+        const float* const color = list.colors + 4 * std::int64_t{ink.color};
+        disc.alpha = ink.alpha * color[3];
+        splat_colored(t, disc, color);
+    }
 }
 
 void store(const RowColors& colors, const float* clear, std::int64_t count, std::uint32_t* pixels) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/instruction_set.h"
+#include "frame/ink.h"
 
 #include <cstdint>
 
@@ -15,11 +16,15 @@ struct SplatTile {
     const float* host;                  // depth of the host's picture, falling towards the eye; or NULL
 };
 
-// In pixels of the tile.
-struct SplatDisc {
-    float x, y, radius, alpha;
-    float color[3];
-    float depth; // as the host's
+// Inks by their numbers; (left, top) is the tile's first pixel.
+struct InkList {
+    const frame::Ink* inks;
+    const std::uint32_t* numbers;
+    std::int64_t count;
+    float left, top;
+    const float* colors; // four of each number of a colour: RGB, and an alpha that multiplies the ink's
+    float one_alpha;     // of all, if there is one colour
+    float toward;        // -1: the host's depth rises towards the eye; 1
 };
 
 // Four channels of a row, each alpha * clear + beta * (1 - clear), as bytes.
@@ -30,7 +35,7 @@ struct RowColors {
 };
 
 struct SplatLoops {
-    void (*splat)(const SplatTile& tile, const SplatDisc& disc);
+    void (*splat)(const SplatTile& tile, const InkList& list);
     void (*store)(const RowColors& colors, const float* clear, std::int64_t count, std::uint32_t* pixels);
 };
 

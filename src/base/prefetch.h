@@ -1,0 +1,16 @@
+// Memory that will be needed soon.
+#pragma once
+
+#include <cstdint>
+
+namespace hrbfnpr::base {
+
+// Asks for the cache lines of `count` elements; never fails, whatever the address.
+template <class T>
+inline void prefetch(const T* data, std::int64_t count) noexcept {
+    const auto* const bytes = reinterpret_cast<const char*>(data);
+    const auto size = count * static_cast<std::int64_t>(sizeof(T));
+    for (std::int64_t at = 0; at < size; at += 64) __builtin_prefetch(bytes + at);
+}
+
+} // namespace hrbfnpr::base
