@@ -16,49 +16,56 @@ using sampling::MarkClusters;
 glm::dvec3 vector_of(const std::array<float, 3>& a) {
     return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
 }
-glm::dvec3 place_in(const MarkClusters& m, std::int64_t i) {
-    return {static_cast<double>(m.x[i]), static_cast<double>(m.y[i]), static_cast<double>(m.z[i])};
-}
-glm::dvec3 normal_in(const MarkClusters& m, std::int64_t i) {
-    return {static_cast<double>(m.nx[i]), static_cast<double>(m.ny[i]), static_cast<double>(m.nz[i])};
+// A mark by its place in the blocks.
+struct Placed {
+    glm::dvec3 position, normal;
+    float rank;
+    std::uint32_t mark;
+};
+
+Placed placed(const MarkClusters& m, std::int64_t place) {
+    const sampling::MarkBlock& b = m.block[place / sampling::MarkBlock::size];
+    const std::int64_t i = place % sampling::MarkBlock::size;
+    return {vector_of({b.x[i], b.y[i], b.z[i]}), vector_of({b.nx[i], b.ny[i], b.nz[i]}), b.rank[i], b.mark[i]};
 }
 
 void expect_sound(const sampling::MarkGroup& group, bool strokes = false) {
     const MarkClusters& m = group.clusters;
-    const std::int64_t count = group.count();
-    for (const auto* a : {&m.x, &m.y, &m.z, &m.nx, &m.ny, &m.nz, &m.rank}) ASSERT_EQ(a->size(), count);
-    ASSERT_EQ(m.mark.size(), count);
-    ASSERT_EQ(m.width.size(), group.width.size());
-    std::vector<int> met(static_cast<std::size_t>(count), 0);
-    std::int64_t end = 0;
+    constexpr std::int64_t size = sampling::MarkBlock::size;
+    std::vector<int> met(static_cast<std::size_t>(group.count()), 0);
+    std::int64_t blocks = 0;
     for (const Cluster& c : m.cluster) {
-        ASSERT_EQ(c.begin, end);
-        ASSERT_GT(c.end, c.begin);
-        ASSERT_LE(c.end - c.begin, sampling::most_in_cluster);
-        end = c.end;
+        ASSERT_EQ(c.block, blocks);
+        ASSERT_GT(c.count, 0);
+        ASSERT_LE(c.count, sampling::most_in_cluster);
+        blocks += (c.count + size - 1) / size;
+        ASSERT_LE(blocks, m.block.size());
         const glm::dvec3 axis = vector_of(c.axis);
         ASSERT_NEAR(glm::length(axis), 1.0, 1e-6);
         ASSERT_NEAR(c.cone_cosine * c.cone_cosine + c.cone_sine * c.cone_sine, 1.0F, 1e-5F);
-        for (std::int64_t i = c.begin; i < c.end; ++i) {
-            const std::int64_t mark = m.mark[i];
+        for (std::int64_t place = c.block * size; place < c.block * size + c.count; ++place) {
+            const Placed p = placed(m, place);
+            ASSERT_LT(p.mark, group.count());
+            const std::int64_t mark = p.mark;
             ++met[static_cast<std::size_t>(mark)];
             for (int k = 0; k < 3; ++k) {
-                ASSERT_EQ(static_cast<float>(place_in(m, i)[k]), group.position[3 * mark + k]);
-                ASSERT_EQ(static_cast<float>(normal_in(m, i)[k]), group.normal[3 * mark + k]);
+                ASSERT_EQ(static_cast<float>(p.position[k]), group.position[3 * mark + k]);
+                ASSERT_EQ(static_cast<float>(p.normal[k]), group.normal[3 * mark + k]);
             }
-            ASSERT_EQ(m.rank[i], group.rank[mark]);
+            ASSERT_EQ(p.rank, group.rank[mark]);
             if (!group.width.empty()) {
-                ASSERT_EQ(m.width[i], group.width[mark]);
+                ASSERT_EQ(m.width[place], group.width[mark]);
             }
-            if (i > c.begin) {
-                ASSERT_LE(m.rank[i], m.rank[i - 1]);
+            if (place > c.block * size) {
+                ASSERT_LE(p.rank, placed(m, place - 1).rank);
             }
-            ASSERT_LE(glm::length(place_in(m, i) - vector_of(c.centre)), static_cast<double>(c.radius) + 1e-7);
-            ASSERT_GE(glm::dot(normal_in(m, i), axis), static_cast<double>(c.cone_cosine));
+            ASSERT_LE(glm::length(p.position - vector_of(c.centre)), static_cast<double>(c.radius) + 1e-7);
+            ASSERT_GE(glm::dot(p.normal, axis), static_cast<double>(c.cone_cosine));
             ASSERT_EQ(c.set, strokes ? group.stroke[2 * mark] & 1U : 0U);
         }
     }
-    ASSERT_EQ(end, count);
+    ASSERT_EQ(blocks, m.block.size());
+    ASSERT_EQ(m.width.empty(), group.width.empty());
     for (const int times : met) ASSERT_EQ(times, 1);
 }
 
@@ -146,9 +153,9 @@ double share_off(const sampling::MarkGroup& group, double largest, const Wanted&
         const Tangents t = wanted(vector_of(c.centre));
         const double error = std::max(std::abs(curvature(c, t.first) - t.first_curvature),
                                       std::abs(curvature(c, t.second) - t.second_curvature));
-        if (error > 0.05 * largest) off += c.end - c.begin;
+        if (error > 0.05 * largest) off += c.count;
         if (c.bend < 0.0F) { // too few to tell
-            EXPECT_LT(c.end - c.begin, 12);
+            EXPECT_LT(c.count, 12);
             continue;
         }
         EXPECT_GE(static_cast<double>(c.bend), 0.9 * largest);
@@ -192,8 +199,11 @@ TEST_F(Clusters, AreTheSameForAnyThreadCount) {
         sampling::cluster_marks(other, set);
         std::vector<std::uint32_t> marks;
         for (const sampling::MarkGroup& group : set.group) {
-            marks.insert(marks.end(), group.clusters.mark.begin(), group.clusters.mark.end());
-            for (const Cluster& c : group.clusters.cluster) marks.push_back(static_cast<std::uint32_t>(c.end));
+            for (const Cluster& c : group.clusters.cluster) {
+                for (std::int64_t i = 0; i < c.count; ++i)
+                    marks.push_back(placed(group.clusters, c.block * sampling::MarkBlock::size + i).mark);
+                marks.push_back(static_cast<std::uint32_t>(c.count));
+            }
         }
         return marks;
     };
