@@ -22,7 +22,7 @@ def test_a_picture(renderer, marks, camera):
     dark = image[..., :3].mean(axis=2) < 128
     assert 200 < dark.sum() < 15000
     info = renderer.info
-    assert info.marks == info.outside + info.front + info.back + info.silhouette > 2000
+    assert info.marks == info.outside + info.front + info.back + info.silhouette + info.culled > 2000
     assert info.shown > 0
     np.testing.assert_array_equal(renderer.draw((marks, STYLE), camera), image)
 
@@ -166,7 +166,7 @@ def test_tone_function(renderer, marks, camera):
         return np.ones(len(positions)) if light else [0.0] * len(positions)
 
     light = True
-    only_stipples = hrbfnpr.Style("stipple", tone=tone)
+    only_stipples = hrbfnpr.Style("stipple", tone=tone, tone_curve="linear", tone_fade=0.0)
     bright = renderer.prepare((marks, only_stipples), camera)
     positions, normals = seen[0]
     assert positions.shape == normals.shape and positions.dtype == np.float32
@@ -189,7 +189,7 @@ def test_tone_function(renderer, marks, camera):
 )
 def test_a_tone_function_that_fails(renderer, marks, camera, tone, words):
     with pytest.raises(hrbfnpr.CallbackError, match=words) as caught:
-        renderer.draw((marks, hrbfnpr.Style("stipple", tone=tone)), camera)
+        renderer.draw((marks, hrbfnpr.Style("stipple", tone=tone, tone_curve="linear", tone_fade=0.0)), camera)
     assert caught.value.__cause__ is not None
     with pytest.raises(hrbfnpr.CallbackError):
         renderer.draw((marks, hrbfnpr.Style("stipple", tone=lambda p, n: np.full(len(p), np.nan))), camera)
