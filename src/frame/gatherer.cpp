@@ -60,7 +60,7 @@ float Gatherer::reach(float ppe) const noexcept {
 }
 
 Gatherer::Local Gatherer::local_of(const sampling::Cluster& cluster) const noexcept {
-    Local local{&cluster, {}, judge_};
+    Local local{&cluster, {}, judge_, cover_spacing};
     const float reach_there = reach(ppe_at(cluster, sight_, scene_.lens));
     local.view = view_cluster(cluster, sight_, scene_.lens, all_.frustum_, reach_there);
     const ClusterView& view = local.view;
@@ -99,13 +99,14 @@ void Gatherer::set_contour(Local& local) const noexcept {
 void Gatherer::operator()(const sampling::Cluster& cluster) noexcept {
     const std::int64_t marks = cluster.count;
     info_.marks += marks;
-    const Local local = local_of(cluster);
+    Local local = local_of(cluster);
     if (local.view.outside) {
         info_.outside += marks;
         return;
     }
-    const std::int64_t covers = covers_of(local);
     const bool whole = count_whole(local);
+    local.cover_spacing = whole ? cover_spacing : contour_cover_spacing;
+    const std::int64_t covers = covers_of(local);
     const Judge& judge = local.judge;
     const bool tone = judge.front_ink && local.view.nu_min < 0.0F;
     float most = tone ? judge.most_shown : 0.0F;
@@ -178,14 +179,14 @@ float Gatherer::most_shown(const Local& local) const noexcept {
 std::int64_t Gatherer::covers_of(const Local& local) const noexcept {
     if (!run_.covers) return 0;
     if (!run_.spread_evenly && run_.group != 0) return local.cluster->count;
-    const float pixels = run_.pen.spacing * local.view.ppe / cover_spacing;
+    const float pixels = run_.pen.spacing * local.view.ppe / local.cover_spacing;
     if (pixels >= 1.0F) return local.cluster->count;
     // The first of a cluster are as even as the first of all.
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster->count)));
 }
 
 void Gatherer::cover(const Local& local, const Seen& seen, std::int64_t count) noexcept {
-    const float spacing = run_.group == 0 ? std::max(run_.pen.spacing * local.view.ppe, cover_spacing)
+    const float spacing = run_.group == 0 ? std::max(run_.pen.spacing * local.view.ppe, local.cover_spacing)
                                           : run_.pen.spacing * local.view.ppe;
     const bool even = run_.spread_evenly && run_.group == 0;
     const float own_radius = (even ? even_cover : random_cover) * spacing + 0.5F;

@@ -70,7 +70,10 @@ void SheetFrame::bin(const Scene& scene) {
     ink_bins_.build(runtime_.parallel, width, height, gather_.ink_pieces(),
                     [&](std::int64_t i, TileBins::Footprint& print) {
                         const Ink& ink = inks_[static_cast<std::size_t>(i)];
-                        print = {ink.x - left, ink.y - top, std::max(ink.radius, smallest_radius) + soft_rim};
+                        // One that just misses the picture belongs to the nearest tile, too.
+                        print = {std::clamp(ink.x - left, 0.0F, static_cast<float>(width)),
+                                 std::clamp(ink.y - top, 0.0F, static_cast<float>(height)),
+                                 std::max(ink.radius, smallest_radius) + soft_rim};
                         return true;
                     });
     if (!one_color_) ink_bins_.order(runtime_.parallel, [&](std::uint32_t a, std::uint32_t b) { return before(a, b); });

@@ -15,8 +15,8 @@ constexpr float nothing = std::numeric_limits<float>::infinity();
 constexpr float contour_gap = 4.0F;
 // A halo's contour is nearer than what it cuts by so many pixels.
 constexpr float halo_gap = 4.0F;
-// Ink lies so many pixels behind another sheet that faces like its own.
-constexpr float own_gap = 3.0F * sheet_gap * cover_spacing;
+// Ink lies behind another sheet that faces like its own by so many radii of the covers.
+constexpr float own_gap = 6.0F;
 
 [[nodiscard]] CoverList list_of(std::span<const Cover> covers, std::span<const std::uint32_t> numbers,
                                 const glm::vec2& corner) noexcept {
@@ -45,7 +45,7 @@ Dimmed dim(const SheetPlanes& p, const Ink& ink, float x, float y, bool next) no
         pixel(x + static_cast<float>(ink.probe_x) / probe_steps, y + static_cast<float>(ink.probe_y) / probe_steps);
     const bool contour = ink.mark_class == MarkClass::silhouette;
     const float other = (contour ? contour_gap : side_gap) / ink.ppe;
-    const float own = contour ? other : own_gap / ink.ppe;
+    const float own = contour ? other : own_gap * p.largest_cover / ink.ppe;
     const std::int64_t first = next ? std::int64_t{SheetPlanes::next_front} : std::int64_t{SheetPlanes::front};
     const float front = p.depth[first][at];
     const float back = p.depth[first + 1][at];
@@ -64,7 +64,7 @@ Dimmed dim(const SheetPlanes& p, const Ink& ink, float x, float y, bool next) no
 
 SheetPlanes Sheets::planes_of(std::int64_t lane) noexcept {
     float* at = planes_.data() + lane * planes_of_one * plane;
-    SheetPlanes planes{side, side, stride, {}, {}, nullptr, nullptr};
+    SheetPlanes planes{side, side, stride, {}, {}, nullptr, nullptr, 0.0F};
     const auto next = [&] { return std::exchange(at, at + plane); };
     for (float*& depth : planes.depth) depth = next();
     planes.halo = next();
@@ -73,11 +73,14 @@ SheetPlanes Sheets::planes_of(std::int64_t lane) noexcept {
     return planes;
 }
 
-void Sheets::lay_tile(const SheetPlanes& planes, std::span<const Cover> covers, std::int64_t tile,
+void Sheets::lay_tile(SheetPlanes& planes, std::span<const Cover> covers, std::int64_t tile,
                       const glm::vec2& corner) const noexcept {
     for (float* const depth : {planes.depth[SheetPlanes::front], planes.depth[SheetPlanes::back], planes.halo})
         std::fill_n(depth, plane, nothing);
+    planes.largest_cover = 0.0F;
     bins_.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
+        for (const std::uint32_t number : numbers)
+            planes.largest_cover = std::max(planes.largest_cover, covers[number].radius);
         const CoverList list = list_of(covers, numbers, corner);
         loops_.lay(planes, list);
         loops_.lay_halos(planes, list);
@@ -100,7 +103,7 @@ std::int64_t Sheets::attenuate(const Gather& gather, std::span<Ink> inks, TileBi
     resize_scratch(seen_, ink_bins.tiles());
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(lanes, [&](std::int64_t lane) {
-        const SheetPlanes planes = planes_of(lane);
+        SheetPlanes planes = planes_of(lane);
         for (std::int64_t tile = next++; tile < ink_bins.tiles(); tile = next++)
             seen_[tile] = dim_tile(planes, covers, inks, ink_bins, tile, glm::vec2(x0, y0));
     });
@@ -111,7 +114,7 @@ std::int64_t Sheets::attenuate(const Gather& gather, std::span<Ink> inks, TileBi
 
 // The inks whose centres lie in the tile: first through the nearest sheets, then, if any ink is still seen behind
 // those, through the next.
-std::int64_t Sheets::dim_tile(const SheetPlanes& planes, std::span<const Cover> covers, std::span<Ink> inks,
+std::int64_t Sheets::dim_tile(SheetPlanes& planes, std::span<const Cover> covers, std::span<Ink> inks,
                               const TileBins& ink_bins, std::int64_t tile, const glm::vec2& origin) const noexcept {
     const glm::vec2 corner = origin + glm::vec2(static_cast<float>(tile % ink_bins.columns() * tile_size - apron),
                                                 static_cast<float>(tile / ink_bins.columns() * tile_size - apron));

@@ -186,7 +186,7 @@ TEST_F(Culling, DiscsThatGrowWithTheZoomReachIntoThePicture) {
 }
 
 // A contour's mark that its thinned line drops may be drawn as one of the front, and counts as both.
-TEST_F(Culling, DISABLED_EveryMarkCountsOnceWhileContoursFade) {
+TEST_F(Culling, EveryMarkCountsOnceWhileContoursFade) {
     for (const View& view : views()) {
         const std::array items{sheet_item(set, styles()[0], view.transform)};
         frame.prepare(items, view.camera);

@@ -54,7 +54,7 @@ TEST_F(SheetsTest, ASphereNeverDimsItsOwnFront) {
 }
 
 // With 100 marks on 400 pixels, discs of sheets stand out of their own surface by more than the gap that is left to it.
-TEST_F(SheetsTest, DISABLED_ASparseSphereNeverDimsItsOwnFront) {
+TEST_F(SheetsTest, ASparseSphereNeverDimsItsOwnFront) {
     for (const int count : {100, 300}) {
         const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, count));
         const std::array items{sheet_item(set, all_front(HiddenLines::attenuate))};

@@ -308,7 +308,7 @@ TEST_F(SheetRaster, DiscsSplattedPlainlyGiveThePicture) {
 }
 
 // Ink that touches no tile is in discs(), undimmed, but not in info().shown.
-TEST_F(SheetRaster, DISABLED_DiscsAreThoseThatTheInfoCounts) {
+TEST_F(SheetRaster, DiscsAreThoseThatTheInfoCounts) {
     const sampling::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     Style style;
     style.group[0].radius = 1.3F;
