@@ -3,6 +3,8 @@
 #include "frame/cover_law.h"
 #include "frame/gatherer.h"
 
+#include <algorithm>
+
 namespace hrbfnpr::frame {
 namespace {
 
@@ -37,6 +39,13 @@ float ItemInk::per_pixel(float ppe) const noexcept {
         ink += t.marks_per_area * area;
     }
     return ink / (ppe * ppe);
+}
+
+float ItemInk::covered_by(float ink) const noexcept {
+    const auto above = std::lower_bound(needed.begin() + 1, needed.end(), ink);
+    if (above == needed.end()) return 1.0F;
+    const float part = (ink - *(above - 1)) / (*above - *(above - 1));
+    return (static_cast<float>(above - 1 - needed.begin()) + std::clamp(part, 0.0F, 1.0F)) / needed_steps;
 }
 
 Gather::Gather(const base::Runtime& runtime) noexcept

@@ -17,6 +17,8 @@ using sampling::MarkBlock;
 constexpr float widest_band = 0.9F;
 // Ink of the front vanishes towards the contour over this much of n . v, where nothing else makes it vanish.
 constexpr float front_fade = 0.08F;
+// Where all marks together cover less than this, all tones get paler, so that the darkest ones still differ.
+constexpr float darkest = 0.6F;
 // Contours are asked for what hides them so many pixels outside of their own sheet.
 constexpr float probe = 3.0F;
 // A halo goes out from marks within this many pixels of the contour.
@@ -73,7 +75,11 @@ Gatherer::Local Gatherer::local_of(const sampling::Cluster& cluster) const noexc
     judge.all_inside = view.inside;
     judge.front_ink = run_.draws_front && (run_.sets == 3U || (run_.sets >> cluster.set & 1U) != 0);
     judge.scale = run_.pen.scale(view.ppe);
-    if (judge.coverage) judge.per_ink = 1.0F / item_ink_.per_pixel(view.ppe);
+    if (judge.coverage) {
+        const float ink = item_ink_.per_pixel(view.ppe);
+        judge.per_ink = 1.0F / ink;
+        judge.paler = std::min(1.0F, item_ink_.covered_by(ink) / darkest);
+    }
     set_contour(local);
     judge.most_shown = most_shown(local);
     return local;
@@ -169,7 +175,7 @@ float Gatherer::most_shown(const Local& local) const noexcept {
     float shown = 1.0F - tau;
     if (judge.coverage) {
         const float nu = std::max(-local.view.nu_min, -local.view.nu_max);
-        const auto cell = static_cast<std::size_t>(shown * needed_steps);
+        const auto cell = static_cast<std::size_t>(shown * judge.paler * needed_steps);
         const float needed = item_ink_.needed[std::min<std::size_t>(cell + 1, needed_steps)];
         shown = std::min(1.0F, needed * nu * judge.per_ink);
     }

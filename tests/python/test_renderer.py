@@ -195,9 +195,11 @@ def test_a_tone_function_that_fails(renderer, marks, camera, tone, words):
         renderer.draw((marks, hrbfnpr.Style("stipple", tone=lambda p, n: np.full(len(p), np.nan))), camera)
 
 
-def test_vertices(renderer, marks, camera):
+@pytest.mark.parametrize("visibility", ["sheets", "painted"])
+def test_vertices(renderer, marks, camera, visibility):
+    style = hrbfnpr.Style("contour-and-stipple", visibility=visibility)
     names = ("position", "window", "radius", "color", "normal", "direction", "id", "class", "is_paper")
-    vertices = renderer.vertices((marks, STYLE), camera, names)
+    vertices = renderer.vertices((marks, style), camera, names)
     assert vertices.dtype.names == names and len(vertices) > 100
     assert vertices["color"].dtype == np.uint8 and vertices["color"].shape == (len(vertices), 4)
     assert set(np.unique(vertices["is_paper"])) <= {0, 1}
@@ -205,7 +207,8 @@ def test_vertices(renderer, marks, camera):
     assert np.ptp(depth) > 0 and depth[0] > depth[-1]
     np.testing.assert_allclose(np.linalg.norm(vertices["normal"], axis=1), 1, atol=1e-4)
     info = renderer.info
-    assert (vertices["is_paper"] == 0).sum() == info.shown and (vertices["is_paper"] == 1).sum() == info.painted
+    assert (vertices["is_paper"] == 0).sum() == info.shown
+    assert (vertices["is_paper"] == 1).sum() == (info.painted if visibility == "painted" else 0)
     for i in (0, len(vertices) // 2, -1):
         clip = camera.projection @ camera.view @ np.append(vertices["position"][i], 1)
         x = (clip[0] / clip[3] + 1) / 2 * 160
