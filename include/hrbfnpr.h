@@ -1098,7 +1098,7 @@ enum {
     /* The coverage of the drawing is the tone that was asked for, 1 - tau: the number of marks
      * follows from their size, their density on the screen and how they overlap, so that the
      * tone stays when the zoom or the budget changes.  Where all marks together cover less than
-     * 0.6, all tones are paler in proportion; a tone that wants more marks than there are shows all. */
+     * 0.6, the tone 0.6 shows all of them and the others are paler alike. */
     HRBFNPR_TONE_CURVE_COVERAGE = 0,
     HRBFNPR_TONE_CURVE_LINEAR = 1 /* the share of marks is 1 - tau [NPAR 6.2] */
 };

@@ -41,13 +41,6 @@ float ItemInk::per_pixel(float ppe) const noexcept {
     return ink / (ppe * ppe);
 }
 
-float ItemInk::covered_by(float ink) const noexcept {
-    const auto above = std::lower_bound(needed.begin() + 1, needed.end(), ink);
-    if (above == needed.end()) return 1.0F;
-    const float part = (ink - *(above - 1)) / (*above - *(above - 1));
-    return (static_cast<float>(above - 1 - needed.begin()) + std::clamp(part, 0.0F, 1.0F)) / needed_steps;
-}
-
 Gather::Gather(const base::Runtime& runtime) noexcept
     : runtime_(runtime), loops_(see_loops(runtime.instruction_set)), sights_(runtime.memory),
       item_inks_(runtime.memory), clears_(runtime.memory), clear_of_(runtime.memory), work_(runtime.memory),

@@ -23,8 +23,6 @@ struct ItemInk {
     std::array<float, needed_steps + 1> needed{};
 
     [[nodiscard]] float per_pixel(float ppe) const noexcept;
-    // What so much ink per area covers: the inverse of `needed`.
-    [[nodiscard]] float covered_by(float ink) const noexcept;
 };
 
 // What a sheet lets through, by |nu|.

@@ -11,14 +11,14 @@
 namespace hrbfnpr::frame {
 namespace {
 
+constexpr std::size_t darkest_step = needed_steps * 6 / 10;
+
 using sampling::MarkBlock;
 
 // Marks farther round the contour than this are none of its, whatever the curvature.
 constexpr float widest_band = 0.9F;
 // Ink of the front vanishes towards the contour over this much of n . v, where nothing else makes it vanish.
 constexpr float front_fade = 0.08F;
-// Where all marks together cover less than this, all tones get paler, so that the darkest ones still differ.
-constexpr float darkest = 0.6F;
 // Contours are asked for what hides them so many pixels outside of their own sheet.
 constexpr float probe = 3.0F;
 // A halo goes out from marks within this many pixels of the contour.
@@ -75,11 +75,9 @@ Gatherer::Local Gatherer::local_of(const sampling::Cluster& cluster) const noexc
     judge.all_inside = view.inside;
     judge.front_ink = run_.draws_front && (run_.sets == 3U || (run_.sets >> cluster.set & 1U) != 0);
     judge.scale = run_.pen.scale(view.ppe);
-    if (judge.coverage) {
-        const float ink = item_ink_.per_pixel(view.ppe);
-        judge.per_ink = 1.0F / ink;
-        judge.paler = std::min(1.0F, item_ink_.covered_by(ink) / darkest);
-    }
+    if (judge.coverage)
+        // Marks that cover less than 0.6 are shown as if they covered that: their dark tones still differ.
+        judge.per_ink = 1.0F / std::max(item_ink_.per_pixel(view.ppe), item_ink_.needed[darkest_step]);
     set_contour(local);
     judge.most_shown = most_shown(local);
     return local;
@@ -175,7 +173,7 @@ float Gatherer::most_shown(const Local& local) const noexcept {
     float shown = 1.0F - tau;
     if (judge.coverage) {
         const float nu = std::max(-local.view.nu_min, -local.view.nu_max);
-        const auto cell = static_cast<std::size_t>(shown * judge.paler * needed_steps);
+        const auto cell = static_cast<std::size_t>(shown * needed_steps);
         const float needed = item_ink_.needed[std::min<std::size_t>(cell + 1, needed_steps)];
         shown = std::min(1.0F, needed * nu * judge.per_ink);
     }

@@ -173,7 +173,7 @@ HWY_INLINE W shown_for(const Judge& j, W tau, W nu) {
     W shown = hn::Sub(one, tau);
     if (j.coverage) {
         const hn::RebindToSigned<F> integer;
-        const W at = hn::Mul(shown, hn::Set(d, j.paler * static_cast<float>(needed_steps)));
+        const W at = hn::Mul(shown, hn::Set(d, static_cast<float>(needed_steps)));
         // Lanes behind the last mark may hold anything.
         const auto cell =
             hn::Max(hn::Min(hn::ConvertTo(integer, at), hn::Set(integer, needed_steps - 1)), hn::Zero(integer));

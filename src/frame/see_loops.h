@@ -54,7 +54,6 @@ struct Judge {
     bool coverage;       // else needed() is left out, and |nu|
     const float* needed; // of coverages 0, 1 / needed_steps ... 1
     float per_ink, share, more, scale;
-    float paler;      // tones are this share as dark as asked for: there are too few marks
     float most_shown; // no tone shows a larger share
     float fade;       // 0: a mark is shown or not
     float turn;       // > 0: ink vanishes where |nu| falls below it

@@ -16,9 +16,9 @@ enum class Overlap : unsigned char {
 
 // Ink per area x of a blue-noise order whose discs cover 0, 1/16, 2/16 ... of it: measured on a flat patch, over
 // prefixes of 5 to 100 % and radii of 1 to 3 pixels (docs/quality.md).
-inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0626F, 0.1251F, 0.1876F, 0.2497F, 0.3116F,
-                                                         0.3741F, 0.4378F, 0.5039F, 0.5738F, 0.6479F, 0.7303F,
-                                                         0.8269F, 0.9443F, 1.0995F, 1.3356F, 3.0F};
+inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.1250F, 0.1875F, 0.2500F, 0.3125F,
+                                                         0.3755F, 0.4400F, 0.5068F, 0.5772F, 0.6528F, 0.7362F,
+                                                         0.8318F, 0.9479F, 1.1005F, 1.3370F, 3.0000F};
 
 // The ink of a disc as it is drawn, square pixels: its rim falls off over a pixel, and below half a pixel of radius it
 // gets paler instead of smaller.

@@ -60,13 +60,13 @@ protected:
     Frame frame{runtime};
 };
 
-// Whether there are marks enough, and a few to spare.
+// Whether there are marks enough for this tone and for 0.6, and a few to spare.
 bool enough(std::int64_t budget, double half, float radius, double coverage) {
     // The patch is about 1.18 times as large as the box that it was asked for.
     const double density = static_cast<double>(budget) / 4.7 * std::pow(2.0 * half / size, 2.0);
     const double ink = density * pi * static_cast<double>(radius * radius);
-    return ink >
-           1.3 * static_cast<double>(frame::ink_for(static_cast<float>(coverage), frame::Overlap::blue_noise, 1.0F));
+    return ink > 1.3 * static_cast<double>(frame::ink_for(static_cast<float>(std::max(coverage, 0.6)),
+                                                          frame::Overlap::blue_noise, 1.0F));
 }
 
 TEST_F(Coverage, IsTheToneForMarksOfAnySizeAtAnyZoomAndBudget) {
@@ -89,7 +89,7 @@ TEST_F(Coverage, IsTheToneForMarksOfAnySizeAtAnyZoomAndBudget) {
             }
         }
     }
-    EXPECT_GT(judged, 80);
+    EXPECT_GT(judged, 60);
 }
 
 TEST_F(Coverage, IsTheToneWhereItIsDarkToo) {
@@ -125,6 +125,20 @@ TEST_F(Coverage, WithoutMarksEnoughAllAreShown) {
     prepare(set, style, front_camera(size, size, 1.1));
     EXPECT_EQ(frame.info().shown, set.group[0].count());
     EXPECT_EQ(frame.info().dropped_tone, 0);
+}
+
+TEST_F(Coverage, TonesGetPalerTogetherWhereMarksAreFew) {
+    const sampling::PointSet set = patch(runtime, 4000);
+    const auto shown_at = [&](double coverage) {
+        Style style = toned(1.0 - coverage);
+        style.tone_fade = 0.0F;
+        prepare(set, style, front_camera(size, size, 1.1));
+        return static_cast<double>(frame.info().shown);
+    };
+    const double all = static_cast<double>(set.group[0].count());
+    EXPECT_NEAR(shown_at(0.15) / all, 0.244, 0.01);
+    EXPECT_NEAR(shown_at(0.3) / all, 0.488, 0.01);
+    EXPECT_NEAR(shown_at(0.45) / all, 0.735, 0.01);
 }
 
 TEST_F(Coverage, ZoomingInNeverRemovesAMarkNorItsInk) {
