@@ -78,7 +78,7 @@ void Gather::set_up(const Scene& scene) {
     resize_scratch(clear_of_, scene.items.size());
     clears_.clear();
     for (std::int64_t i = 0; i < scene.items.size(); ++i) {
-        sights_[i] = sight_of(scene.items[i], scene.lens);
+        sights_[i] = sight_of(scene.items[i], scene.lens, frustum_);
         if (i == 0 || !same_sheets(scene.items[i].style, scene.items[i - 1].style))
             clears_.push_back(clear_table(scene.items[i].style));
         clear_of_[i] = static_cast<std::int32_t>(clears_.size() - 1);
