@@ -19,8 +19,8 @@ inline constexpr float halo_angle = 0.25F;
 }
 
 // Pixels between the marks that stand for a sheet where there are enough of them, and near its contour.
-inline constexpr float cover_spacing = 5.0F;
-inline constexpr float contour_cover_spacing = 3.0F;
+inline constexpr float cover_spacing = 6.0F;
+inline constexpr float contour_cover_spacing = 4.0F;
 // Their discs' radius, in spacings, without half a pixel: a blue-noise order leaves no place farther than 0.8 from a
 // mark; marks at random leave one place in two thousand.
 inline constexpr float even_cover = 0.85F;

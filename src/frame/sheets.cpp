@@ -16,7 +16,7 @@ constexpr float contour_gap = 4.0F;
 // A halo's contour is nearer than what it cuts by so many pixels.
 constexpr float halo_gap = 4.0F;
 // Ink lies behind another sheet that faces like its own by so many radii of the covers.
-constexpr float own_gap = 6.0F;
+constexpr float own_gap = 5.0F;
 
 [[nodiscard]] CoverList list_of(std::span<const Cover> covers, std::span<const std::uint32_t> numbers,
                                 const glm::vec2& corner) noexcept {

@@ -56,7 +56,7 @@ protected:
 
 TEST_P(SheetOutputs, TellTheNearestSheetAndItsMark) {
     draw(all_front(frame::HiddenLines::hide));
-    const double reach = 9.0 * pixel; // of a cover
+    const double reach = 10.5 * pixel; // of a cover
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             const auto i = static_cast<std::size_t>(y * size + x);
