@@ -1147,7 +1147,7 @@ typedef struct hrbfnpr_style {
     uint32_t hidden_lines;       /* HRBFNPR_HIDDEN_LINES_...; ATTENUATE */
     double silhouette_threshold; /* delta in (0,1): front n.v < -delta, back n.v > delta, else
                                     silhouette, v from the camera to the mark [NPAR 6]; 0.2.  With
-                                    SILHOUETTE_LAW_WIDTH only a limit that the band keeps */
+                                    SILHOUETTE_LAW_WIDTH only where the curvature is not known */
     double attenuation_front;    /* lambda of alpha_f = nu^2 lambda; 1 */
     double attenuation_back;     /* lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1 */
     float cover_radius;          /* of the paper that front marks paint, pixels; 0 = from the
@@ -1231,7 +1231,7 @@ typedef struct hrbfnpr_item {
     double transform[16];       /* object to world, column-major, affine, invertible */
     const hrbfnpr_model* model; /* NULL, or the surface that the marks lie on: with SHEETS, what
                                    hides a mark is then found by casting a ray from it to the
-                                   eye, exact but slow (some 10 microseconds a mark drawn) */
+                                   eye, exact but slow (tens of microseconds a mark drawn) */
 } hrbfnpr_item;
 
 /* NULL pointers and the identity transform. */
