@@ -46,6 +46,22 @@ public:
         return nearest;
     }
 
+    // The share of the contour's image, by length, that has one of the places within `width` pixels.
+    [[nodiscard]] double covered(const std::vector<glm::dvec2>& places, double width) const {
+        double whole = 0.0;
+        double near = 0.0;
+        for (std::size_t side = 0; side < 2; ++side)
+            for (int i = 0; i < pieces; ++i) {
+                const glm::dvec2 middle = 0.5 * (vertex(side, i) + vertex(side, i + 1));
+                const double length = glm::distance(vertex(side, i), vertex(side, i + 1));
+                whole += length;
+                if (std::any_of(places.begin(), places.end(),
+                                [&](const glm::dvec2& p) { return glm::distance(p, middle) <= width; }))
+                    near += length;
+            }
+        return near / whole;
+    }
+
 private:
     static constexpr int pieces = 8192;
     static constexpr double neighbourhood = 0.6 * tube; // on the surface
@@ -95,21 +111,29 @@ private:
 
 struct Found {
     double precision = 1.0, nearly = 1.0; // within the width, and within 1.1 times
-    double recall = 1.0;
+    double recall = 1.0;                  // by the contour's length
+    double marks = 1.0;                   // of the marks within the width, the share that is drawn
 
     void take_worse(const Found& other) {
         precision = std::min(precision, other.precision);
         nearly = std::min(nearly, other.nearly);
         recall = std::min(recall, other.recall);
+        marks = std::min(marks, other.marks);
     }
 };
 
-// The silhouette's marks that are drawn against those whose image lies within `width` pixels of the contour's.
-[[nodiscard]] inline Found found(const std::vector<Disc>& discs, const std::vector<double>& distance, double width) {
+// The silhouette's marks that are drawn: how many lie within `width` pixels of their own contour, and how much of the
+// contour has one of them as near as that.
+[[nodiscard]] inline Found found(const std::vector<Disc>& discs, const std::vector<double>& distance,
+                                 const hrbfnpr_camera& camera, double width) {
+    const Lens lens(camera);
+    std::vector<glm::dvec2> places;
     std::vector<bool> drawn(distance.size(), false);
     for (const Disc& disc : discs)
-        if (disc.is_paper == 0 && disc.mark_class == HRBFNPR_CLASS_SILHOUETTE && disc.color[3] > 0.0F)
+        if (disc.is_paper == 0 && disc.mark_class == HRBFNPR_CLASS_SILHOUETTE && disc.color[3] > 0.0F) {
             drawn[disc.id - 1] = true;
+            places.emplace_back(disc.window[0], disc.window[1]);
+        }
     double drawn_count = 0.0;
     double good = 0.0;
     double nearly = 0.0;
@@ -122,7 +146,7 @@ struct Found {
         if (distance[i] <= 1.1 * width) nearly += 1.0;
     }
     return {drawn_count > 0.0 ? good / drawn_count : 0.0, drawn_count > 0.0 ? nearly / drawn_count : 0.0,
-            good / wanted};
+            TorusContour(lens).covered(places, width), good / wanted};
 }
 
 // Of each stipple of a torus.

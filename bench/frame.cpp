@@ -314,11 +314,12 @@ void run_pops(Stock& stock, Results& results) {
     sudden.tone_fade = 0.0F;
     std::printf("\nchanges from frame to frame, %lld marks, light of the world, hidden lines shown\n",
                 static_cast<long long>(count));
-    std::printf("%-28s %6s %9s %9s %10s %10s %10s\n", "way", "frames", "shown", "pops", "rate", "removals", "rate");
+    std::printf("%-28s %6s %9s %9s %10s %10s %10s %10s\n", "way", "frames", "shown", "pops", "rate", "removals", "rate",
+                "contours'");
     const auto row = [&](const char* name, const hrbfnpr_style& of, const bench::Way& way, bool reroll) {
         const bench::Changes c = bench::follow(stock.context(), set, of, orbit, way, reroll);
-        std::printf("%-28s %6.0f %9.0f %9.0f %10.6f %10.0f %10.6f\n", name, c.frames, c.shown / (c.frames - 1.0),
-                    c.pops, c.pop_rate(), c.removals, c.removal_rate());
+        std::printf("%-28s %6.0f %9.0f %9.0f %10.6f %10.0f %10.6f %10.0f\n", name, c.frames, c.shown / (c.frames - 1.0),
+                    c.pops, c.pop_rate(), c.removals, c.removal_rate(), c.contour);
         std::fflush(stdout);
         return c;
     };
@@ -393,7 +394,8 @@ void run_silhouettes(Stock& stock, Results& results) {
     const scenes::PointSet set =
         bench::generate(stock.context(), model.get(), bench::marks_of(HRBFNPR_GROUP_STIPPLE, 200'000));
     std::printf("\ncontours of a torus, 200 000 marks, tube 100 px wide: marks within 1 px of their own contour\n");
-    std::printf("%9s %7s %-8s %10s %10s %10s\n", "elevation", "azimuth", "law", "precision", "of 1.1 px", "recall");
+    std::printf("%9s %7s %-8s %10s %10s %10s %10s\n", "elevation", "azimuth", "law", "precision", "of 1.1 px", "recall",
+                "of marks");
     bench::Found worst[2];
     for (const auto& [elevation, azimuth] : {std::pair{20.0, 10.0}, {35.0, 130.0}, {50.0, 250.0}, {65.0, 40.0}}) {
         const hrbfnpr_camera camera = above_torus(elevation, azimuth);
@@ -404,11 +406,11 @@ void run_silhouettes(Stock& stock, Results& results) {
             style.silhouette_law = law;
             style.silhouette_width = static_cast<float>(width);
             Painter painter(stock.context(), set.get(), style);
-            const bench::Found found = bench::found(painter.discs(camera), distances, width);
+            const bench::Found found = bench::found(painter.discs(camera), distances, camera, width);
             worst[law].take_worse(found);
-            std::printf("%9.0f %7.0f %-8s %10.4f %10.4f %10.4f\n", elevation, azimuth,
+            std::printf("%9.0f %7.0f %-8s %10.4f %10.4f %10.4f %10.4f\n", elevation, azimuth,
                         law == HRBFNPR_SILHOUETTE_LAW_WIDTH ? "width" : "angle", found.precision, found.nearly,
-                        found.recall);
+                        found.recall, found.marks);
         }
     }
     results.add("silhouette_precision", worst[HRBFNPR_SILHOUETTE_LAW_WIDTH].precision);

@@ -16,6 +16,7 @@ struct Disc {
     float color[4];
     std::uint32_t mark_class;
     std::uint32_t is_paper;
+    float window[3]; // pixels, and depth
 };
 
 class Painter {
@@ -78,6 +79,7 @@ private:
         add(HRBFNPR_VERTEX_COLOR, HRBFNPR_SCALAR_FLOAT32, offsetof(Disc, color));
         add(HRBFNPR_VERTEX_CLASS, HRBFNPR_SCALAR_UINT32, offsetof(Disc, mark_class));
         add(HRBFNPR_VERTEX_IS_PAPER, HRBFNPR_SCALAR_UINT32, offsetof(Disc, is_paper));
+        add(HRBFNPR_VERTEX_WINDOW, HRBFNPR_SCALAR_FLOAT32, offsetof(Disc, window));
         return layout;
     }
 

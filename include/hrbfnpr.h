@@ -1097,8 +1097,8 @@ enum {
 enum {
     /* The coverage of the drawing is the tone that was asked for, 1 - tau: the number of marks
      * follows from their size, their density on the screen and how they overlap, so that the
-     * tone stays when the zoom or the budget changes.  Where there are not marks enough, all
-     * are shown. */
+     * tone stays when the zoom or the budget changes.  Where all marks together cover less than
+     * 0.6, the tone 0.6 shows all of them and the others are paler alike. */
     HRBFNPR_TONE_CURVE_COVERAGE = 0,
     HRBFNPR_TONE_CURVE_LINEAR = 1 /* the share of marks is 1 - tau [NPAR 6.2] */
 };
@@ -1147,7 +1147,7 @@ typedef struct hrbfnpr_style {
     uint32_t hidden_lines;       /* HRBFNPR_HIDDEN_LINES_...; ATTENUATE */
     double silhouette_threshold; /* delta in (0,1): front n.v < -delta, back n.v > delta, else
                                     silhouette, v from the camera to the mark [NPAR 6]; 0.2.  With
-                                    SILHOUETTE_LAW_WIDTH only a limit that the band keeps */
+                                    SILHOUETTE_LAW_WIDTH only where the curvature is not known */
     double attenuation_front;    /* lambda of alpha_f = nu^2 lambda; 1 */
     double attenuation_back;     /* lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1 */
     float cover_radius;          /* of the paper that front marks paint, pixels; 0 = from the
@@ -1163,11 +1163,6 @@ typedef struct hrbfnpr_style {
     uint32_t tone_rule;          /* HRBFNPR_TONE_RULE_...; SHARE */
     uint32_t light_space;        /* HRBFNPR_LIGHT_...; CAMERA */
     uint32_t silhouette_groups;  /* groups whose silhouette marks are drawn, bit (1 << group); 7 */
-    uint32_t tone_curve;         /* HRBFNPR_TONE_CURVE_...; COVERAGE.  For TONE_RULE_SHARE */
-    uint32_t silhouette_law;     /* HRBFNPR_SILHOUETTE_LAW_...; WIDTH.  For SHEETS; PAINTED is ANGLE */
-    float tone_fade;             /* 0 .. 1, SHEETS: a mark grows from nothing to its full area over this
-                                    share of the marks shown, instead of popping; 0 = it pops; 0.25 */
-    float silhouette_width;      /* of WIDTH: pixels on either side of the contour; 1 */
     double light[3];             /* towards the light, normalised on use; (-0.4, 0.6, 0.7) */
     double tone_exponent;        /* lambda of the tone law, > 0; 1 */
     hrbfnpr_tone_fn tone_function; /* for CALLBACK */
@@ -1184,6 +1179,11 @@ typedef struct hrbfnpr_style {
     float silhouette_radius;      /* pixels; 1 */
     float silhouette_radius_zoom; /* as radius_zoom; 0 */
     hrbfnpr_group_style group[3];
+    uint32_t tone_curve;         /* HRBFNPR_TONE_CURVE_...; COVERAGE.  For TONE_RULE_SHARE */
+    uint32_t silhouette_law;     /* HRBFNPR_SILHOUETTE_LAW_...; WIDTH.  For SHEETS; PAINTED is ANGLE */
+    float tone_fade;             /* 0 .. 1, SHEETS: a mark grows from nothing to its full area over this
+                                    share of the marks shown, instead of popping; 0 = it pops; 0.25 */
+    float silhouette_width;      /* of WIDTH: pixels on either side of the contour; 1 */
 } hrbfnpr_style;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
@@ -1228,10 +1228,10 @@ typedef struct hrbfnpr_item {
     uint32_t reserved;
     const hrbfnpr_point_set* point_set;
     const hrbfnpr_style* style; /* NULL = default style */
+    double transform[16];       /* object to world, column-major, affine, invertible */
     const hrbfnpr_model* model; /* NULL, or the surface that the marks lie on: with SHEETS, what
                                    hides a mark is then found by casting a ray from it to the
-                                   eye, exact but slow (some 10 microseconds a mark drawn) */
-    double transform[16];       /* object to world, column-major, affine, invertible */
+                                   eye, exact but slow (tens of microseconds a mark drawn) */
 } hrbfnpr_item;
 
 /* NULL pointers and the identity transform. */
@@ -1254,13 +1254,13 @@ typedef struct hrbfnpr_frame_info {
     int64_t dropped_zoom;  /* front marks not shown because of tone scaling */
     int64_t dropped_hidden; /* marks not drawn because nothing of them is seen through what is in front */
     int64_t painted;       /* PAINTED: discs of paper; SHEETS: marks that sheets were found from */
-    int64_t culled;        /* SHEETS: marks that are of no class, since no tone or contour could show
-                              them: they were not looked at one by one */
     int64_t nanoseconds_classify; /* transform, classify, tone */
     int64_t nanoseconds_visibility;
     int64_t nanoseconds_sort;
     int64_t nanoseconds_draw; /* the last _draw_image; 0 in _prepare's own info */
     int64_t scratch_bytes;
+    int64_t culled;        /* SHEETS: marks that are of no class, since no tone or contour could show
+                              them: they were not looked at one by one */
 } hrbfnpr_frame_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_frame_info_init(hrbfnpr_frame_info* info, uint32_t struct_size);

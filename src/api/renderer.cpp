@@ -4,6 +4,7 @@
 #include "api/camera.h"
 #include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/model.h"
 #include "api/style.h"
 
 #include <cstdio>
@@ -83,7 +84,8 @@ void read_items(hrbfnpr_renderer& renderer, const Items& items) {
     renderer.coming.clear();
     for (std::int64_t i = 0; i < items.count(); ++i) {
         const hrbfnpr_item item = items.item(i);
-        renderer.items.push_back({&item.point_set->set, style_of(item, i), to_matrix(item.transform)});
+        const implicit::Implicit* const model = item.model != nullptr ? &item.model->implicit() : nullptr;
+        renderer.items.push_back({&item.point_set->set, model, style_of(item, i), to_matrix(item.transform)});
         renderer.coming.push_back(item.point_set);
     }
 }

@@ -64,9 +64,26 @@ struct Range {
     return {middle > -spread.cosine ? both - side : -1.0F, middle < spread.cosine ? both + side : 1.0F};
 }
 
+// Where a ball lies.
+struct Sides {
+    bool outside = false; // surely, even if it is larger by `margin` on the screen
+    bool inside = true;   // surely
+};
+
+[[nodiscard]] Sides sides_of(const glm::vec4& eye, float radius, float margin, const Frustum& frustum) noexcept {
+    Sides sides;
+    for (std::size_t k = 0; k < frustum.plane.size(); ++k) {
+        const float distance = glm::dot(frustum.plane[k], eye);
+        const float slack = radius * frustum.norm[k];
+        sides.outside = sides.outside || distance + (k < 4 ? margin : 0.0F) < -slack;
+        sides.inside = sides.inside && distance > slack;
+    }
+    return sides;
+}
+
 } // namespace
 
-ItemSight sight_of(const ItemView& item, const Lens& lens) noexcept {
+ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustum) noexcept {
     ItemSight sight;
     sight.seer = seer_of(item, lens);
     const glm::mat3 square = glm::transpose(item.to_eye) * item.to_eye;
@@ -79,6 +96,8 @@ ItemSight sight_of(const ItemView& item, const Lens& lens) noexcept {
     }
     sight.rigid = off <= angle_tolerance * mean;
     sight.scale = std::sqrt(largest);
+    const glm::vec4 middle(item.to_eye * item.centre + item.eye_offset, 1.0F);
+    sight.inside = sides_of(middle, item.radius * sight.scale * 1.0001F, 0.0F, frustum).inside;
     if (!sight.rigid) return sight;
     const glm::dmat3 back = glm::inverse(glm::dmat3(item.to_eye));
     const glm::dvec3 centre(lens.centre);
@@ -118,14 +137,10 @@ ClusterView view_cluster(const sampling::Cluster& cluster, const ItemSight& sigh
     const float w_least = w - radius * frustum.w_norm;
     if (!(w_least > 0.0F)) return view; // some may be behind the camera
     view.ppe = lens.pixels / w;
-    view.inside = true;
-    const float margin = reach * (w + radius * frustum.w_norm);
-    for (std::size_t k = 0; k < frustum.plane.size(); ++k) {
-        const float distance = glm::dot(frustum.plane[k], eye);
-        const float slack = radius * frustum.norm[k];
-        view.outside = view.outside || distance + (k < 4 ? margin : 0.0F) < -slack;
-        view.inside = view.inside && distance > slack;
-    }
+    const Sides sides =
+        sight.inside ? Sides{false, true} : sides_of(eye, radius, reach * (w + radius * frustum.w_norm), frustum);
+    view.outside = sides.outside;
+    view.inside = sides.inside;
     if (!sight.rigid) return view;
     const glm::vec3 axis = vector(cluster.axis);
     const Angle cone{cluster.cone_cosine, cluster.cone_sine};

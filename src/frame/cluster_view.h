@@ -13,11 +13,10 @@ struct ItemSight {
     Seer seer;
     bool rigid = false;    // the transform keeps angles, so that cones of normals stay cones
     float scale = 1.0F;    // eye units per object unit, the largest
+    bool inside = false;   // all of it, surely
     glm::vec3 eye{0.0F};   // centre of projection, object space; or the unit direction of all lines of sight
     glm::vec3 light{0.0F}; // unit, object space
 };
-
-[[nodiscard]] ItemSight sight_of(const ItemView& item, const Lens& lens) noexcept;
 
 // The sides of the frustum in eye space: plane . (eye, 1) >= 0 inside.
 struct Frustum {
@@ -27,6 +26,8 @@ struct Frustum {
 };
 
 [[nodiscard]] Frustum frustum_of(const Lens& lens) noexcept;
+
+[[nodiscard]] ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustum) noexcept;
 
 // Bounds that hold for all marks of a cluster.
 struct ClusterView {

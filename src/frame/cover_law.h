@@ -18,13 +18,11 @@ inline constexpr float halo_angle = 0.25F;
     return style.cover_layers > 0.0F ? std::pow(1.0F - alpha, style.cover_layers) : 1.0F - alpha;
 }
 
-// Pixels between the marks that stand for a sheet where there are enough of them.
-inline constexpr float cover_spacing = 4.0F;
+// Pixels between the marks that stand for a sheet where there are enough of them, and near its contour.
+inline constexpr float cover_spacing = 6.0F;
+inline constexpr float contour_cover_spacing = 4.0F;
 // Their discs' radius, in spacings, without half a pixel: a blue-noise order leaves no place farther than 0.8 from a
 // mark; marks at random leave one place in two thousand.
 inline constexpr float even_cover = 0.85F;
 inline constexpr float random_cover = 1.6F;
-// Sheets are not taken as steeper than this, depth over pixels: their ellipses would fall between pixels.
-inline constexpr float steepest = 4.0F;
-
 } // namespace hrbfnpr::frame

@@ -6,6 +6,7 @@
 #include "frame/camera.h"
 #include "frame/mark_class.h"
 #include "frame/style.h"
+#include "implicit/implicit.h"
 #include "sampling/point_set.h"
 
 #include <memory>
@@ -17,6 +18,7 @@ class SheetFrame;
 
 struct Item {
     const sampling::PointSet* set = nullptr;
+    const implicit::Implicit* model = nullptr; // if not, visibility is exact
     Style style;
     glm::dmat4 transform{1.0};
 };

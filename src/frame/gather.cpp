@@ -3,7 +3,7 @@
 #include "frame/cover_law.h"
 #include "frame/gatherer.h"
 
-#include <numbers>
+#include <algorithm>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -33,7 +33,7 @@ float ItemInk::per_pixel(float ppe) const noexcept {
     for (std::size_t k = 0; k < terms; ++k) {
         const Term& t = term[k];
         const float radius = t.pen->front_ink(ppe);
-        float area = std::numbers::pi_v<float> * radius * radius;
+        float area = disc_ink(radius);
         // The discs of a stroke overlap, and make a line.
         if (t.step > 0.0F) area = std::min(area, 2.0F * radius * t.step * ppe);
         ink += t.marks_per_area * area;
@@ -78,7 +78,7 @@ void Gather::set_up(const Scene& scene) {
     resize_scratch(clear_of_, scene.items.size());
     clears_.clear();
     for (std::int64_t i = 0; i < scene.items.size(); ++i) {
-        sights_[i] = sight_of(scene.items[i], scene.lens);
+        sights_[i] = sight_of(scene.items[i], scene.lens, frustum_);
         if (i == 0 || !same_sheets(scene.items[i].style, scene.items[i - 1].style))
             clears_.push_back(clear_table(scene.items[i].style));
         clear_of_[i] = static_cast<std::int32_t>(clears_.size() - 1);

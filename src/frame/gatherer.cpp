@@ -1,5 +1,6 @@
 #include "frame/gatherer.h"
 
+#include "base/prefetch.h"
 #include "frame/cover_law.h"
 #include "frame/tone.h"
 
@@ -9,6 +10,8 @@
 
 namespace hrbfnpr::frame {
 namespace {
+
+constexpr std::size_t darkest_step = needed_steps * 6 / 10;
 
 using sampling::MarkBlock;
 
@@ -59,7 +62,7 @@ float Gatherer::reach(float ppe) const noexcept {
 }
 
 Gatherer::Local Gatherer::local_of(const sampling::Cluster& cluster) const noexcept {
-    Local local{&cluster, {}, judge_};
+    Local local{&cluster, {}, judge_, cover_spacing};
     const float reach_there = reach(ppe_at(cluster, sight_, scene_.lens));
     local.view = view_cluster(cluster, sight_, scene_.lens, all_.frustum_, reach_there);
     const ClusterView& view = local.view;
@@ -72,7 +75,9 @@ Gatherer::Local Gatherer::local_of(const sampling::Cluster& cluster) const noexc
     judge.all_inside = view.inside;
     judge.front_ink = run_.draws_front && (run_.sets == 3U || (run_.sets >> cluster.set & 1U) != 0);
     judge.scale = run_.pen.scale(view.ppe);
-    if (judge.coverage) judge.per_ink = 1.0F / item_ink_.per_pixel(view.ppe);
+    if (judge.coverage)
+        // Marks that cover less than 0.6 are shown as if they covered that: their dark tones still differ.
+        judge.per_ink = 1.0F / std::max(item_ink_.per_pixel(view.ppe), item_ink_.needed[darkest_step]);
     set_contour(local);
     judge.most_shown = most_shown(local);
     return local;
@@ -98,13 +103,14 @@ void Gatherer::set_contour(Local& local) const noexcept {
 void Gatherer::operator()(const sampling::Cluster& cluster) noexcept {
     const std::int64_t marks = cluster.count;
     info_.marks += marks;
-    const Local local = local_of(cluster);
+    Local local = local_of(cluster);
     if (local.view.outside) {
         info_.outside += marks;
         return;
     }
-    const std::int64_t covers = covers_of(local);
     const bool whole = count_whole(local);
+    local.cover_spacing = whole ? cover_spacing : contour_cover_spacing;
+    const std::int64_t covers = covers_of(local);
     const Judge& judge = local.judge;
     const bool tone = judge.front_ink && local.view.nu_min < 0.0F;
     float most = tone ? judge.most_shown : 0.0F;
@@ -129,9 +135,7 @@ void Gatherer::operator()(const sampling::Cluster& cluster) noexcept {
 
 void Gatherer::expect(std::int64_t cluster) const noexcept {
     if (cluster >= marks_.cluster.size()) return;
-    const auto* const block = reinterpret_cast<const std::byte*>(&marks_.block[marks_.cluster[cluster].block]);
-    constexpr std::size_t line = base::Memory::alignment;
-    for (std::size_t at = 0; at < sizeof(MarkBlock); at += line) __builtin_prefetch(block + at);
+    base::prefetch(&marks_.block[marks_.cluster[cluster].block], 1);
 }
 
 // Whether all marks of the cluster are of one class, which is then counted.
@@ -179,14 +183,14 @@ float Gatherer::most_shown(const Local& local) const noexcept {
 std::int64_t Gatherer::covers_of(const Local& local) const noexcept {
     if (!run_.covers) return 0;
     if (!run_.spread_evenly && run_.group != 0) return local.cluster->count;
-    const float pixels = run_.pen.spacing * local.view.ppe / cover_spacing;
+    const float pixels = run_.pen.spacing * local.view.ppe / local.cover_spacing;
     if (pixels >= 1.0F) return local.cluster->count;
     // The first of a cluster are as even as the first of all.
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster->count)));
 }
 
 void Gatherer::cover(const Local& local, const Seen& seen, std::int64_t count) noexcept {
-    const float spacing = run_.group == 0 ? std::max(run_.pen.spacing * local.view.ppe, cover_spacing)
+    const float spacing = run_.group == 0 ? std::max(run_.pen.spacing * local.view.ppe, local.cover_spacing)
                                           : run_.pen.spacing * local.view.ppe;
     const bool even = run_.spread_evenly && run_.group == 0;
     const float own_radius = (even ? even_cover : random_cover) * spacing + 0.5F;
@@ -316,7 +320,8 @@ void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float r
     ink.id = run_.first_id + m.mark[i % MarkBlock::size];
     ink.color = color_ + (contour ? 1U : 0U);
     ink.mark_class = contour ? MarkClass::silhouette : MarkClass::front;
-    ink.faces_back = seen.nu[i] > 0.0F;
+    ink.flags = static_cast<std::uint8_t>((seen.nu[i] > 0.0F ? ink_faces_back : 0) |
+                                          (item_.model != nullptr ? ink_is_exact : 0));
     const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
     const float step = contour && side > 0.0F ? probe * probe_steps / side : 0.0F;
     // A line is where its contour is, not where its marks are around it.

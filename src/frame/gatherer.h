@@ -25,6 +25,7 @@ private:
         const sampling::Cluster* cluster = nullptr;
         ClusterView view;
         Judge judge;
+        float cover_spacing = 1.0F; // pixels
     };
 
     // A mark near a contour, in object space.

@@ -18,10 +18,14 @@ struct Ink {
     std::uint32_t id;
     std::uint32_t color; // 2 * run, plus 1 for a contour's
     MarkClass mark_class;
-    bool faces_back;
+    std::uint8_t flags;           // ink_...
     std::int8_t probe_x, probe_y; // from its place to where it is asked what hides it, 1 / probe_steps pixels
 };
 inline constexpr float probe_steps = 16.0F;
+inline constexpr std::uint8_t ink_faces_back = 1;
+inline constexpr std::uint8_t ink_is_exact = 2; // what hides it is asked of its model, not of the sheets
+// Fainter ink would not change a pixel.
+inline constexpr float faintest_ink = 1.0F / 512.0F;
 
 // A round piece of a sheet, seen as an ellipse.
 struct Cover {
@@ -40,5 +44,8 @@ struct Cover {
     std::uint32_t id;
     bool faces_back;
 };
+
+// Sheets are not taken as steeper than this, depth over pixels: their ellipses would fall between pixels.
+inline constexpr float steepest = 4.0F;
 
 } // namespace hrbfnpr::frame

@@ -36,6 +36,12 @@ void check_transform(const glm::dmat4& m, std::int64_t index) {
 ItemView view_of(const Item& item, const Camera& camera) {
     ItemView view;
     view.style = item.style;
+    view.model = item.model;
+    view.origin = item.set->origin;
+    if (!item.set->bounds.empty()) {
+        view.centre = glm::vec3(item.set->bounds.centre() - item.set->origin);
+        view.radius = static_cast<float>(0.5 * item.set->bounds.diagonal() * 1.0001);
+    }
     // Far from the world's origin the large numbers cancel here, in double.
     view.to_world = item.transform;
     view.to_world[3] = item.transform * glm::dvec4(item.set->origin, 1.0);

@@ -11,6 +11,10 @@ namespace hrbfnpr::frame {
 // One item's matrices.
 struct ItemView {
     Style style;
+    const implicit::Implicit* model = nullptr;
+    glm::dvec3 origin{0.0}; // of the set's positions
+    glm::vec3 centre{0.0F}; // of a ball around them, relative to that
+    float radius = 0.0F;
     glm::mat3 to_eye{1.0F}; // of positions relative to the set's origin
     glm::vec3 eye_offset{0.0F};
     glm::mat3 normal_to_eye{1.0F};   // inverse transposes, so that normals stay outward under mirrors too

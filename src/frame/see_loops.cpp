@@ -217,7 +217,8 @@ HWY_INLINE W front_of(const Judge& j, W nu, W place, W tau, W tau_depth, M front
     return hn::IfThenElseZero(front, area);
 }
 
-HWY_INLINE W contour_of(const Judge& j, const Line& line, W place, W tau_depth, Judged& judged) {
+// undrawn: marks that are not ink of the front either.
+HWY_INLINE W contour_of(const Judge& j, const Line& line, W place, W tau_depth, M undrawn, Judged& judged) {
     const F d;
     const W one = hn::Set(d, 1.0F);
     const auto full = [&](W shown)
@@ -225,7 +226,7 @@ HWY_INLINE W contour_of(const Judge& j, const Line& line, W place, W tau_depth, 
     W area = full(hn::Mul(line.shown, tau_depth));
     if (j.by_paper) area = hn::IfThenElseZero(hn::Lt(hn::Sub(one, place), tau_depth), full(line.shown));
     area = hn::IfThenElseZero(line.in, hn::Mul(area, line.share));
-    const M dropped = hn::And(line.in, hn::Eq(area, hn::Zero(d)));
+    const M dropped = hn::And(hn::And(line.in, undrawn), hn::Eq(area, hn::Zero(d)));
     const M thinned = hn::And(dropped, hn::Eq(full(line.shown), hn::Zero(d)));
     judged.dropped_tone += count(thinned);
     judged.dropped_depth += count(hn::AndNot(thinned, dropped));
@@ -261,7 +262,7 @@ void judge(const Judge& j, const Seer& seer, const MarkRange& range, const Seen&
         if (j.front_ink)
             front =
                 front_of(j, nu, place, hn::LoadU(d, taus + at), tau_depth, j.fade > 0.0F ? faces : own, own, judged);
-        const W contour = j.draws_contours ? contour_of(j, line, place, tau_depth, judged) : zero;
+        const W contour = j.draws_contours ? contour_of(j, line, place, tau_depth, hn::Eq(front, zero), judged) : zero;
         hn::StoreU(front, d, judged.front + at);
         hn::StoreU(contour, d, judged.line + at);
         const M drawn = hn::Or(hn::Gt(front, zero), hn::Gt(contour, zero));

@@ -15,8 +15,9 @@ constexpr float smallest_radius = 0.5F; // smaller ones are drawn paler
 } // namespace
 
 SheetFrame::SheetFrame(const base::Runtime& runtime) noexcept
-    : runtime_(runtime), gather_(runtime), sheets_(runtime), ink_bins_(runtime.memory, Sheets::tile_size),
-      colors_(runtime.memory), order_(runtime.memory), keys_(runtime.memory), discs_(runtime.memory) {}
+    : runtime_(runtime), gather_(runtime), sheets_(runtime), exact_(runtime.memory),
+      ink_bins_(runtime.memory, Sheets::tile_size), colors_(runtime.memory), order_(runtime.memory),
+      keys_(runtime.memory), discs_(runtime.memory) {}
 
 void SheetFrame::run(Scene& scene) {
     base::Stopwatch watch;
@@ -36,6 +37,8 @@ void SheetFrame::run(Scene& scene) {
     for (const Piece& piece : gather_.ink_pieces()) inks += piece.end - piece.begin;
     has_sheets_ = std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& run) { return run.covers; });
     info_.shown = has_sheets_ ? sheets_.attenuate(gather_, inks_, ink_bins_, first_pixel_.x, first_pixel_.y) : inks;
+    if (std::any_of(scene.items.begin(), scene.items.end(), [](const ItemView& i) { return i.model != nullptr; }))
+        info_.shown -= exact_.attenuate(runtime_, scene, inks_, gather_.ink_pieces());
     info_.dropped_hidden = inks - info_.shown;
     info_.nanoseconds_visibility = watch.nanoseconds();
 }
@@ -67,7 +70,10 @@ void SheetFrame::bin(const Scene& scene) {
     ink_bins_.build(runtime_.parallel, width, height, gather_.ink_pieces(),
                     [&](std::int64_t i, TileBins::Footprint& print) {
                         const Ink& ink = inks_[static_cast<std::size_t>(i)];
-                        print = {ink.x - left, ink.y - top, std::max(ink.radius, smallest_radius) + soft_rim};
+                        // One that just misses the picture belongs to the nearest tile, too.
+                        print = {std::clamp(ink.x - left, 0.0F, static_cast<float>(width)),
+                                 std::clamp(ink.y - top, 0.0F, static_cast<float>(height)),
+                                 std::max(ink.radius, smallest_radius) + soft_rim};
                         return true;
                     });
     if (!one_color_) ink_bins_.order(runtime_.parallel, [&](std::uint32_t a, std::uint32_t b) { return before(a, b); });
@@ -102,8 +108,8 @@ std::span<const Disc> SheetFrame::discs() {
 }
 
 std::int64_t SheetFrame::bytes() const noexcept {
-    return gather_.bytes() + sheets_.bytes() + ink_bins_.bytes() + colors_.bytes() + order_.bytes() + keys_.bytes() +
-           discs_.bytes();
+    return gather_.bytes() + sheets_.bytes() + exact_.bytes() + ink_bins_.bytes() + colors_.bytes() + order_.bytes() +
+           keys_.bytes() + discs_.bytes();
 }
 
 } // namespace hrbfnpr::frame

@@ -1,6 +1,7 @@
 // A frame by sheets: ink, dimmed by what it is seen through, in tiles.
 #pragma once
 
+#include "frame/exact_visibility.h"
 #include "frame/gather.h"
 #include "frame/order.h"
 #include "frame/sheets.h"
@@ -44,6 +45,7 @@ private:
     const base::Runtime& runtime_;
     Gather gather_;
     Sheets sheets_;
+    ExactVisibility exact_;
     TileBins ink_bins_;
     std::span<Ink> inks_;
     base::Array<glm::vec4> colors_;

@@ -56,15 +56,13 @@ HWY_INLINE void for_pixels(const SheetPlanes& p, const SheetDisc& disc, Put&& pu
     }
 }
 
-// The nearer of two stays; of equals the darker.
+// The nearer of two stays; of equals the first, and a tile's covers are always in the same order.
 template <class Mask>
 HWY_INLINE void keep_nearer(float* depths, float* clears, W depth, W clear, Mask inside) {
     const F d;
     const W old = hn::LoadU(d, depths);
     const W old_clear = hn::LoadU(d, clears);
-    const auto nearer = hn::Lt(depth, old);
-    const auto darker = hn::And(hn::Eq(depth, old), hn::Lt(clear, old_clear));
-    const auto take = hn::And(inside, hn::Or(nearer, darker));
+    const auto take = hn::And(inside, hn::Lt(depth, old));
     hn::StoreU(hn::IfThenElse(take, depth, old), d, depths);
     hn::StoreU(hn::IfThenElse(take, clear, old_clear), d, clears);
 }
@@ -105,6 +103,8 @@ HWY_INLINE void lay_next(const SheetPlanes& p, const SheetDisc& disc, const Cove
 void lay_all_next(const SheetPlanes& p, const CoverList& list) {
     for (std::int64_t i = 0; i < list.count; ++i) {
         const Cover& c = list.covers[list.numbers[i]];
+        const float reach = steepest * c.radius / c.ppe;
+        if (c.depth + reach < list.nearest || c.depth - reach > list.farthest) continue;
         lay_next(p, disc_of(list, c), c);
     }
 }

@@ -18,6 +18,7 @@ struct SheetPlanes {
     float* clear[sheets];
     float* halo; // depth of the nearest contour whose halo reaches the pixel
     float* halo_clear;
+    float largest_cover; // radius of the covers laid, pixels
 };
 
 // Covers by their numbers; (left, top) is the planes' first pixel.
@@ -26,6 +27,7 @@ struct CoverList {
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
+    float nearest, farthest; // depths between which lay_next() is asked for sheets
 };
 
 struct SheetLoops {

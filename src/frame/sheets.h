@@ -35,9 +35,9 @@ private:
     static constexpr std::int64_t planes_of_one = 2 * SheetPlanes::sheets + 2;
 
     [[nodiscard]] SheetPlanes planes_of(std::int64_t lane) noexcept;
-    void lay_tile(const SheetPlanes& planes, std::span<const Cover> covers, std::int64_t tile,
+    void lay_tile(SheetPlanes& planes, std::span<const Cover> covers, std::int64_t tile,
                   const glm::vec2& corner) const noexcept;
-    [[nodiscard]] std::int64_t dim_tile(const SheetPlanes& planes, std::span<const Cover> covers, std::span<Ink> inks,
+    [[nodiscard]] std::int64_t dim_tile(SheetPlanes& planes, std::span<const Cover> covers, std::span<Ink> inks,
                                         const TileBins& ink_bins, std::int64_t tile,
                                         const glm::vec2& origin) const noexcept;
 

@@ -37,7 +37,9 @@ void TileBins::distribute(const base::Parallel& parallel) {
             });
         });
     });
-    large_.clear();
+}
+
+void TileBins::list_large() {
     for_each_disc(0, total_, [&](std::int64_t number, std::int64_t disc) {
         if (rects_[number].tiles() > most_tiles_of_one)
             large_.push_back({static_cast<std::uint32_t>(disc), rects_[number]});

@@ -6,9 +6,11 @@
 #include "frame/scratch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 
 namespace hrbfnpr::frame {
@@ -44,6 +46,7 @@ public:
         grain_ = std::max(least_grain, (total_ + 15) / 16);
         const std::int64_t parts = (total_ + grain_ - 1) / grain_;
         resize_scratch(counts_, parts * tiles());
+        std::atomic<bool> any_large{false};
         parallel.for_chunks(total_, grain_, [&](std::int64_t begin, std::int64_t end) {
             std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
             std::fill_n(counts, tiles(), 0U);
@@ -51,10 +54,13 @@ public:
                 Footprint print{};
                 const Rect rect = footprint(i, print) ? rect_of(print) : Rect{};
                 rects_[number] = rect;
+                if (rect.tiles() > most_tiles_of_one) any_large.store(true, std::memory_order_relaxed);
                 for_tiles(rect, [counts](std::int64_t tile) { ++counts[tile]; });
             });
         });
         distribute(parallel);
+        large_.clear();
+        if (any_large) list_large();
     }
 
     [[nodiscard]] std::int32_t tile_size() const noexcept { return tile_size_; }
@@ -74,12 +80,21 @@ public:
         });
         std::sort(large_.begin(), large_.end(), [&](const Large& a, const Large& b) { return before(a.disc, b.disc); });
     }
-    // The tile of a place in the picture, or the one nearest to it.
-    [[nodiscard]] std::int64_t tile_of(float x, float y) const noexcept {
-        const float tile = static_cast<float>(tile_size_);
-        const auto column = static_cast<std::int64_t>(std::clamp(x / tile, 0.0F, static_cast<float>(columns_ - 1)));
-        const auto row = static_cast<std::int64_t>(std::clamp(y / tile, 0.0F, static_cast<float>(rows_ - 1)));
-        return row * columns_ + column;
+    // The places to which a tile is the nearest: those in it, and around the picture.
+    struct Extent {
+        float left, top, right, bottom;
+        [[nodiscard]] bool holds(float x, float y) const noexcept {
+            return x >= left && x < right && y >= top && y < bottom;
+        }
+    };
+    [[nodiscard]] Extent own_extent(std::int64_t tile) const noexcept {
+        constexpr float far = std::numeric_limits<float>::infinity();
+        const std::int64_t column = tile % columns_;
+        const std::int64_t row = tile / columns_;
+        const auto edge = [&](std::int64_t at, std::int64_t count) {
+            return at <= 0 ? -far : at >= count ? far : static_cast<float>(at * tile_size_);
+        };
+        return {edge(column, columns_), edge(row, rows_), edge(column + 1, columns_), edge(row + 1, rows_)};
     }
 
     // Calls f(disc) for the discs that touch the tile, in ascending order, or in that of order().
@@ -166,6 +181,7 @@ private:
 
     void number(std::span<const Piece> pieces);
     void distribute(const base::Parallel& parallel);
+    void list_large();
 
     std::int32_t tile_size_;
     std::int32_t columns_ = 0;

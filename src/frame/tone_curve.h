@@ -16,9 +16,18 @@ enum class Overlap : unsigned char {
 
 // Ink per area x of a blue-noise order whose discs cover 0, 1/16, 2/16 ... of it: measured on a flat patch, over
 // prefixes of 5 to 100 % and radii of 1 to 3 pixels (docs/quality.md).
-inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,   0.063F, 0.126F, 0.190F, 0.254F, 0.320F,
-                                                         0.388F, 0.459F, 0.535F, 0.618F, 0.711F, 0.819F,
-                                                         0.949F, 1.113F, 1.336F, 1.683F, 2.6F};
+inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.1250F, 0.1875F, 0.2500F, 0.3125F,
+                                                         0.3755F, 0.4400F, 0.5068F, 0.5772F, 0.6528F, 0.7362F,
+                                                         0.8318F, 0.9479F, 1.1005F, 1.3370F, 3.0000F};
+
+// The ink of a disc as it is drawn, square pixels: its rim falls off over a pixel, and below half a pixel of radius it
+// gets paler instead of smaller.
+[[nodiscard]] inline float disc_ink(float radius) noexcept {
+    constexpr float pi = 3.14159265F;
+    const float drawn = std::max(radius, 0.5F);
+    const float dimmed = radius / drawn;
+    return pi * (drawn * drawn + 1.0F / 12.0F) * dimmed * dimmed;
+}
 
 // coverage in [0, 1]; at 1 the result is large.  layers: 1, 2 or 3.
 [[nodiscard]] inline float ink_for(float coverage, Overlap overlap, float layers) noexcept {

@@ -205,6 +205,9 @@ TEST_F(BadFrame, ItemsAndCamera) {
     black.paper[0] = 0;
     two[1].style = &black;
     EXPECT_FAILS(call(two, 2, 0), invalid, "items[1].style.paper differs");
+    black = style;
+    black.visibility = HRBFNPR_VISIBILITY_PAINTED;
+    EXPECT_FAILS(call(two, 2, 0), invalid, "items[1].style.visibility differs");
     EXPECT_FAILS(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, nullptr, nullptr, error), invalid,
                  "camera is NULL");
     EXPECT_FAILS(hrbfnpr_renderer_prepare(nullptr, &item, 1, 0, &camera, nullptr, error), invalid, "renderer is NULL");
@@ -258,7 +261,7 @@ TEST_F(BadFrame, DrawDesc) {
         change(desc);
         return hrbfnpr_renderer_draw_image(renderer.get(), &image, &desc, error);
     };
-    EXPECT_FAILS(call([](auto& d) { d.flags = 2; }), invalid, "draw_desc.flags is 0x2");
+    EXPECT_FAILS(call([](auto& d) { d.flags = 4; }), invalid, "draw_desc.flags is 0x4");
     EXPECT_FAILS(call([&](auto& d) { d.depth = out(depth, 2); }), invalid, "draw_desc.depth.components is 2");
     EXPECT_FAILS(call([&](auto& d) { d.depth = out(id, 1); }), invalid,
                  "draw_desc.depth.scalar is 4; it must be HRBFNPR_SCALAR_ FLOAT32");

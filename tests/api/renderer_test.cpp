@@ -26,22 +26,28 @@ protected:
 };
 
 TEST_F(RendererTest, CountsWhatItDrew) {
-    auto info = made(hrbfnpr_frame_info_init);
-    EXPECT_OK(prepare(nullptr, &info));
-    EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette);
-    EXPECT_GT(info.front, 0);
-    EXPECT_GT(info.back, 0);
-    EXPECT_GT(info.shown, 0);
-    EXPECT_GT(info.scratch_bytes, 0);
-    EXPECT_EQ(info.nanoseconds_draw, 0);
-    std::vector<std::uint8_t> pixels;
-    const hrbfnpr_image image = image_of(pixels, 64);
-    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
-    EXPECT_OK(hrbfnpr_renderer_get_info(renderer.get(), &info, error));
-    EXPECT_GT(info.nanoseconds_draw, 0);
-    std::int64_t vertices = 0;
-    EXPECT_OK(hrbfnpr_renderer_vertex_bound(renderer.get(), &vertices, error));
-    EXPECT_EQ(vertices, info.shown + info.painted);
+    auto style = made(hrbfnpr_style_init);
+    for (const std::uint32_t visibility : {HRBFNPR_VISIBILITY_SHEETS, HRBFNPR_VISIBILITY_PAINTED}) {
+        style.visibility = visibility;
+        auto info = made(hrbfnpr_frame_info_init);
+        EXPECT_OK(prepare(&style, &info));
+        EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette + info.culled);
+        EXPECT_EQ(info.culled > 0, visibility == HRBFNPR_VISIBILITY_SHEETS);
+        EXPECT_GT(info.front, 0);
+        EXPECT_GT(info.back, 0);
+        EXPECT_GT(info.shown, 0);
+        EXPECT_GT(info.painted, 0);
+        EXPECT_GT(info.scratch_bytes, 0);
+        EXPECT_EQ(info.nanoseconds_draw, 0);
+        std::vector<std::uint8_t> pixels;
+        const hrbfnpr_image image = image_of(pixels, 64);
+        EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+        EXPECT_OK(hrbfnpr_renderer_get_info(renderer.get(), &info, error));
+        EXPECT_GT(info.nanoseconds_draw, 0);
+        std::int64_t vertices = 0;
+        EXPECT_OK(hrbfnpr_renderer_vertex_bound(renderer.get(), &vertices, error));
+        EXPECT_EQ(vertices, visibility == HRBFNPR_VISIBILITY_PAINTED ? info.shown + info.painted : info.shown);
+    }
 }
 
 TEST_F(RendererTest, DrawsIntoAnyFormatAndStride) {
@@ -210,12 +216,30 @@ TEST_F(RendererTest, AsksTheToneFunctionOnThisThread) {
     style.tone_function = Tone::call;
     style.tone_user = &tone;
     auto info = made(hrbfnpr_frame_info_init);
+    style.visibility = HRBFNPR_VISIBILITY_PAINTED;
     EXPECT_OK(prepare(&style, &info));
     EXPECT_EQ(tone.marks, info.front);
     EXPECT_EQ(info.dropped_tone, 0); // dark everywhere
     tone.tau = 1.0F;
     EXPECT_OK(prepare(&style, &info));
     EXPECT_EQ(info.dropped_tone, info.front);
+    // By sheets, contours are asked for as well: they fade into the front.
+    style.visibility = HRBFNPR_VISIBILITY_SHEETS;
+    style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
+    style.silhouette_groups = 0;
+    style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
+    tone.marks = 0;
+    tone.tau = 0.0F;
+    EXPECT_OK(prepare(&style, &info));
+    EXPECT_GE(tone.marks, info.front);
+    EXPECT_LE(tone.marks, info.front + info.silhouette);
+    EXPECT_EQ(info.dropped_tone, 0);
+    EXPECT_EQ(info.dropped_hidden, 0);
+    EXPECT_GE(info.shown, info.front);
+    tone.tau = 1.0F;
+    EXPECT_OK(prepare(&style, &info));
+    EXPECT_EQ(info.dropped_tone, info.front);
+    EXPECT_EQ(info.shown, 0);
     tone.result = 3;
     EXPECT_FAILS(prepare(&style), HRBFNPR_STATUS_CALLBACK, "tone_function returned 3");
     tone.result = 0;

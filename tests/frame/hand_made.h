@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "frame/frame.h"
 #include "geometry/tangent_frame.h"
+#include "sampling/cluster_marks.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -130,12 +131,27 @@ inline frame::Style plain_style() {
     return style;
 }
 
-inline frame::Item item_of(const sampling::PointSet& set, const frame::Style& style,
-                           const glm::dmat4& transform = glm::dmat4(1.0)) {
+// Frames by sheets see clusters only: for sets that are complete.
+inline sampling::PointSet clustered(const base::Runtime& runtime, sampling::PointSet set) {
+    sampling::cluster_marks(runtime, set);
+    return set;
+}
+
+// By sheets, if the style says nothing else; the set must be clustered().
+inline frame::Item sheet_item(const sampling::PointSet& set, const frame::Style& style,
+                              const glm::dmat4& transform = glm::dmat4(1.0)) {
     frame::Item item;
     item.set = &set;
     item.style = style;
     item.transform = transform;
+    return item;
+}
+
+// Painted as published.
+inline frame::Item item_of(const sampling::PointSet& set, const frame::Style& style,
+                           const glm::dmat4& transform = glm::dmat4(1.0)) {
+    frame::Item item = sheet_item(set, style, transform);
+    item.style.visibility = frame::Visibility::painted;
     return item;
 }
 

@@ -65,9 +65,16 @@ TEST(TileBins, HoldEveryDiscThatTouchesATileInOrder) {
     const std::int32_t width = 1000;
     const std::int32_t height = 700;
     const std::vector<TileBins::Footprint> discs = random_discs(20000);
+    // Pieces with gaps, and empty ones.
+    const std::array<frame::Piece, 5> pieces{{{0, 0}, {10, 9000}, {9000, 9000}, {9001, 19000}, {19990, 20000}}};
+    const auto taken = [&](std::size_t i) {
+        const auto at = static_cast<std::int64_t>(i);
+        return i % 3 != 0 && std::any_of(pieces.begin(), pieces.end(),
+                                         [&](const frame::Piece& p) { return p.begin <= at && at < p.end; });
+    };
     for (const int threads : {1, 2, 7}) {
-        TileBins bins(memory);
-        bins.build(base::Parallel(threads, nullptr, nullptr), width, height, static_cast<std::int64_t>(discs.size()),
+        TileBins bins(memory, 32);
+        bins.build(base::Parallel(threads, nullptr, nullptr), width, height, pieces,
                    [&](std::int64_t i, TileBins::Footprint& print) {
                        print = discs[static_cast<std::size_t>(i)];
                        return i % 3 != 0;
@@ -75,13 +82,14 @@ TEST(TileBins, HoldEveryDiscThatTouchesATileInOrder) {
         ASSERT_EQ(bins.columns(), 32);
         ASSERT_EQ(bins.rows(), 22);
         for (std::int64_t tile = 0; tile < bins.tiles(); ++tile) {
-            const auto left = static_cast<float>(tile % bins.columns() * TileBins::tile_size);
-            const auto top = static_cast<float>(tile / bins.columns() * TileBins::tile_size);
+            const auto left = static_cast<float>(tile % bins.columns() * bins.tile_size());
+            const auto top = static_cast<float>(tile / bins.columns() * bins.tile_size());
+            const auto tile_side = static_cast<float>(bins.tile_size());
             std::vector<std::uint32_t> expected;
             for (std::size_t i = 0; i < discs.size(); ++i) {
                 const TileBins::Footprint& d = discs[i];
-                if (i % 3 != 0 && d.x + d.radius >= left && d.x - d.radius < left + TileBins::tile_size &&
-                    d.y + d.radius >= top && d.y - d.radius < top + TileBins::tile_size)
+                if (taken(i) && d.x + d.radius >= left && d.x - d.radius < left + tile_side && d.y + d.radius >= top &&
+                    d.y - d.radius < top + tile_side)
                     expected.push_back(static_cast<std::uint32_t>(i));
             }
             std::vector<std::uint32_t> found;
@@ -106,8 +114,9 @@ TEST(TileBins, BearStrangeFootprints) {
                                          {1, 1, 1e30F},
                                          {infinity, 1, 1},
                                          {infinity, 1, infinity}};
-    TileBins bins(memory);
-    bins.build(base::Parallel(), 64, 32, std::size(discs), [&](std::int64_t i, TileBins::Footprint& print) {
+    TileBins bins(memory, 32);
+    const std::array pieces{frame::Piece{0, std::size(discs)}};
+    bins.build(base::Parallel(), 64, 32, pieces, [&](std::int64_t i, TileBins::Footprint& print) {
         print = discs[i];
         return true;
     });

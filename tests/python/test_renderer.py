@@ -22,7 +22,7 @@ def test_a_picture(renderer, marks, camera):
     dark = image[..., :3].mean(axis=2) < 128
     assert 200 < dark.sum() < 15000
     info = renderer.info
-    assert info.marks == info.outside + info.front + info.back + info.silhouette > 2000
+    assert info.marks == info.outside + info.front + info.back + info.silhouette + info.culled > 2000
     assert info.shown > 0
     np.testing.assert_array_equal(renderer.draw((marks, STYLE), camera), image)
 
@@ -166,7 +166,7 @@ def test_tone_function(renderer, marks, camera):
         return np.ones(len(positions)) if light else [0.0] * len(positions)
 
     light = True
-    only_stipples = hrbfnpr.Style("stipple", tone=tone)
+    only_stipples = hrbfnpr.Style("stipple", tone=tone, tone_curve="linear", tone_fade=0.0)
     bright = renderer.prepare((marks, only_stipples), camera)
     positions, normals = seen[0]
     assert positions.shape == normals.shape and positions.dtype == np.float32
@@ -189,15 +189,17 @@ def test_tone_function(renderer, marks, camera):
 )
 def test_a_tone_function_that_fails(renderer, marks, camera, tone, words):
     with pytest.raises(hrbfnpr.CallbackError, match=words) as caught:
-        renderer.draw((marks, hrbfnpr.Style("stipple", tone=tone)), camera)
+        renderer.draw((marks, hrbfnpr.Style("stipple", tone=tone, tone_curve="linear", tone_fade=0.0)), camera)
     assert caught.value.__cause__ is not None
     with pytest.raises(hrbfnpr.CallbackError):
         renderer.draw((marks, hrbfnpr.Style("stipple", tone=lambda p, n: np.full(len(p), np.nan))), camera)
 
 
-def test_vertices(renderer, marks, camera):
+@pytest.mark.parametrize("visibility", ["sheets", "painted"])
+def test_vertices(renderer, marks, camera, visibility):
+    style = hrbfnpr.Style("contour-and-stipple", visibility=visibility)
     names = ("position", "window", "radius", "color", "normal", "direction", "id", "class", "is_paper")
-    vertices = renderer.vertices((marks, STYLE), camera, names)
+    vertices = renderer.vertices((marks, style), camera, names)
     assert vertices.dtype.names == names and len(vertices) > 100
     assert vertices["color"].dtype == np.uint8 and vertices["color"].shape == (len(vertices), 4)
     assert set(np.unique(vertices["is_paper"])) <= {0, 1}
@@ -205,7 +207,8 @@ def test_vertices(renderer, marks, camera):
     assert np.ptp(depth) > 0 and depth[0] > depth[-1]
     np.testing.assert_allclose(np.linalg.norm(vertices["normal"], axis=1), 1, atol=1e-4)
     info = renderer.info
-    assert (vertices["is_paper"] == 0).sum() == info.shown and (vertices["is_paper"] == 1).sum() == info.painted
+    assert (vertices["is_paper"] == 0).sum() == info.shown
+    assert (vertices["is_paper"] == 1).sum() == (info.painted if visibility == "painted" else 0)
     for i in (0, len(vertices) // 2, -1):
         clip = camera.projection @ camera.view @ np.append(vertices["position"][i], 1)
         x = (clip[0] / clip[3] + 1) / 2 * 160

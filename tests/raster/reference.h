@@ -1,4 +1,4 @@
-// What a host does with the vertices, plainly: every disc over every pixel, in order.
+// What a host does with the vertices, plainly: every disc over every pixel that it may touch, in order.
 #pragma once
 
 #include "raster/picture.h"
@@ -18,10 +18,14 @@ inline std::vector<glm::dvec4> splat(const std::vector<Splat>& splats, int width
     for (const Splat& s : splats) {
         const double radius = std::max(0.5, static_cast<double>(s.radius));
         const double dimmed = static_cast<double>(s.radius) / radius;
-        for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) {
-                const double distance =
-                    std::hypot(x + 0.5 - static_cast<double>(s.x), y + 0.5 - static_cast<double>(s.y));
+        const auto edge = [](double at, int limit) {
+            return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(limit)));
+        };
+        const auto sx = static_cast<double>(s.x);
+        const auto sy = static_cast<double>(s.y);
+        for (int y = edge(sy - radius - 1.0, height); y < edge(sy + radius + 2.0, height); ++y) {
+            for (int x = edge(sx - radius - 1.0, width); x < edge(sx + radius + 2.0, width); ++x) {
+                const double distance = std::hypot(x + 0.5 - sx, y + 0.5 - sy);
                 const double coverage = std::clamp(radius + 0.5 - distance, 0.0, 1.0);
                 const double alpha = static_cast<double>(s.color.w) * coverage * dimmed * dimmed;
                 glm::dvec4& pixel =

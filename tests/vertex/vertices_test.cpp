@@ -22,7 +22,7 @@ constexpr int size = 130;
 class Vertices : public ::testing::Test {
 protected:
     void prepare(const Style& style) {
-        const std::array items{item_of(set, style, transform)};
+        const std::array items{sheets ? sheet_item(set, style, transform) : item_of(set, style, transform)};
         frame.prepare(items, front_camera(size, size));
     }
     [[nodiscard]] std::vector<std::byte> write(std::span<const VertexField> fields, std::int64_t stride) const {
@@ -32,7 +32,8 @@ protected:
     }
 
     base::Runtime runtime;
-    sampling::PointSet set = sphere(runtime.memory, 1500);
+    sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 1500));
+    bool sheets = false; // or painted
     glm::dmat4 transform{1.0};
     Frame frame{runtime};
 };
@@ -69,7 +70,12 @@ TEST(VertexFieldSize, KnowsWhichTypesAnAttributeCanHave) {
     EXPECT_EQ(bytes(static_cast<VertexAttribute>(9), Scalar::float32), 0);
 }
 
-TEST_F(Vertices, HoldEveryAttributeAtItsOffset) {
+class Both : public Vertices, public ::testing::WithParamInterface<bool> {
+protected:
+    Both() { sheets = GetParam(); }
+};
+
+TEST_P(Both, HoldEveryAttributeAtItsOffset) {
     transform[3] = {0.25, 0.0, -1.0, 1.0};
     transform[0][0] = -0.5;
     set.origin = {0.0, 0.5, 0.0};
@@ -89,7 +95,7 @@ TEST_F(Vertices, HoldEveryAttributeAtItsOffset) {
                             VertexField{VertexAttribute::is_paper, Scalar::uint8, 86}};
     const std::int64_t stride = 91;
     const std::vector<std::byte> memory = write(fields, stride);
-    ASSERT_GT(frame.discs().size(), 1000U);
+    ASSERT_GT(frame.discs().size(), sheets ? 300U : 1000U); // ink only, or paper, too
     for (std::size_t i = 0; i < frame.discs().size(); ++i) {
         const Disc& disc = frame.discs()[i];
         const std::int64_t at = static_cast<std::int64_t>(i) * stride;
@@ -123,7 +129,7 @@ TEST_F(Vertices, HoldEveryAttributeAtItsOffset) {
     }
 }
 
-TEST_F(Vertices, DrawnFarToNearGiveThePictureOfTheRaster) {
+TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
     Style style;
     style.group[0].radius = 1.7F;
     style.silhouette_radius = 0.4F;
@@ -159,6 +165,36 @@ TEST_F(Vertices, DrawnFarToNearGiveThePictureOfTheRaster) {
             EXPECT_LE(largest_difference(picture, expected), scalar == Scalar::float32 ? 0.51 : 6.0);
         }
     }
+}
+
+INSTANTIATE_TEST_SUITE_P(Visibility, Both, ::testing::Bool(),
+                         [](const auto& one) { return one.param ? "sheets" : "painted"; });
+
+TEST_F(Vertices, OfSheetsAreWrittenWithoutAllocationOnceWarm) {
+    CountingAllocator counter;
+    const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
+                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
+    const sampling::PointSet ring = clustered(counted, torus(counted.memory, 80));
+    const std::array items{sheet_item(ring, Style{})};
+    Frame own(counted);
+    const std::array fields{VertexField{VertexAttribute::window, Scalar::float32, 0},
+                            VertexField{VertexAttribute::normal, Scalar::float32, 12}};
+    std::vector<std::byte> memory(24 * static_cast<std::size_t>(ring.group[0].count()));
+    const auto round = [&] {
+        for (int step = 0; step < 13; ++step) {
+            frame::Camera camera = front_camera(size, size);
+            const glm::dvec3 eye(8.0 * std::sin(0.5 * step), 3.0, 8.0 * std::cos(0.5 * step));
+            camera.view = frame::look_at(eye, glm::dvec3(0.0), {0, 1, 0});
+            camera.projection = frame::perspective(0.4, size, size, 1.0, 20.0, camera.depth);
+            own.prepare(items, camera);
+            output::write_vertices(counted, own, fields, 24, memory.data());
+            ASSERT_FALSE(own.discs().empty());
+        }
+    };
+    round();
+    const std::int64_t warm = counter.calls;
+    round();
+    EXPECT_EQ(counter.calls, warm);
 }
 
 } // namespace

@@ -40,6 +40,8 @@ class FrameInfo:
         Marks that are not shown, by reason.
     painted : int
         Discs of paper.
+    culled : int
+        Marks of no class: no tone or contour could show them.  Only by sheets.
     nanoseconds_classify, nanoseconds_visibility, nanoseconds_sort, nanoseconds_draw : int
     scratch_bytes : int
     """
@@ -55,6 +57,7 @@ class FrameInfo:
     dropped_zoom: int
     dropped_hidden: int
     painted: int
+    culled: int
     nanoseconds_classify: int
     nanoseconds_visibility: int
     nanoseconds_sort: int

@@ -1,0 +1,363 @@
+// Clusters are passed over whole: the ink must be that of every mark looked at one by one.
+#include "frame/cluster_view.h"
+#include "frame/line_of_sight.h"
+#include "frame/tone_curve.h"
+#include "support/instruction_sets.h"
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using frame::Disc;
+using frame::Frame;
+using frame::FrameInfo;
+using frame::MarkClass;
+using frame::Style;
+
+constexpr int size = 300;
+
+struct View {
+    const char* name;
+    frame::Camera camera;
+    glm::dmat4 transform{1.0};
+};
+
+glm::dmat4 turn(double a, double b) {
+    const glm::dmat4 x(1, 0, 0, 0, 0, std::cos(a), std::sin(a), 0, 0, -std::sin(a), std::cos(a), 0, 0, 0, 0, 1);
+    const glm::dmat4 y(std::cos(b), 0, -std::sin(b), 0, 0, 1, 0, 0, std::sin(b), 0, std::cos(b), 0, 0, 0, 0, 1);
+    return x * y;
+}
+
+glm::dmat4 scaled(double x, double y, double z) {
+    glm::dmat4 m(1.0);
+    m[0][0] = x;
+    m[1][1] = y;
+    m[2][2] = z;
+    return m;
+}
+
+frame::Camera perspective_from(const glm::dvec3& eye, const glm::dvec3& target, double angle) {
+    frame::Camera camera = front_camera(size, size);
+    camera.view = frame::look_at(eye, target, {0.1, 1.0, 0.2});
+    camera.projection = frame::perspective(angle, size, size, 0.01, 50.0, camera.depth);
+    return camera;
+}
+
+std::vector<View> views() {
+    std::vector<View> all;
+    for (int i = 0; i < 6; ++i) {
+        const auto u = base::uniform4(31, static_cast<std::uint64_t>(i), base::Purpose::candidate);
+        const glm::dvec3 toward = fibonacci_direction(i, 6);
+        const glm::dvec3 target(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5);
+        all.push_back({"perspective", perspective_from((2.5 + 3.0 * u[3]) * toward, target, 0.6)});
+        all.push_back({"zoomed in", perspective_from((2.5 + 3.0 * u[3]) * toward, target, 0.05)});
+        all.push_back({"close", perspective_from(1.6 * toward, target, 0.3)});
+        all.push_back({"orthographic", camera_from(toward, size, 1.5)});
+        all.push_back({"orthographic, zoomed in", camera_from(toward, size, 0.15 + 0.3 * u[0])});
+        all.push_back({"turned", perspective_from(4.0 * toward, target, 0.6), turn(u[0], 6.0 * u[1])});
+        all.push_back({"mirrored", perspective_from(4.0 * toward, target, 0.6), turn(u[0], u[1]) * scaled(-1, 1, 1)});
+        all.push_back({"stretched", perspective_from(6.0 * toward, target, 0.6), scaled(1.0, 2.0, 0.4) * turn(1, 2)});
+        all.push_back({"stretched and mirrored", camera_from(toward, size, 2.0), scaled(0.5, -1.5, 0.8)});
+        all.push_back({"scaled", perspective_from(40.0 * toward, target, 0.6), scaled(10.0, 10.0, 10.0)});
+        // A projection that contains a turn and a shift of the eye.
+        View off_axis{"off axis", perspective_from(4.0 * toward, target, 0.7)};
+        off_axis.camera.projection = off_axis.camera.projection * off_axis.camera.view * turn(0.3, 0.4);
+        off_axis.camera.view = glm::inverse(turn(0.3, 0.4));
+        all.push_back(off_axis);
+    }
+    all.push_back({"inside the tube", perspective_from({1.0, 0.0, 0.0}, {0.0, 1.0, 0.1}, 1.2)});
+    all.push_back({"in the hole", perspective_from({0.1, 0.0, 0.0}, {1.0, 1.0, 0.1}, 1.2)});
+    return all;
+}
+
+// What a frame makes of each mark, by its id.
+std::map<std::uint32_t, Disc> inks_of(const Frame& frame) {
+    std::map<std::uint32_t, Disc> inks;
+    for (const Disc& disc : frame.discs()) EXPECT_TRUE(inks.emplace(disc.id, disc).second) << disc.id;
+    return inks;
+}
+
+void expect_counts(const FrameInfo& info, const char* name) {
+    EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette + info.culled) << name;
+}
+
+std::vector<Style> styles() {
+    Style lit;
+    lit.group[0].radius = 1.5F;
+    Style binary = lit;
+    binary.tone_fade = 0.0F;
+    binary.light_space = frame::LightSpace::world;
+    Style linear = lit;
+    linear.tone_curve = frame::ToneCurve::linear;
+    linear.silhouette_law = frame::SilhouetteLaw::angle;
+    linear.tone_exponent = 2.0;
+    linear.group[0].share = 0.6F;
+    Style dark;
+    dark.tone = frame::Tone::none;
+    dark.silhouette_width = 3.0F;
+    dark.depth_min = 2.0;
+    dark.depth_max = 9.0;
+    Style rule = linear;
+    rule.tone_rule = frame::ToneRule::paper;
+    Style lines = lit;
+    lines.group[0].shown = false;
+    Style no_lines = lit;
+    no_lines.silhouette_groups = 0;
+    std::vector<Style> all{lit, binary, linear, dark, rule, lines, no_lines};
+    for (Style& style : all) style.hidden_lines = frame::HiddenLines::show;
+    return all;
+}
+
+class Culling : public ::testing::Test {
+protected:
+    // Compares with cones and, where the camera is parallel, bounds that say nothing: then no cluster can be passed
+    // over.  Returns how many marks were.
+    std::int64_t expect_same_without(const View& view, const Style& style) {
+        const bool parallel = view.camera.projection[2][3] == 0.0 && view.camera.projection[0][3] == 0.0;
+        base::Array<sampling::Cluster>& clusters = open.group[0].clusters.cluster;
+        for (std::int64_t i = 0; i < clusters.size(); ++i) {
+            clusters[i].cone_cosine = -1.0F;
+            clusters[i].cone_sine = 0.0F;
+            clusters[i].radius = parallel ? 100.0F : set.group[0].clusters.cluster[i].radius;
+        }
+        const std::array items{sheet_item(set, style, view.transform)};
+        frame.prepare(items, view.camera);
+        const std::vector<Disc> discs(frame.discs().begin(), frame.discs().end());
+        const std::int64_t culled = frame.info().culled;
+        expect_counts(frame.info(), view.name);
+        const std::array wide{sheet_item(open, style, view.transform)};
+        frame.prepare(wide, view.camera);
+        expect_counts(frame.info(), view.name);
+        EXPECT_EQ(frame.discs().size(), discs.size()) << view.name;
+        for (std::size_t i = 0; i < std::min(discs.size(), frame.discs().size()); ++i) {
+            const Disc& disc = frame.discs()[i];
+            if (disc.id == discs[i].id && disc.radius == discs[i].radius && disc.mark_class == discs[i].mark_class)
+                continue;
+            ADD_FAILURE() << view.name << ": marks " << disc.id << " and " << discs[i].id;
+            break;
+        }
+        return culled;
+    }
+    sampling::PointSet set_of() { return clustered(runtime, torus(runtime.memory, 130)); }
+
+    base::Runtime runtime;
+    Frame frame{runtime};
+    sampling::PointSet set = set_of();
+    sampling::PointSet open = set_of();
+};
+
+TEST_F(Culling, ChangesNoInk) {
+    std::int64_t culled = 0;
+    for (const View& view : views()) {
+        for (const Style& style : styles()) culled += expect_same_without(view, style);
+    }
+    EXPECT_GT(culled, 100000);
+}
+
+// By the published rule contours take all their marks.
+TEST_F(Culling, ChangesNoInkByThePublishedRuleOfTone) {
+    Style style = styles()[0];
+    style.tone_rule = frame::ToneRule::paper;
+    for (const View& view : views()) expect_same_without(view, style);
+}
+
+// Marks beyond the picture's border whose discs reach into it.
+TEST_F(Culling, DiscsThatGrowWithTheZoomReachIntoThePicture) {
+    const sampling::PointSet flat = clustered(runtime, plane(runtime.memory, 100));
+    Style style = styles()[2];
+    style.tone = frame::Tone::none;
+    style.group[0].share = 1.0F;
+    style.zoom_reference = 1.0;
+    style.group[0].radius = 0.2F;
+    style.group[0].radius_zoom = 1.0F; // 120 pixels
+    frame::Camera camera = front_camera(size, size, 0.25);
+    const std::array painted{item_of(flat, style)};
+    frame.prepare(painted, camera);
+    const std::int64_t expected = frame.info().shown;
+    EXPECT_EQ(frame.discs()[0].radius, 120.0F);
+    const std::array sheets{sheet_item(flat, style)};
+    frame.prepare(sheets, camera);
+    EXPECT_EQ(frame.info().shown, expected);
+}
+
+// A contour's mark that its thinned line drops may be drawn as one of the front, and counts as both.
+TEST_F(Culling, EveryMarkCountsOnceWhileContoursFade) {
+    for (const View& view : views()) {
+        const std::array items{sheet_item(set, styles()[0], view.transform)};
+        frame.prepare(items, view.camera);
+        const FrameInfo& info = frame.info();
+        EXPECT_EQ(info.shown + info.dropped_tone + info.dropped_depth + info.dropped_zoom + info.dropped_hidden,
+                  info.front + info.silhouette)
+            << view.name;
+    }
+}
+
+// One mark after the other, in doubles.
+struct Plain {
+    double x = 0.0, y = 0.0, nu = 0.0, tau = 0.0, ppe = 1.0;
+    bool inside = false;
+    bool near_edge = false; // rounding decides whether it is inside
+};
+
+struct Sight {
+    glm::dmat4 to_eye, clip;
+    glm::dmat3 normal_to_eye;
+    glm::dvec3 centre;
+    bool parallel;
+};
+
+Sight sight_of(const View& view) {
+    Sight s{};
+    s.to_eye = view.camera.view * view.transform;
+    s.clip = view.camera.projection * s.to_eye;
+    s.normal_to_eye = glm::inverseTranspose(glm::dmat3(s.to_eye));
+    // Where all lines of sight meet: what the projection takes to (0, 0, c, 0).
+    const glm::dvec4 c = glm::inverse(view.camera.projection) * glm::dvec4(0.0, 0.0, 1.0, 0.0);
+    s.parallel = std::abs(c.w) < 1e-9 * glm::length(glm::dvec3(c));
+    s.centre = s.parallel ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(c) / c.w;
+    return s;
+}
+
+Plain plain_of(const Mark& mark, const Sight& s, const Style& style, double radius) {
+    Plain p;
+    const glm::dvec4 clip = s.clip * glm::dvec4(mark.position, 1.0);
+    p.x = size * (0.5 + 0.5 * clip.x / clip.w);
+    p.y = size * (0.5 - 0.5 * clip.y / clip.w);
+    const double z = clip.z / clip.w;
+    const double out = std::max({-p.x, p.x - size, -p.y, p.y - size}) - radius;
+    p.inside = clip.w > 0.0 && out < 0.0 && z >= -1.0 && z <= 1.0;
+    p.near_edge = std::abs(out) < 1e-2 || std::abs(std::abs(z) - 1.0) < 1e-5;
+    const glm::dvec3 eye(s.to_eye * glm::dvec4(mark.position, 1.0));
+    const glm::dvec3 n = glm::normalize(s.normal_to_eye * mark.normal);
+    p.nu = glm::dot(n, glm::normalize(s.parallel ? s.centre : eye - s.centre));
+    p.tau = std::max(0.0, glm::dot(n, glm::normalize(style.light)));
+    return p;
+}
+
+// LINEAR tone, contours by ANGLE: every law is known without the clusters.
+TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
+    Style style;
+    style.hidden_lines = frame::HiddenLines::show;
+    style.tone_curve = frame::ToneCurve::linear;
+    style.silhouette_law = frame::SilhouetteLaw::angle;
+    style.tone_fade = 0.0F;
+    style.group[0].share = 0.7F;
+    style.group[0].radius = 2.0F;
+    std::int64_t judged = 0;
+    for (const View& view : views()) {
+        const Sight sight = sight_of(view);
+        const std::array items{sheet_item(set, style, view.transform)};
+        frame.prepare(items, view.camera);
+        const std::map<std::uint32_t, Disc> inks = inks_of(frame);
+        FrameInfo sum;
+        for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+            const Plain p = plain_of(mark_of(set, i), sight, style, 2.5);
+            const double shown = 0.7 * (1.0 - p.tau);
+            const double place = 1.0 - static_cast<double>(set.group[0].rank[i]);
+            if (p.near_edge || std::abs(std::abs(p.nu) - 0.2) < 1e-4 || std::abs(place - shown) < 1e-4) continue;
+            ++judged;
+            const bool contour = std::abs(p.nu) < 0.2;
+            const bool wanted = p.inside && (contour || (p.nu < 0.0 && place < shown));
+            const auto found = inks.find(static_cast<std::uint32_t>(i) + 1);
+            ASSERT_EQ(found != inks.end(), wanted) << view.name << " mark " << i << " nu " << p.nu << " at " << p.x
+                                                   << ", " << p.y << " place " << place << " of " << shown;
+            if (!wanted) continue;
+            ASSERT_NEAR(static_cast<double>(found->second.x), p.x, 2e-2) << view.name;
+            ASSERT_NEAR(static_cast<double>(found->second.y), p.y, 2e-2) << view.name;
+            ASSERT_EQ(found->second.mark_class, contour ? MarkClass::silhouette : MarkClass::front);
+            ASSERT_EQ(found->second.radius, contour ? 1.0F : 2.0F);
+        }
+    }
+    EXPECT_GT(judged, 1000000);
+}
+
+// By coverage: an evenly lit set, whose every mark takes the share that its turn away from the eye asks for.
+TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
+    set = clustered(runtime, torus(runtime.memory, 200));
+    Style style;
+    style.hidden_lines = frame::HiddenLines::show;
+    style.tone_fade = 0.0F;
+    style.silhouette_groups = 0;
+    style.group[0].radius = 1.5F;
+    for (const View& view : views()) {
+        if (std::string(view.name).find("orthographic") == std::string::npos) continue; // one scale for all clusters
+        const Sight sight = sight_of(view);
+        const double ppe = 0.5 * size * view.camera.projection[1][1];
+        const double full = pi * (1.5 * 1.5 + 1.0 / 12.0) / std::pow(set.spacing * ppe, 2.0);
+        // Where all marks cover less than 0.6 (in the table's steps of 1 / 64), they are shown as if they did not.
+        const double enough = std::max(full, -std::log(1.0 - 38.0 / 64.0));
+        const std::array items{sheet_item(set, style, view.transform)};
+        frame.prepare(items, view.camera);
+        const std::map<std::uint32_t, Disc> inks = inks_of(frame);
+        for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+            const Plain p = plain_of(mark_of(set, i), sight, style, 2.0);
+            // Marks at random: coverage = 1 - exp(-ink); away from white and black, where a table is coarse.
+            if (p.near_edge || p.nu > -0.25 || p.tau < 0.05) continue;
+            const double shown = std::min(1.0, -std::log(p.tau) * -p.nu / enough);
+            const double place = 1.0 - static_cast<double>(set.group[0].rank[i]);
+            if (std::abs(place - shown) < 0.01 * shown + 1e-3) continue;
+            ASSERT_EQ(inks.contains(static_cast<std::uint32_t>(i) + 1), p.inside && place < shown)
+                << view.name << " " << i << " place " << place << " of " << shown;
+        }
+    }
+}
+
+TEST_F(Culling, FrontAndContourMarksAreShownDroppedOrNotDrawn) {
+    for (const View& view : views()) {
+        for (Style style : styles()) {
+            style.tone_fade = 0.0F;
+            style.hidden_lines = frame::HiddenLines::hide;
+            const std::array items{sheet_item(set, style, view.transform)};
+            frame.prepare(items, view.camera);
+            const FrameInfo& info = frame.info();
+            expect_counts(info, view.name);
+            const std::int64_t dropped =
+                info.dropped_tone + info.dropped_depth + info.dropped_zoom + info.dropped_hidden;
+            std::int64_t drawn = info.front + info.silhouette;
+            if (!style.group[0].shown) drawn -= info.front;
+            if (style.silhouette_groups == 0) drawn -= info.silhouette;
+            EXPECT_EQ(info.shown + dropped, drawn) << view.name;
+        }
+    }
+}
+
+TEST_F(Culling, SameBitsForAnyThreadCountAndInstructionSet) {
+    const auto bytes_of = [](int threads, base::InstructionSet instructions, const Style& style) {
+        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
+                                  nullptr, nullptr);
+        sampling::PointSet points = torus(other.memory, 130);
+        add_torus_strokes(points, 1, 300, 27, 0.3);
+        const sampling::PointSet ring = clustered(other, std::move(points));
+        Style own = style;
+        own.hidden_lines = frame::HiddenLines::attenuate;
+        own.attenuation_front = 0.4;
+        own.cover_layers = 2.0F;
+        const std::array items{sheet_item(ring, own)};
+        Frame own_frame(other);
+        own_frame.prepare(items, perspective_from({2.0, -4.0, 3.0}, {0.0, 0.0, 0.0}, 0.5));
+        std::vector<float> numbers;
+        for (const Disc& d : own_frame.discs())
+            numbers.insert(numbers.end(), {d.x, d.y, d.radius, d.depth, d.color.w, static_cast<float>(d.id)});
+        const FrameInfo& info = own_frame.info();
+        numbers.push_back(static_cast<float>(info.culled + info.shown + info.dropped_hidden));
+        std::vector<std::byte> bytes(numbers.size() * sizeof(float));
+        std::memcpy(bytes.data(), numbers.data(), bytes.size());
+        return bytes;
+    };
+    for (const Style& style : styles()) {
+        const auto expected = bytes_of(1, base::InstructionSet::automatic, style);
+        EXPECT_GT(expected.size(), 1000U);
+        for (const int threads : {2, 3, 7})
+            EXPECT_EQ(bytes_of(threads, base::InstructionSet::automatic, style), expected) << threads;
+        for (const base::InstructionSet one : test::instruction_sets())
+            EXPECT_EQ(bytes_of(2, one, style), expected) << static_cast<int>(one);
+    }
+}
+
+} // namespace
+} // namespace hrbfnpr::testing

@@ -1,0 +1,95 @@
+// What a line of sight meets, found by marching along it.
+#pragma once
+
+#include "frame/hand_made.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace hrbfnpr::testing {
+
+// Signed distance to a closed surface.
+using Solid = std::function<double(const glm::dvec3&)>;
+
+inline Solid ball(double radius, const glm::dvec3& centre = glm::dvec3(0.0)) {
+    return [=](const glm::dvec3& p) { return glm::length(p - centre) - radius; };
+}
+// As torus().
+inline Solid ring(double minor = 0.45) {
+    return [=](const glm::dvec3& p) { return std::hypot(std::hypot(p.x, p.y) - 1.0, p.z) - minor; };
+}
+
+// How near the line from p towards the eye comes to a solid: < 0 if it passes through it.  About what it is on the
+// screen from the solid's contour, too.
+inline double clearance(const Solid& solid, const glm::dvec3& p, const glm::dvec3& toward, double reach = 20.0) {
+    double least = std::numeric_limits<double>::infinity();
+    for (double t = 0.0; t < reach;) {
+        const double d = solid(p + t * toward);
+        least = std::min(least, d);
+        t += std::max(0.004, 0.5 * std::abs(d));
+    }
+    return least;
+}
+
+// The same for a point of the solid's own surface: once the line, having left it, comes near to it again.
+inline double own_clearance(const Solid& solid, const glm::dvec3& p, const glm::dvec3& toward, double reach = 20.0) {
+    double least = std::numeric_limits<double>::infinity();
+    double before = 0.0;
+    bool falls = false;
+    for (double t = 0.002; t < reach;) {
+        const double d = solid(p + t * toward);
+        falls = falls || d < before;
+        if (falls) least = std::min(least, d);
+        before = d;
+        t += std::max(0.004, 0.25 * std::abs(d));
+    }
+    return least;
+}
+
+struct Mark {
+    glm::dvec3 position, normal;
+};
+
+inline Mark mark_of(const sampling::PointSet& set, std::int64_t i, std::size_t group = 0) {
+    Mark mark{};
+    for (int k = 0; k < 3; ++k) {
+        mark.position[k] = static_cast<double>(set.group[group].position[3 * i + k]) + set.origin[k];
+        mark.normal[k] = static_cast<double>(set.group[group].normal[3 * i + k]);
+    }
+    return mark;
+}
+
+// What is seen of each mark's ink, by its id; < 0: it is not drawn.
+inline std::vector<float> seen_share(const frame::Frame& frame, std::int64_t marks) {
+    std::vector<float> share(static_cast<std::size_t>(marks) + 1, -1.0F);
+    for (const frame::Disc& disc : frame.discs()) share[disc.id] = disc.color.w;
+    return share;
+}
+
+// All front marks, nothing but hidden surfaces decides.
+inline frame::Style all_front(frame::HiddenLines hidden_lines) {
+    frame::Style style;
+    style.hidden_lines = hidden_lines;
+    style.tone = frame::Tone::none;
+    style.tone_curve = frame::ToneCurve::linear;
+    style.tone_fade = 0.0F;
+    style.silhouette_groups = 0;
+    return style;
+}
+
+// An orthographic camera far away in this direction from the origin.
+inline frame::Camera camera_from(const glm::dvec3& toward, int size, double half) {
+    frame::Camera camera = front_camera(size, size, half);
+    const glm::dvec3 up = std::abs(toward.z) < 0.9 * glm::length(toward) ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+    camera.view = frame::look_at(10.0 * glm::normalize(toward), glm::dvec3(0.0), up);
+    return camera;
+}
+
+inline glm::dmat4 shifted(const glm::dvec3& by) {
+    glm::dmat4 m(1.0);
+    m[3] = glm::dvec4(by, 1.0);
+    return m;
+}
+
+} // namespace hrbfnpr::testing

@@ -1,0 +1,387 @@
+// What sheets of surface hide and dim, against lines of sight through known solids.
+#include "frame/cover_law.h"
+#include "frame/line_of_sight.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using frame::Disc;
+using frame::Frame;
+using frame::HiddenLines;
+using frame::Style;
+
+class SheetsTest : public ::testing::Test {
+protected:
+    const frame::FrameInfo& prepare(std::span<const frame::Item> items, const frame::Camera& camera) {
+        frame.prepare(items, camera);
+        return frame.info();
+    }
+    std::vector<float> seen(const sampling::PointSet& set, const Style& style, const frame::Camera& camera) {
+        const std::array items{sheet_item(set, style)};
+        prepare(items, camera);
+        return seen_share(frame, set.group[0].count());
+    }
+
+    base::Runtime runtime;
+    Frame frame{runtime};
+};
+
+constexpr HiddenLines hiding[] = {HiddenLines::attenuate, HiddenLines::hide};
+
+TEST_F(SheetsTest, ASphereNeverDimsItsOwnFront) {
+    for (const int count : {3000, 20000, 100000}) {
+        const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, count));
+        for (const HiddenLines hidden : hiding) {
+            for (const double half : {0.6, 1.25, 6.0}) {
+                const std::array items{sheet_item(set, all_front(hidden))};
+                const frame::FrameInfo& info = prepare(items, front_camera(500, 500, half));
+                EXPECT_EQ(info.dropped_hidden, 0) << count << " " << half;
+                EXPECT_EQ(info.shown, info.front);
+                EXPECT_GT(info.painted, 0);
+                for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.color.w, 1.0F) << count << " " << half;
+                frame::Camera near_by = front_camera(500, 500, half);
+                near_by.view = frame::look_at({0.0, 1.0, 2.5}, glm::dvec3(0.0), {0, 1, 0});
+                near_by.projection = frame::perspective(0.5 * half, 500, 500, 0.1, 20.0, near_by.depth);
+                EXPECT_EQ(prepare(items, near_by).dropped_hidden, 0) << count << " " << half;
+                for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.color.w, 1.0F) << count << " " << half;
+            }
+        }
+    }
+}
+
+// With 100 marks on 400 pixels, discs of sheets stand out of their own surface by more than the gap that is left to it.
+TEST_F(SheetsTest, ASparseSphereNeverDimsItsOwnFront) {
+    for (const int count : {100, 300}) {
+        const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, count));
+        const std::array items{sheet_item(set, all_front(HiddenLines::attenuate))};
+        frame::Camera camera = front_camera(500, 500);
+        camera.view = frame::look_at({0.3, 1.0, 5.0}, glm::dvec3(0.0), {0, 1, 0});
+        camera.projection = frame::perspective(0.5, 500, 500, 0.1, 20.0, camera.depth);
+        EXPECT_EQ(prepare(items, camera).dropped_hidden, 0) << count;
+        for (const Disc& disc : frame.discs()) EXPECT_EQ(disc.color.w, 1.0F) << count << ", mark " << disc.id;
+    }
+}
+
+// Front marks within the contour's band, which are drawn if they fade.
+TEST_F(SheetsTest, AHaloLeavesItsOwnFrontAlone) {
+    const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 100000));
+    Style style = all_front(HiddenLines::hide);
+    style.tone_fade = 0.25F;
+    style.halo_width = 0.0F;
+    const std::array without{sheet_item(set, style)};
+    const std::int64_t all = prepare(without, front_camera(500, 500)).shown;
+    style.halo_width = 2.0F;
+    const std::array with{sheet_item(set, style)};
+    EXPECT_GE(prepare(with, front_camera(500, 500)).shown, all - all / 1000);
+}
+
+TEST_F(SheetsTest, APlaneNeverDimsItselfAtAnyTilt) {
+    const sampling::PointSet set = clustered(runtime, plane(runtime.memory, 100));
+    for (const HiddenLines hidden : hiding) {
+        for (const double tilt : {0.0, 0.3, 0.6, 0.9, 1.2, 1.35, 1.45, 1.5}) {
+            const frame::Camera camera = camera_from({0.0, -std::sin(tilt), std::cos(tilt)}, 400, 1.25);
+            const std::array items{sheet_item(set, all_front(hidden))};
+            EXPECT_EQ(prepare(items, camera).front, 10000) << tilt;
+            EXPECT_EQ(frame.info().shown, 10000) << tilt;
+            for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.color.w, 1.0F) << tilt;
+        }
+    }
+}
+
+// Which marks of a torus a line of sight finds hidden, and whether the frame agrees.
+struct Agreement {
+    int hidden = 0, seen = 0;             // by the line of sight, away from contours
+    int lost = 0, dimmed = 0, leaked = 0; // seen but not drawn, or not wholly; hidden but drawn
+};
+
+Agreement agreement(const sampling::PointSet& set, const Solid& solid, const std::vector<float>& share,
+                    const glm::dvec3& toward, double band) {
+    Agreement result;
+    for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+        const Mark mark = mark_of(set, i);
+        if (glm::dot(mark.normal, toward) < 0.2) continue; // the back, and the contour's own
+        const double clear = own_clearance(solid, mark.position, toward);
+        const float drawn = share[static_cast<std::size_t>(i) + 1];
+        if (clear > band) {
+            ++result.seen;
+            result.lost += drawn < 0.0F;
+            result.dimmed += drawn >= 0.0F && drawn != 1.0F;
+        } else if (clear < -band) {
+            ++result.hidden;
+            result.leaked += drawn > 0.0F;
+        }
+    }
+    return result;
+}
+
+TEST_F(SheetsTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
+    int hidden = 0;
+    for (const int rings : {90, 200}) {
+        const sampling::PointSet set = clustered(runtime, torus(runtime.memory, rings));
+        for (const double tilt : {0.0, 0.4, 0.8, 1.0, 1.2, 1.35, 1.5}) {
+            const glm::dvec3 toward(0.3 * std::sin(tilt), -std::sin(tilt), std::cos(tilt));
+            const glm::dvec3 unit = glm::normalize(toward);
+            for (const double half : {1.6, 0.8}) {
+                const double pixel = 2.0 * half / 500.0;
+                const Style style = all_front(HiddenLines::hide);
+                // Marks stand for a sheet up to a spacing beyond the last of them.
+                const double band = (2.0 + 2.0) * pixel + set.spacing;
+                const std::vector<float> share = seen(set, style, camera_from(toward, 500, half));
+                Agreement found = agreement(set, ring(), share, unit, band);
+                if (half < 1.5) { // not all of it is inside the picture
+                    found.lost = 0;
+                }
+                // Covers of marks at random leave gaps, and reach a little too far: one in ten thousand.
+                EXPECT_LE(found.lost, 3) << rings << " " << tilt << " " << half << " of " << found.seen;
+                EXPECT_EQ(found.dimmed, 0) << rings << " " << tilt << " " << half << " of " << found.seen;
+                EXPECT_EQ(found.leaked, 0) << rings << " " << tilt << " " << half << " of " << found.hidden;
+                hidden += found.hidden;
+                const std::vector<float> dimmed =
+                    seen(set, all_front(HiddenLines::attenuate), camera_from(toward, 500, half));
+                found = agreement(set, ring(), dimmed, unit, band);
+                EXPECT_EQ(found.dimmed, 0) << rings << " " << tilt << " " << half << " of " << found.seen;
+            }
+        }
+    }
+    EXPECT_GT(hidden, 5000);
+}
+
+TEST_F(SheetsTest, NearTheContourThatHidesThemFewMarksAreTakenWrongly) {
+    // All marks whose fate is not sure above: within a band of 2 px and the halo they may go either way, but beyond
+    // it they may not.
+    const sampling::PointSet set = clustered(runtime, torus(runtime.memory, 300));
+    const double pixel = 3.2 / 600.0;
+    std::int64_t wrong = 0;
+    std::int64_t judged = 0;
+    for (const double tilt : {0.9, 1.1, 1.3}) {
+        const glm::dvec3 toward = glm::normalize(glm::dvec3(0.0, -std::sin(tilt), std::cos(tilt)));
+        const Style style = all_front(HiddenLines::hide);
+        const std::vector<float> share = seen(set, style, camera_from(toward, 600, 1.6));
+        const Agreement found =
+            agreement(set, ring(), share, toward, (2.0 + static_cast<double>(style.halo_width)) * pixel);
+        wrong += found.lost + found.dimmed + found.leaked;
+        judged += found.seen + found.hidden;
+    }
+    EXPECT_GT(judged, 50000);
+    EXPECT_LE(static_cast<double>(wrong), 2e-4 * static_cast<double>(judged)) << wrong;
+}
+
+TEST_F(SheetsTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
+    // With contours: those on the far side of the hole, and around the cusps, must not shine through.
+    const sampling::PointSet set = clustered(runtime, torus(runtime.memory, 260));
+    Style style = all_front(HiddenLines::hide);
+    style.silhouette_groups = 1;
+    for (const double tilt : {0.7, 0.9, 1.05, 1.2, 1.35}) {
+        const glm::dvec3 toward = glm::normalize(glm::dvec3(0.0, -std::sin(tilt), std::cos(tilt)));
+        const std::vector<float> share = seen(set, style, camera_from(toward, 600, 1.6));
+        const double pixel = 3.2 / 600.0;
+        int hidden = 0;
+        int leaked = 0;
+        for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+            const Mark mark = mark_of(set, i);
+            if (std::abs(glm::dot(mark.normal, toward)) > 0.3) continue;
+            // Its own fold, seen from a little outside of it.
+            const glm::dvec3 start = mark.position + 2.0 * pixel * mark.normal;
+            if (!(clearance(ring(), start + 0.05 * toward, toward) < -6.0 * pixel)) continue;
+            ++hidden;
+            leaked += share[static_cast<std::size_t>(i) + 1] > 0.0F;
+        }
+        EXPECT_GT(hidden, 300) << tilt;
+        EXPECT_EQ(leaked, 0) << tilt << ", of " << hidden;
+    }
+}
+
+TEST_F(SheetsTest, ABallInFrontDimsByTheLawsOfBothItsSheets) {
+    const double radius = 0.8;
+    const sampling::PointSet front = clustered(runtime, sphere(runtime.memory, 30000, radius));
+    const sampling::PointSet behind = clustered(runtime, plane(runtime.memory, 120));
+    Style style = all_front(HiddenLines::attenuate);
+    style.attenuation_front = 0.5;
+    style.attenuation_back = 0.3;
+    style.cover_layers = 2.0F;
+    const std::array items{sheet_item(behind, style, shifted({0.0, 0.0, -3.0})), sheet_item(front, style)};
+    prepare(items, front_camera(800, 800, 1.0));
+    const double pixel = 2.0 / 800.0;
+    const std::vector<float> share = seen_share(frame, 14400 + 30000);
+    double worst = 0.0;
+    int judged = 0;
+    for (std::int64_t i = 0; i < 14400; ++i) {
+        const Mark mark = mark_of(behind, i);
+        const double off = std::hypot(mark.position.x, mark.position.y);
+        const float drawn = share[static_cast<std::size_t>(i) + 1];
+        if (off > radius + (static_cast<double>(style.halo_width) + 2.0) * pixel) {
+            ASSERT_EQ(drawn, 1.0F) << off;
+        } else if (off < 0.8 * radius) {
+            const auto nu = static_cast<float>(std::sqrt(1.0 - off * off / (radius * radius)));
+            const float law = sheet_clear(style, -nu) * sheet_clear(style, nu);
+            worst = std::max(worst, static_cast<double>(std::abs(drawn - law)));
+            ++judged;
+        }
+    }
+    EXPECT_GT(judged, 3000);
+    EXPECT_LT(worst, 0.03);
+    for (std::int64_t i = 14400; i < 44400; ++i) {
+        const float drawn = share[static_cast<std::size_t>(i) + 1];
+        ASSERT_TRUE(drawn == 1.0F || drawn == -1.0F);
+    }
+}
+
+// The share of the ink of a plane at z = 0 that is seen through planes in front of it.
+struct Front {
+    double z;
+    bool faces_away;
+};
+
+TEST_F(SheetsTest, OpenSheetsOneBehindTheOtherDimExactly) {
+    const sampling::PointSet set = clustered(runtime, plane(runtime.memory, 60));
+    Style style = all_front(HiddenLines::attenuate);
+    style.attenuation_front = 0.4;
+    style.attenuation_back = 0.3;
+    style.cover_layers = 1.0F;
+    const float front = sheet_clear(style, -1.0F);
+    const float back = sheet_clear(style, 1.0F);
+    struct Case {
+        std::vector<Front> sheets;
+        float clear;
+    };
+    // 100 pixels a unit.
+    const Case cases[] = {{{}, 1.0F},
+                          {{{0.6, false}}, front},
+                          {{{0.6, true}}, back},
+                          {{{0.05, true}}, back}, // two sides need but a small gap
+                          {{{0.6, true}, {1.2, false}}, back * front},
+                          {{{0.05, true}, {0.1, false}}, back * front}, // a thin slab
+                          {{{0.6, false}, {1.2, true}}, back * front},
+                          {{{0.6, false}, {1.2, false}}, front * front},
+                          {{{0.6, true}, {1.2, true}}, back * back},
+                          {{{0.6, true}, {1.2, false}, {1.8, true}, {2.4, false}}, back * front * back * front},
+                          {{{-0.6, false}, {-1.2, true}}, 1.0F}}; // behind it
+    for (const Case& c : cases) {
+        std::vector<frame::Item> items{sheet_item(set, style)};
+        Style blank = style;
+        blank.group[0].share = 0.0F;
+        blank.group[0].shown = true;
+        for (const Front& f : c.sheets) {
+            glm::dmat4 m = shifted({0.0, 0.0, f.z});
+            if (f.faces_away) { // turned about y
+                m[0][0] = -1.0;
+                m[2][2] = -1.0;
+            }
+            items.push_back(sheet_item(set, blank, m));
+        }
+        prepare(items, front_camera(250, 250));
+        const std::vector<float> share = seen_share(frame, 3600 * static_cast<std::int64_t>(items.size()));
+        for (std::size_t id = 1; id <= 3600; ++id) ASSERT_NEAR(share[id], c.clear, 2e-6F) << c.sheets.size();
+    }
+}
+
+TEST_F(SheetsTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
+    const sampling::PointSet big = clustered(runtime, sphere(runtime.memory, 20000));
+    const sampling::PointSet small = clustered(runtime, sphere(runtime.memory, 3000, 0.5));
+    const auto drawn_of_small = [&](HiddenLines hidden, const glm::dvec3& at) {
+        const std::array items{sheet_item(big, all_front(hidden)), sheet_item(small, all_front(hidden), shifted(at))};
+        prepare(items, front_camera(500, 500));
+        std::int64_t count = 0;
+        for (const Disc& disc : frame.discs()) {
+            EXPECT_EQ(disc.color.w, 1.0F);
+            count += disc.id > 20000;
+        }
+        return count;
+    };
+    const std::int64_t all = drawn_of_small(HiddenLines::show, {0.2, 0.0, -2.0});
+    EXPECT_EQ(frame.info().dropped_hidden, 0);
+    EXPECT_EQ(frame.info().painted, 0);
+    EXPECT_GT(all, 1200); // half of them, without the contour's band
+    EXPECT_EQ(drawn_of_small(HiddenLines::hide, {0.2, 0.0, -2.0}), 0);
+    EXPECT_EQ(frame.info().dropped_hidden, all);
+    EXPECT_EQ(drawn_of_small(HiddenLines::hide, {0.2, 0.0, 2.0}), all);
+}
+
+TEST_F(SheetsTest, AHaloIsAsWideAsAskedAtAnyZoom) {
+    const sampling::PointSet disc = clustered(runtime, sphere(runtime.memory, 60000, 0.5));
+    const sampling::PointSet wall = clustered(runtime, plane(runtime.memory, 700));
+    for (const HiddenLines hidden : hiding) {
+        for (const double half : {1.25, 0.8, 0.55}) {
+            for (const float halo : {0.0F, 3.0F, 7.0F}) {
+                Style style = all_front(hidden);
+                style.halo_width = halo;
+                if (halo == 0.0F && hidden != HiddenLines::hide) continue; // clear where it turns away, by the law
+                const std::array items{sheet_item(wall, style, shifted({0.0, 0.0, -2.0})), sheet_item(disc, style)};
+                prepare(items, front_camera(600, 600, half));
+                const double rim = 0.5 * 300.0 / half;
+                // The nearest ink of the wall in each of 90 directions.
+                std::array<double, 90> nearest{};
+                nearest.fill(1e9);
+                for (const Disc& d : frame.discs()) {
+                    if (d.id > 490000U || d.color.w < 0.05F) continue;
+                    const double x = static_cast<double>(d.x) - 300.0;
+                    const double y = static_cast<double>(d.y) - 300.0;
+                    const auto way = static_cast<std::size_t>((std::atan2(y, x) + pi) / (2.0 * pi) * 89.999);
+                    nearest[way] = std::min(nearest[way], std::hypot(x, y) - rim);
+                }
+                const auto [least, most] = std::minmax_element(nearest.begin(), nearest.end());
+                EXPECT_GE(*least, static_cast<double>(halo) - 1.0) << half << " " << halo;
+                EXPECT_LE(*most, static_cast<double>(halo) + (halo > 0.0F ? 1.0 : 2.0) + 1.0) << half << " " << halo;
+            }
+        }
+    }
+}
+
+TEST_F(SheetsTest, InstancesEqualTwoSets) {
+    const sampling::PointSet set = clustered(runtime, torus(runtime.memory, 80));
+    const sampling::PointSet same = clustered(runtime, torus(runtime.memory, 80));
+    Style first;
+    first.attenuation_front = 0.3;
+    first.cover_layers = 2.0F;
+    Style second = first;
+    second.group[0].radius = 2.0F;
+    second.group[0].ink = {0.5F, 0.0F, 0.0F, 1.0F};
+    second.hidden_lines = HiddenLines::hide;
+    glm::dmat4 transform = shifted({0.2, 0.3, 1.0});
+    transform[0] = {0.0, 0.7, 0.0, 0.0};
+    transform[1] = {0.0, 0.0, 0.7, 0.0};
+    transform[2] = {0.7, 0.0, 0.0, 0.0};
+    const std::array instances{sheet_item(set, first), sheet_item(set, second, transform)};
+    const std::array sets{sheet_item(set, first), sheet_item(same, second, transform)};
+    prepare(instances, front_camera(500, 500, 1.8));
+    const std::vector<Disc> discs(frame.discs().begin(), frame.discs().end());
+    prepare(sets, front_camera(500, 500, 1.8));
+    ASSERT_EQ(frame.discs().size(), discs.size());
+    const auto marks = static_cast<std::uint32_t>(set.group[0].count());
+    std::array<bool, 2> both{};
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        const Disc& d = frame.discs()[i];
+        ASSERT_EQ(d.id, discs[i].id);
+        ASSERT_EQ(glm::vec3(d.x, d.y, d.radius), glm::vec3(discs[i].x, discs[i].y, discs[i].radius));
+        ASSERT_EQ(d.color, discs[i].color);
+        both[d.id > marks ? 1 : 0] = true;
+    }
+    EXPECT_TRUE(both[0] && both[1]);
+}
+
+TEST_F(SheetsTest, StylesOfOneFrameHaveOneVisibility) {
+    const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 100));
+    for (const bool painted_first : {false, true}) {
+        std::array items{sheet_item(set, Style{}), sheet_item(set, Style{}), item_of(set, Style{})};
+        if (painted_first) std::swap(items[0], items[2]);
+        try {
+            frame.prepare(items, front_camera(100, 100));
+            ADD_FAILURE() << "no error";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status(), Status::invalid_argument);
+            EXPECT_NE(
+                std::string(error.what())
+                    .find(painted_first ? "items[1].style.visibility differs" : "items[2].style.visibility differs"),
+                std::string::npos)
+                << error.what();
+        }
+        EXPECT_FALSE(frame.prepared());
+    }
+}
+
+} // namespace
+} // namespace hrbfnpr::testing
