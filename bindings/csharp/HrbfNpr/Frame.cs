@@ -25,7 +25,7 @@ namespace HrbfNpr
 
         /// <summary>
         /// The surface that the marks lie on, or null: with <see cref="Visibility.Sheets"/>, what hides a mark is then
-        /// found by casting a ray from it to the eye, exact but slow (some 10 microseconds a mark drawn).
+        /// found by casting a ray from it to the eye, exact but slow (tens of microseconds a mark drawn).
         /// </summary>
         public Model Model { get; set; }
 
@@ -94,9 +94,6 @@ namespace HrbfNpr
         /// <summary>Discs of paper, or marks that sheets were found from.</summary>
         public readonly long Painted;
 
-        /// <summary>Of no class, since no tone or contour could show them.</summary>
-        public readonly long Culled;
-
         /// <summary>Nanoseconds to transform, classify and shade.</summary>
         public readonly long NanosecondsClassify;
 
@@ -111,6 +108,9 @@ namespace HrbfNpr
 
         /// <summary>Bytes that the renderer keeps from frame to frame.</summary>
         public readonly long ScratchBytes;
+
+        /// <summary>Of no class, since no tone or contour could show them.</summary>
+        public readonly long Culled;
     }
 
     /// <summary>How a prepared frame is drawn, and what is wanted beside the picture.</summary>

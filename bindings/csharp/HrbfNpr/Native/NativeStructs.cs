@@ -228,10 +228,6 @@ namespace HrbfNpr
         internal uint tone_rule;
         internal uint light_space;
         internal uint silhouette_groups;
-        internal uint tone_curve;
-        internal uint silhouette_law;
-        internal float tone_fade;
-        internal float silhouette_width;
         internal fixed double light[3];
         internal double tone_exponent;
         internal IntPtr tone_function;
@@ -245,6 +241,10 @@ namespace HrbfNpr
         internal float silhouette_radius;
         internal float silhouette_radius_zoom;
         internal hrbfnpr_group_style group0, group1, group2;
+        internal uint tone_curve;
+        internal uint silhouette_law;
+        internal float tone_fade;
+        internal float silhouette_width;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_item")]
@@ -254,8 +254,8 @@ namespace HrbfNpr
         internal uint reserved;
         internal IntPtr point_set;
         internal IntPtr style;
-        internal IntPtr model;
         internal fixed double transform[16];
+        internal IntPtr model;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_draw_desc")]
