@@ -47,12 +47,14 @@ Gather::Gather(const base::Runtime& runtime) noexcept
       inks_(runtime.memory), covers_(runtime.memory), ink_pieces_(runtime.memory), cover_pieces_(runtime.memory),
       counts_(runtime.memory), tau_(runtime.memory), tone_calls_(runtime.memory) {}
 
-ItemInk Gather::ink_of(const Scene& scene, std::int64_t item) const noexcept {
+// first: the first run of the item.
+ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) const noexcept {
     ItemInk ink;
     bool apart = true;
     float lines = 0.0F;
-    for (const Run& run : scene.runs) {
-        if (run.item != item || !run.draws_front) continue;
+    for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
+        const Run& run = scene.runs[r];
+        if (!run.draws_front) continue;
         const float sets = run.sets == 3U ? 1.0F : 0.5F;
         const Style& style = scene.item_of(run).style;
         ItemInk::Term& term = ink.term[ink.terms++];
@@ -83,11 +85,9 @@ void Gather::set_up(const Scene& scene) {
             clears_.push_back(clear_table(scene.items[i].style));
         clear_of_[i] = static_cast<std::int32_t>(clears_.size() - 1);
     }
-    std::int64_t last = -1;
-    for (const Run& run : scene.runs) {
-        if (run.item == last) continue;
-        last = run.item;
-        item_inks_[last] = ink_of(scene, last);
+    for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
+        const std::int32_t item = scene.runs[r].item;
+        if (r == 0 || scene.runs[r - 1].item != item) item_inks_[item] = ink_of(scene, r);
     }
 }
 

@@ -57,7 +57,7 @@ private:
 
     void set_up(const Scene& scene);
     void add_pieces(const Scene& scene);
-    [[nodiscard]] ItemInk ink_of(const Scene& scene, std::int64_t item) const noexcept;
+    [[nodiscard]] ItemInk ink_of(const Scene& scene, std::int64_t first) const noexcept;
     void ask_tones(Scene& scene);
     void ask_cluster(const Scene& scene, const Run& run, const sampling::Cluster& cluster);
 

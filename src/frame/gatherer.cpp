@@ -58,7 +58,7 @@ float Gatherer::reach(float ppe) const noexcept {
     float radius = 0.0F;
     if (run_.draws_front) radius = run_.pen.front_ink(ppe);
     if (run_.draws_silhouettes) radius = std::max(radius, run_.pen.silhouette_ink(ppe));
-    return radius + 0.5F; // the soft rim
+    return radius + soft_rim;
 }
 
 Gatherer::Local Gatherer::local_of(const sampling::Cluster& cluster) const noexcept {
@@ -120,7 +120,7 @@ void Gatherer::operator()(const sampling::Cluster& cluster) noexcept {
                                   ? 1e-4F + 1.01F * judge.line_slope * std::sqrt(cluster.bend * judge.pixel_curvature) -
                                         judge.line_earlier
                                   : 1.0F);
-    const std::int64_t inks = first_hidden(cluster, most);
+    const std::int64_t inks = shown_of(cluster, most);
     if (!whole)
         info_.culled += marks - inks;
     else if (tone)
@@ -149,7 +149,7 @@ bool Gatherer::count_whole(const Local& local) noexcept {
 }
 
 // How many of a cluster's marks are among the share `shown` of all.
-std::int64_t Gatherer::first_hidden(const sampling::Cluster& cluster, float shown) const noexcept {
+std::int64_t Gatherer::shown_of(const sampling::Cluster& cluster, float shown) const noexcept {
     if (!(shown > 0.0F)) return 0;
     const MarkBlock* const blocks = marks_.block.data() + cluster.block;
     std::int64_t low = 0;

@@ -39,7 +39,7 @@ private:
     void set_contour(Local& local) const noexcept;
     [[nodiscard]] float reach(float ppe) const noexcept;
     [[nodiscard]] bool count_whole(const Local& local) noexcept;
-    [[nodiscard]] std::int64_t first_hidden(const sampling::Cluster& cluster, float shown) const noexcept;
+    [[nodiscard]] std::int64_t shown_of(const sampling::Cluster& cluster, float shown) const noexcept;
     [[nodiscard]] float most_shown(const Local& local) const noexcept;
     [[nodiscard]] std::int64_t covers_of(const Local& local) const noexcept;
     void cover(const Local& local, const Seen& seen, std::int64_t count) noexcept;

@@ -7,6 +7,10 @@
 
 namespace hrbfnpr::frame {
 
+// Smaller discs are not drawn smaller, but paler; and all have a rim that falls off over a pixel.
+inline constexpr float smallest_radius = 0.5F;
+inline constexpr float soft_rim = 0.5F;
+
 // A disc of ink.
 struct Ink {
     float x, y;   // pixels

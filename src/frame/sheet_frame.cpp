@@ -9,8 +9,6 @@ namespace hrbfnpr::frame {
 namespace {
 
 constexpr std::int64_t disc_grain = 4096;
-constexpr float soft_rim = 0.5F;
-constexpr float smallest_radius = 0.5F; // smaller ones are drawn paler
 
 } // namespace
 

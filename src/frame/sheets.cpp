@@ -41,6 +41,7 @@ Dimmed dim(const SheetPlanes& p, const Ink& ink, float x, float y, bool next) no
     Dimmed result;
     if (const std::int32_t at = pixel(x, y); !next && p.halo[at] + halo_gap / ink.ppe < ink.depth)
         result.clear = p.halo_clear[at];
+    if ((ink.flags & ink_is_exact) != 0) return result;
     const std::int32_t at =
         pixel(x + static_cast<float>(ink.probe_x) / probe_steps, y + static_cast<float>(ink.probe_y) / probe_steps);
     const bool contour = ink.mark_class == MarkClass::silhouette;
@@ -49,7 +50,6 @@ Dimmed dim(const SheetPlanes& p, const Ink& ink, float x, float y, bool next) no
     const std::int64_t first = next ? std::int64_t{SheetPlanes::next_front} : std::int64_t{SheetPlanes::front};
     const float front = p.depth[first][at];
     const float back = p.depth[first + 1][at];
-    if ((ink.flags & ink_is_exact) != 0) return result;
     const bool faces_back = (ink.flags & ink_faces_back) != 0;
     const bool behind_back = back + (faces_back ? own : other) < ink.depth;
     const bool behind_front = front + (faces_back ? other : own) < ink.depth || (behind_back && front < back);

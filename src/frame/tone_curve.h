@@ -1,6 +1,8 @@
 // How much ink a tone takes: from coverage to ink per area, discs that overlap counted twice.
 #pragma once
 
+#include "frame/ink.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +26,7 @@ inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.125
 // gets paler instead of smaller.
 [[nodiscard]] inline float disc_ink(float radius) noexcept {
     constexpr float pi = 3.14159265F;
-    const float drawn = std::max(radius, 0.5F);
+    const float drawn = std::max(radius, smallest_radius);
     const float dimmed = radius / drawn;
     return pi * (drawn * drawn + 1.0F / 12.0F) * dimmed * dimmed;
 }

@@ -77,7 +77,7 @@ private:
     void paint(Tile& tile, std::uint32_t index) const {
         const Disc& disc = discs_[index];
         // A disc below half a pixel keeps its ink by getting paler instead of smaller.
-        const float radius = std::max(disc.radius, smallest_radius);
+        const float radius = std::max(disc.radius, frame::smallest_radius);
         const float dimmed = disc.radius / radius;
         const float alpha = disc.color.w * dimmed * dimmed;
         const glm::vec4 source = disc.is_paper ? paper_ : in_light(glm::vec4(glm::vec3(disc.color), 1.0F), settings_);
@@ -169,7 +169,7 @@ void Raster::draw(const frame::Frame& frame, const Image& image, const DrawSetti
                       [&](std::int64_t i, TileBins::Footprint& print) {
                           const Disc& disc = discs[static_cast<std::size_t>(i)];
                           print = {disc.x - static_cast<float>(rect.left), disc.y - static_cast<float>(rect.top),
-                                   std::max(disc.radius, smallest_radius) + 0.5F};
+                                   std::max(disc.radius, frame::smallest_radius) + 0.5F};
                           return true;
                       });
     parallel.for_each(impl_->bins.tiles(), Painter(impl_->bins, frame, image, settings, rect));

@@ -174,7 +174,7 @@ private:
         sheets_.ink_bins().for_tile(tile, [&](std::uint32_t i) {
             const Ink& ink = inks[i];
             if (!(ink.alpha > 0.0F)) return;
-            const float radius = std::max(ink.radius, smallest_radius);
+            const float radius = std::max(ink.radius, frame::smallest_radius);
             note(ink.x, ink.y, radius, {ink.depth - 2.0F * radius / ink.ppe, ink.window, ink.id, ink.mark_class},
                  [&](float dx, float dy) { return dx * dx + dy * dy <= radius * radius; });
         });

@@ -33,9 +33,9 @@ template <class Blend>
 HWY_INLINE void for_pixels(const SplatTile& t, const SplatDisc& disc, Blend&& blend) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
-    const float radius = disc.radius > smallest_radius ? disc.radius : smallest_radius;
+    const float radius = disc.radius > frame::smallest_radius ? disc.radius : frame::smallest_radius;
     const float dimmed = disc.radius / radius;
-    const float rim = radius + 0.5F;
+    const float rim = radius + frame::soft_rim;
     const W alpha = hn::Set(d, disc.alpha * dimmed * dimmed);
     const W outer = hn::Set(d, rim);
     const std::int32_t left = clamped(disc.x - rim, t.width);

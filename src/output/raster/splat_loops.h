@@ -39,9 +39,6 @@ struct SplatLoops {
     void (*store)(const RowColors& colors, const float* clear, std::int64_t count, std::uint32_t* pixels);
 };
 
-// Smaller discs are not drawn smaller, but paler.
-inline constexpr float smallest_radius = 0.5F;
-
 [[nodiscard]] SplatLoops splat_loops(base::InstructionSet set) noexcept;
 
 } // namespace hrbfnpr::output
