@@ -254,7 +254,6 @@ TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
         const std::array items{sheet_item(set, style, view.transform)};
         frame.prepare(items, view.camera);
         const std::map<std::uint32_t, Disc> inks = inks_of(frame);
-        FrameInfo sum;
         for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
             const Plain p = plain_of(mark_of(set, i), sight, style, 2.5);
             const double shown = 0.7 * (1.0 - p.tau);
