@@ -5,9 +5,7 @@
 namespace hrbfnpr::frame {
 namespace {
 
-[[nodiscard]] glm::vec3 vector_at(const base::Array<float>& a, std::int64_t i) noexcept {
-    return {a[3 * i], a[3 * i + 1], a[3 * i + 2]};
-}
+using sampling::vector_at;
 
 // The largest disc that the mark can paint decides whether it can reach the viewport.
 [[nodiscard]] float reach(const Run& run, float ppe) noexcept {

@@ -14,10 +14,6 @@ constexpr std::int32_t most_sheets = 8;
 constexpr double off_sheet = 0.5;
 constexpr double off_contour = 3.0;
 
-[[nodiscard]] glm::dvec3 vector_at(const base::Array<float>& a, std::int64_t i) noexcept {
-    return {static_cast<double>(a[3 * i]), static_cast<double>(a[3 * i + 1]), static_cast<double>(a[3 * i + 2])};
-}
-
 } // namespace
 
 // From the mark to the eye, in the model's space.
@@ -28,7 +24,8 @@ void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Ink& ink
     const glm::dmat3 back = glm::inverse(to_eye);
     const double pixel = 1.0 / (static_cast<double>(ink.ppe) * std::cbrt(std::abs(glm::determinant(to_eye))));
     const double off = ink.mark_class == MarkClass::silhouette ? off_contour : off_sheet;
-    const glm::dvec3 from = vector_at(run.marks->position, mark) + off * pixel * vector_at(run.marks->normal, mark);
+    const glm::dvec3 from = glm::dvec3(sampling::vector_at(run.marks->position, mark)) +
+                            off * pixel * glm::dvec3(sampling::vector_at(run.marks->normal, mark));
     const glm::dvec3 centre(scene.lens.centre);
     const bool parallel = scene.lens.centre.w == 0.0F;
     // The direction's length does not matter where lines of sight are parallel: rays end with the model's bounds.

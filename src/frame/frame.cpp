@@ -73,13 +73,11 @@ Frame::MarkSource Frame::source(const Disc& disc) const noexcept {
                        1);
     const ItemView& item = scene.item_of(run);
     const std::int64_t mark = disc.id - run.first_id;
-    const auto at = [mark](const base::Array<float>& a) {
-        return glm::vec3(a[3 * mark], a[3 * mark + 1], a[3 * mark + 2]);
-    };
     MarkSource source;
-    source.position = glm::vec3(item.to_world * glm::dvec4(at(run.marks->position), 1.0));
-    source.normal = unit_or_zero(item.normal_to_world * at(run.marks->normal));
-    source.direction = unit_or_zero(glm::mat3(glm::dmat3(item.to_world)) * at(run.marks->direction));
+    source.position = glm::vec3(item.to_world * glm::dvec4(sampling::vector_at(run.marks->position, mark), 1.0));
+    source.normal = unit_or_zero(item.normal_to_world * sampling::vector_at(run.marks->normal, mark));
+    source.direction =
+        unit_or_zero(glm::mat3(glm::dmat3(item.to_world)) * sampling::vector_at(run.marks->direction, mark));
     return source;
 }
 

@@ -23,9 +23,7 @@ struct Turn {
     double bend = -1.0;
 };
 
-[[nodiscard]] glm::dvec3 vector_at(const base::Array<float>& a, std::int64_t i) noexcept {
-    return {static_cast<double>(a[3 * i]), static_cast<double>(a[3 * i + 1]), static_cast<double>(a[3 * i + 2])};
-}
+[[nodiscard]] glm::dvec3 precise(const base::Array<float>& a, std::int64_t i) noexcept { return vector_at(a, i); }
 
 [[nodiscard]] std::uint64_t side_of(const glm::dvec3& n) noexcept {
     const glm::dvec3 a = glm::abs(n);
@@ -48,16 +46,16 @@ public:
 private:
     void sort() {
         geometry::Bounds bounds;
-        for (std::int64_t i = 0; i < order_.size(); ++i) bounds.extend(vector_at(group_.position, i));
+        for (std::int64_t i = 0; i < order_.size(); ++i) bounds.extend(precise(group_.position, i));
         const glm::dvec3 size = bounds.size();
         const double side = std::max({size.x, size.y, size.z});
         const double scale = side > 0.0 ? ((1 << cell_bits) - 1) / side : 0.0;
         for (std::int64_t i = 0; i < order_.size(); ++i) {
-            const glm::dvec3 at = (vector_at(group_.position, i) - bounds.min) * scale;
+            const glm::dvec3 at = (precise(group_.position, i) - bounds.min) * scale;
             const std::uint64_t code = geometry::morton_code(
                 {static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y), static_cast<std::int64_t>(at.z)});
             const std::uint64_t set = strokes_ ? group_.stroke[2 * i] & 1U : 0U;
-            order_[i] = {(set * 8 + side_of(vector_at(group_.normal, i))) << (3 * cell_bits) | code,
+            order_[i] = {(set * 8 + side_of(precise(group_.normal, i))) << (3 * cell_bits) | code,
                          static_cast<std::uint32_t>(i)};
         }
         std::sort(order_.begin(), order_.end(),
@@ -97,8 +95,8 @@ private:
         glm::dvec3 place(0.0);
         glm::dvec3 normal(0.0);
         for (std::int64_t i = begin; i < end; ++i) {
-            place += vector_at(group_.position, order_[i].mark);
-            normal += vector_at(group_.normal, order_[i].mark);
+            place += precise(group_.position, order_[i].mark);
+            normal += precise(group_.normal, order_[i].mark);
         }
         const double count = static_cast<double>(end - begin);
         place /= count;
@@ -106,8 +104,8 @@ private:
         glm::dmat3 spread(0.0);
         glm::dmat3 mixed(0.0);
         for (std::int64_t i = begin; i < end; ++i) {
-            const glm::dvec3 p = vector_at(group_.position, order_[i].mark) - place;
-            const glm::dvec3 n = vector_at(group_.normal, order_[i].mark) - normal;
+            const glm::dvec3 p = precise(group_.position, order_[i].mark) - place;
+            const glm::dvec3 n = precise(group_.normal, order_[i].mark) - normal;
             spread += glm::outerProduct(p, p);
             mixed += glm::outerProduct(n, p);
         }
@@ -132,16 +130,16 @@ private:
         geometry::Bounds bounds;
         glm::dvec3 sum(0.0);
         for (std::int64_t i = begin; i < end; ++i) {
-            bounds.extend(vector_at(group_.position, order_[i].mark));
-            sum += vector_at(group_.normal, order_[i].mark);
+            bounds.extend(precise(group_.position, order_[i].mark));
+            sum += precise(group_.normal, order_[i].mark);
         }
         const glm::dvec3 centre = bounds.centre();
         const glm::dvec3 axis = glm::normalize(sum);
         double radius = 0.0;
         double cosine = 1.0;
         for (std::int64_t i = begin; i < end; ++i) {
-            radius = std::max(radius, glm::length(vector_at(group_.position, order_[i].mark) - centre));
-            cosine = std::min(cosine, glm::dot(axis, vector_at(group_.normal, order_[i].mark)));
+            radius = std::max(radius, glm::length(precise(group_.position, order_[i].mark) - centre));
+            cosine = std::min(cosine, glm::dot(axis, precise(group_.normal, order_[i].mark)));
         }
         for (int k = 0; k < 3; ++k) {
             cluster.centre[static_cast<std::size_t>(k)] = static_cast<float>(centre[k]);

@@ -38,6 +38,11 @@ struct GroupReport {
     std::array<LevelReport, most_levels + 1> level{};
 };
 
+// Of an array of 3n.
+[[nodiscard]] inline glm::vec3 vector_at(const base::Array<float>& array, std::int64_t i) noexcept {
+    return {array[3 * i], array[3 * i + 1], array[3 * i + 2]};
+}
+
 // Types, shapes and meaning of each array: HRBFNPR_ATTRIBUTE_... in hrbfnpr.h.
 struct MarkGroup {
     explicit MarkGroup(base::Memory& memory) noexcept
