@@ -98,11 +98,11 @@ ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustu
     sight.scale = std::sqrt(largest);
     const glm::vec4 middle(item.to_eye * item.centre + item.eye_offset, 1.0F);
     sight.inside = sides_of(middle, item.radius * sight.scale * 1.0001F, 0.0F, frustum).inside;
-    if (!sight.rigid) return sight;
     const glm::dmat3 back = glm::inverse(glm::dmat3(item.to_eye));
     const glm::dvec3 centre(lens.centre);
     sight.eye = lens.centre.w == 0.0F ? glm::vec3(glm::normalize(back * centre))
                                       : glm::vec3(back * (centre - glm::dvec3(item.eye_offset)));
+    if (!sight.rigid) return sight;
     const glm::vec3 light = glm::transpose(item.normal_to_light) * item.light;
     if (glm::length(light) > 0.0F) sight.light = glm::normalize(light);
     sight.seer.rigid = true;
@@ -134,11 +134,10 @@ ClusterView view_cluster(const sampling::Cluster& cluster, const ItemSight& sigh
     const glm::vec4 eye(dot_row(seer.eye[0]), dot_row(seer.eye[1]), dot_row(seer.eye[2]), 1.0F);
     const float radius = cluster.radius * sight.scale * 1.0001F;
     const float w = dot_row(seer.clip[3]);
-    const float w_least = w - radius * frustum.w_norm;
-    if (!(w_least > 0.0F)) return view; // some may be behind the camera
-    view.ppe = lens.pixels / w;
-    const Sides sides =
-        sight.inside ? Sides{false, true} : sides_of(eye, radius, reach * (w + radius * frustum.w_norm), frustum);
+    const float w_most = w + radius * frustum.w_norm;
+    if (w_most > 0.0F) view.ppe = lens.pixels / (w > 0.0F ? w : w_most);
+    if (!(w - radius * frustum.w_norm > 0.0F)) return view; // some may be behind the camera
+    const Sides sides = sight.inside ? Sides{false, true} : sides_of(eye, radius, reach * w_most, frustum);
     view.outside = sides.outside;
     view.inside = sides.inside;
     if (!sight.rigid) return view;

@@ -244,5 +244,32 @@ TEST_F(Contours, ByAngleAreThePublishedBand) {
     }
 }
 
+TEST(StretchedContours, LieOnTheOutlineOfAnEllipsoid) {
+    const base::Runtime runtime;
+    const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 60000));
+    glm::dmat4 stretched(1.0);
+    stretched[0][0] = 1.1;
+    stretched[1][1] = 0.8;
+    stretched[2][2] = 0.6;
+    frame::Style style = all_front(frame::HiddenLines::show);
+    style.silhouette_groups = 1;
+    frame::Frame frame(runtime);
+    const std::array items{sheet_item(set, style, stretched)};
+    frame.prepare(items, front_camera(600, 600));
+    const double pixel = 2.5 / 600.0;
+    std::array<int, 90> around{};
+    for (const frame::Disc& disc : frame.discs()) {
+        if (disc.mark_class != frame::MarkClass::silhouette) continue;
+        const double x = (static_cast<double>(disc.x) - 300.0) * pixel;
+        const double y = (static_cast<double>(disc.y) - 300.0) * pixel;
+        // The outline, to first order.
+        const double f = x * x / 1.21 + y * y / 0.64 - 1.0;
+        const double off = std::abs(f) / (2.0 * std::hypot(x / 1.21, y / 0.64));
+        ASSERT_LE(off, 2.5 * pixel) << x << " " << y;
+        ++around[static_cast<std::size_t>((std::atan2(y, x) + pi) / (2.0 * pi) * 89.999)];
+    }
+    for (const int marks : around) EXPECT_GT(marks, 0);
+}
+
 } // namespace
 } // namespace hrbfnpr::testing
