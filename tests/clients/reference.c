@@ -1,0 +1,92 @@
+/* The scene of examples/README.md, through the C interface and nothing else: reference SAMPLES PICTURE. */
+#include <hrbfnpr.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { MOST = 1024, WIDTH = 640, HEIGHT = 480 };
+
+static double points[MOST][3], normals[MOST][3];
+static unsigned char pixels[HEIGHT][WIDTH][4];
+static hrbfnpr_error error;
+
+static void check(hrbfnpr_status status) {
+    if (status == HRBFNPR_STATUS_OK) return;
+    fprintf(stderr, "%s: %s\n", hrbfnpr_status_name(status), error.message);
+    exit(1);
+}
+
+static int64_t read_samples(const char* path) {
+    FILE* file = fopen(path, "r");
+    int64_t count = 0;
+    if (file == NULL) {
+        perror(path);
+        exit(1);
+    }
+    while (count < MOST) {
+        double *p = points[count], *n = normals[count];
+        if (fscanf(file, "%lf %lf %lf %lf %lf %lf", p, p + 1, p + 2, n, n + 1, n + 2) != 6) break;
+        ++count;
+    }
+    fclose(file);
+    return count;
+}
+
+static hrbfnpr_model* fitted(hrbfnpr_context* context, int64_t count) {
+    hrbfnpr_fit_desc fit;
+    hrbfnpr_model* model;
+    check(hrbfnpr_fit_desc_init(&fit, sizeof fit));
+    fit.points = (hrbfnpr_array){points, count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    fit.normals = (hrbfnpr_array){normals, count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    check(hrbfnpr_model_fit(context, &fit, NULL, &model, &error));
+    return model;
+}
+
+static void draw(hrbfnpr_context* context, hrbfnpr_model* model) {
+    const double direction[3] = {0, 1, -1}, up[3] = {0, 0, 1};
+    hrbfnpr_style style;
+    hrbfnpr_generate_desc generate;
+    check(hrbfnpr_generate_desc_init(&generate, sizeof generate));
+    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_CONTOUR_AND_STIPPLE, &generate.groups, &error));
+    hrbfnpr_point_set* marks;
+    check(hrbfnpr_point_set_generate(context, model, &generate, NULL, &marks, &error));
+
+    hrbfnpr_model_info info;
+    hrbfnpr_camera camera;
+    check(hrbfnpr_model_info_init(&info, sizeof info));
+    check(hrbfnpr_model_get_info(model, &info, &error));
+    check(hrbfnpr_camera_init(&camera, sizeof camera));
+    check(hrbfnpr_camera_fit_bounds(&camera, info.bounds_min, info.bounds_max, direction, up, 0.5, WIDTH, HEIGHT, 0.02,
+                                    &error));
+    hrbfnpr_item item;
+    hrbfnpr_image image;
+    hrbfnpr_renderer* renderer;
+    check(hrbfnpr_item_init(&item, sizeof item));
+    item.point_set = marks;
+    item.style = &style;
+    check(hrbfnpr_renderer_create(context, &renderer, &error));
+    check(hrbfnpr_renderer_prepare(renderer, &item, 1, 0, &camera, NULL, &error));
+    check(hrbfnpr_image_init(&image, sizeof image));
+    image.format = HRBFNPR_FORMAT_RGBA8;
+    image.width = WIDTH;
+    image.height = HEIGHT;
+    image.pixels = pixels;
+    check(hrbfnpr_renderer_draw_image(renderer, &image, NULL, &error));
+    hrbfnpr_renderer_release(renderer);
+    hrbfnpr_point_set_release(marks);
+}
+
+int main(int argc, char** argv) {
+    hrbfnpr_context* context;
+    hrbfnpr_model* model;
+    FILE* file;
+    if (argc != 3) return 2;
+    check(hrbfnpr_error_init(&error, sizeof error));
+    check(hrbfnpr_context_create(NULL, &context, &error));
+    model = fitted(context, read_samples(argv[1]));
+    draw(context, model);
+    hrbfnpr_model_release(model);
+    hrbfnpr_context_release(context);
+    file = fopen(argv[2], "wb");
+    if (file == NULL || fwrite(pixels, sizeof pixels, 1, file) != 1) return 1;
+    return fclose(file) == 0 ? 0 : 1;
+}

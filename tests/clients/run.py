@@ -1,0 +1,94 @@
+"""Lets a client draw the scene of examples/README.md and compares its picture with the plain C program's.
+
+    run.py CLIENT WORK LIBRARY REFERENCE EXAMPLES
+
+CLIENT is a module of this folder, LIBRARY the shared library, REFERENCE the program of reference.c, EXAMPLES the folder
+that the examples were built in.  The last line says `client NAME VERSION: RESULT`.  Returns 77 where the client is not
+installed.
+"""
+
+import importlib
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "examples"
+SAMPLES = EXAMPLES / "torus.xyzn"
+WIDTH, HEIGHT = 640, 480
+SKIPPED = 77  # CTest's SKIP_RETURN_CODE
+
+
+class Missing(Exception):
+    """The client is not here; says which package would bring it."""
+
+
+class Failed(Exception):
+    """The client is here and does not do what it should."""
+
+
+def need(program, package):
+    """The path of a program."""
+    path = shutil.which(program)
+    if path is None:
+        raise Missing(f"there is no {program} here (Debian: {package})")
+    return path
+
+
+def run(command, *, timeout=300, **options):
+    """Runs a command; returns what it printed, or raises Failed with that."""
+    result = subprocess.run(
+        [str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=timeout,
+        **options)
+    if result.returncode != 0:
+        raise Failed(f"{' '.join(map(str, command))} ended with {result.returncode}:\n{result.stdout}")
+    return result.stdout
+
+
+def on_a_screen(command, **options):
+    """The same for a program with a window: on a screen of its own, drawn without a graphics card."""
+    server = need("xvfb-run", "xvfb xauth")
+    values = {**options.pop("env", os.environ), "LIBGL_ALWAYS_SOFTWARE": "1"}
+    values.pop("WAYLAND_DISPLAY", None)
+    return run([server, "-a", "-s", "-screen 0 800x600x24", *command], env=values, **options)
+
+
+def difference(picture, reference):
+    """In words; empty if they are the same."""
+    if len(picture) != len(reference):
+        return f"{len(picture)} bytes in place of {len(reference)}"
+    differing = [i for i in range(len(picture)) if picture[i] != reference[i]]
+    if not differing:
+        return ""
+    x, y = differing[0] // 4 % WIDTH, differing[0] // 4 // WIDTH
+    return f"{len(differing)} of {len(picture)} bytes differ, the first at pixel {x}, {y}"
+
+
+def main():
+    name, work, library, reference, examples = sys.argv[1], *map(Path, sys.argv[2:6])
+    sys.dont_write_bytecode = True
+    client = importlib.import_module(name)
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    title = client.NAME
+    try:
+        title = f"{client.NAME} {client.version()}"
+        run([reference, SAMPLES, work / "reference.rgba"])
+        picture = client.draw(work, library.resolve(), examples)
+    except Missing as missing:
+        print(f"client {title}: skipped, {missing}")
+        return SKIPPED
+    except Failed as failed:
+        print(failed)
+        print(f"client {title}: failed")
+        return 1
+    differs = difference(Path(picture).read_bytes(), (work / "reference.rgba").read_bytes())
+    print(f"client {title}: {differs or f'{WIDTH} x {HEIGHT}, equal byte for byte'}")
+    return 1 if differs else 0
+
+
+if __name__ == "__main__":
+    sys.modules["run"] = sys.modules["__main__"]  # what clients import
+    sys.exit(main())
