@@ -120,7 +120,6 @@ func update_texture(size):
 		texture.set_data(picture)
 	else:
 		texture.create_from_image(picture, 0) # no filter, no mipmaps: pixel for pixel
-		$Drawing.rect_size = size
 
 
 # The marks under Godot's own camera: other things of the scene can stand between them.
