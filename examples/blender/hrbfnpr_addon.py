@@ -13,7 +13,7 @@ bl_info = {
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
     "location": "3D View > Sidebar > Pen and Ink",
-    "description": "Draws an object as a Hermite RBF implicit surface in pen and ink, and makes its marks a point cloud",
+    "description": "Draws an object in pen and ink, and makes its marks a point cloud",
     "category": "Render",
 }
 
