@@ -15,7 +15,7 @@
 #define GD_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* Values of the engine's: only their sizes count here. */
+/* Values of the engine's: only their sizes on 64-bit systems count here. */
 typedef struct gd_variant {
     uint64_t data[3];
 } gd_variant;
