@@ -1,0 +1,239 @@
+"""Draws the active object in pen and ink: an add-on for Blender 3.4, panel "Pen and Ink" in the 3D view's sidebar.
+
+It needs the Python package hrbfnpr where Blender's Python finds it; see README.md.
+"""
+
+import bpy
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, IntProperty, PointerProperty
+
+bl_info = {
+    "name": "Pen and Ink (hrbfnpr)",
+    "author": "the hrbfnpr contributors",
+    "version": (0, 1, 0),
+    "blender": (3, 4, 0),
+    "location": "3D View > Sidebar > Pen and Ink",
+    "description": "Draws an object in pen and ink, and makes its marks a point cloud",
+    "category": "Render",
+}
+
+IMAGE = "Pen and Ink"
+NORMAL = "surface_normal"  # attribute of points; "normal" is Blender's own
+STYLES = ("stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full")
+WITH_SURFACE = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
+
+
+class Settings(bpy.types.PropertyGroup):
+    """What the panel shows; lives in the scene."""
+
+    style: EnumProperty(
+        name="Style", items=[(name, name.replace("-", " ").title(), "") for name in STYLES],
+        default="contour-and-stipple")
+    samples: IntProperty(
+        name="Samples", default=1000, min=1, soft_max=4000,
+        description="Points of the surface that the drawing is made from. A mesh is sampled evenly; of vertices with "
+                    f"an attribute {NORMAL}, no more than these are chosen")
+    budget: IntProperty(
+        name="Marks", default=0, min=0, soft_max=500_000, description="The most marks of each kind; 0: 40000")
+    width: IntProperty(name="Width", default=640, min=1, max=32768, subtype="PIXEL")
+    height: IntProperty(name="Height", default=480, min=1, max=32768, subtype="PIXEL")
+    scene_camera: BoolProperty(
+        name="Scene Camera", default=False,
+        description="Draw what the scene's camera sees; otherwise the object fills the picture, seen from the front "
+                    "and above")
+
+
+def array(collection, attribute, components, dtype=np.float32):
+    """An attribute of all elements, shape (n, components)."""
+    values = np.empty(len(collection) * components, dtype)
+    collection.foreach_get(attribute, values)
+    return values.reshape(-1, components)
+
+
+def samples(hrbfnpr, context, count):
+    """Points and normals of the active object in world space, after its modifiers."""
+    shown = context.object.evaluated_get(context.evaluated_depsgraph_get())
+    mesh = shown.to_mesh()
+    try:
+        points = array(mesh.vertices, "co", 3).astype(float)
+        given = mesh.attributes.get(NORMAL)
+        with_normals = given is not None and (given.data_type, given.domain) == ("FLOAT_VECTOR", "POINT")
+        normals = array(given.data, "vector", 3).astype(float) if with_normals else None
+        mesh.calc_loop_triangles()
+        triangles = array(mesh.loop_triangles, "vertices", 3, np.int32).astype(np.int64)
+    finally:
+        shown.to_mesh_clear()
+    world = np.array(shown.matrix_world)
+    points = points @ world[:3, :3].T + world[:3, 3]
+    if normals is None:
+        if np.linalg.det(world[:3, :3]) < 0:  # a mirrored object: its faces would look inwards
+            triangles = triangles[:, ::-1]
+        return hrbfnpr.shapes.samples(hrbfnpr.shapes.Shape(points, triangles=triangles), count)
+    normals = normals @ np.linalg.inv(world[:3, :3])
+    if len(points) <= count:
+        return points, normals  # as they are: the library says what is wrong with them
+    return hrbfnpr.shapes.samples(hrbfnpr.shapes.Shape(points, normals), count)
+
+
+def camera_for(hrbfnpr, context, model):
+    settings = context.scene.hrbfnpr
+    size = settings.width, settings.height
+    chosen = context.scene.camera
+    if not settings.scene_camera or chosen is None:
+        return hrbfnpr.Camera.fit(
+            model, direction=(0, 1, -1), up=(0, 0, 1), size=size, vertical_angle=0.5, margin=0.02)
+    projection = chosen.calc_matrix_camera(context.evaluated_depsgraph_get(), x=size[0], y=size[1])
+    return hrbfnpr.Camera(chosen.matrix_world.normalized().inverted(), projection, (0, 0, *size))
+
+
+def image_of(pixels):
+    """The image datablock, with these rows of RGBA8, the topmost first."""
+    height, width = pixels.shape[:2]
+    image = bpy.data.images.get(IMAGE)
+    if image is None:
+        image = bpy.data.images.new(IMAGE, width, height, alpha=True)
+    elif tuple(image.size) != (width, height):
+        image.scale(width, height)
+    image.pixels.foreach_set((pixels[::-1].astype(np.float32) / 255).ravel())  # Blender's rows start at the bottom
+    image.update()
+    image.pack()  # saved with the file
+    return image
+
+
+def units_per_pixel(camera, place):
+    """Length across the view, at a place, that one pixel shows."""
+    depth = (camera.projection @ camera.view @ np.append(place, 1.0))[3]
+    return 2 * abs(depth) / (camera.projection[1, 1] * camera.size[1])
+
+
+def attributes_of(marks, style, pixel):
+    """Name, type and values of what is known of all marks, the groups one after the other."""
+    def joined(values):
+        return np.concatenate([values(group) for group in marks.groups])
+
+    def width(group):
+        values = marks.widths(group)
+        return values if len(values) else np.ones(len(marks.ranks(group)), np.float32)
+
+    numbers = {"stipple": 0, "curvature": 1, "combing": 2}
+    return [
+        (NORMAL, "FLOAT_VECTOR", joined(marks.normals)),
+        ("direction", "FLOAT_VECTOR", joined(marks.directions)),
+        ("rank", "FLOAT", joined(marks.ranks)),
+        ("radius", "FLOAT", joined(lambda group: width(group) * getattr(style, group).radius * pixel)),
+        ("level", "INT", joined(marks.levels)),
+        ("stroke", "INT", joined(lambda group: marks.strokes(group)[:, 0])),
+        ("place", "INT", joined(lambda group: marks.strokes(group)[:, 1])),
+        ("group", "INT", joined(lambda group: np.full(len(marks.ranks(group)), numbers[group]))),
+    ]
+
+
+def points_object(name, marks, attributes):
+    """The marks as vertices: Blender 3.4 cannot give a point cloud its size from a script."""
+    mesh = bpy.data.meshes.new(name)
+    mesh.vertices.add(len(marks))
+    positions = np.concatenate([marks.positions(group) for group in marks.groups])
+    mesh.vertices.foreach_set("co", positions.ravel())
+    for title, kind, values in attributes:
+        data = mesh.attributes.new(title, kind, "POINT").data
+        dtype = np.int32 if kind == "INT" else np.float32
+        data.foreach_set("vector" if kind == "FLOAT_VECTOR" else "value", values.astype(dtype).ravel())
+    mesh.update()
+    result = bpy.data.objects.new(name, mesh)
+    result.location = marks.origin
+    return result
+
+
+class OfActiveObject:
+    """An operator that fits the active object; what fails is reported in the library's words."""
+
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and context.object.type in WITH_SURFACE
+
+    def execute(self, context):
+        try:
+            import hrbfnpr
+        except ImportError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        context.window_manager.progress_begin(0, 100)
+        try:
+            self.make(hrbfnpr, context)
+        except (hrbfnpr.Error, hrbfnpr.shapes.ShapeError) as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        finally:
+            context.window_manager.progress_end()
+        return {"FINISHED"}
+
+    @staticmethod
+    def marked(hrbfnpr, context):
+        """Marks, style and camera."""
+        settings, window = context.scene.hrbfnpr, context.window_manager
+        points, normals = samples(hrbfnpr, context, settings.samples)
+        model = hrbfnpr.Model.fit(points, normals, progress=lambda share: window.progress_update(50 * share))
+        style = hrbfnpr.Style(settings.style)
+        marks = hrbfnpr.PointSet.generate(
+            model, style.groups, budget=settings.budget,
+            progress=lambda share: window.progress_update(50 + 50 * share))
+        return marks, style, camera_for(hrbfnpr, context, model)
+
+
+class HRBFNPR_OT_draw(OfActiveObject, bpy.types.Operator):
+    bl_idname = "hrbfnpr.draw"
+    bl_label = "Draw"
+    bl_description = f'Draw the active object on the image "{IMAGE}"'
+
+    def make(self, hrbfnpr, context):
+        marks, style, camera = self.marked(hrbfnpr, context)
+        image = image_of(hrbfnpr.Renderer().draw((marks, style), camera))
+        self.report({"INFO"}, f'{len(marks)} marks on the image "{image.name}"')
+
+
+class HRBFNPR_OT_marks(OfActiveObject, bpy.types.Operator):
+    bl_idname = "hrbfnpr.marks"
+    bl_label = "Marks as Point Cloud"
+    bl_description = "Make an object of the active object's marks: vertices with attributes, for geometry nodes"
+
+    def make(self, hrbfnpr, context):
+        marks, style, camera = self.marked(hrbfnpr, context)
+        low, high = marks.bounds
+        pixel = units_per_pixel(camera, (np.array(low) + high) / 2)
+        result = points_object(f"{context.object.name} marks", marks, attributes_of(marks, style, pixel))
+        context.collection.objects.link(result)
+        self.report({"INFO"}, f"{len(marks)} marks in {result.name}")
+
+
+class HRBFNPR_PT_panel(bpy.types.Panel):
+    bl_label = "Pen and Ink"
+    bl_category = "Pen and Ink"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+
+    def draw(self, context):
+        settings, layout = context.scene.hrbfnpr, self.layout
+        layout.use_property_split = True
+        for name in ("style", "samples", "budget", "width", "height", "scene_camera"):
+            layout.prop(settings, name)
+        layout.operator(HRBFNPR_OT_draw.bl_idname)
+        layout.operator(HRBFNPR_OT_marks.bl_idname)
+        if IMAGE in bpy.data.images:
+            layout.label(text=f'See the image "{IMAGE}" in an image editor', icon="IMAGE_DATA")
+
+
+CLASSES = (Settings, HRBFNPR_OT_draw, HRBFNPR_OT_marks, HRBFNPR_PT_panel)
+
+
+def register():
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.Scene.hrbfnpr = PointerProperty(type=Settings)
+
+
+def unregister():
+    del bpy.types.Scene.hrbfnpr
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,153 @@
+"""Blender 3.4: a mesh object in, an image datablock out; and the add-on's panel, marks and errors."""
+
+import os
+import re
+
+import run
+
+NAME = "Blender"
+ADDON = run.EXAMPLES / "blender"
+
+# Runs after draw.py, in the same Blender.
+CHECKS = """
+import sys
+import bpy, hrbfnpr, hrbfnpr_addon
+import numpy as np
+from bpy_extras.object_utils import world_to_camera_view
+
+WIDTH, HEIGHT = 640, 480
+settings = bpy.context.scene.hrbfnpr
+
+
+def check(what, holds):
+    if not holds:
+        raise AssertionError(what)
+    print("checked:", what)
+
+
+def activate(points, faces, attributes=()):
+    mesh = bpy.data.meshes.new("test")
+    mesh.from_pydata(points, [], faces)
+    for name, values in attributes:
+        mesh.attributes.new(name, "FLOAT_VECTOR", "POINT").data.foreach_set("vector", np.ravel(values))
+    thing = bpy.data.objects.new("test", mesh)
+    bpy.context.collection.objects.link(thing)
+    bpy.context.view_layer.objects.active = thing
+    return thing
+
+
+def failure(operator):
+    try:
+        operator()
+    except RuntimeError as error:  # what a report of an error becomes for a script
+        return str(error)
+    return "nothing"
+
+
+def values(mesh, name, key, components, dtype=np.float32):
+    data = mesh.attributes[name].data
+    array = np.empty(len(data) * components, dtype)
+    data.foreach_get(key, array)
+    return array.reshape(-1, components)
+
+
+# Marks: what the library says of them, mark by mark.
+settings.style, settings.budget = "full", 3000
+bpy.ops.hrbfnpr.marks()
+thing = bpy.data.objects["samples marks"]
+samples = np.loadtxt(sys.argv[sys.argv.index("--") + 1])
+model = hrbfnpr.Model.fit(samples[:, :3], samples[:, 3:])
+style = hrbfnpr.Style("full")
+marks = hrbfnpr.PointSet.generate(model, style.groups, budget=3000)
+joined = lambda attribute: np.concatenate([getattr(marks, attribute)(group) for group in marks.groups])
+check("as many marks", len(thing.data.vertices) == len(marks) and len(marks.groups) > 1)
+check("their origin", np.allclose(thing.location, marks.origin))
+positions = np.empty(3 * len(marks), np.float32)
+thing.data.vertices.foreach_get("co", positions)
+check("positions", np.array_equal(positions.reshape(-1, 3), joined("positions")))
+check("normals", np.array_equal(values(thing.data, hrbfnpr_addon.NORMAL, "vector", 3), joined("normals")))
+check("directions", np.array_equal(values(thing.data, "direction", "vector", 3), joined("directions")))
+check("ranks", np.array_equal(values(thing.data, "rank", "value", 1)[:, 0], joined("ranks")))
+check("levels", np.array_equal(values(thing.data, "level", "value", 1, np.int32)[:, 0], joined("levels")))
+for column, name in enumerate(("stroke", "place")):
+    check(name, np.array_equal(values(thing.data, name, "value", 1, np.int32)[:, 0], joined("strokes")[:, column]))
+groups = values(thing.data, "group", "value", 1, np.int32)[:, 0]
+check("groups", [(groups == i).sum() for i in range(3)] ==
+      [len(marks.ranks(group)) for group in ("stipple", "curvature", "combing")])
+radii = values(thing.data, "radius", "value", 1)
+check("radii", 0 < radii.min() and radii.max() < 0.05)
+
+# The camera of the scene sees a place where Blender says.
+settings.style, settings.budget, settings.scene_camera = "contour-and-stipple", 0, True
+scene = bpy.context.scene
+scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
+place = bpy.context.object.matrix_world.to_translation()
+for kind in ("PERSP", "ORTHO"):
+    scene.camera.data.type = kind
+    camera = hrbfnpr_addon.camera_for(hrbfnpr, bpy.context, model)
+    clip = camera.projection @ camera.view @ (0.3, -0.2, 0.1, 1)
+    ours = (clip[:2] / clip[3] + 1) / 2
+    theirs = world_to_camera_view(scene, scene.camera, type(place)((0.3, -0.2, 0.1)))[:2]
+    check(f"the place in the {kind} camera, {ours}", np.allclose(ours, theirs, atol=1e-5))
+bpy.ops.hrbfnpr.draw()
+image = bpy.data.images[hrbfnpr_addon.IMAGE]
+check("a drawing with it", np.min(image.pixels) == 0 and tuple(image.size) == (WIDTH, HEIGHT))
+
+# Objects with faces are sampled, wherever they stand; another size of the image.
+bpy.ops.mesh.primitive_monkey_add(location=(3, 2, 1), rotation=(0.3, 0.2, 0.1), scale=(-1, 1, 2))
+settings.scene_camera, settings.samples, settings.width, settings.height = False, 300, 200, 100
+points, normals = hrbfnpr_addon.samples(hrbfnpr, bpy.context, 300)
+check("as many samples", len(points) == len(normals) == 300)
+check("in the world", np.linalg.norm(points.mean(axis=0) - (3, 2, 1)) < 0.6)
+bpy.ops.hrbfnpr.draw()
+check("another size", tuple(image.size) == (200, 100) and np.mean(image.pixels) < 0.999)
+thing = activate([(1, 2, 3), (4, 5, 6)], [], [(hrbfnpr_addon.NORMAL, [1, 1, 0, 0, 0, 1])])
+thing.location, thing.rotation_euler, thing.scale = (10, 20, 30), (0, 0, np.pi / 2), (1, 2, 1)
+points, normals = hrbfnpr_addon.samples(hrbfnpr, bpy.context, 100)
+check("points turned and stretched", np.allclose(points, [(6, 21, 33), (0, 24, 36)], atol=1e-5))
+check("normals turned and shrunk", np.allclose(normals, [(-0.5, 1, 0), (0, 0, 1)], atol=1e-5))
+bpy.ops.mesh.primitive_plane_add()
+bpy.context.object.scale = (-1, 1, 1)
+points, normals = hrbfnpr_addon.samples(hrbfnpr, bpy.context, 20)
+check("an open mesh that is mirrored looks where it looked", np.all(normals[:, 2] > 0.99))
+
+# What is wrong is said, in the library's words.
+activate([(0, 0, 0), (1, 0, 0)], [])
+check("no normals", "no normals" in failure(bpy.ops.hrbfnpr.draw))
+activate([(0, 0, 0), (1, 0, 0)], [], [(hrbfnpr_addon.NORMAL, np.zeros(6))])
+for operator in (bpy.ops.hrbfnpr.draw, bpy.ops.hrbfnpr.marks):
+    message = failure(operator)
+    check("a normal of zero: " + message.strip(), "normals" in message and "Traceback" not in message)
+
+# On and off, and installed as a user does it.
+hrbfnpr_addon.unregister()
+check("unregistered", not hasattr(bpy.types, "HRBFNPR_PT_panel") and not hasattr(scene, "hrbfnpr")
+      and not hasattr(bpy.types, "HRBFNPR_OT_draw"))
+bpy.ops.preferences.addon_install(filepath=hrbfnpr_addon.__file__)
+bpy.ops.preferences.addon_enable(module="hrbfnpr_addon")
+check("installed", hasattr(bpy.types, "HRBFNPR_PT_panel") and bpy.ops.hrbfnpr.draw.poll())
+bpy.ops.preferences.addon_disable(module="hrbfnpr_addon")
+check("disabled", not hasattr(bpy.types, "HRBFNPR_PT_panel"))
+print("all checked")
+"""
+
+
+def version():
+    program = run.need("blender", "blender")
+    found = re.search(r"Blender ([\d.]+)", run.run([program, "--version"], timeout=60))
+    return found[1] if found else "of no version"
+
+
+def draw(work, library, examples):
+    picture, checks = work / "picture.rgba", work / "checks.py"
+    checks.write_text(CHECKS, encoding="utf-8")
+    folders = {"HOME": str(work), "XDG_CONFIG_HOME": str(work), "XDG_CACHE_HOME": str(work),
+               "BLENDER_USER_SCRIPTS": str(work / "scripts"), "TMPDIR": str(work)}
+    package = {"PYTHONPATH": str(run.ROOT / "bindings" / "python"), "HRBFNPR_LIBRARY": str(library),
+               "PYTHONDONTWRITEBYTECODE": "1"}
+    blender = ["blender", "-b", "--factory-startup", "--python-exit-code", "3", "--python-use-system-env"]
+    printed = run.run([*blender, "-P", ADDON / "draw.py", "-P", checks, "--", run.SAMPLES, picture],
+                      env={**os.environ, **folders, **package}, timeout=120)
+    if "all checked" not in printed:
+        raise run.Failed(printed)
+    return picture
