@@ -7,7 +7,7 @@ that the examples were built in.  The last line says `client NAME VERSION: RESUL
 installed.
 """
 
-import importlib
+import importlib.util
 import os
 import shutil
 import subprocess
@@ -53,6 +53,15 @@ def on_a_screen(command, **options):
     values = {**options.pop("env", os.environ), "LIBGL_ALWAYS_SOFTWARE": "1"}
     values.pop("WAYLAND_DISPLAY", None)
     return run([server, "-a", "-s", "-screen 0 800x600x24", *command], env=values, **options)
+
+
+def module(path):
+    """A module of another folder of tests."""
+    path = ROOT / "tests" / path
+    spec = importlib.util.spec_from_file_location(f"{path.parent.name}_{path.stem}", path)
+    loaded = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(loaded)
+    return loaded
 
 
 def difference(picture, reference):
