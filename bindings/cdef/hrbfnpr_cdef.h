@@ -120,7 +120,7 @@ typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; i
     uint32_t reserved; double t_min; double t_max; double lipschitz; double smallest_step; double tolerance;
     } hrbfnpr_cast_desc;
 hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
-hrbfnpr_status hrbfnpr_model_cast_rays( const hrbfnpr_model* model, const hrbfnpr_array* origins,
+hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
     const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc, const hrbfnpr_array_out* hits,
     const hrbfnpr_array_out* t, const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal,
     const hrbfnpr_array_out* entering, const hrbfnpr_array_out* status, int64_t* hit_rays, hrbfnpr_operation* operation,

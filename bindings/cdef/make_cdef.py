@@ -30,7 +30,8 @@ def declarations(header: str) -> str:
 
 def folded(declaration: str) -> str:
     """One declaration, its lines filled and broken after a comma, a semicolon or a brace."""
-    text = re.sub(r"(?<![,;{]) ", "\0", " ".join(declaration.split()))
+    text = " ".join(declaration.split()).replace("( ", "(")
+    text = re.sub(r"(?<![,;{]) ", "\0", text)
     lines = textwrap.wrap(text, WIDTH, subsequent_indent="    ", break_on_hyphens=False)
     return "\n".join(lines).replace("\0", " ") + "\n"
 
