@@ -45,3 +45,5 @@ configure_file("${PROJECT_SOURCE_DIR}/cmake/hrbfnpr.pc.in" "${PROJECT_BINARY_DIR
 install(FILES "${PROJECT_BINARY_DIR}/hrbfnpr.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# The header's declarations alone, for foreign-function interfaces that read C.
+install(FILES "${PROJECT_SOURCE_DIR}/bindings/cdef/hrbfnpr_cdef.h" DESTINATION "${CMAKE_INSTALL_DATADIR}/hrbfnpr")

@@ -70,3 +70,30 @@ configure() {
   if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
   cmake --preset "$preset" -S "$root" -DPython3_EXECUTABLE="$python" "${launcher[@]}" "$@"
 }
+
+# What npm says went wrong, in one line.
+npm_reason() {
+  local line
+  line=$(sed -nE 's/^npm (ERR!|error) //p' "$1" | grep -vE '^(code|errno|syscall|A complete log)' | head -n 1) || true
+  printf '%s' "${line:-see npm pack $2}"
+}
+
+# fetch_npm PACKAGE VERSION SHA256: fetches a package from the npm registry into .cache, unless it is there, and
+# prints the archive's name.  To be called as $(fetch_npm ...): a failure ends that shell.
+fetch_npm() {
+  local package=$1 version=$2 sum=$3 archive=$root/.cache/$1-$2.tgz folder
+  if ! [ -f "$archive" ] || ! echo "$sum  $archive" | sha256sum --check --status; then
+    mkdir -p "$root/.cache"
+    command -v npm >/dev/null || install_packages npm >&2
+    command -v npm >/dev/null || die "npm is needed to fetch $package@$version: please install it"
+    folder=$(mktemp -d "$root/.cache/fetch.XXXXXX")
+    # shellcheck disable=SC2064 # the folder of now
+    trap "rm -rf '$folder'" EXIT
+    (cd "$folder" && npm pack --loglevel=error "$package@$version" >npm.log 2>&1) ||
+      die "cannot fetch $package@$version with npm: $(npm_reason "$folder/npm.log" "$package@$version")"
+    echo "$sum  $folder/$package-$version.tgz" | sha256sum --check --status ||
+      die "$package@$version is not the file that is known: its sha256 differs"
+    mv "$folder/$package-$version.tgz" "$archive"
+  fi
+  printf '%s\n' "$archive"
+}

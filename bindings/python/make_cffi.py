@@ -9,7 +9,6 @@ needs neither the header nor a C parser.
 """
 import contextlib
 import io
-import re
 import sys
 import tempfile
 from pathlib import Path
@@ -17,16 +16,9 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 HEADER = HERE.parents[1] / "include" / "hrbfnpr.h"
 MODULE = HERE / "hrbfnpr" / "_cffi.py"
+sys.path.insert(0, str(HERE.parent / "cdef"))
 
-
-def declarations(header: str) -> str:
-    """The header without comments, preprocessor lines, `extern "C"` and export marks."""
-    text = re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
-    text = re.sub(r"#if defined\(_WIN32\).*?#endif\n(?=\n#ifdef __cplusplus)", "", text, flags=re.DOTALL)
-    text = re.sub(r"#ifdef __cplusplus.*?#endif", "", text, flags=re.DOTALL)
-    text = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
-    text = text.replace("HRBFNPR_API ", "")
-    return re.sub(r"\n\s*\n+", "\n", text).strip() + "\n"
+from make_cdef import declarations  # noqa: E402
 
 
 def generate(header: str) -> str:

@@ -52,7 +52,8 @@ def on_a_screen(command, **options):
     server = need("xvfb-run", "xvfb xauth")
     values = {**options.pop("env", os.environ), "LIBGL_ALWAYS_SOFTWARE": "1"}
     values.pop("WAYLAND_DISPLAY", None)
-    return run([server, "-a", "-s", "-screen 0 800x600x24", *command], env=values, **options)
+    # A server that is reset when its last window closes signals xvfb-run while that cleans up, which then leaves it.
+    return run([server, "-a", "-s", "-screen 0 800x600x24 -noreset", *command], env=values, **options)
 
 
 def module(path):

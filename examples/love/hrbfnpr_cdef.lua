@@ -1,0 +1,277 @@
+-- Made by bindings/cdef/make_cdef.py from include/hrbfnpr.h; do not edit.
+require("ffi").cdef[[
+enum { HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0, HRBFNPR_ABI_VERSION = 0 };
+uint32_t hrbfnpr_version(void);
+uint32_t hrbfnpr_abi_version(void);
+const char* hrbfnpr_version_string(void);
+typedef int32_t hrbfnpr_status;
+enum { HRBFNPR_STATUS_OK = 0, HRBFNPR_STATUS_INVALID_ARGUMENT = -1, HRBFNPR_STATUS_OUT_OF_MEMORY = -2,
+    HRBFNPR_STATUS_BUFFER_TOO_SMALL = -3, HRBFNPR_STATUS_UNSUPPORTED_STRUCT = -4, HRBFNPR_STATUS_SINGULAR_SYSTEM = -5,
+    HRBFNPR_STATUS_NOT_CONVERGED = -6, HRBFNPR_STATUS_CANCELLED = -7, HRBFNPR_STATUS_IO = -8,
+    HRBFNPR_STATUS_CORRUPT_DATA = -9, HRBFNPR_STATUS_VERSION_MISMATCH = -10, HRBFNPR_STATUS_CALLBACK = -11,
+    HRBFNPR_STATUS_INTERNAL = -99 };
+const char* hrbfnpr_status_name(hrbfnpr_status status);
+typedef struct hrbfnpr_error { uint32_t struct_size; hrbfnpr_status status; char message[248]; } hrbfnpr_error;
+hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed);
+enum { HRBFNPR_SCALAR_FLOAT32 = 1, HRBFNPR_SCALAR_FLOAT64 = 2, HRBFNPR_SCALAR_UINT8 = 3, HRBFNPR_SCALAR_UINT32 = 4 };
+typedef struct hrbfnpr_array { const void* data; int64_t count; int64_t stride; uint32_t scalar; uint32_t components;
+    } hrbfnpr_array;
+typedef struct hrbfnpr_array_out { void* data; int64_t count; int64_t stride; uint32_t scalar; uint32_t components;
+    } hrbfnpr_array_out;
+enum { HRBFNPR_FORMAT_RGBA8 = 1, HRBFNPR_FORMAT_BGRA8 = 2, HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED = 3,
+    HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4 };
+typedef struct hrbfnpr_image { uint32_t struct_size; uint32_t format; int32_t width; int32_t height; void* pixels;
+    int64_t row_stride; } hrbfnpr_image;
+hrbfnpr_status hrbfnpr_image_init(hrbfnpr_image* image, uint32_t struct_size);
+typedef struct hrbfnpr_context hrbfnpr_context;
+typedef void* (*hrbfnpr_allocate_fn)(void* user, uint64_t size, uint64_t alignment);
+typedef void (*hrbfnpr_deallocate_fn)(void* user, void* memory, uint64_t size, uint64_t alignment);
+enum { HRBFNPR_LOG_DEBUG = 0, HRBFNPR_LOG_INFO = 1, HRBFNPR_LOG_WARNING = 2 };
+typedef void (*hrbfnpr_log_fn)(void* user, int32_t level, const char* message);
+typedef void (*hrbfnpr_task_fn)(void* task_context, int64_t index);
+typedef void (*hrbfnpr_run_tasks_fn)(void* user, hrbfnpr_task_fn task, void* task_context, int64_t task_count);
+enum { HRBFNPR_INSTRUCTION_SET_AUTO = 0, HRBFNPR_INSTRUCTION_SET_BASELINE = 1, HRBFNPR_INSTRUCTION_SET_AVX2 = 2,
+    HRBFNPR_INSTRUCTION_SET_AVX512 = 3, HRBFNPR_INSTRUCTION_SET_NEON = 4 };
+typedef struct hrbfnpr_context_desc { uint32_t struct_size; uint32_t abi_version; int32_t thread_count; uint32_t flags;
+    uint32_t highest_instruction_set; uint32_t reserved; hrbfnpr_allocate_fn allocate; hrbfnpr_deallocate_fn deallocate;
+    void* allocator_user; hrbfnpr_log_fn log; void* log_user; hrbfnpr_run_tasks_fn run_tasks; void* run_tasks_user;
+    } hrbfnpr_context_desc;
+hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_context** out_context,
+    hrbfnpr_error* error);
+void hrbfnpr_context_retain(hrbfnpr_context* context);
+void hrbfnpr_context_release(hrbfnpr_context* context);
+typedef struct hrbfnpr_context_info { uint32_t struct_size; int32_t thread_count; uint32_t instruction_set;
+    uint32_t reserved; int64_t bytes_now; int64_t bytes_peak; } hrbfnpr_context_info;
+hrbfnpr_status hrbfnpr_context_info_init(hrbfnpr_context_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context, hrbfnpr_context_info* info,
+    hrbfnpr_error* error);
+typedef struct hrbfnpr_operation hrbfnpr_operation;
+typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
+hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context, hrbfnpr_operation** out_operation,
+    hrbfnpr_error* error);
+void hrbfnpr_operation_release(hrbfnpr_operation* operation);
+void hrbfnpr_operation_cancel(hrbfnpr_operation* operation);
+int32_t hrbfnpr_operation_is_cancelled(const hrbfnpr_operation* operation);
+double hrbfnpr_operation_progress(const hrbfnpr_operation* operation);
+hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation, hrbfnpr_progress_fn callback, void* user,
+    hrbfnpr_error* error);
+typedef int32_t (*hrbfnpr_write_fn)(void* user, const void* data, uint64_t size);
+typedef int64_t (*hrbfnpr_read_fn)(void* user, void* data, uint64_t size);
+typedef struct hrbfnpr_model hrbfnpr_model;
+enum { HRBFNPR_KERNEL_TRIHARMONIC = 0, HRBFNPR_KERNEL_GAUSSIAN = 1, HRBFNPR_KERNEL_WENDLAND_C2 = 2,
+    HRBFNPR_KERNEL_CUSTOM = 3 };
+enum { HRBFNPR_SOLVER_AUTO = 0, HRBFNPR_SOLVER_DIRECT = 1, HRBFNPR_SOLVER_ITERATIVE = 2 };
+enum { HRBFNPR_SOLVER_REASON_REQUESTED = 0, HRBFNPR_SOLVER_REASON_SMALL = 1, HRBFNPR_SOLVER_REASON_LARGE = 2,
+    HRBFNPR_SOLVER_REASON_NOT_CONVERGED = 3, HRBFNPR_SOLVER_REASON_NOT_DEFINITE = 4 };
+enum { HRBFNPR_REPAIR_KEEP = 0, HRBFNPR_REPAIR_DROP = 1, HRBFNPR_REPAIR_REORIENT = 2 };
+enum { HRBFNPR_REGULARIZATION_GIVEN = 0, HRBFNPR_REGULARIZATION_AUTO = 1 };
+typedef struct hrbfnpr_fit_desc { uint32_t struct_size; uint32_t kernel; hrbfnpr_array points; hrbfnpr_array normals;
+    double kernel_radius; int32_t polynomial_degree; uint32_t solver; double regularization; double tolerance;
+    int64_t maximum_centres; int32_t iteration_limit; uint32_t reserved; uint32_t outliers; uint32_t flipped_normals;
+    uint32_t regularization_mode; uint32_t preconditioner_neighbours; double solver_tolerance;
+    int32_t solver_iterations; uint32_t reserved2; } hrbfnpr_fit_desc;
+hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc, hrbfnpr_operation* operation,
+    hrbfnpr_model** out_model, hrbfnpr_error* error);
+typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* points, double* value, double* gradient,
+    double* hessian);
+enum { HRBFNPR_CUSTOM_HAS_GRADIENT = 1, HRBFNPR_CUSTOM_HAS_HESSIAN = 2, HRBFNPR_CUSTOM_THREAD_SAFE = 4 };
+typedef struct hrbfnpr_custom_desc { uint32_t struct_size; uint32_t flags; hrbfnpr_implicit_fn function; void* user;
+    void (*release)(void* user); double bounds_min[3]; double bounds_max[3]; double difference_step;
+    } hrbfnpr_custom_desc;
+hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context, const hrbfnpr_custom_desc* desc,
+    hrbfnpr_model** out_model, hrbfnpr_error* error);
+void hrbfnpr_model_retain(const hrbfnpr_model* model);
+void hrbfnpr_model_release(const hrbfnpr_model* model);
+typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32_t polynomial_degree; uint32_t solver;
+    int64_t samples; int64_t centres; int64_t merged_samples; int64_t rescaled_normals; double bounds_min[3];
+    double bounds_max[3]; double spacing; double kernel_radius; double regularization; double value_residual_max;
+    double value_residual_rms; double gradient_residual_max; double gradient_residual_rms; double solver_residual;
+    double condition_estimate; int32_t iterations; uint32_t fallback; double seconds_assemble; double seconds_solve;
+    double seconds_total; int64_t bytes; int64_t outliers_found; int64_t outliers_dropped; int64_t flipped_found;
+    int64_t flipped_repaired; int64_t near_duplicates; double noise_estimate; double input_distance_max;
+    double input_distance_rms; double input_share_within; int32_t choice_rounds; uint32_t solver_reason;
+    double seconds_clean; double seconds_choose; double seconds_precondition; int64_t peak_bytes; } hrbfnpr_model_info;
+hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info, hrbfnpr_error* error);
+enum { HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,
+    HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY = 2 };
+hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32_t attribute, hrbfnpr_array* out_view,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_array* points,
+    const hrbfnpr_array_out* value, const hrbfnpr_array_out* gradient, const hrbfnpr_array_out* hessian,
+    hrbfnpr_operation* operation, hrbfnpr_error* error);
+enum { HRBFNPR_PROJECTION_CONVERGED = 0, HRBFNPR_PROJECTION_NOT_CONVERGED = 1, HRBFNPR_PROJECTION_ZERO_GRADIENT = 2,
+    HRBFNPR_PROJECTION_NOT_FINITE = 3 };
+typedef struct hrbfnpr_project_desc { uint32_t struct_size; int32_t iteration_limit; double tolerance;
+    double armijo_slope; double armijo_factor; } hrbfnpr_project_desc;
+hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
+    const hrbfnpr_project_desc* desc, const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal,
+    const hrbfnpr_array_out* status, int64_t* converged, hrbfnpr_operation* operation, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
+    const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2, const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
+    const hrbfnpr_array_out* confidence, hrbfnpr_operation* operation, hrbfnpr_error* error);
+enum { HRBFNPR_RAY_HIT = 0, HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRBFNPR_RAY_ITERATION_LIMIT = 3,
+    HRBFNPR_RAY_NOT_FINITE = 4 };
+typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; int32_t iteration_limit;
+    uint32_t reserved; double t_min; double t_max; double lipschitz; double smallest_step; double tolerance;
+    } hrbfnpr_cast_desc;
+hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
+    const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc, const hrbfnpr_array_out* hits,
+    const hrbfnpr_array_out* t, const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal,
+    const hrbfnpr_array_out* entering, const hrbfnpr_array_out* status, int64_t* hit_rays, hrbfnpr_operation* operation,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipschitz, hrbfnpr_operation* operation,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, const hrbfnpr_array* points,
+    const hrbfnpr_array_out* inside, int64_t* inside_count, hrbfnpr_operation* operation, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write, void* user, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* destination, int64_t capacity, int64_t* size,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user, hrbfnpr_model** out_model,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
+    hrbfnpr_model** out_model, hrbfnpr_error* error);
+typedef struct hrbfnpr_point_set hrbfnpr_point_set;
+enum { HRBFNPR_GROUP_STIPPLE = 0, HRBFNPR_GROUP_CURVATURE = 1, HRBFNPR_GROUP_COMBING = 2, HRBFNPR_GROUP_COUNT = 3 };
+enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PAPER = 1 };
+enum { HRBFNPR_STROKE_FIELD_LINE = 0, HRBFNPR_STROKE_FIELD_CROSS = 1 };
+enum { HRBFNPR_SEED_AUTO = 0, HRBFNPR_SEED_SAMPLES = 1, HRBFNPR_SEED_BOX = 2, HRBFNPR_SEED_POINTS = 3 };
+enum { HRBFNPR_GROUP_SEED_SEEDS = 0, HRBFNPR_GROUP_SEED_STIPPLES = 1 };
+typedef struct hrbfnpr_group_desc { int32_t levels; uint32_t seeds; int32_t seed_level; uint32_t reserved;
+    int64_t budget; } hrbfnpr_group_desc;
+enum { HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES = 1, HRBFNPR_GENERATE_CURVATURE_OF_COMBING = 2 };
+enum { HRBFNPR_DENSITY_UNIFORM = 0, HRBFNPR_DENSITY_CURVATURE = 1, HRBFNPR_DENSITY_CALLBACK = 2 };
+typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions, const double* normals,
+    double* density);
+enum { HRBFNPR_ORDER_SEPARATE = 0, HRBFNPR_ORDER_LAYERED = 1 };
+enum { HRBFNPR_LAYER_STIPPLE = 0, HRBFNPR_LAYER_CURVATURE_FIRST = 1, HRBFNPR_LAYER_CURVATURE_SECOND = 2,
+    HRBFNPR_LAYER_COMBING_FIRST = 3, HRBFNPR_LAYER_COMBING_SECOND = 4, HRBFNPR_LAYER_COUNT = 5 };
+typedef struct hrbfnpr_layer { float begin; float end; } hrbfnpr_layer;
+typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t groups; uint32_t distribution;
+    uint32_t seed_source; uint32_t flags; uint32_t box_resolution; double box_jitter; double initial_step;
+    double projection_tolerance; uint64_t random_seed; hrbfnpr_array seed_points; hrbfnpr_group_desc group[3];
+    double stroke_separation; double stroke_step; double stroke_length; uint32_t stroke_field; uint32_t density;
+    double density_strength; hrbfnpr_density_fn density_function; void* density_user; uint32_t order;
+    uint32_t reserved2; int64_t shared_budget; hrbfnpr_layer layer[5]; } hrbfnpr_generate_desc;
+hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, const hrbfnpr_model* model,
+    const hrbfnpr_generate_desc* desc, hrbfnpr_operation* operation, hrbfnpr_point_set** out_point_set,
+    hrbfnpr_error* error);
+enum { HRBFNPR_ATTRIBUTE_POSITION = 0, HRBFNPR_ATTRIBUTE_NORMAL = 1, HRBFNPR_ATTRIBUTE_DIRECTION = 2,
+    HRBFNPR_ATTRIBUTE_CURVATURE = 3, HRBFNPR_ATTRIBUTE_RANK = 4, HRBFNPR_ATTRIBUTE_LEVEL = 5,
+    HRBFNPR_ATTRIBUTE_STROKE = 6, HRBFNPR_ATTRIBUTE_WIDTH = 7, HRBFNPR_ATTRIBUTE_COUNT = 8 };
+typedef struct hrbfnpr_group_arrays { hrbfnpr_array position; hrbfnpr_array normal; hrbfnpr_array direction;
+    hrbfnpr_array curvature; hrbfnpr_array rank; hrbfnpr_array level; hrbfnpr_array stroke; hrbfnpr_array width;
+    } hrbfnpr_group_arrays;
+typedef struct hrbfnpr_point_set_desc { uint32_t struct_size; uint32_t reserved; uint64_t random_seed;
+    hrbfnpr_group_arrays group[3]; } hrbfnpr_point_set_desc;
+hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_point_set_create_from_arrays(hrbfnpr_context* context, const hrbfnpr_point_set_desc* desc,
+    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);
+void hrbfnpr_point_set_release(const hrbfnpr_point_set* set);
+typedef struct hrbfnpr_level_info { int64_t attempted; int64_t placed; int64_t dropped_not_converged;
+    int64_t dropped_strayed; int64_t dropped_degenerate; int64_t dropped_budget; } hrbfnpr_level_info;
+typedef struct hrbfnpr_group_info { int64_t count; int64_t strokes; int64_t full_count; int32_t levels;
+    uint32_t reserved; double step; double seconds; hrbfnpr_level_info level[13]; } hrbfnpr_group_info;
+typedef struct hrbfnpr_point_set_info { uint32_t struct_size; uint32_t distribution; uint32_t seed_source;
+    uint32_t reserved; double origin[3]; double bounds_min[3]; double bounds_max[3]; double spacing;
+    double seconds_seeds; double seconds_total; int64_t bytes; hrbfnpr_level_info seeds; hrbfnpr_group_info group[3];
+    } hrbfnpr_point_set_info;
+hrbfnpr_status hrbfnpr_point_set_info_init(hrbfnpr_point_set_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set, hrbfnpr_point_set_info* info,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, uint32_t group, uint32_t attribute,
+    hrbfnpr_array* out_view, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hrbfnpr_model* model,
+    const hrbfnpr_generate_desc* desc, const hrbfnpr_array_out* corners, double* step, hrbfnpr_operation* operation,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_write_fn write, void* user,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_save_memory(const hrbfnpr_point_set* set, void* destination, int64_t capacity,
+    int64_t* size, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
+    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
+    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+enum { HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE = 0, HRBFNPR_DEPTH_ZERO_TO_ONE = 1, HRBFNPR_DEPTH_REVERSED = 2 };
+typedef struct hrbfnpr_camera { uint32_t struct_size; uint32_t depth_convention; double view[16]; double projection[16];
+    double viewport[4]; } hrbfnpr_camera;
+hrbfnpr_status hrbfnpr_camera_init(hrbfnpr_camera* camera, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_camera_look_at(hrbfnpr_camera* camera, const double* eye, const double* target, const double* up,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle, double width, double height,
+    double near_plane, double far_plane, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_height, double width, double height,
+    double near_plane, double far_plane, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* bounds_min, const double* bounds_max,
+    const double* direction, const double* up, double vertical_angle, double width, double height, double margin,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, const hrbfnpr_array* points, const double* origin,
+    const double* direction, const double* up, double vertical_angle, double width, double height, double margin,
+    hrbfnpr_error* error);
+enum { HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, HRBFNPR_HIDDEN_LINES_HIDE = 1, HRBFNPR_HIDDEN_LINES_SHOW = 2 };
+enum { HRBFNPR_VISIBILITY_SHEETS = 0, HRBFNPR_VISIBILITY_PAINTED = 1 };
+enum { HRBFNPR_TONE_CURVE_COVERAGE = 0, HRBFNPR_TONE_CURVE_LINEAR = 1 };
+enum { HRBFNPR_SILHOUETTE_LAW_WIDTH = 0, HRBFNPR_SILHOUETTE_LAW_ANGLE = 1 };
+enum { HRBFNPR_TONE_NONE = 0, HRBFNPR_TONE_LIGHT = 1, HRBFNPR_TONE_CALLBACK = 2 };
+enum { HRBFNPR_TONE_RULE_SHARE = 0, HRBFNPR_TONE_RULE_PAPER = 1 };
+enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
+typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions, const float* normals, float* tau);
+typedef struct hrbfnpr_group_style { uint32_t shown; uint32_t sets; float share; float radius; float radius_zoom;
+    float ink[4]; } hrbfnpr_group_style;
+typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t hidden_lines; double silhouette_threshold;
+    double attenuation_front; double attenuation_back; float cover_radius; float halo_width; float cover_layers;
+    uint32_t visibility; uint32_t tone; uint32_t tone_rule; uint32_t light_space; uint32_t silhouette_groups;
+    double light[3]; double tone_exponent; hrbfnpr_tone_fn tone_function; void* tone_user; double depth_min;
+    double depth_max; double zoom_reference; double zoom_exponent; float paper[4]; float silhouette_ink[4];
+    float silhouette_radius; float silhouette_radius_zoom; hrbfnpr_group_style group[3]; uint32_t tone_curve;
+    uint32_t silhouette_law; float tone_fade; float silhouette_width; } hrbfnpr_style;
+hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
+enum { HRBFNPR_STYLE_STIPPLE = 0, HRBFNPR_STYLE_HATCH = 1, HRBFNPR_STYLE_CROSS_HATCH = 2, HRBFNPR_STYLE_COMBING = 3,
+    HRBFNPR_STYLE_SILHOUETTE = 4, HRBFNPR_STYLE_CONTOUR_AND_STIPPLE = 5, HRBFNPR_STYLE_XRAY = 6, HRBFNPR_STYLE_FULL = 7,
+    HRBFNPR_STYLE_COUNT = 8 };
+hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
+    uint32_t* generate_groups, hrbfnpr_error* error);
+const char* hrbfnpr_style_preset_name(uint32_t preset);
+typedef struct hrbfnpr_renderer hrbfnpr_renderer;
+hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer, hrbfnpr_error* error);
+void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
+typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t reserved; const hrbfnpr_point_set* point_set;
+    const hrbfnpr_style* style; double transform[16]; const hrbfnpr_model* model; } hrbfnpr_item;
+hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
+typedef struct hrbfnpr_frame_info { uint32_t struct_size; uint32_t reserved; int64_t marks; int64_t outside;
+    int64_t front; int64_t back; int64_t silhouette; int64_t shown; int64_t dropped_tone; int64_t dropped_depth;
+    int64_t dropped_zoom; int64_t dropped_hidden; int64_t painted; int64_t nanoseconds_classify;
+    int64_t nanoseconds_visibility; int64_t nanoseconds_sort; int64_t nanoseconds_draw; int64_t scratch_bytes;
+    int64_t culled; } hrbfnpr_frame_info;
+hrbfnpr_status hrbfnpr_frame_info_init(hrbfnpr_frame_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_renderer_prepare(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t item_count,
+    int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_frame_info* info, hrbfnpr_error* error);
+enum { HRBFNPR_DRAW_OVER = 1, HRBFNPR_DRAW_LINEAR_LIGHT = 2 };
+enum { HRBFNPR_CLASS_NONE = 0, HRBFNPR_CLASS_FRONT = 1, HRBFNPR_CLASS_BACK = 2, HRBFNPR_CLASS_SILHOUETTE = 3 };
+typedef struct hrbfnpr_draw_desc { uint32_t struct_size; uint32_t flags; hrbfnpr_array host_depth;
+    hrbfnpr_array_out depth; hrbfnpr_array_out id; hrbfnpr_array_out class_; } hrbfnpr_draw_desc;
+hrbfnpr_status hrbfnpr_draw_desc_init(hrbfnpr_draw_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_renderer_draw_image(hrbfnpr_renderer* renderer, const hrbfnpr_image* image,
+    const hrbfnpr_draw_desc* desc, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_renderer_get_info(const hrbfnpr_renderer* renderer, hrbfnpr_frame_info* info,
+    hrbfnpr_error* error);
+enum { HRBFNPR_VERTEX_POSITION = 0, HRBFNPR_VERTEX_WINDOW = 1, HRBFNPR_VERTEX_RADIUS = 2, HRBFNPR_VERTEX_COLOR = 3,
+    HRBFNPR_VERTEX_NORMAL = 4, HRBFNPR_VERTEX_DIRECTION = 5, HRBFNPR_VERTEX_ID = 6, HRBFNPR_VERTEX_CLASS = 7,
+    HRBFNPR_VERTEX_IS_PAPER = 8, HRBFNPR_VERTEX_ATTRIBUTE_COUNT = 9 };
+typedef struct hrbfnpr_vertex_attribute { uint32_t attribute; uint32_t scalar; uint32_t offset; uint32_t reserved;
+    } hrbfnpr_vertex_attribute;
+typedef struct hrbfnpr_vertex_layout { uint32_t struct_size; uint32_t attribute_count; int64_t stride;
+    hrbfnpr_vertex_attribute attributes[16]; } hrbfnpr_vertex_layout;
+hrbfnpr_status hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_renderer_vertex_bound(const hrbfnpr_renderer* renderer, int64_t* count, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_renderer_write_vertices(const hrbfnpr_renderer* renderer, const hrbfnpr_vertex_layout* layout,
+    void* destination, int64_t capacity, int64_t* count, hrbfnpr_error* error);
+]]

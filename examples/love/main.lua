@@ -1,0 +1,187 @@
+-- A surface in pen and ink, drawn straight into LÖVE's ImageData: see README.md for the keys.
+-- The samples' file, and that of the screenshot to save, if any.
+local function parse(arguments)
+  local samples, screenshot = love.filesystem.getSource() .. "/../torus.xyzn", nil
+  local i = 1
+  while arguments[i] do
+    if arguments[i] == "--screenshot" then
+      screenshot = assert(arguments[i + 1], "--screenshot wants a file")
+      i = i + 1
+    else
+      samples = arguments[i]
+    end
+    i = i + 1
+  end
+  return samples, screenshot
+end
+
+local samples_path, screenshot_path = parse(love.arg.parseGameArguments(arg))
+if screenshot_path then -- nobody is there to close LÖVE's error screen
+  function love.errorhandler(message)
+    io.stderr:write(debug.traceback(message, 2), "\n")
+  end
+end
+
+local ffi = require "ffi"
+local hrbfnpr = require "hrbfnpr"
+
+local TURN = 0.01 -- radians a pixel of dragging
+local ROTATION = 0.5 -- radians a second
+local UP = ffi.new("double[3]", 0, 0, 1)
+local FIRST_DIRECTION = ffi.new("double[3]", 0, 1, -1)
+
+local context = hrbfnpr.context()
+local renderer = hrbfnpr.renderer(context)
+
+-- What a frame needs is made once, not in each.
+local item = hrbfnpr.new "hrbfnpr_item"
+local camera = hrbfnpr.new "hrbfnpr_camera"
+local image = hrbfnpr.new "hrbfnpr_image"
+local direction = ffi.new "double[3]"
+
+-- `item` and `image` hold plain pointers: these tables keep what they point to.
+local scene
+local canvas = {}
+local view, rotating, changed
+
+local function reset_view()
+  view = { turn = 0, tilt = 0, zoom = 1 } -- angles away from the first view
+  changed = true
+end
+
+-- Shows a scene in the style of this number; where that fails, everything stays as it was.
+local function show(new_scene, preset)
+  local style, groups = hrbfnpr.style(preset)
+  local marks = new_scene.marks[groups] or hrbfnpr.generate(context, new_scene.model, groups)
+  new_scene.marks[groups], new_scene.style, new_scene.preset = marks, style, preset
+  item.style, item.point_set = style, marks
+  scene = new_scene
+  changed = true
+end
+
+local function show_samples(text, preset)
+  local model = hrbfnpr.fit(context, hrbfnpr.samples(text))
+  show({ model = model, info = hrbfnpr.model_info(model), marks = {} }, preset)
+  reset_view()
+end
+
+-- The ImageData that the library draws into is as large as the window, in pixels.
+local function make_canvas()
+  local width, height = love.graphics.getPixelDimensions()
+  if canvas.image then
+    canvas.image:release()
+    canvas.data:release()
+  end
+  canvas.data = love.image.newImageData(width, height)
+  canvas.image = love.graphics.newImage(canvas.data, { dpiscale = love.graphics.getDPIScale() })
+  image.width, image.height = width, height
+  image.pixels = canvas.data:getFFIPointer()
+  changed = true
+end
+
+-- Lets the model fill the picture, seen along `direction`; returns how far the camera is from its middle.
+local function fit_camera(direction)
+  local low, high, view_matrix = scene.info.bounds_min, scene.info.bounds_max, camera.view
+  hrbfnpr.fit_bounds(camera, low, high, direction, UP, 0.5, image.width, image.height, 0.02)
+  local z = view_matrix[14]
+  for i = 0, 2 do
+    z = z + view_matrix[4 * i + 2] * (low[i] + high[i]) / 2
+  end
+  return -z
+end
+
+-- The first view, tilted about the x axis and turned about the z axis.
+local function place_camera()
+  local forward = math.cos(view.tilt) + math.sin(view.tilt)
+  direction[0], direction[1] = forward * math.sin(view.turn), forward * math.cos(view.turn)
+  direction[2] = math.sin(view.tilt) - math.cos(view.tilt)
+  local first_distance = fit_camera(FIRST_DIRECTION)
+  -- A box seen from a corner takes more room than seen from a side: the model is to keep its size.
+  local scale = view.zoom * fit_camera(direction) / first_distance
+  camera.projection[0] = camera.projection[0] * scale
+  camera.projection[5] = camera.projection[5] * scale
+end
+
+local function draw_scene()
+  local start = love.timer.getTime()
+  place_camera()
+  hrbfnpr.draw(renderer, item, camera, image)
+  canvas.image:replacePixels(canvas.data)
+  local name = ffi.string(hrbfnpr.C.hrbfnpr_style_preset_name(scene.preset))
+  love.window.setTitle(("hrbfnpr: %s, %.1f ms"):format(name, 1000 * (love.timer.getTime() - start)))
+end
+
+local function read_file(path)
+  local file = assert(io.open(path, "rb"))
+  local text = file:read "*a"
+  file:close()
+  return text
+end
+
+-- Saves what the window shows after the next frame, and ends the program.
+local function save_and_quit(path)
+  love.graphics.captureScreenshot(function(shot)
+    local file = assert(io.open(path, "wb"))
+    assert(file:write(shot:encode("png"):getString()))
+    assert(file:close())
+    love.event.quit()
+  end)
+end
+
+function love.load()
+  make_canvas()
+  show_samples(read_file(samples_path), hrbfnpr.C.HRBFNPR_STYLE_CONTOUR_AND_STIPPLE)
+  if screenshot_path then save_and_quit(screenshot_path) end
+end
+
+function love.update(seconds)
+  if rotating then
+    view.turn = view.turn + ROTATION * seconds
+    changed = true
+  end
+  if changed then
+    draw_scene()
+    changed = false
+  end
+end
+
+function love.draw()
+  love.graphics.draw(canvas.image)
+end
+
+love.resize = make_canvas
+
+function love.mousemoved(_, _, dx, dy)
+  if not love.mouse.isDown(1) then return end
+  view.turn = view.turn + TURN * dx
+  view.tilt = math.max(-0.24 * math.pi, math.min(view.tilt - TURN * dy, 0.74 * math.pi)) -- short of the poles
+  changed = true
+end
+
+function love.wheelmoved(_, y)
+  view.zoom = math.max(0.2, math.min(view.zoom * 1.1 ^ y, 50))
+  changed = true
+end
+
+function love.keypressed(key)
+  if key == "tab" then
+    show(scene, (scene.preset + 1) % hrbfnpr.C.HRBFNPR_STYLE_COUNT)
+  elseif key == "space" then
+    rotating = not rotating
+  elseif key == "home" then
+    reset_view()
+  elseif key == "s" then
+    local name = os.date "hrbfnpr-%Y-%m-%d-%H%M%S.png"
+    love.graphics.captureScreenshot(name)
+    print("saved " .. love.filesystem.getSaveDirectory() .. "/" .. name)
+  elseif key == "escape" then
+    love.event.quit()
+  end
+end
+
+function love.filedropped(file)
+  assert(file:open "r")
+  local shown, message = pcall(show_samples, file:read(), scene.preset)
+  file:close()
+  if not shown then love.window.showMessageBox("hrbfnpr", tostring(message), "error") end
+end

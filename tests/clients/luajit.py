@@ -1,0 +1,17 @@
+"""LuaJIT's FFI with the declarations of bindings/cdef: a picture, a callback and a failure (luajit.lua)."""
+
+import run
+
+NAME = "LuaJIT FFI"
+CDEF = run.ROOT / "bindings" / "cdef" / "hrbfnpr_cdef.h"
+
+
+def version():
+    return run.run([run.need("luajit", "luajit"), "-v"]).split()[1]
+
+
+def draw(work, library, examples):
+    picture = work / "picture.rgba"
+    program = run.ROOT / "tests" / "clients" / "luajit.lua"
+    run.run(["luajit", program, CDEF, library, run.SAMPLES, picture], timeout=60)
+    return picture
