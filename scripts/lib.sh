@@ -17,6 +17,9 @@ package_set() {
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
     test) echo libgtest-dev libgmock-dev python3-pytest python3-numpy python3-cffi python3-dev binutils ;;
     csharp) echo mono-mcs mono-runtime ;;
+    love) echo love luajit xvfb xauth ;;
+    godot) echo godot3-server godot3-runner xvfb xauth ;;
+    sdl2) echo libsdl2-dev xvfb xauth ;;
     coverage) echo gcovr ;;
     bench) echo libopenblas0 libegl-dev libgles-dev libgl1-mesa-dri ;;
     thread) echo clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 ;;
@@ -50,17 +53,20 @@ install_packages() {
     apt-get -q -y --no-install-recommends install "${missing[@]}"
 }
 
-# The same for packages that a system need not have: those that it does not offer are left out.
+# The same for packages that a system need not have: a set of which it does not offer all is left out.
 install_packages_if_offered() {
-  local package
+  local set package offered=()
   command -v apt-cache >/dev/null || return 0
-  for package in $(package_set "$1"); do
-    if ! installed "$package" && [ -z "$(apt-cache madison "$package" 2>/dev/null)" ]; then
-      say "$package is not offered here: going on without"
-      return 0
-    fi
+  for set in "$@"; do
+    for package in $(package_set "$set"); do
+      if ! installed "$package" && [ -z "$(apt-cache madison "$package" 2>/dev/null)" ]; then
+        say "$package is not offered here: going on without"
+        continue 2
+      fi
+    done
+    offered+=("$set")
   done
-  install_packages "$1"
+  [ ${#offered[@]} -eq 0 ] || install_packages "${offered[@]}"
 }
 
 # configure PRESET [-DNAME=VALUE...]

@@ -1,0 +1,47 @@
+"""Prints what CTest's closing lines leave out: each client with its version and result, and why tests were skipped.
+
+    report_tests.py JUNIT.XML
+"""
+
+import sys
+import xml.etree.ElementTree as ElementTree
+
+
+def said(case):
+    return [line.strip() for line in (case.findtext("system-out") or "").splitlines() if line.strip()]
+
+
+def reason(case):
+    lines = said(case)
+    told = [line for line in lines if "skip" in line.lower() and not line.startswith("[")]
+    skip = case.find("skipped")
+    return (told or lines or [skip.get("message", "no reason given") if skip is not None else "disabled"])[-1]
+
+
+def clients(cases):
+    """Of each test of a client (tests/clients/run.py): its name with the version, and the result."""
+    for case in cases:
+        name = case.get("name")
+        if name.startswith("clients."):
+            lines = [line for line in said(case) if line.startswith("client ")]
+            title, _, result = (lines or [f"client {name.partition('.')[2]}: failed"])[-1][7:].rpartition(": ")
+            yield title, result
+
+
+def main():
+    cases = list(ElementTree.parse(sys.argv[1]).getroot().iter("testcase"))
+    table = list(clients(cases))
+    if table:
+        width = max(len(title) for title, _ in table)
+        print("\nclients, and their pictures of one scene against the C program's:")
+        for title, result in table:
+            print(f"  {title:{width}}  {result}")
+    skipped = [case for case in cases if case.get("status") in ("notrun", "disabled")]
+    if skipped:
+        print(f"\n{len(skipped)} skipped:")
+    for case in skipped:
+        print(f"  {case.get('name')}: {reason(case)}")
+
+
+if __name__ == "__main__":
+    main()
