@@ -45,7 +45,37 @@ protected:
     locale_t german_ = nullptr;
 };
 
-Bytes session() { return everything(Scene(make_context(2))); }
+// Messages with numbers in them, of the log and of errors.
+std::string messages() {
+    std::string all;
+    auto desc = made(hrbfnpr_context_desc_init);
+    desc.log_user = &all;
+    desc.log = [](void* user, std::int32_t level, const char* message) {
+        if (level == HRBFNPR_LOG_WARNING) *static_cast<std::string*>(user) += message;
+    };
+    const Context context = make_context(desc);
+    const scenes::Samples samples = scenes::torus(300);
+    auto short_of = fit_desc(samples);
+    short_of.tolerance = 0.00125;
+    short_of.maximum_centres = 40;
+    const Model model = fit(context, short_of); // ends short of the tolerance, which it warns of
+    auto bad = made(hrbfnpr_generate_desc_init);
+    bad.box_jitter = 0.75;
+    hrbfnpr_point_set* none = nullptr;
+    auto error = made(hrbfnpr_error_init);
+    hrbfnpr_point_set_generate(context.get(), model.get(), &bad, nullptr, &none, &error);
+    all += error.message;
+    EXPECT_NE(all.find("0.00125"), std::string::npos) << all;
+    EXPECT_NE(all.find("0.75"), std::string::npos) << all;
+    return all;
+}
+
+Bytes session() {
+    Bytes bytes = everything(Scene(make_context(2)));
+    const std::string words = messages();
+    bytes.insert(bytes.end(), words.begin(), words.end());
+    return bytes;
+}
 
 TEST_F(CommaLocale, OfTheProcess) {
     const Bytes wanted = session();
