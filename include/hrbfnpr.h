@@ -74,6 +74,11 @@
  *   After fork() a child runs serially.  No call changes the caller's floating-
  *   point state, locale or OpenMP settings.
  *
+ * Stacks.  Every call but hrbfnpr_model_fit does with a thread's stack of 64 KiB,
+ *   12 of them for the caller's own frames and callbacks; hrbfnpr_model_fit needs
+ *   512 KiB, on the thread that calls it and, with a `run_tasks` hook, on those
+ *   that run its tasks.  Neither depends on the number of samples or marks.
+ *
  * Callbacks.  A callback must return normally: it must not throw, longjmp, or
  *   call back into the library with the same non-const handle.  It runs in the
  *   default floating-point state (round to nearest, nothing trapped).

@@ -15,11 +15,11 @@ package_set() {
   case $1 in
     build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev libhwy-dev ;;
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
-    test) echo libgtest-dev libgmock-dev python3-pytest python3-numpy python3-cffi python3-dev binutils ;;
+    test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev binutils ;;
     csharp) echo mono-mcs mono-runtime ;;
     love) echo love luajit xvfb xauth ;;
     godot) echo godot3-server godot3-runner xvfb xauth ;;
-    sdl2) echo libsdl2-dev xvfb xauth ;;
+    sdl2) echo libsdl2-dev libxtst6 xvfb xauth ;;
     coverage) echo gcovr ;;
     bench) echo libopenblas0 libegl-dev libgles-dev libgl1-mesa-dri ;;
     thread) echo clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 ;;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -128,6 +129,29 @@ private:
     T* data_ = nullptr;
     std::int64_t size_ = 0;
     std::int64_t capacity_ = 0;
+};
+
+// One object from a Memory: working memory of a task that the small stack of a host's thread has no room for.
+template <class T>
+class Boxed {
+public:
+    template <class... Arguments>
+    explicit Boxed(Memory& memory, Arguments&&... arguments)
+        : memory_(memory), object_(new (memory.allocate(sizeof(T))) T(std::forward<Arguments>(arguments)...)) {
+        static_assert(std::is_nothrow_constructible_v<T, Arguments...> && alignof(T) <= Memory::alignment);
+    }
+    Boxed(const Boxed&) = delete;
+    Boxed& operator=(const Boxed&) = delete;
+    ~Boxed() {
+        object_->~T();
+        memory_.deallocate(object_, sizeof(T));
+    }
+
+    [[nodiscard]] T* operator->() noexcept { return object_; }
+
+private:
+    Memory& memory_;
+    T* object_;
 };
 
 } // namespace hrbfnpr::base

@@ -1,7 +1,8 @@
 #include "base/runtime.h"
 
+#include "base/format.h"
+
 #include <cstdarg>
-#include <cstdio>
 
 namespace hrbfnpr::base {
 
@@ -10,7 +11,7 @@ void Runtime::log(LogLevel level, const char* format, ...) const noexcept {
     char text[512];
     std::va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
+    format_text(text, sizeof text, format, arguments);
     va_end(arguments);
     log_(log_user_, static_cast<std::int32_t>(level), text);
 }

@@ -1,7 +1,8 @@
 #include "base/status.h"
 
+#include "base/format.h"
+
 #include <cstdarg>
-#include <cstdio>
 #include <cstring>
 
 namespace hrbfnpr {
@@ -25,7 +26,7 @@ void fail(Status status, const char* format, ...) {
     char text[2 * Error::message_capacity];
     std::va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
+    base::format_text(text, sizeof text, format, arguments);
     va_end(arguments);
     throw Error(status, text);
 }

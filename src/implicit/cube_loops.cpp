@@ -165,10 +165,11 @@ HWY_INLINE void add_moments(int degree, const Sample& s, V alpha, const V* beta,
         }
 }
 
-void moments(int degree, const CubeSamples& samples, const double* alpha, const double* const* beta, double* terms) {
+void moments(int degree, const CubeSamples& samples, const double* alpha, const double* const* beta, double* sums,
+             double* terms) {
+    static_assert(HWY_LANES(double) <= cube_lanes);
     const D d;
     const int count = (degree + 1) * (degree + 2) * (degree + 3) / 6;
-    HWY_ALIGN double sums[(highest_degree + 1) * (highest_degree + 2) * (highest_degree + 3) / 6 * HWY_LANES(double)];
     for (int k = 0; k < count * lanes(); ++k) sums[k] = 0.0;
     Sample sample;
     for (std::int64_t at = 0; at < samples.count; at += lanes()) {

@@ -10,6 +10,8 @@ namespace hrbfnpr::implicit {
 // Vectors that a matrix is applied to at a time; they stand side by side: element k of vector v at [k * cube_batch +
 // v].
 inline constexpr int cube_batch = 16;
+// Samples that are summed up side by side, at most.
+inline constexpr int cube_lanes = 8;
 
 struct CubeSamples {
     const double* x;
@@ -28,9 +30,9 @@ struct CubeLoops {
     void (*multiply)(const double* matrix, std::int64_t stride, int rows, int columns, const double* in,
                      double* const* out, int vectors);
     // terms[abc] = sum_j (alpha_j + beta_j . grad) T_a T_b T_c at the samples; the gradient is the caller's, not
-    // the cube's.
+    // the cube's.  sums: working memory, cube_lanes a term, aligned to 64 bytes.
     void (*moments)(int degree, const CubeSamples& samples, const double* alpha, const double* const* beta,
-                    double* terms);
+                    double* sums, double* terms);
     // Adds the value and gradient of sum_abc terms[abc] T_a T_b T_c at the samples.
     void (*evaluate)(int degree, const double* terms, const CubeSamples& samples, double* value,
                      double* const* gradient);

@@ -79,7 +79,8 @@ void evaluate_all(const base::Runtime& runtime, const Implicit& implicit, const 
             implicit.evaluate(slice({points.x.data(), points.y.data(), points.z.data(), count}, begin, end),
                               fields.from(begin));
         else
-            Gathered(points, order.data() + begin, end - begin).evaluate(implicit, fields);
+            base::Boxed<Gathered>(runtime.memory, points, order.data() + begin, end - begin)
+                ->evaluate(implicit, fields);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         progress.update(static_cast<double>(now) / static_cast<double>(count));
     });

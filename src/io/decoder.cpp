@@ -1,7 +1,8 @@
 #include "io/decoder.h"
 
+#include "base/format.h"
+
 #include <cstdarg>
-#include <cstdio>
 
 namespace hrbfnpr::io {
 namespace {
@@ -28,7 +29,7 @@ void Decoder::damaged(const char* format, ...) const {
     char detail[160];
     std::va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(detail, sizeof detail, format, arguments);
+    base::format_text(detail, sizeof detail, format, arguments);
     va_end(arguments);
     fail(Status::corrupt_data, "this %s file is damaged: %s", what_, detail);
 }

@@ -288,8 +288,8 @@ void cast_rays(const base::Runtime& runtime, const implicit::Implicit& implicit,
     const base::Progress casting = progress.part(estimate ? 0.1 : 0.0, 1.0);
     std::atomic<std::int64_t> done{0};
     implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
-        Batch batch(implicit, settings, lipschitz, hits);
-        batch.run(rays, begin, end, casting);
+        base::Boxed<Batch> batch(runtime.memory, implicit, settings, lipschitz, hits);
+        batch->run(rays, begin, end, casting);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         casting.update(static_cast<double>(now) / static_cast<double>(count));
     });

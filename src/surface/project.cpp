@@ -172,8 +172,8 @@ void project(const base::Runtime& runtime, const implicit::Implicit& implicit, c
     const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, points.position);
     std::atomic<std::int64_t> done{0};
     implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
-        Batch batch(implicit, settings, order.data());
-        batch.run(points, begin, end, progress);
+        base::Boxed<Batch> batch(runtime.memory, implicit, settings, order.data());
+        batch->run(points, begin, end, progress);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         progress.update(static_cast<double>(now) / static_cast<double>(count));
     });

@@ -10,6 +10,7 @@
 
 namespace base = hrbfnpr::base;
 using hrbfnpr::implicit::cube_batch;
+using hrbfnpr::implicit::cube_lanes;
 using hrbfnpr::implicit::cube_loops;
 using hrbfnpr::implicit::CubeBasis;
 using hrbfnpr::implicit::CubeSamples;
@@ -159,8 +160,10 @@ TEST(CubeLoops, MomentsSumTheTermsAtTheSamples) {
                     expected[k] += alpha[j] * t.value + glm::dot({beta[0][j], beta[1][j], beta[2][j]}, t.gradient);
                 }
             for (const base::InstructionSet set : instruction_sets()) {
+                base::Memory memory;
+                base::Array<double> sums(memory, static_cast<std::int64_t>(list.size()) * cube_lanes);
                 Numbers found(list.size() + 1, 9.0);
-                cube_loops(set).moments(degree, in_cube(points), alpha.data(), at, found.data());
+                cube_loops(set).moments(degree, in_cube(points), alpha.data(), at, sums.data(), found.data());
                 for (std::size_t k = 0; k < list.size(); ++k)
                     EXPECT_NEAR(found[k], expected[k], count * tolerance(degree))
                         << base::name(set) << " " << degree << " " << count << " " << k;

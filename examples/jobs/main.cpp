@@ -1,0 +1,147 @@
+// A host with a job system of its own, which runs hrbfnpr's work: the library starts no thread.
+//
+//     jobs PICTURE.pam [SAMPLES.xyzn]
+//
+// PICTURE gets the drawing, a PAM file (a short header and raw RGBA rows).
+#include "pool.h"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <hrbfnpr.h>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr int width = 640, height = 480;
+constexpr std::size_t pool_threads = 4;
+
+hrbfnpr_error error;
+
+void check(hrbfnpr_status status) {
+    if (status != HRBFNPR_STATUS_OK) throw std::runtime_error(error.message);
+}
+
+// Calls hrbfnpr_..._create and the like, and owns what they make.
+template <class Handle, class Release, class Call>
+auto make(Release release, Call&& call) {
+    Handle* handle = nullptr;
+    check(call(&handle));
+    return std::unique_ptr<Handle, Release>(handle, release);
+}
+
+// A descriptor with every default in place.
+template <class Struct, class Init>
+Struct defaults(Init init) {
+    Struct result;
+    check(init(&result, sizeof result));
+    return result;
+}
+
+// The one thing that a job system has to provide.
+void run_tasks(void* user, hrbfnpr_task_fn task, void* task_context, std::int64_t task_count) {
+    static_cast<Pool*>(user)->run(task, task_context, task_count);
+}
+
+auto make_context(Pool& pool) {
+    auto desc = defaults<hrbfnpr_context_desc>(hrbfnpr_context_desc_init);
+    desc.thread_count = pool_threads + 1; // this one works, too
+    desc.run_tasks = run_tasks;
+    desc.run_tasks_user = &pool;
+    return make<hrbfnpr_context>(hrbfnpr_context_release,
+                                 [&](auto out) { return hrbfnpr_context_create(&desc, out, &error); });
+}
+
+// Six numbers a sample: point and normal.
+std::vector<std::array<double, 6>> read_samples(const std::string& path) {
+    std::ifstream file(path);
+    std::vector<std::array<double, 6>> samples;
+    for (std::array<double, 6> s; file >> s[0] >> s[1] >> s[2] >> s[3] >> s[4] >> s[5];) samples.push_back(s);
+    if (!file.eof()) throw std::runtime_error("cannot read " + path);
+    return samples;
+}
+
+std::vector<unsigned char> draw(Pool& pool, const std::string& path) {
+    const auto samples = read_samples(path);
+    const auto context = make_context(pool);
+    const auto column = [&](std::size_t first) {
+        return hrbfnpr_array{samples.empty() ? nullptr : samples[0].data() + first,
+                             static_cast<std::int64_t>(samples.size()), sizeof samples[0], HRBFNPR_SCALAR_FLOAT64, 3};
+    };
+    auto fit = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
+    fit.points = column(0);
+    fit.normals = column(3);
+    const auto model = make<hrbfnpr_model>(
+        hrbfnpr_model_release, [&](auto out) { return hrbfnpr_model_fit(context.get(), &fit, nullptr, out, &error); });
+
+    hrbfnpr_style style;
+    auto generate = defaults<hrbfnpr_generate_desc>(hrbfnpr_generate_desc_init);
+    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_CONTOUR_AND_STIPPLE, &generate.groups, &error));
+    const auto marks = make<hrbfnpr_point_set>(hrbfnpr_point_set_release, [&](auto out) {
+        return hrbfnpr_point_set_generate(context.get(), model.get(), &generate, nullptr, out, &error);
+    });
+
+    const double direction[] = {0, 1, -1}, up[] = {0, 0, 1};
+    auto info = defaults<hrbfnpr_model_info>(hrbfnpr_model_info_init);
+    check(hrbfnpr_model_get_info(model.get(), &info, &error));
+    auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
+    check(hrbfnpr_camera_fit_bounds(&camera, info.bounds_min, info.bounds_max, direction, up, 0.5, width, height, 0.02,
+                                    &error));
+    auto item = defaults<hrbfnpr_item>(hrbfnpr_item_init);
+    item.point_set = marks.get();
+    item.style = &style;
+    const auto renderer = make<hrbfnpr_renderer>(
+        hrbfnpr_renderer_release, [&](auto out) { return hrbfnpr_renderer_create(context.get(), out, &error); });
+    check(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, &error));
+
+    std::vector<unsigned char> pixels(std::size_t{4} * width * height);
+    auto image = defaults<hrbfnpr_image>(hrbfnpr_image_init);
+    image.format = HRBFNPR_FORMAT_RGBA8;
+    image.width = width;
+    image.height = height;
+    image.pixels = pixels.data();
+    check(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, &error));
+    return pixels;
+}
+
+void write_picture(const std::string& path, const std::vector<unsigned char>& pixels) {
+    std::ofstream file(path, std::ios::binary);
+    file << "P7\nWIDTH " << width << "\nHEIGHT " << height << "\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n";
+    file.write(reinterpret_cast<const char*>(pixels.data()), static_cast<std::streamsize>(pixels.size()));
+    file.close();
+    if (!file) throw std::runtime_error("cannot write " + path);
+}
+
+// Of this process, as Linux counts them; 0 elsewhere.
+std::ptrdiff_t thread_count() {
+    std::error_code none;
+    const std::filesystem::directory_iterator tasks("/proc/self/task", none);
+    return std::distance(begin(tasks), end(tasks));
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+    if (argc < 2 || argc > 3) {
+        std::cerr << "usage: jobs PICTURE.pam [SAMPLES.xyzn]\n";
+        return 2;
+    }
+    check(hrbfnpr_error_init(&error, sizeof error));
+    Pool pool(pool_threads);
+    const auto before = thread_count();
+    write_picture(argv[1], draw(pool, argc == 3 ? argv[2] : TORUS));
+    const auto after = thread_count();
+
+    const auto tasks = pool.tasks_run();
+    std::cout << "tasks: " << tasks[0] << " on the main thread";
+    for (std::size_t i = 1; i < tasks.size(); ++i) std::cout << ", " << tasks[i] << " on worker " << i;
+    std::cout << "\nthreads: " << before << " before the work, " << after << " after it\n";
+    return 0;
+} catch (const std::exception& exception) {
+    std::cerr << exception.what() << "\n";
+    return 1;
+}

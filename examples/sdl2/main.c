@@ -1,0 +1,323 @@
+/* hrbfnpr in a window.
+ *
+ *     sdl2 [--screenshot FILE] [SAMPLES.xyzn]
+ *
+ * SAMPLES has a line `x y z nx ny nz` for each sample.  They are fitted on a worker thread; Escape cancels that.
+ * Then: drag to turn, wheel to zoom, space for a turntable, Tab for the next style, Escape to end.
+ * --screenshot writes the first picture to FILE, *.bmp or raw RGBA rows, and ends. */
+#include <SDL.h>
+#include <hrbfnpr.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { VALUES = 6 }; /* of a sample */
+
+/* What the worker makes.  Main leaves it alone while the worker is busy, but for the operation. */
+typedef struct Drawing {
+    double* samples;
+    int64_t count;
+    uint32_t preset;
+    hrbfnpr_context* context;
+    hrbfnpr_operation* operation;
+    hrbfnpr_model* model;
+    hrbfnpr_model_info info;
+    hrbfnpr_point_set* marks;
+    hrbfnpr_style style;
+    hrbfnpr_status status;
+    hrbfnpr_error error;
+    SDL_atomic_t is_done;
+} Drawing;
+
+/* From where it is looked at: the direction into the scene is (sin turn, cos turn, -height). */
+typedef struct View {
+    double turn, height, zoom;
+    SDL_bool turntable;
+} View;
+
+typedef struct App {
+    SDL_Window* window;
+    SDL_Renderer* screen;
+    SDL_Texture* texture;
+    int width, height;
+    hrbfnpr_renderer* pen;
+    Drawing drawing;
+    SDL_Thread* worker; /* NULL: there is a drawing to show */
+    View view;
+    SDL_bool is_stale, quits;
+} App;
+
+static void fail(const char* what, const char* why) {
+    fprintf(stderr, "%s: %s\n", what, why);
+    exit(1);
+}
+
+static void check(hrbfnpr_status status, const hrbfnpr_error* error) {
+    if (status != HRBFNPR_STATUS_OK) fail(hrbfnpr_status_name(status), error->message);
+}
+
+static void check_sdl(int is_fine) {
+    if (!is_fine) fail("SDL", SDL_GetError());
+}
+
+static void read_samples(const char* path, Drawing* drawing) {
+    FILE* const file = fopen(path, "r");
+    int64_t capacity = 0;
+    if (file == NULL) fail(path, "cannot be opened");
+    for (;; ++drawing->count) {
+        if (drawing->count == capacity) {
+            capacity = 2 * capacity + 1024;
+            drawing->samples = realloc(drawing->samples, (size_t)capacity * VALUES * sizeof(double));
+            if (drawing->samples == NULL) fail(path, "is too large");
+        }
+        double* const s = drawing->samples + VALUES * drawing->count;
+        if (fscanf(file, "%lf %lf %lf %lf %lf %lf", s, s + 1, s + 2, s + 3, s + 4, s + 5) != VALUES) break;
+    }
+    if (!feof(file)) fail(path, "has a line that is not six numbers");
+    fclose(file);
+}
+
+/* The long calls, on the worker thread: the fit, once, and marks for the style. */
+
+static hrbfnpr_status fit(Drawing* d) {
+    hrbfnpr_status status;
+    hrbfnpr_fit_desc desc;
+    const int64_t stride = VALUES * (int64_t)sizeof(double);
+    hrbfnpr_fit_desc_init(&desc, sizeof desc);
+    desc.points = (hrbfnpr_array){d->samples, d->count, stride, HRBFNPR_SCALAR_FLOAT64, 3};
+    desc.normals = (hrbfnpr_array){d->samples + 3, d->count, stride, HRBFNPR_SCALAR_FLOAT64, 3};
+    status = hrbfnpr_model_fit(d->context, &desc, d->operation, &d->model, &d->error);
+    if (status != HRBFNPR_STATUS_OK) return status;
+    hrbfnpr_model_info_init(&d->info, sizeof d->info);
+    return hrbfnpr_model_get_info(d->model, &d->info, &d->error);
+}
+
+static hrbfnpr_status place_marks(Drawing* d) {
+    hrbfnpr_generate_desc desc;
+    hrbfnpr_status status;
+    hrbfnpr_point_set_release(d->marks);
+    d->marks = NULL;
+    hrbfnpr_generate_desc_init(&desc, sizeof desc);
+    status = hrbfnpr_style_init_preset(&d->style, sizeof d->style, d->preset, &desc.groups, &d->error);
+    if (status != HRBFNPR_STATUS_OK) return status;
+    return hrbfnpr_point_set_generate(d->context, d->model, &desc, d->operation, &d->marks, &d->error);
+}
+
+static int SDLCALL work(void* user) {
+    Drawing* const d = user;
+    d->status = d->model == NULL ? fit(d) : HRBFNPR_STATUS_OK;
+    if (d->status == HRBFNPR_STATUS_OK) d->status = place_marks(d);
+    SDL_AtomicSet(&d->is_done, 1);
+    return 0;
+}
+
+static void start_work(App* app) {
+    SDL_AtomicSet(&app->drawing.is_done, 0);
+    app->worker = SDL_CreateThread(work, "drawing", &app->drawing);
+    check_sdl(app->worker != NULL);
+}
+
+static void end_work(App* app) {
+    Drawing* const d = &app->drawing;
+    SDL_WaitThread(app->worker, NULL);
+    app->worker = NULL;
+    check(d->status, &d->error);
+    SDL_SetWindowTitle(app->window, hrbfnpr_style_preset_name(d->preset));
+    app->is_stale = SDL_TRUE;
+}
+
+/* What the user does. */
+
+static void press_key(App* app, SDL_Keycode key) {
+    if (key == SDLK_ESCAPE) app->quits = SDL_TRUE;
+    if (key == SDLK_SPACE) app->view.turntable = !app->view.turntable;
+    if (key == SDLK_TAB && app->worker == NULL) {
+        app->drawing.preset = (app->drawing.preset + 1) % HRBFNPR_STYLE_COUNT;
+        start_work(app);
+    }
+}
+
+static void handle(App* app, const SDL_Event* event) {
+    View* const view = &app->view;
+    app->is_stale = SDL_TRUE;
+    if (event->type == SDL_QUIT) app->quits = SDL_TRUE;
+    if (event->type == SDL_KEYDOWN) press_key(app, event->key.keysym.sym);
+    if (event->type == SDL_MOUSEWHEEL) view->zoom *= pow(1.1, event->wheel.y);
+    if (event->type == SDL_MOUSEMOTION && (event->motion.state & SDL_BUTTON_LMASK) != 0) {
+        view->turn += 0.01 * event->motion.xrel;
+        view->height = fmin(fmax(view->height + 0.01 * event->motion.yrel, -5), 5);
+    }
+}
+
+/* What the user sees. */
+
+static void show_progress(App* app) {
+    const double progress = hrbfnpr_operation_progress(app->drawing.operation);
+    const SDL_Rect bar = {0, app->height / 2 - 8, (int)(app->width * progress), 16};
+    char title[64];
+    snprintf(title, sizeof title, "%.0f %%, Escape cancels", 100 * progress);
+    SDL_SetWindowTitle(app->window, title);
+    SDL_SetRenderDrawColor(app->screen, 255, 255, 255, 255);
+    SDL_RenderClear(app->screen);
+    SDL_SetRenderDrawColor(app->screen, 0, 0, 0, 255);
+    SDL_RenderFillRect(app->screen, &bar);
+}
+
+static void fit_texture(App* app) {
+    int width, height;
+    SDL_GetRendererOutputSize(app->screen, &width, &height);
+    if (app->texture != NULL && width == app->width && height == app->height) return;
+    if (app->texture != NULL) SDL_DestroyTexture(app->texture);
+    app->texture = SDL_CreateTexture(app->screen, SDL_PIXELFORMAT_RGBA32, SDL_TEXTUREACCESS_STREAMING, width, height);
+    check_sdl(app->texture != NULL);
+    app->width = width;
+    app->height = height;
+}
+
+static hrbfnpr_camera camera_from(App* app, double turn, double height) {
+    Drawing* const d = &app->drawing;
+    const double direction[3] = {sin(turn), cos(turn), -height}, up[3] = {0, 0, 1};
+    hrbfnpr_camera camera;
+    hrbfnpr_camera_init(&camera, sizeof camera);
+    check(hrbfnpr_camera_fit_bounds(&camera, d->info.bounds_min, d->info.bounds_max, direction, up, 0.5, app->width,
+                                    app->height, 0.02, &d->error),
+          &d->error);
+    return camera;
+}
+
+static double distance_of_centre(const App* app, const hrbfnpr_camera* camera) {
+    const hrbfnpr_model_info* const info = &app->drawing.info;
+    double z = camera->view[14];
+    for (int axis = 0; axis < 3; ++axis)
+        z += camera->view[2 + 4 * axis] * 0.5 * (info->bounds_min[axis] + info->bounds_max[axis]);
+    return -z;
+}
+
+/* The model fills the picture as it is first seen, and keeps its size when it is turned. */
+static hrbfnpr_camera camera_of(App* app) {
+    const hrbfnpr_camera first = camera_from(app, 0, 1);
+    hrbfnpr_camera camera = camera_from(app, app->view.turn, app->view.height);
+    const double scale = app->view.zoom * distance_of_centre(app, &camera) / distance_of_centre(app, &first);
+    camera.projection[0] *= scale;
+    camera.projection[5] *= scale;
+    return camera;
+}
+
+/* Straight into the texture's memory, whose rows may be longer than the picture's. */
+static void draw(App* app) {
+    Drawing* const d = &app->drawing;
+    const hrbfnpr_camera camera = camera_of(app);
+    hrbfnpr_item item;
+    hrbfnpr_image image;
+    int pitch;
+    hrbfnpr_item_init(&item, sizeof item);
+    item.point_set = d->marks;
+    item.style = &d->style;
+    check(hrbfnpr_renderer_prepare(app->pen, &item, 1, 0, &camera, NULL, &d->error), &d->error);
+    hrbfnpr_image_init(&image, sizeof image);
+    image.format = HRBFNPR_FORMAT_RGBA8;
+    image.width = app->width;
+    image.height = app->height;
+    check_sdl(SDL_LockTexture(app->texture, NULL, &image.pixels, &pitch) == 0);
+    image.row_stride = pitch;
+    check(hrbfnpr_renderer_draw_image(app->pen, &image, NULL, &d->error), &d->error);
+    SDL_UnlockTexture(app->texture);
+    SDL_RenderCopy(app->screen, app->texture, NULL, NULL);
+}
+
+static void save_screen(App* app, const char* path) {
+    const size_t length = strlen(path);
+    SDL_Surface* const surface = SDL_CreateRGBSurfaceWithFormat(0, app->width, app->height, 32, SDL_PIXELFORMAT_RGBA32);
+    check_sdl(surface != NULL);
+    check_sdl(SDL_RenderReadPixels(app->screen, NULL, surface->format->format, surface->pixels, surface->pitch) == 0);
+    if (length > 4 && strcmp(path + length - 4, ".bmp") == 0) {
+        check_sdl(SDL_SaveBMP(surface, path) == 0);
+    } else { /* rows of 32-bit pixels are packed */
+        const size_t rows = (size_t)app->height;
+        FILE* const file = fopen(path, "wb");
+        if (file == NULL || fwrite(surface->pixels, (size_t)surface->pitch, rows, file) != rows || fclose(file) != 0)
+            fail(path, "cannot be written");
+    }
+    SDL_FreeSurface(surface);
+}
+
+static void run(App* app, const char* screenshot) {
+    SDL_Event event;
+    while (!app->quits) {
+        const SDL_bool moves = app->worker != NULL || app->view.turntable;
+        if (SDL_WaitEventTimeout(&event, moves ? 15 : 1000)) {
+            do handle(app, &event);
+            while (SDL_PollEvent(&event));
+        }
+        if (app->worker != NULL && SDL_AtomicGet(&app->drawing.is_done)) end_work(app);
+        if (!moves && !app->is_stale) continue;
+        if (app->view.turntable) app->view.turn += 0.01;
+        fit_texture(app);
+        if (app->worker != NULL)
+            show_progress(app);
+        else
+            draw(app);
+        app->is_stale = SDL_FALSE;
+        if (screenshot != NULL && app->worker == NULL) {
+            save_screen(app, screenshot);
+            app->quits = SDL_TRUE;
+        }
+        SDL_RenderPresent(app->screen);
+    }
+    if (app->worker != NULL) {
+        hrbfnpr_operation_cancel(app->drawing.operation);
+        end_work(app);
+    }
+}
+
+static void set_up(App* app) {
+    Drawing* const d = &app->drawing;
+    d->preset = HRBFNPR_STYLE_CONTOUR_AND_STIPPLE;
+    app->view.height = app->view.zoom = 1;
+    hrbfnpr_error_init(&d->error, sizeof d->error);
+    check(hrbfnpr_context_create(NULL, &d->context, &d->error), &d->error);
+    check(hrbfnpr_operation_create(d->context, &d->operation, &d->error), &d->error);
+    check(hrbfnpr_renderer_create(d->context, &app->pen, &d->error), &d->error);
+
+    check_sdl(SDL_Init(SDL_INIT_VIDEO) == 0);
+    app->window =
+        SDL_CreateWindow("hrbfnpr", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, 640, 480, SDL_WINDOW_RESIZABLE);
+    check_sdl(app->window != NULL);
+    app->screen = SDL_CreateRenderer(app->window, -1, 0);
+    check_sdl(app->screen != NULL);
+}
+
+static void tear_down(App* app) {
+    Drawing* const d = &app->drawing;
+    SDL_DestroyTexture(app->texture);
+    SDL_DestroyRenderer(app->screen);
+    SDL_DestroyWindow(app->window);
+    SDL_Quit();
+    hrbfnpr_renderer_release(app->pen);
+    hrbfnpr_point_set_release(d->marks);
+    hrbfnpr_model_release(d->model);
+    hrbfnpr_operation_release(d->operation);
+    hrbfnpr_context_release(d->context);
+    free(d->samples);
+}
+
+int main(int argc, char** argv) {
+    static App app;
+    const char* screenshot = NULL;
+    const char* samples = TORUS;
+    for (int i = 1; i < argc; ++i) {
+        if (strcmp(argv[i], "--screenshot") == 0 && i + 1 < argc)
+            screenshot = argv[++i];
+        else if (argv[i][0] != '-')
+            samples = argv[i];
+        else
+            fail("usage", "sdl2 [--screenshot FILE] [SAMPLES.xyzn]");
+    }
+    read_samples(samples, &app.drawing);
+    set_up(&app);
+    start_work(&app);
+    run(&app, screenshot);
+    tear_down(&app);
+    return 0;
+}

@@ -1,0 +1,59 @@
+// Processes that fork after they used the library: children go on with what they have, and with new contexts.
+#include "host/session.h"
+
+#include <gtest/gtest.h>
+
+#include <exception>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace host_test {
+namespace {
+
+// Runs `work` in a child, which must return 0 within a minute: a hang must not outlive the test.
+template <class Work>
+int in_a_child(const Work& work) {
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(60);
+        int result = 99;
+        try {
+            result = work();
+        } catch (const std::exception&) {
+        }
+        _exit(result);
+    }
+    int status = -1;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+TEST(Fork, ChildrenDoTheSameWork) {
+    const Scene scene(make_context(0)); // the threads are up
+    const auto work = [&](const Context& context) {
+        const Model model = fit(context);
+        Bytes bytes = draw(context, generate(context, model), nullptr, model.get());
+        const Bytes old = draw(context, scene.marks, nullptr, scene.model.get()); // the parent's
+        bytes.insert(bytes.end(), old.begin(), old.end());
+        return bytes;
+    };
+    const Bytes wanted = work(scene.context);
+    const auto same = [&] { return work(scene.context) == wanted && work(make_context(0)) == wanted; };
+    for (int child = 0; child < 2; ++child) EXPECT_EQ(in_a_child([&] { return same() ? 0 : 1; }), 0);
+    EXPECT_EQ(in_a_child([&] { return in_a_child([&] { return same() ? 0 : 1; }); }), 0);
+    EXPECT_TRUE(same());
+}
+
+TEST(Fork, ChildrenReleaseWhatTheyGot) {
+    EXPECT_EQ(in_a_child([] {
+                  Scene scene(make_context(0));
+                  return in_a_child([&] {
+                      const Scene gone = std::move(scene);
+                      return 0;
+                  });
+              }),
+              0);
+}
+
+} // namespace
+} // namespace host_test

@@ -1,0 +1,58 @@
+// What a host does with the library, call by call, so that tests can do it in unusual places.
+#pragma once
+
+#include "scenes/handles.h"
+#include "scenes/shapes.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace host_test {
+
+using scenes::Context;
+using scenes::Model;
+using scenes::PointSet;
+using scenes::Renderer;
+using Bytes = std::vector<std::uint8_t>;
+
+// A struct with its defaults: made(hrbfnpr_style_init).
+template <class T>
+[[nodiscard]] T made(hrbfnpr_status (*init)(T*, std::uint32_t)) {
+    T value;
+    scenes::Check()(init(&value, sizeof value));
+    return value;
+}
+
+// These throw, in words, what went wrong.
+Context make_context(const hrbfnpr_context_desc& desc);
+Context make_context(std::int32_t threads);
+hrbfnpr_fit_desc fit_desc(const scenes::Samples& samples);
+Model fit(const Context& context, const hrbfnpr_fit_desc& desc);
+Model fit(const Context& context, int samples = 192); // of a torus
+PointSet generate(const Context& context, const Model& model, const hrbfnpr_generate_desc& desc);
+PointSet generate(const Context& context, const Model& model); // 1000 marks of each group
+Bytes draw(const Context& context, const PointSet& marks, const hrbfnpr_style* style = nullptr,
+           const hrbfnpr_model* rays = nullptr);
+
+// What steps work on: a torus, or a model of the caller's.
+struct Scene {
+    explicit Scene(Context made_context) : context(std::move(made_context)), model(fit(context)) {}
+    Scene(Context made_context, Model made_model) : context(std::move(made_context)), model(std::move(made_model)) {}
+    Context context;
+    Model model;
+    PointSet marks = generate(context, model);
+};
+
+// A kind of call, or a few that belong together; every kind but fit is among them.  What is computed comes
+// back as bytes.
+struct Step {
+    const char* name;
+    Bytes (*run)(const Scene& scene);
+};
+[[nodiscard]] std::span<const Step> steps();
+
+// What all steps compute, for one scene after the other.
+Bytes everything(const Scene& scene);
+
+} // namespace host_test

@@ -1,0 +1,389 @@
+#include "host/session.h"
+
+#include <algorithm>
+
+namespace host_test {
+namespace {
+
+constexpr std::int64_t point_count = 2000;
+constexpr std::int32_t picture_size = 160;
+
+// Output arrays whose bytes stay where they are.
+class Output {
+public:
+    hrbfnpr_array_out add(std::int64_t count, std::uint32_t components, std::uint32_t scalar = HRBFNPR_SCALAR_FLOAT64) {
+        const std::size_t size = scalar == HRBFNPR_SCALAR_FLOAT64 ? 8 : scalar == HRBFNPR_SCALAR_UINT8 ? 1 : 4;
+        parts_.emplace_back(static_cast<std::size_t>(count) * components * size);
+        return {parts_.back().data(), count, 0, scalar, components};
+    }
+    void add(const Bytes& bytes) { parts_.push_back(bytes); }
+    [[nodiscard]] Bytes bytes() const {
+        Bytes all;
+        for (const Bytes& part : parts_) all.insert(all.end(), part.begin(), part.end());
+        return all;
+    }
+
+private:
+    std::vector<Bytes> parts_;
+};
+
+// Points around the torus, and directions of rays through it.
+struct Places {
+    Places() {
+        for (int i = 0; i < 3 * point_count; ++i) {
+            point.push_back(0.0011 * ((i * 37) % 2500) - 1.3);
+            direction.push_back(i % 3 == 2 ? -1.0 : 0.3);
+        }
+        points = {point.data(), point_count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+        directions = {direction.data(), point_count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    }
+    std::vector<double> point, direction;
+    hrbfnpr_array points, directions;
+};
+
+Bytes evaluate(const Scene& scene) {
+    scenes::Check check;
+    const Places places;
+    Output output;
+    const hrbfnpr_array_out value = output.add(point_count, 1);
+    const hrbfnpr_array_out gradient = output.add(point_count, 3);
+    const hrbfnpr_array_out hessian = output.add(point_count, 6);
+    check(
+        hrbfnpr_model_evaluate(scene.model.get(), &places.points, &value, &gradient, &hessian, nullptr, check.error()));
+    return output.bytes();
+}
+
+Bytes project(const Scene& scene) {
+    scenes::Check check;
+    const Places places;
+    Output output;
+    const hrbfnpr_array_out position = output.add(point_count, 3);
+    const hrbfnpr_array_out normal = output.add(point_count, 3);
+    const hrbfnpr_array_out status = output.add(point_count, 1, HRBFNPR_SCALAR_UINT8);
+    check(hrbfnpr_model_project(scene.model.get(), &places.points, nullptr, &position, &normal, &status, nullptr,
+                                nullptr, check.error()));
+    return output.bytes();
+}
+
+Bytes curvature(const Scene& scene) {
+    scenes::Check check;
+    const Places places;
+    Output output;
+    const hrbfnpr_array_out k1 = output.add(point_count, 1);
+    const hrbfnpr_array_out k2 = output.add(point_count, 1);
+    const hrbfnpr_array_out d1 = output.add(point_count, 3);
+    const hrbfnpr_array_out d2 = output.add(point_count, 3);
+    const hrbfnpr_array_out sure = output.add(point_count, 1);
+    check(
+        hrbfnpr_model_curvature(scene.model.get(), &places.points, &k1, &k2, &d1, &d2, &sure, nullptr, check.error()));
+    return output.bytes();
+}
+
+Bytes cast_rays(const Scene& scene) {
+    scenes::Check check;
+    const Places places;
+    Output output;
+    auto desc = made(hrbfnpr_cast_desc_init);
+    desc.maximum_hits = 3;
+    desc.t_min = -5.0;
+    check(hrbfnpr_model_lipschitz(scene.model.get(), &desc.lipschitz, nullptr, check.error()));
+    const hrbfnpr_array_out hits = output.add(point_count, 1, HRBFNPR_SCALAR_UINT32);
+    const hrbfnpr_array_out t = output.add(point_count, 3);
+    const hrbfnpr_array_out position = output.add(point_count, 9);
+    const hrbfnpr_array_out normal = output.add(point_count, 9);
+    const hrbfnpr_array_out entering = output.add(point_count, 3, HRBFNPR_SCALAR_UINT8);
+    const hrbfnpr_array_out status = output.add(point_count, 1, HRBFNPR_SCALAR_UINT8);
+    check(hrbfnpr_model_cast_rays(scene.model.get(), &places.points, &places.directions, &desc, &hits, &t, &position,
+                                  &normal, &entering, &status, nullptr, nullptr, check.error()));
+    return output.bytes();
+}
+
+Bytes contains(const Scene& scene) {
+    scenes::Check check;
+    const Places places;
+    Output output;
+    const hrbfnpr_array_out inside = output.add(point_count, 1, HRBFNPR_SCALAR_UINT8);
+    check(hrbfnpr_model_contains(scene.model.get(), &places.points, &inside, nullptr, nullptr, check.error()));
+    return output.bytes();
+}
+
+// Positions and ranks: a saved set would also tell how long it took.
+Bytes bytes_of(const PointSet& marks) {
+    scenes::Check check;
+    Bytes bytes;
+    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
+        for (const std::uint32_t attribute : {HRBFNPR_ATTRIBUTE_POSITION, HRBFNPR_ATTRIBUTE_RANK}) {
+            hrbfnpr_array view{};
+            check(hrbfnpr_point_set_view(marks.get(), group, attribute, &view, check.error()));
+            const auto* data = static_cast<const std::uint8_t*>(view.data);
+            if (view.count > 0) bytes.insert(bytes.end(), data, data + view.count * view.components * 4);
+        }
+    return bytes;
+}
+
+std::int32_t half_density(void* /*user*/, std::int64_t count, const double* positions, const double* /*normals*/,
+                          double* density) {
+    for (std::int64_t i = 0; i < count; ++i) density[i] = positions[3 * i] > 0.0 ? 1.0 : 0.5;
+    return 0;
+}
+
+Bytes generate_blue_noise(const Scene& scene) {
+    auto desc = made(hrbfnpr_generate_desc_init);
+    desc.groups = 7;
+    desc.shared_budget = 6000;
+    desc.order = HRBFNPR_ORDER_LAYERED;
+    desc.flags = HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES | HRBFNPR_GENERATE_CURVATURE_OF_COMBING;
+    desc.density = HRBFNPR_DENSITY_CALLBACK;
+    desc.density_function = half_density;
+    Bytes bytes = bytes_of(generate(scene.context, scene.model, desc));
+    desc.stroke_field = HRBFNPR_STROKE_FIELD_LINE;
+    desc.seed_source = HRBFNPR_SEED_BOX;
+    desc.density = HRBFNPR_DENSITY_CURVATURE;
+    const Bytes more = bytes_of(generate(scene.context, scene.model, desc));
+    bytes.insert(bytes.end(), more.begin(), more.end());
+    return bytes;
+}
+
+Bytes generate_paper(const Scene& scene) {
+    auto desc = made(hrbfnpr_generate_desc_init);
+    desc.groups = 7;
+    desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
+    for (hrbfnpr_group_desc& group : desc.group) group.levels = 2;
+    desc.group[HRBFNPR_GROUP_COMBING].seeds = HRBFNPR_GROUP_SEED_STIPPLES;
+    return bytes_of(generate(scene.context, scene.model, desc));
+}
+
+Bytes step_patches(const Scene& scene) {
+    scenes::Check check;
+    Output output;
+    const hrbfnpr_array_out corners = output.add(20, 12);
+    check(hrbfnpr_point_set_step_patches(scene.context.get(), scene.model.get(), nullptr, &corners, nullptr, nullptr,
+                                         check.error()));
+    return output.bytes();
+}
+
+Bytes marks_from_arrays(const Scene& scene) {
+    scenes::Check check;
+    auto desc = made(hrbfnpr_point_set_desc_init);
+    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_POSITION, &desc.group[0].position,
+                             check.error()));
+    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_NORMAL, &desc.group[0].normal, check.error()));
+    hrbfnpr_point_set* marks = nullptr;
+    check(hrbfnpr_point_set_create_from_arrays(scene.context.get(), &desc, &marks, check.error()));
+    return bytes_of(PointSet(marks));
+}
+
+hrbfnpr_camera front_camera() {
+    scenes::Check check;
+    auto camera = made(hrbfnpr_camera_init);
+    const double low[3] = {-1.5, -1.5, -0.5};
+    const double high[3] = {1.5, 1.5, 0.5};
+    const double direction[3] = {0.0, 1.0, -1.0};
+    const double up[3] = {0.0, 0.0, 1.0};
+    check(hrbfnpr_camera_fit_bounds(&camera, low, high, direction, up, 0.5, picture_size, picture_size, 0.02,
+                                    check.error()));
+    return camera;
+}
+
+Renderer prepared(const Context& context, const PointSet& marks, const hrbfnpr_style* style,
+                  const hrbfnpr_model* rays) {
+    scenes::Check check;
+    hrbfnpr_renderer* renderer = nullptr;
+    check(hrbfnpr_renderer_create(context.get(), &renderer, check.error()));
+    Renderer owner(renderer);
+    auto item = made(hrbfnpr_item_init);
+    item.point_set = marks.get();
+    item.style = style;
+    item.model = rays;
+    const hrbfnpr_camera camera = front_camera();
+    check(hrbfnpr_renderer_prepare(renderer, &item, 1, 0, &camera, nullptr, check.error()));
+    return owner;
+}
+
+Bytes drawn(const Renderer& renderer, const hrbfnpr_draw_desc* desc = nullptr) {
+    scenes::Check check;
+    Bytes pixels(std::size_t{4} * picture_size * picture_size);
+    auto image = made(hrbfnpr_image_init);
+    image.width = image.height = picture_size;
+    image.pixels = pixels.data();
+    check(hrbfnpr_renderer_draw_image(renderer.get(), &image, desc, check.error()));
+    return pixels;
+}
+
+hrbfnpr_style preset_style(std::uint32_t preset) {
+    scenes::Check check;
+    hrbfnpr_style style;
+    check(hrbfnpr_style_init_preset(&style, sizeof style, preset, nullptr, check.error()));
+    return style;
+}
+
+Bytes draw_presets(const Scene& scene) {
+    Output output;
+    for (std::uint32_t preset = 0; preset < HRBFNPR_STYLE_COUNT; ++preset) {
+        const hrbfnpr_style style = preset_style(preset);
+        output.add(draw(scene.context, scene.marks, &style));
+    }
+    return output.bytes();
+}
+
+Bytes draw_painted(const Scene& scene) {
+    hrbfnpr_style style = preset_style(HRBFNPR_STYLE_FULL);
+    style.visibility = HRBFNPR_VISIBILITY_PAINTED;
+    return draw(scene.context, scene.marks, &style);
+}
+
+Bytes draw_with_rays(const Scene& scene) { return draw(scene.context, scene.marks, nullptr, scene.model.get()); }
+
+Bytes draw_into_buffers(const Scene& scene) {
+    static constexpr std::int64_t pixels = std::int64_t{picture_size} * picture_size;
+    Output output;
+    auto desc = made(hrbfnpr_draw_desc_init);
+    const std::vector<float> host_depth(static_cast<std::size_t>(pixels), 1.0F);
+    desc.flags = HRBFNPR_DRAW_LINEAR_LIGHT;
+    desc.host_depth = {host_depth.data(), pixels, 0, HRBFNPR_SCALAR_FLOAT32, 1};
+    desc.depth = output.add(pixels, 1, HRBFNPR_SCALAR_FLOAT32);
+    desc.id = output.add(pixels, 1, HRBFNPR_SCALAR_UINT32);
+    desc.class_ = output.add(pixels, 1, HRBFNPR_SCALAR_UINT8);
+    output.add(drawn(prepared(scene.context, scene.marks, nullptr, nullptr), &desc));
+    return output.bytes();
+}
+
+Bytes write_vertices(const Scene& scene) {
+    scenes::Check check;
+    const Renderer renderer = prepared(scene.context, scene.marks, nullptr, nullptr);
+    auto layout = made(hrbfnpr_vertex_layout_init);
+    layout.attribute_count = 3;
+    layout.attributes[0] = {HRBFNPR_VERTEX_POSITION, HRBFNPR_SCALAR_FLOAT32, 0, 0};
+    layout.attributes[1] = {HRBFNPR_VERTEX_RADIUS, HRBFNPR_SCALAR_FLOAT32, 12, 0};
+    layout.attributes[2] = {HRBFNPR_VERTEX_COLOR, HRBFNPR_SCALAR_UINT8, 16, 0};
+    std::int64_t count = 0;
+    check(hrbfnpr_renderer_vertex_bound(renderer.get(), &count, check.error()));
+    Bytes vertices(static_cast<std::size_t>(20 * count));
+    check(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, vertices.data(), count, &count, check.error()));
+    return vertices;
+}
+
+std::int32_t append(void* user, const void* data, std::uint64_t size) {
+    const auto* bytes = static_cast<const std::uint8_t*>(data);
+    auto& all = *static_cast<Bytes*>(user);
+    all.insert(all.end(), bytes, bytes + size);
+    return 0;
+}
+
+// What is left to read of a saved file.
+struct Source {
+    Bytes bytes;
+    std::size_t next = 0;
+};
+
+std::int64_t take(void* user, void* data, std::uint64_t size) {
+    auto& source = *static_cast<Source*>(user);
+    const std::size_t count = std::min<std::size_t>(size, source.bytes.size() - source.next);
+    std::copy_n(source.bytes.begin() + static_cast<std::ptrdiff_t>(source.next), count,
+                static_cast<std::uint8_t*>(data));
+    source.next += count;
+    return static_cast<std::int64_t>(count);
+}
+
+Bytes save_and_load(const Scene& scene) {
+    scenes::Check check;
+    Source model_file;
+    Source marks_file;
+    check(hrbfnpr_model_save(scene.model.get(), append, &model_file.bytes, check.error()));
+    check(hrbfnpr_point_set_save(scene.marks.get(), append, &marks_file.bytes, check.error()));
+    hrbfnpr_model* model = nullptr;
+    check(hrbfnpr_model_load(scene.context.get(), take, &model_file, &model, check.error()));
+    const Model loaded_model(model);
+    hrbfnpr_point_set* marks = nullptr;
+    check(hrbfnpr_point_set_load(scene.context.get(), take, &marks_file, &marks, check.error()));
+    return bytes_of(PointSet(marks));
+}
+
+std::int32_t sphere(void* /*user*/, std::int64_t count, const double* points, double* value, double* /*gradient*/,
+                    double* /*hessian*/) {
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double* p = points + 3 * i;
+        value[i] = 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] - 1.0);
+    }
+    return 0;
+}
+
+// Differenced twice: a host's function is the most that a query calls.
+Bytes custom_model(const Scene& scene) {
+    scenes::Check check;
+    auto desc = made(hrbfnpr_custom_desc_init);
+    desc.function = sphere;
+    for (int axis = 0; axis < 3; ++axis) {
+        desc.bounds_min[axis] = -1.0;
+        desc.bounds_max[axis] = 1.0;
+    }
+    hrbfnpr_model* model = nullptr;
+    check(hrbfnpr_model_create_custom(scene.context.get(), &desc, &model, check.error()));
+    hrbfnpr_context_retain(scene.context.get());
+    const Scene custom(Context(scene.context.get()), Model(model));
+    Output output;
+    for (const auto run : {evaluate, project, curvature, cast_rays, contains, generate_blue_noise, draw_with_rays})
+        output.add(run(custom));
+    return output.bytes();
+}
+
+// Everything small: infos, cameras, operations, and calls that fail.
+Bytes small_calls(const Scene& scene) {
+    scenes::Check check;
+    auto model_info = made(hrbfnpr_model_info_init);
+    check(hrbfnpr_model_get_info(scene.model.get(), &model_info, check.error()));
+    auto marks_info = made(hrbfnpr_point_set_info_init);
+    check(hrbfnpr_point_set_get_info(scene.marks.get(), &marks_info, check.error()));
+    auto context_info = made(hrbfnpr_context_info_init);
+    check(hrbfnpr_context_get_info(scene.context.get(), &context_info, check.error()));
+    const Context another = make_context(1);
+    hrbfnpr_operation* operation = nullptr;
+    check(hrbfnpr_operation_create(another.get(), &operation, check.error()));
+    hrbfnpr_operation_cancel(operation);
+    hrbfnpr_operation_release(operation);
+    hrbfnpr_array centres{};
+    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_POSITION, &centres, check.error()));
+    auto camera = front_camera();
+    const double direction[3] = {0.0, 1.0, -1.0};
+    const double up[3] = {0.0, 0.0, 1.0};
+    check(hrbfnpr_camera_fit_points(&camera, &centres, nullptr, direction, up, 0.5, 100.0, 100.0, 0.02, check.error()));
+    auto error = made(hrbfnpr_error_init);
+    hrbfnpr_camera_perspective(&camera, 1.5, 100.5, 100.0, 2.5, 1.5, &error); // far before near
+    Bytes statuses{static_cast<std::uint8_t>(error.status)};
+    auto bad = made(hrbfnpr_generate_desc_init);
+    bad.box_jitter = 0.75;
+    hrbfnpr_point_set* none = nullptr;
+    hrbfnpr_point_set_generate(scene.context.get(), scene.model.get(), &bad, nullptr, &none, &error);
+    statuses.push_back(static_cast<std::uint8_t>(error.status));
+    return statuses;
+}
+
+constexpr Step all_steps[] = {
+    {"evaluate", evaluate},
+    {"project", project},
+    {"curvature", curvature},
+    {"cast_rays", cast_rays},
+    {"contains", contains},
+    {"generate BLUE_NOISE", generate_blue_noise},
+    {"generate PAPER", generate_paper},
+    {"step_patches", step_patches},
+    {"create_from_arrays", marks_from_arrays},
+    {"custom model, all of these", custom_model},
+    {"draw presets", draw_presets},
+    {"draw PAINTED", draw_painted},
+    {"draw, a model hides", draw_with_rays},
+    {"draw into buffers", draw_into_buffers},
+    {"write_vertices", write_vertices},
+    {"save and load", save_and_load},
+    {"small calls", small_calls},
+};
+
+} // namespace
+
+Bytes draw(const Context& context, const PointSet& marks, const hrbfnpr_style* style, const hrbfnpr_model* rays) {
+    return drawn(prepared(context, marks, style, rays));
+}
+
+std::span<const Step> steps() { return all_steps; }
+
+} // namespace host_test
