@@ -113,6 +113,7 @@ bool Ordering::fill(OrderStage& stage, std::int64_t last, double closest, double
     double at_cleaning = 0.0;
     double distance = kept_distance;
     float threshold = least_threshold;
+    bool missed = false; // candidates that only a sweep's later steps open, in cells that none of its marks is near
     while (marks_.size() < last) {
         progress.check();
         const auto before = static_cast<double>(marks_.size());
@@ -123,12 +124,16 @@ bool Ordering::fill(OrderStage& stage, std::int64_t last, double closest, double
         const bool nearly_full = before > 0.97 * static_cast<double>(last);
         const bool many = before >= fewest_for_many_steps && !nearly_full;
         std::array<SweepStep, steps_of_sweep> steps;
-        const std::size_t count = many ? steps.size() : 1;
+        std::size_t count = many ? steps.size() : 1;
         double expected = before;
         for (std::size_t k = 0; k < count; ++k) {
             expected = std::min(static_cast<double>(last), growth_of_step * expected + (many ? 0.0 : 1.0));
             if (many) threshold *= threshold_of_step;
             steps[k] = {distance * densest(expected), threshold};
+        }
+        if (missed) {
+            steps[0] = steps[count - 1];
+            count = 1;
         }
         stage.sweep({steps.data(), count}, last - marks_.size(), marks_);
         note_steps(stage);
@@ -136,9 +141,11 @@ bool Ordering::fill(OrderStage& stage, std::int64_t last, double closest, double
         progress.update(after / static_cast<double>(wanted_));
         if (after - before > 0.25 * (expected - before)) {
             if (many) threshold *= static_cast<float>(std::pow(expected / after, slope_of_threshold));
+            missed = false;
             continue;
         }
         const float lowest = stage.lowest();
+        missed = after == before && lowest < threshold;
         if (std::isfinite(lowest))
             threshold = (nearly_full ? small_rise : rise) * std::max(threshold, lowest);
         else if (after == before && (distance *= concession) < closest)

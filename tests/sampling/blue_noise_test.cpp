@@ -2,6 +2,7 @@
 #include "sampling_support.h"
 
 #include "geometry/point_tree.h"
+#include "sampling/progressive_order.h"
 
 #include <algorithm>
 
@@ -104,6 +105,24 @@ TEST(BlueNoise, SpacingAndAreaAreThoseOfTheSurface) {
         EXPECT_EQ(of(set, Group::stipple).count(), budget);
         const double expected = std::sqrt(torus.area() / static_cast<double>(budget));
         EXPECT_NEAR(set.spacing, expected, 0.03 * expected);
+    }
+}
+
+// Few candidates run out at a sweep's first step while its last one, whose distance is smaller, still has some.
+TEST(BlueNoise, OrdersThatUseUpTheirCandidatesEnd) {
+    const Torus torus;
+    const Site site{runtime(), torus, 1e-6, 1};
+    geometry::VecArray seed(runtime().memory);
+    seed.push_back({1.35, 0.0, 0.0});
+    const geometry::Bounds region = torus.bounds().grown(0.1);
+    for (const std::int64_t wanted : {4000, 6000, 9000, 13000}) {
+        const SurfaceCells cells =
+            find_surface_cells(site, seed, region, 2.2 * std::sqrt(torus.area() / static_cast<double>(wanted)), {});
+        for (const std::int64_t each : {1, 2, 3}) {
+            const Candidates candidates = draw_candidates(site, cells, each * wanted, Group::stipple, {});
+            const OrderedMarks marks = progressive_order(site, candidates, wanted, {});
+            EXPECT_GT(marks.size(), wanted * (each == 1 ? 6 : 9) / 10) << each;
+        }
     }
 }
 
