@@ -121,7 +121,7 @@ void SourceTree::gather_moments(std::int32_t level, const base::Progress& progre
     runtime_.parallel.for_chunks(tree_.level_end(level) - first, chunk, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         base::Array<double> terms(runtime_.memory, basis.terms());
-        base::Array<double> sums(runtime_.memory, basis.terms() * cube_lanes);
+        base::Array<double> sums(runtime_.memory, std::int64_t{basis.terms()} * cube_lanes);
         base::Array<double> nobody(runtime_.memory, basis.stride());
         CubeVectors batch(runtime_.memory, basis.terms());
         const auto flush = [&] {
