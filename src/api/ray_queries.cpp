@@ -128,6 +128,7 @@ hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_s
     return api::init_struct(desc, struct_size);
 }
 
+// NOLINTNEXTLINE(readability-function-size): the published interface has that many parameters
 hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
                                        const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc,
                                        const hrbfnpr_array_out* hits, const hrbfnpr_array_out* t,

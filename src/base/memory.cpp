@@ -17,9 +17,9 @@ void default_deallocate(void* /*user*/, void* memory, std::uint64_t /*size*/, st
 
 Memory::Memory() noexcept : Memory(nullptr, nullptr, nullptr) {}
 
-Memory::Memory(AllocateFn given, DeallocateFn give_back, void* user) noexcept
-    : allocate_(given != nullptr ? given : default_allocate),
-      deallocate_(give_back != nullptr ? give_back : default_deallocate), user_(user) {}
+Memory::Memory(AllocateFn give, DeallocateFn take_back, void* user) noexcept
+    : allocate_(give != nullptr ? give : default_allocate),
+      deallocate_(take_back != nullptr ? take_back : default_deallocate), user_(user) {}
 
 void* Memory::allocate(std::uint64_t size) {
     void* memory = allocate_(user_, size, alignment);

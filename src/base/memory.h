@@ -23,7 +23,7 @@ public:
     static constexpr std::uint64_t alignment = 64; // a cache line, and the widest vector
 
     Memory() noexcept;
-    Memory(AllocateFn allocate, DeallocateFn deallocate, void* user) noexcept;
+    Memory(AllocateFn give, DeallocateFn take_back, void* user) noexcept;
     Memory(const Memory&) = delete;
     Memory& operator=(const Memory&) = delete;
 
@@ -67,7 +67,7 @@ public:
 
     [[nodiscard]] std::int64_t size() const noexcept { return size_; }
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-    [[nodiscard]] std::int64_t bytes() const noexcept { return capacity_ * std::int64_t{sizeof(T)}; }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return capacity_ * element_bytes; }
     [[nodiscard]] T* data() noexcept { return data_; }
     [[nodiscard]] const T* data() const noexcept { return data_; }
     [[nodiscard]] T& operator[](std::int64_t i) noexcept { return data_[i]; }
@@ -117,12 +117,15 @@ public:
     }
 
 private:
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): the elements may be pointers
+    static constexpr std::int64_t element_bytes{sizeof(T)};
+
     static std::uint64_t byte_count(std::int64_t elements) {
         constexpr auto limit = std::int64_t{1} << 62;
-        if (elements < 0 || elements > limit / std::int64_t{sizeof(T)})
+        if (elements < 0 || elements > limit / element_bytes)
             fail(Status::out_of_memory, "%lld elements of %lld bytes are beyond any memory",
-                 static_cast<long long>(elements), static_cast<long long>(sizeof(T)));
-        return static_cast<std::uint64_t>(elements) * sizeof(T);
+                 static_cast<long long>(elements), static_cast<long long>(element_bytes));
+        return static_cast<std::uint64_t>(elements * element_bytes);
     }
 
     Memory* memory_;

@@ -25,9 +25,8 @@ constexpr int most_threads = 256;
 #if defined(HRBFNPR_HAS_FORK)
 // libgomp's pool does not survive fork(): its first region in the child hangs for ever.
 // The pid at the first parallel region is remembered; another pid means "go serial".
-std::atomic<long> pool_pid{0};
-
 bool pool_is_ours() noexcept {
+    static std::atomic<long> pool_pid{0};
     const long self = static_cast<long>(getpid());
     long owner = 0;
     return pool_pid.compare_exchange_strong(owner, self) || owner == self;

@@ -131,20 +131,18 @@ HWY_INLINE void theta_block(const LocalSystems& systems, const Place& p, const P
     for (int c = 1; c < 4; ++c) block.v[c][c] = hn::Add(block.v[c][c], set(systems.gradient_diagonal));
 }
 
+// In memory: numbers from one element of a block to the next, and from block to block.
+HWY_INLINE std::int64_t element_stride() { return static_cast<std::int64_t>(hn::Lanes(D())); }
+HWY_INLINE std::int64_t block_stride() { return 16 * element_stride(); }
+
 // Lower block triangle, row by row, in memory.
 struct Triangle {
     double* data;
-    HWY_INLINE double* block(int i, int j) const {
-        return data + (i * (i + 1) / 2 + j) * 16 * static_cast<int>(hn::Lanes(D()));
-    }
+    HWY_INLINE double* block(int i, int j) const { return data + (i * (i + 1) / 2 + j) * block_stride(); }
 };
 
-HWY_INLINE V load(const double* block, int r, int c) {
-    return hn::Load(D(), block + (4 * r + c) * static_cast<int>(hn::Lanes(D())));
-}
-HWY_INLINE void store(V v, double* block, int r, int c) {
-    hn::Store(v, D(), block + (4 * r + c) * static_cast<int>(hn::Lanes(D())));
-}
+HWY_INLINE V load(const double* block, int r, int c) { return hn::Load(D(), block + (4 * r + c) * element_stride()); }
+HWY_INLINE void store(V v, double* block, int r, int c) { hn::Store(v, D(), block + (4 * r + c) * element_stride()); }
 
 // s -= sum_k<j L_ik L_jk^T
 HWY_INLINE void update(const Triangle& l, int i, int j, Block& s) {
@@ -227,14 +225,13 @@ HWY_INLINE void factor_triangle(const LocalSystems& systems, const Place* p, int
 
 // The last block column X of C^-T, from its last block upwards: X_j = -C_jj^-T sum_k>j C_kj^T X_k.
 HWY_INLINE void last_columns(const Triangle& l, int blocks, double* columns) {
-    const int stride = 16 * static_cast<int>(hn::Lanes(D()));
     for (int j = blocks - 1; j >= 0; --j) {
         Block x;
         for (int r = 0; r < 4; ++r)
             for (int c = 0; c < 4; ++c) x.v[r][c] = set(j == blocks - 1 && r == c ? 1.0 : 0.0);
         for (int k = j + 1; k < blocks; ++k) {
             const double* a = l.block(k, j);
-            const double* b = columns + k * stride;
+            const double* b = columns + k * block_stride();
             for (int m = 0; m < 4; ++m)
                 for (int r = 0; r < 4; ++r) {
                     const V y = load(a, m, r);
@@ -242,22 +239,21 @@ HWY_INLINE void last_columns(const Triangle& l, int blocks, double* columns) {
                 }
         }
         solve_transposed(l.block(j, j), x);
-        put(x, columns + j * stride);
+        put(x, columns + j * block_stride());
     }
 }
 
 // What the expansions put on the reference: -sum_j T_j^T X_j.
 HWY_INLINE void reference_columns(const Place* p, int blocks, const double* columns, double* reference) {
-    const int stride = 16 * static_cast<int>(hn::Lanes(D()));
     Block sum;
     for (int r = 0; r < 4; ++r)
         for (int c = 0; c < 4; ++c) sum.v[r][c] = hn::Zero(D());
     for (int j = 0; j < blocks; ++j)
         for (int c = 0; c < 4; ++c) {
-            const V value = load(columns + j * stride, 0, c);
+            const V value = load(columns + j * block_stride(), 0, c);
             sum.v[0][c] = hn::Sub(sum.v[0][c], value);
             for (int r = 0; r < 3; ++r) {
-                const V gradient = load(columns + j * stride, 1 + r, c);
+                const V gradient = load(columns + j * block_stride(), 1 + r, c);
                 sum.v[1 + r][c] = hn::Sub(sum.v[1 + r][c], hn::MulAdd(p[j].x[r], value, gradient));
             }
         }
@@ -288,7 +284,7 @@ HWY_INLINE void load_positions(const LocalSystems& systems, const double* positi
 
 HWY_INLINE void store_factor(const LocalSystems& systems, const double* columns, std::int64_t first, int count,
                              float* factor) {
-    const int lanes = static_cast<int>(hn::Lanes(D()));
+    const std::int64_t lanes = element_stride();
     const int numbers = 16 * systems.set_size;
     for (int lane = 0; lane < count; ++lane) {
         float* to = factor + (first + lane) * numbers;
@@ -297,18 +293,18 @@ HWY_INLINE void store_factor(const LocalSystems& systems, const double* columns,
 }
 
 void factor_systems(const LocalSystems& systems, const double* position, double* room, float* factor) {
-    const int lanes = static_cast<int>(hn::Lanes(D()));
+    const std::int64_t lanes = element_stride();
     const int skipped = systems.beside_linear ? 1 : 0;
     const int blocks = systems.set_size - skipped;
     Place p[LocalSystems::largest_set];
     double* columns = room;
-    const Triangle triangle{room + 16 * lanes * systems.set_size};
+    const Triangle triangle{room + block_stride() * systems.set_size};
     for (std::int64_t first = 0; first < systems.count; first += lanes) {
-        const int count = static_cast<int>(systems.count - first < lanes ? systems.count - first : lanes);
+        const int count = static_cast<int>(HWY_MIN(lanes, systems.count - first));
         load_positions(systems, position, first, count, p);
         factor_triangle(systems, p + skipped, blocks, triangle);
-        last_columns(triangle, blocks, columns + 16 * lanes * skipped);
-        if (systems.beside_linear) reference_columns(p + 1, blocks, columns + 16 * lanes, columns);
+        last_columns(triangle, blocks, columns + block_stride() * skipped);
+        if (systems.beside_linear) reference_columns(p + 1, blocks, columns + block_stride(), columns);
         store_factor(systems, columns, first, count, factor);
     }
 }

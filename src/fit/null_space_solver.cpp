@@ -33,7 +33,6 @@ NullSpaceSolver::NullSpaceSolver(const base::Runtime& runtime, const HermiteSyst
     : runtime_(runtime), space_(runtime.memory, system), cholesky_(make_matrix(runtime.memory, space_)),
       border_(runtime.memory, space_.rows() * space_.terms()) {
     assemble(system, progress);
-    norm_ = cholesky_.norm(runtime.parallel);
 }
 
 // With Q = I - V T V^T and Y = A V T, B = Q^T A Q is A less a product of low rank,
@@ -64,6 +63,7 @@ void NullSpaceSolver::assemble(const HermiteSystem& system, const base::Progress
         assemble_tile(system, x_data.data(), at.i, at.j);
     });
     if (terms > 0) assemble_border(system, x_data.data());
+    norm_ = cholesky_.norm(runtime_.parallel);
     progress.update(1.0);
 }
 

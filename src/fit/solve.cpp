@@ -113,10 +113,9 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
 
 } // namespace
 
-Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, const SolveOptions& given,
+Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, SolveOptions options,
                const base::Progress& progress) {
     Solution solution(runtime.memory);
-    SolveOptions options = given;
     if (options.tolerance == 0.0) options.tolerance = system.samples() <= small ? 1e-10 : 1e-8;
     const bool possible = definite(system.options());
     if (options.solver == SolverKind::iterative) {

@@ -42,6 +42,6 @@ struct Solution {
 // rhs: unknowns() long, zeros in its last terms().
 // Throws Error{invalid_argument, singular_system, not_converged, out_of_memory, cancelled}.
 [[nodiscard]] Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-                             const SolveOptions& options, const base::Progress& progress);
+                             SolveOptions options, const base::Progress& progress);
 
 } // namespace hrbfnpr::fit

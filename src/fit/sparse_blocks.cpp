@@ -20,7 +20,7 @@ struct Row {
     V v[parts];
 };
 
-HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(D())); }
+HWY_INLINE std::int64_t lanes() { return static_cast<std::int64_t>(hn::Lanes(D())); }
 
 HWY_INLINE Row zero() {
     Row row;
@@ -61,7 +61,7 @@ void multiply_transposed(const SparseFactor& factor, std::int64_t begin, std::in
         const float* block = factor.factor + i * factor.set_size * 16;
         for (std::int64_t k = 0; k < factor.set_size && set[0] >= 0; ++k, block += 16) {
             const double* x = r + 4 * static_cast<std::int64_t>(set[k]);
-            for (int row = 0; row < 4; ++row) add_product(load(block + 4 * row), x[row], sum);
+            for (std::int64_t row = 0; row < 4; ++row) add_product(load(block + 4 * row), x[row], sum);
         }
         for (int p = 0; p < parts; ++p) hn::StoreU(sum.v[p], D(), t + 4 * i + p * lanes());
     }
@@ -74,7 +74,7 @@ void multiply(const SparseFactor& factor, std::int64_t begin, std::int64_t end, 
             const std::int64_t element = factor.use[use];
             const float* block = factor.factor + element * 16;
             const Row x = load(t + 4 * (element / factor.set_size));
-            for (int row = 0; row < 4; ++row) add_product(load(block + 4 * row), x, sum[row]);
+            for (std::int64_t row = 0; row < 4; ++row) add_product(load(block + 4 * row), x, sum[row]);
         }
         for (int row = 0; row < 4; ++row) z[4 * j + row] = total(sum[row]);
     }

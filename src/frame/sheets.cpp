@@ -116,8 +116,10 @@ std::int64_t Sheets::attenuate(const Gather& gather, std::span<Ink> inks, TileBi
 // those, through the next.
 std::int64_t Sheets::dim_tile(SheetPlanes& planes, std::span<const Cover> covers, std::span<Ink> inks,
                               const TileBins& ink_bins, std::int64_t tile, const glm::vec2& origin) const noexcept {
-    const glm::vec2 corner = origin + glm::vec2(static_cast<float>(tile % ink_bins.columns() * tile_size - apron),
-                                                static_cast<float>(tile / ink_bins.columns() * tile_size - apron));
+    const std::int64_t column = tile % ink_bins.columns();
+    const std::int64_t row = tile / ink_bins.columns();
+    const glm::vec2 corner =
+        origin + glm::vec2(static_cast<float>(column * tile_size - apron), static_cast<float>(row * tile_size - apron));
     const TileBins::Extent own = ink_bins.own_extent(tile);
     const auto for_own = [&](auto&& f) {
         ink_bins.for_tile(tile, [&](std::uint32_t i) {

@@ -8,9 +8,18 @@
 #include "implicit/hermite_hessians.h"
 #include "implicit/source_tree.h"
 
-#include <bit>
+#include <array>
 
 namespace hrbfnpr::implicit {
+
+// Of each byte, how many bits it has.  std::popcount is a call of a function where not every processor has the
+// instruction.
+inline constexpr std::array<std::uint8_t, 256> bits_of_byte = [] {
+    std::array<std::uint8_t, 256> bits{};
+    for (std::size_t byte = 1; byte < bits.size(); ++byte)
+        bits[byte] = static_cast<std::uint8_t>(bits[byte / 2] + byte % 2);
+    return bits;
+}();
 
 struct LocalFieldOptions {
     double spacing = 1.0;    // of the centres, mean
@@ -47,7 +56,7 @@ private:
         [[nodiscard]] bool serves() const noexcept { return octants != 255; }
         [[nodiscard]] bool has_child(int octant) const noexcept { return (octants >> octant & 1) != 0; }
         [[nodiscard]] std::int32_t child(int octant) const noexcept {
-            return first_child + std::popcount(octants & ((1U << octant) - 1U));
+            return first_child + bits_of_byte[octants & ((1U << octant) - 1U)];
         }
     };
     struct Range {

@@ -89,7 +89,7 @@ std::shared_ptr<SourceTree::Transfers> SourceTree::find_transfers(std::int32_t l
     const CubeBasis& child = basis(level + 1);
     for (std::int32_t other = 2; other < level; ++other)
         if (&basis(other) == &here && &basis(other + 1) == &child) return at(other).transfers;
-    const auto transfers = std::make_shared<Transfers>();
+    auto transfers = std::make_shared<Transfers>();
     for (int octant = 0; octant < 8; ++octant) {
         progress.check();
         transfers->to_child.push_back(here.interpolation(runtime_, in_parent(child, octant), child.size()));
@@ -121,7 +121,7 @@ void SourceTree::gather_moments(std::int32_t level, const base::Progress& progre
     runtime_.parallel.for_chunks(tree_.level_end(level) - first, chunk, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         base::Array<double> terms(runtime_.memory, basis.terms());
-        base::Array<double> sums(runtime_.memory, basis.terms() * cube_lanes);
+        base::Array<double> sums(runtime_.memory, std::int64_t{basis.terms()} * cube_lanes);
         base::Array<double> nobody(runtime_.memory, basis.stride());
         CubeVectors batch(runtime_.memory, basis.terms());
         const auto flush = [&] {
@@ -191,8 +191,8 @@ void SourceTree::translate(std::int32_t level, std::span<const Pair> pairs, int 
         const Pair& pair = pairs[k];
         batch.add(outgoing(pair.source, level), basis.size(), incoming + std::int64_t{pair.target} * basis.stride());
         if (!batch.full() && k + 1 < pairs.size() && pairs[k + 1].direction == pair.direction) continue;
-        const double shift[3] = {2.0 * (pair.direction % 11 - 5), 2.0 * (pair.direction / 11 % 11 - 5),
-                                 2.0 * (pair.direction / 121 - 5)};
+        const std::array<std::int32_t, 3> by = offset(pair.direction);
+        const double shift[3] = {2.0 * by[0], 2.0 * by[1], 2.0 * by[2]};
         loops.translate(nodes, first_row, last_row, basis.size(), shift, half * half * half, batch.in(),
                         batch.out(nobody.data()), batch.count());
         batch.clear();

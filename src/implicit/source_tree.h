@@ -60,6 +60,10 @@ public:
                                                 const std::array<std::int32_t, 3>& source) noexcept {
         return (target[0] - source[0] + 5) + 11 * (target[1] - source[1] + 5) + 121 * (target[2] - source[2] + 5);
     }
+    // The offset of the target from the source, in cubes.
+    [[nodiscard]] static std::array<std::int32_t, 3> offset(std::int32_t direction) noexcept {
+        return {direction % 11 - 5, direction / 11 % 11 - 5, direction / 121 - 5};
+    }
     // Adds to nodes [first_row, last_row) of the targets, multiples of 8; target t's vector is t basis strides after
     // `incoming`.  Pairs of one direction that stand together share the work.
     void translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,

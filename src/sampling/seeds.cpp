@@ -86,9 +86,10 @@ void seeds_in_box(const Site& site, const GenerateSettings& settings, std::int32
     Collector collector(site, seeds, diagonal, progress);
     const std::int64_t count = box.cells[0] * box.cells[1] * box.cells[2];
     for (std::int64_t i = 0; i < count; ++i) {
-        const glm::dvec3 cell(static_cast<double>(i % box.cells[0]),
-                              static_cast<double>(i / box.cells[0] % box.cells[1]),
-                              static_cast<double>(i / (box.cells[0] * box.cells[1])));
+        const std::int64_t row = i / box.cells[0];
+        const std::int64_t layer = row / box.cells[1];
+        const glm::dvec3 cell(static_cast<double>(i % box.cells[0]), static_cast<double>(row % box.cells[1]),
+                              static_cast<double>(layer));
         const glm::dvec3 jitter =
             in_ball(base::uniform4(site.random_seed, static_cast<std::uint64_t>(i), base::Purpose::box_jitter),
                     settings.box_jitter * box.side);

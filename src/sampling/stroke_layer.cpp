@@ -66,7 +66,7 @@ private:
 
     void prepare(int number);
     void seed_from_samples(const base::Progress& progress);
-    void seed_beside(std::int64_t stroke);
+    void seed_beside(std::int64_t number);
     [[nodiscard]] bool crowded(const StrokePoint& point, double room) const noexcept;
     [[nodiscard]] Room room_at(const StrokePoint& point) const noexcept;
     [[nodiscard]] std::int32_t move_to_middle(StrokePoint& point) const noexcept;

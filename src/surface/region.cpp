@@ -18,8 +18,10 @@ constexpr double safety = 1.5;
 
 // Node i of the grid, whose outermost nodes lie on the faces of the region.
 glm::dvec3 grid_node(const geometry::Bounds& region, std::int64_t i) noexcept {
-    const glm::dvec3 step(static_cast<double>(i % grid_side), static_cast<double>(i / grid_side % grid_side),
-                          static_cast<double>(i / (grid_side * grid_side)));
+    const std::int64_t row = i / grid_side;
+    const std::int64_t layer = row / grid_side;
+    const glm::dvec3 step(static_cast<double>(i % grid_side), static_cast<double>(row % grid_side),
+                          static_cast<double>(layer));
     return region.min + step / static_cast<double>(grid_side - 1) * region.size();
 }
 

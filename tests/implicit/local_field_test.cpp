@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace base = hrbfnpr::base;
@@ -89,6 +90,10 @@ Error largest_error(const base::Runtime& runtime, const Sources& sources, const 
         all += std::abs(sources.alpha[j]) * r * r * r;
     }
     return {error.value / all, error.gradient / all, error.hessian / all};
+}
+
+TEST(LocalField, CountsTheBitsOfEveryByte) {
+    for (std::uint32_t byte = 0; byte < 256; ++byte) EXPECT_EQ(implicit::bits_of_byte[byte], std::popcount(byte));
 }
 
 TEST(LocalField, EqualsTheSumOverAllSources) {

@@ -15,7 +15,7 @@ namespace {
 using namespace samples;
 
 Bytes golden(const char* name) {
-    const auto path = std::filesystem::path(__FILE__).parent_path() / "golden" / name;
+    const auto path = std::filesystem::path(HRBFNPR_GOLDEN_FILES) / name;
     std::ifstream stream(path, std::ios::binary);
     EXPECT_TRUE(stream) << path;
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

@@ -118,7 +118,7 @@ Picture draw(hrbfnpr_context* context, const Scene& scene) {
     Picture picture;
     picture.width = static_cast<int>(scene.camera.viewport[2]);
     picture.height = static_cast<int>(scene.camera.viewport[3]);
-    picture.rgba.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4);
+    picture.rgba.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4, 0);
     hrbfnpr_image image;
     hrbfnpr_image_init(&image, sizeof image);
     image.width = picture.width;

@@ -54,6 +54,10 @@ public:
     }
 
 private:
+    // Where column 0 of the image's row y is, or would be, in a plane of the tile.
+    [[nodiscard]] static std::int64_t row_begin(const glm::ivec2& first, std::int32_t y) noexcept {
+        return std::int64_t{y - first.y} * stride - first.x;
+    }
     [[nodiscard]] glm::vec4 in_light(const glm::vec4& color) const noexcept {
         return settings_.linear_light ? to_linear(color) : color;
     }
@@ -70,7 +74,7 @@ private:
         tile.host = scratch_ + host * plane;
         const float toward = convention_ == frame::DepthConvention::reversed ? -1.0F : 1.0F;
         for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
-            float* const row = scratch_ + host * plane + (y - first.y) * stride - first.x;
+            float* const row = scratch_ + host * plane + row_begin(first, y);
             for (std::int32_t x = rect.left; x < rect.right; ++x)
                 row[x] = toward * static_cast<float>(settings_.host_depth.get(std::int64_t{y} * image_.width + x, 0));
         }
@@ -79,7 +83,7 @@ private:
 
     void store_row(const Rect& rect, const glm::ivec2& first, std::int32_t y) const noexcept {
         std::byte* const row = image_.pixels + y * image_.row_stride;
-        const std::int64_t at = std::int64_t{y - first.y} * stride - first.x;
+        const std::int64_t at = row_begin(first, y);
         if (!simple_) {
             for (std::int32_t x = rect.left; x < rect.right; ++x) store_one(row + std::int64_t{4} * x, at + x);
             return;
