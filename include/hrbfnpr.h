@@ -26,6 +26,8 @@
  *   run at the same time on several threads with the same handle; a call that
  *   takes `T*` needs the handle for itself.  Exceptions are named where they
  *   stand (retain, release and hrbfnpr_operation_cancel run on any thread).
+ *   A context may serve calls of several threads at the same time; its
+ *   callbacks are then called by as many.
  *
  * Ownership.  `_create`, `_fit`, `_generate` and `_load` return a handle with
  *   one reference, `_retain` adds one, `_release` takes one away and accepts
