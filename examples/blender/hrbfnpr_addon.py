@@ -18,6 +18,7 @@ bl_info = {
 }
 
 IMAGE = "Pen and Ink"
+NODES = "Pen and Ink Points"
 NORMAL = "surface_normal"  # attribute of points; "normal" is Blender's own
 STYLES = ("stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full")
 WITH_SURFACE = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
@@ -128,8 +129,27 @@ def attributes_of(marks, style, pixel):
     ]
 
 
+def mesh_to_points():
+    """Geometry nodes that turn vertices into a point cloud, as large as their attribute `radius` says."""
+    tree = bpy.data.node_groups.get(NODES)
+    if tree is not None:
+        return tree
+    tree = bpy.data.node_groups.new(NODES, "GeometryNodeTree")
+    tree.inputs.new("NodeSocketGeometry", "Vertices")
+    tree.outputs.new("NodeSocketGeometry", "Points")
+    vertices, points, result = (
+        tree.nodes.new(kind) for kind in ("NodeGroupInput", "GeometryNodeMeshToPoints", "NodeGroupOutput"))
+    radius = tree.nodes.new("GeometryNodeInputNamedAttribute")
+    radius.data_type = "FLOAT"
+    radius.inputs["Name"].default_value = "radius"
+    tree.links.new(vertices.outputs[0], points.inputs["Mesh"])
+    tree.links.new(next(socket for socket in radius.outputs if socket.enabled), points.inputs["Radius"])
+    tree.links.new(points.outputs[0], result.inputs[0])
+    return tree
+
+
 def points_object(name, marks, attributes):
-    """The marks as vertices: Blender 3.4 cannot give a point cloud its size from a script."""
+    """The marks as a point cloud, by way of vertices: Blender 3.4 lets no script say how many points a cloud has."""
     mesh = bpy.data.meshes.new(name)
     mesh.vertices.add(len(marks))
     positions = np.concatenate([marks.positions(group) for group in marks.groups])
@@ -141,6 +161,7 @@ def points_object(name, marks, attributes):
     mesh.update()
     result = bpy.data.objects.new(name, mesh)
     result.location = marks.origin
+    result.modifiers.new("Points", "NODES").node_group = mesh_to_points()
     return result
 
 
@@ -196,7 +217,7 @@ class HRBFNPR_OT_draw(OfActiveObject, bpy.types.Operator):
 class HRBFNPR_OT_marks(OfActiveObject, bpy.types.Operator):
     bl_idname = "hrbfnpr.marks"
     bl_label = "Marks as Point Cloud"
-    bl_description = "Make an object of the active object's marks: vertices with attributes, for geometry nodes"
+    bl_description = "Make a point cloud of the active object's marks, with attributes for geometry nodes"
 
     def make(self, hrbfnpr, context):
         marks, style, camera = self.marked(hrbfnpr, context)

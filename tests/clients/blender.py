@@ -76,6 +76,11 @@ check("groups", [(groups == i).sum() for i in range(3)] ==
       [len(marks.ranks(group)) for group in ("stipple", "curvature", "combing")])
 radii = values(thing.data, "radius", "value", 1)
 check("radii", 0 < radii.min() and radii.max() < 0.05)
+shown = [instance.object for instance in bpy.context.evaluated_depsgraph_get().object_instances]
+(cloud,) = [part.data for part in shown if part.type == "POINTCLOUD"]
+check("a point cloud", len(cloud.points) == len(marks))
+check("its radii", np.array_equal([point.radius for point in cloud.points], radii[:, 0]))
+check("its ranks", np.array_equal(values(cloud, "rank", "value", 1)[:, 0], joined("ranks")))
 
 # The camera of the scene sees a place where Blender says.
 settings.style, settings.budget, settings.scene_camera = "contour-and-stipple", 0, True
