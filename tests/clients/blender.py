@@ -139,7 +139,7 @@ print("all checked")
 
 def version():
     program = run.need("blender", "blender")
-    found = re.search(r"Blender ([\d.]+)", run.run([program, "--version"], timeout=60))
+    found = re.search(r"Blender ([\d.]+)", run.run([program, "--version"]))
     return found[1] if found else "of no version"
 
 
@@ -152,7 +152,7 @@ def draw(work, library, examples):
                "PYTHONDONTWRITEBYTECODE": "1"}
     blender = ["blender", "-b", "--factory-startup", "--python-exit-code", "3", "--python-use-system-env"]
     printed = run.run([*blender, "-P", ADDON / "draw.py", "-P", checks, "--", run.SAMPLES, picture],
-                      env={**os.environ, **folders, **package}, timeout=120)
+                      env={**os.environ, **folders, **package})
     if "all checked" not in printed:
         raise run.Failed(printed)
     return picture

@@ -51,7 +51,7 @@ def values(home):
 def engine(work, project, *options):
     """Runs the project on a screen; returns what it printed."""
     command = ["godot3-runner", "--audio-driver", "Dummy", "--path", project, *options]
-    return run.on_a_screen(command, env=values(work), timeout=120)
+    return run.on_a_screen(command, env=values(work))
 
 
 def check_mesh(work, library, project, reference):
@@ -80,7 +80,7 @@ def check_errors(work, project):
     samples = work / "wrong.xyzn"
     samples.write_text("0 0 0 0 0 0\n", encoding="utf-8")
     try:
-        run.run(["godot3-server", "--path", project, f"--samples={samples}"], env=values(work), timeout=60)
+        run.run(["godot3-server", "--path", project, f"--samples={samples}"], env=values(work))
     except run.Failed as failed:
         if "normals" in str(failed):
             return
@@ -93,7 +93,7 @@ def draw(work, library, examples):
     shutil.copytree(examples / "godot" / "project", project)
     picture = work / "picture.rgba"
     if shutil.which("godot3-server"):
-        run.run(["godot3-server", "--path", project, f"--picture={picture}"], env=values(work), timeout=60)
+        run.run(["godot3-server", "--path", project, f"--picture={picture}"], env=values(work))
         check_errors(work, project)
     if program() == "godot3-runner":
         shot = work / "screenshot.rgba"

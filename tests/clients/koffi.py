@@ -31,5 +31,5 @@ def version():
 def draw(work, library, examples):
     picture = work / "picture.rgba"
     program = run.ROOT / "tests" / "clients" / "koffi.js"
-    run.run(["node", program, CDEF, library, run.SAMPLES, picture], env=environment(), timeout=60)
+    run.run(["node", program, CDEF, library, run.SAMPLES, picture], env=environment())
     return picture

@@ -18,6 +18,6 @@ def draw(work, library, examples):
         raise run.Missing("there is no Pillow here, to read the screenshot (Debian: python3-pil)") from None
     values = {**os.environ, "HRBFNPR_LIBRARY": str(library), "HOME": str(work), "XDG_DATA_HOME": str(work)}
     screenshot, picture = work / "screenshot.png", work / "picture.rgba"
-    run.on_a_screen(["love", run.EXAMPLES / "love", "--screenshot", screenshot], env=values, timeout=60)
+    run.on_a_screen(["love", run.EXAMPLES / "love", "--screenshot", screenshot], env=values)
     picture.write_bytes(Image.open(screenshot).convert("RGBA").tobytes())
     return picture

@@ -13,5 +13,5 @@ def version():
 def draw(work, library, examples):
     picture = work / "picture.rgba"
     program = run.ROOT / "tests" / "clients" / "luajit.lua"
-    run.run(["luajit", program, CDEF, library, run.SAMPLES, picture], timeout=60)
+    run.run(["luajit", program, CDEF, library, run.SAMPLES, picture])
     return picture

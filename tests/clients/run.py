@@ -10,6 +10,7 @@ installed.
 import importlib.util
 import os
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -19,6 +20,7 @@ EXAMPLES = ROOT / "examples"
 SAMPLES = EXAMPLES / "torus.xyzn"
 WIDTH, HEIGHT = 640, 480
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
+PATIENCE = 120  # seconds; a program that has not ended by then hangs
 
 
 class Missing(Exception):
@@ -37,14 +39,19 @@ def need(program, package):
     return path
 
 
-def run(command, *, timeout=300, **options):
-    """Runs a command; returns what it printed, or raises Failed with that."""
-    result = subprocess.run(
-        [str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=timeout,
-        **options)
-    if result.returncode != 0:
-        raise Failed(f"{' '.join(map(str, command))} ended with {result.returncode}:\n{result.stdout}")
-    return result.stdout
+def run(command, **options):
+    """Runs a command; returns what it printed, or raises Failed with that.  Nothing of one that hangs stays behind."""
+    command = [str(part) for part in command]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
+                          **options) as process:
+        try:
+            printed, _ = process.communicate(timeout=PATIENCE)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            raise Failed(f"{' '.join(command)} still ran after {PATIENCE} seconds") from None
+    if process.returncode != 0:
+        raise Failed(f"{' '.join(command)} ended with {process.returncode}:\n{printed}")
+    return printed
 
 
 def on_a_screen(command, **options):
