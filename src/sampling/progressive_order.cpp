@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace hrbfnpr::sampling {
 namespace {
@@ -131,7 +132,7 @@ bool Ordering::fill(OrderStage& stage, std::int64_t last, double closest, double
             if (many) threshold *= threshold_of_step;
             steps[k] = {distance * densest(expected), threshold};
         }
-        if (missed) {
+        if (std::exchange(missed, false)) {
             steps[0] = steps[count - 1];
             count = 1;
         }
@@ -141,7 +142,6 @@ bool Ordering::fill(OrderStage& stage, std::int64_t last, double closest, double
         progress.update(after / static_cast<double>(wanted_));
         if (after - before > 0.25 * (expected - before)) {
             if (many) threshold *= static_cast<float>(std::pow(expected / after, slope_of_threshold));
-            missed = false;
             continue;
         }
         const float lowest = stage.lowest();

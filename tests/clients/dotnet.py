@@ -23,7 +23,7 @@ def draw(work, library, examples):
         dotnet("build", project, framework)
     except SystemExit as end:
         if end.code == run.SKIPPED:
-            raise run.Missing("see above") from end
+            raise run.Missing("there is no .NET SDK 8 or later, or no NuGet packages to build with") from end
         raise run.Failed("it was not built") from end
     (program,) = (work / "artifacts" / "bin" / "Scene").rglob("Scene.dll")
     picture = work / "picture.rgba"

@@ -91,7 +91,7 @@ def main():
     work.mkdir(parents=True)
     title = client.NAME
     try:
-        title = f"{client.NAME} {client.version()}"
+        title = f"{client.NAME} {client.version()}".strip()
         run([reference, SAMPLES, work / "reference.rgba"])
         picture = client.draw(work, library.resolve(), examples)
     except Missing as missing:

@@ -54,6 +54,17 @@ TEST(Threads, EightEachWithAContext) {
     EXPECT_EQ(same, 24);
 }
 
+TEST(Threads, EightShareOneContext) {
+    const Context context = make_context(2);
+    const Bytes serial = session(make_context(1), fit(make_context(1)));
+    std::atomic<int> same{0};
+    on_threads(8, [&](int) {
+        for (int round = 0; round < 3; ++round)
+            if (session(context, fit(context)) == serial) ++same;
+    });
+    EXPECT_EQ(same, 24);
+}
+
 TEST(Threads, EightShareOneModel) {
     const Context owner = make_context(2);
     const Model model = fit(owner);
