@@ -98,6 +98,12 @@ public:
         size_ = size;
     }
 
+    // Elements that it adds hold whatever was there: for arrays that are about to be filled, on all threads.
+    void resize_for_overwrite(std::int64_t size) {
+        reserve(size);
+        size_ = size;
+    }
+
     void push_back(const T& value) {
         if (size_ == capacity_) {
             const T copy = value; // `value` may live in the memory that reserve gives back

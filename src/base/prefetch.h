@@ -11,6 +11,8 @@ inline void prefetch(const T* data, std::int64_t count) noexcept {
     const auto* const bytes = reinterpret_cast<const char*>(data);
     const auto size = count * static_cast<std::int64_t>(sizeof(T));
     for (std::int64_t at = 0; at < size; at += 64) __builtin_prefetch(bytes + at);
+    // GCC takes a function that only does this for one without effects, and leaves out the calls to it.
+    __asm__ volatile("");
 }
 
 } // namespace hrbfnpr::base

@@ -87,6 +87,20 @@ TEST(Array, NewElementsAreZero) {
     EXPECT_EQ(array[3], 0);
 }
 
+TEST(Array, ResizedForOverwritingItKeepsWhatItHas) {
+    Memory memory;
+    Array<int> array(memory, 2);
+    array[0] = 7;
+    array[1] = 8;
+    array.resize_for_overwrite(1000);
+    EXPECT_EQ(array.size(), 1000);
+    EXPECT_EQ(array[0], 7);
+    EXPECT_EQ(array[1], 8);
+    array.resize_for_overwrite(1);
+    array.resize(2);
+    EXPECT_EQ(array[1], 0);
+}
+
 TEST(Array, KeepsElementsWhenItGrows) {
     Memory memory;
     Array<std::int64_t> array(memory);
