@@ -1,7 +1,5 @@
 #include "geometry/cell_map.h"
 
-#include "geometry/cell_set.h"
-
 #include <bit>
 
 namespace hrbfnpr::geometry {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/memory.h"
+#include "geometry/cell_block.h"
 
 #include <array>
 
@@ -20,7 +21,6 @@ public:
         return numbers == nullptr ? -1 : numbers[code % cells_of_block];
     }
 
-    static constexpr std::uint64_t cells_of_block = 64;
     // The numbers of all cells of a block, in the order of their codes; null: there are none.
     [[nodiscard]] const std::int32_t* find_block(std::uint64_t block) const noexcept {
         if (place_.empty()) return nullptr;

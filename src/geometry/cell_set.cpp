@@ -1,5 +1,9 @@
 #include "geometry/cell_set.h"
 
+#include "geometry/cell_block.h"
+
+#include <bit>
+
 namespace hrbfnpr::geometry {
 namespace {
 
@@ -24,21 +28,46 @@ void CellSet::grow() {
     table_ = std::move(larger);
 }
 
-bool CellSet::insert(std::uint64_t packed) {
+std::uint64_t CellSet::insert(std::uint64_t name, std::uint64_t cells) {
     if (2 * (blocks_ + 1) > table_.size()) grow();
-    const std::uint64_t name = (packed & ~in_block) | 1U;
-    const std::uint64_t number =
-        (packed & 3U) | (packed >> CellGrid::bits & 3U) << 2U | (packed >> (2 * CellGrid::bits) & 3U) << 4U;
     Block& block = place(table_, name);
     if (block.name == 0) {
         block.name = name;
         ++blocks_;
     }
-    const std::uint64_t cell = std::uint64_t{1} << number;
-    if ((block.cells & cell) != 0) return false;
-    block.cells |= cell;
-    ++size_;
-    return true;
+    const std::uint64_t fresh = cells & ~block.cells;
+    block.cells |= cells;
+    size_ += std::popcount(fresh);
+    return fresh;
+}
+
+bool CellSet::insert(std::uint64_t packed) {
+    const CellGrid::Cell cell = CellGrid::unpack(packed & in_block);
+    return insert((packed & ~in_block) | 1U, std::uint64_t{1} << morton_code(cell)) != 0;
+}
+
+std::uint32_t CellSet::insert_around(const CellGrid::Cell& cell, std::uint32_t wanted) {
+    const NeighboursInBlocks& place = neighbours_in_blocks[morton_code({cell[0] & 3, cell[1] & 3, cell[2] & 3})];
+    std::array<std::uint64_t, neighbour_count> cells{}; // of each of the 27 blocks
+    std::uint32_t blocks = 0;
+    for (std::uint32_t left = wanted; left != 0; left &= left - 1) {
+        const InBlock& there = place[static_cast<std::size_t>(std::countr_zero(left))];
+        cells[there.block] |= std::uint64_t{1} << there.cell;
+        blocks |= 1U << there.block;
+    }
+    for (; blocks != 0; blocks &= blocks - 1) {
+        const int b = std::countr_zero(blocks);
+        const CellGrid::Cell block = neighbour({cell[0] / 4, cell[1] / 4, cell[2] / 4}, b);
+        std::uint64_t& of_block = cells[static_cast<std::size_t>(b)];
+        of_block = insert(CellGrid::pack({4 * block[0], 4 * block[1], 4 * block[2]}) | 1U, of_block);
+    }
+    std::uint32_t fresh = 0;
+    for (std::uint32_t left = wanted; left != 0; left &= left - 1) {
+        const int step = std::countr_zero(left);
+        const InBlock& there = place[static_cast<std::size_t>(step)];
+        fresh |= static_cast<std::uint32_t>(cells[there.block] >> there.cell & 1U) << static_cast<unsigned>(step);
+    }
+    return fresh;
 }
 
 } // namespace hrbfnpr::geometry

@@ -1,57 +1,10 @@
-// A set of cells of a uniform grid: a hash set of packed cell numbers, and the grid itself.
+// A set of cells of a uniform grid: a hash set of packed cell numbers.
 #pragma once
 
 #include "base/memory.h"
-#include "geometry/vec.h"
-
-#include <glm/common.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "geometry/cell_grid.h"
 
 namespace hrbfnpr::geometry {
-
-// Cell (i, j, k) is origin + side * [i, i + 1] x [j, j + 1] x [k, k + 1], each number in [0, most).
-struct CellGrid {
-    static constexpr int bits = 21;
-    static constexpr std::int64_t most = std::int64_t{1} << bits;
-
-    glm::dvec3 origin{0.0};
-    double side = 1.0;
-
-    using Cell = std::array<std::int64_t, 3>;
-
-    [[nodiscard]] Cell cell_of(const glm::dvec3& p) const noexcept {
-        const glm::dvec3 at =
-            glm::clamp((p - origin) / side, glm::dvec3(0.0), glm::dvec3(static_cast<double>(most - 1)));
-        return {static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y), static_cast<std::int64_t>(at.z)};
-    }
-    [[nodiscard]] glm::dvec3 corner(const Cell& cell) const noexcept {
-        return origin + side * glm::dvec3(static_cast<double>(cell[0]), static_cast<double>(cell[1]),
-                                          static_cast<double>(cell[2]));
-    }
-    [[nodiscard]] glm::dvec3 centre(const Cell& cell) const noexcept { return corner(cell) + 0.5 * side; }
-    [[nodiscard]] static bool inside(const Cell& cell) noexcept {
-        return std::all_of(cell.begin(), cell.end(), [](std::int64_t number) { return number >= 0 && number < most; });
-    }
-    [[nodiscard]] static std::uint64_t pack(const Cell& cell) noexcept {
-        return static_cast<std::uint64_t>(cell[0]) | static_cast<std::uint64_t>(cell[1]) << bits |
-               static_cast<std::uint64_t>(cell[2]) << (2 * bits);
-    }
-    [[nodiscard]] static Cell unpack(std::uint64_t packed) noexcept {
-        constexpr auto mask = static_cast<std::uint64_t>(most - 1);
-        return {static_cast<std::int64_t>(packed & mask), static_cast<std::int64_t>((packed >> bits) & mask),
-                static_cast<std::int64_t>((packed >> (2 * bits)) & mask)};
-    }
-};
-
-// The finaliser of splitmix64: every bit of a cell's number moves every bit of its place in a table.
-[[nodiscard]] inline std::uint64_t mixed_bits(std::uint64_t bits) noexcept {
-    bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
-    bits = (bits ^ (bits >> 27U)) * 0x94D049BB133111EBU;
-    return bits ^ (bits >> 31U);
-}
 
 // Cells that are near each other share entries: blocks of 4 x 4 x 4.
 class CellSet {
@@ -61,6 +14,8 @@ public:
     [[nodiscard]] std::int64_t size() const noexcept { return size_; }
     // Whether the cell was new.
     bool insert(std::uint64_t packed);
+    // Of the 27 neighbours, those with their bits set; returns the bits of the new ones.
+    std::uint32_t insert_around(const CellGrid::Cell& cell, std::uint32_t wanted);
 
 private:
     struct Block {
@@ -69,6 +24,8 @@ private:
     };
 
     [[nodiscard]] static Block& place(base::Array<Block>& table, std::uint64_t name) noexcept;
+    // Of these cells of a block the new ones.
+    std::uint64_t insert(std::uint64_t name, std::uint64_t cells);
     void grow();
 
     base::Array<Block> table_; // open addressing, a power of two, at most half full

@@ -1,7 +1,7 @@
 // Points sorted into the cells of a grid: for many small balls of one radius, where a tree is slow.
 #pragma once
 
-#include "geometry/cell_set.h"
+#include "geometry/cell_grid.h"
 #include "geometry/vec_array.h"
 
 namespace hrbfnpr::geometry {

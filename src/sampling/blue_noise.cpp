@@ -1,7 +1,7 @@
 #include "sampling/blue_noise.h"
 
-#include "geometry/point_grid.h"
 #include "sampling/candidates.h"
+#include "sampling/crowds.h"
 #include "sampling/progressive_order.h"
 
 #include <algorithm>
@@ -16,11 +16,9 @@ constexpr double coarsest_cells = 96.0;
 constexpr double finest_cells = 4096.0;
 // A cell's side in spacings of marks: wide enough for the energies of the order, and few enough to be found quickly.
 constexpr double cell_spacings = 2.2;
-constexpr std::int64_t candidates_per_mark = 5;
+constexpr double candidates_per_mark = 3.5;
 constexpr std::int64_t fewest_candidates = 6000;
-constexpr std::int64_t settled_at_once = 65536;
-// Of the densest packing's distance; the order keeps 0.70.
-constexpr double least_apart = 0.66;
+constexpr std::int64_t settled_at_once = 262144;
 
 // The samples' box and as much around it as the surface is known beyond its samples.  Another sheet
 // that the function happens to have farther out, and an open sheet's continuation, stay outside.
@@ -41,133 +39,88 @@ geometry::Bounds region_of(const Site& site, const Seeds& seeds, const SampleHin
     return region;
 }
 
-// Two marks that are nearer than all others.
-struct Crowd {
-    std::int64_t later, earlier;
-    [[nodiscard]] bool operator<(const Crowd& other) const noexcept {
-        return later != other.later ? later < other.later : earlier < other.earlier;
-    }
-};
-
-// Finds the crowds that a mark has wandered into.  The later of two says how far they must be apart, so marks are
-// looked at in octaves, in each of which that is nearly the same distance.
-class Crowds {
+// Projects the chosen; those that do not arrive leave a gap in the order, and are counted.
+class Resting {
 public:
-    Crowds(const Site& site, const EvenMarks& marks, const base::Array<std::int64_t>& wandered)
-        : site_(site), marks_(marks), wandered_(wandered), near_(site.memory()), found_(site.memory()) {}
+    Resting(const Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks)
+        : site_(site), cells_(cells), chosen_(chosen), marks_(marks), settler_(site), normal_(site.memory()),
+          fate_(site.memory()), wandered_(site.memory()) {}
 
-    // In ascending order.
-    base::Array<Crowd> find() {
-        const std::int64_t count = marks_.position.size();
-        for (std::int64_t begin = 0, end = 1; begin < count; begin = end, end = std::min(2 * end, count))
-            look_through(begin, end);
-        std::sort(found_.begin(), found_.end());
-        return std::move(found_);
+    void run(const base::Progress& progress) {
+        const std::int64_t count = chosen_.size();
+        marks_.position.reserve(count);
+        marks_.normal.reserve(count);
+        const auto all = static_cast<double>(count);
+        for (std::int64_t begin = 0; begin < count; begin += settled_at_once) {
+            const std::int64_t end = std::min(count, begin + settled_at_once);
+            settle(begin, end, progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
+            append();
+        }
+        if (!wandered_.empty()) keep_apart(site_, wandered_, marks_, report_);
+        LevelReport& report = marks_.report;
+        report.dropped_budget = report.placed - count;
+        report.placed = report_.placed;
+        report.dropped_not_converged += report_.dropped_not_converged;
+        report.dropped_strayed += report_.dropped_strayed;
+        report.dropped_degenerate += report_.dropped_degenerate;
     }
 
 private:
-    [[nodiscard]] double apart(std::int64_t later) const noexcept {
-        return least_apart * densest_distance(marks_.area, static_cast<double>(later + 1));
-    }
+    enum class Fate : std::uint8_t { dropped, outside, near, wandered };
 
-    void look_through(std::int64_t begin, std::int64_t end) {
-        geometry::VecArray position(site_.memory());
-        for (const std::int64_t i : wandered_)
-            if (i < end) position.push_back(marks_.position[i]);
-        if (position.empty()) return;
-        const geometry::PointGrid grid(position, apart(begin));
-        near_.resize(end);
-        site_.runtime.parallel.for_chunks(end, 8192, [&](std::int64_t from, std::int64_t to) {
-            for (std::int64_t j = from; j < to; ++j) {
-                near_[j] = 0;
-                visit(grid, begin, j, [&](const Crowd&) { near_[j] = 1; });
-            }
-        });
-        for (std::int64_t j = 0; j < end; ++j)
-            if (near_[j] != 0) visit(grid, begin, j, [&](const Crowd& crowd) { found_.push_back(crowd); });
-    }
-
-    // The crowds of mark j and one that wandered, of which the later one is not before `begin`.
     template <class Visit>
-    void visit(const geometry::PointGrid& grid, std::int64_t begin, std::int64_t j, Visit&& visit) const {
-        grid.around(marks_.position[j], [&](std::int64_t at) {
-            const std::int64_t i = wandered_[grid.index(at)];
-            const std::int64_t later = std::max(i, j);
-            if (i == j || later < begin) return;
-            const glm::dvec3 between = marks_.position[i] - marks_.position[j];
-            if (glm::dot(between, between) >= apart(later) * apart(later)) return;
-            if (glm::dot(marks_.normal[i], marks_.normal[j]) >= 0.0) visit(Crowd{later, std::min(i, j)});
+    void for_batch(std::int64_t count, Visit&& visit) {
+        site_.runtime.parallel.for_chunks(count, 4096, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t i = begin; i < end; ++i) visit(i);
         });
+    }
+
+    void settle(std::int64_t begin, std::int64_t end, const base::Progress& progress) {
+        const std::int64_t count = end - begin;
+        settler_.start.resize(count);
+        for_batch(count, [&](std::int64_t i) {
+            const float(&p)[3] = chosen_[begin + i].position;
+            settler_.start.set(i, cells_.grid.origin + glm::dvec3(p[0], p[1], p[2]));
+        });
+        settler_.settle(cells_.grid.side, report_, progress); // farther is another sheet
+        normal_.resize(count);
+        fate_.resize(count);
+        for_batch(count, [&](std::int64_t i) {
+            if (settler_.placed(i)) normal_.set(i, settler_.normal(i));
+            fate_[i] = fate_of(i, begin + i);
+        });
+    }
+
+    [[nodiscard]] Fate fate_of(std::int64_t i, std::int64_t number) const noexcept {
+        if (!settler_.placed(i)) return Fate::dropped;
+        if (!cells_.region.contains(settler_.position(i))) return Fate::outside;
+        const float(&n)[3] = chosen_[number].normal;
+        const double way = glm::distance(settler_.position(i), settler_.start[i]);
+        const double turn = glm::dot(normal_[i], glm::dvec3(n[0], n[1], n[2]));
+        const bool far = way > 0.04 * densest_distance(marks_.area, static_cast<double>(number + 1));
+        return far || turn < 0.95 * double{unpacked_length} ? Fate::wandered : Fate::near;
+    }
+
+    void append() {
+        for (std::int64_t i = 0; i < fate_.size(); ++i) {
+            if (fate_[i] == Fate::outside) settler_.drop(i, report_.dropped_strayed, report_);
+            if (fate_[i] < Fate::near) continue;
+            if (fate_[i] == Fate::wandered) wandered_.push_back(marks_.position.size());
+            marks_.position.push_back(settler_.position(i));
+            marks_.normal.push_back(normal_[i]);
+        }
     }
 
     const Site& site_;
-    const EvenMarks& marks_;
-    const base::Array<std::int64_t>& wandered_;
-    base::Array<std::uint8_t> near_;
-    base::Array<Crowd> found_;
+    const SurfaceCells& cells_;
+    const OrderedMarks& chosen_;
+    EvenMarks& marks_;
+    Settler settler_;
+    geometry::VecArray normal_; // of the batch
+    base::Array<Fate> fate_;
+    base::Array<std::int64_t> wandered_;
+    LevelReport report_;
 };
-
-// Where the surface bends within the spacing of marks, they may come to rest beside each other.  Of two that are nearer
-// than all others the later one is dropped.
-void keep_apart(const Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks, LevelReport& report) {
-    base::Array<std::uint8_t> dropped(site.memory(), marks.position.size());
-    for (const Crowd& crowd : Crowds(site, marks, wandered).find())
-        if (dropped[crowd.earlier] == 0) dropped[crowd.later] = 1;
-    std::int64_t kept = 0;
-    for (std::int64_t i = 0; i < dropped.size(); ++i) {
-        if (dropped[i] != 0) continue;
-        marks.position.set(kept, marks.position[i]);
-        marks.normal.set(kept++, marks.normal[i]);
-    }
-    report.placed = kept;
-    report.dropped_strayed += dropped.size() - kept;
-    marks.position.resize(kept);
-    marks.normal.resize(kept);
-}
-
-// Projects the chosen; those that do not arrive leave a gap in the order, and are counted.
-void bring_to_rest(const Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks,
-                   const base::Progress& progress) {
-    Settler settler(site);
-    LevelReport report;
-    base::Array<std::int64_t> wandered(site.memory());
-    const std::int64_t count = chosen.size();
-    marks.position.reserve(count);
-    marks.normal.reserve(count);
-    for (std::int64_t begin = 0; begin < count; begin += settled_at_once) {
-        const std::int64_t end = std::min(count, begin + settled_at_once);
-        settler.start.clear();
-        for (std::int64_t i = begin; i < end; ++i)
-            settler.start.push_back(cells.grid.origin +
-                                    glm::dvec3(chosen[i].position[0], chosen[i].position[1], chosen[i].position[2]));
-        const auto all = static_cast<double>(count);
-        // Farther than a cell is another sheet.
-        settler.settle(cells.grid.side, report,
-                       progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
-        for (std::int64_t i = 0; i < end - begin; ++i) {
-            if (!settler.placed(i)) continue;
-            if (!cells.region.contains(settler.position(i))) {
-                settler.drop(i, report.dropped_strayed, report);
-                continue;
-            }
-            const OrderMark& mark = chosen[begin + i];
-            const double way = glm::distance(settler.position(i), settler.start[i]);
-            const double turn = glm::dot(settler.normal(i), glm::dvec3(mark.normal[0], mark.normal[1], mark.normal[2]));
-            if (way > 0.04 * densest_distance(marks.area, static_cast<double>(begin + i + 1)) ||
-                turn < 0.95 * double{unpacked_length})
-                wandered.push_back(marks.position.size());
-            marks.position.push_back(settler.position(i));
-            marks.normal.push_back(settler.normal(i));
-        }
-    }
-    if (!wandered.empty()) keep_apart(site, wandered, marks, report);
-    LevelReport& all = marks.report;
-    all.dropped_budget = all.placed - count;
-    all.placed = report.placed;
-    all.dropped_not_converged += report.dropped_not_converged;
-    all.dropped_strayed += report.dropped_strayed;
-    all.dropped_degenerate += report.dropped_degenerate;
-}
 
 } // namespace
 
@@ -191,13 +144,14 @@ SurfaceCells cover_surface(const Site& site, const Seeds& seeds, const SampleHin
 
 EvenMarks spread_evenly(const Site& site, const SurfaceCells& cells, std::int64_t wanted, Group group,
                         const base::Progress& progress) {
-    const Candidates candidates = draw_candidates(
-        site, cells, std::max(candidates_per_mark * wanted, fewest_candidates), group, progress.part(0.0, 0.5));
+    const auto many = static_cast<std::int64_t>(candidates_per_mark * static_cast<double>(wanted));
+    Candidates candidates =
+        draw_candidates(site, cells, std::max(many, fewest_candidates), group, progress.part(0.0, 0.5));
     const OrderedMarks chosen = progressive_order(site, candidates, wanted, progress.part(0.5, 0.9));
     EvenMarks marks(site.memory());
     marks.report = candidates.report;
     marks.area = candidates.area;
-    bring_to_rest(site, cells, chosen, marks, progress.part(0.9, 1.0));
+    Resting(site, cells, chosen, marks).run(progress.part(0.9, 1.0));
     if (marks.position.empty())
         fail(Status::not_converged,
              "no mark could be placed in %lld cells near the surface: %lld points were tried, %lld did not "

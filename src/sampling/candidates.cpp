@@ -1,110 +1,19 @@
 #include "sampling/candidates.h"
 
-#include "base/random.h"
-#include "geometry/cell_map.h"
-#include "geometry/morton.h"
-#include "geometry/tangent_frame.h"
-#include "sampling/order_loops.h"
+#include "sampling/layer_candidates.h"
+#include "sampling/plane_candidates.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <numeric>
 
 namespace hrbfnpr::sampling {
 namespace {
 
-constexpr std::uint32_t most_rounds = 4;
-// Points that are evaluated at a time.
-constexpr std::int64_t batch_points = 262144;
-constexpr std::int64_t cells_of_task = 512;
-constexpr std::int64_t points_of_task = 4096;
-
-// Candidates from each point that is evaluated: its foot, and others beside that in its tangent plane.  Fewer where
-// cells are small to the distance of marks: they would be one to the order.
-constexpr std::uint32_t most_feet = 5;
-// How far beside, in sides of a cell; there a foot is as near to the surface as the first one.
-constexpr double stride = 0.6;
-
-// A point on the surface, to second order, and the cell that it is in.
-struct Foot {
-    std::int32_t cell; // number in SurfaceCells::cell
-    std::uint32_t ticket;
-    glm::vec3 position; // relative to the grid's origin
-    float normal;       // packed
-    bool bent;          // perhaps not yet on the surface
-};
-
-// Cosine of the angle between a foot's normal and its cell's up to which the cell is flat.
-constexpr double straight = 0.97;
-// In sides of a cell: how far a cell's plane may be off, and when a foot is near enough to the surface.
-constexpr double expected = 0.1;
-constexpr double near_enough = 0.02;
-constexpr int most_steps = 6;
-// Feet that are looked at, to see whether one step is enough for the others.
-constexpr std::int64_t every_foot = 67;
-
-float packed(const glm::dvec3& normal) noexcept {
-    return packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
-}
-
-// Points are drawn uniformly in the volume of the cells and kept within `band` of the surface: a
-// layer of constant thickness holds as many points per area everywhere, to second order in
-// band * curvature.  One Newton step takes them down to the surface.
-class Drawing {
-public:
-    Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates, std::int64_t wanted);
-
-    // `trials` points, spread evenly over the cells.
-    void round(std::uint32_t number, double trials, const base::Progress& progress);
-    // Hands the candidates over, cell by cell.
-    void finish();
-
-    [[nodiscard]] std::int64_t feet_of_point() const noexcept { return feet_of_point_; }
-    [[nodiscard]] std::int64_t placed() const noexcept { return feet_.size(); }
-    // The share of all trials that were within the band; near_ counts their feet.
-    [[nodiscard]] double share() const noexcept {
-        return trials_ > 0 ? static_cast<double>(near_) / (static_cast<double>(feet_of_point_) * trials_) : 0.0;
-    }
-
-private:
-    [[nodiscard]] std::uint32_t count_in(const SurfaceCell& cell, double per_cell) const noexcept;
-    void draw_in(const SurfaceCell& cell, std::int64_t at, std::int64_t end) noexcept;
-    void draw(std::int64_t cell_begin, std::int64_t cell_end);
-    void step_down(const base::Progress& progress);
-    bool many_are_off(std::int64_t first, const base::Progress& progress);
-    void step_down_again(std::int64_t first, const base::Progress& progress);
-    [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept;
-    [[nodiscard]] bool surprises(const glm::dvec3& p, double distance) const noexcept;
-    Foot* land(std::int64_t i, double distance, Foot* to) const noexcept;
-
-    const Site& site_;
-    const SurfaceCells& cells_;
-    Candidates& candidates_;
-    geometry::CellMap numbers_;
-    std::uint32_t lane_;
-    std::int64_t feet_of_point_;
-    std::uint32_t lane_of_round_ = 0;
-    base::Array<std::int64_t> slot_; // of the first trial of each cell of the batch
-    geometry::VecArray drawn_;       // a slot for each trial; NaN: not worth evaluating
-    base::Array<std::uint32_t> drawn_ticket_;
-    geometry::VecArray trial_;
-    base::Array<std::uint32_t> trial_ticket_;
-    FieldSamples field_;
-    base::Array<std::int64_t> kept_, near_of_task_;
-    base::Array<std::int64_t> bent_;
-    bool all_bent_ = false;
-    base::Array<Foot> landed_;
-    base::Array<Foot> feet_;
-    double trials_ = 0.0;
-    std::int64_t near_ = 0;
-};
-
-std::int64_t feet_for(const SurfaceCells& cells, std::int64_t wanted) noexcept {
-    const double spacing = std::sqrt(cells.rough_area() * most_feet / static_cast<double>(wanted)); // of marks
-    const double feet = 0.5 * most_feet * cells.grid.side / spacing;
-    return std::clamp(static_cast<std::int64_t>(std::lround(feet)), std::int64_t{1}, std::int64_t{most_feet});
-}
+constexpr int most_rounds = 4;
+// Less than this part of the wanted calls for another round.
+constexpr double enough = 0.85;
+// Candidates at random leave gaps: to serve as well as evenly spread ones there must be more of them.
+constexpr double layer_density = 1.4;
+constexpr std::int64_t cells_of_task = 2048;
 
 base::Array<std::uint64_t> codes_of(const Site& site, const SurfaceCells& cells) {
     base::Array<std::uint64_t> codes(site.memory(), cells.cell.size());
@@ -112,236 +21,61 @@ base::Array<std::uint64_t> codes_of(const Site& site, const SurfaceCells& cells)
     return codes;
 }
 
-Drawing::Drawing(const Site& site, const SurfaceCells& cells, Group group, Candidates& candidates, std::int64_t wanted)
-    : site_(site), cells_(cells), candidates_(candidates), numbers_(site.memory(), codes_of(site, cells)),
-      lane_(lane_of(group)), feet_of_point_(feet_for(cells, wanted)), slot_(site.memory()), drawn_(site.memory()),
-      drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()),
-      kept_(site.memory()), near_of_task_(site.memory()), bent_(site.memory()), landed_(site.memory()),
-      feet_(site.memory()) {
-    feet_.reserve(wanted + wanted / 16 + feet_of_point_ * batch_points); // one piece
-}
-
-// Number 0 of a cell and round decides whether the fraction of a trial becomes one.
-std::uint32_t Drawing::count_in(const SurfaceCell& cell, double per_cell) const noexcept {
-    const double extra = base::uniform4(site_.random_seed, cell.code, base::Purpose::candidate, lane_of_round_)[0];
-    return static_cast<std::uint32_t>(std::min(per_cell + extra, 65535.0));
-}
-
-void Drawing::draw_in(const SurfaceCell& cell, std::int64_t at, std::int64_t end) noexcept {
-    const glm::dvec3 corner = cells_.grid.corner(geometry::morton_cell(cell.code));
-    const double side = cells_.grid.side;
-    // What the cell's plane calls this far off the band is not evaluated: its error within the cell is
-    // 3/8 side^2 curvature, so this holds where the surface bends with radii above 1.5 sides.
-    const double unlikely = cells_.band + 0.25 * side;
-    for (std::uint32_t number = 1; at < end; ++at, ++number) {
-        const auto u = base::uniform4(site_.random_seed, cell.code, base::Purpose::candidate, lane_of_round_ | number);
-        const glm::dvec3 offset = side * glm::dvec3(u[0], u[1], u[2]);
-        const double distance = cell.distance + glm::dot(cell.normal, offset - 0.5 * side);
-        // A distance that is not a number goes on.
-        const bool worth = !(std::abs(distance) > unlikely);
-        drawn_.set(at, worth ? corner + offset : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
-        drawn_ticket_[at] = static_cast<std::uint32_t>(u[3] * 4294967296.0);
+// Where the function is no distance, the area is not what the cells say, and the first round gives too few.
+void draw(const SurfaceCells& cells, PlaneCandidates& planes, LayerCandidates& layer, std::int64_t wanted,
+          const base::Progress& progress) {
+    double density = static_cast<double>(wanted) / cells.rough_area();
+    for (int round = 0; round < most_rounds; ++round) {
+        planes.draw(density);
+        layer.draw(layer_density * density, progress.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8));
+        const double placed =
+            static_cast<double>(planes.count()) + static_cast<double>(layer.feet().size()) / layer_density;
+        if (placed >= enough * static_cast<double>(wanted) || !(placed > 0.0)) return;
+        density *= static_cast<double>(wanted) / placed;
     }
 }
 
-// Each task leaves what is worth evaluating at the front of its slots.
-void Drawing::draw(std::int64_t cell_begin, std::int64_t cell_end) {
-    const std::int64_t cells = cell_end - cell_begin;
-    kept_.resize((cells + cells_of_task - 1) / cells_of_task);
-    site_.runtime.parallel.for_chunks(cells, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) draw_in(cells_.cell[cell_begin + i], slot_[i], slot_[i + 1]);
-        std::int64_t to = slot_[begin];
-        for (std::int64_t i = to; i < slot_[end]; ++i) {
-            if (std::isnan(drawn_.x[i])) continue;
-            drawn_.set(to, drawn_[i]);
-            drawn_ticket_[to++] = drawn_ticket_[i];
-        }
-        kept_[begin / cells_of_task] = to - slot_[begin];
+void make_room(Candidates& candidates, std::int64_t groups) {
+    candidates.group.resize_for_overwrite(groups);
+    candidates.ticket.resize_for_overwrite(OrderGroup::size * groups);
+}
+
+void put(const Foot& foot, std::int64_t place, Candidates& candidates) noexcept {
+    const OrderBlock all = candidates.places();
+    all.at(OrderGroup::x, place) = foot.position.x;
+    all.at(OrderGroup::y, place) = foot.position.y;
+    all.at(OrderGroup::z, place) = foot.position.z;
+    all.at(OrderGroup::normal, place) = foot.normal;
+    candidates.ticket[place] = foot.ticket;
+}
+
+// Both cell by cell, each with groups of its own; cells without any are left out.
+void merge(const Site& site, const SurfaceCells& cells, const PlaneCandidates& planes, const base::Array<Foot>& feet,
+           Candidates& candidates) {
+    const std::int64_t count = cells.cell.size();
+    base::Array<std::int64_t> next(site.memory(), count); // place of each cell's next candidate; at first, their number
+    for (const Foot& foot : feet) ++next[foot.cell];
+    std::int64_t groups = 0;
+    for (std::int64_t cell = 0; cell < count; ++cell) {
+        const std::int64_t number = next[cell] + planes.count_in(cell);
+        next[cell] = OrderGroup::size * groups;
+        if (number == 0) continue;
+        candidates.code.push_back(cells.cell[cell].code);
+        candidates.number.push_back(static_cast<std::int32_t>(number));
+        candidates.first.push_back(next[cell]);
+        candidates.count += number;
+        groups += groups_for(number);
+    }
+    make_room(candidates, groups);
+    site.runtime.parallel.for_chunks(count, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t cell = begin; cell < end; ++cell)
+            if (planes.count_in(cell) > 0) planes.put(cell, next[cell], candidates);
     });
-    const std::int64_t count = std::accumulate(kept_.begin(), kept_.end(), std::int64_t{0});
-    trial_.resize(count);
-    trial_ticket_.resize(count);
-    std::int64_t to = 0;
-    for (std::int64_t task = 0; task < kept_.size(); to += kept_[task++]) {
-        const std::int64_t from = slot_[task * cells_of_task];
-        std::copy_n(drawn_.x.data() + from, kept_[task], trial_.x.data() + to);
-        std::copy_n(drawn_.y.data() + from, kept_[task], trial_.y.data() + to);
-        std::copy_n(drawn_.z.data() + from, kept_[task], trial_.z.data() + to);
-        std::copy_n(drawn_ticket_.data() + from, kept_[task], trial_ticket_.data() + to);
-    }
-}
-
-// -1: outside the region or the cells.
-std::int32_t Drawing::cell_of(const glm::dvec3& p) const noexcept {
-    return cells_.region.contains(p) ? numbers_.find(geometry::morton_code(cells_.grid.cell_of(p))) : -1;
-}
-
-// Whether a cell's plane is wrong about one of its points.
-bool Drawing::surprises(const glm::dvec3& p, double distance) const noexcept {
-    const std::int32_t number = cell_of(p);
-    if (number < 0) return true;
-    const SurfaceCell& cell = cells_.cell[number];
-    const glm::dvec3 centre = cells_.grid.centre(geometry::morton_cell(cell.code));
-    return !(std::abs(cell.distance + glm::dot(cell.normal, p - centre) - distance) <= expected * cells_.grid.side);
-}
-
-// The feet of a trial point; returns the end of those that are in the region and its cells.
-Foot* Drawing::land(std::int64_t i, double distance, Foot* to) const noexcept {
-    const glm::dvec3 normal = glm::normalize(field_.gradient[i]);
-    const geometry::TangentFrame frame = geometry::combing_frame(normal);
-    const float bits = packed(normal);
-    const glm::dvec3 foot = trial_[i] - distance * normal;
-    const bool surprising = surprises(trial_[i], distance);
-    glm::dvec3 at = foot;
-    std::uint32_t ticket = trial_ticket_[i];
-    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(feet_of_point_); ++k) {
-        const std::int32_t cell = cell_of(at);
-        if (cell >= 0)
-            *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), bits,
-                     surprising || !(glm::dot(normal, cells_.cell[cell].normal) >= straight)};
-        if (k + 1 == static_cast<std::uint32_t>(feet_of_point_)) break;
-        const base::Philox random =
-            base::philox(site_.random_seed, {trial_ticket_[i], std::bit_cast<std::uint32_t>(static_cast<float>(foot.x)),
-                                             static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
-        constexpr double scale = 1.0 / 4294967296.0;
-        const double length = stride * cells_.grid.side * std::sqrt(random[1] * scale);
-        const double angle = 2.0 * 3.14159265358979323846 * random[2] * scale;
-        at = foot + length * (std::cos(angle) * frame.u + std::sin(angle) * frame.r);
-        ticket = random[0];
-    }
-    return to;
-}
-
-// Each task leaves its feet at the front of its part of landed_.
-void Drawing::step_down(const base::Progress& progress) {
-    evaluate(site_, trial_, field_, progress);
-    landed_.resize(feet_of_point_ * trial_.size());
-    const std::int64_t tasks = (trial_.size() + points_of_task - 1) / points_of_task;
-    kept_.resize(tasks);
-    near_of_task_.resize(tasks);
-    site_.runtime.parallel.for_chunks(trial_.size(), points_of_task, [&](std::int64_t begin, std::int64_t end) {
-        Foot* const first = landed_.data() + feet_of_point_ * begin;
-        Foot* to = first;
-        std::int64_t near = 0;
-        for (std::int64_t i = begin; i < end; ++i) {
-            const double distance = field_.distance(i);
-            if (!(std::abs(distance) <= cells_.band)) continue;
-            ++near;
-            to = land(i, distance, to);
-        }
-        kept_[begin / points_of_task] = to - first;
-        near_of_task_[begin / points_of_task] = feet_of_point_ * near;
+    for (const Foot& foot : feet) put(foot, next[foot.cell]++, candidates);
+    site.runtime.parallel.for_chunks(candidates.cells(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t cell = begin; cell < end; ++cell)
+            clear_rest(candidates.places(), candidates.first[cell] + candidates.number[cell]);
     });
-    const std::int64_t first = feet_.size();
-    for (std::int64_t task = 0; task < tasks; ++task) {
-        const std::int64_t before = feet_.size();
-        near_ += near_of_task_[task];
-        feet_.resize(before + kept_[task]);
-        std::copy_n(landed_.data() + feet_of_point_ * points_of_task * task, kept_[task], feet_.data() + before);
-    }
-    step_down_again(first, progress);
-}
-
-// Of a function that is no distance, of a square for one, planes tell the wrong distance alike at all points.
-bool Drawing::many_are_off(std::int64_t first, const base::Progress& progress) {
-    trial_.clear();
-    for (std::int64_t i = first; i < feet_.size(); i += every_foot)
-        if (!feet_[i].bent) trial_.push_back(cells_.grid.origin + glm::dvec3(feet_[i].position));
-    evaluate(site_, trial_, field_, progress);
-    std::int64_t off = 0;
-    for (std::int64_t k = 0; k < trial_.size(); ++k)
-        if (!(std::abs(field_.distance(k)) <= expected * cells_.grid.side)) ++off;
-    return 50 * off > trial_.size();
-}
-
-// Where a cell's plane does not tell how far its points are, one step is not enough.
-void Drawing::step_down_again(std::int64_t first, const base::Progress& progress) {
-    if (!all_bent_) all_bent_ = many_are_off(first, progress);
-    bent_.clear();
-    for (std::int64_t i = first; i < feet_.size(); ++i)
-        if (all_bent_ || feet_[i].bent) bent_.push_back(i);
-    for (int step = 0; step < most_steps && !bent_.empty(); ++step) {
-        trial_.clear();
-        for (const std::int64_t i : bent_) trial_.push_back(cells_.grid.origin + glm::dvec3(feet_[i].position));
-        evaluate(site_, trial_, field_, progress);
-        std::int64_t left = 0;
-        for (std::int64_t k = 0; k < bent_.size(); ++k) {
-            Foot& foot = feet_[bent_[k]];
-            const double distance = field_.distance(k);
-            const bool near = std::abs(distance) <= cells_.band;
-            const glm::dvec3 normal = near ? glm::normalize(field_.gradient[k]) : glm::dvec3(0.0);
-            const glm::dvec3 at = near ? trial_[k] - distance * normal : trial_[k];
-            const std::int32_t cell = near ? cell_of(at) : -1;
-            if (cell < 0) {
-                foot.cell = -1; // it is no candidate after all
-                continue;
-            }
-            foot = {cell, foot.ticket, glm::vec3(at - cells_.grid.origin), packed(normal), true};
-            if (std::abs(distance) > near_enough * cells_.grid.side) bent_[left++] = bent_[k];
-        }
-        bent_.resize(left);
-    }
-    std::int64_t kept = first;
-    for (std::int64_t i = first; i < feet_.size(); ++i)
-        if (feet_[i].cell >= 0) feet_[kept++] = feet_[i];
-    feet_.resize(kept);
-}
-
-void Drawing::round(std::uint32_t number, double trials, const base::Progress& progress) {
-    lane_of_round_ = (lane_ + static_cast<std::uint32_t>(group_count) * number) << 16U;
-    const std::int64_t cells = cells_.cell.size();
-    const double per_cell = trials / static_cast<double>(cells);
-    for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
-        slot_.clear();
-        std::int64_t slots = 0;
-        for (; end < cells && slots < batch_points; ++end) {
-            slot_.push_back(slots);
-            slots += count_in(cells_.cell[end], per_cell);
-        }
-        slot_.push_back(slots);
-        trials_ += static_cast<double>(slots);
-        drawn_.resize(slots);
-        drawn_ticket_.resize(slots);
-        draw(begin, end);
-        step_down(base::Progress(progress).part(0.0, 0.0));
-        progress.update(static_cast<double>(end) / static_cast<double>(cells));
-    }
-}
-
-// A counting sort by cell; cells without any are left out.
-void Drawing::finish() {
-    candidates_.code.reserve(cells_.cell.size());
-    candidates_.first.reserve(cells_.cell.size() + 1);
-    base::Array<std::int64_t> next(site_.memory(), cells_.cell.size() + 1);
-    for (const Foot& foot : feet_) ++next[foot.cell + 1];
-    for (std::int64_t cell = 0; cell < cells_.cell.size(); ++cell) {
-        if (next[cell + 1] > 0) {
-            candidates_.code.push_back(cells_.cell[cell].code);
-            candidates_.first.push_back(next[cell]);
-        }
-        next[cell + 1] += next[cell];
-    }
-    candidates_.first.push_back(feet_.size());
-    for (base::Array<float>* array : {&candidates_.x, &candidates_.y, &candidates_.z, &candidates_.normal})
-        array->resize(feet_.size());
-    candidates_.ticket.resize(feet_.size());
-    for (const Foot& foot : feet_) {
-        const std::int64_t to = next[foot.cell]++;
-        candidates_.x[to] = foot.position.x;
-        candidates_.y[to] = foot.position.y;
-        candidates_.z[to] = foot.position.z;
-        candidates_.normal[to] = foot.normal;
-        candidates_.ticket[to] = foot.ticket;
-    }
-    // near / trials is the part of the volume that is in the band of thickness 2 band.  What lies in
-    // the region is all that is placed; of what is near, that is the same part as of the area.
-    LevelReport& report = candidates_.report;
-    report.attempted = near_;
-    report.placed = placed();
-    report.dropped_strayed = near_ - placed();
-    if (near_ > 0)
-        candidates_.area = share() * cells_.volume() / (2.0 * cells_.band) * static_cast<double>(placed()) /
-                           static_cast<double>(near_);
 }
 
 } // namespace
@@ -352,17 +86,49 @@ Candidates draw_candidates(const Site& site, const SurfaceCells& cells, std::int
     candidates.grid = cells.grid;
     candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
-    Drawing drawing(site, cells, group, candidates, wanted);
-    double share = cells.band / cells.reach();
-    for (std::uint32_t round = 0; round < most_rounds && share > 0.0; ++round) {
-        const std::int64_t missing = wanted - drawing.placed();
-        if (missing <= 0) break;
-        drawing.round(round, 1.02 / static_cast<double>(drawing.feet_of_point()) * static_cast<double>(missing) / share,
-                      progress.part(round == 0 ? 0.0 : 0.8, round == 0 ? 0.8 : 1.0));
-        share = drawing.share();
-    }
-    drawing.finish();
+    const geometry::CellMap numbers(site.memory(), codes_of(site, cells));
+    PlaneCandidates planes(site, cells, numbers, group);
+    LayerCandidates layer(site, cells, numbers, planes.kind(), group, wanted);
+    draw(cells, planes, layer, wanted, progress);
+    merge(site, cells, planes, layer.feet(), candidates);
+    candidates.report.placed = candidates.count;
+    candidates.report.dropped_strayed = layer.strayed();
+    candidates.report.attempted = candidates.report.placed + candidates.report.dropped_strayed;
+    candidates.area = planes.area() + layer.area();
+    progress.update(1.0);
     return candidates;
+}
+
+Candidates thinned(const Site& site, Candidates& candidates, std::uint64_t ticket_limit) {
+    Candidates some(site.memory());
+    some.grid = candidates.grid;
+    some.region = candidates.region;
+    some.area = candidates.area;
+    const std::int64_t cells = candidates.cells();
+    some.code.resize_for_overwrite(cells);
+    some.number.resize(cells);
+    some.first.resize_for_overwrite(cells);
+    site.runtime.parallel.for_chunks(cells, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t cell = begin; cell < end; ++cell) {
+            some.code[cell] = candidates.code[cell];
+            candidates.for_taken(cell, ticket_limit, [&](std::int64_t) { ++some.number[cell]; });
+        }
+    });
+    for (std::int64_t cell = 0; cell < cells; ++cell) {
+        some.first[cell] = some.count;
+        some.count += some.number[cell];
+    }
+    make_room(some, groups_for(some.count));
+    site.runtime.parallel.for_chunks(cells, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t cell = begin; cell < end; ++cell) {
+            std::int64_t to = some.first[cell];
+            candidates.for_taken(cell, ticket_limit, [&](std::int64_t place) {
+                some.ticket[to] = candidates.ticket[place];
+                copy_place(candidates.places(), place, some.places(), to++);
+            });
+        }
+    });
+    return some;
 }
 
 } // namespace hrbfnpr::sampling

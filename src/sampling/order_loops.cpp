@@ -10,7 +10,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::ScalableTag<float>;
+using F = hn::CappedTag<float, OrderGroup::size>;
 using U = hn::Rebind<std::uint32_t, F>;
 using I = hn::Rebind<std::int32_t, F>;
 using W = hn::Vec<F>;
@@ -32,34 +32,43 @@ HWY_INLINE W coordinate(hn::Vec<U> bits) {
     return hn::Sub(hn::ConvertTo(F(), hn::BitCast(I(), ten)), hn::Set(F(), 511.5F));
 }
 
-// How a mark changes candidates.
-class Felt {
+// Some candidates of a group side by side.
+class Lanes {
 public:
-    Felt(const OrderMark& mark, float inverse_squared_reach) : mark_(mark), inverse_(inverse_squared_reach) {}
+    HWY_INLINE Lanes(OrderGroup& group, std::int64_t at)
+        : group_(group), at_(at), x_(load(OrderGroup::x)), y_(load(OrderGroup::y)), z_(load(OrderGroup::z)),
+          normal_(hn::BitCast(U(), load(OrderGroup::normal))), energy_(load(OrderGroup::energy)),
+          clearance_(load(OrderGroup::clearance)) {}
 
-    // Those of `mask` from `at` on.
-    HWY_INLINE void change(const OrderBlock& block, std::int64_t at, hn::Mask<F> mask, W& energy, W& clearance) const {
+    HWY_INLINE void feel(const OrderMark& mark, W inverse_squared_reach) {
         const F d;
-        const auto load = [&](OrderBlock::Column c) { return hn::MaskedLoad(mask, d, block.column(c) + at); };
-        const W x = hn::Sub(load(OrderBlock::x), hn::Set(d, mark_.position[0]));
-        const W y = hn::Sub(load(OrderBlock::y), hn::Set(d, mark_.position[1]));
-        const W z = hn::Sub(load(OrderBlock::z), hn::Set(d, mark_.position[2]));
+        const W x = hn::Sub(x_, hn::Set(d, mark.position[0]));
+        const W y = hn::Sub(y_, hn::Set(d, mark.position[1]));
+        const W z = hn::Sub(z_, hn::Set(d, mark.position[2]));
         const W squared = dot(x, y, z, x, y, z);
-        const auto bits = hn::BitCast(U(), load(OrderBlock::normal));
-        const W turn = dot(coordinate<0>(bits), coordinate<10>(bits), coordinate<20>(bits), hn::Set(d, mark_.normal[0]),
-                           hn::Set(d, mark_.normal[1]), hn::Set(d, mark_.normal[2]));
+        const W turn = dot(coordinate<0>(normal_), coordinate<10>(normal_), coordinate<20>(normal_),
+                           hn::Set(d, mark.normal[0]), hn::Set(d, mark.normal[1]), hn::Set(d, mark.normal[2]));
         const auto same_side = hn::Ge(turn, hn::Set(d, opposite * unpacked_length * unpacked_length));
-        const W rest = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0F), hn::Mul(squared, hn::Set(d, inverse_))));
+        const W rest = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0F), hn::Mul(squared, inverse_squared_reach)));
         const W rest2 = hn::Mul(rest, rest);
-        energy = hn::IfThenElse(same_side, hn::Add(energy, hn::Mul(rest2, rest2)), energy);
-        clearance = hn::IfThenElse(same_side, hn::Min(clearance, squared), clearance);
-        hn::BlendedStore(energy, mask, d, block.column(OrderBlock::energy) + at);
-        hn::BlendedStore(clearance, mask, d, block.column(OrderBlock::clearance) + at);
+        energy_ = hn::IfThenElse(same_side, hn::Add(energy_, hn::Mul(rest2, rest2)), energy_);
+        clearance_ = hn::IfThenElse(same_side, hn::Min(clearance_, squared), clearance_);
     }
+    HWY_INLINE void store() const {
+        hn::Store(energy_, F(), group_.number[OrderGroup::energy] + at_);
+        hn::Store(clearance_, F(), group_.number[OrderGroup::clearance] + at_);
+    }
+    HWY_INLINE W energy() const { return energy_; }
+    HWY_INLINE W clearance() const { return clearance_; }
 
 private:
-    const OrderMark& mark_;
-    float inverse_;
+    HWY_INLINE W load(OrderGroup::Column column) const { return hn::Load(F(), group_.number[column] + at_); }
+
+    OrderGroup& group_;
+    std::int64_t at_;
+    W x_, y_, z_;
+    hn::Vec<U> normal_;
+    W energy_, clearance_;
 };
 
 // The lowest of each lane, and where it was first.
@@ -69,11 +78,10 @@ public:
         : enough_(hn::Set(F(), enough)), infinite_(hn::Set(F(), __builtin_inff())), least_(infinite_),
           least_of_all_(infinite_), at_(hn::Zero(I())) {}
 
-    HWY_INLINE void look(W energy, W clearance, std::int64_t at, hn::Mask<F> mask) {
-        const W here = hn::IfThenElse(mask, energy, infinite_);
-        least_of_all_ = hn::Min(least_of_all_, here);
-        const auto lower = hn::And(hn::Ge(clearance, enough_), hn::Lt(here, least_));
-        least_ = hn::IfThenElse(lower, here, least_);
+    HWY_INLINE void look(W energy, W clearance, std::int64_t at) {
+        least_of_all_ = hn::Min(least_of_all_, energy);
+        const auto lower = hn::And(hn::Ge(clearance, enough_), hn::Lt(energy, least_));
+        least_ = hn::IfThenElse(lower, energy, least_);
         at_ = hn::IfThenElse(hn::RebindMask(I(), lower), hn::Iota(I(), static_cast<std::int32_t>(at)), at_);
     }
 
@@ -93,59 +101,43 @@ private:
     hn::Vec<I> at_;
 };
 
-// Calls look(at, mask, energy, clearance) for all candidates.
-template <class Look>
-HWY_INLINE void for_candidates(const OrderBlock& block, Look&& look) {
-    const F d;
-    for (std::int64_t at = 0; at < block.count; at += lanes()) {
-        const auto mask = lanes_left(block.count - at);
-        look(at, mask, hn::MaskedLoad(mask, d, block.column(OrderBlock::energy) + at),
-             hn::MaskedLoad(mask, d, block.column(OrderBlock::clearance) + at));
-    }
+// Calls visit(group, at, number): lanes from `at` on, the first of which has that number in the block.
+template <class Visit>
+HWY_INLINE void for_lanes(const OrderBlock& block, Visit&& visit) {
+    for (std::int64_t g = 0; g < block.groups; ++g)
+        for (std::int64_t at = 0; at < OrderGroup::size; at += lanes())
+            visit(block.group[g], at, g * OrderGroup::size + at);
 }
 
-void feel(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach) {
-    const Felt felt(mark, inverse_squared_reach);
-    for_candidates(block, [&](std::int64_t at, hn::Mask<F> mask, W energy, W clearance)
-                              HWY_ATTR { felt.change(block, at, mask, energy, clearance); });
+void feel(const OrderBlock& block, const OrderMark* marks, std::int64_t count, float inverse_squared_reach) {
+    const W inverse = hn::Set(F(), inverse_squared_reach);
+    for_lanes(block, [&](OrderGroup& group, std::int64_t at, std::int64_t) HWY_ATTR {
+        Lanes lanes(group, at);
+        for (std::int64_t i = 0; i < count; ++i) lanes.feel(marks[i], inverse);
+        lanes.store();
+    });
 }
 
 OrderLowest lowest(const OrderBlock& block, float enough) {
+    const F d;
     Search search(enough);
-    for_candidates(block, [&](std::int64_t at, hn::Mask<F> mask, W energy, W clearance)
-                              HWY_ATTR { search.look(energy, clearance, at, mask); });
-    return search.found();
-}
-
-OrderLowest feel_and_find(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach, float enough) {
-    const Felt felt(mark, inverse_squared_reach);
-    Search search(enough);
-    for_candidates(block, [&](std::int64_t at, hn::Mask<F> mask, W energy, W clearance) HWY_ATTR {
-        felt.change(block, at, mask, energy, clearance);
-        search.look(energy, clearance, at, mask);
+    for_lanes(block, [&](const OrderGroup& group, std::int64_t at, std::int64_t number) HWY_ATTR {
+        search.look(hn::Load(d, group.number[OrderGroup::energy] + at),
+                    hn::Load(d, group.number[OrderGroup::clearance] + at), number);
     });
     return search.found();
 }
 
-std::int64_t keep(const OrderBlock& block, float enough) {
-    const F d;
-    // The last column moves last: it says which stay.
-    const auto stays = [&](std::int64_t at) HWY_ATTR {
-        const W clearance = hn::MaskedLoad(lanes_left(block.count - at), d, block.column(OrderBlock::clearance) + at);
-        return hn::And(lanes_left(block.count - at), hn::Ge(clearance, hn::Set(d, enough)));
-    };
-    std::int64_t kept = 0;
-    for (std::int64_t at = 0; at < block.count; at += lanes())
-        kept += static_cast<std::int64_t>(hn::CountTrue(d, stays(at)));
-    if (kept == block.count && block.stride == kept) return kept;
-    float* to = block.data;
-    for (std::int64_t c = 0; c < OrderBlock::columns; ++c)
-        for (std::int64_t at = 0; at < block.count; at += lanes()) {
-            const auto mask = stays(at);
-            const W column = hn::MaskedLoad(lanes_left(block.count - at), d, block.column(c) + at);
-            to += hn::CompressBlendedStore(column, mask, d, to);
-        }
-    return kept;
+OrderLowest feel_and_find(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach, float enough) {
+    const W inverse = hn::Set(F(), inverse_squared_reach);
+    Search search(enough);
+    for_lanes(block, [&](OrderGroup& group, std::int64_t at, std::int64_t number) HWY_ATTR {
+        Lanes lanes(group, at);
+        lanes.feel(mark, inverse);
+        lanes.store();
+        search.look(lanes.energy(), lanes.clearance(), number);
+    });
+    return search.found();
 }
 
 std::int64_t smallest(const float* numbers, std::int64_t count) {
@@ -153,22 +145,62 @@ std::int64_t smallest(const float* numbers, std::int64_t count) {
     Search search(0.0F);
     for (std::int64_t at = 0; at < count; at += lanes()) {
         const auto mask = lanes_left(count - at);
-        search.look(hn::MaskedLoad(mask, d, numbers + at), hn::Zero(d), at, mask);
+        search.look(hn::IfThenElse(mask, hn::MaskedLoad(mask, d, numbers + at), hn::Set(d, __builtin_inff())),
+                    hn::Zero(d), at);
     }
     return search.found().at;
 }
 
 } // namespace
 
-OrderLoops pick_loops() noexcept { return {feel, lowest, feel_and_find, keep, smallest}; }
+OrderLoops pick_loops() noexcept { return {feel, lowest, feel_and_find, smallest}; }
 
 } // namespace hrbfnpr::sampling::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace hrbfnpr::sampling {
+namespace {
+
+constexpr OrderGroup::Column all_columns[] = {OrderGroup::x,      OrderGroup::y,      OrderGroup::z,
+                                              OrderGroup::normal, OrderGroup::energy, OrderGroup::clearance};
+
+void free_place(const OrderBlock& block, std::int64_t i) noexcept {
+    block.at(OrderGroup::energy, i) = __builtin_inff();
+    block.at(OrderGroup::clearance, i) = -1.0F;
+}
+
+} // namespace
 
 OrderLoops order_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_loops)(); }
+
+std::int64_t keep(const OrderBlock& block, float enough) noexcept {
+    std::int64_t kept = 0;
+    for (std::int64_t i = 0; i < block.groups * OrderGroup::size; ++i) {
+        if (!(block.at(OrderGroup::clearance, i) >= enough)) continue;
+        for (const OrderGroup::Column c : all_columns) std::swap(block.at(c, kept), block.at(c, i));
+        ++kept;
+    }
+    for (std::int64_t i = kept; i < block.groups * OrderGroup::size; ++i) free_place(block, i);
+    return kept;
+}
+
+void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept {
+    for (const OrderGroup::Column c : all_columns) to.at(c, k) = from.at(c, i);
+}
+
+void clear_rest(const OrderBlock& block, std::int64_t from) noexcept {
+    for (; from % OrderGroup::size != 0; ++from)
+        for (const OrderGroup::Column c : all_columns) block.at(c, from) = 0.0F;
+}
+
+void forget_marks(const OrderBlock& block, std::int64_t count) noexcept {
+    for (std::int64_t i = 0; i < block.groups * OrderGroup::size; ++i) {
+        block.at(OrderGroup::energy, i) = 0.0F;
+        block.at(OrderGroup::clearance, i) = __builtin_inff();
+        if (i >= count) free_place(block, i);
+    }
+}
 
 float packed_normal(const float (&normal)[3]) noexcept {
     std::uint32_t bits = 0;
@@ -178,17 +210,6 @@ float packed_normal(const float (&normal)[3]) noexcept {
                                                                : normal[c] + 1.0F) *
                                            511.5F)
                 << (10U * c);
-    return __builtin_bit_cast(float, bits);
-}
-
-void unpack_normal(float packed, float (&normal)[3]) noexcept {
-    const auto bits = __builtin_bit_cast(std::uint32_t, packed);
-    for (unsigned c = 0; c < 3; ++c) normal[c] = static_cast<float>(bits >> (10U * c) & 1023U) - 511.5F;
-}
-
-float repacked_normal(const float (&unpacked)[3]) noexcept {
-    std::uint32_t bits = 0;
-    for (unsigned c = 0; c < 3; ++c) bits |= static_cast<std::uint32_t>(unpacked[c] + 511.5F) << (10U * c);
     return __builtin_bit_cast(float, bits);
 }
 

@@ -7,19 +7,30 @@
 
 namespace hrbfnpr::sampling {
 
-// The candidates of a cell, column by column in one piece of memory, so that few pages are touched.
-struct OrderBlock {
-    float* data;
-    std::int64_t stride; // from column to column
-    std::int64_t count;
-
-    static constexpr std::int64_t columns = 6;
+// The candidates of a cell, sixteen at a time: each number of all of them in a line of the cache.  Whole lines are read
+// and written: part of one that was just written would have to wait for it.
+struct alignas(64) OrderGroup {
+    static constexpr std::int64_t size = 16;
     // x, y, z; the normal's bits (packed_normal); the energy, a sum of (1 - s / reach^2)^4 over the marks on the same
-    // side at squared distance s; and the squared distance to the nearest of them.
-    enum Column : std::int64_t { x, y, z, normal, energy, clearance };
+    // side at squared distance s; and the squared distance to the nearest of them.  A free place has an infinite
+    // energy and a clearance of -1.
+    enum Column : std::int64_t { x, y, z, normal, energy, clearance, columns };
 
-    [[nodiscard]] float* column(std::int64_t c) const noexcept { return data + c * stride; }
+    float number[columns][size];
 };
+
+struct OrderBlock {
+    OrderGroup* group;
+    std::int64_t groups;
+
+    [[nodiscard]] float& at(OrderGroup::Column column, std::int64_t i) const noexcept {
+        return group[i / OrderGroup::size].number[column][i % OrderGroup::size];
+    }
+};
+
+[[nodiscard]] inline std::int64_t groups_for(std::int64_t candidates) noexcept {
+    return (candidates + OrderGroup::size - 1) / OrderGroup::size;
+}
 
 struct OrderMark {
     float position[3];
@@ -34,8 +45,15 @@ inline constexpr float opposite = -0.3F;
 [[nodiscard]] float packed_normal(const float (&normal)[3]) noexcept;
 // Of about this length, not of unit length.
 inline constexpr float unpacked_length = 511.5F;
-void unpack_normal(float packed, float (&normal)[3]) noexcept;
-[[nodiscard]] float repacked_normal(const float (&unpacked)[3]) noexcept;
+inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
+    const auto bits = __builtin_bit_cast(std::uint32_t, packed);
+    for (unsigned c = 0; c < 3; ++c) normal[c] = static_cast<float>(bits >> (10U * c) & 1023U) - unpacked_length;
+}
+[[nodiscard]] inline float repacked_normal(const float (&unpacked)[3]) noexcept {
+    std::uint32_t bits = 0;
+    for (unsigned c = 0; c < 3; ++c) bits |= static_cast<std::uint32_t>(unpacked[c] + unpacked_length) << (10U * c);
+    return __builtin_bit_cast(float, bits);
+}
 
 // What the energies of a cell come to; infinite where there is no such candidate.
 struct OrderLowest {
@@ -45,17 +63,24 @@ struct OrderLowest {
 };
 
 struct OrderLoops {
-    // Candidates take note of a mark.
-    void (*feel)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach);
+    // Candidates take note of marks, one after the other.
+    void (*feel)(const OrderBlock& block, const OrderMark* marks, std::int64_t count, float inverse_squared_reach);
     OrderLowest (*lowest)(const OrderBlock& block, float enough);
-    // Both, one after the other.
+    // Both, of one mark.
     OrderLowest (*feel_and_find)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach,
                                  float enough);
-    // Those with clearance >= enough move to the front, columns as far apart as they are many; returns that number.
-    std::int64_t (*keep)(const OrderBlock& block, float enough);
     // The first of the smallest; -1: all are infinite.
     std::int64_t (*smallest)(const float* numbers, std::int64_t count);
 };
+
+// Those with clearance >= enough change places with others, to the front; the places behind them are free.  Returns
+// their number.
+std::int64_t keep(const OrderBlock& block, float enough) noexcept;
+void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept;
+// The places and normals from that one on to the end of its group, so that no NaN comes of them.
+void clear_rest(const OrderBlock& block, std::int64_t from) noexcept;
+// No mark is felt: the first `count` places have no energy and all the clearance, the others are free.
+void forget_marks(const OrderBlock& block, std::int64_t count) noexcept;
 
 [[nodiscard]] OrderLoops order_loops(base::InstructionSet set) noexcept;
 

@@ -1,6 +1,7 @@
 #include "sampling/order_stage.h"
 
 #include "base/prefetch.h"
+#include "geometry/cell_neighbours.h"
 #include "geometry/morton.h"
 #include "geometry/tangent_frame.h"
 #include "sampling/void_centre.h"
@@ -9,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace hrbfnpr::sampling {
@@ -16,11 +18,12 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr std::int64_t cells_of_task = 512;
+constexpr std::uint64_t most_tickets = 0xffffffff;
 constexpr unsigned tile_bits = 3; // of each coordinate
 // A candidate whose gap was too small is tried again at this part of the squared radius.
 constexpr float again = 0.97F;
 // Cosine of the angle between normals of marks between which a surface is flat enough to move on.
-constexpr double straight = 0.7;
+constexpr float straight = 0.7F;
 // Marks around a candidate that are looked at; a plane has room for about 20 within the distance that counts.
 constexpr std::size_t most_around = 64;
 
@@ -30,11 +33,6 @@ std::uint64_t code_of(const geometry::CellGrid& grid, const glm::dvec3& position
 
 glm::dvec3 vector(const float (&v)[3]) noexcept { return {v[0], v[1], v[2]}; }
 glm::vec3 place_of(const OrderMark& mark) noexcept { return {mark.position[0], mark.position[1], mark.position[2]}; }
-
-// One of the 27 around and including a cell.
-geometry::CellGrid::Cell stepped(const geometry::CellGrid::Cell& cell, std::int64_t step) noexcept {
-    return {cell[0] + step % 3 - 1, cell[1] + step / 3 % 3 - 1, cell[2] + step / 9 - 1};
-}
 
 // Which of the 27 around a cell have a point that is nearer than that to one of the cell's.
 std::uint32_t reached(const glm::vec3& in_cell, float side, float distance) noexcept {
@@ -56,19 +54,19 @@ std::uint32_t reached(const glm::vec3& in_cell, float side, float distance) noex
 
 } // namespace
 
-OrderStage::OrderStage(const Site& site, const Candidates& candidates, const geometry::CellMap& home,
-                       std::int32_t home_level, const StageSettings& settings, const OrderedMarks& marks)
+OrderStage::OrderStage(const Site& site, Candidates& candidates, const geometry::CellMap& home, std::int32_t home_level,
+                       const StageSettings& settings, const OrderedMarks& marks)
     : site_(site),
       grid_(candidates.grid), region_{candidates.region.min - grid_.origin, candidates.region.max - grid_.origin},
       home_(home), home_level_(home_level), settings_(settings),
       side_(static_cast<float>(std::ldexp(grid_.side, settings.level))),
       loops_(order_loops(site.runtime.instruction_set)), code_(site.memory()), number_(site.memory()),
       cell_(site.memory()), neighbour_(site.memory()), lowest_(site.memory()), floor_(site.memory()),
-      block_(site.memory()), extra_(site.memory()), tile_(site.memory()), fresh_(site.memory()),
+      group_(site.memory()), extra_(site.memory()), tile_(site.memory()), fresh_(site.memory()),
       fresh_count_(site.memory()), energy_(site.memory()), step_(site.memory()) {
     take_candidates(candidates);
     find_tiles();
-    for (const OrderMark& mark : marks) link(mark, cell_at(vector(mark.position)));
+    link_all(marks);
     feel_all();
 }
 
@@ -77,45 +75,68 @@ glm::vec3 OrderStage::low_corner(std::uint64_t code) const noexcept {
     return side_ * glm::vec3(static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]));
 }
 
-void OrderStage::take_candidates(const Candidates& candidates) {
+void OrderStage::take_candidates(Candidates& candidates) {
     base::Array<std::int64_t> part(site_.memory()); // of each cell: the candidates' first cell in it
     for (std::int64_t c = 0; c < candidates.cells(); ++c) {
         const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings_.level);
         if (!code_.empty() && code_.back() == here) continue;
         code_.push_back(here);
-        cell_.push_back({0, 0, 0, -1, 0, -1, 0, low_corner(here), {}});
         part.push_back(c);
     }
     part.push_back(candidates.cells());
-    const auto begin_of = [&](std::int64_t c) { return candidates.first[part[c]]; };
-    const auto taken = [&](std::int64_t i) { return candidates.ticket[i] < settings_.ticket_limit; };
-    const auto for_cells = [&](auto&& visit) {
-        site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t c = begin; c < end; ++c) visit(c);
-        });
-    };
-    for_cells([&](std::int64_t c) {
-        for (std::int64_t i = begin_of(c); i < begin_of(c + 1); ++i) cell_[c].count += taken(i) ? 1 : 0;
-    });
-    std::int64_t numbers = 0;
-    for (Cell& cell : cell_) {
-        cell.block = numbers;
-        cell.stride = cell.count;
-        numbers += OrderBlock::columns * cell.count;
-    }
-    block_.resize(numbers);
-    for_cells([&](std::int64_t c) {
-        const OrderBlock block = block_of(cell_[c]);
-        std::int64_t k = 0;
-        for (std::int64_t i = begin_of(c); i < begin_of(c + 1); ++i) {
-            if (!taken(i)) continue;
-            block.column(OrderBlock::x)[k] = candidates.x[i];
-            block.column(OrderBlock::y)[k] = candidates.y[i];
-            block.column(OrderBlock::z)[k] = candidates.z[i];
-            block.column(OrderBlock::normal)[k] = candidates.normal[i];
-            block.column(OrderBlock::clearance)[k++] = infinite;
+    cell_.resize_for_overwrite(code_.size());
+    if (settings_.level == 0 && settings_.ticket_limit > most_tickets)
+        work_in(candidates);
+    else
+        copy_taken(candidates, part);
+}
+
+// All of them take part, in the same cells.
+void OrderStage::work_in(Candidates& candidates) {
+    groups_ = candidates.group.data();
+    site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) {
+            cell_[c] = empty_cell(candidates.first[c] / OrderGroup::size, groups_for(candidates.number[c]), code_[c]);
+            forget_marks(block_of(cell_[c]), candidates.number[c]);
         }
     });
+}
+
+void OrderStage::copy_taken(Candidates& candidates, const base::Array<std::int64_t>& part) {
+    // A few large cells have as many candidates as many small ones.
+    const std::int64_t grain = std::clamp<std::int64_t>(cell_.size() / 64, 1, 8 * cells_of_task);
+    const auto for_taken = [&](std::int64_t cell, auto&& visit) {
+        for (std::int64_t from = part[cell]; from < part[cell + 1]; ++from)
+            candidates.for_taken(from, settings_.ticket_limit, visit);
+    };
+    base::Array<std::int64_t> task_begin(site_.memory(), (cell_.size() + grain - 1) / grain + 1); // in group_
+    site_.runtime.parallel.for_chunks(cell_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        std::int64_t groups = 0;
+        for (std::int64_t c = begin; c < end; ++c) {
+            std::int64_t count = 0;
+            for_taken(c, [&](std::int64_t) { ++count; });
+            cell_[c] = empty_cell(groups, groups_for(count), code_[c]);
+            groups += groups_for(count);
+        }
+        task_begin[begin / grain + 1] = groups;
+    });
+    std::partial_sum(task_begin.begin(), task_begin.end(), task_begin.begin());
+    group_.resize_for_overwrite(task_begin.back());
+    groups_ = group_.data();
+    site_.runtime.parallel.for_chunks(cell_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) {
+            cell_[c].group += task_begin[begin / grain];
+            const OrderBlock block = block_of(cell_[c]);
+            std::int64_t count = 0;
+            for_taken(c, [&](std::int64_t place) { copy_place(candidates.places(), place, block, count++); });
+            clear_rest(block, count);
+            forget_marks(block, count);
+        }
+    });
+}
+
+OrderStage::Cell OrderStage::empty_cell(std::int64_t group, std::int64_t groups, std::uint64_t code) const noexcept {
+    return {group, static_cast<std::int32_t>(groups), -1, 0, -1, 0, low_corner(code), {}};
 }
 
 // A tile's turn is the parity of its coordinates, the last bits of its code.
@@ -130,37 +151,24 @@ void OrderStage::find_tiles() {
         turn_[turn + 1] = tile_.size();
     }
     number_ = geometry::CellMap(site_.memory(), code_);
-    neighbour_.resize(code_.size());
+    neighbour_.resize_for_overwrite(code_.size());
     lowest_.resize(code_.size());
     floor_.resize(code_.size());
-    site_.runtime.parallel.for_chunks(tile_.size(), 16, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t t = begin; t < end; ++t) find_neighbours(tile_[t]);
-    });
+    site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task,
+                                      [&](std::int64_t begin, std::int64_t end) { find_neighbours(begin, end); });
 }
 
-// The neighbours of a block's cells are in the 27 blocks of the map around it.
-void OrderStage::find_neighbours(const Tile& tile) noexcept {
-    constexpr std::uint64_t cells_of_block = geometry::CellMap::cells_of_block;
-    std::array<const std::int32_t*, 27> block{};
-    for (std::int32_t c = tile.begin; c < tile.end; ++c) {
-        if (c == tile.begin || code_[c] / cells_of_block != code_[c - 1] / cells_of_block) {
-            const geometry::CellGrid::Cell place = geometry::morton_cell(code_[c] / cells_of_block);
-            for (std::int64_t step = 0; step < 27; ++step) {
-                const geometry::CellGrid::Cell there = stepped(place, step);
-                block[static_cast<std::size_t>(step)] =
-                    geometry::CellGrid::inside(there) ? number_.find_block(geometry::morton_code(there)) : nullptr;
-            }
+void OrderStage::find_neighbours(std::int64_t begin, std::int64_t end) noexcept {
+    geometry::CellNeighbours around(number_);
+    for (std::int64_t c = begin; c < end; ++c) {
+        around.go_to(code_[c]);
+        std::uint32_t found = 0;
+        for (std::size_t step = 0; step < around.count; ++step) {
+            const std::int32_t number = around[step];
+            neighbour_[c][step] = number;
+            found |= number >= 0 ? 1U << step : 0U;
         }
-        const geometry::CellGrid::Cell at = geometry::morton_cell(code_[c] % cells_of_block);
-        for (std::int64_t step = 0; step < 27; ++step) {
-            const geometry::CellGrid::Cell there = stepped({at[0] + 4, at[1] + 4, at[2] + 4}, step);
-            const std::int32_t* const numbers =
-                block[static_cast<std::size_t>(there[0] / 4 + 3 * (there[1] / 4) + 9 * (there[2] / 4))];
-            const std::int32_t number =
-                numbers == nullptr ? -1 : numbers[geometry::morton_code({there[0] % 4, there[1] % 4, there[2] % 4})];
-            neighbour_[c][static_cast<std::size_t>(step)] = number;
-            if (number >= 0) cell_[c].neighbour |= 1U << static_cast<unsigned>(step);
-        }
+        cell_[c].neighbour = found;
     }
 }
 
@@ -168,17 +176,29 @@ OrderStage::Slot OrderStage::slot_of(const OrderMark& mark) noexcept {
     return {{mark.position[0], mark.position[1], mark.position[2]}, repacked_normal(mark.normal)};
 }
 
-// A mark outside all cells of the stage is felt by none: home cells see to it that there are none.
-void OrderStage::link(const OrderMark& mark, std::int32_t cell) {
-    if (cell < 0) return;
+bool OrderStage::link(const OrderMark& mark, std::int32_t cell) noexcept {
     Cell& c = cell_[cell];
-    const Slot slot = slot_of(mark);
-    if (c.marks < slots_of_cell) {
-        c.slot[static_cast<std::size_t>(c.marks++)] = slot;
-        return;
+    if (c.marks == slots_of_cell) return false;
+    c.slot[static_cast<std::size_t>(c.marks++)] = slot_of(mark);
+    return true;
+}
+
+void OrderStage::link_more(const OrderMark& mark, std::int32_t cell) {
+    extra_.push_back({slot_of(mark), cell_[cell].more});
+    cell_[cell].more = static_cast<std::int32_t>(extra_.size() - 1);
+}
+
+// A mark outside all cells of the stage is felt by none: home cells see to it that there are none.
+void OrderStage::link_all(const OrderedMarks& marks) {
+    base::Array<std::int32_t> cell(site_.memory(), marks.size());
+    site_.runtime.parallel.for_chunks(marks.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) cell[i] = cell_at(vector(marks[i].position));
+    });
+    constexpr std::int64_t ahead = 16;
+    for (std::int64_t i = 0; i < marks.size(); ++i) {
+        if (i + ahead < marks.size() && cell[i + ahead] >= 0) base::prefetch(&cell_[cell[i + ahead]], 1);
+        if (cell[i] >= 0 && !link(marks[i], cell[i])) link_more(marks[i], cell[i]);
     }
-    extra_.push_back({slot, c.more});
-    c.more = static_cast<std::int32_t>(extra_.size() - 1);
 }
 
 template <class Visit>
@@ -209,15 +229,23 @@ void OrderStage::for_reached(const glm::vec3& position, double distance, std::in
 
 void OrderStage::feel_all() {
     site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t c = begin; c < end; ++c)
+        std::array<OrderMark, 64> near; // more are felt in parts
+        for (std::int64_t c = begin; c < end; ++c) {
+            std::size_t count = 0;
+            const auto feel = [&] {
+                loops_.feel(block_of(cell_[c]), near.data(), static_cast<std::int64_t>(count), inverse_squared_reach());
+                count = 0;
+            };
             for (const std::int32_t there : neighbour_[c]) {
                 if (there < 0) continue;
                 for_marks(cell_[there], [&](const Slot& slot) {
-                    OrderMark mark{{slot.position[0], slot.position[1], slot.position[2]}, {}};
-                    unpack_normal(slot.normal, mark.normal);
-                    loops_.feel(block_of(cell_[c]), mark, inverse_squared_reach());
+                    if (count == near.size()) feel();
+                    std::copy_n(slot.position, 3, near[count].position);
+                    unpack_normal(slot.normal, near[count++].normal);
                 });
             }
+            feel();
+        }
     });
 }
 
@@ -231,7 +259,7 @@ void OrderStage::drop_nearer(double distance) {
     const auto enough = static_cast<float>(distance * distance);
     site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) {
-            cell_[c].count = cell_[c].stride = static_cast<std::int32_t>(loops_.keep(block_of(cell_[c]), enough));
+            cell_[c].groups = static_cast<std::int32_t>(groups_for(keep(block_of(cell_[c]), enough)));
             floor_[c] = 0.0F; // so that the best one is found again
         }
     });
@@ -248,29 +276,6 @@ float OrderStage::lowest() noexcept {
 class OrderStage::Turn {
 public:
     Turn(OrderStage& stage, Fresh* fresh) noexcept : stage_(stage), fresh_(fresh) {}
-
-    // Before a tile's turn comes, what its first marks will change is brought from memory, in three steps: each needs
-    // what the one before asked for.
-    static constexpr std::int64_t steps_ahead = 3;
-    static void bring(const OrderStage& stage, const Tile& tile, std::int64_t ahead, float threshold) noexcept {
-        for (std::int32_t cell = tile.begin; cell < tile.end; ++cell) {
-            if (!(stage.lowest_[cell] < threshold)) continue;
-            const Cell& c = stage.cell_[cell];
-            if (ahead == 3) {
-                base::prefetch(&c, 1);
-                base::prefetch(&stage.neighbour_[cell], 1);
-                continue;
-            }
-            for (std::uint32_t left = c.neighbour; left != 0; left &= left - 1) {
-                const Cell& near =
-                    stage.cell_[stage.neighbour_[cell][static_cast<std::size_t>(std::countr_zero(left))]];
-                if (ahead == 2)
-                    base::prefetch(&near, 1);
-                else
-                    base::prefetch(stage.block_.data() + near.block, OrderBlock::columns * near.stride);
-            }
-        }
-    }
 
     // Returns the number of fresh marks.
     std::int32_t run(const Tile& tile, std::span<const SweepStep> steps) {
@@ -296,67 +301,90 @@ private:
         }
     }
 
+    // Asks for all that a mark near the cell will change, so that it comes in one go.
+    void bring(std::int32_t cell) const noexcept {
+        const std::array<std::int32_t, 27>& neighbour = stage_.neighbour_[cell];
+        const std::uint32_t there = stage_.cell_[cell].neighbour;
+        for (std::uint32_t left = there; left != 0; left &= left - 1)
+            base::prefetch(&stage_.cell_[neighbour[static_cast<std::size_t>(std::countr_zero(left))]], 1);
+        for (std::uint32_t left = there; left != 0; left &= left - 1) {
+            const Cell& near = stage_.cell_[neighbour[static_cast<std::size_t>(std::countr_zero(left))]];
+            base::prefetch(stage_.groups_ + near.group, near.groups);
+        }
+    }
+
     void take(std::int32_t cell) {
+        bring(cell);
         const Fresh fresh = place(cell);
         if (fresh.cell < 0) {
-            float& clearance =
-                stage_.block_of(stage_.cell_[cell]).column(OrderBlock::clearance)[stage_.cell_[cell].best];
+            float& clearance = stage_.block_of(stage_.cell_[cell]).at(OrderGroup::clearance, stage_.cell_[cell].best);
             clearance = std::min(clearance, again * enough_);
             stage_.refresh(cell, enough_);
             return;
         }
-        fresh_[count_++] = fresh;
+        fresh_[count_] = fresh;
+        fresh_[count_].linked = stage_.link(fresh.mark, fresh.cell);
+        if (!fresh_[count_].linked) unlinked_[unlinked_count_++] = count_;
+        ++count_;
         stage_.for_reached(place_of(fresh.mark), stage_.settings_.reach, fresh.cell, [&](std::int32_t there) {
             stage_.note(there, stage_.loops_.feel_and_find(stage_.block_of(stage_.cell_[there]), fresh.mark,
                                                            stage_.inverse_squared_reach(), enough_));
         });
     }
 
+    // From a candidate.
+    struct View {
+        glm::vec3 start, normal;
+        float farthest; // squared
+        geometry::TangentFrame frame;
+    };
+
     // The cell's best candidate itself if it keeps the distance, else a place in its gap that does.
     [[nodiscard]] Fresh place(std::int32_t cell) {
         const std::int64_t i = stage_.cell_[cell].best;
         const OrderBlock block = stage_.block_of(stage_.cell_[cell]);
         Fresh fresh{};
-        fresh.mark.position[0] = block.column(OrderBlock::x)[i];
-        fresh.mark.position[1] = block.column(OrderBlock::y)[i];
-        fresh.mark.position[2] = block.column(OrderBlock::z)[i];
-        fresh.energy = block.column(OrderBlock::energy)[i];
+        fresh.mark.position[0] = block.at(OrderGroup::x, i);
+        fresh.mark.position[1] = block.at(OrderGroup::y, i);
+        fresh.mark.position[2] = block.at(OrderGroup::z, i);
+        fresh.energy = block.at(OrderGroup::energy, i);
         fresh.cell = cell;
         fresh.step = step_;
-        unpack_normal(block.column(OrderBlock::normal)[i], fresh.mark.normal);
-        if (block.column(OrderBlock::clearance)[i] < static_cast<float>(radius_ * radius_)) move(fresh);
+        unpack_normal(block.at(OrderGroup::normal, i), fresh.mark.normal);
+        if (block.at(OrderGroup::clearance, i) < static_cast<float>(radius_ * radius_)) move(fresh);
         return fresh;
     }
 
-    void look_at(const Slot& mark, const glm::dvec3& start, const geometry::TangentFrame& frame,
-                 const glm::dvec3& normal, double far) noexcept {
-        const glm::dvec3 between = vector(mark.position) - start;
-        if (around_ == most_around || glm::dot(between, between) > far * far) return;
+    void look_at(const Slot& mark, const View& from) noexcept {
+        const glm::vec3 between = glm::vec3(mark.position[0], mark.position[1], mark.position[2]) - from.start;
+        if (glm::dot(between, between) > from.farthest || around_ == most_around) return;
         float unpacked[3];
         unpack_normal(mark.normal, unpacked);
-        const double turn = glm::dot(normal, vector(unpacked)) / double{unpacked_length};
-        if (turn < double{opposite}) return;
+        const float turn =
+            (from.normal.x * unpacked[0] + from.normal.y * unpacked[1] + from.normal.z * unpacked[2]) / unpacked_length;
+        if (turn < opposite) return;
         bent_ = bent_ || turn < straight;
-        const glm::dvec2 tangent(glm::dot(between, frame.u), glm::dot(between, frame.r));
+        const glm::dvec3 precise(between);
+        const glm::dvec2 tangent(glm::dot(precise, from.frame.u), glm::dot(precise, from.frame.r));
         const double length = glm::length(tangent);
-        flat_[around_] = length > 0.0 ? glm::length(between) / length * tangent : tangent;
-        between_[around_++] = between;
+        flat_[around_] = length > 0.0 ? glm::length(precise) / length * tangent : tangent;
+        between_[around_++] = precise;
     }
 
     // In the tangent plane, where the distances from the candidate are taken as long as those in space.
     void move(Fresh& fresh) noexcept {
-        const glm::dvec3 start = vector(fresh.mark.position);
         const glm::dvec3 normal = glm::normalize(vector(fresh.mark.normal));
-        const geometry::TangentFrame frame = geometry::combing_frame(normal);
         const double far = radius_ + 2.0 * stage_.settings_.farthest_move;
+        const View view{place_of(fresh.mark), glm::vec3(normal), static_cast<float>(far * far),
+                        geometry::combing_frame(normal)};
         around_ = 0;
         bent_ = false;
-        for (std::int32_t k = 0; k < count_; ++k) look_at(slot_of(fresh_[k].mark), start, frame, normal, far);
-        stage_.for_reached(place_of(fresh.mark), far, fresh.cell, [&](std::int32_t there) {
-            stage_.for_marks(stage_.cell_[there], [&](const Slot& mark) { look_at(mark, start, frame, normal, far); });
+        for (std::size_t k = 0; k < unlinked_count_; ++k) look_at(slot_of(fresh_[unlinked_[k]].mark), view);
+        stage_.for_reached(view.start, far, fresh.cell, [&](std::int32_t there) {
+            stage_.for_marks(stage_.cell_[there], [&](const Slot& mark) { look_at(mark, view); });
         });
         const glm::dvec2 way = toward_void({flat_.data(), around_}, 1.02 * radius_, stage_.settings_.farthest_move);
-        settle(fresh, start, way.x * frame.u + way.y * frame.r);
+        settle(fresh, glm::dvec3(view.start), way.x * view.frame.u + way.y * view.frame.r);
     }
 
     void settle(Fresh& fresh, const glm::dvec3& start, const glm::dvec3& moved) noexcept {
@@ -374,6 +402,8 @@ private:
     OrderStage& stage_;
     Fresh* fresh_;
     std::int32_t count_ = 0;
+    std::size_t unlinked_count_ = 0;
+    std::array<std::int32_t, most_fresh> unlinked_; // of the fresh, those that found no slot
     double radius_ = 0.0;
     float enough_ = 0.0F; // squared distance from marks that makes a candidate open
     std::uint8_t step_ = 0;
@@ -383,6 +413,15 @@ private:
     std::array<glm::dvec2, most_around> flat_;
     std::array<glm::dvec3, most_around> between_;
 };
+
+void OrderStage::bring_cells(const Tile& tile) const noexcept {
+    base::prefetch(&cell_[tile.begin], tile.end - tile.begin);
+    base::prefetch(&neighbour_[tile.begin], tile.end - tile.begin);
+}
+
+void OrderStage::bring_candidates(const Tile& tile) const noexcept {
+    for (std::int32_t c = tile.begin; c < tile.end; ++c) base::prefetch(groups_ + cell_[c].group, cell_[c].groups);
+}
 
 void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, OrderedMarks& marks) {
     step_.clear();
@@ -394,13 +433,14 @@ void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, Orde
         const std::int64_t tiles = turn_[turn + 1] - first;
         fresh_.resize(most_fresh * tiles);
         fresh_count_.resize(tiles);
-        site_.runtime.parallel.for_chunks(tiles, 16, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t t = begin; t < end; ++t) {
-                for (std::int64_t ahead = 1; ahead <= Turn::steps_ahead && t + ahead < end; ++ahead)
-                    Turn::bring(*this, tile_[first + t + ahead], ahead, steps.back().threshold);
-                fresh_count_[t] = Turn(*this, fresh_.data() + most_fresh * t).run(tile_[first + t], steps);
-            }
-        });
+        site_.runtime.parallel.for_chunks(
+            tiles, std::clamp<std::int64_t>(tiles / 32, 1, 16), [&](std::int64_t begin, std::int64_t end) {
+                for (std::int64_t t = begin; t < end; ++t) {
+                    if (t + 2 < end) bring_cells(tile_[first + t + 2]);
+                    if (t + 1 < end) bring_candidates(tile_[first + t + 1]);
+                    fresh_count_[t] = Turn(*this, fresh_.data() + most_fresh * t).run(tile_[first + t], steps);
+                }
+            });
         for (std::int64_t t = 0; t < tiles; ++t)
             for (std::int32_t k = 0; k < fresh_count_[t]; ++k) append(fresh_[most_fresh * t + k], marks);
     }
@@ -409,7 +449,7 @@ void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, Orde
 
 void OrderStage::append(const Fresh& fresh, OrderedMarks& marks) {
     marks.push_back(fresh.mark);
-    link(fresh.mark, fresh.cell);
+    if (!fresh.linked) link_more(fresh.mark, fresh.cell);
     energy_.push_back(fresh.energy);
     step_.push_back(fresh.step);
 }

@@ -27,7 +27,7 @@ struct SweepStep {
 class OrderStage {
 public:
     // `home`: cells of `home_level` that marks must stay in.  `marks`: all so far.
-    OrderStage(const Site& site, const Candidates& candidates, const geometry::CellMap& home, std::int32_t home_level,
+    OrderStage(const Site& site, Candidates& candidates, const geometry::CellMap& home, std::int32_t home_level,
                const StageSettings& settings, const OrderedMarks& marks);
 
     // One after the other, tile by tile: places marks that keep the radius from all others at energies below the
@@ -50,9 +50,8 @@ private:
     static constexpr std::int32_t slots_of_cell = 5;
     // Marks stand with their cells, so that what is around a mark is in few cache lines: two for each cell.
     struct alignas(64) Cell {
-        std::int64_t block;  // where its candidates begin
-        std::int32_t stride; // of its columns
-        std::int32_t count;
+        std::int64_t group; // where its candidates begin
+        std::int32_t groups;
         std::int32_t best;       // open candidate of the lowest energy; -1: none
         std::int32_t marks;      // in its slots
         std::int32_t more;       // list of those that found no slot; -1: none
@@ -72,21 +71,26 @@ private:
         float energy;
         std::int32_t cell; // -1: the gap is too small
         std::uint8_t step;
+        bool linked; // in its cell's slots
     };
     static constexpr std::int64_t most_fresh = 64; // of a tile in a sweep
 
     class Turn;
 
-    void take_candidates(const Candidates& candidates);
+    void take_candidates(Candidates& candidates);
+    void work_in(Candidates& candidates);
+    void copy_taken(Candidates& candidates, const base::Array<std::int64_t>& part);
+    [[nodiscard]] Cell empty_cell(std::int64_t group, std::int64_t groups, std::uint64_t code) const noexcept;
     void find_tiles();
-    void find_neighbours(const Tile& tile) noexcept;
-    [[nodiscard]] OrderBlock block_of(const Cell& cell) noexcept {
-        return {block_.data() + cell.block, cell.stride, cell.count};
-    }
+    void find_neighbours(std::int64_t begin, std::int64_t end) noexcept;
+    [[nodiscard]] OrderBlock block_of(const Cell& cell) noexcept { return {groups_ + cell.group, cell.groups}; }
     template <class Visit>
     void for_reached(const glm::vec3& position, double distance, std::int32_t cell, Visit&& visit) const;
     [[nodiscard]] static Slot slot_of(const OrderMark& mark) noexcept;
-    void link(const OrderMark& mark, std::int32_t cell);
+    // Whether there was a slot.
+    bool link(const OrderMark& mark, std::int32_t cell) noexcept;
+    void link_all(const OrderedMarks& marks);
+    void link_more(const OrderMark& mark, std::int32_t cell);
     template <class Visit>
     void for_marks(const Cell& cell, Visit&& visit) const;
     void feel_all();
@@ -99,6 +103,9 @@ private:
     [[nodiscard]] glm::vec3 low_corner(std::uint64_t code) const noexcept;
     [[nodiscard]] std::int32_t home_cell_at(const glm::dvec3& position, std::int32_t cell) const noexcept;
     [[nodiscard]] std::int32_t cell_at(const glm::dvec3& position) const noexcept;
+    // Before a tile's turn comes, what it works on is brought from memory: where it is first.
+    void bring_cells(const Tile& tile) const noexcept;
+    void bring_candidates(const Tile& tile) const noexcept;
     void append(const Fresh& fresh, OrderedMarks& marks);
     void keep_lowest(std::int64_t room, OrderedMarks& marks);
 
@@ -118,7 +125,8 @@ private:
     base::Array<float> lowest_; // energy of the best candidate of each cell; infinite: there is none
     base::Array<float> floor_;  // no candidate of the cell has a lower energy
     float enough_ = 0.0F;       // squared distance from marks that made a candidate open in the last step
-    base::Array<float> block_;
+    base::Array<OrderGroup> group_;
+    OrderGroup* groups_ = nullptr; // of this stage alone, or the candidates' own
     base::Array<Extra> extra_;
 
     base::Array<Tile> tile_; // turn by turn

@@ -2,7 +2,7 @@
 
 #include "sampling/order_stage.h"
 
-#include "geometry/cell_set.h"
+#include "geometry/cell_grid.h"
 
 #include <algorithm>
 #include <array>
@@ -21,13 +21,13 @@ constexpr double growth_of_step = 1.015;
 constexpr double concession = 0.98;
 // Down to this one only if all candidates are looked at again.
 constexpr double least_distance = 0.65;
-constexpr double growth_between_cleanings = 1.25;
+constexpr double growth_between_cleanings = 2.2;
 // Reach of a mark's energy, in distances of the densest packing at the end of a stage.
 constexpr double reach_of_energy = 1.8;
 // Below it all places count as equally empty.
 constexpr float least_threshold = 0.05F;
 // Sweeps of large orders have many steps: each takes all candidates through the processor's caches.
-constexpr std::size_t steps_of_sweep = 6;
+constexpr std::size_t steps_of_sweep = 12;
 constexpr double fewest_for_many_steps = 2000.0;
 // The threshold grows about with this power of the number of marks (from 0.06 to 2 in a stage, measured) ...
 constexpr double slope_of_threshold = 2.5;
@@ -40,9 +40,9 @@ constexpr double candidates_of_early_marks = 12.0;
 
 class Ordering {
 public:
-    Ordering(const Site& site, const Candidates& candidates, std::int64_t wanted)
+    Ordering(const Site& site, Candidates& candidates, std::int64_t wanted)
         : site_(site), candidates_(candidates), wanted_(wanted), home_(site.memory()), marks_(site.memory()),
-          step_(site.memory()) {}
+          sweep_(site.memory()), step_(site.memory()) {}
 
     OrderedMarks run(const base::Progress& progress);
 
@@ -52,19 +52,20 @@ private:
     [[nodiscard]] double side(std::int32_t level) const noexcept { return std::ldexp(candidates_.grid.side, level); }
     void find_home();
     [[nodiscard]] StageSettings settings_of(std::int32_t level, std::int64_t marks) const noexcept;
-    bool run_stage(std::int32_t level, std::int64_t last, const base::Progress& progress);
+    bool run_stage(Candidates& candidates, std::int32_t level, std::int64_t last, const base::Progress& progress);
+    [[nodiscard]] std::int64_t marks_at(std::int32_t level) const noexcept;
     bool fill(OrderStage& stage, std::int64_t last, double closest, double needless, const base::Progress& progress);
     void note_steps(const OrderStage& stage);
     [[nodiscard]] OrderedMarks shuffled() const;
 
     const Site& site_;
-    const Candidates& candidates_;
+    Candidates& candidates_;
     std::int64_t wanted_;
     std::int32_t home_level_ = 0; // of the last stage
     geometry::CellMap home_;
     OrderedMarks marks_;
-    base::Array<std::uint64_t> step_; // in which each mark was placed
-    std::uint64_t steps_ = 0;
+    base::Array<std::int64_t> sweep_; // where each sweep's marks begin
+    base::Array<std::uint8_t> step_;  // of the sweep, in which each mark was placed
 };
 
 void Ordering::find_home() {
@@ -84,7 +85,7 @@ StageSettings Ordering::settings_of(std::int32_t level, std::int64_t marks) cons
     settings.level = level;
     const double last = densest(static_cast<double>(marks));
     settings.reach = std::min(side(level), reach_of_energy * last);
-    const auto all = static_cast<double>(candidates_.count());
+    const auto all = static_cast<double>(candidates_.count);
     const double taken = std::min(all, std::max(64.0, candidates_of_early_marks * static_cast<double>(marks)));
     settings.ticket_limit = static_cast<std::uint64_t>(taken / all * 4294967296.0);
     settings.nearness = std::max(0.8, 1.0 - static_cast<double>(marks) / taken);
@@ -95,10 +96,11 @@ StageSettings Ordering::settings_of(std::int32_t level, std::int64_t marks) cons
 }
 
 // Returns false where no place is left for `last` marks that differ.
-bool Ordering::run_stage(std::int32_t level, std::int64_t last, const base::Progress& progress) {
+bool Ordering::run_stage(Candidates& candidates, std::int32_t level, std::int64_t last,
+                         const base::Progress& progress) {
     for (const double least : {least_distance, 0.0}) {
         const StageSettings settings = settings_of(level, last);
-        OrderStage stage(site_, candidates_, home_, home_level_, settings, marks_);
+        OrderStage stage(site_, candidates, home_, home_level_, settings, marks_);
         const double end = densest(static_cast<double>(last));
         // Closer points are the same to float positions.
         const double closest = std::max(least, 1e-7 * candidates_.region.diagonal() / end);
@@ -155,48 +157,61 @@ bool Ordering::fill(OrderStage& stage, std::int64_t last, double closest, double
 }
 
 void Ordering::note_steps(const OrderStage& stage) {
-    for (const std::uint8_t step : stage.steps()) step_.push_back(steps_ + step);
-    steps_ += steps_of_sweep;
+    sweep_.push_back(step_.size());
+    for (const std::uint8_t step : stage.steps()) step_.push_back(step);
 }
 
-// Marks of one step stand tile by tile; in random order a part of them is spread like the whole.
+// Marks of one step stand tile by tile; in random order a part of them is spread like the whole.  Those of a sweep
+// follow each other.
 OrderedMarks Ordering::shuffled() const {
     struct Place {
-        std::uint64_t step, lot;
+        std::uint64_t lot; // its first eight bits are the step
         std::int64_t mark;
-        [[nodiscard]] bool operator<(const Place& other) const noexcept {
-            return step != other.step ? step < other.step : lot < other.lot;
-        }
+        [[nodiscard]] bool operator<(const Place& other) const noexcept { return lot < other.lot; }
     };
-    base::Array<Place> place(site_.memory(), marks_.size());
-    for (std::int64_t i = 0; i < marks_.size(); ++i) {
-        std::uint64_t lot = 0;
-        for (const float c : marks_[i].position) lot = geometry::mixed_bits(lot ^ std::bit_cast<std::uint32_t>(c));
-        place[i] = {step_[i], lot, i};
-    }
-    std::sort(place.begin(), place.end());
-    OrderedMarks sorted(site_.memory(), marks_.size());
-    for (std::int64_t i = 0; i < sorted.size(); ++i) sorted[i] = marks_[place[i].mark];
+    base::Array<Place> place(site_.memory());
+    OrderedMarks sorted(site_.memory());
+    place.resize_for_overwrite(marks_.size());
+    sorted.resize_for_overwrite(marks_.size());
+    site_.runtime.parallel.for_each(sweep_.size(), [&](std::int64_t sweep) {
+        const std::int64_t begin = sweep_[sweep];
+        const std::int64_t end = sweep + 1 < sweep_.size() ? sweep_[sweep + 1] : marks_.size();
+        for (std::int64_t i = begin; i < end; ++i) {
+            std::uint64_t lot = 0;
+            for (const float c : marks_[i].position) lot = geometry::mixed_bits(lot ^ std::bit_cast<std::uint32_t>(c));
+            place[i] = {std::uint64_t{step_[i]} << 56U | lot >> 8U, i};
+        }
+        std::sort(place.data() + begin, place.data() + end);
+        for (std::int64_t i = begin; i < end; ++i) sorted[i] = marks_[place[i].mark];
+    });
     return sorted;
 }
 
+// That many marks are within a stage's reach of energies.
+std::int64_t Ordering::marks_at(std::int32_t level) const noexcept {
+    const double marks = std::floor(std::pow(reach_of_energy * densest(1.0) / side(level), 2.0));
+    return std::min(static_cast<std::int64_t>(marks), wanted_);
+}
+
 OrderedMarks Ordering::run(const base::Progress& progress) {
-    if (candidates_.count() == 0 || wanted_ <= 0) return std::move(marks_);
+    if (candidates_.count == 0 || wanted_ <= 0) return std::move(marks_);
     find_home();
     std::int32_t level = home_level_;
     while (level < geometry::CellGrid::bits && side(level) < reach_of_energy * densest(1.0)) ++level;
+    // Early stages would only pass over most candidates.
+    const std::int32_t early = home_level_ + 2;
+    Candidates few = thinned(site_, candidates_, level < early ? 0 : settings_of(early, marks_at(early)).ticket_limit);
     for (; level > home_level_; --level) {
-        const double marks = std::floor(std::pow(reach_of_energy * densest(1.0) / side(level), 2.0));
-        const auto last = std::clamp(static_cast<std::int64_t>(marks), marks_.size(), wanted_);
-        if (last > marks_.size() && !run_stage(level, last, progress)) break;
+        const std::int64_t last = std::max(marks_at(level), marks_.size());
+        if (last > marks_.size() && !run_stage(level < early ? candidates_ : few, level, last, progress)) break;
     }
-    run_stage(home_level_, wanted_, progress);
+    run_stage(candidates_, home_level_, wanted_, progress);
     return shuffled();
 }
 
 } // namespace
 
-OrderedMarks progressive_order(const Site& site, const Candidates& candidates, std::int64_t wanted,
+OrderedMarks progressive_order(const Site& site, Candidates& candidates, std::int64_t wanted,
                                const base::Progress& progress) {
     Ordering ordering(site, candidates, wanted);
     return ordering.run(progress);

@@ -21,8 +21,9 @@ using OrderedMarks = base::Array<OrderMark>;
 // within about two such distances (void and cluster, Ulichney 1993; elimination by weight, Yuksel 2015, does the like
 // backwards).  The distance alone (dart throwing) fills some parts of the surface before others; the energy alone lets
 // marks touch.  A candidate that is nearly far enough moves to the middle of its gap.  Neighbours whose normals point
-// to opposite sides do not see each other: on a thin sheet both faces get their own order.
-[[nodiscard]] OrderedMarks progressive_order(const Site& site, const Candidates& candidates, std::int64_t wanted,
+// to opposite sides do not see each other: on a thin sheet both faces get their own order.  Works in the candidates
+// themselves, which come to stand in another order.
+[[nodiscard]] OrderedMarks progressive_order(const Site& site, Candidates& candidates, std::int64_t wanted,
                                              const base::Progress& progress);
 
 } // namespace hrbfnpr::sampling

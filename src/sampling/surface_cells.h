@@ -2,7 +2,7 @@
 // sheets which no seed belongs to are never reached.
 #pragma once
 
-#include "geometry/cell_set.h"
+#include "geometry/cell_grid.h"
 #include "sampling/site.h"
 
 namespace hrbfnpr::sampling {

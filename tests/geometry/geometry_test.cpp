@@ -1,4 +1,5 @@
 #include "geometry/cell_map.h"
+#include "geometry/cell_neighbours.h"
 #include "geometry/cell_set.h"
 #include "geometry/eigen2.h"
 #include "geometry/morton.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -107,6 +109,51 @@ TEST(CellSet, IsASet) {
     }
     EXPECT_TRUE(cells.insert((std::uint64_t{1} << 63U) - 1)) << "the largest cell there is";
     EXPECT_EQ(cells.size(), static_cast<std::int64_t>(reference.size()) + 1);
+}
+
+CellGrid::Cell random_cell(std::mt19937& random) {
+    return {static_cast<std::int64_t>(random() % 9), static_cast<std::int64_t>(random() % 9),
+            static_cast<std::int64_t>(random() % 9)};
+}
+
+TEST(CellSet, TakesNeighboursAllAtOnce) {
+    CellSet cells(memory());
+    std::set<CellGrid::Cell> reference;
+    std::mt19937 random(5);
+    for (int round = 0; round < 300; ++round) {
+        const CellGrid::Cell cell = random_cell(random);
+        std::uint32_t wanted = 0;
+        for (int step = 0; step < neighbour_count; ++step)
+            if (random() % 2 == 0 && CellGrid::inside(neighbour(cell, step))) wanted |= 1U << step;
+        std::uint32_t fresh = 0;
+        for (int step = 0; step < neighbour_count; ++step)
+            if ((wanted >> step & 1U) != 0 && reference.insert(neighbour(cell, step)).second) fresh |= 1U << step;
+        EXPECT_EQ(cells.insert_around(cell, wanted), fresh);
+        EXPECT_EQ(cells.insert(CellGrid::pack(cell)), reference.insert(cell).second) << "one set for both";
+    }
+    EXPECT_EQ(cells.size(), static_cast<std::int64_t>(reference.size()));
+}
+
+TEST(CellNeighbours, AreThoseThatTheMapHas) {
+    std::set<std::uint64_t> all;
+    std::mt19937 random(6);
+    for (int i = 0; i < 300; ++i) all.insert(morton_code(random_cell(random)));
+    base::Array<std::uint64_t> codes(memory());
+    for (const std::uint64_t code : all) codes.push_back(code);
+    const CellMap map(memory(), codes);
+    CellNeighbours around(map);
+    for (std::int64_t i = 0; i < codes.size(); ++i) {
+        around.go_to(codes[i]);
+        EXPECT_EQ(around[CellNeighbours::itself], i);
+        for (int step = 0; step < neighbour_count; ++step) {
+            const CellGrid::Cell there = neighbour(morton_cell(codes[i]), step);
+            EXPECT_EQ(around[static_cast<std::size_t>(step)],
+                      CellGrid::inside(there) ? map.find(morton_code(there)) : -1);
+        }
+        CellGrid::Cell next = morton_cell(codes[i]);
+        ++next[1];
+        EXPECT_EQ(around[CellNeighbours::itself + CellNeighbours::step_along[1]], map.find(morton_code(next)));
+    }
 }
 
 TEST(CellGrid, PacksAndPlacesCells) {

@@ -15,73 +15,108 @@ namespace {
 
 using namespace test;
 
+constexpr OrderGroup::Column columns[] = {OrderGroup::x,      OrderGroup::y,      OrderGroup::z,
+                                          OrderGroup::normal, OrderGroup::energy, OrderGroup::clearance};
+
 struct Block {
-    explicit Block(std::int64_t count)
-        : count_(count), data(static_cast<std::size_t>(OrderBlock::columns * (count + 3))) {
+    explicit Block(std::int64_t count) : groups(static_cast<std::size_t>(groups_for(count))) {
         std::mt19937 random(7);
         std::uniform_real_distribution<float> number(-1.0F, 1.0F);
+        const OrderBlock all = view();
+        clear_rest(all, count);
+        forget_marks(all, count);
         for (std::int64_t i = 0; i < count; ++i) {
             const glm::vec3 n = glm::normalize(glm::vec3(number(random), number(random), number(random)));
             const float normal[3] = {n.x, n.y, n.z};
-            for (std::int64_t c = 0; c < 3; ++c) view().column(c)[i] = number(random);
-            view().column(OrderBlock::normal)[i] = packed_normal(normal);
-            view().column(OrderBlock::energy)[i] = 1.0F + number(random);
-            view().column(OrderBlock::clearance)[i] = 1.0F + number(random);
+            for (const OrderGroup::Column c : {OrderGroup::x, OrderGroup::y, OrderGroup::z})
+                all.at(c, i) = number(random);
+            all.at(OrderGroup::normal, i) = packed_normal(normal);
+            all.at(OrderGroup::energy, i) = 1.0F + number(random);
+            all.at(OrderGroup::clearance, i) = 1.0F + number(random);
         }
     }
-    [[nodiscard]] OrderBlock view() { return {data.data(), count_ + 3, count_}; }
+    [[nodiscard]] OrderBlock view() { return {groups.data(), static_cast<std::int64_t>(groups.size())}; }
+    [[nodiscard]] std::array<float, 6> place(std::int64_t i) {
+        std::array<float, 6> all{};
+        std::transform(std::begin(columns), std::end(columns), all.begin(), [&](auto c) { return view().at(c, i); });
+        return all;
+    }
 
-    std::int64_t count_;
-    std::vector<float> data;
+    std::vector<OrderGroup> groups;
 };
 
+void expect_equal(Block& a, Block& b, std::int64_t count) {
+    for (std::int64_t i = 0; i < OrderGroup::size * static_cast<std::int64_t>(a.groups.size()); ++i)
+        EXPECT_EQ(a.place(i), b.place(i)) << i << " of " << count;
+}
+
 // The sums as they are written, one candidate at a time.
-void feel_plainly(const OrderBlock& block, const OrderMark& mark, float inverse) {
-    for (std::int64_t i = 0; i < block.count; ++i) {
+void feel_plainly(const OrderBlock& block, std::int64_t count, const OrderMark& mark, float inverse) {
+    for (std::int64_t i = 0; i < count; ++i) {
         float squared = 0.0F;
         float turn = 0.0F;
         float normal[3];
-        unpack_normal(block.column(OrderBlock::normal)[i], normal);
-        for (std::int64_t c = 0; c < 3; ++c) {
-            const float offset = block.column(c)[i] - mark.position[c];
+        unpack_normal(block.at(OrderGroup::normal, i), normal);
+        for (int c = 0; c < 3; ++c) {
+            const float offset = block.at(columns[c], i) - mark.position[c];
             squared += offset * offset;
             turn += normal[c] * mark.normal[c];
         }
         if (turn < opposite * unpacked_length * unpacked_length) continue;
         const float rest = std::max(0.0F, 1.0F - squared * inverse);
-        block.column(OrderBlock::energy)[i] += rest * rest * (rest * rest);
-        block.column(OrderBlock::clearance)[i] = std::min(block.column(OrderBlock::clearance)[i], squared);
+        block.at(OrderGroup::energy, i) += rest * rest * (rest * rest);
+        block.at(OrderGroup::clearance, i) = std::min(block.at(OrderGroup::clearance, i), squared);
     }
 }
 
-TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
+OrderMark mark_at(const glm::vec3& p) {
     const float up[3] = {0.0F, 0.6F, 0.8F};
-    OrderMark mark{{0.1F, -0.2F, 0.3F}, {}};
+    OrderMark mark{{p.x, p.y, p.z}, {}};
     unpack_normal(packed_normal(up), mark.normal);
+    return mark;
+}
+
+TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
+    const OrderMark mark = mark_at({0.1F, -0.2F, 0.3F});
     for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512})
         for (const std::int64_t count : {1, 3, 4, 15, 16, 17, 100}) {
             const OrderLoops loops = order_loops(base::choose_instruction_set(set));
             Block plain(count);
             Block fast(count);
-            feel_plainly(plain.view(), mark, 0.4F);
-            loops.feel(fast.view(), mark, 0.4F);
-            EXPECT_EQ(plain.data, fast.data) << count;
-            std::int64_t best = -1;
             const OrderBlock block = plain.view();
-            for (std::int64_t i = 0; i < count; ++i)
-                if (block.column(OrderBlock::clearance)[i] >= 0.5F &&
-                    (best < 0 || block.column(OrderBlock::energy)[i] < block.column(OrderBlock::energy)[best]))
+            feel_plainly(block, count, mark, 0.4F);
+            loops.feel(fast.view(), &mark, 1, 0.4F);
+            expect_equal(plain, fast, count);
+            std::int64_t best = -1;
+            float of_all = std::numeric_limits<float>::infinity();
+            for (std::int64_t i = 0; i < count; ++i) {
+                const float energy = block.at(OrderGroup::energy, i);
+                of_all = std::min(of_all, energy);
+                if (block.at(OrderGroup::clearance, i) >= 0.5F &&
+                    (best < 0 || energy < block.at(OrderGroup::energy, best)))
                     best = i;
+            }
             EXPECT_EQ(loops.lowest(fast.view(), 0.5F).at, best) << count;
             EXPECT_EQ(loops.lowest(fast.view(), 9.0F).at, -1);
             Block both(count);
             const OrderLowest found = loops.feel_and_find(both.view(), mark, 0.4F, 0.5F);
-            EXPECT_EQ(plain.data, both.data) << count;
+            expect_equal(plain, both, count);
             EXPECT_EQ(found.at, best) << count;
-            const float* const energies = block.column(OrderBlock::energy);
-            EXPECT_EQ(found.energy, best < 0 ? std::numeric_limits<float>::infinity() : energies[best]);
-            EXPECT_EQ(found.of_all, *std::min_element(energies, energies + count));
+            EXPECT_EQ(found.energy,
+                      best < 0 ? std::numeric_limits<float>::infinity() : block.at(OrderGroup::energy, best));
+            EXPECT_EQ(found.of_all, of_all);
         }
+}
+
+TEST(OrderLoops, SeveralMarksAreFeltOneAfterTheOther) {
+    const OrderMark marks[] = {mark_at({0.1F, -0.2F, 0.3F}), mark_at({-0.4F, 0.2F, 0.1F}), mark_at({0.0F, 0.5F, 0.2F})};
+    for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512}) {
+        Block plain(37);
+        Block fast(37);
+        for (const OrderMark& mark : marks) feel_plainly(plain.view(), 37, mark, 0.4F);
+        order_loops(base::choose_instruction_set(set)).feel(fast.view(), marks, 3, 0.4F);
+        expect_equal(plain, fast, 37);
+    }
 }
 
 TEST(OrderLoops, TheFirstOfTheSmallestIsFound) {
@@ -99,30 +134,43 @@ TEST(OrderLoops, TheFirstOfTheSmallestIsFound) {
     }
 }
 
-TEST(OrderLoops, WhatIsKeptStaysInOrder) {
-    for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512})
-        for (const std::int64_t count : {1, 3, 16, 17, 100}) {
-            Block before(count);
-            Block after(count);
-            const std::int64_t kept = order_loops(base::choose_instruction_set(set)).keep(after.view(), 1.0F);
-            const OrderBlock packed{after.data.data(), kept, kept};
-            std::int64_t to = 0;
-            for (std::int64_t i = 0; i < count; ++i) {
-                if (before.view().column(OrderBlock::clearance)[i] < 1.0F) continue;
-                ASSERT_LT(to, kept);
-                for (std::int64_t c = 0; c < OrderBlock::columns; ++c)
-                    EXPECT_EQ(packed.column(c)[to], before.view().column(c)[i]) << count;
-                ++to;
-            }
-            EXPECT_EQ(to, kept) << count;
+TEST(OrderLoops, WhatIsKeptStaysInOrderAndNothingIsLost) {
+    for (const std::int64_t count : {1, 3, 16, 17, 100}) {
+        Block before(count);
+        Block after(count);
+        const std::int64_t kept = keep(after.view(), 1.0F);
+        std::int64_t to = 0;
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (before.view().at(OrderGroup::clearance, i) < 1.0F) continue;
+            ASSERT_LT(to, kept);
+            EXPECT_EQ(after.place(to++), before.place(i)) << count;
         }
+        EXPECT_EQ(to, kept) << count;
+        for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::automatic}) {
+            const OrderLowest found = order_loops(base::choose_instruction_set(set)).lowest(after.view(), 0.0F);
+            EXPECT_LT(found.at, kept) << "the places behind them are free";
+        }
+        // As many at the same places as before, once they are asked for again.
+        forget_marks(after.view(), count);
+        const auto places = [&](Block& block) {
+            std::vector<float> all;
+            for (std::int64_t i = 0; i < count; ++i) all.push_back(block.place(i)[0]);
+            std::sort(all.begin(), all.end());
+            return all;
+        };
+        EXPECT_EQ(places(after), places(before));
+        for (std::int64_t i = 0; i < OrderGroup::size * groups_for(count); ++i) {
+            EXPECT_EQ(after.view().at(OrderGroup::energy, i) == 0.0F, i < count);
+            EXPECT_EQ(after.view().at(OrderGroup::clearance, i) > 0.0F, i < count);
+        }
+    }
 }
 
 TEST(OrderLoops, OfEqualEnergiesTheFirstIsTheLowest) {
     Block block(40);
     for (std::int64_t i = 0; i < 40; ++i) {
-        block.view().column(OrderBlock::energy)[i] = i % 7 == 5 ? 0.25F : 0.5F;
-        block.view().column(OrderBlock::clearance)[i] = i < 10 ? 0.0F : 1.0F;
+        block.view().at(OrderGroup::energy, i) = i % 7 == 5 ? 0.25F : 0.5F;
+        block.view().at(OrderGroup::clearance, i) = i < 10 ? 0.0F : 1.0F;
     }
     for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::automatic})
         EXPECT_EQ(order_loops(base::choose_instruction_set(set)).lowest(block.view(), 0.5F).at, 12);

@@ -1,0 +1,38 @@
+// Blocks of 4 x 4 x 4 cells, and where in them and in the blocks around them the neighbours of a cell are.
+#pragma once
+
+#include "geometry/cell_grid.h"
+#include "geometry/morton.h"
+
+namespace hrbfnpr::geometry {
+
+inline constexpr std::size_t cells_of_block = 64;
+inline constexpr int neighbour_count = 27; // a cell itself among them, in the middle
+
+// One of the 27 cells around and including a cell; the first coordinate runs fastest.
+[[nodiscard]] constexpr CellGrid::Cell neighbour(const CellGrid::Cell& cell, int step) noexcept {
+    return {cell[0] + step % 3 - 1, cell[1] + step / 3 % 3 - 1, cell[2] + step / 9 - 1};
+}
+
+// The neighbours of a cell of a block: in which of the 27 blocks, and which of its cells along the curve (morton.h).
+struct InBlock {
+    std::uint8_t block, cell;
+};
+using NeighboursInBlocks = std::array<InBlock, neighbour_count>;
+
+// Of each cell of a block.
+inline constexpr std::array<NeighboursInBlocks, cells_of_block> neighbours_in_blocks = [] {
+    std::array<NeighboursInBlocks, cells_of_block> all{};
+    for (std::size_t code = 0; code < all.size(); ++code) {
+        const CellGrid::Cell at = morton_cell(code);
+        for (int step = 0; step < neighbour_count; ++step) {
+            const CellGrid::Cell there = neighbour({at[0] + 4, at[1] + 4, at[2] + 4}, step);
+            all[code][static_cast<std::size_t>(step)] = {
+                static_cast<std::uint8_t>(there[0] / 4 + 3 * (there[1] / 4) + 9 * (there[2] / 4)),
+                static_cast<std::uint8_t>(morton_code({there[0] % 4, there[1] % 4, there[2] % 4}))};
+        }
+    }
+    return all;
+}();
+
+} // namespace hrbfnpr::geometry
