@@ -21,8 +21,8 @@ constexpr double straight = 0.97;
 constexpr double clearly = 0.25;
 // The second power's root of x^3 = x + 1: the multiples of 1/x and 1/x^2 fill the unit square evenly, however many
 // there are (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences").
-constexpr std::uint32_t step_u = 3242174889; // in 2^-32
-constexpr std::uint32_t step_v = 2447445414;
+constexpr std::uint32_t long_step = 3242174889; // in 2^-32
+constexpr std::uint32_t short_step = 2447445414;
 
 int longest_axis(const glm::dvec3& n) noexcept {
     const glm::dvec3 a = glm::abs(n);
@@ -84,7 +84,8 @@ struct PlaneCandidates::Trials {
     static constexpr double unit = 1.0 / 4294967296.0;
     std::int32_t count;
     std::uint32_t u, v; // of the first one
-    double before;      // what was left of a trial: the ticket of trial k is (k + before) / count
+    std::uint32_t step_u, step_v;
+    double before; // what was left of a trial: the ticket of trial k is (k + before) / count
     double level, slope_u, slope_v;
 
     [[nodiscard]] double along_u(std::int32_t k) const noexcept {
@@ -106,9 +107,15 @@ PlaneCandidates::Trials PlaneCandidates::trials_in(const SurfaceCell& cell) cons
     const double side = cells_.grid.side;
     const int up = longest_axis(cell.normal);
     const double trials = density_ * side * side / std::abs(cell.normal[up]);
+    // The points are a lattice; turned and mirrored in some cells, it leaves no trace in the whole.
+    const bool turned = (random[3] & 1U) != 0;
+    const bool mirrored = (random[3] & 2U) != 0;
+    const std::uint32_t along_v = turned ? long_step : short_step;
     return {static_cast<std::int32_t>(std::min(trials, 1e6) + Trials::unit * random[0]),
             random[1],
             random[2],
+            turned ? short_step : long_step,
+            mirrored ? 0U - along_v : along_v,
             Trials::unit * random[3],
             -cell.distance / (side * cell.normal[up]),
             -cell.normal[(up + 1) % 3] / cell.normal[up],
