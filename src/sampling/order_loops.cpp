@@ -71,6 +71,9 @@ private:
     W energy_, clearance_;
 };
 
+// Some targets of Highway take the largest finite number for the smallest of infinite ones.
+HWY_INLINE float infinite_beyond_most(float x) { return x < 3.4028234e38F ? x : __builtin_inff(); }
+
 // The lowest of each lane, and where it was first.
 class Search {
 public:
@@ -87,9 +90,9 @@ public:
 
     HWY_INLINE OrderLowest found() const {
         const F d;
-        const float of_all = hn::GetLane(hn::MinOfLanes(d, least_of_all_));
         const W least = hn::MinOfLanes(d, least_);
-        const float energy = hn::GetLane(least);
+        const float energy = infinite_beyond_most(hn::GetLane(least));
+        const float of_all = infinite_beyond_most(hn::GetLane(hn::MinOfLanes(d, least_of_all_)));
         if (!(energy < __builtin_inff())) return {-1, energy, of_all};
         const auto best = hn::RebindMask(I(), hn::Eq(least_, least));
         const auto first = hn::MinOfLanes(I(), hn::IfThenElse(best, at_, hn::Set(I(), 0x7fffffff)));

@@ -16,7 +16,6 @@
 namespace hrbfnpr::sampling {
 namespace {
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr std::int64_t cells_of_task = 512;
 constexpr std::uint64_t most_tickets = 0xffffffff;
 constexpr unsigned tile_bits = 3; // of each coordinate
