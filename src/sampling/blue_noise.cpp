@@ -130,13 +130,13 @@ SurfaceCells cover_surface(const Site& site, const Seeds& seeds, const SampleHin
     const double diagonal = region.diagonal();
     SurfaceCells cells(site.memory());
     // A small surface in a large box tells its area only by cells that are small to it: as long as the
-    // estimate asks for cells of less than half the side, they are found anew.
+    // estimate asks for finer cells by more than a tenth, they are found anew.
     double side = diagonal / coarsest_cells;
     for (int round = 0; round < 4; ++round) {
         cells = find_surface_cells(site, seeds.position, region, side, progress.part(0.25 * round, 0.25 * (round + 1)));
         const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(marks));
         const double wanted = std::max(cell_spacings * spacing, diagonal / finest_cells);
-        if (wanted > 0.7 * side) break;
+        if (wanted > 0.9 * side) break;
         side = wanted;
     }
     return cells;
