@@ -62,7 +62,7 @@ void LayerCandidates::find_trial_cells() {
     for (std::int64_t i = 0; i < kind_.size(); ++i) {
         if (kind_[i] != CellKind::bent) continue;
         around.go_to(cells_.cell[i].code);
-        for (std::size_t step = 0; step < around.count; ++step)
+        for (std::size_t step = 0; step < geometry::CellNeighbours::count; ++step)
             if (around[step] >= 0) taken[around[step]] = 1;
     }
     for (std::int64_t i = 0; i < taken.size(); ++i)

@@ -162,7 +162,7 @@ void OrderStage::find_neighbours(std::int64_t begin, std::int64_t end) noexcept 
     for (std::int64_t c = begin; c < end; ++c) {
         around.go_to(code_[c]);
         std::uint32_t found = 0;
-        for (std::size_t step = 0; step < around.count; ++step) {
+        for (std::size_t step = 0; step < geometry::CellNeighbours::count; ++step) {
             const std::int32_t number = around[step];
             neighbour_[c][step] = number;
             found |= number >= 0 ? 1U << step : 0U;

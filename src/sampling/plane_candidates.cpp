@@ -61,8 +61,9 @@ PlaneCandidates::Judged PlaneCandidates::judge(const SurfaceCell& cell,
         double turn = 0.0;
         int beside = 0;
         for (const int way : {-1, 1}) {
-            const std::size_t step = around.step_along[axis];
-            const std::int32_t number = around[way < 0 ? around.itself - step : around.itself + step];
+            const std::size_t step = geometry::CellNeighbours::step_along[axis];
+            const std::int32_t number =
+                around[way < 0 ? geometry::CellNeighbours::itself - step : geometry::CellNeighbours::itself + step];
             if (number < 0) continue;
             const SurfaceCell& there = cells_.cell[number];
             const double distance = cell.distance + way * side * cell.normal[axis];

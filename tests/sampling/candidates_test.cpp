@@ -93,6 +93,25 @@ TEST(PlaneCandidates, LieInTheirCellsNearTheSurfaceAndEvenly) {
     EXPECT_LT(std::sqrt(squares), 4.0);
 }
 
+// Memory that is not zeroed may hold anything: here, NaN.
+TEST(Candidates, DoNotDependOnWhatMemoryHeld) {
+    const auto filled = [](void*, std::uint64_t size, std::uint64_t alignment) {
+        void* const memory = ::operator new (size, std::align_val_t{alignment});
+        return std::memset(memory, 0xff, size);
+    };
+    const auto give_back = [](void*, void* memory, std::uint64_t, std::uint64_t alignment) {
+        ::operator delete (memory, std::align_val_t{alignment});
+    };
+    const Torus torus;
+    const PointSet plain = make(torus, blue({Group::stipple}, 3000));
+    const base::Runtime poisoned(filled, give_back, nullptr, base::Parallel(0, nullptr, nullptr),
+                                 base::InstructionSet::automatic, nullptr, nullptr);
+    const PointSet set = generate(poisoned, torus, {}, blue({Group::stipple}, 3000), {});
+    ASSERT_EQ(of(set, Group::stipple).count(), of(plain, Group::stipple).count());
+    for (std::int64_t i = 0; i < 3 * of(set, Group::stipple).count(); ++i)
+        ASSERT_EQ(of(set, Group::stipple).position[i], of(plain, Group::stipple).position[i]);
+}
+
 // A part of them, by tickets, is spread like all.
 TEST(PlaneCandidates, APartByTicketsIsSpreadLikeAll) {
     Cover cover(Sphere(), {1.0, 0.0, 0.0}, 0.05);

@@ -6,6 +6,7 @@
 #include "sampling/void_centre.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -150,6 +151,8 @@ TEST(OrderLoops, WhatIsKeptStaysInOrderAndNothingIsLost) {
             const OrderLowest found = order_loops(base::choose_instruction_set(set)).lowest(after.view(), 0.0F);
             EXPECT_LT(found.at, kept) << "the places behind them are free";
         }
+        for (std::int64_t i = kept; i < OrderGroup::size * groups_for(count); ++i)
+            EXPECT_EQ(after.view().at(OrderGroup::energy, i), std::numeric_limits<float>::infinity()) << count;
         // As many at the same places as before, once they are asked for again.
         forget_marks(after.view(), count);
         const auto places = [&](Block& block) {
@@ -164,6 +167,19 @@ TEST(OrderLoops, WhatIsKeptStaysInOrderAndNothingIsLost) {
             EXPECT_EQ(after.view().at(OrderGroup::clearance, i) > 0.0F, i < count);
         }
     }
+}
+
+// What memory held before must not matter: a NaN there would come into the energies.
+TEST(OrderLoops, FreePlacesHoldNumbers) {
+    Block block(16);
+    for (std::int64_t i = 0; i < 16; ++i)
+        for (const OrderGroup::Column c : columns) block.view().at(c, i) = std::numeric_limits<float>::quiet_NaN();
+    clear_rest(block.view(), 5);
+    forget_marks(block.view(), 5);
+    for (std::int64_t i = 5; i < 16; ++i)
+        for (const OrderGroup::Column c : columns) EXPECT_FALSE(std::isnan(block.view().at(c, i))) << i;
+    clear_rest(block.view(), 16);
+    EXPECT_TRUE(std::isnan(block.place(0)[0])) << "only behind the last one";
 }
 
 TEST(OrderLoops, OfEqualEnergiesTheFirstIsTheLowest) {
