@@ -6,6 +6,8 @@ find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 find_path(HRBFNPR_GLM_INCLUDE_DIR glm/glm.hpp REQUIRED)
 mark_as_advanced(HRBFNPR_GLM_INCLUDE_DIR)
 
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
 if(HRBFNPR_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()

@@ -70,8 +70,12 @@
  * Determinism.  The same input gives the same bits for any thread count, with
  *   or without a `run_tasks` hook, on one build and instruction set.
  *
- * Threads.  The library starts no thread but those of its OpenMP backend, and
- *   none at all with thread_count 1 or with a `run_tasks` hook.  Callbacks run
+ * Threads.  A context starts its threads with the first call that needs them and
+ *   ends them with the last reference to it; with thread_count 1 or a `run_tasks`
+ *   hook it starts none.  They take no signals of the host's.  A forked child may
+ *   go on with contexts of its parent, which start threads anew in it, but not in
+ *   the middle of a call (from a callback).  Unloaded while a context has threads,
+ *   the library stays in memory.  Callbacks run
  *   only on the thread that entered the library, unless flagged thread-safe.
  *   After fork() a child runs serially.  No call changes the caller's floating-
  *   point state, locale or OpenMP settings.
@@ -172,7 +176,7 @@ typedef struct hrbfnpr_error {
 HRBFNPR_API hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t struct_size);
 
 /* What this build is, as one JSON object: version, abi, compiler,
- * instruction_sets, thread_backend, dependencies.  Writes up to `capacity`
+ * instruction_sets, thread_backends, dependencies.  Writes up to `capacity`
  * bytes with a terminating zero; `*needed` (nullable) gets the bytes needed.
  * BUFFER_TOO_SMALL writes nothing to `destination`.  destination may be NULL
  * when capacity is 0. */
@@ -255,7 +259,8 @@ typedef void (*hrbfnpr_log_fn)(void* user, int32_t level, const char* message);
 typedef void (*hrbfnpr_task_fn)(void* task_context, int64_t index);
 /* The host's job runner: calls task(task_context, i) once for every
  * i in [0, task_count), on any threads, in any order, and returns when all
- * have ended.  It may be called again from inside a task's thread. */
+ * have ended.  It may be called again from inside a task's thread.  A call that
+ * finds tasks left out or run twice fails with CALLBACK and says how many. */
 typedef void (*hrbfnpr_run_tasks_fn)(void* user, hrbfnpr_task_fn task, void* task_context,
                                      int64_t task_count);
 
@@ -268,19 +273,32 @@ enum {
     HRBFNPR_INSTRUCTION_SET_NEON = 4
 };
 
+/* Who runs the library's tasks.  The results are the same bits from all. */
+enum {
+    HRBFNPR_THREAD_BACKEND_AUTO = 0,      /* RUN_TASKS where that is given, else POOL */
+    HRBFNPR_THREAD_BACKEND_POOL = 1,      /* threads of the context's own.  The calling thread takes part and waits
+                                             only for tasks that others have begun, so a processor that is busy
+                                             elsewhere costs little; idle threads sleep after 20 microseconds */
+    HRBFNPR_THREAD_BACKEND_OPENMP = 2,    /* the OpenMP runtime's, shared with a host that uses it; serial in a forked
+                                             child.  For processors that nobody else wants.  INVALID_ARGUMENT in a
+                                             build without it (hrbfnpr_build_info: thread_backends) */
+    HRBFNPR_THREAD_BACKEND_RUN_TASKS = 3, /* the host's job system */
+    HRBFNPR_THREAD_BACKEND_SERIAL = 4     /* the calling thread alone, as with thread_count 1 */
+};
+
 typedef struct hrbfnpr_context_desc {
     uint32_t struct_size;
     uint32_t abi_version;  /* _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
     int32_t thread_count;  /* 0 = all processors (default), 1 = serial; at most 256 are used */
     uint32_t flags;        /* must be 0 */
     uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
-    uint32_t reserved;
+    uint32_t thread_backend;          /* HRBFNPR_THREAD_BACKEND_...; AUTO */
     hrbfnpr_allocate_fn allocate;     /* both or none; none = aligned operator new */
     hrbfnpr_deallocate_fn deallocate;
     void* allocator_user;
     hrbfnpr_log_fn log; /* may be NULL */
     void* log_user;
-    hrbfnpr_run_tasks_fn run_tasks; /* may be NULL: built-in OpenMP backend */
+    hrbfnpr_run_tasks_fn run_tasks; /* may be NULL; only with thread_backend AUTO or RUN_TASKS */
     void* run_tasks_user;
 } hrbfnpr_context_desc;
 
@@ -297,7 +315,7 @@ typedef struct hrbfnpr_context_info {
     uint32_t struct_size;
     int32_t thread_count;     /* threads that a large call will use */
     uint32_t instruction_set; /* the one in use */
-    uint32_t reserved;
+    uint32_t thread_backend;  /* HRBFNPR_THREAD_BACKEND_POOL, OPENMP, RUN_TASKS or SERIAL */
     int64_t bytes_now;  /* allocated through this context at present */
     int64_t bytes_peak; /* the most there ever were */
 } hrbfnpr_context_info;

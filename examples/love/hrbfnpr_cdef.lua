@@ -33,17 +33,19 @@ typedef void (*hrbfnpr_task_fn)(void* task_context, int64_t index);
 typedef void (*hrbfnpr_run_tasks_fn)(void* user, hrbfnpr_task_fn task, void* task_context, int64_t task_count);
 enum { HRBFNPR_INSTRUCTION_SET_AUTO = 0, HRBFNPR_INSTRUCTION_SET_BASELINE = 1, HRBFNPR_INSTRUCTION_SET_AVX2 = 2,
     HRBFNPR_INSTRUCTION_SET_AVX512 = 3, HRBFNPR_INSTRUCTION_SET_NEON = 4 };
+enum { HRBFNPR_THREAD_BACKEND_AUTO = 0, HRBFNPR_THREAD_BACKEND_POOL = 1, HRBFNPR_THREAD_BACKEND_OPENMP = 2,
+    HRBFNPR_THREAD_BACKEND_RUN_TASKS = 3, HRBFNPR_THREAD_BACKEND_SERIAL = 4 };
 typedef struct hrbfnpr_context_desc { uint32_t struct_size; uint32_t abi_version; int32_t thread_count; uint32_t flags;
-    uint32_t highest_instruction_set; uint32_t reserved; hrbfnpr_allocate_fn allocate; hrbfnpr_deallocate_fn deallocate;
-    void* allocator_user; hrbfnpr_log_fn log; void* log_user; hrbfnpr_run_tasks_fn run_tasks; void* run_tasks_user;
-    } hrbfnpr_context_desc;
+    uint32_t highest_instruction_set; uint32_t thread_backend; hrbfnpr_allocate_fn allocate;
+    hrbfnpr_deallocate_fn deallocate; void* allocator_user; hrbfnpr_log_fn log; void* log_user;
+    hrbfnpr_run_tasks_fn run_tasks; void* run_tasks_user; } hrbfnpr_context_desc;
 hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_context** out_context,
     hrbfnpr_error* error);
 void hrbfnpr_context_retain(hrbfnpr_context* context);
 void hrbfnpr_context_release(hrbfnpr_context* context);
 typedef struct hrbfnpr_context_info { uint32_t struct_size; int32_t thread_count; uint32_t instruction_set;
-    uint32_t reserved; int64_t bytes_now; int64_t bytes_peak; } hrbfnpr_context_info;
+    uint32_t thread_backend; int64_t bytes_now; int64_t bytes_peak; } hrbfnpr_context_info;
 hrbfnpr_status hrbfnpr_context_info_init(hrbfnpr_context_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context, hrbfnpr_context_info* info,
     hrbfnpr_error* error);

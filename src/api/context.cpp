@@ -2,21 +2,38 @@
 #include "api/checks.h"
 #include "api/descriptor.h"
 #include "api/handles.h"
+#include "base/parallel_openmp.h"
 
 using namespace hrbfnpr;
 
 static_assert(static_cast<std::int32_t>(base::LogLevel::debug) == HRBFNPR_LOG_DEBUG);
 static_assert(static_cast<std::int32_t>(base::LogLevel::info) == HRBFNPR_LOG_INFO);
 static_assert(static_cast<std::int32_t>(base::LogLevel::warning) == HRBFNPR_LOG_WARNING);
+static_assert(static_cast<std::uint32_t>(base::ThreadBackend::automatic) == HRBFNPR_THREAD_BACKEND_AUTO);
+static_assert(static_cast<std::uint32_t>(base::ThreadBackend::pool) == HRBFNPR_THREAD_BACKEND_POOL);
+static_assert(static_cast<std::uint32_t>(base::ThreadBackend::openmp) == HRBFNPR_THREAD_BACKEND_OPENMP);
+static_assert(static_cast<std::uint32_t>(base::ThreadBackend::run_tasks) == HRBFNPR_THREAD_BACKEND_RUN_TASKS);
+static_assert(static_cast<std::uint32_t>(base::ThreadBackend::serial) == HRBFNPR_THREAD_BACKEND_SERIAL);
 static_assert(static_cast<std::uint32_t>(base::InstructionSet::baseline) == HRBFNPR_INSTRUCTION_SET_BASELINE);
 static_assert(static_cast<std::uint32_t>(base::InstructionSet::avx2) == HRBFNPR_INSTRUCTION_SET_AVX2);
 static_assert(static_cast<std::uint32_t>(base::InstructionSet::avx512) == HRBFNPR_INSTRUCTION_SET_AVX512);
 static_assert(static_cast<std::uint32_t>(base::InstructionSet::neon) == HRBFNPR_INSTRUCTION_SET_NEON);
 
-hrbfnpr_context::hrbfnpr_context(const hrbfnpr_context_desc& desc) noexcept
+namespace {
+
+base::Parallel make_parallel(const hrbfnpr_context_desc& desc) {
+    switch (desc.thread_backend) {
+    case HRBFNPR_THREAD_BACKEND_OPENMP: return base::Parallel::openmp(desc.thread_count);
+    case HRBFNPR_THREAD_BACKEND_SERIAL: return {};
+    default: return {desc.thread_count, desc.run_tasks, desc.run_tasks_user};
+    }
+}
+
+} // namespace
+
+hrbfnpr_context::hrbfnpr_context(const hrbfnpr_context_desc& desc)
     : allocate(desc.allocate), deallocate(desc.deallocate), allocator_user(desc.allocator_user),
-      runtime(desc.allocate, desc.deallocate, desc.allocator_user,
-              base::Parallel(desc.thread_count, desc.run_tasks, desc.run_tasks_user),
+      runtime(desc.allocate, desc.deallocate, desc.allocator_user, make_parallel(desc),
               static_cast<base::InstructionSet>(desc.highest_instruction_set), desc.log, desc.log_user) {}
 
 namespace hrbfnpr::api {
@@ -35,6 +52,22 @@ hrbfnpr_context_info defaults() noexcept {
 
 namespace {
 
+void check_backend(const hrbfnpr_context_desc& desc, const Checks& checks) {
+    const bool hosted = desc.run_tasks != nullptr;
+    checks.one_of("thread_backend", desc.thread_backend, HRBFNPR_THREAD_BACKEND_SERIAL + 1,
+                  "HRBFNPR_THREAD_BACKEND_...");
+    if (desc.thread_backend == HRBFNPR_THREAD_BACKEND_RUN_TASKS) checks.given("run_tasks", hosted);
+    if (hosted && desc.thread_backend != HRBFNPR_THREAD_BACKEND_AUTO &&
+        desc.thread_backend != HRBFNPR_THREAD_BACKEND_RUN_TASKS)
+        fail(Status::invalid_argument,
+             "context_desc.thread_backend is %u and run_tasks is given; leave thread_backend AUTO, or run_tasks NULL",
+             desc.thread_backend);
+    if (desc.thread_backend == HRBFNPR_THREAD_BACKEND_OPENMP && !base::openmp_is_built_in())
+        fail(Status::invalid_argument,
+             "context_desc.thread_backend is OPENMP, and this library was built without (HRBFNPR_OPENMP=OFF); "
+             "take POOL or AUTO");
+}
+
 void check(const hrbfnpr_context_desc& desc) {
     const Checks checks("context_desc");
     if (desc.abi_version != HRBFNPR_ABI_VERSION)
@@ -44,7 +77,7 @@ void check(const hrbfnpr_context_desc& desc) {
              desc.abi_version, static_cast<int>(HRBFNPR_ABI_VERSION));
     checks.at_least("thread_count", desc.thread_count, 0);
     checks.zero("flags", desc.flags);
-    checks.zero("reserved", desc.reserved);
+    check_backend(desc, checks);
     checks.one_of("highest_instruction_set", desc.highest_instruction_set, HRBFNPR_INSTRUCTION_SET_NEON + 1,
                   "HRBFNPR_INSTRUCTION_SET_...");
     if ((desc.allocate == nullptr) != (desc.deallocate == nullptr))
@@ -76,7 +109,13 @@ hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_
         const hrbfnpr_context_desc full = api::read_optional_struct(desc, "context_desc");
         api::check(full);
         base::Memory memory(full.allocate, full.deallocate, full.allocator_user);
-        return new (memory.allocate(sizeof(hrbfnpr_context))) hrbfnpr_context(full);
+        void* const place = memory.allocate(sizeof(hrbfnpr_context));
+        try {
+            return new (place) hrbfnpr_context(full);
+        } catch (...) {
+            memory.deallocate(place, sizeof(hrbfnpr_context));
+            throw;
+        }
     });
 }
 
@@ -97,6 +136,7 @@ hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context, hrbfnpr_
         api::check_output_struct(info, "context_info");
         hrbfnpr_context_info full{};
         full.thread_count = runtime.parallel.threads();
+        full.thread_backend = static_cast<std::uint32_t>(runtime.parallel.backend());
         full.instruction_set = static_cast<std::uint32_t>(runtime.instruction_set);
         full.bytes_now = runtime.memory.bytes_now();
         full.bytes_peak = runtime.memory.bytes_peak();

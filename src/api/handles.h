@@ -35,7 +35,7 @@ private:
 } // namespace hrbfnpr::api
 
 struct hrbfnpr_context : hrbfnpr::api::Counted {
-    explicit hrbfnpr_context(const hrbfnpr_context_desc& desc) noexcept;
+    explicit hrbfnpr_context(const hrbfnpr_context_desc& desc);
     ~hrbfnpr_context() = default;
 
     hrbfnpr::base::AllocateFn allocate; // what the context itself came from; NULL = default

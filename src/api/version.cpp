@@ -1,6 +1,6 @@
 #include "api/barrier.h"
 #include "base/instruction_set.h"
-#include "base/parallel.h"
+#include "base/parallel_openmp.h"
 #include "geometry/vec.h"
 
 #include <hwy/highway.h>
@@ -38,9 +38,9 @@ std::string build_info() {
     json += compiler;
     json += R"(", "instruction_sets": [)";
     json += hrbfnpr::base::compiled_instruction_sets();
-    json += R"(], "thread_backend": ")";
-    json += hrbfnpr::base::thread_backend_name();
-    json += R"(", "dependencies": {"Eigen": ")" HRBFNPR_EIGEN_VERSION R"(", "GLM": ")";
+    json += R"(], "thread_backends": ["POOL")";
+    if (hrbfnpr::base::openmp_is_built_in()) json += R"(, "OPENMP")";
+    json += R"(], "dependencies": {"Eigen": ")" HRBFNPR_EIGEN_VERSION R"(", "GLM": ")";
     json += glm_version;
     json += R"(", "Highway": ")";
     json += highway_version;

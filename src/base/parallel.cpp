@@ -1,47 +1,62 @@
 #include "base/parallel.h"
 
 #include "base/fp_state.h"
+#include "base/parallel_openmp.h"
+#include "base/status.h"
 
 #include <atomic>
 #include <exception>
 #include <limits>
 #include <mutex>
-#include <thread>
-
-#if defined(_OPENMP)
-#include <omp.h>
-#endif
-#if defined(__unix__) || defined(__APPLE__)
-#include <pthread.h>
-#include <unistd.h>
-#define HRBFNPR_HAS_FORK 1
-#endif
 
 namespace hrbfnpr::base {
 namespace {
 
-constexpr int most_threads = 256;
-
-#if defined(HRBFNPR_HAS_FORK)
-// libgomp's pool does not survive fork(): its first region in the child hangs for ever.
-// The pid at the first parallel region is remembered; another pid means "go serial".
-bool pool_is_ours() noexcept {
-    static std::atomic<long> pool_pid{0};
-    const long self = static_cast<long>(getpid());
-    long owner = 0;
-    return pool_pid.compare_exchange_strong(owner, self) || owner == self;
-}
-#else
-bool pool_is_ours() noexcept { return true; }
-#endif
-
-// One for_each: hands out tasks and keeps the exception of the lowest index, since
-// one that leaves an OpenMP region, or a host's job, would abort the process.
-class Job {
+// One for_each: keeps the exception of the lowest index, since one that leaves an OpenMP region, a
+// worker or a host's job would end the process.
+class Caught {
 public:
-    Job(TaskFn task, void* context) noexcept : task_(task), context_(context) {}
+    Caught(std::int64_t count, TaskFn task, void* context) noexcept : count_(count), task_(task), context_(context) {}
 
-    void operator()(std::int64_t index) noexcept {
+    static void run_task(void* caught, std::int64_t index) noexcept { static_cast<Caught*>(caught)->run(index); }
+    // The same for a host, whose calls are counted.
+    static void run_task_of_host(void* caught, std::int64_t index) noexcept {
+        auto& self = *static_cast<Caught*>(caught);
+        if (index < 0 || index >= self.count_) {
+            self.stray_.fetch_add(1, std::memory_order_relaxed);
+            return;
+        }
+        self.run(index);
+        self.sum_.fetch_add(weight(index), std::memory_order_relaxed);
+        self.calls_.fetch_add(1, std::memory_order_release);
+    }
+
+    void rethrow() const {
+        if (error_) std::rethrow_exception(error_);
+    }
+
+    // Each index once, and all of them before run_tasks returned?
+    void check_host() const {
+        const std::int64_t calls = calls_.load(std::memory_order_acquire);
+        if (stray_.load(std::memory_order_relaxed) != 0)
+            fail(Status::callback,
+                 "run_tasks called a task with an index outside [0, %lld): call task(task_context, i) "
+                 "once for each i in [0, task_count)",
+                 static_cast<long long>(count_));
+        if (calls != count_)
+            fail(Status::callback,
+                 "run_tasks returned after %lld of %lld tasks: it must call each once, and wait for all",
+                 static_cast<long long>(calls), static_cast<long long>(count_));
+        std::uint64_t sum = 0;
+        for (std::int64_t i = 0; i < count_; ++i) sum += weight(i);
+        if (sum != sum_.load(std::memory_order_relaxed))
+            fail(Status::callback,
+                 "run_tasks called some of %lld tasks twice and left others out: it must call each once",
+                 static_cast<long long>(count_));
+    }
+
+private:
+    void run(std::int64_t index) noexcept {
         if (index > first_failed_.load(std::memory_order_relaxed)) return;
         const FpGuard guard;
         try {
@@ -54,62 +69,59 @@ public:
         }
     }
 
-    void rethrow() {
-        if (error_) std::rethrow_exception(error_);
+    // Two multisets of as many indices and of the same sum of these are, but for one in 2^64, the same
+    // (SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
+    static std::uint64_t weight(std::int64_t index) noexcept {
+        std::uint64_t z = (static_cast<std::uint64_t>(index) + 1) * 0x9E3779B97F4A7C15U;
+        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+        return z ^ (z >> 31U);
     }
 
-private:
+    std::int64_t count_;
     TaskFn task_;
     void* context_;
     // Lower indices go on after a failure, so that the same one is reported whatever the order.
     std::atomic<std::int64_t> first_failed_{std::numeric_limits<std::int64_t>::max()};
     std::mutex mutex_;
     std::exception_ptr error_;
+    std::atomic<std::int64_t> calls_{0}, stray_{0}; // of a host
+    std::atomic<std::uint64_t> sum_{0};
 };
 
-void run_job(void* job, std::int64_t index) { (*static_cast<Job*>(job))(index); }
-
-int processor_count() noexcept {
-#if defined(_OPENMP)
-    return omp_get_num_procs(); // honours the process's affinity mask
-#else
-    return 1;
-#endif
+int clamped(int threads) noexcept {
+    return std::clamp(threads > 0 ? threads : processor_count(), 1, ThreadPool::most_threads);
 }
 
 } // namespace
 
-Parallel::Parallel(int threads, RunTasksFn run_tasks, void* user) noexcept
-    : threads_(std::clamp(threads > 0 ? threads : processor_count(), 1, most_threads)), run_tasks_(run_tasks),
-      user_(user) {}
+Parallel::Parallel(int threads, ThreadBackend backend) noexcept
+    : threads_(clamped(threads)), backend_(threads_ > 1 ? backend : ThreadBackend::serial) {}
+
+Parallel::Parallel(int threads, RunTasksFn run_tasks, void* user)
+    : Parallel(threads, run_tasks != nullptr ? ThreadBackend::run_tasks : ThreadBackend::pool) {
+    run_tasks_ = run_tasks;
+    user_ = user;
+    if (backend_ == ThreadBackend::pool) pool_ = std::make_shared<ThreadPool>(threads_);
+}
+
+Parallel Parallel::openmp(int threads) noexcept { return {threads, ThreadBackend::openmp}; }
 
 void Parallel::run(std::int64_t count, TaskFn task, void* context) const {
-    if (count <= 0) return;
-    if (count == 1 || threads_ == 1 || (run_tasks_ == nullptr && !pool_is_ours())) {
+    if (count <= 1 || backend_ == ThreadBackend::serial) {
         for (std::int64_t i = 0; i < count; ++i) task(context, i);
         return;
     }
-    Job job(task, context);
-    if (run_tasks_ != nullptr) {
-        run_tasks_(user_, run_job, &job, count);
-    } else {
-#if defined(_OPENMP)
-        const int team = static_cast<int>(std::min<std::int64_t>(threads_, count));
-#pragma omp parallel for schedule(dynamic, 1) num_threads(team)
-        for (std::int64_t i = 0; i < count; ++i) job(i);
-#else
-        for (std::int64_t i = 0; i < count; ++i) job(i);
-#endif
+    Caught caught(count, task, context);
+    switch (backend_) {
+    case ThreadBackend::pool: pool_->run(count, Caught::run_task, &caught); break;
+    case ThreadBackend::openmp: run_openmp(threads_, count, Caught::run_task, &caught); break;
+    default:
+        run_tasks_(user_, Caught::run_task_of_host, &caught, count);
+        caught.rethrow();
+        caught.check_host();
     }
-    job.rethrow();
-}
-
-const char* thread_backend_name() noexcept {
-#if defined(_OPENMP)
-    return "OpenMP";
-#else
-    return "none";
-#endif
+    caught.rethrow();
 }
 
 } // namespace hrbfnpr::base

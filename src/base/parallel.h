@@ -1,8 +1,10 @@
-// Work on all threads.  parallel.cpp is the only file that names OpenMP.
+// Work on all threads, by a pool of our own, by OpenMP or by the host's job system.
 //
 // The result must not depend on the thread count: cut work by size (for_chunks),
 // never by thread, and combine partial results in the order of the chunks.
 #pragma once
+
+#include "base/thread_pool.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,16 +13,21 @@
 
 namespace hrbfnpr::base {
 
-using TaskFn = void (*)(void* task_context, std::int64_t index);
 using RunTasksFn = void (*)(void* user, TaskFn task, void* task_context, std::int64_t task_count);
 
+enum class ThreadBackend : std::uint32_t { automatic = 0, pool = 1, openmp = 2, run_tasks = 3, serial = 4 };
+
+// Copies share their pool, which ends with the last of them.
 class Parallel {
 public:
     Parallel() noexcept = default; // serial
-    // threads: 0 = all processors, 1 = serial.  run_tasks may be NULL: OpenMP.
-    Parallel(int threads, RunTasksFn run_tasks, void* user) noexcept;
+    // threads: 0 = all processors, 1 = serial.  run_tasks may be NULL: a pool.
+    Parallel(int threads, RunTasksFn run_tasks, void* user);
+    // The pool of the OpenMP runtime; serial in a build without one (openmp_is_built_in).
+    [[nodiscard]] static Parallel openmp(int threads) noexcept;
 
     [[nodiscard]] int threads() const noexcept { return threads_; }
+    [[nodiscard]] ThreadBackend backend() const noexcept { return backend_; }
 
     // Calls f(i) once for each i in [0, count), concurrently, and returns when all have
     // ended.  If some throw, the exception of the lowest such index is rethrown here and
@@ -41,14 +48,15 @@ public:
     }
 
 private:
+    Parallel(int threads, ThreadBackend backend) noexcept;
+
     void run(std::int64_t count, TaskFn task, void* context) const;
 
     int threads_ = 1;
+    ThreadBackend backend_ = ThreadBackend::serial;
     RunTasksFn run_tasks_ = nullptr;
     void* user_ = nullptr;
+    std::shared_ptr<ThreadPool> pool_;
 };
-
-// The name of the built-in backend, for build_info.
-[[nodiscard]] const char* thread_backend_name() noexcept;
 
 } // namespace hrbfnpr::base

@@ -14,7 +14,7 @@ using LogFn = void (*)(void* user, std::int32_t level, const char* message);
 
 class Runtime {
 public:
-    Runtime() noexcept = default; // all threads, no log
+    Runtime() = default; // all threads, no log
     Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel threads,
             InstructionSet highest, LogFn log_function, void* log_user) noexcept
         : memory(allocate, deallocate, allocator_user), parallel(threads),

@@ -17,8 +17,8 @@ import header
 
 # Demangled name -> why it may be there.
 ALLOWED = {
-    "hrbfnpr::base::(anonymous namespace)::pool_is_ours()::pool_pid":
-        "tells a forked child that the thread pool is its parent's",
+    "hrbfnpr::base::(anonymous namespace)::team_is_ours()::team_process":
+        "tells a forked child that OpenMP's threads are its parent's",
 }
 # The compiler's and the linker's own, in every shared library; and Eigen's cache sizes, set once.
 RUNTIME = re.compile(r"^(completed\.0|__dso_handle|__TMC_END__|DW\.ref\..*|std::__ioinit"

@@ -139,7 +139,14 @@ TEST(BadInput, Context) {
          "context_desc.abi_version is 77 and this library's is 0"},
         {[](auto& d) { d.thread_count = -1; }, invalid, "context_desc.thread_count is -1"},
         {[](auto& d) { d.flags = 1; }, invalid, "context_desc.flags is 1; it must be 0"},
-        {[](auto& d) { d.reserved = 2; }, invalid, "context_desc.reserved is 2; it must be 0"},
+        {[](auto& d) { d.thread_backend = 5; }, invalid, "context_desc.thread_backend is 5"},
+        {[](auto& d) { d.thread_backend = HRBFNPR_THREAD_BACKEND_RUN_TASKS; }, invalid,
+         "context_desc.run_tasks is NULL"},
+        {[](auto& d) {
+             d.thread_backend = HRBFNPR_THREAD_BACKEND_POOL;
+             d.run_tasks = [](void*, hrbfnpr_task_fn, void*, std::int64_t) {};
+         },
+         invalid, "context_desc.thread_backend is 1 and run_tasks is given"},
         {[](auto& d) { d.highest_instruction_set = 5; }, invalid, "context_desc.highest_instruction_set is 5"},
         {[](auto& d) { d.allocate = Ledger::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
         {[](auto& d) { d.deallocate = Ledger::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};

@@ -118,6 +118,16 @@ TEST(Determinism, TheSameBitsForAnyNumberOfThreads) {
     for (const std::int32_t threads : {2, 3, 7}) EXPECT_TRUE(everything(make_context(threads)) == serial) << threads;
 }
 
+TEST(Determinism, TheSameBitsByOpenMp) {
+    auto desc = made(hrbfnpr_context_desc_init);
+    desc.thread_count = 3;
+    desc.thread_backend = HRBFNPR_THREAD_BACKEND_OPENMP;
+    hrbfnpr_context* probe = nullptr;
+    if (hrbfnpr_context_create(&desc, &probe, nullptr) != HRBFNPR_STATUS_OK) GTEST_SKIP() << "a build without OpenMP";
+    hrbfnpr_context_release(probe);
+    EXPECT_TRUE(everything(make_context(desc)) == everything(make_context(1)));
+}
+
 TEST(Determinism, TheSameBitsWithAHostsJobRunner) {
     std::atomic<int> runs{0};
     auto desc = made(hrbfnpr_context_desc_init);

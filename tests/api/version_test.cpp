@@ -43,7 +43,7 @@ TEST(BuildInfo, IsOneJsonObject) {
     EXPECT_EQ(text.front(), '{');
     EXPECT_EQ(text.back(), '}');
     for (const char* key :
-         {"version", "abi", "compiler", "instruction_sets", "thread_backend", "dependencies", "Eigen", "GLM"})
+         {"version", "abi", "compiler", "instruction_sets", "thread_backends", "dependencies", "Eigen", "GLM"})
         EXPECT_NE(text.find('"' + std::string(key) + "\": "), std::string::npos) << text;
     EXPECT_EQ(std::count(text.begin(), text.end(), '"') % 2, 0);
     EXPECT_EQ(text.find("\"\""), std::string::npos) << "an empty value: " << text;

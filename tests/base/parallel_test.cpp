@@ -1,10 +1,12 @@
 #include "base/parallel.h"
 #include "base/status.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -108,17 +110,72 @@ TEST(Parallel, UsesTheHostsJobRunner) {
 }
 
 TEST(Parallel, Nests) {
-    const Parallel parallel(4, nullptr, nullptr);
-    std::atomic<int> count{0};
-    parallel.for_each(8, [&](std::int64_t) { parallel.for_each(8, [&](std::int64_t) { count.fetch_add(1); }); });
-    EXPECT_EQ(count.load(), 64);
+    for (const Parallel& parallel : {Parallel(4, nullptr, nullptr), Parallel::openmp(4)}) {
+        std::atomic<int> count{0};
+        parallel.for_each(8, [&](std::int64_t) { parallel.for_each(8, [&](std::int64_t) { count.fetch_add(1); }); });
+        EXPECT_EQ(count.load(), 64);
+    }
 }
 
-TEST(Parallel, NamesItsBackend) { EXPECT_NE(std::string(thread_backend_name()), ""); }
+TEST(Parallel, NamesItsBackend) {
+    Host host;
+    EXPECT_EQ(Parallel().backend(), ThreadBackend::serial);
+    EXPECT_EQ(Parallel(1, nullptr, nullptr).backend(), ThreadBackend::serial);
+    EXPECT_EQ(Parallel(2, nullptr, nullptr).backend(), ThreadBackend::pool);
+    EXPECT_EQ(Parallel(2, Host::run, &host).backend(), ThreadBackend::run_tasks);
+    EXPECT_EQ(Parallel::openmp(2).backend(), ThreadBackend::openmp);
+}
+
+// ---- Hosts that do not do what they should -----------------------------------------------
+
+// How often it runs task i, for i in [0, count], the last of which is none.
+using Picks = std::function<int(std::int64_t i, std::int64_t count)>;
+
+void run_picked(void* user, TaskFn task, void* context, std::int64_t count) {
+    for (std::int64_t i = 0; i <= count; ++i)
+        for (int times = (*static_cast<const Picks*>(user))(i, count); times > 0; --times) task(context, i);
+}
+
+std::string complaint(Picks picks) {
+    try {
+        Parallel(2, run_picked, &picks).for_each(10, [](std::int64_t) {});
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::callback);
+        return error.what();
+    }
+    return "nothing";
+}
+
+TEST(Parallel, CountsTheTasksThatAHostRan) {
+    using testing::HasSubstr;
+    EXPECT_EQ(complaint([](auto i, auto n) { return i < n ? 1 : 0; }), "nothing");
+    EXPECT_THAT(complaint([](auto i, auto) { return i < 7 ? 1 : 0; }), HasSubstr("returned after 7 of 10 tasks"));
+    EXPECT_THAT(complaint([](auto, auto) { return 0; }), HasSubstr("returned after 0 of 10 tasks"));
+    EXPECT_THAT(complaint([](auto i, auto n) { return i == 3 || i == n ? 0 : i == 4 ? 2 : 1; }), HasSubstr("twice"));
+    EXPECT_THAT(complaint([](auto, auto) { return 1; }), HasSubstr("outside [0, 10)"));
+}
+
+TEST(Parallel, PutsTheTasksOwnFailureFirst) {
+    Picks some = [](auto i, auto) { return i < 7 ? 1 : 0; };
+    const Parallel parallel(2, run_picked, &some);
+    EXPECT_THROW(parallel.for_each(10, [](std::int64_t) { throw std::runtime_error("x"); }), std::runtime_error);
+}
+
+// ---- OpenMP --------------------------------------------------------------------------------
+
+TEST(ParallelOpenMp, DoesTheSame) {
+    for (const int threads : {0, 1, 2, 3, 7}) {
+        const Parallel parallel = Parallel::openmp(threads);
+        std::vector<std::atomic<int>> visits(1000);
+        parallel.for_each(1000, [&](std::int64_t i) { visits[static_cast<std::size_t>(i)].fetch_add(1); });
+        for (const auto& count : visits) ASSERT_EQ(count.load(), 1) << threads << " threads";
+    }
+    EXPECT_EQ(failure_of(Parallel::openmp(4), 40), "index 42");
+}
 
 #if defined(__unix__)
-TEST(Parallel, IsSerialAfterAFork) {
-    const Parallel parallel(4, nullptr, nullptr);
+TEST(ParallelOpenMp, IsSerialAfterAFork) {
+    const Parallel parallel = Parallel::openmp(4);
     std::atomic<int> warm{0};
     parallel.for_each(100, [&](std::int64_t) { warm.fetch_add(1); });
     const pid_t child = fork();

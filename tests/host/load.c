@@ -1,6 +1,7 @@
 /* A C program that loads the library at run time, again and again: load LIBRARY HOW, where HOW is
  *   idle     50 times, without a call
  *   work     50 times, with a fit and a drawing each time, all released
+ *   openmp   the same by OpenMP's threads
  *   keep     once, and ends with everything alive and the library closed */
 #include <dirent.h>
 #include <dlfcn.h>
@@ -46,7 +47,8 @@ static void sample_sphere(void) {
     }
 }
 
-static void work(void* library, int keep) {
+static void work(void* library, uint32_t backend, int keep) {
+    FIND(context_desc_init);
     FIND(context_create);
     FIND(context_release);
     FIND(fit_desc_init);
@@ -64,6 +66,7 @@ static void work(void* library, int keep) {
     FIND(renderer_draw_image);
     FIND(renderer_release);
     const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1}, direction[3] = {0, 1, -1}, up[3] = {0, 0, 1};
+    hrbfnpr_context_desc desc;
     hrbfnpr_context* context;
     hrbfnpr_model* model;
     hrbfnpr_point_set* marks;
@@ -73,7 +76,10 @@ static void work(void* library, int keep) {
     hrbfnpr_camera camera;
     hrbfnpr_item item;
     hrbfnpr_image image;
-    check(context_create(NULL, &context, NULL));
+    check(context_desc_init(&desc, sizeof desc));
+    desc.thread_count = 3;
+    desc.thread_backend = backend;
+    check(context_create(&desc, &context, NULL));
     check(fit_desc_init(&fit, sizeof fit));
     fit.points = fit.normals = (hrbfnpr_array){points, COUNT, 0, HRBFNPR_SCALAR_FLOAT64, 3};
     check(model_fit(context, &fit, NULL, &model, NULL));
@@ -107,6 +113,17 @@ static int count_entries(const char* folder) {
     return count;
 }
 
+/* Whether a file is mapped into this process. */
+static int is_mapped(const char* path) {
+    char line[4096];
+    int found = 0;
+    FILE* const file = fopen("/proc/self/maps", "r");
+    if (file == NULL) fail("/proc/self/maps");
+    while (fgets(line, sizeof line, file) != NULL) found |= strstr(line, path) != NULL;
+    fclose(file);
+    return found;
+}
+
 static long resident_kilobytes(void) {
     long all, resident;
     FILE* const file = fopen("/proc/self/statm", "r");
@@ -118,16 +135,20 @@ static long resident_kilobytes(void) {
 int main(int argc, char** argv) {
     const int works = argc == 3 && strcmp(argv[2], "idle") != 0;
     const int keep = argc == 3 && strcmp(argv[2], "keep") == 0;
+    const int openmp = argc == 3 && strcmp(argv[2], "openmp") == 0;
+    const uint32_t backend = openmp ? HRBFNPR_THREAD_BACKEND_OPENMP : HRBFNPR_THREAD_BACKEND_AUTO;
+    char path[4096];
     int threads = 0, files = 0;
     long memory = 0;
-    if (argc != 3) return 2;
+    if (argc != 3 || realpath(argv[1], path) == NULL) return 2;
     sample_sphere();
     for (int round = 0; round < (keep ? 1 : ROUNDS); ++round) {
         /* As plug-in hosts do, and as those that keep their own C++ runtime apart. */
         void* const library = dlopen(argv[1], RTLD_LOCAL | (round % 2 == 0 ? RTLD_NOW : RTLD_LAZY | RTLD_DEEPBIND));
         if (library == NULL) fail(dlerror());
-        if (works) work(library, keep);
+        if (works) work(library, backend, keep);
         if (dlclose(library) != 0) fail(dlerror());
+        if (is_mapped(path) != keep) fail(keep ? "it is gone, and its threads are not" : "it is still there");
         if (round == WARM) {
             threads = count_entries("/proc/self/task");
             files = count_entries("/proc/self/fd");

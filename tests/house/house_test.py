@@ -13,7 +13,7 @@ CLEAN = {
     "include/hrbfnpr.h": "HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0,\n"
     "HRBFNPR_ABI_VERSION = 3\n",
     "src/base/status.h": "#pragma once\n",
-    "src/base/parallel.cpp": '#include "base/status.h"\n#pragma omp parallel for\n',
+    "src/base/parallel_openmp.cpp": '#include "base/status.h"\n#pragma omp parallel for\n',
     "src/implicit/implicit.h": '#pragma once\n#include "base/status.h"\n',
     "src/fit/fit.h": '#pragma once\n#include "implicit/implicit.h"\n#include <Eigen/Dense>\n',
     "src/fit/fit.cpp": '#include "fit.h"\n',
@@ -89,7 +89,7 @@ class House(unittest.TestCase):
                 self.assertNotEqual(self.findings(check), [])
 
     def test_openmp_check_notices_that_its_words_are_gone(self):
-        (self.root / "src/base/parallel.cpp").write_text("// nothing\n")
+        (self.root / "src/base/parallel_openmp.cpp").write_text("// nothing\n")
         self.assertNotEqual(self.findings("openmp"), [])
 
     def test_an_empty_house_does_not_pass(self):

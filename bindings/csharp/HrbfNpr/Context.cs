@@ -19,6 +19,9 @@ namespace HrbfNpr
         /// <summary>0 = all processors (default), 1 = serial; at most 256 are used.  Results are the same bits.</summary>
         public int ThreadCount { get; set; }
 
+        /// <summary>Who runs the library's tasks; by default <see cref="RunTasks"/>, or a pool without it.</summary>
+        public ThreadBackend ThreadBackend { get; set; }
+
         /// <summary>The highest instruction set to use; the best by default.</summary>
         public InstructionSet HighestInstructionSet { get; set; }
 
@@ -51,13 +54,19 @@ namespace HrbfNpr
         public readonly int ThreadCount;
 
         private readonly uint instructionSet;
-        private readonly uint reserved;
+        private readonly uint threadBackend;
 
         /// <summary>Bytes allocated through the context at present.</summary>
         public readonly long BytesNow;
 
         /// <summary>The most bytes there ever were.</summary>
         public readonly long BytesPeak;
+
+        /// <summary>Who runs the tasks of a large call; never <see cref="HrbfNpr.ThreadBackend.Auto"/>.</summary>
+        public ThreadBackend ThreadBackend
+        {
+            get { return (ThreadBackend)threadBackend; }
+        }
 
         /// <summary>The instruction set in use.</summary>
         public InstructionSet InstructionSet
@@ -84,7 +93,10 @@ namespace HrbfNpr
 
         /// <summary>Makes a context.</summary>
         /// <param name="options">All defaults if null.</param>
-        /// <exception cref="InvalidArgumentException">A negative thread count, or one allocator function of two.</exception>
+        /// <exception cref="InvalidArgumentException">
+        /// A negative thread count, a backend that contradicts the task runner or that the build lacks, or one
+        /// allocator function of two.
+        /// </exception>
         /// <exception cref="VersionMismatchException">The library has another ABI version than this assembly.</exception>
         /// <exception cref="DllNotFoundException">The library was not found.</exception>
         public Context(ContextOptions options = null)
@@ -94,6 +106,7 @@ namespace HrbfNpr
             Errors.Check(NativeMethods.hrbfnpr_context_desc_init(&desc, (uint)sizeof(hrbfnpr_context_desc)));
             desc.abi_version = NativeMethods.AbiVersion; // not the library's own
             desc.thread_count = options.ThreadCount;
+            desc.thread_backend = (uint)options.ThreadBackend;
             desc.highest_instruction_set = (uint)options.HighestInstructionSet;
             desc.allocate = options.Allocate;
             desc.deallocate = options.Deallocate;
@@ -148,7 +161,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Threads and instruction set really used, memory now and at peak.</summary>
+        /// <summary>Threads, backend and instruction set really used, memory now and at peak.</summary>
         /// <exception cref="ObjectDisposedException">The context was disposed of.</exception>
         public ContextInfo Info
         {

@@ -74,6 +74,22 @@ namespace HrbfNpr
         Warning = 2,
     }
 
+    /// <summary>Who runs the library's tasks; the results are the same bits from all.</summary>
+    [NativeConstants("HRBFNPR_THREAD_BACKEND_")]
+    public enum ThreadBackend
+    {
+        /// <summary><see cref="ContextOptions.RunTasks"/> where that is given, else the pool.</summary>
+        Auto = 0,
+        /// <summary>Threads of the context's own, which a processor that is busy elsewhere hardly hurts.</summary>
+        Pool = 1,
+        /// <summary>The OpenMP runtime's, for processors that nobody else wants.</summary>
+        Openmp = 2,
+        /// <summary>The program's own task runner.</summary>
+        RunTasks = 3,
+        /// <summary>The calling thread alone.</summary>
+        Serial = 4,
+    }
+
     /// <summary>Vector instructions of the processor.</summary>
     [NativeConstants("HRBFNPR_INSTRUCTION_SET_")]
     public enum InstructionSet

@@ -10,7 +10,7 @@ from ._callbacks import CallbackState, plain_callback
 from ._errors import check, new_error, new_struct
 from ._handles import Owner, own
 from ._library import ffi, lib, library_path
-from ._names import INSTRUCTION_SETS, LOG_LEVELS, name_of, number_of
+from ._names import INSTRUCTION_SETS, LOG_LEVELS, THREAD_BACKENDS, name_of, number_of
 
 RunTasks = Callable[[Callable[[int], None], int], Any]
 
@@ -23,6 +23,8 @@ class ContextInfo:
     ----------
     thread_count : int
         Threads that a large call will use.
+    thread_backend : str
+        Who runs the tasks of a large call: ``"pool"``, ``"openmp"``, ``"run_tasks"`` or ``"serial"``.
     instruction_set : str
         The one in use, such as ``"avx2"``.
     bytes_now, bytes_peak : int
@@ -30,6 +32,7 @@ class ContextInfo:
     """
 
     thread_count: int
+    thread_backend: str
     instruction_set: str
     bytes_now: int
     bytes_peak: int
@@ -67,6 +70,10 @@ class Context(Owner):
     ----------
     thread_count : int, optional
         0 = all processors (default), 1 = serial.  Results are the same bits for any number.
+    thread_backend : str, optional
+        Who runs the library's work: ``"auto"`` (default: `run_tasks` where that is given, else the pool),
+        ``"pool"`` (threads of the context's own, which a processor that is busy elsewhere hardly hurts),
+        ``"openmp"`` (the OpenMP runtime's), ``"run_tasks"`` or ``"serial"``.
     instruction_set : str, optional
         The highest to use: ``"auto"`` (default), ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"``.
     log : callable, optional
@@ -79,7 +86,8 @@ class Context(Owner):
     Raises
     ------
     InvalidArgumentError
-        For a negative thread count.
+        For a negative thread count, a `thread_backend` that contradicts `run_tasks`, or ``"openmp"`` in a build
+        without it.
 
     Examples
     --------
@@ -91,12 +99,14 @@ class Context(Owner):
         self,
         thread_count: int = 0,
         *,
+        thread_backend: str = "auto",
         instruction_set: str = "auto",
         log: Optional[Callable[[str, str], Any]] = None,
         run_tasks: Optional[RunTasks] = None,
     ) -> None:
         desc = new_struct("hrbfnpr_context_desc")
         desc.thread_count = thread_count
+        desc.thread_backend = number_of("thread_backend", THREAD_BACKENDS, thread_backend)
         desc.highest_instruction_set = number_of("instruction_set", INSTRUCTION_SETS, instruction_set)
         keep = []
         if log is not None:
@@ -111,11 +121,12 @@ class Context(Owner):
 
     @property
     def info(self) -> ContextInfo:
-        """Threads and instruction set really used, memory now and at peak."""
+        """Threads, backend and instruction set really used, memory now and at peak."""
         info, error = new_struct("hrbfnpr_context_info"), new_error()
         check(lib.hrbfnpr_context_get_info(self._handle, info, error), error)
         return ContextInfo(
             thread_count=info.thread_count,
+            thread_backend=name_of(THREAD_BACKENDS, info.thread_backend),
             instruction_set=name_of(INSTRUCTION_SETS, info.instruction_set),
             bytes_now=info.bytes_now,
             bytes_peak=info.bytes_peak,
@@ -150,7 +161,7 @@ def resolve(context: Optional[Context]) -> Context:
 
 
 def build_info() -> "dict[str, Any]":
-    """What the loaded library is: version, compiler, instruction sets, dependencies, and its path."""
+    """What the loaded library is: version, compiler, instruction sets, thread backends, dependencies, and its path."""
     needed = ffi.new("int64_t *")
     lib.hrbfnpr_build_info(ffi.NULL, 0, needed)
     text = ffi.new("char[]", needed[0])

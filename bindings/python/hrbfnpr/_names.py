@@ -11,6 +11,7 @@ def _numbers(prefix: str, *names: str) -> Dict[str, int]:
 
 
 INSTRUCTION_SETS = _numbers("INSTRUCTION_SET", "auto", "baseline", "avx2", "avx512", "neon")
+THREAD_BACKENDS = _numbers("THREAD_BACKEND", "auto", "pool", "openmp", "run_tasks", "serial")
 LOG_LEVELS = _numbers("LOG", "debug", "info", "warning")
 KERNELS = _numbers("KERNEL", "triharmonic", "gaussian", "wendland_c2", "custom")
 SOLVERS = _numbers("SOLVER", "auto", "direct", "iterative")

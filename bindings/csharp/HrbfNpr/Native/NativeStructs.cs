@@ -52,7 +52,7 @@ namespace HrbfNpr
         internal int thread_count;
         internal uint flags;
         internal uint highest_instruction_set;
-        internal uint reserved;
+        internal uint thread_backend;
         internal IntPtr allocate;
         internal IntPtr deallocate;
         internal IntPtr allocator_user;

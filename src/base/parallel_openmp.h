@@ -1,0 +1,16 @@
+// OpenMP as a thread backend.  parallel_openmp.cpp is the only file that names it.
+#pragma once
+
+#include "base/thread_pool.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::base {
+
+[[nodiscard]] bool openmp_is_built_in() noexcept;
+
+// Calls task(context, i) once for each i in [0, count) on a team of `threads`, or fewer.  Serial in
+// a forked child, and without OpenMP.  No task may throw.
+void run_openmp(int threads, std::int64_t count, TaskFn task, void* context) noexcept;
+
+} // namespace hrbfnpr::base

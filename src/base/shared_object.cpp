@@ -1,0 +1,38 @@
+#include "base/shared_object.h"
+
+#if __has_include(<dlfcn.h>)
+#include <dlfcn.h>
+#define HRBFNPR_HAS_SHARED_OBJECTS 1
+#endif
+
+namespace hrbfnpr::base {
+
+#if defined(HRBFNPR_HAS_SHARED_OBJECTS)
+
+namespace {
+
+void* open_again(const void* address, int flags) noexcept {
+    Dl_info object{};
+    if (dladdr(address, &object) == 0 || object.dli_fname == nullptr) return nullptr;
+    return dlopen(object.dli_fname, RTLD_LAZY | RTLD_NOLOAD | flags);
+}
+
+} // namespace
+
+void* hold_shared_object(const void* address) noexcept { return open_again(address, 0); }
+
+void release_shared_object(void* held) noexcept {
+    if (held != nullptr) dlclose(held);
+}
+
+void keep_shared_object(const void* address) noexcept { release_shared_object(open_again(address, RTLD_NODELETE)); }
+
+#else
+
+void* hold_shared_object(const void* /*address*/) noexcept { return nullptr; }
+void release_shared_object(void* /*held*/) noexcept {}
+void keep_shared_object(const void* /*address*/) noexcept {}
+
+#endif
+
+} // namespace hrbfnpr::base

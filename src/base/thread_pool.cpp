@@ -1,0 +1,216 @@
+#include "base/thread_pool.h"
+
+#include "base/clock.h"
+#include "base/shared_object.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <new>
+
+namespace hrbfnpr::base {
+namespace {
+
+// Long enough for the steps of one frame or one solver to follow each other without a call of the
+// system, too short to be missed by anybody else.
+constexpr std::int64_t patience_nanoseconds = 20'000;
+
+void relax() noexcept {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    __asm__ __volatile__("yield");
+#endif
+}
+
+// True once it has come, false when patience is at its end.
+template <class Condition>
+bool comes_soon(const Condition& condition) noexcept {
+    constexpr int looks = 16; // between two looks at the clock
+    for (const Stopwatch watch; watch.nanoseconds() < patience_nanoseconds;)
+        for (int look = 0; look < looks; ++look) {
+            if (condition()) return true;
+            relax();
+        }
+    return condition();
+}
+
+} // namespace
+
+// ---- Job -----------------------------------------------------------------------------------
+
+void Job::open(std::int64_t count, TaskFn task, void* context, std::thread::id caller) noexcept {
+    // Closed, under a new number, before anything else changes: whoever reads what is written below
+    // cannot claim by the old number any more.
+    const std::uint64_t number = ((next_.load(std::memory_order_relaxed) >> index_bits) + 1) << index_bits;
+    next_.store(number | index_mask, std::memory_order_release);
+    count_.store(static_cast<std::uint64_t>(count), std::memory_order_release);
+    task_.store(task, std::memory_order_release);
+    context_.store(context, std::memory_order_release);
+    caller_.store(caller, std::memory_order_relaxed);
+    left_.store(static_cast<std::uint64_t>(count), std::memory_order_relaxed);
+    next_.store(number, std::memory_order_release);
+}
+
+bool Job::work() noexcept {
+    std::uint64_t done = 0;
+    std::uint64_t next = next_.load(std::memory_order_acquire);
+    for (;;) {
+        const std::uint64_t index = next & index_mask;
+        if (index >= count_.load(std::memory_order_acquire)) break;
+        const TaskFn task = task_.load(std::memory_order_acquire);
+        void* const context = context_.load(std::memory_order_acquire);
+        // What was read belongs to the job of this number if that is still the job's.
+        if (!next_.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))
+            continue;
+        task(context, static_cast<std::int64_t>(index));
+        ++done;
+        next = next_.load(std::memory_order_acquire);
+    }
+    if (done == 0) return false;
+    // Sequentially consistent, as is await(): one of the two sees the other.
+    if (left_.fetch_sub(done) == done && awaited_.load()) {
+        const std::lock_guard lock(mutex_);
+        ended_.notify_all();
+    }
+    return true;
+}
+
+void Job::finish() noexcept {
+    work();
+    if (!comes_soon([this] { return left_.load(std::memory_order_acquire) == 0; })) await();
+    caller_.store({}, std::memory_order_relaxed);
+}
+
+void Job::await() noexcept {
+    std::unique_lock lock(mutex_);
+    awaited_.store(true);
+    ended_.wait(lock, [this] { return left_.load() == 0; });
+    awaited_.store(false, std::memory_order_relaxed);
+}
+
+// ---- Team ----------------------------------------------------------------------------------
+
+Team::Team(int workers) noexcept : library_(hold_shared_object(reinterpret_cast<const void*>(&relax))) {
+    for (; started_ < workers; ++started_) {
+        Worker& worker = worker_[static_cast<std::size_t>(started_)];
+        worker.team = this;
+        char name[32];
+        std::snprintf(name, sizeof name, "hrbfnpr-%d", started_ + 1);
+        if (!worker.thread.start(name, main, &worker)) break;
+    }
+}
+
+Team::~Team() {
+    ending_.store(true);
+    news_.fetch_add(1);
+    {
+        const std::lock_guard lock(mutex_);
+        woken_.notify_all();
+    }
+    for (int i = 0; i < started_; ++i) worker_[static_cast<std::size_t>(i)].thread.join();
+    release_shared_object(library_);
+}
+
+bool Team::run(std::int64_t count, TaskFn task, void* context) noexcept {
+    const std::thread::id self = std::this_thread::get_id();
+    if (started_ == 0 || count > Job::most_tasks || within_a_task(self)) return false;
+    const int mine = take_job();
+    if (mine < 0) return false;
+    Job& job = jobs_[static_cast<std::size_t>(mine)];
+    job.open(count, task, context, self);
+    wake(count - 1);
+    job.finish();
+    taken_.fetch_and(~(1U << static_cast<unsigned>(mine)), std::memory_order_release);
+    return true;
+}
+
+int Team::take_job() noexcept {
+    std::uint32_t taken = taken_.load(std::memory_order_relaxed);
+    for (;;) {
+        const int first = std::countr_one(taken);
+        if (first == most_jobs) return -1;
+        if (taken_.compare_exchange_weak(taken, taken | (1U << static_cast<unsigned>(first)), std::memory_order_acq_rel,
+                                         std::memory_order_relaxed))
+            return first;
+    }
+}
+
+bool Team::within_a_task(std::thread::id self) const noexcept {
+    for (std::uint32_t taken = taken_.load(std::memory_order_acquire); taken != 0; taken &= taken - 1)
+        if (jobs_[static_cast<std::size_t>(std::countr_zero(taken))].called_by(self)) return true;
+    return std::any_of(worker_.begin(), worker_.begin() + started_,
+                       [&](const Worker& worker) { return worker.id.load(std::memory_order_relaxed) == self; });
+}
+
+void Team::wake(std::int64_t tasks) noexcept {
+    news_.fetch_add(1); // sequentially consistent, as is wait_for_news(): one of the two sees the other
+    const int asleep = asleep_.load();
+    if (asleep == 0) return;
+    { const std::lock_guard lock(mutex_); } // nobody is between his last look at the news and his sleep
+    if (tasks >= asleep) {
+        woken_.notify_all();
+    } else {
+        for (std::int64_t i = 0; i < tasks; ++i) woken_.notify_one();
+    }
+}
+
+void Team::main(void* worker) noexcept {
+    auto& self = *static_cast<Worker*>(worker);
+    self.id.store(std::this_thread::get_id(), std::memory_order_relaxed);
+    self.team->serve();
+}
+
+void Team::serve() noexcept {
+    while (!ending_.load(std::memory_order_relaxed)) {
+        const std::uint32_t seen = news_.load();
+        if (!work_on_any()) wait_for_news(seen);
+    }
+}
+
+bool Team::work_on_any() noexcept {
+    bool worked = false;
+    for (std::uint32_t taken = taken_.load(std::memory_order_acquire); taken != 0; taken &= taken - 1)
+        worked |= jobs_[static_cast<std::size_t>(std::countr_zero(taken))].work();
+    return worked;
+}
+
+void Team::wait_for_news(std::uint32_t seen) noexcept {
+    if (comes_soon([&] { return news_.load(std::memory_order_acquire) != seen; })) return;
+    std::unique_lock lock(mutex_);
+    asleep_.fetch_add(1);
+    woken_.wait(lock, [&] { return news_.load() != seen; });
+    asleep_.fetch_sub(1);
+}
+
+// ---- ThreadPool ----------------------------------------------------------------------------
+
+ThreadPool::~ThreadPool() {
+    if (owner_.load(std::memory_order_acquire) == process_id()) room().~Team();
+}
+
+void ThreadPool::run(std::int64_t count, TaskFn task, void* context) noexcept {
+    if (team().run(count, task, context)) return;
+    for (std::int64_t i = 0; i < count; ++i) task(context, i);
+}
+
+int ThreadPool::workers() const noexcept {
+    return owner_.load(std::memory_order_acquire) == process_id() ? const_cast<ThreadPool*>(this)->room().workers() : 0;
+}
+
+Team& ThreadPool::team() noexcept {
+    const std::int64_t self = process_id();
+    for (std::int64_t owner = owner_.load(std::memory_order_acquire); owner != self;) {
+        if (owner == -self) { // another thread of this process is at it
+            std::this_thread::yield();
+            owner = owner_.load(std::memory_order_acquire);
+        } else if (owner_.compare_exchange_weak(owner, -self, std::memory_order_acquire)) {
+            new (room_) Team(threads_ - 1);
+            owner_.store(self, std::memory_order_release);
+            owner = self;
+        }
+    }
+    return room();
+}
+
+} // namespace hrbfnpr::base

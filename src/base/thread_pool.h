@@ -1,0 +1,137 @@
+// Threads that share the tasks of a job: the built-in backend of base::Parallel.
+//
+// Whoever is free claims the next task, the caller of the job too.  It waits in the end for the tasks
+// that others have claimed, and never for a thread that has claimed none: where the system lets a
+// worker wait for a processor, the caller does the work meanwhile.
+//
+// Workers are started by the first job.  One that finds nothing to do looks on for 20 microseconds
+// and then sleeps.  Any number of threads may run jobs at the same time; a job within a task of
+// the same pool is run by its caller alone.
+#pragma once
+
+#include "base/thread.h"
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+
+namespace hrbfnpr::base {
+
+using TaskFn = void (*)(void* task_context, std::int64_t index);
+
+// The tasks of one caller.  Jobs are kept and used again, so that a worker that comes late looks at
+// the next one's memory and at nobody else's.
+class alignas(64) Job {
+public:
+    // By the caller: opens the job for claims; works on it; waits for what others have claimed.
+    void open(std::int64_t count, TaskFn task, void* context, std::thread::id caller) noexcept;
+    void finish() noexcept;
+
+    // Runs tasks until none is left to claim.  False if there was none.
+    bool work() noexcept;
+
+    [[nodiscard]] bool called_by(std::thread::id thread) const noexcept {
+        return caller_.load(std::memory_order_relaxed) == thread;
+    }
+
+private:
+    void await() noexcept;
+
+    // The next task to claim in the lower bits, and above them the number of the job, so that
+    // nobody claims a task of one job by what he has read of another.
+    static constexpr unsigned index_bits = 36;
+    static constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
+
+    std::atomic<std::uint64_t> next_{index_mask};
+    std::atomic<std::uint64_t> count_{0};
+    std::atomic<TaskFn> task_{nullptr};
+    std::atomic<void*> context_{nullptr};
+    std::atomic<std::thread::id> caller_{};
+    alignas(64) std::atomic<std::uint64_t> left_{0}; // tasks that have not ended
+    std::atomic<bool> awaited_{false};
+    std::mutex mutex_;
+    std::condition_variable ended_;
+
+public:
+    // More tasks than this are none of a job's.
+    static constexpr std::int64_t most_tasks = std::int64_t{index_mask} - 1;
+};
+
+// The workers, and the jobs that they look at.
+class Team {
+public:
+    // Starts workers; as many as the system gives.
+    explicit Team(int workers) noexcept;
+    ~Team();
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+
+    // False if the job has to be run by its caller alone: within a task, or where too many others run.
+    [[nodiscard]] bool run(std::int64_t count, TaskFn task, void* context) noexcept;
+
+    [[nodiscard]] int workers() const noexcept { return started_; }
+
+    static constexpr int most_workers = 255;
+
+private:
+    static constexpr int most_jobs = 32;
+
+    struct Worker {
+        Thread thread;
+        Team* team = nullptr;
+        std::atomic<std::thread::id> id{};
+    };
+
+    static void main(void* worker) noexcept;
+    void serve() noexcept;
+    [[nodiscard]] bool work_on_any() noexcept;
+    void wait_for_news(std::uint32_t seen) noexcept;
+    void wake(std::int64_t tasks) noexcept;
+    [[nodiscard]] bool within_a_task(std::thread::id self) const noexcept;
+    [[nodiscard]] int take_job() noexcept;
+
+    void* library_; // held for as long as workers run in it
+    std::array<Job, most_jobs> jobs_;
+    std::atomic<std::uint32_t> taken_{0};            // a bit for each job that has a caller
+    alignas(64) std::atomic<std::uint32_t> news_{0}; // counts jobs that were opened, and the end
+    std::atomic<bool> ending_{false};
+    std::atomic<int> asleep_{0};
+    std::mutex mutex_;
+    std::condition_variable woken_;
+    int started_ = 0;
+    std::array<Worker, most_workers> worker_;
+};
+
+class ThreadPool {
+public:
+    static constexpr int most_threads = Team::most_workers + 1;
+
+    // threads: the caller's among them, 1 to most_threads.
+    explicit ThreadPool(int threads) noexcept : threads_(threads) {}
+    // Ends the workers.  No job may be running.
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    // Calls task(context, i) once for each i in [0, count), and returns when all have ended.  No task may throw.
+    void run(std::int64_t count, TaskFn task, void* context) noexcept;
+
+    // How many the system has given; 0 before the first job.
+    [[nodiscard]] int workers() const noexcept;
+
+private:
+    // The team of this process.  A forked child has none of its parent's threads, and locks that
+    // may be held for ever: it gets a new team in the place of the old one.
+    [[nodiscard]] Team& team() noexcept;
+    [[nodiscard]] Team& room() noexcept { return *std::launder(reinterpret_cast<Team*>(room_)); }
+
+    int threads_;
+    std::atomic<std::int64_t> owner_{0}; // the process whose team it is; negative while that starts
+    alignas(Team) std::byte room_[sizeof(Team)];
+};
+
+} // namespace hrbfnpr::base

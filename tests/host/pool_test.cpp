@@ -1,0 +1,93 @@
+// The library's own threads: when they are there, what they are called, and what happens where the system gives none.
+#include "host/session.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cerrno>
+#include <dlfcn.h>
+#include <filesystem>
+#include <fstream>
+#include <pthread.h>
+#include <set>
+#include <string>
+
+namespace {
+
+std::atomic<bool> refuses{false};
+std::atomic<int> refused{0};
+using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+
+} // namespace
+
+// Stands before the C library's, for the whole program and the library.
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
+                              void* user) noexcept {
+    if (refuses) {
+        ++refused;
+        return EAGAIN;
+    }
+    return reinterpret_cast<Create>(dlsym(RTLD_NEXT, "pthread_create"))(thread, attributes, work, user);
+}
+
+namespace host_test {
+namespace {
+
+std::set<std::string> threads_of_the_library() {
+    std::set<std::string> names;
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+        std::string name;
+        std::getline(std::ifstream(task.path() / "comm"), name);
+        if (name.starts_with("hrbfnpr")) names.insert(name);
+    }
+    return names;
+}
+
+Context context_by(std::int32_t threads, std::uint32_t backend) {
+    auto desc = made(hrbfnpr_context_desc_init);
+    desc.thread_count = threads;
+    desc.thread_backend = backend;
+    return make_context(desc);
+}
+
+TEST(Pool, LivesFromTheFirstNeedToTheLastReference) {
+    using Names = std::set<std::string>;
+    Context context = context_by(4, HRBFNPR_THREAD_BACKEND_AUTO);
+    EXPECT_EQ(threads_of_the_library(), Names{});
+    Model model = fit(context);
+    const Names three = {"hrbfnpr-1", "hrbfnpr-2", "hrbfnpr-3"};
+    EXPECT_EQ(threads_of_the_library(), three);
+    context.reset();
+    EXPECT_EQ(threads_of_the_library(), three); // the model's
+    model.reset();
+    EXPECT_EQ(threads_of_the_library(), Names{});
+}
+
+TEST(Pool, IsNotMadeForOtherBackends) {
+    const Scene serial(context_by(0, HRBFNPR_THREAD_BACKEND_SERIAL));
+    const Scene one(context_by(1, HRBFNPR_THREAD_BACKEND_POOL));
+    EXPECT_EQ(threads_of_the_library(), std::set<std::string>{});
+}
+
+TEST(Pool, SaysWhatItIs) {
+    const auto backend = [](const Context& context) {
+        auto info = made(hrbfnpr_context_info_init);
+        scenes::Check()(hrbfnpr_context_get_info(context.get(), &info, nullptr));
+        return info.thread_backend;
+    };
+    EXPECT_EQ(backend(context_by(2, HRBFNPR_THREAD_BACKEND_AUTO)), HRBFNPR_THREAD_BACKEND_POOL);
+    EXPECT_EQ(backend(context_by(2, HRBFNPR_THREAD_BACKEND_SERIAL)), HRBFNPR_THREAD_BACKEND_SERIAL);
+    EXPECT_EQ(backend(context_by(1, HRBFNPR_THREAD_BACKEND_POOL)), HRBFNPR_THREAD_BACKEND_SERIAL);
+}
+
+TEST(Pool, GoesOnWithoutThreadsThatTheSystemDoesNotGive) {
+    const Bytes wanted = everything(Scene(make_context(1)));
+    refuses = true;
+    const Bytes alone = everything(Scene(make_context(4)));
+    refuses = false;
+    EXPECT_GT(refused, 0);
+    EXPECT_TRUE(alone == wanted);
+}
+
+} // namespace
+} // namespace host_test
