@@ -97,6 +97,27 @@ int processor_count() noexcept {
     return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
 }
 
+#if defined(__linux__)
+
+int current_processor() noexcept { return sched_getcpu(); }
+
+void leave_processor(int processor) noexcept {
+    cpu_set_t allowed;
+    if (processor < 0 || sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+    cpu_set_t others = allowed;
+    CPU_CLR(static_cast<unsigned>(processor), &others);
+    if (CPU_COUNT(&others) == 0) return;
+    // The first call moves the thread, the second one lets it stay there.
+    if (sched_setaffinity(0, sizeof others, &others) == 0) sched_setaffinity(0, sizeof allowed, &allowed);
+}
+
+#else
+
+int current_processor() noexcept { return -1; }
+void leave_processor(int /*processor*/) noexcept {}
+
+#endif
+
 std::int64_t process_id() noexcept {
 #if defined(HRBFNPR_IS_POSIX)
     return static_cast<std::int64_t>(getpid());

@@ -43,6 +43,13 @@ private:
 // Processors that this process may run on: its affinity, where the system tells.
 [[nodiscard]] int processor_count() noexcept;
 
+// The processor that this thread runs on; -1 where the system does not tell.
+[[nodiscard]] int current_processor() noexcept;
+
+// Moves this thread to another processor that it may run on, if there is one; later the system may
+// move it wherever it could before.
+void leave_processor(int processor) noexcept;
+
 // Differs between a process and its forked children.  Always the same where there is no fork().
 [[nodiscard]] std::int64_t process_id() noexcept;
 

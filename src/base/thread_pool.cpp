@@ -48,6 +48,7 @@ void Job::open(std::int64_t count, TaskFn task, void* context, std::thread::id c
     task_.store(task, std::memory_order_release);
     context_.store(context, std::memory_order_release);
     caller_.store(caller, std::memory_order_relaxed);
+    processor_.store(current_processor(), std::memory_order_relaxed);
     left_.store(static_cast<std::uint64_t>(count), std::memory_order_relaxed);
     next_.store(number, std::memory_order_release);
 }
@@ -74,6 +75,16 @@ bool Job::work() noexcept {
         ended_.notify_all();
     }
     return true;
+}
+
+bool Job::help() noexcept {
+    const std::uint64_t index = next_.load(std::memory_order_acquire) & index_mask;
+    if (index >= count_.load(std::memory_order_acquire)) return false;
+    // A system whose other processors are busy wakes a worker on its caller's, where the two take turns and
+    // gain nothing; it leaves them there for long.  Beside a busy process half a processor is to be had.
+    const int processor = processor_.load(std::memory_order_relaxed);
+    if (processor >= 0 && processor == current_processor()) leave_processor(processor);
+    return work();
 }
 
 void Job::finish() noexcept {
@@ -171,7 +182,7 @@ void Team::serve() noexcept {
 bool Team::work_on_any() noexcept {
     bool worked = false;
     for (std::uint32_t taken = taken_.load(std::memory_order_acquire); taken != 0; taken &= taken - 1)
-        worked |= jobs_[static_cast<std::size_t>(std::countr_zero(taken))].work();
+        worked |= jobs_[static_cast<std::size_t>(std::countr_zero(taken))].help();
     return worked;
 }
 

@@ -27,18 +27,19 @@ using TaskFn = void (*)(void* task_context, std::int64_t index);
 // the next one's memory and at nobody else's.
 class alignas(64) Job {
 public:
-    // By the caller: opens the job for claims; works on it; waits for what others have claimed.
+    // By the caller: opens the job for claims; works on it, and waits for what others have claimed.
     void open(std::int64_t count, TaskFn task, void* context, std::thread::id caller) noexcept;
     void finish() noexcept;
 
-    // Runs tasks until none is left to claim.  False if there was none.
-    bool work() noexcept;
+    // By a worker: runs tasks until none is left to claim.  False if there was none.
+    bool help() noexcept;
 
     [[nodiscard]] bool called_by(std::thread::id thread) const noexcept {
         return caller_.load(std::memory_order_relaxed) == thread;
     }
 
 private:
+    bool work() noexcept;
     void await() noexcept;
 
     // The next task to claim in the lower bits, and above them the number of the job, so that
@@ -51,6 +52,7 @@ private:
     std::atomic<TaskFn> task_{nullptr};
     std::atomic<void*> context_{nullptr};
     std::atomic<std::thread::id> caller_{};
+    std::atomic<int> processor_{-1};                 // the caller's
     alignas(64) std::atomic<std::uint64_t> left_{0}; // tasks that have not ended
     std::atomic<bool> awaited_{false};
     std::mutex mutex_;

@@ -11,6 +11,9 @@
 #include <thread>
 #include <vector>
 
+#if defined(__linux__)
+#include <sched.h>
+#endif
 #if defined(__unix__)
 #include <csignal>
 #include <sys/wait.h>
@@ -130,6 +133,22 @@ TEST(ThreadPool, RunsJobsWithinTasksOnTheTasksOwnThread) {
     EXPECT_EQ(elsewhere, 0);
     meet(pool, 4); // and all are there again
 }
+
+// As a host may confine its process: workers have no other processor to go to.
+#if defined(__linux__)
+TEST(ThreadPool, SharesOneProcessorIfThereIsNoOther) {
+    cpu_set_t before, one;
+    ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+    CPU_ZERO(&one);
+    CPU_SET(static_cast<unsigned>(sched_getcpu()), &one);
+    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+    {
+        ThreadPool pool(3);
+        for (int round = 0; round < 20; ++round) meet(pool, 3);
+    }
+    sched_setaffinity(0, sizeof before, &before);
+}
+#endif
 
 // Pauses about as long as a worker's patience: none of its sleeps may miss a job.
 TEST(ThreadPool, WakesWorkersWheneverTheyFellAsleep) {

@@ -1,0 +1,61 @@
+// Other processes that want a processor: what a program shares its machine with.
+#pragma once
+
+#include <csignal>
+#include <cstdint>
+#include <stdexcept>
+#include <sys/resource.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+#if defined(__linux__)
+#include <sched.h>
+#include <sys/prctl.h>
+#endif
+
+namespace bench {
+
+// Works for nothing until it ends with this object, or with the process.
+class Busy {
+public:
+    static constexpr int anywhere = -1;
+
+    Busy() = default;
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+    ~Busy() {
+        for (const pid_t child : children_) {
+            kill(child, SIGKILL);
+            waitpid(child, nullptr, 0);
+        }
+    }
+
+    // processor: the one it stays on.  nice: 0 as everybody's, 19 the lowest.
+    void add(int processor = anywhere, int nice = 0) {
+        const pid_t child = fork();
+        if (child < 0) throw std::runtime_error("cannot fork");
+        if (child == 0) work(processor, nice);
+        children_.push_back(child);
+    }
+
+private:
+    [[noreturn]] static void work(int processor, int nice) {
+#if defined(__linux__)
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (processor != anywhere) {
+            cpu_set_t one;
+            CPU_ZERO(&one);
+            CPU_SET(static_cast<unsigned>(processor), &one);
+            sched_setaffinity(0, sizeof one, &one);
+        }
+#endif
+        setpriority(PRIO_PROCESS, 0, nice);
+        for (volatile std::uint64_t count = 0;;) count = count + 1;
+    }
+
+    std::vector<pid_t> children_;
+};
+
+} // namespace bench
