@@ -67,18 +67,17 @@
  *   samples unless a comment says pixels.  Normals point outward.  "Diagonal"
  *   always means the length of the diagonal of the samples' bounding box.
  *
- * Determinism.  The same input gives the same bits for any thread count, with
- *   or without a `run_tasks` hook, on one build and instruction set.
+ * Determinism.  The same input gives the same bits for any thread count and from
+ *   every thread backend, on one build and instruction set.
  *
  * Threads.  A context starts its threads with the first call that needs them and
  *   ends them with the last reference to it; with thread_count 1 or a `run_tasks`
  *   hook it starts none.  They take no signals of the host's.  A forked child may
  *   go on with contexts of its parent, which start threads anew in it, but not in
  *   the middle of a call (from a callback).  Unloaded while a context has threads,
- *   the library stays in memory.  Callbacks run
- *   only on the thread that entered the library, unless flagged thread-safe.
- *   After fork() a child runs serially.  No call changes the caller's floating-
- *   point state, locale or OpenMP settings.
+ *   the library stays in memory.  Callbacks run only on the thread that entered
+ *   the library, unless flagged thread-safe.  No call changes the caller's
+ *   floating-point state, locale or OpenMP settings.
  *
  * Stacks.  Every call but hrbfnpr_model_fit does with a thread's stack of 64 KiB,
  *   12 of them for the caller's own frames and callbacks; hrbfnpr_model_fit needs

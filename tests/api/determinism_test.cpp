@@ -138,6 +138,22 @@ TEST(Determinism, TheSameBitsWithAHostsJobRunner) {
     EXPECT_GT(runs, 10);
 }
 
+// What the tasks would have made is missing, so the call fails, and says how much.
+TEST(RunTasks, ThatLeaveTasksOutFailTheCall) {
+    Error error;
+    auto desc = made(hrbfnpr_context_desc_init);
+    desc.thread_count = 3;
+    desc.run_tasks = [](void*, hrbfnpr_task_fn task, void* task_context, std::int64_t count) {
+        for (std::int64_t i = 1; i < count; ++i) task(task_context, i);
+    };
+    const Context context = make_context(desc);
+    const hrbfnpr_fit_desc fit = fit_desc(inputs().samples);
+    hrbfnpr_model* model = nullptr;
+    EXPECT_FAILS(hrbfnpr_model_fit(context.get(), &fit, nullptr, &model, error), HRBFNPR_STATUS_CALLBACK,
+                 "run_tasks returned after ");
+    EXPECT_EQ(model, nullptr);
+}
+
 TEST(Determinism, TheSameBitsTwiceInARow) {
     const Context context = make_context(2);
     EXPECT_TRUE(everything(context) == everything(context));

@@ -107,6 +107,22 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void ThreadBackendsCanBeChosen()
+        {
+            using (var context = new Context(new ContextOptions { ThreadCount = 2 }))
+            {
+                Assert.Equal(ThreadBackend.Pool, context.Info.ThreadBackend);
+            }
+            using (var context = new Context(
+                new ContextOptions { ThreadCount = 2, ThreadBackend = ThreadBackend.Serial }))
+            {
+                Assert.Equal(ThreadBackend.Serial, context.Info.ThreadBackend);
+            }
+            Assert.Throws<InvalidArgumentException>(
+                () => new Context(new ContextOptions { ThreadBackend = ThreadBackend.RunTasks }));
+        }
+
+        [Fact]
         public void TheProgramsThreadsRunTheTasks()
         {
             long ran = 0;
