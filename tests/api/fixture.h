@@ -3,6 +3,7 @@
 
 #include "scenes/handles.h"
 #include "scenes/shapes.h"
+#include "scenes/test_backend.h"
 
 #include <gtest/gtest.h>
 #include <hrbfnpr.h>
@@ -83,6 +84,7 @@ inline Context make_context(std::int32_t threads = 2) {
     Error error;
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = threads;
+    desc.thread_backend = scenes::test_backend();
     hrbfnpr_context* context = nullptr;
     EXPECT_OK(hrbfnpr_context_create(&desc, &context, error));
     return Context(context);
@@ -282,6 +284,7 @@ inline void Ledger::deallocate(void* user, void* memory, std::uint64_t size, std
 inline hrbfnpr_context_desc ledger_desc(Ledger& ledger, std::int32_t threads = 1) {
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = threads;
+    desc.thread_backend = scenes::test_backend();
     desc.allocate = Ledger::allocate;
     desc.deallocate = Ledger::deallocate;
     desc.allocator_user = &ledger;

@@ -3,6 +3,7 @@
 
 #include "scenes/handles.h"
 #include "scenes/shapes.h"
+#include "scenes/test_backend.h"
 
 #include <cstdint>
 #include <span>

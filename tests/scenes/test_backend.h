@@ -1,0 +1,19 @@
+// The thread backend that tests use where they name none: the same tests run once for each.
+#pragma once
+
+#include <hrbfnpr.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+namespace scenes {
+
+// By the environment variable HRBFNPR_TEST_BACKEND: openmp, or the library's choice.
+[[nodiscard]] inline std::uint32_t test_backend() {
+    const char* name = std::getenv("HRBFNPR_TEST_BACKEND");
+    return name != nullptr && std::string_view(name) == "openmp" ? HRBFNPR_THREAD_BACKEND_OPENMP
+                                                                  : HRBFNPR_THREAD_BACKEND_AUTO;
+}
+
+} // namespace scenes
