@@ -13,7 +13,7 @@ namespace scenes {
 [[nodiscard]] inline std::uint32_t test_backend() {
     const char* name = std::getenv("HRBFNPR_TEST_BACKEND");
     return name != nullptr && std::string_view(name) == "openmp" ? HRBFNPR_THREAD_BACKEND_OPENMP
-                                                                  : HRBFNPR_THREAD_BACKEND_AUTO;
+                                                                 : HRBFNPR_THREAD_BACKEND_AUTO;
 }
 
 } // namespace scenes
