@@ -105,6 +105,7 @@ void measure(const base::Runtime& runtime, std::span<const geometry::VecArray* c
         if (group->size() > largest->size()) largest = group;
         for (std::int64_t i = 0; i < group->size(); ++i) set.bounds.extend((*group)[i]);
     }
+    if (set.bounds.empty()) return; // no mark: an origin or a spacing would be 0 / 0
     set.origin = set.bounds.centre();
     set.spacing = area > 0.0 ? std::sqrt(area / static_cast<double>(largest->size()))
                              : covered_spacing(runtime, *largest, progress);

@@ -83,6 +83,25 @@ TEST(File, ALoadedPointSetDrawsTheSamePicture) {
     EXPECT_EQ(draw(renderer, again), draw(renderer, set));
 }
 
+TEST(File, ASetWithoutMarksLoads) {
+    Error error;
+    const Context context = make_context();
+    hrbfnpr_generate_desc desc = small_desc();
+    desc.groups = 1U << HRBFNPR_GROUP_COMBING;
+    desc.group[HRBFNPR_GROUP_COMBING].budget = 24; // fewer than a stroke has
+    const PointSet set = generate(context, fit(context, scenes::sphere_6()), desc);
+    auto info = made(hrbfnpr_point_set_info_init);
+    EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
+    ASSERT_EQ(info.group[HRBFNPR_GROUP_COMBING].count, 0);
+    EXPECT_EQ(info.origin[0], 0.0);
+    EXPECT_EQ(info.spacing, 0.0);
+    const Bytes bytes = saved(set);
+    hrbfnpr_point_set* loaded = nullptr;
+    ASSERT_OK(hrbfnpr_point_set_load_memory(context.get(), bytes.data(), static_cast<std::int64_t>(bytes.size()),
+                                            &loaded, error));
+    EXPECT_EQ(saved(PointSet(loaded)), bytes);
+}
+
 TEST(File, StreamsCarryTheSameBytes) {
     Error error;
     const Context context = make_context();
