@@ -23,6 +23,7 @@ constexpr double coordinate_limit = 1e100;
 constexpr double smallest_side = 1e-110;
 constexpr double most_scales = 1e12; // in a side of the bounds
 constexpr double radius_limit = 1e30;
+constexpr double weight_limit = 1e120; // a radius to the third, times what a solver still resolves
 
 // Terms of a polynomial of a degree from -1 to 3 in three variables.
 constexpr std::int64_t term_count(std::int32_t degree) noexcept {
@@ -130,6 +131,15 @@ void check_numbers(const Decoder& decoder, const implicit::HrbfData& data) {
         decoder.damaged("its kernel radius is out of range");
 }
 
+void check_weights(const Decoder& decoder, const implicit::HrbfData& data, const char* name,
+                   std::span<const double> weights) {
+    check_finite(decoder, name, weights);
+    if (data.kernel_radius > radius_limit) return;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        if (std::abs(weights[i]) > weight_limit)
+            decoder.damaged("%s[%lld] is larger than a fit's", name, static_cast<long long>(i));
+}
+
 // Samples lie in the bounds, and their centres where they do; but for rounding.
 void check_places(const Decoder& decoder, const implicit::HrbfData& data) {
     const double side = longest_side(data.bounds);
@@ -154,11 +164,11 @@ void check_arrays(const Decoder& decoder, const implicit::HrbfData& data) {
     check_finite(decoder, "centre.x", data.centre_position.x.span());
     check_finite(decoder, "centre.y", data.centre_position.y.span());
     check_finite(decoder, "centre.z", data.centre_position.z.span());
-    check_finite(decoder, "alpha", data.alpha.span());
-    check_finite(decoder, "beta.x", data.beta.x.span());
-    check_finite(decoder, "beta.y", data.beta.y.span());
-    check_finite(decoder, "beta.z", data.beta.z.span());
-    check_finite(decoder, "polynomial", data.polynomial.span());
+    check_weights(decoder, data, "alpha", data.alpha.span());
+    check_weights(decoder, data, "beta.x", data.beta.x.span());
+    check_weights(decoder, data, "beta.y", data.beta.y.span());
+    check_weights(decoder, data, "beta.z", data.beta.z.span());
+    check_weights(decoder, data, "polynomial", data.polynomial.span());
     check_places(decoder, data);
 }
 

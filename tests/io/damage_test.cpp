@@ -179,6 +179,9 @@ TEST(ModelFile, PlacesAndScalesAreThoseOfAFit) {
     expect(model_message([](Data& d) { d.scale = 1e-300; }), "scale does not fit its bounds");
     expect(model_message([](Data& d) { d.scale = 1e10; }), "scale does not fit its bounds");
     expect(model_message([](Data& d) { d.spacing = 1e10; }), "sample spacing is larger than its bounds");
+    expect(model_message([](Data& d) { d.alpha[1] = -1e300; }), "alpha[1] is larger than a fit's");
+    expect(model_message([](Data& d) { d.beta.y[2] = 1e121; }), "beta.y[2] is larger than a fit's");
+    expect(model_message([](Data& d) { d.polynomial[0] = 1e150; }), "polynomial[0] is larger than a fit's");
     expect(model_message([](Data& d) { d.kernel_radius = 1e-31; }), "kernel radius is out of range");
     expect(model_message([](Data& d) { d.kernel_radius = 1e31; }), "kernel radius is out of range");
     const auto shrink = [](Data& d) {
