@@ -45,6 +45,10 @@ inline Bytes signed_file(const std::uint8_t* data, std::size_t size) {
     return file;
 }
 
+// A number that decides what is tried with a file.  Not of its last bytes: with a checksum behind it, every
+// payload has the same one.
+inline std::uint32_t choice_of(const Bytes& file) { return checksum(std::span(file).first(file.size() - 4)); }
+
 // A call's outcome, with its message where it is not one of those that the contract allows.
 class Call {
 public:

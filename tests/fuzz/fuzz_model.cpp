@@ -156,9 +156,9 @@ void contain(const hrbfnpr_model* model, const Vectors& points) {
 void generate(Context& context, const hrbfnpr_model* model, std::uint32_t choice) {
     hrbfnpr_generate_desc desc;
     hrbfnpr_generate_desc_init(&desc, sizeof desc);
-    desc.distribution = choice % 2 == 0 ? HRBFNPR_DISTRIBUTION_PAPER : HRBFNPR_DISTRIBUTION_BLUE_NOISE;
-    desc.groups = 1U << (choice / 2 % HRBFNPR_GROUP_COUNT);
-    desc.seed_source = choice / 8 % 3; // automatic, samples, box
+    desc.distribution = choice % 32 != 0 ? HRBFNPR_DISTRIBUTION_PAPER : HRBFNPR_DISTRIBUTION_BLUE_NOISE;
+    desc.groups = 1U << (choice / 32 % HRBFNPR_GROUP_COUNT);
+    desc.seed_source = choice / 128 % 3; // automatic, samples, box
     desc.box_resolution = 2;
     for (hrbfnpr_group_desc& group : desc.group) {
         group.levels = 1;
@@ -200,9 +200,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     curvature(model, points);
     cast(model, points);
     contain(model, points);
-    // Marks take longer than all the rest, so not every input makes some.
-    if (const std::uint32_t choice = checksum(file); info.centres <= 16 && choice % 4 == 0)
-        generate(context, model, choice / 4);
+    // Marks take many times as long as all the rest, those of BLUE_NOISE above all.
+    if (const std::uint32_t choice = choice_of(file); info.centres <= 16 && choice % 16 == 0)
+        generate(context, model, choice / 16);
     hrbfnpr_model_release(model);
     return 0;
 }

@@ -106,7 +106,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (set == nullptr) return 0;
     require_sound_marks(set);
     require_same_set(context, set);
-    draw(context, set, checksum(file));
+    draw(context, set, choice_of(file));
     hrbfnpr_point_set_release(set);
     return 0;
 }
