@@ -111,9 +111,8 @@ void check_extent(const Decoder& decoder, const implicit::HrbfData& data) {
     if (side > 0.0 && side < smallest_side) decoder.damaged("its bounds are smaller than 1e-110");
     if (data.spacing > 2.0 * side) decoder.damaged("its sample spacing is larger than its bounds");
     // Of a single sample the scale is 1, whatever the bounds.
-    const bool fits = data.count() > 1 ? data.scale <= 2.0 * side && data.scale >= side / most_scales
-                                       : data.scale >= smallest_side && data.scale <= coordinate_limit;
-    if (!fits) decoder.damaged("its scale does not fit its bounds");
+    if (data.count() > 1 ? data.scale > 2.0 * side || data.scale < side / most_scales : data.scale != 1.0)
+        decoder.damaged("its scale does not fit its bounds");
 }
 
 void check_numbers(const Decoder& decoder, const implicit::HrbfData& data) {

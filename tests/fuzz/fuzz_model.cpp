@@ -156,9 +156,9 @@ void contain(const hrbfnpr_model* model, const Vectors& points) {
 void generate(Context& context, const hrbfnpr_model* model, std::uint32_t choice) {
     hrbfnpr_generate_desc desc;
     hrbfnpr_generate_desc_init(&desc, sizeof desc);
-    desc.distribution = choice % 32 != 0 ? HRBFNPR_DISTRIBUTION_PAPER : HRBFNPR_DISTRIBUTION_BLUE_NOISE;
-    desc.groups = 1U << (choice / 32 % HRBFNPR_GROUP_COUNT);
-    desc.seed_source = choice / 128 % 3; // automatic, samples, box
+    desc.distribution = choice % 128 != 0 ? HRBFNPR_DISTRIBUTION_PAPER : HRBFNPR_DISTRIBUTION_BLUE_NOISE;
+    desc.groups = 1U << (choice / 128 % HRBFNPR_GROUP_COUNT);
+    desc.seed_source = choice / 512 % 3; // automatic, samples, box
     desc.box_resolution = 2;
     for (hrbfnpr_group_desc& group : desc.group) {
         group.levels = 1;

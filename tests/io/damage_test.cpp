@@ -184,6 +184,14 @@ TEST(ModelFile, PlacesAndScalesAreThoseOfAFit) {
     expect(model_message([](Data& d) { d.polynomial[0] = 1e150; }), "polynomial[0] is larger than a fit's");
     expect(model_message([](Data& d) { d.kernel_radius = 1e-31; }), "kernel radius is out of range");
     expect(model_message([](Data& d) { d.kernel_radius = 1e31; }), "kernel radius is out of range");
+    const auto single = [](Data& d) { // of which the scale is 1, and this one 0.25
+        d.sample_position.resize(3);
+        d.sample_normal.resize(3);
+        d.centre_position.resize(1);
+        d.alpha.resize(1);
+        d.beta.resize(1);
+    };
+    expect(model_message(single), "scale does not fit its bounds");
     const auto shrink = [](Data& d) {
         d.bounds.min = d.centre = d.bounds.max = {1e-300, 0.0, 0.0};
         d.bounds.max.x = 2e-300;
