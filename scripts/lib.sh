@@ -22,6 +22,7 @@ package_set() {
     sdl2) echo libsdl2-dev libxtst6 xvfb xauth ;;
     coverage) echo gcovr ;;
     bench) echo libtbb-dev libopenblas0 libegl-dev libgles-dev libgl1-mesa-dri ;;
+    fuzz) echo clang-14 libclang-rt-14-dev llvm-14 ;;
     thread) echo clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 ;;
     npm) echo npm ;;
     lint) echo clang-format-14 clang-tidy-14 libomp-14-dev ;;

@@ -184,7 +184,7 @@ std::int64_t Gatherer::covers_of(const Local& local) const noexcept {
     if (!run_.covers) return 0;
     if (!run_.spread_evenly && run_.group != 0) return local.cluster->count;
     const float pixels = run_.pen.spacing * local.view.ppe / local.cover_spacing;
-    if (pixels >= 1.0F) return local.cluster->count;
+    if (!(pixels < 1.0F)) return local.cluster->count; // NaN: of a spacing that floats do not hold
     // The first of a cluster are as even as the first of all.
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster->count)));
 }

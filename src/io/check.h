@@ -4,6 +4,7 @@
 #include "geometry/vec.h"
 #include "io/decoder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -23,6 +24,12 @@ void check_unit(const Decoder& decoder, const char* name, std::span<const T> pac
         if (!(square > T(0.98) && square < T(1.02)))
             decoder.damaged("%s[%lld] is not of unit length", name, static_cast<long long>(i / 3));
     }
+}
+
+// The length of a box's longest side; its diagonal's square may be 0 where the box is not a point.
+[[nodiscard]] inline double longest_side(const geometry::Bounds& bounds) noexcept {
+    const glm::dvec3 size = bounds.size();
+    return std::max({size.x, size.y, size.z});
 }
 
 inline void check_bounds(const Decoder& decoder, const geometry::Bounds& bounds) {

@@ -18,6 +18,13 @@ constexpr std::uint32_t tag_report = tag("RPRT");
 constexpr std::int32_t highest_degree = 3;
 constexpr std::int64_t longest_report = 1024;
 
+// What a fit accepts, and what can come of it: samples as far from each other as 1e-9 diagonals.
+constexpr double coordinate_limit = 1e100;
+constexpr double smallest_side = 1e-110;
+constexpr double most_scales = 1e12; // in a side of the bounds
+constexpr double radius_limit = 1e30;
+constexpr double weight_limit = 1e120; // a radius to the third, times what a solver still resolves
+
 // Terms of a polynomial of a degree from -1 to 3 in three variables.
 constexpr std::int64_t term_count(std::int32_t degree) noexcept {
     return std::int64_t{degree + 1} * (degree + 2) * (degree + 3) / 6;
@@ -92,14 +99,62 @@ void decode_arrays(Decoder& decoder, implicit::HrbfData& data) {
     decoder.section(tag_polynomial, data.polynomial, term_count(data.polynomial_degree));
 }
 
+void check_extent(const Decoder& decoder, const implicit::HrbfData& data) {
+    check_bounds(decoder, data.bounds);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (data.bounds.min[axis] < -coordinate_limit || data.bounds.max[axis] > coordinate_limit)
+            decoder.damaged("its bounds reach beyond 1e100");
+        if (!(data.centre[axis] >= data.bounds.min[axis] && data.centre[axis] <= data.bounds.max[axis]))
+            decoder.damaged("its centre is outside its bounds");
+    }
+    const double side = longest_side(data.bounds);
+    if (side > 0.0 && side < smallest_side) decoder.damaged("its bounds are smaller than 1e-110");
+    if (data.spacing > 2.0 * side) decoder.damaged("its sample spacing is larger than its bounds");
+    // Of a single sample the scale is 1, whatever the bounds.
+    if (data.count() > 1 ? data.scale > 2.0 * side || data.scale < side / most_scales : data.scale != 1.0)
+        decoder.damaged("its scale does not fit its bounds");
+}
+
 void check_numbers(const Decoder& decoder, const implicit::HrbfData& data) {
     const Numbers numbers = numbers_of(data);
     check_finite<double>(decoder, "numbers", numbers);
-    check_bounds(decoder, data.bounds);
     if (!(data.scale > 0.0)) decoder.damaged("its scale is not positive");
     if (data.kernel_radius < 0.0 || (data.kernel_radius == 0.0 && data.kernel != kernel::Kind::triharmonic))
         decoder.damaged("its kernel radius is not positive");
     if (data.spacing < 0.0) decoder.damaged("its sample spacing is negative");
+    check_extent(decoder, data);
+    // A radius of the bounds' size is one that the fit chose.
+    if (data.kernel != kernel::Kind::triharmonic &&
+        (data.kernel_radius < 1.0 / radius_limit ||
+         data.kernel_radius > std::max(radius_limit, 2.0 * longest_side(data.bounds) / data.scale)))
+        decoder.damaged("its kernel radius is out of range");
+}
+
+void check_weights(const Decoder& decoder, const implicit::HrbfData& data, const char* name,
+                   std::span<const double> weights) {
+    check_finite(decoder, name, weights);
+    if (data.kernel_radius > radius_limit) return;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        if (std::abs(weights[i]) > weight_limit)
+            decoder.damaged("%s[%lld] is larger than a fit's", name, static_cast<long long>(i));
+}
+
+// Samples lie in the bounds, and their centres where they do; but for rounding.
+void check_places(const Decoder& decoder, const implicit::HrbfData& data) {
+    const double side = longest_side(data.bounds);
+    for (std::int64_t i = 0; i < data.count(); ++i) {
+        const glm::dvec3 centre = data.centre_position[i];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double sample = data.sample_position[3 * i + axis];
+            const double slack = 1e-9 * side + 1e-15 * std::abs(sample);
+            if (!(sample >= data.bounds.min[axis] - slack && sample <= data.bounds.max[axis] + slack))
+                decoder.damaged("sample_position[%lld] is outside its bounds", static_cast<long long>(i));
+            const double expected = implicit::normalised(sample, data.centre[axis], data.scale);
+            const double off = 1e-6 * (1.0 + std::abs(expected)) + 1e-15 * std::abs(sample) / data.scale;
+            if (!(std::abs(centre[axis] - expected) <= off))
+                decoder.damaged("centre[%lld] is not where its sample is", static_cast<long long>(i));
+        }
+    }
 }
 
 void check_arrays(const Decoder& decoder, const implicit::HrbfData& data) {
@@ -108,11 +163,12 @@ void check_arrays(const Decoder& decoder, const implicit::HrbfData& data) {
     check_finite(decoder, "centre.x", data.centre_position.x.span());
     check_finite(decoder, "centre.y", data.centre_position.y.span());
     check_finite(decoder, "centre.z", data.centre_position.z.span());
-    check_finite(decoder, "alpha", data.alpha.span());
-    check_finite(decoder, "beta.x", data.beta.x.span());
-    check_finite(decoder, "beta.y", data.beta.y.span());
-    check_finite(decoder, "beta.z", data.beta.z.span());
-    check_finite(decoder, "polynomial", data.polynomial.span());
+    check_weights(decoder, data, "alpha", data.alpha.span());
+    check_weights(decoder, data, "beta.x", data.beta.x.span());
+    check_weights(decoder, data, "beta.y", data.beta.y.span());
+    check_weights(decoder, data, "beta.z", data.beta.z.span());
+    check_weights(decoder, data, "polynomial", data.polynomial.span());
+    check_places(decoder, data);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "io/files.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace hrbfnpr::io {
 namespace {
@@ -108,6 +109,7 @@ sampling::GroupReport decode_report(Decoder& decoder) {
         if (count < 0) decoder.damaged("a count of a group is negative");
     if (counts[2] > sampling::most_levels) decoder.damaged("a group has more than 12 levels");
     check_finite<double>(decoder, "group", numbers);
+    if (numbers[0] < 0.0 || numbers[1] < 0.0) decoder.damaged("a step or time of a group is negative");
     sampling::GroupReport report;
     report.strokes = counts[0];
     report.full_count = counts[1];
@@ -146,6 +148,9 @@ void check_group(const Decoder& decoder, const sampling::MarkGroup& group) {
     check_finite(decoder, "position", group.position.span());
     check_unit(decoder, "normal", group.normal.span());
     check_finite(decoder, "direction", group.direction.span());
+    for (std::int64_t i = 0; i < group.count(); ++i)
+        if (const glm::vec3 d = sampling::vector_at(group.direction, i); !(glm::dot(d, d) < 1.02F))
+            decoder.damaged("direction[%lld] is longer than a unit vector", static_cast<long long>(i));
     check_finite(decoder, "curvature", group.curvature.span());
     for (const float rank : group.rank.span())
         if (!(rank >= 0.0F && rank < 1.0F)) decoder.damaged("a rank is outside [0, 1)");
@@ -153,18 +158,46 @@ void check_group(const Decoder& decoder, const sampling::MarkGroup& group) {
         if (!(width > 0.0F && width <= 1.0F)) decoder.damaged("a width is outside (0, 1]");
 }
 
-void check_set(const Decoder& decoder, const sampling::PointSet& set) {
+// Positions are floats about the middle of the box of all marks, which lie in it; but for their rounding.
+void check_places(const Decoder& decoder, const sampling::PointSet& set) {
+    constexpr double float_max = std::numeric_limits<float>::max();
+    check_bounds(decoder, set.bounds);
+    if (!(0.5 * longest_side(set.bounds) <= float_max)) decoder.damaged("its bounds are larger than floats can be");
+    for (const sampling::MarkGroup& group : set.group)
+        for (std::int64_t i = 0; i < group.position.size(); ++i) {
+            const auto axis = static_cast<glm::length_t>(i % 3);
+            const double position = group.position[i];
+            const double place = set.origin[axis] + position;
+            const double slack = 2e-7 * std::abs(position) + 1e-15 * std::abs(set.origin[axis]) + 1e-44;
+            if (!(place >= set.bounds.min[axis] - slack && place <= set.bounds.max[axis] + slack))
+                decoder.damaged("position[%lld] is outside its bounds", static_cast<long long>(i / 3));
+        }
+}
+
+// A set without marks has no box, and once had no origin and no spacing.
+void check_empty(const Decoder& decoder, sampling::PointSet& set) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(std::isinf(set.bounds.min[axis]) && set.bounds.min[axis] > 0.0 && std::isinf(set.bounds.max[axis]) &&
+              set.bounds.max[axis] < 0.0))
+            decoder.damaged("it has bounds, but no marks");
+    }
+    set.origin = glm::dvec3(0.0);
+    set.spacing = 0.0;
+}
+
+void check_set(const Decoder& decoder, sampling::PointSet& set) {
     std::int64_t marks = 0;
     for (const sampling::MarkGroup& group : set.group) {
         check_group(decoder, group);
         marks += group.count();
     }
-    // Only a set without marks has no box.
-    if (marks > 0 || !set.bounds.empty()) check_bounds(decoder, set.bounds);
+    if (marks == 0) check_empty(decoder, set);
     check_finite<double>(
         decoder, "numbers",
         std::array{set.origin.x, set.origin.y, set.origin.z, set.spacing, set.seconds_seeds, set.seconds_total});
     if (set.spacing < 0.0) decoder.damaged("its spacing is negative");
+    if (set.seconds_seeds < 0.0 || set.seconds_total < 0.0) decoder.damaged("one of its times is negative");
+    if (marks > 0) check_places(decoder, set);
 }
 
 } // namespace

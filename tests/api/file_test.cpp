@@ -83,6 +83,53 @@ TEST(File, ALoadedPointSetDrawsTheSamePicture) {
     EXPECT_EQ(draw(renderer, again), draw(renderer, set));
 }
 
+TEST(File, ASetWithoutMarksLoads) {
+    Error error;
+    const Context context = make_context();
+    hrbfnpr_generate_desc desc = small_desc();
+    desc.groups = 1U << HRBFNPR_GROUP_COMBING;
+    desc.group[HRBFNPR_GROUP_COMBING].budget = 24; // fewer than a stroke has
+    const PointSet set = generate(context, fit(context, scenes::sphere_6()), desc);
+    auto info = made(hrbfnpr_point_set_info_init);
+    EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
+    ASSERT_EQ(info.group[HRBFNPR_GROUP_COMBING].count, 0);
+    EXPECT_EQ(info.origin[0], 0.0);
+    EXPECT_EQ(info.spacing, 0.0);
+    const Bytes bytes = saved(set);
+    hrbfnpr_point_set* loaded = nullptr;
+    ASSERT_OK(hrbfnpr_point_set_load_memory(context.get(), bytes.data(), static_cast<std::int64_t>(bytes.size()),
+                                            &loaded, error));
+    EXPECT_EQ(saved(PointSet(loaded)), bytes);
+}
+
+// Marks are floats: where the model is too large for them, or its curvatures are, a set must not hold infinities.
+TEST(File, WhatIsGeneratedLoadsAtEveryScale) {
+    Error error;
+    const Context context = make_context();
+    for (const double scale : {1e-90, 1e-30, 1.0, 1e30, 1e90}) {
+        scenes::Samples samples = scenes::sphere_6();
+        for (double& coordinate : samples.points) coordinate *= scale;
+        const Model model = fit(context, samples);
+        for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_PAPER, HRBFNPR_DISTRIBUTION_BLUE_NOISE}) {
+            const hrbfnpr_generate_desc desc = small_desc(distribution);
+            hrbfnpr_point_set* made = nullptr;
+            const hrbfnpr_status status =
+                hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &made, error);
+            EXPECT_EQ(made != nullptr, status == HRBFNPR_STATUS_OK);
+            if (made == nullptr) {
+                EXPECT_TRUE(scale == 1e-90 || scale == 1e90) << scale << ": " << error.record.message;
+                continue;
+            }
+            const Bytes bytes = saved(PointSet(made));
+            hrbfnpr_point_set* loaded = nullptr;
+            EXPECT_OK(hrbfnpr_point_set_load_memory(context.get(), bytes.data(),
+                                                    static_cast<std::int64_t>(bytes.size()), &loaded, error))
+                << " at " << scale;
+            hrbfnpr_point_set_release(loaded);
+        }
+    }
+}
+
 TEST(File, StreamsCarryTheSameBytes) {
     Error error;
     const Context context = make_context();

@@ -7,45 +7,120 @@
 
 #include <hrbfnpr.h>
 
+#include <array>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
+#include <span>
 #include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace fuzz {
 
-inline std::vector<std::uint8_t> signed_file(const std::uint8_t* data, std::size_t size) {
+using Bytes = std::vector<std::uint8_t>;
+
+// Whatever breaks the library's contract ends the fuzzer, and so the input is kept.
+inline void require(bool kept, const char* contract) {
+    if (kept) return;
+    std::fprintf(stderr, "broken contract: %s\n", contract);
+    std::abort();
+}
+
+inline std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
+    hrbfnpr::io::Crc32 crc;
+    crc.add(bytes);
+    return crc.value();
+}
+
+inline Bytes signed_file(const std::uint8_t* data, std::size_t size) {
     using namespace hrbfnpr::io;
-    std::vector<std::uint8_t> file(data, data + size);
-    const auto checksum = [&](std::size_t begin, std::size_t end) {
-        Crc32 crc;
-        crc.add(std::span(file).subspan(begin, end - begin));
-        return crc.value();
-    };
-    if (size >= header_size) store(&file[header_size - 4], checksum(0, header_size - 4));
-    if (size >= header_size + 4) store(&file[size - 4], checksum(header_size, size - 4));
+    Bytes file;
+    file.reserve(size + 1); // an empty file has an address, too: NULL would be another error
+    file.assign(data, data + size);
+    const std::span<std::uint8_t> bytes(file);
+    if (size >= header_size) store(&file[header_size - 4], checksum(bytes.first(header_size - 4)));
+    if (size >= header_size + 4) store(&file[size - 4], checksum(bytes.subspan(header_size, size - header_size - 4)));
     return file;
 }
 
-// A context that refuses more memory than any small file can need.
-inline hrbfnpr_context* context() {
-    hrbfnpr_context_desc desc;
-    hrbfnpr_context_desc_init(&desc, sizeof desc);
-    desc.thread_count = 1;
-    desc.allocate = [](void*, std::uint64_t bytes, std::uint64_t alignment) -> void* {
-        if (bytes > 64U << 20U) std::abort(); // a declared length was believed
-        return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-    };
-    desc.deallocate = [](void*, void* memory, std::uint64_t, std::uint64_t) { std::free(memory); };
-    hrbfnpr_context* context = nullptr;
-    if (hrbfnpr_context_create(&desc, &context, nullptr) != HRBFNPR_STATUS_OK) std::abort();
-    return context;
+// A number that decides what is tried with a file.  Not of its last bytes: with a checksum behind it, every
+// payload has the same one.
+inline std::uint32_t choice_of(const Bytes& file) { return checksum(std::span(file).first(file.size() - 4)); }
+
+// A call's outcome, with its message where it is not one of those that the contract allows.
+class Call {
+public:
+    explicit Call(const char* name) : name_(name) { hrbfnpr_error_init(&error_, sizeof error_); }
+    [[nodiscard]] hrbfnpr_error* error() { return &error_; }
+    // Whether it succeeded.
+    bool expect(hrbfnpr_status status, std::initializer_list<hrbfnpr_status> failures = {}) {
+        if (status == HRBFNPR_STATUS_OK) return true;
+        for (const hrbfnpr_status failure : failures)
+            if (status == failure) return false;
+        std::fprintf(stderr, "%s: %s: %s\n", name_, hrbfnpr_status_name(status), error_.message);
+        std::abort();
+    }
+
+private:
+    const char* name_;
+    hrbfnpr_error error_;
+};
+
+// A serial context that has no more memory than any small file can need.
+class Context {
+public:
+    Context() {
+        hrbfnpr_context_desc desc;
+        hrbfnpr_context_desc_init(&desc, sizeof desc);
+        desc.thread_count = 1;
+        desc.allocator_user = this;
+        desc.allocate = [](void* self, std::uint64_t bytes, std::uint64_t alignment) -> void* {
+            if (bytes > 64U << 20U) {
+                require(!static_cast<Context*>(self)->loading, "a declared length is not believed");
+                return nullptr;
+            }
+            return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+        };
+        desc.deallocate = [](void*, void* memory, std::uint64_t, std::uint64_t) { std::free(memory); };
+        Call call("context_create");
+        call.expect(hrbfnpr_context_create(&desc, &handle, call.error()));
+    }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+    ~Context() { hrbfnpr_context_release(handle); }
+
+    hrbfnpr_context* handle = nullptr;
+    bool loading = false;
+};
+
+// Model or point set: NULL if the file is refused, which it must be with one of two errors.
+template <class Handle, class Load>
+Handle* load(Context& context, const Bytes& file, Load function) {
+    Call call("load_memory");
+    Handle* handle = nullptr;
+    context.loading = true;
+    const hrbfnpr_status status =
+        function(context.handle, file.data(), static_cast<std::int64_t>(file.size()), &handle, call.error());
+    context.loading = false;
+    const bool loaded = call.expect(status, {HRBFNPR_STATUS_CORRUPT_DATA, HRBFNPR_STATUS_VERSION_MISMATCH});
+    require(loaded == (handle != nullptr), "a handle comes with success only");
+    return handle;
 }
 
-// Anything else is a bug.
-inline void expect_clean(hrbfnpr_status status) {
-    if (status != HRBFNPR_STATUS_OK && status != HRBFNPR_STATUS_CORRUPT_DATA &&
-        status != HRBFNPR_STATUS_VERSION_MISMATCH)
-        std::abort();
+template <class Handle, class Save>
+Bytes save(const Handle* handle, Save function) {
+    std::int64_t size = 0;
+    Call measure("save_memory");
+    measure.expect(function(handle, nullptr, 0, &size, measure.error()), {HRBFNPR_STATUS_BUFFER_TOO_SMALL});
+    Bytes file(static_cast<std::size_t>(size));
+    Call call("save_memory");
+    call.expect(function(handle, file.data(), size, &size, call.error()));
+    return file;
 }
+
+void require_same_set(Context& context, const hrbfnpr_point_set* set);
+void require_sound_marks(const hrbfnpr_point_set* set);
 
 } // namespace fuzz

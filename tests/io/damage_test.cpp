@@ -162,6 +162,45 @@ TEST(ModelFile, ContentIsChecked) {
     expect(model_message([](Data& d) { d.sample_position.clear(); }), "whole number");
 }
 
+// What no fit makes of samples that it accepts.
+TEST(ModelFile, PlacesAndScalesAreThoseOfAFit) {
+    using Data = implicit::HrbfData;
+    const auto expect = [](const std::string& message, const char* part) {
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
+    expect(model_message([](Data& d) { d.sample_position[4] = 1e101; }), "sample_position[1] is outside its bounds");
+    expect(model_message([](Data& d) { d.sample_position[0] = -0.5; }), "sample_position[0] is outside its bounds");
+    expect(model_message([](Data& d) { d.bounds.max.x = 1e101; }), "reach beyond 1e100");
+    expect(model_message([](Data& d) { d.bounds.min.z = -1e308; }), "reach beyond 1e100");
+    expect(model_message([](Data& d) { d.centre.y = 1e50; }), "centre is outside its bounds");
+    expect(model_message([](Data& d) { d.centre.y = -1.0; }), "centre[0] is not where its sample is");
+    expect(model_message([](Data& d) { d.centre_position.z[2] += 0.125; }), "centre[2] is not where its sample is");
+    expect(model_message([](Data& d) { d.centre_position.x[1] = 1e300; }), "centre[1] is not where its sample is");
+    expect(model_message([](Data& d) { d.scale = 1e-300; }), "scale does not fit its bounds");
+    expect(model_message([](Data& d) { d.scale = 1e10; }), "scale does not fit its bounds");
+    expect(model_message([](Data& d) { d.spacing = 1e10; }), "sample spacing is larger than its bounds");
+    expect(model_message([](Data& d) { d.alpha[1] = -1e300; }), "alpha[1] is larger than a fit's");
+    expect(model_message([](Data& d) { d.beta.y[2] = 1e121; }), "beta.y[2] is larger than a fit's");
+    expect(model_message([](Data& d) { d.polynomial[0] = 1e150; }), "polynomial[0] is larger than a fit's");
+    expect(model_message([](Data& d) { d.kernel_radius = 1e-31; }), "kernel radius is out of range");
+    expect(model_message([](Data& d) { d.kernel_radius = 1e31; }), "kernel radius is out of range");
+    const auto single = [](Data& d) { // of which the scale is 1, and this one 0.25
+        d.sample_position.resize(3);
+        d.sample_normal.resize(3);
+        d.centre_position.resize(1);
+        d.alpha.resize(1);
+        d.beta.resize(1);
+    };
+    expect(model_message(single), "scale does not fit its bounds");
+    const auto shrink = [](Data& d) {
+        d.bounds.min = d.centre = d.bounds.max = {1e-300, 0.0, 0.0};
+        d.bounds.max.x = 2e-300;
+    };
+    expect(model_message(shrink), "bounds are smaller than 1e-110");
+}
+
+using Set = sampling::PointSet;
+
 template <class Change>
 std::string set_message(Change&& change) {
     base::Memory memory;
@@ -171,7 +210,6 @@ std::string set_message(Change&& change) {
 }
 
 TEST(PointSetFile, ContentIsChecked) {
-    using Set = sampling::PointSet;
     const auto expect = [](const std::string& message, const char* part) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
     };
@@ -199,6 +237,57 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.bounds = {}; }), "not a box");
     expect(set_message([](Set& s) { s.distribution = static_cast<sampling::Distribution>(2); }), "distribution");
     expect(set_message([](Set& s) { s.seed_source = static_cast<sampling::SeedSource>(9); }), "seed source");
+    expect(set_message([](Set& s) { s.group[1].direction[1] = 1.5F; }), "direction[0] is longer than a unit vector");
+    expect(set_message([](Set& s) { s.group[0].report.step = -0.5; }), "step or time of a group is negative");
+    expect(set_message([](Set& s) { s.group[0].report.seconds = -0.5; }), "step or time of a group is negative");
+    expect(set_message([](Set& s) { s.seconds_total = -0.5; }), "one of its times is negative");
+}
+
+// Positions are relative to the middle of a box that holds all marks.
+TEST(PointSetFile, MarksLieInTheirBox) {
+    const auto expect = [](const std::string& message, const char* part) {
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
+    expect(set_message([](Set& s) { s.group[0].position[5] = 1.25F; }), "position[1] is outside its bounds");
+    expect(set_message([](Set& s) { s.group[1].position[0] = -3e38F; }), "position[0] is outside its bounds");
+    expect(set_message([](Set& s) { s.origin.x = 1e300; }), "position[0] is outside its bounds");
+    expect(set_message([](Set& s) { s.bounds.max.y = 1e39; }), "larger than floats can be");
+    expect(set_message([](Set& s) { s.bounds = {glm::dvec3(-1.7e308), glm::dvec3(1.7e308)}; }), "larger than floats");
+    EXPECT_EQ(set_message([](Set& s) { s.bounds.max.y = 1e38; }), "");
+}
+
+TEST(PointSetFile, FarMarksAreRoundedIntoTheirBox) {
+    for (const double origin : {0.0, 1.0, -1e9, 3e38, 1e99})
+        for (const double half : {0.0, 1e-44, 1.0, 1e30, 3.4e38}) {
+            const auto far = [&](Set& s) {
+                s.origin = glm::dvec3(origin);
+                s.bounds = {glm::dvec3(origin - half), glm::dvec3(origin + half)};
+                for (sampling::MarkGroup& group : s.group)
+                    for (float& position : group.position)
+                        position = static_cast<float>((position < 0.0F ? s.bounds.min.x : s.bounds.max.x) - origin);
+            };
+            EXPECT_EQ(set_message(far), "") << origin << " " << half;
+        }
+}
+
+TEST(PointSetFile, ASetWithoutMarksHasNoOtherPlaces) {
+    const auto message = [](auto&& change) {
+        base::Memory memory;
+        sampling::PointSet set(memory);
+        change(set);
+        return load(memory, bytes_of(set), false).message;
+    };
+    EXPECT_EQ(message([](Set&) {}), "");
+    // As such sets were saved once.
+    EXPECT_EQ(message([](Set& s) {
+                  s.origin = glm::dvec3(NAN);
+                  s.spacing = INFINITY;
+              }),
+              "");
+    for (const double number : {0.0, 1.0, static_cast<double>(NAN)}) {
+        const std::string said = message([&](Set& s) { s.bounds.min.x = number; });
+        EXPECT_NE(said.find("bounds, but no marks"), std::string::npos) << number << ": " << said;
+    }
 }
 
 } // namespace

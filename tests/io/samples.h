@@ -52,15 +52,17 @@ inline implicit::HrbfData model(base::Memory& memory, std::int64_t count, kernel
     data.kernel = kind;
     data.kernel_radius = kind == kernel::Kind::triharmonic ? 0.0 : 2.5;
     data.polynomial_degree = degree;
-    data.centre = {1.0, -2.0, 3.0};
-    data.scale = 0.1;
+    data.bounds = {{0.0, -4.0, 1.0}, {2.0, 0.0, 5.0}};
+    data.centre = data.bounds.centre();
+    data.scale = 0.25;
     data.spacing = 0.25;
-    data.bounds = {{-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}};
     data.sample_normal.resize(3 * count);
     for (std::int64_t i = 0; i < count; ++i) {
-        for (int k = 0; k < 3; ++k) data.sample_position.push_back(number(3 * i + k));
+        glm::dvec3 sample;
+        for (int k = 0; k < 3; ++k) sample[k] = data.centre[k] + number(3 * i + k);
+        for (int k = 0; k < 3; ++k) data.sample_position.push_back(sample[k]);
         data.sample_normal[3 * i + i % 3] = 1.0;
-        data.centre_position.push_back({number(100 + i), number(200 + i), number(300 + i)});
+        data.centre_position.push_back((sample - data.centre) / data.scale);
         data.beta.push_back({number(400 + i), number(500 + i), number(600 + i)});
         data.alpha.push_back(number(700 + i));
     }
@@ -77,9 +79,11 @@ inline sampling::PointSet point_set(base::Memory& memory, std::int64_t count) {
     sampling::PointSet set(memory);
     set.distribution = sampling::Distribution::blue_noise;
     set.seed_source = sampling::SeedSource::box;
-    set.origin = {10.0, 20.0, 30.0};
-    set.bounds = {{9.0, 19.0, 29.0}, {11.0, 21.0, 31.0}};
-    set.spacing = 0.125;
+    if (count > 0) {
+        set.origin = {10.0, 20.0, 30.0};
+        set.bounds = {{9.0, 19.0, 29.0}, {11.0, 21.0, 31.0}};
+        set.spacing = 0.125;
+    }
     set.seeds = {100, 90, 4, 3, 2, 1};
     set.seconds_total = 0.75;
     for (std::int64_t g = 0; g < 2; ++g) { // the third stays empty

@@ -157,6 +157,8 @@ TEST(Curvature, NoGradientOrNoNumbersGiveZeros) {
     Hessian broken = h;
     broken[4] = std::nan("");
     expect_zero(principal_curvature({0.0, 0.0, 1.0}, broken, 1.0));
+    const Hessian steep = {1e200, 0.0, 0.0, -1e200, 0.0, 0.0}; // over the slope it is more than a double holds
+    expect_zero(principal_curvature({0.0, 0.0, 1e-150}, steep, 1.0));
 }
 
 TEST(Curvature, BatchesAreThePointsOneByOne) {

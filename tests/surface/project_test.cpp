@@ -92,6 +92,14 @@ TEST(Project, ReportsWhatIsNotFinite) {
     EXPECT_EQ(p.status[2], ProjectionStatus::not_finite);
 }
 
+// The length of such a gradient is infinite, and the distance f / |grad f| would be 0.
+TEST(Project, AGradientThatCannotBeSquaredIsNone) {
+    const AnyField steep(cube(1.0), [](const glm::dvec3& p) -> Field {
+        return {1e200 * (p.x - 0.5), {1e200, 0.0, 0.0}, {}};
+    });
+    EXPECT_NE(run(steep, {{0.9, 0.0, 0.0}}).status[0], ProjectionStatus::converged);
+}
+
 // A trial that ends where f is not finite is one that does not lower f^2: the step is halved.
 TEST(Project, BacktracksOutOfWhatIsNotFinite) {
     // f = sqrt(x) - 2 has its zero at 4; Newton from 20 ends at x < 0.
