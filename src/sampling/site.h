@@ -7,6 +7,8 @@
 #include "sampling/point_set.h"
 #include "surface/project.h"
 
+#include <limits>
+
 namespace hrbfnpr::sampling {
 
 struct Site {
@@ -14,6 +16,7 @@ struct Site {
     const implicit::Implicit& implicit;
     double projection_tolerance; // in diagonals
     std::uint64_t random_seed;
+    double unit = 1.0; // of all lengths, in the caller's
 
     [[nodiscard]] base::Memory& memory() const noexcept { return runtime.memory; }
 };
@@ -53,8 +56,12 @@ struct FieldSamples {
     base::Array<double> value;
     geometry::VecArray gradient;
 
-    // The distance to the surface to first order, f / |grad f|; infinite or NaN where that makes no sense.
-    [[nodiscard]] double distance(std::int64_t i) const noexcept { return value[i] / glm::length(gradient[i]); }
+    // The distance to the surface to first order, f / |grad f|; infinite or NaN where that makes no sense, as where
+    // the gradient is so long or short that its square does not say how long.
+    [[nodiscard]] double distance(std::int64_t i) const noexcept {
+        const double slope = glm::length(gradient[i]);
+        return surface::is_slope(slope) ? value[i] / slope : std::numeric_limits<double>::quiet_NaN();
+    }
 };
 void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& fields, const base::Progress& progress);
 

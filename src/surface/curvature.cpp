@@ -57,6 +57,7 @@ Curvature principal_curvature(const glm::dvec3& gradient, const std::array<doubl
     const glm::dvec3 hu = h.times(frame.u);
     const geometry::Eigen2 eigen = geometry::symmetric_eigen2(
         -glm::dot(frame.r, hr) / slope, -glm::dot(frame.u, hr) / slope, -glm::dot(frame.u, hu) / slope);
+    if (!std::isfinite(eigen.high) || !std::isfinite(eigen.low)) return {};
     Curvature result;
     result.k1 = eigen.high;
     result.k2 = eigen.low;

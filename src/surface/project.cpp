@@ -45,8 +45,16 @@ private:
         const std::int64_t at = begin_ + static_cast<std::int64_t>(i);
         return order_ != nullptr ? order_[at] : at;
     }
+    // Too long a gradient counts as infinite.
     [[nodiscard]] static bool finite(double f, const glm::dvec3& g) noexcept {
-        return std::isfinite(f) && std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z);
+        const double slope = glm::length(g);
+        return std::isfinite(f) && (is_slope(slope) || slope < 1.0);
+    }
+    // Armijo's rule, f^2 <= v^2 part; by their ratio where a square would not do.
+    [[nodiscard]] static bool lowers(double f, double v, double part) noexcept {
+        const double square = v * v;
+        if (square >= 1e-280 && square <= 1e280) return f * f <= square * part;
+        return (f / v) * (f / v) <= part;
     }
 
     const implicit::Implicit& implicit_;
@@ -80,7 +88,7 @@ void Batch::end_with(Projection& points, std::size_t i, ProjectionStatus status)
 // Looks at a new iterate: ends its search, or picks the first trial from it.
 bool Batch::finished(Projection& points, std::size_t i) noexcept {
     const double slope = glm::length(gradient_[i]);
-    if (!(slope > 0.0)) {
+    if (!is_slope(slope)) {
         end_with(points, i, ProjectionStatus::zero_gradient);
         return true;
     }
@@ -122,8 +130,7 @@ bool Batch::take_trial(Projection& points, std::size_t lane) noexcept {
     const glm::dvec3 g(gx_[lane], gy_[lane], gz_[lane]);
     const bool first = evaluations_[i]++ == 0;
     const bool ok = finite(f, g);
-    const bool accepted =
-        first || (ok && f * f <= value_[i] * value_[i] * (1.0 - 2.0 * settings_.armijo_slope * share_[i]));
+    const bool accepted = first || (ok && lowers(f, value_[i], 1.0 - 2.0 * settings_.armijo_slope * share_[i]));
     if (accepted) {
         position_[i] = trial_[i];
         gradient_[i] = g;

@@ -19,6 +19,9 @@ struct ProjectionSettings {
     double armijo_factor = 0.5;
 };
 
+// Whether that is the length of a gradient: others are lost when they are squared.
+[[nodiscard]] inline bool is_slope(double length) noexcept { return length >= 1e-150 && length <= 1e150; }
+
 // position: in, where to start; out, the last iterate.  gradient and status: out, resized.
 // gradient is that of f (not unit) at the last iterate.
 struct Projection {
