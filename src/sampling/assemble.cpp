@@ -54,7 +54,7 @@ void compute_curvature(const Site& site, const Marks& marks, const base::Array<s
                                       progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
         for (std::int64_t i = begin; i < end; ++i) {
             const surface::Curvature& c = curvature[i - begin];
-            store(result, i, {c.k1, c.k2, c.confidence});
+            store(result, i, {held_curvature(c.k1), held_curvature(c.k2), c.confidence});
         }
     }
 }

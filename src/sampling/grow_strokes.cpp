@@ -115,7 +115,7 @@ void Strokes::append(const glm::dvec3& position, const glm::dvec3& normal, std::
     marks_.level.push_back(level);
     if (!by_curvature()) return;
     marks_.bend.push_back(bend_along(d, c));
-    marks_.curvature.push_back({static_cast<float>(c.k1), static_cast<float>(c.k2), static_cast<float>(c.confidence)});
+    marks_.curvature.push_back({held_curvature(c.k1), held_curvature(c.k2), static_cast<float>(c.confidence)});
 }
 
 // A seed of a stroke is its middle; stroke i belongs to set i % 2.

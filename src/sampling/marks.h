@@ -6,6 +6,7 @@
 #include "sampling/site.h"
 
 #include <array>
+#include <limits>
 
 namespace hrbfnpr::sampling {
 
@@ -29,8 +30,16 @@ struct Marks {
     [[nodiscard]] std::int64_t count() const noexcept { return position.size(); }
 };
 
+// A curvature in the float that it fits into, or the largest.
+[[nodiscard]] inline float held_curvature(double k) noexcept {
+    constexpr double most = std::numeric_limits<float>::max();
+    return static_cast<float>(k < -most ? -most : k > most ? most : k);
+}
+
 // More marks than this are refused before they are made: identities of marks are 32 bits wide.
 inline constexpr std::int64_t most_marks = std::int64_t{1} << 31;
+// Of BLUE_NOISE, which takes some 300 bytes a mark while it works.
+inline constexpr std::int64_t most_even_marks = 100000000;
 
 // base * factor^levels; no overflow for what the boundary lets through.
 [[nodiscard]] std::int64_t grown_count(std::int64_t base, std::int64_t factor, std::int32_t levels) noexcept;

@@ -174,8 +174,7 @@ void Settling::direct(const base::Progress& progress) {
     if (settings_.group == Group::curvature) {
         surface::principal_curvatures(site_.runtime, site_.implicit, marks_.position, curvature_, progress);
         for (const surface::Curvature& c : curvature_)
-            marks_.curvature.push_back(
-                {static_cast<float>(c.k1), static_cast<float>(c.k2), static_cast<float>(c.confidence)});
+            marks_.curvature.push_back({held_curvature(c.k1), held_curvature(c.k2), static_cast<float>(c.confidence)});
     }
     for (std::int64_t i = 0; i < marks_.count(); ++i) {
         const glm::dvec3 n = marks_.normal[i];
