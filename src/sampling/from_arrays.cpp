@@ -60,10 +60,12 @@ void Importer::check_count(const InView& view, const char* name, bool needed) co
 
 double Importer::finite(const InView& view, const char* name, std::int64_t i, std::uint32_t component) const {
     const double value = view.get(i, component);
-    // What a float cannot hold would become infinite in the set.
-    if (!std::isfinite(value) || std::abs(value) > 3.4e38)
-        fail(Status::invalid_argument, "group[%d].%s[%lld] is %g, which is not finite as a float: scale the positions",
-             group_, name, number(i), value);
+    if (!std::isfinite(value))
+        fail(Status::invalid_argument, "group[%d].%s[%lld] is not finite", group_, name, number(i));
+    // It would become infinite in the set.
+    if (std::abs(value) > 3.4e38)
+        fail(Status::invalid_argument, "group[%d].%s[%lld] is %g, which a float cannot hold: scale the marks", group_,
+             name, number(i), value);
     return value;
 }
 

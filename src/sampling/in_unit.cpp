@@ -35,7 +35,7 @@ void require_size(const char* what, double size, const char* remedy) {
 namespace {
 
 // Lengths of the descriptor, in diagonals: others are mistakes.
-constexpr double shortest_length = 1e-9;
+constexpr double shortest_length = 1e-12;
 constexpr double longest_length = 1e9;
 
 void check_length(const char* field, double length, double diagonal) {

@@ -279,7 +279,7 @@ TEST(Hostile, ADensityIsHeldAgainstOne) {
 
 TEST(Hostile, LengthsAtTheirLimits) {
     const Context context = make_context(1);
-    for (const double length : {1e-300, 1e-12, 1e12, 1e300})
+    for (const double length : {1e-300, 1e-12, 1e-10, 1e-6, 1e6, 1e12, 1e300})
         for (const std::uint32_t field : {0U, 1U, 2U}) {
             SCOPED_TRACE(testing::Message() << length << ", field " << field);
             Steep steep;
