@@ -899,7 +899,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* des
 
 /* Places marks on the surface.  desc may be NULL, operation may be NULL.
  * Marks whose projection fails or strays are dropped and counted in the info;
- * a set whose seeds are all dropped is an error (NOT_CONVERGED).
+ * a set whose seeds are all dropped is an error (NOT_CONVERGED), and so is one
+ * whose marks are, or that no stroke of a given separation or step fits into.
  *
  * Sizes.  Marks are float: the diagonal of the model's bounds must be 1e-33 ..
  * 1e33, in whatever unit.  Beyond 1e-9 .. 1e9 the marks of a model that is

@@ -40,6 +40,7 @@ private:
     [[nodiscard]] std::int64_t budget_of(Group group) const noexcept;
     [[nodiscard]] std::int64_t stroke_budget(Group group) const;
     [[nodiscard]] std::int64_t spread_marks(Group group) const;
+    void require_some() const;
     void finish();
 
     const Site& site_;
@@ -178,7 +179,28 @@ void Generation::blue_noise() {
 
 // --------------------------------------------------------------------------------------------
 
+void Generation::require_some() const {
+    LevelReport all;
+    for (std::size_t group = 0; group < marks_.size(); ++group) {
+        if (marks_[group].count() > 0) return;
+        for (const LevelReport& level : set_.group[group].report.level) {
+            all.attempted += level.attempted;
+            all.dropped_not_converged += level.dropped_not_converged;
+            all.dropped_strayed += level.dropped_strayed;
+            all.dropped_degenerate += level.dropped_degenerate;
+        }
+    }
+    // A budget of a few marks may be too small for the shortest stroke.
+    if (all.attempted == 0 && settings_.stroke_separation == 0.0 && settings_.stroke_step == 0.0) return;
+    fail(Status::not_converged,
+         "no mark could be placed: of %lld, %lld did not converge, %lld strayed and %lld were degenerate; no stroke is "
+         "shorter than 2.5 times stroke_separation, or has a stroke_step below the projection_tolerance",
+         static_cast<long long>(all.attempted), static_cast<long long>(all.dropped_not_converged),
+         static_cast<long long>(all.dropped_strayed), static_cast<long long>(all.dropped_degenerate));
+}
+
 void Generation::finish() {
+    require_some();
     const std::array<const geometry::VecArray*, group_count> positions = {&marks_[0].position, &marks_[1].position,
                                                                           &marks_[2].position};
     measure(site_.runtime, positions, area_, set_, progress_.part(0.95, 0.95));

@@ -279,7 +279,7 @@ TEST(Hostile, ADensityIsHeldAgainstOne) {
 
 TEST(Hostile, LengthsAtTheirLimits) {
     const Context context = make_context(1);
-    for (const double length : {1e-300, 1e-12, 1e-10, 1e-6, 1e6, 1e12, 1e300})
+    for (const double length : {1e-300, 1e-13, 1e-3, 1e6, 1e12, 1e300})
         for (const std::uint32_t field : {0U, 1U, 2U}) {
             SCOPED_TRACE(testing::Message() << length << ", field " << field);
             Steep steep;
@@ -290,9 +290,10 @@ TEST(Hostile, LengthsAtTheirLimits) {
             const hrbfnpr_status status = generated(context, model_of(context, steep), desc, error, set);
             EXPECT_LT(steep.calls, 10000);
             if (status == HRBFNPR_STATUS_OK) {
+                EXPECT_FALSE(attribute<float>(set, 1, HRBFNPR_ATTRIBUTE_POSITION).empty());
                 for (const float x : attribute<float>(set, 1, HRBFNPR_ATTRIBUTE_POSITION)) ASSERT_LT(std::abs(x), 1.2F);
             } else {
-                EXPECT_EQ(status, HRBFNPR_STATUS_INVALID_ARGUMENT);
+                EXPECT_TRUE(status == HRBFNPR_STATUS_INVALID_ARGUMENT || status == HRBFNPR_STATUS_NOT_CONVERGED);
                 EXPECT_NE(std::string(error.record.message).find("stroke_"), std::string::npos) << error.record.message;
             }
         }
