@@ -179,6 +179,16 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
     for (const Cluster& c : ends.group[0].clusters.cluster) EXPECT_TRUE(std::isfinite(c.radius));
 }
 
+// No file and no array gives such positions; if one did, the undefined-behaviour sanitizer would have nothing to say.
+TEST_F(Clusters, BearWhatIsNoNumber) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    sampling::PointSet set(runtime.memory);
+    for (int i = 0; i < 300; ++i)
+        add_stipple(set, {i % 7 == 0 ? nan : 0.1 * i, i % 5 == 0 ? HUGE_VAL : 1.0, 0.0}, {0.0, 0.0, 1.0});
+    sampling::cluster_marks(runtime, set);
+    EXPECT_FALSE(set.group[0].clusters.cluster.empty());
+}
+
 // t . S t for a tangent direction.
 double curvature(const Cluster& c, const glm::dvec3& t) {
     const auto s = [&](std::size_t k) { return static_cast<double>(c.shape[k]); };
