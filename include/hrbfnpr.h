@@ -425,7 +425,8 @@ enum {
  * hrbfnpr_model_info.regularization say so.
  * Samples that coincide and disagree are an INVALID_ARGUMENT that names both
  * indices, as are NaN, infinity, zero normals, and an empty or mismatched
- * array.  One sample is a plane.
+ * array; so are coordinates beyond 1e100, and samples less than 1e-100 across.
+ * One sample is a plane.
  *
  * Measured samples.  Of 33 and more, those that do not fit to the 16 nearest
  * others are counted, and repaired only if asked for:
@@ -506,7 +507,11 @@ enum {
 
 /* Any implicit function in place of a fit: every operator below works on it
  * [NPAR 8].  It should be negative inside and of a gradient near 1 at the
- * surface; it must be finite inside twice the bounds. */
+ * surface; it must be finite inside twice the bounds.  Where it is not, or its
+ * gradient is shorter than 1e-150 or longer than 1e150, no point is projected
+ * and no mark placed.  The bounds' diagonal is 1e-100 .. 1e100; they
+ * should fit the surface: tolerances, differences and the cells in which marks
+ * are placed are parts of the diagonal. */
 typedef struct hrbfnpr_custom_desc {
     uint32_t struct_size;
     uint32_t flags; /* HRBFNPR_CUSTOM_..., or-ed; 0 */
@@ -589,10 +594,13 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32
                                               hrbfnpr_array* out_view, hrbfnpr_error* error);
 
 /* f, grad f and the Hessian at n points.
- * points:   n x 3, FLOAT32 or FLOAT64, finite.
+ * points:   n x 3, FLOAT32 or FLOAT64, finite, and within 1e50 diagonals of the
+ *           model's bounds, here and in _project and _curvature.
  * value:    n x 1, gradient: n x 3, hessian: n x 6 (xx xy xz yy yz zz), each
  *           FLOAT32 or FLOAT64, or NULL.  At a sample the Hessian leaves out
  *           that sample's own (direction-dependent, zero-mean) term.
+ * A finite answer that does not fit into a FLOAT32 array, of whatever call, is
+ * INVALID_ARGUMENT.  What a custom function itself gives (NaN, say) is passed on.
  *
  * Preparing.  Where there are so many points that it pays (of r^3 and 512
  * centres on: n N above 1.3e9 + 8e4 N, a Hessian counting as 2.5 points), the
@@ -615,7 +623,7 @@ enum {
     HRBFNPR_PROJECTION_CONVERGED = 0,
     HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* iteration limit, or no step lowers f^2 */
     HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, /* stuck at a critical point off the surface */
-    HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient was not finite */
+    HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient was not finite, or that longer than 1e150 */
 };
 
 typedef struct hrbfnpr_project_desc {
@@ -694,7 +702,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint3
  * costs time only.
  *
  * origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
- *            length but zero.  Rays may start inside.
+ *            length but zero, and not so short that the t of a hit is infinite.
+ *            Rays may start inside.
  * With h = maximum_hits, for each ray its hits in order; each array or NULL:
  * hits:      n x 1, UINT32: how many were found, 0 .. h.
  * t:         n x h; infinity after the last.
@@ -811,7 +820,8 @@ typedef struct hrbfnpr_group_desc {
     uint32_t seeds;      /* HRBFNPR_GROUP_SEED_...; PAPER only, not for STIPPLE */
     int32_t seed_level;  /* with _STIPPLES: the last stippling level used; 0 */
     uint32_t reserved;
-    int64_t budget;      /* the most marks, of both sets of strokes together; 0 = no limit for
+    int64_t budget;      /* the most marks, of both sets of strokes together, of BLUE_NOISE at
+                            most 100000000 (some 300 bytes each while they are made); 0 = no limit for
                             PAPER and for strokes with a stroke_separation, else 40000.  PAPER
                             thins the level that exceeds it at random and stops there;
                             BLUE_NOISE leaves out the last strokes of the order */
@@ -831,7 +841,8 @@ enum {
 
 /* A density on the surface: fills density (count) from absolute positions and
  * unit normals (count x 3 each), 1 where marks are to be densest, 0 where none
- * are wanted; clamped to 1, negative or NaN is CALLBACK.  Called with some
+ * are wanted; clamped to 1, negative or NaN is CALLBACK, and one that leaves no
+ * mark at all INVALID_ARGUMENT.  Called with some
  * thousand places at a time, on the thread that called _generate.  Non-zero
  * fails it with CALLBACK. */
 typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions,
@@ -876,7 +887,8 @@ typedef struct hrbfnpr_generate_desc {
     uint64_t random_seed;    /* any number; 1 */
     hrbfnpr_array seed_points; /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
     hrbfnpr_group_desc group[3];
-    /* Strokes of BLUE_NOISE, in object units, 0 or more; ignored for PAPER. */
+    /* Strokes of BLUE_NOISE, in object units; separation and step 0, or 1e-12 .. 1e9 diagonals (so is
+     * initial_step); ignored for PAPER. */
     double stroke_separation; /* mean distance of neighbouring strokes of one set; 0 = such that all
                                  strokes have as many marks as the group's budget */
     double stroke_step;       /* distance of the marks of a stroke; 0 = a fifth of the separation */
@@ -904,7 +916,16 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* des
 
 /* Places marks on the surface.  desc may be NULL, operation may be NULL.
  * Marks whose projection fails or strays are dropped and counted in the info;
- * a set whose seeds are all dropped is an error (NOT_CONVERGED).
+ * a set whose seeds are all dropped is an error (NOT_CONVERGED), and so is one
+ * whose marks are, or that no stroke of a given separation or step fits into.
+ *
+ * Sizes.  Marks are float: the diagonal of the model's bounds must be 1e-33 ..
+ * 1e33, in whatever unit.  Beyond 1e-9 .. 1e9 the marks of a model that is
+ * scaled by a power of two are the same ones, scaled; a curvature that does not
+ * fit a float is the largest that does.  Custom bounds may be up to 500 times
+ * as wide as the surface, seed_points within 1e4 diagonals of the bounds.
+ * Everything else is INVALID_ARGUMENT, and so is a budget that is too large,
+ * before any mark is placed.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, NOT_CONVERGED, CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                       const hrbfnpr_generate_desc* desc,
@@ -961,8 +982,9 @@ typedef struct hrbfnpr_point_set_desc {
 } hrbfnpr_point_set_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_t struct_size);
-/* Marks from the caller's arrays (copied).  Errors: INVALID_ARGUMENT naming
- * the array and the index, OUT_OF_MEMORY. */
+/* Marks from the caller's arrays (copied).  They are 1e-33 .. 1e33 across, or at
+ * one place.  Errors: INVALID_ARGUMENT naming the array and the index,
+ * OUT_OF_MEMORY. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_create_from_arrays(hrbfnpr_context* context,
                                                                 const hrbfnpr_point_set_desc* desc,
                                                                 hrbfnpr_point_set** out_point_set,
@@ -1370,7 +1392,8 @@ typedef struct hrbfnpr_vertex_layout {
 /* No attributes. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint32_t struct_size);
 
-/* How many vertices the prepared frame has. */
+/* How many vertices the prepared frame has.  This, _write_vertices and _get_info
+ * may run on several threads at the same time, as all that take a const handle. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_vertex_bound(const hrbfnpr_renderer* renderer, int64_t* count,
                                                          hrbfnpr_error* error);
 

@@ -8,6 +8,7 @@
 #include "api/operation.h"
 #include "api/point_set.h"
 #include "api/views.h"
+#include "sampling/cluster_marks.h"
 
 #include <algorithm>
 #include <array>
@@ -219,16 +220,18 @@ hrbfnpr_point_set* generate(hrbfnpr_context& context, const hrbfnpr_model& model
     const sampling::GenerateSettings settings = checked(desc);
     const OperationUse use(operation);
     const sampling::SampleHint samples = model.samples();
+    sampling::check_request(model.implicit(), settings);
     const implicit::Implicit& implicit =
         model.implicit_for(sampling::expected_evaluations(samples, settings), use.progress());
     sampling::PointSet set = sampling::generate(context.runtime, implicit, samples, settings, use.progress());
+    sampling::cluster_marks(context.runtime, set, use.progress());
     use.finish();
     for (const sampling::MarkGroup& group : set.group)
         if (group.count() > 0)
             context.runtime.log(base::LogLevel::info, "generate: %lld marks in group %d in %.3f s",
                                 static_cast<long long>(group.count()), static_cast<int>(&group - set.group.data()),
                                 group.report.seconds);
-    return adopt(context, std::move(set));
+    return make_handle<hrbfnpr_point_set>(context, std::move(set));
 }
 
 double step_patches(const hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_generate_desc& desc,

@@ -71,6 +71,9 @@ namespace {
 constexpr std::uint32_t custom_flags =
     HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_HAS_HESSIAN | HRBFNPR_CUSTOM_THREAD_SAFE;
 
+// Diagonals as of fits: squares and cubes of lengths stay far from the ends of a double's range.
+constexpr double smallest_box = 1e-100;
+
 void check_numbers(const hrbfnpr_fit_desc& desc) {
     const Checks checks("fit_desc");
     checks.one_of("kernel", desc.kernel, HRBFNPR_KERNEL_WENDLAND_C2 + 1, "HRBFNPR_KERNEL_...");
@@ -190,9 +193,12 @@ implicit::CustomFunction checked(const hrbfnpr_custom_desc& desc) {
     custom.bounds = {{desc.bounds_min[0], desc.bounds_min[1], desc.bounds_min[2]},
                      {desc.bounds_max[0], desc.bounds_max[1], desc.bounds_max[2]}};
     custom.difference_step = desc.difference_step;
-    if (!std::isfinite(custom.bounds.diagonal()) || !(custom.bounds.diagonal() > 0.0))
-        fail(Status::invalid_argument, "custom_desc.bounds_min and bounds_max span no box; its diagonal is %g",
-             custom.bounds.diagonal());
+    const double diagonal = custom.bounds.diagonal();
+    if (!(diagonal >= smallest_box && diagonal <= 1.0 / smallest_box))
+        fail(Status::invalid_argument,
+             "custom_desc.bounds_min and bounds_max span no box; its diagonal is %g, and must be from %g to %g: scale "
+             "the function",
+             diagonal, smallest_box, 1.0 / smallest_box);
     return custom;
 }
 

@@ -55,12 +55,16 @@ public:
     [[nodiscard]] const implicit::FieldBatch& fields() const noexcept { return fields_; }
 
     // Element `from` of the block is element first + from of the outputs.
-    void write(std::int64_t from, std::int64_t to, std::int64_t first) const noexcept {
+    void write(std::int64_t from, std::int64_t to, std::int64_t first) const {
+        const Answer value("value");
+        const Answer gradient("gradient");
+        const Answer hessian("hessian");
         for (std::int64_t i = from; i < to; ++i) {
-            if (out_.value) out_.value.set(first + i, 0, fields_.value[i]);
+            if (out_.value) value.set(out_.value, first + i, 0, fields_.value[i]);
             for (std::uint32_t c = 0; out_.gradient && c < 3; ++c)
-                out_.gradient.set(first + i, c, fields_.gradient[c][i]);
-            for (std::uint32_t c = 0; out_.hessian && c < 6; ++c) out_.hessian.set(first + i, c, fields_.hessian[c][i]);
+                gradient.set(out_.gradient, first + i, c, fields_.gradient[c][i]);
+            for (std::uint32_t c = 0; out_.hessian && c < 6; ++c)
+                hessian.set(out_.hessian, first + i, c, fields_.hessian[c][i]);
         }
     }
 
@@ -100,13 +104,13 @@ struct ProjectionOutputs {
 };
 
 // Returns how many converged.
-std::int64_t write(const surface::Projection& block, const ProjectionOutputs& out, std::int64_t first) noexcept {
+std::int64_t write(const surface::Projection& block, const ProjectionOutputs& out, std::int64_t first) {
     std::int64_t converged = 0;
     for (std::int64_t i = 0; i < block.status.size(); ++i) {
         const glm::dvec3 gradient = block.gradient[i];
         const double length = glm::length(gradient);
         const bool has_normal = std::isfinite(length) && length > 0.0;
-        if (out.position) set_vector(out.position, first + i, block.position[i]);
+        if (out.position) Answer("position").set(out.position, first + i, block.position[i]);
         if (out.normal) set_vector(out.normal, first + i, has_normal ? gradient / length : glm::dvec3(0.0));
         if (out.status) out.status.set(first + i, 0, static_cast<double>(block.status[i]));
         converged += block.status[i] == surface::ProjectionStatus::converged ? 1 : 0;
@@ -134,11 +138,11 @@ struct CurvatureOutputs {
     base::OutView k1, k2, d1, d2, confidence;
 };
 
-void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs& out, std::int64_t first) noexcept {
+void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs& out, std::int64_t first) {
     for (std::int64_t i = 0; i < block.size(); ++i) {
         const surface::Curvature& c = block[i];
-        if (out.k1) out.k1.set(first + i, 0, c.k1);
-        if (out.k2) out.k2.set(first + i, 0, c.k2);
+        if (out.k1) Answer("k1").set(out.k1, first + i, 0, c.k1);
+        if (out.k2) Answer("k2").set(out.k2, first + i, 0, c.k2);
         if (out.d1) set_vector(out.d1, first + i, c.d1);
         if (out.d2) set_vector(out.d2, first + i, c.d2);
         if (out.confidence) out.confidence.set(first + i, 0, c.confidence);
@@ -175,7 +179,7 @@ hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_
         const api::FieldOutputs out{api::out_view(value, "value", api::number_type, count),
                                     api::out_view(gradient, "gradient", api::points_type, count),
                                     api::out_view(hessian, "hessian", {6, api::float_types}, count)};
-        queries.check_finite();
+        queries.check_near(handle.implicit());
         const api::OperationUse use(operation);
         api::evaluate(handle, queries, out, use.progress());
         use.finish();
@@ -198,7 +202,7 @@ hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_a
         const api::ProjectionOutputs out{api::out_view(position, "position", api::points_type, count),
                                          api::out_view(normal, "normal", api::points_type, count),
                                          api::out_view(status, "status", {1, api::uint8_or_uint32}, count)};
-        queries.check_finite();
+        queries.check_near(handle.implicit());
         const api::OperationUse use(operation);
         const std::int64_t done = api::project(handle, queries, settings, out, use.progress());
         use.finish();
@@ -219,7 +223,7 @@ hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr
             api::out_view(k1, "k1", api::number_type, count), api::out_view(k2, "k2", api::number_type, count),
             api::out_view(d1, "d1", api::points_type, count), api::out_view(d2, "d2", api::points_type, count),
             api::out_view(confidence, "confidence", api::number_type, count)};
-        queries.check_finite();
+        queries.check_near(handle.implicit());
         const api::OperationUse use(operation);
         api::curvature(handle, queries, out, use.progress());
         use.finish();

@@ -8,13 +8,17 @@
 #include "base/runtime.h"
 #include "base/status.h"
 #include "geometry/vec_array.h"
+#include "implicit/implicit.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hrbfnpr::api {
 
 inline constexpr std::int64_t copy_grain = 4096;
+// In diagonals from the model's bounds.
+inline constexpr double farthest_query = 1e50;
 
 class Queries {
 public:
@@ -25,13 +29,20 @@ public:
     [[nodiscard]] std::int64_t count() const noexcept { return view_.count; }
 
     // After all arguments are known to be right; takes a pass over the points.
-    void check_finite() const {
+    // Finite, and so near the model that f and its derivatives are finite there.
+    void check_near(const implicit::Implicit& implicit) const {
+        const geometry::Bounds near = implicit.bounds().grown(farthest_query * implicit.diagonal());
         check([&](std::int64_t i) {
-            for (std::uint32_t axis = 0; axis < 3; ++axis)
-                if (!std::isfinite(view_.get(i, axis)))
-                    fail(Status::invalid_argument, "%s[%lld] is NaN or infinite; all %s must be finite", name_,
-                         static_cast<long long>(i), name_);
+            const glm::dvec3 p(view_.get(i, 0), view_.get(i, 1), view_.get(i, 2));
+            if (near.contains(p)) return;
+            require_finite(i);
+            fail(Status::invalid_argument,
+                 "%s[%lld] is more than %g diagonals away from the model's bounds, which have %.3g: leave it out",
+                 name_, static_cast<long long>(i), farthest_query, implicit.diagonal());
         });
+    }
+    void check_finite() const {
+        check([&](std::int64_t i) { require_finite(i); });
     }
     void check_not_zero() const {
         check([&](std::int64_t i) {
@@ -50,6 +61,12 @@ public:
     }
 
 private:
+    void require_finite(std::int64_t i) const {
+        for (std::uint32_t axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(view_.get(i, axis)))
+                fail(Status::invalid_argument, "%s[%lld] is NaN or infinite; all %s must be finite", name_,
+                     static_cast<long long>(i), name_);
+    }
     template <class F>
     void check(F&& look_at) const {
         runtime_.parallel.for_chunks(view_.count, copy_grain, [&](std::int64_t begin, std::int64_t end) {
@@ -71,6 +88,27 @@ void for_blocks(std::int64_t count, std::int64_t block_size, const base::Progres
         work(begin, end, progress.part(share(begin), share(end)));
     }
 }
+
+// Sets an answer; one that is finite, but not as the caller's float, is refused.
+class Answer {
+public:
+    explicit Answer(const char* name) noexcept : name_(name) {}
+
+    void set(const base::OutView& out, std::int64_t i, std::uint32_t component, double number) const {
+        if (out.scalar == base::Scalar::float32 && std::abs(number) > most && std::isfinite(number))
+            fail(Status::invalid_argument, "%s[%lld] is %.3g, which a FLOAT32 cannot hold: give an array of FLOAT64",
+                 name_, static_cast<long long>(i), number);
+        out.set(i, component, number);
+    }
+    void set(const base::OutView& out, std::int64_t i, const glm::dvec3& v, std::uint32_t first_component = 0) const {
+        for (std::uint32_t axis = 0; axis < 3; ++axis)
+            set(out, i, first_component + axis, v[static_cast<glm::length_t>(axis)]);
+    }
+
+private:
+    static constexpr double most = std::numeric_limits<float>::max();
+    const char* name_;
+};
 
 inline void set_vector(const base::OutView& out, std::int64_t i, const glm::dvec3& v,
                        std::uint32_t first_component = 0) noexcept {

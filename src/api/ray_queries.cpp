@@ -60,14 +60,17 @@ struct RayOutputs {
 
 // Ray i of the block is ray first + i of the outputs.
 void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maximum_hits, const RayOutputs& out,
-               std::int64_t first) noexcept {
+               std::int64_t first) {
     if (out.hits) out.hits.set(first + i, 0, static_cast<double>(block.count[i]));
     if (out.status) out.status.set(first + i, 0, static_cast<double>(block.status[i]));
     for (std::int64_t h = 0; h < maximum_hits; ++h) {
         const std::int64_t at = i * maximum_hits + h;
         const auto component = static_cast<std::uint32_t>(h);
-        if (out.t) out.t.set(first + i, component, block.t[at]);
-        if (out.position) set_vector(out.position, first + i, block.position[at], 3 * component);
+        if (h < block.count[i] && !std::isfinite(block.t[at]))
+            fail(Status::invalid_argument, "directions[%lld] is so short that t is infinite: make it longer",
+                 static_cast<long long>(first + i));
+        if (out.t) Answer("t").set(out.t, first + i, component, block.t[at]);
+        if (out.position) Answer("position").set(out.position, first + i, block.position[at], 3 * component);
         if (out.normal) set_vector(out.normal, first + i, block.normal[at], 3 * component);
         if (out.entering) out.entering.set(first + i, component, static_cast<double>(block.entering[at]));
     }

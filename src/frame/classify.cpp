@@ -39,7 +39,7 @@ public:
     void operator()(std::int64_t place) const noexcept {
         const std::int64_t mark = place - run_.first;
         out_.mark_class[place] = MarkClass::none;
-        const glm::vec3 eye = item_.to_eye * vector_at(run_.marks->position, mark) + item_.eye_offset;
+        const glm::vec3 eye = item_.to_eye * item_.place(*run_.marks, mark) + item_.eye_offset;
         const glm::vec4 clip = lens_.window * glm::vec4(eye, 1.0F);
         if (!(clip.w > 0.0F)) return; // behind the camera
         const float ppe = lens_.pixels / clip.w;

@@ -24,14 +24,14 @@ void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Ink& ink
     const glm::dmat3 back = glm::inverse(to_eye);
     const double pixel = 1.0 / (static_cast<double>(ink.ppe) * std::cbrt(std::abs(glm::determinant(to_eye))));
     const double off = ink.mark_class == MarkClass::silhouette ? off_contour : off_sheet;
-    const glm::dvec3 from = glm::dvec3(sampling::vector_at(run.marks->position, mark)) +
+    const glm::dvec3 from = glm::dvec3(item.place(*run.marks, mark)) +
                             off * pixel * glm::dvec3(sampling::vector_at(run.marks->normal, mark));
     const glm::dvec3 centre(scene.lens.centre);
     const bool parallel = scene.lens.centre.w == 0.0F;
     // The direction's length does not matter where lines of sight are parallel: rays end with the model's bounds.
     const glm::dvec3 to = parallel ? from - back * centre : back * (centre - glm::dvec3(item.eye_offset));
-    rays_.origin.push_back(from + item.origin);
-    rays_.direction.push_back(to - from);
+    rays_.origin.push_back(item.unit * from + item.origin);
+    rays_.direction.push_back(item.unit * (to - from));
 }
 
 void ExactVisibility::ask(const base::Runtime& runtime, const Scene& scene, std::int32_t item, std::span<Ink> inks) {
@@ -42,7 +42,7 @@ void ExactVisibility::ask(const base::Runtime& runtime, const Scene& scene, std:
     if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // at the eye
     surface::cast_rays(runtime, *view.model, settings, rays_, hits_, {});
     for (std::int64_t i = 0; i < asked_.size(); ++i) {
-        const glm::dvec3 sight = -rays_.direction[i];
+        const glm::dvec3 sight = rays_.direction[i] / -view.unit;
         for (std::int32_t hit = 0; hit < hits_.count[i]; ++hit) {
             const glm::dvec3 n = hits_.normal[i * most_sheets + hit];
             const double nu = glm::dot(n, sight) / glm::length(sight);

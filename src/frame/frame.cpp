@@ -3,6 +3,7 @@
 #include "frame/painted_frame.h"
 #include "frame/scene.h"
 #include "frame/sheet_frame.h"
+#include "geometry/unit.h"
 
 #include <algorithm>
 
@@ -12,6 +13,11 @@ namespace {
 [[nodiscard]] glm::vec3 unit_or_zero(const glm::vec3& v) noexcept {
     const float length = glm::length(v);
     return length > 0.0F ? v / length : glm::vec3(0.0F);
+}
+
+// The linear part, so that squares of what it gives are floats: lengths do not matter.
+[[nodiscard]] glm::mat3 of_moderate_scale(const glm::dmat4& m) noexcept {
+    return glm::mat3(glm::dmat3(m) / geometry::unit_for(mean_scale(m)));
 }
 
 } // namespace
@@ -74,10 +80,9 @@ Frame::MarkSource Frame::source(const Disc& disc) const noexcept {
     const ItemView& item = scene.item_of(run);
     const std::int64_t mark = disc.id - run.first_id;
     MarkSource source;
-    source.position = glm::vec3(item.to_world * glm::dvec4(sampling::vector_at(run.marks->position, mark), 1.0));
+    source.position = glm::vec3(item.to_world * glm::dvec4(item.place(*run.marks, mark), 1.0));
     source.normal = unit_or_zero(item.normal_to_world * sampling::vector_at(run.marks->normal, mark));
-    source.direction =
-        unit_or_zero(glm::mat3(glm::dmat3(item.to_world)) * sampling::vector_at(run.marks->direction, mark));
+    source.direction = unit_or_zero(of_moderate_scale(item.to_world) * sampling::vector_at(run.marks->direction, mark));
     return source;
 }
 

@@ -20,6 +20,8 @@ void require_finite(const glm::dmat4& m, const char* name) {
     }
 }
 
+} // namespace
+
 void check(const Camera& camera) {
     require_finite(camera.view, "view");
     require_finite(camera.projection, "projection");
@@ -37,6 +39,8 @@ void check(const Camera& camera) {
     if (!(mean_scale(camera.view) > 0.0))
         fail(Status::invalid_argument, "camera.view is singular; it must be invertible");
 }
+
+namespace {
 
 // The point of eye space that has no image, where all lines of sight meet: the common null
 // vector of the x, y and w rows.  At infinity for parallel projections.
@@ -78,7 +82,6 @@ double mean_scale(const glm::dmat4& transform) noexcept {
 }
 
 Lens make_lens(const Camera& camera) {
-    check(camera);
     Lens lens;
     lens.window = glm::mat4(window_matrix(camera));
     lens.centre = glm::vec4(centre_of_projection(camera.projection));

@@ -20,6 +20,8 @@ struct Lens {
 };
 
 // Throws Error{invalid_argument} for a camera that cannot be drawn with.
+void check(const Camera& camera);
+// Of a checked camera; its projection may still be singular.
 [[nodiscard]] Lens make_lens(const Camera& camera);
 
 // The side of a cube of the same volume after the transform.

@@ -1,5 +1,7 @@
 #include "frame/scene.h"
 
+#include "geometry/unit.h"
+
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include <cmath>
@@ -33,17 +35,43 @@ void check_transform(const glm::dmat4& m, std::int64_t index) {
              static_cast<long long>(index));
 }
 
+// How far from the eye the items reach, in its space.
+double reach_of(std::span<const Item> items, const Camera& camera) noexcept {
+    double farthest = 0.0;
+    for (const Item& item : items) {
+        if (item.set->bounds.empty()) continue;
+        const glm::dmat4 to_eye = camera.view * item.transform;
+        const double middle = glm::length(glm::dvec3(to_eye * glm::dvec4(item.set->bounds.centre(), 1.0)));
+        farthest = std::max(farthest, middle + 0.5 * mean_scale(to_eye) * item.set->bounds.diagonal());
+    }
+    return farthest;
+}
+
+// The same camera, whose eye space is measured in that unit.  Projections give the same pixels for any factor.
+Camera in_unit(Camera camera, double unit) noexcept {
+    if (unit == 1.0) return camera;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row) camera.view[column][row] /= unit;
+    for (int column = 0; column < 3; ++column) camera.projection[column] *= unit;
+    double largest = 0.0; // of what w is made of
+    for (int column = 0; column < 4; ++column) largest = std::max(largest, std::abs(camera.projection[column][3]));
+    camera.projection /= geometry::unit_for(largest);
+    return camera;
+}
+
 ItemView view_of(const Item& item, const Camera& camera) {
     ItemView view;
     view.style = item.style;
     view.model = item.model;
     view.origin = item.set->origin;
+    view.unit = item.set->unit;
     if (!item.set->bounds.empty()) {
-        view.centre = glm::vec3(item.set->bounds.centre() - item.set->origin);
-        view.radius = static_cast<float>(0.5 * item.set->bounds.diagonal() * 1.0001);
+        view.centre = glm::vec3((item.set->bounds.centre() - item.set->origin) / view.unit);
+        view.radius = static_cast<float>(0.5 * item.set->bounds.diagonal() / view.unit * 1.0001);
     }
     // Far from the world's origin the large numbers cancel here, in double.
     view.to_world = item.transform;
+    for (int axis = 0; axis < 3; ++axis) view.to_world[axis] *= view.unit;
     view.to_world[3] = item.transform * glm::dvec4(item.set->origin, 1.0);
     const glm::dmat4 to_eye = camera.view * view.to_world;
     view.to_eye = glm::mat3(glm::dmat3(to_eye));
@@ -168,7 +196,9 @@ std::int64_t Marks::bytes() const noexcept {
 
 std::int64_t Scene::bytes() const noexcept { return items.bytes() + runs.bytes() + chunks.bytes() + marks.bytes(); }
 
-void set_up(Scene& scene, std::span<const Item> items, const Camera& camera) {
+void set_up(Scene& scene, std::span<const Item> items, const Camera& given) {
+    check(given);
+    const Camera camera = in_unit(given, geometry::unit_for(reach_of(items, given)));
     scene.lens = make_lens(camera);
     scene.items.clear();
     scene.runs.clear();

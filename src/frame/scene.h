@@ -13,7 +13,8 @@ struct ItemView {
     Style style;
     const implicit::Implicit* model = nullptr;
     glm::dvec3 origin{0.0}; // of the set's positions
-    glm::vec3 centre{0.0F}; // of a ball around them, relative to that
+    double unit = 1.0;      // in which positions are taken from here on: that of the set's clusters
+    glm::vec3 centre{0.0F}; // of a ball around them, relative to the origin
     float radius = 0.0F;
     glm::mat3 to_eye{1.0F}; // of positions relative to the set's origin
     glm::vec3 eye_offset{0.0F};
@@ -22,6 +23,11 @@ struct ItemView {
     glm::vec3 light{0.0F};           // unit
     glm::dmat4 to_world{1.0};        // of positions relative to the set's origin
     glm::mat3 normal_to_world{1.0F};
+
+    // Of a mark by its number in the group, relative to the set's origin.
+    [[nodiscard]] glm::vec3 place(const sampling::MarkGroup& marks, std::int64_t mark) const noexcept {
+        return glm::vec3(glm::dvec3(sampling::vector_at(marks.position, mark)) / unit);
+    }
 };
 
 // The marks of one group of one item that take part in the frame.

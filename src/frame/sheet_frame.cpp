@@ -4,6 +4,7 @@
 #include "frame/scratch.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -19,7 +20,7 @@ SheetFrame::SheetFrame(const base::Runtime& runtime) noexcept
 
 void SheetFrame::run(Scene& scene) {
     base::Stopwatch watch;
-    has_discs_ = false;
+    const bool wants_discs = std::exchange(has_discs_, false);
     take_colors(scene);
     gather_.run(scene);
     inks_ = gather_.inks();
@@ -39,6 +40,10 @@ void SheetFrame::run(Scene& scene) {
         info_.shown -= exact_.attenuate(runtime_, scene, inks_, gather_.ink_pieces());
     info_.dropped_hidden = inks - info_.shown;
     info_.nanoseconds_visibility = watch.nanoseconds();
+    if (!wants_discs) return;
+    watch.restart();
+    make_discs(runtime_.parallel);
+    info_.nanoseconds_sort += watch.nanoseconds();
 }
 
 void SheetFrame::take_colors(const Scene& scene) {
@@ -81,8 +86,14 @@ bool SheetFrame::before(std::uint32_t a, std::uint32_t b) const noexcept {
     return inks_[a].depth != inks_[b].depth ? inks_[a].depth > inks_[b].depth : a < b;
 }
 
-std::span<const Disc> SheetFrame::discs() {
-    if (has_discs_) return discs_.span();
+// Serially: a host's job runner must not be called under the lock, as its threads may come here meanwhile.
+std::span<const Disc> SheetFrame::discs() const {
+    const std::scoped_lock lock(making_);
+    if (!has_discs_) make_discs(base::Parallel());
+    return std::as_const(discs_).span();
+}
+
+void SheetFrame::make_discs(const base::Parallel& parallel) const {
     keys_.clear();
     keys_.reserve(info_.shown);
     for (const Piece& piece : gather_.ink_pieces()) {
@@ -91,9 +102,9 @@ std::span<const Disc> SheetFrame::discs() {
             if (ink.alpha > 0.0F) keys_.push_back(far_first_key(ink.depth, static_cast<std::uint32_t>(i)));
         }
     }
-    order_.sort(runtime_.parallel, keys_);
+    order_.sort(parallel, keys_);
     resize_scratch(discs_, keys_.size());
-    runtime_.parallel.for_chunks(keys_.size(), disc_grain, [&](std::int64_t begin, std::int64_t end) {
+    parallel.for_chunks(keys_.size(), disc_grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const Ink& ink = inks_[static_cast<std::uint32_t>(keys_[i])];
             glm::vec4 color = colors_[ink.color];
@@ -102,7 +113,6 @@ std::span<const Disc> SheetFrame::discs() {
         }
     });
     has_discs_ = true;
-    return discs_.span();
 }
 
 std::int64_t SheetFrame::bytes() const noexcept {

@@ -6,6 +6,8 @@
 #include "frame/order.h"
 #include "frame/sheets.h"
 
+#include <mutex>
+
 namespace hrbfnpr::frame {
 
 class SheetFrame {
@@ -32,8 +34,9 @@ public:
     // Whether a is painted before b.
     [[nodiscard]] bool before(std::uint32_t a, std::uint32_t b) const noexcept;
 
-    // The inks as discs, far to near; made when first asked for after run().
-    [[nodiscard]] std::span<const Disc> discs();
+    // The inks as discs, far to near; made when first asked for after run(), or by it if they were asked for after
+    // the run before.  On several threads at the same time.
+    [[nodiscard]] std::span<const Disc> discs() const;
 
     [[nodiscard]] const FrameInfo& info() const noexcept { return info_; }
     [[nodiscard]] std::int64_t bytes() const noexcept;
@@ -41,6 +44,7 @@ public:
 private:
     void take_colors(const Scene& scene);
     void bin(const Scene& scene);
+    void make_discs(const base::Parallel& parallel) const;
 
     const base::Runtime& runtime_;
     Gather gather_;
@@ -49,15 +53,16 @@ private:
     TileBins ink_bins_;
     std::span<Ink> inks_;
     base::Array<glm::vec4> colors_;
-    FarToNear order_;
-    base::Array<std::uint64_t> keys_;
-    base::Array<Disc> discs_;
+    mutable std::mutex making_; // what stands here, up to has_discs_
+    mutable FarToNear order_;
+    mutable base::Array<std::uint64_t> keys_;
+    mutable base::Array<Disc> discs_;
+    mutable bool has_discs_ = false;
     FrameInfo info_;
     glm::ivec2 first_pixel_{0};
     glm::vec4 ink_color_{0.0F}; // if there is but one
     bool one_color_ = true;
     bool has_sheets_ = false;
-    bool has_discs_ = false;
 };
 
 } // namespace hrbfnpr::frame

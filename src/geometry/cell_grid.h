@@ -12,6 +12,12 @@
 
 namespace hrbfnpr::geometry {
 
+// The number as a whole one from 0 to `last`; 0 for what is no number.
+[[nodiscard]] inline std::int64_t whole(double number, std::int64_t last) noexcept {
+    const auto most = static_cast<double>(last);
+    return static_cast<std::int64_t>(number > 0.0 ? (number < most ? number : most) : 0.0);
+}
+
 // Cell (i, j, k) is origin + side * [i, i + 1] x [j, j + 1] x [k, k + 1], each number in [0, most).
 struct CellGrid {
     static constexpr int bits = 21;
@@ -23,9 +29,8 @@ struct CellGrid {
     using Cell = std::array<std::int64_t, 3>;
 
     [[nodiscard]] Cell cell_of(const glm::dvec3& p) const noexcept {
-        const glm::dvec3 at =
-            glm::clamp((p - origin) / side, glm::dvec3(0.0), glm::dvec3(static_cast<double>(most - 1)));
-        return {static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y), static_cast<std::int64_t>(at.z)};
+        const glm::dvec3 at = (p - origin) / side;
+        return {whole(at.x, most - 1), whole(at.y, most - 1), whole(at.z, most - 1)};
     }
     [[nodiscard]] glm::dvec3 corner(const Cell& cell) const noexcept {
         return origin + side * glm::dvec3(static_cast<double>(cell[0]), static_cast<double>(cell[1]),

@@ -1,5 +1,6 @@
 #include "geometry/octree.h"
 
+#include "geometry/cell_grid.h"
 #include "geometry/morton.h"
 
 #include <algorithm>
@@ -83,9 +84,7 @@ void Octree::sort(const VecArray& points) {
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const glm::dvec3 place = (points[i] - corner_) * (cells / width_);
         std::array<std::int64_t, 3> cell;
-        for (std::size_t c = 0; c < 3; ++c)
-            cell[c] =
-                std::clamp<std::int64_t>(static_cast<std::int64_t>(place[static_cast<glm::length_t>(c)]), 0, last);
+        for (std::size_t c = 0; c < 3; ++c) cell[c] = whole(place[static_cast<glm::length_t>(c)], last);
         keyed[i] = {morton_code(cell), i};
     }
     std::sort(keyed.begin(), keyed.end(),

@@ -1,5 +1,6 @@
 #include "sampling/blue_noise.h"
 
+#include "geometry/morton.h"
 #include "sampling/candidates.h"
 #include "sampling/crowds.h"
 #include "sampling/progressive_order.h"
@@ -19,6 +20,30 @@ constexpr double cell_spacings = 2.2;
 constexpr double candidates_per_mark = 3.5;
 constexpr std::int64_t fewest_candidates = 6000;
 constexpr std::int64_t settled_at_once = 262144;
+
+constexpr int most_rounds = 8;
+// Cells along the longest side of a surface that is to be drawn.
+constexpr std::int64_t fewest_across = 8;
+
+// Later rounds are those of small surfaces in large boxes.
+base::Progress part_of(const base::Progress& progress, int round) noexcept {
+    return progress.part(1.0 - std::exp2(-round), 1.0 - std::exp2(-round - 1));
+}
+
+// Of the box around all cells, the longest side.
+std::int64_t cells_across(const SurfaceCells& cells) noexcept {
+    if (cells.cell.empty()) return 0;
+    geometry::CellGrid::Cell low = geometry::morton_cell(cells.cell[0].code);
+    geometry::CellGrid::Cell high = low;
+    for (const SurfaceCell& cell : cells.cell) {
+        const geometry::CellGrid::Cell at = geometry::morton_cell(cell.code);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], at[axis]);
+            high[axis] = std::max(high[axis], at[axis]);
+        }
+    }
+    return 1 + std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+}
 
 // The samples' box and as much around it as the surface is known beyond its samples.  Another sheet
 // that the function happens to have farther out, and an open sheet's continuation, stay outside.
@@ -131,14 +156,23 @@ SurfaceCells cover_surface(const Site& site, const Seeds& seeds, const SampleHin
     SurfaceCells cells(site.memory());
     // A small surface in a large box tells its area only by cells that are small to it: as long as the
     // estimate asks for finer cells by more than a tenth, they are found anew.
+    const double finest = diagonal / finest_cells;
     double side = diagonal / coarsest_cells;
-    for (int round = 0; round < 4; ++round) {
-        cells = find_surface_cells(site, seeds.position, region, side, progress.part(0.25 * round, 0.25 * (round + 1)));
+    for (int round = 0; round < most_rounds; ++round) {
+        cells = find_surface_cells(site, seeds.position, region, side, part_of(progress, round));
         const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(marks));
-        const double wanted = std::max(cell_spacings * spacing, diagonal / finest_cells);
+        // What a few cells hold tells neither its shape nor its area.
+        const bool known = cells_across(cells) >= fewest_across;
+        const double wanted = known ? std::max(cell_spacings * spacing, finest) : std::max(0.25 * side, finest);
         if (wanted > 0.9 * side) break;
         side = wanted;
     }
+    if (cells_across(cells) < fewest_across)
+        fail(Status::invalid_argument,
+             "the surface is no more than %.2g across, and the bounds that its marks may lie in are %.2g: give bounds "
+             "that fit it (at most %g times as wide)",
+             site.unit * side * static_cast<double>(cells_across(cells)), site.unit * diagonal,
+             finest_cells / static_cast<double>(fewest_across));
     return cells;
 }
 

@@ -11,6 +11,8 @@ namespace {
 constexpr int most_rounds = 4;
 // Less than this part of the wanted calls for another round.
 constexpr double enough = 0.85;
+// Trials for each of the wanted, where planes and the surface do not agree.
+constexpr double most_trials = 256.0;
 // Candidates at random leave gaps: to serve as well as evenly spread ones there must be more of them.
 constexpr double layer_density = 1.4;
 constexpr std::int64_t cells_of_task = 2048;
@@ -26,7 +28,7 @@ void draw(const SurfaceCells& cells, PlaneCandidates& planes, LayerCandidates& l
           const base::Progress& progress) {
     double density = static_cast<double>(wanted) / cells.rough_area();
     for (int round = 0; round < most_rounds; ++round) {
-        planes.draw(density);
+        planes.draw(density, most_trials * static_cast<double>(wanted), progress);
         layer.draw(layer_density * density, progress.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8));
         const double placed =
             static_cast<double>(planes.count()) + static_cast<double>(layer.feet().size()) / layer_density;
@@ -87,7 +89,7 @@ Candidates draw_candidates(const Site& site, const SurfaceCells& cells, std::int
     candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
     const geometry::CellMap numbers(site.memory(), codes_of(site, cells));
-    PlaneCandidates planes(site, cells, numbers, group);
+    PlaneCandidates planes(site, cells, numbers, group, progress);
     LayerCandidates layer(site, cells, numbers, planes.kind(), group, wanted);
     draw(cells, planes, layer, wanted, progress);
     merge(site, cells, planes, layer.feet(), candidates);

@@ -1,6 +1,8 @@
 #include "sampling/cluster_marks.h"
 
+#include "geometry/cell_grid.h"
 #include "geometry/morton.h"
+#include "geometry/unit.h"
 
 #include <glm/matrix.hpp>
 
@@ -18,12 +20,23 @@ struct Keyed {
     std::uint32_t mark;
 };
 
+// Curvatures beyond it, as of marks at one place with different normals, are none.
+constexpr double most_bend = 1e30;
+
 struct Turn {
     glm::dmat3 shape{0.0};
     double bend = -1.0;
 };
 
 [[nodiscard]] glm::dvec3 precise(const base::Array<float>& a, std::int64_t i) noexcept { return vector_at(a, i); }
+
+// A power of two in which the positions of all groups are of ordinary size.
+[[nodiscard]] double unit_of(const PointSet& set) noexcept {
+    float largest = 0.0F;
+    for (const MarkGroup& group : set.group)
+        for (const float coordinate : group.position) largest = std::max(largest, std::abs(coordinate));
+    return geometry::unit_for(double{largest});
+}
 
 [[nodiscard]] std::uint64_t side_of(const glm::dvec3& n) noexcept {
     const glm::dvec3 a = glm::abs(n);
@@ -33,8 +46,9 @@ struct Turn {
 
 class Clustering {
 public:
-    Clustering(MarkGroup& group, bool strokes, MarkClusters& result)
-        : group_(group), strokes_(strokes), result_(result), order_(group.rank.memory(), group.count()) {}
+    Clustering(MarkGroup& group, bool strokes, double unit, MarkClusters& result, const base::Progress& progress)
+        : group_(group), strokes_(strokes), unit_(unit), result_(result), progress_(progress),
+          order_(group.rank.memory(), group.count()) {}
 
     void run() {
         if (group_.count() == 0) return;
@@ -44,16 +58,20 @@ public:
     }
 
 private:
+    [[nodiscard]] glm::dvec3 place(std::int64_t mark) const noexcept { return precise(group_.position, mark) / unit_; }
+
     void sort() {
         geometry::Bounds bounds;
-        for (std::int64_t i = 0; i < order_.size(); ++i) bounds.extend(precise(group_.position, i));
+        for (std::int64_t i = 0; i < order_.size(); ++i) bounds.extend(place(i));
         const glm::dvec3 size = bounds.size();
         const double side = std::max({size.x, size.y, size.z});
         const double scale = side > 0.0 ? ((1 << cell_bits) - 1) / side : 0.0;
         for (std::int64_t i = 0; i < order_.size(); ++i) {
-            const glm::dvec3 at = (precise(group_.position, i) - bounds.min) * scale;
+            if (i % 65536 == 0) progress_.check();
+            const glm::dvec3 at = (place(i) - bounds.min) * scale;
+            constexpr std::int64_t last = (1 << cell_bits) - 1;
             const std::uint64_t code = geometry::morton_code(
-                {static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y), static_cast<std::int64_t>(at.z)});
+                {geometry::whole(at.x, last), geometry::whole(at.y, last), geometry::whole(at.z, last)});
             const std::uint64_t set = strokes_ ? group_.stroke[2 * i] & 1U : 0U;
             order_[i] = {(set * 8 + side_of(precise(group_.normal, i))) << (3 * cell_bits) | code,
                          static_cast<std::uint32_t>(i)};
@@ -80,6 +98,7 @@ private:
     }
 
     void close(std::int64_t begin, std::int64_t end, const Turn& turn) {
+        progress_.check();
         std::sort(order_.data() + begin, order_.data() + end, [&](const Keyed& a, const Keyed& b) {
             const float u = group_.rank[a.mark];
             const float v = group_.rank[b.mark];
@@ -92,19 +111,19 @@ private:
 
     // The linear map that takes the marks' offsets from their mean to the normals', in the sense of least squares.
     [[nodiscard]] Turn turn_of(std::int64_t begin, std::int64_t end) const {
-        glm::dvec3 place(0.0);
+        glm::dvec3 middle(0.0);
         glm::dvec3 normal(0.0);
         for (std::int64_t i = begin; i < end; ++i) {
-            place += precise(group_.position, order_[i].mark);
+            middle += place(order_[i].mark);
             normal += precise(group_.normal, order_[i].mark);
         }
         const double count = static_cast<double>(end - begin);
-        place /= count;
+        middle /= count;
         normal /= count;
         glm::dmat3 spread(0.0);
         glm::dmat3 mixed(0.0);
         for (std::int64_t i = begin; i < end; ++i) {
-            const glm::dvec3 p = precise(group_.position, order_[i].mark) - place;
+            const glm::dvec3 p = place(order_[i].mark) - middle;
             const glm::dvec3 n = precise(group_.normal, order_[i].mark) - normal;
             spread += glm::outerProduct(p, p);
             mixed += glm::outerProduct(n, p);
@@ -120,7 +139,7 @@ private:
         // Of a symmetric map of a plane, from its trace and its Frobenius norm.  [Kindlmann et al. 2003]
         const double t = turn.shape[0][0] + turn.shape[1][1] + turn.shape[2][2];
         turn.bend = 0.5 * (std::abs(t) + std::sqrt(std::max(0.0, 2.0 * squares - t * t)));
-        return std::isfinite(turn.bend) ? turn : Turn{};
+        return turn.bend <= most_bend ? turn : Turn{};
     }
 
     [[nodiscard]] Cluster cluster_of(std::int64_t begin, std::int64_t end, const Turn& turn) const {
@@ -130,7 +149,7 @@ private:
         geometry::Bounds bounds;
         glm::dvec3 sum(0.0);
         for (std::int64_t i = begin; i < end; ++i) {
-            bounds.extend(precise(group_.position, order_[i].mark));
+            bounds.extend(place(order_[i].mark));
             sum += precise(group_.normal, order_[i].mark);
         }
         const glm::dvec3 centre = bounds.centre();
@@ -138,7 +157,7 @@ private:
         double radius = 0.0;
         double cosine = 1.0;
         for (std::int64_t i = begin; i < end; ++i) {
-            radius = std::max(radius, glm::length(precise(group_.position, order_[i].mark) - centre));
+            radius = std::max(radius, glm::length(place(order_[i].mark) - centre));
             cosine = std::min(cosine, glm::dot(axis, precise(group_.normal, order_[i].mark)));
         }
         for (int k = 0; k < 3; ++k) {
@@ -172,23 +191,26 @@ private:
         }
     }
 
-    void put(std::int64_t place, std::int64_t mark) {
-        MarkBlock& block = result_.block[place / MarkBlock::size];
-        const std::int64_t at = place % MarkBlock::size;
-        block.x[at] = group_.position[3 * mark];
-        block.y[at] = group_.position[3 * mark + 1];
-        block.z[at] = group_.position[3 * mark + 2];
+    void put(std::int64_t slot, std::int64_t mark) {
+        MarkBlock& block = result_.block[slot / MarkBlock::size];
+        const std::int64_t at = slot % MarkBlock::size;
+        const glm::vec3 p(place(mark));
+        block.x[at] = p.x;
+        block.y[at] = p.y;
+        block.z[at] = p.z;
         block.nx[at] = group_.normal[3 * mark];
         block.ny[at] = group_.normal[3 * mark + 1];
         block.nz[at] = group_.normal[3 * mark + 2];
         block.rank[at] = group_.rank[mark];
         block.mark[at] = static_cast<std::uint32_t>(mark);
-        if (!group_.width.empty()) result_.width[place] = group_.width[mark];
+        if (!group_.width.empty()) result_.width[slot] = group_.width[mark];
     }
 
     MarkGroup& group_;
     bool strokes_;
+    double unit_;
     MarkClusters& result_;
+    const base::Progress& progress_;
     base::Array<Keyed> order_;
 };
 
@@ -196,11 +218,12 @@ private:
 
 std::int64_t MarkClusters::bytes() const noexcept { return block.bytes() + width.bytes() + cluster.bytes(); }
 
-void cluster_marks(const base::Runtime& runtime, PointSet& set) {
+void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Progress& progress) {
+    set.unit = unit_of(set);
     runtime.parallel.for_each(group_count, [&](std::int64_t group) {
         const auto g = static_cast<std::size_t>(group);
         set.group[g].clusters = MarkClusters(runtime.memory);
-        Clustering(set.group[g], g != 0, set.group[g].clusters).run();
+        Clustering(set.group[g], g != 0, set.unit, set.group[g].clusters, progress).run();
     });
 }
 

@@ -1,12 +1,13 @@
 // Cuts the marks of a finished set into clusters.
 #pragma once
 
+#include "base/operation.h"
 #include "base/runtime.h"
 #include "sampling/point_set.h"
 
 namespace hrbfnpr::sampling {
 
-// Fills set.clusters from set.group.  Bits do not depend on the number of threads.
-void cluster_marks(const base::Runtime& runtime, PointSet& set);
+// Fills set.unit and the groups' clusters.  Any finite numbers will do.  Bits do not depend on the number of threads.
+void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Progress& progress = {});
 
 } // namespace hrbfnpr::sampling

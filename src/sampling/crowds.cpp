@@ -30,8 +30,9 @@ public:
     [[nodiscard]] bool maybe(const glm::dvec3& p) const noexcept {
         if (!box_.contains(p)) return false;
         const glm::dvec3 at = cells_of_length_ * (p - grid_.origin);
+        constexpr std::int64_t last = geometry::CellGrid::most - 1;
         const std::uint64_t bit =
-            bit_of({static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y), static_cast<std::int64_t>(at.z)});
+            bit_of({geometry::whole(at.x, last), geometry::whole(at.y, last), geometry::whole(at.z, last)});
         return (bits_[static_cast<std::int64_t>(bit / 64)] >> bit % 64 & 1U) != 0;
     }
 

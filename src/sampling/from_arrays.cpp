@@ -1,6 +1,7 @@
 #include "geometry/tangent_frame.h"
 #include "sampling/assemble.h"
 #include "sampling/generate.h"
+#include "sampling/in_unit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,11 @@ namespace {
 using base::InView;
 
 long long number(std::int64_t i) noexcept { return static_cast<long long>(i); }
+
+// So that its square is neither 0 nor infinite.
+glm::dvec3 of_moderate_length(const glm::dvec3& v) noexcept {
+    return v / geometry::unit_for(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+}
 
 // Copies one group's arrays, checking every number; `group` is its number for messages.
 class Importer {
@@ -54,14 +60,17 @@ void Importer::check_count(const InView& view, const char* name, bool needed) co
 
 double Importer::finite(const InView& view, const char* name, std::int64_t i, std::uint32_t component) const {
     const double value = view.get(i, component);
-    // What a float cannot hold would become infinite in the set.
-    if (!std::isfinite(value) || std::abs(value) > 3.4e38)
+    if (!std::isfinite(value))
         fail(Status::invalid_argument, "group[%d].%s[%lld] is not finite", group_, name, number(i));
+    // It would become infinite in the set.
+    if (std::abs(value) > 3.4e38)
+        fail(Status::invalid_argument, "group[%d].%s[%lld] is %g, which a float cannot hold: scale the marks", group_,
+             name, number(i), value);
     return value;
 }
 
 glm::dvec3 Importer::normal(std::int64_t i) const {
-    const glm::dvec3 n = vector(arrays_.normal, "normal", i);
+    const glm::dvec3 n = of_moderate_length(vector(arrays_.normal, "normal", i));
     const double length = glm::length(n);
     if (!(length > 0.0) || !std::isfinite(length))
         fail(Status::invalid_argument, "group[%d].normal[%lld] is zero: every mark needs a normal", group_, number(i));
@@ -71,7 +80,7 @@ glm::dvec3 Importer::normal(std::int64_t i) const {
 // Made tangent: a stroke has no part along its normal.
 glm::dvec3 Importer::direction(std::int64_t i, const glm::dvec3& n) const {
     if (arrays_.direction.empty()) return geometry::stipple_frame(n).u;
-    const glm::dvec3 d = vector(arrays_.direction, "direction", i);
+    const glm::dvec3 d = of_moderate_length(vector(arrays_.direction, "direction", i));
     const glm::dvec3 tangent = d - glm::dot(d, n) * n;
     const double length = glm::length(tangent);
     if (!(length > 1e-6 * glm::length(d)))
@@ -175,6 +184,7 @@ PointSet from_arrays(const base::Runtime& runtime, const std::array<GroupArrays,
                                        "another group");
     const std::array<const geometry::VecArray*, group_count> all = {&positions[0], &positions[1], &positions[2]};
     measure(runtime, all, 0.0, set, {});
+    if (const double side = set.bounds.longest_side(); side > 0.0) require_size("the marks are", side, "positions");
     for (int group = 0; group < group_count; ++group) {
         const auto g = static_cast<std::size_t>(group);
         Importer(arrays[g], group, random_seed, set.group[g]).relative_positions(positions[g], set.origin);

@@ -6,6 +6,7 @@
 #include "sampling/graded.h"
 #include "sampling/growth.h"
 #include "sampling/hatch.h"
+#include "sampling/in_unit.h"
 #include "sampling/seeds.h"
 
 #include <algorithm>
@@ -36,9 +37,10 @@ private:
     void blue_noise();
     void blue_noise_stipples(const SurfaceCells& cells);
     void blue_noise_strokes(const SurfaceCells& cells, Group group);
-    [[nodiscard]] std::int64_t checked_budget(Group group) const;
+    [[nodiscard]] std::int64_t budget_of(Group group) const noexcept;
     [[nodiscard]] std::int64_t stroke_budget(Group group) const;
     [[nodiscard]] std::int64_t spread_marks(Group group) const;
+    void require_some() const;
     void finish();
 
     const Site& site_;
@@ -115,28 +117,24 @@ void Generation::paper() {
 // 0 = no limit: only where the separation of strokes limits them.
 std::int64_t Generation::stroke_budget(Group group) const {
     const std::int64_t budget = settings_.group[at(group)].budget;
-    return budget == 0 && settings_.stroke_separation > 0.0 ? 0 : checked_budget(group);
+    return budget == 0 && settings_.stroke_separation > 0.0 ? 0 : budget_of(group);
 }
 
-std::int64_t Generation::checked_budget(Group group) const {
+std::int64_t Generation::budget_of(Group group) const noexcept {
     const GroupSettings& settings = settings_.group[at(group)];
-    const std::int64_t budget = settings.budget > 0 ? settings.budget : default_budget;
-    if (budget > most_marks)
-        fail(Status::invalid_argument, "group[%d].budget = %lld: %lld marks are the most", static_cast<int>(group),
-             static_cast<long long>(budget), static_cast<long long>(most_marks));
-    return budget;
+    return settings.budget > 0 ? settings.budget : default_budget;
 }
 
 // Marks that are spread over the surface at once: stipples, or the samples of a field of directions.
 std::int64_t Generation::spread_marks(Group group) const {
-    return group == Group::stipple ? checked_budget(group) : field_samples_for(checked_budget(group));
+    return group == Group::stipple ? budget_of(group) : field_samples_for(budget_of(group));
 }
 
 void Generation::blue_noise_stipples(const SurfaceCells& cells) {
     const base::Stopwatch watch;
     GroupReport& report = set_.group[0].report;
-    EvenMarks even = spread_by_density(site_, cells, checked_budget(Group::stipple), settings_.density,
-                                       group_progress(Group::stipple));
+    EvenMarks even =
+        spread_by_density(site_, cells, budget_of(Group::stipple), settings_.density, group_progress(Group::stipple));
     Marks& marks = marks_[0];
     const std::int64_t count = even.position.size();
     marks.position = std::move(even.position);
@@ -181,7 +179,28 @@ void Generation::blue_noise() {
 
 // --------------------------------------------------------------------------------------------
 
+void Generation::require_some() const {
+    LevelReport all;
+    for (std::size_t group = 0; group < marks_.size(); ++group) {
+        if (marks_[group].count() > 0) return;
+        for (const LevelReport& level : set_.group[group].report.level) {
+            all.attempted += level.attempted;
+            all.dropped_not_converged += level.dropped_not_converged;
+            all.dropped_strayed += level.dropped_strayed;
+            all.dropped_degenerate += level.dropped_degenerate;
+        }
+    }
+    // A budget of a few marks may be too small for the shortest stroke.
+    if (all.attempted == 0 && settings_.stroke_separation == 0.0 && settings_.stroke_step == 0.0) return;
+    fail(Status::not_converged,
+         "no mark could be placed: of %lld, %lld did not converge, %lld strayed and %lld were degenerate; no stroke is "
+         "shorter than 2.5 times stroke_separation, or has a stroke_step below the projection_tolerance",
+         static_cast<long long>(all.attempted), static_cast<long long>(all.dropped_not_converged),
+         static_cast<long long>(all.dropped_strayed), static_cast<long long>(all.dropped_degenerate));
+}
+
 void Generation::finish() {
+    require_some();
     const std::array<const geometry::VecArray*, group_count> positions = {&marks_[0].position, &marks_[1].position,
                                                                           &marks_[2].position};
     measure(site_.runtime, positions, area_, set_, progress_.part(0.95, 0.95));
@@ -239,9 +258,12 @@ double expected_evaluations(const SampleHint& samples, const GenerateSettings& s
 
 PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
                   const GenerateSettings& settings, const base::Progress& progress) {
-    const Site site{runtime, implicit, settings.projection_tolerance, settings.random_seed};
-    Generation generation(site, samples, settings, progress);
-    return generation.run();
+    check_request(implicit, settings);
+    const InUnit in_unit(runtime, implicit, samples, settings);
+    const Site site = in_unit.site();
+    PointSet set = Generation(site, in_unit.samples(), in_unit.settings(), progress).run();
+    to_callers_unit(set, site.unit);
+    return set;
 }
 
 } // namespace hrbfnpr::sampling

@@ -53,6 +53,10 @@ struct SampleHint {
     double spacing = 0.0;
 };
 
+// What can be refused before any work: sizes that floats do not hold, lengths that make no sense beside the model's,
+// and budgets that are too large.  generate() and step_patches() check it themselves.
+void check_request(const implicit::Implicit& implicit, const GenerateSettings& settings);
+
 // Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
 [[nodiscard]] PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                 const SampleHint& samples, const GenerateSettings& settings,

@@ -59,7 +59,7 @@ private:
             packed_.resize(6 * count);
             for (std::int64_t i = 0; i < count; ++i)
                 for (int c = 0; c < 3; ++c) {
-                    packed_[3 * i + c] = marks.position[begin + i][c];
+                    packed_[3 * i + c] = site_.unit * marks.position[begin + i][c];
                     packed_[3 * (count + i) + c] = marks.normal[begin + i][c];
                 }
             const std::int32_t result = settings_.function(settings_.user, count, packed_.data(),
@@ -107,8 +107,14 @@ EvenMarks spread_by_density(const Site& site, const SurfaceCells& cells, std::in
     if (!(mean > 0.0))
         fail(Status::invalid_argument, "the density is 0 at all of %lld places on the surface: no mark can be made",
              static_cast<long long>(probe.position.size()));
+    // About as many as remain of the most that are made.
+    const double remain = std::min(static_cast<double>(wanted), most_excess * static_cast<double>(wanted) * mean);
+    if (remain < 0.5)
+        fail(Status::invalid_argument,
+             "the density is %.3g on average, which leaves none of %lld marks: it is 1 where marks are to be densest",
+             mean, static_cast<long long>(wanted));
     const double all = std::min(margin * static_cast<double>(wanted) / std::max(mean, 1.0 / most_excess),
-                                static_cast<double>(most_marks));
+                                static_cast<double>(most_even_marks));
     const EvenMarks even =
         spread_evenly(site, cells, static_cast<std::int64_t>(all), Group::stipple, progress.part(0.15, 0.9));
     const base::Array<double> at = densities.at(even, progress.part(0.9, 1.0));
@@ -119,6 +125,10 @@ EvenMarks spread_by_density(const Site& site, const SurfaceCells& cells, std::in
     }
     std::sort(places.begin(), places.end());
     const std::int64_t kept = std::min(wanted, places.size());
+    if (kept == 0)
+        fail(Status::invalid_argument,
+             "the density leaves none of %lld marks where it was asked for: it is 1 where marks are to be densest",
+             static_cast<long long>(at.size()));
     EvenMarks marks(site.memory());
     marks.area = even.area;
     marks.report = even.report;

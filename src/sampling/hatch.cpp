@@ -15,6 +15,7 @@ constexpr std::int64_t sets = 2;
 constexpr double automatic_step = 0.2;
 // Strokes are traced in steps of this at most, in separations; longer ones between marks are divided.
 constexpr double longest_trace_step = 0.25;
+constexpr double most_divisions = 4e6;
 // Separations of the first pass in the diagonal of the surface.
 constexpr double first_pass = 3.0;
 constexpr int most_passes = 12;
@@ -61,14 +62,19 @@ void Hatching::measure(double area) {
     }
     step_ = settings_.step > 0.0 ? settings_.step : automatic_step * separation_;
     divisions_ = std::max<std::int64_t>(
-        1, static_cast<std::int64_t>(std::ceil(step_ / (longest_trace_step * separation_) - 1e-9)));
+        1, static_cast<std::int64_t>(
+               std::ceil(std::min(step_ / (longest_trace_step * separation_), 2.0 * most_divisions) - 1e-9)));
     const double marks = static_cast<double>(sets) * area / (separation_ * step_);
-    if (settings_.budget == 0 && marks > static_cast<double>(most_marks))
+    if (settings_.budget == 0 && marks > static_cast<double>(most_even_marks))
         fail(Status::invalid_argument,
              "stroke_separation = %g and stroke_step = %g make about %g marks in group[%d], and %lld are the most: "
              "raise them or set group[%d].budget",
-             separation_, step_, marks, static_cast<int>(settings_.group), static_cast<long long>(most_marks),
-             static_cast<int>(settings_.group));
+             site_.unit * separation_, site_.unit * step_, marks, static_cast<int>(settings_.group),
+             static_cast<long long>(most_even_marks), static_cast<int>(settings_.group));
+    if (static_cast<double>(divisions_) > most_divisions)
+        fail(Status::invalid_argument,
+             "stroke_step = %g is more than %g times the separation of strokes, which is %g: lower it",
+             site_.unit * step_, 0.25 * most_divisions, site_.unit * separation_);
 }
 
 LayerSettings Hatching::layer_settings(const surface::DirectionField& field) const {
@@ -78,7 +84,7 @@ LayerSettings Hatching::layer_settings(const surface::DirectionField& field) con
     settings.separation = separation_;
     settings.step = step_ / static_cast<double>(divisions_);
     settings.longest = settings_.longest;
-    const std::int64_t most = settings_.budget > 0 ? settings_.budget : most_marks;
+    const std::int64_t most = settings_.budget > 0 ? settings_.budget : most_even_marks;
     settings.most_points = divisions_ * most;
     const double halvings = std::log2(std::max(1.0, box.diagonal() / (first_pass * separation_)));
     settings.passes = std::min(most_passes, 1 + static_cast<int>(std::floor(halvings)));

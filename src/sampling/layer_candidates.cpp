@@ -33,6 +33,9 @@ constexpr int most_steps = 6;
 // Feet that are looked at, to see whether one step is enough for the others.
 constexpr std::int64_t every_foot = 67;
 
+// Where fewer feet come of a trial, more trials are no help.
+constexpr double least_of_trial = 1.0 / 256.0;
+
 float packed(const glm::dvec3& normal) noexcept {
     return packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
 }
@@ -261,6 +264,7 @@ void LayerCandidates::draw(double density, const base::Progress& progress) {
     const double volume = static_cast<double>(cells) * side * side * side;
     double of_trial = static_cast<double>(feet_.size()) / trials_; // feet
     if (rounds_ == 0) of_trial = static_cast<double>(feet_of_point_) * 2.0 * cells_.band * area() / volume;
+    of_trial = std::max(of_trial, least_of_trial);
     const double per_cell = missing / of_trial / static_cast<double>(cells);
     lane_of_round_ = (lane_ + static_cast<std::uint32_t>(group_count) * rounds_++) << 16U;
     for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {

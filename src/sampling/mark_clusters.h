@@ -12,12 +12,13 @@ namespace hrbfnpr::sampling {
 // Sixteen marks, each number of all of them in a line of the cache.
 struct MarkBlock {
     static constexpr std::int64_t size = 16;
-    float x[size], y[size], z[size]; // relative to the set's origin
+    float x[size], y[size], z[size]; // relative to the set's origin, in the set's unit
     float nx[size], ny[size], nz[size];
     float rank[size];         // falling, from block to block of a cluster
     std::uint32_t mark[size]; // its number in the group
 };
 
+// Lengths and curvatures are in the set's unit.
 struct Cluster {
     std::int64_t block = 0; // its first; a cluster's last may be part empty
     std::int32_t count = 0; // of marks

@@ -38,6 +38,8 @@ struct Marks {
 
 // More marks than this are refused before they are made: identities of marks are 32 bits wide.
 inline constexpr std::int64_t most_marks = std::int64_t{1} << 31;
+// Of BLUE_NOISE, which takes some 300 bytes a mark while it works.
+inline constexpr std::int64_t most_even_marks = 100000000;
 
 // base * factor^levels; no overflow for what the boundary lets through.
 [[nodiscard]] std::int64_t grown_count(std::int64_t base, std::int64_t factor, std::int32_t levels) noexcept;

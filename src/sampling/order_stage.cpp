@@ -54,10 +54,10 @@ std::uint32_t reached(const glm::vec3& in_cell, float side, float distance) noex
 } // namespace
 
 OrderStage::OrderStage(const Site& site, Candidates& candidates, const geometry::CellMap& home, std::int32_t home_level,
-                       const StageSettings& settings, const OrderedMarks& marks)
+                       const StageSettings& settings, const OrderedMarks& marks, const base::Progress& progress)
     : site_(site),
       grid_(candidates.grid), region_{candidates.region.min - grid_.origin, candidates.region.max - grid_.origin},
-      home_(home), home_level_(home_level), settings_(settings),
+      home_(home), home_level_(home_level), settings_(settings), progress_(progress),
       side_(static_cast<float>(std::ldexp(grid_.side, settings.level))),
       loops_(order_loops(site.runtime.instruction_set)), code_(site.memory()), number_(site.memory()),
       cell_(site.memory()), neighbour_(site.memory()), lowest_(site.memory()), floor_(site.memory()),
@@ -94,6 +94,7 @@ void OrderStage::take_candidates(Candidates& candidates) {
 void OrderStage::work_in(Candidates& candidates) {
     groups_ = candidates.group.data();
     site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        progress_.check();
         for (std::int64_t c = begin; c < end; ++c) {
             cell_[c] = empty_cell(candidates.first[c] / OrderGroup::size, groups_for(candidates.number[c]), code_[c]);
             forget_marks(block_of(cell_[c]), candidates.number[c]);
@@ -110,6 +111,7 @@ void OrderStage::copy_taken(Candidates& candidates, const base::Array<std::int64
     };
     base::Array<std::int64_t> task_begin(site_.memory(), (cell_.size() + grain - 1) / grain + 1); // in group_
     site_.runtime.parallel.for_chunks(cell_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        progress_.check();
         std::int64_t groups = 0;
         for (std::int64_t c = begin; c < end; ++c) {
             std::int64_t count = 0;
@@ -228,6 +230,7 @@ void OrderStage::for_reached(const glm::vec3& position, double distance, std::in
 
 void OrderStage::feel_all() {
     site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        progress_.check();
         std::array<OrderMark, 64> near; // more are felt in parts
         for (std::int64_t c = begin; c < end; ++c) {
             std::size_t count = 0;
@@ -435,6 +438,7 @@ void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, Orde
         site_.runtime.parallel.for_chunks(
             tiles, std::clamp<std::int64_t>(tiles / 32, 1, 16), [&](std::int64_t begin, std::int64_t end) {
                 for (std::int64_t t = begin; t < end; ++t) {
+                    progress_.check();
                     if (t + 2 < end) bring_cells(tile_[first + t + 2]);
                     if (t + 1 < end) bring_candidates(tile_[first + t + 1]);
                     fresh_count_[t] = Turn(*this, fresh_.data() + most_fresh * t).run(tile_[first + t], steps);

@@ -28,7 +28,7 @@ class OrderStage {
 public:
     // `home`: cells of `home_level` that marks must stay in.  `marks`: all so far.
     OrderStage(const Site& site, Candidates& candidates, const geometry::CellMap& home, std::int32_t home_level,
-               const StageSettings& settings, const OrderedMarks& marks);
+               const StageSettings& settings, const OrderedMarks& marks, const base::Progress& progress);
 
     // One after the other, tile by tile: places marks that keep the radius from all others at energies below the
     // threshold, lowest first in each tile, and at most a few in each tile.  They are appended tile by tile; of more
@@ -115,7 +115,8 @@ private:
     const geometry::CellMap& home_;
     std::int32_t home_level_;
     StageSettings settings_;
-    float side_; // of a cell
+    base::Progress progress_; // only looked at for a cancel
+    float side_;              // of a cell
     OrderLoops loops_;
 
     base::Array<std::uint64_t> code_; // of each cell

@@ -24,6 +24,10 @@ constexpr double clearly = 0.25;
 constexpr std::uint32_t long_step = 3242174889; // in 2^-32
 constexpr std::uint32_t short_step = 2447445414;
 
+// Trials in a cell: as many as any is allowed, and the most.
+constexpr double fewest_in_cell = 64.0;
+constexpr double most_of_cell = 1e6;
+
 int longest_axis(const glm::dvec3& n) noexcept {
     const glm::dvec3 a = glm::abs(n);
     return a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
@@ -32,10 +36,11 @@ int longest_axis(const glm::dvec3& n) noexcept {
 } // namespace
 
 PlaneCandidates::PlaneCandidates(const Site& site, const SurfaceCells& cells, const geometry::CellMap& numbers,
-                                 Group group)
+                                 Group group, const base::Progress& progress)
     : site_(site), cells_(cells), lane_(lane_of(group) | 0xffff0000U), kind_(site.memory(), cells.cell.size()),
       curvature_(site.memory(), cells.cell.size()), count_(site.memory(), cells.cell.size()) {
     site.runtime.parallel.for_chunks(kind_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         geometry::CellNeighbours around(numbers);
         for (std::int64_t i = begin; i < end; ++i) {
             const Judged judged = judge(cells_.cell[i], around);
@@ -112,7 +117,7 @@ PlaneCandidates::Trials PlaneCandidates::trials_in(const SurfaceCell& cell) cons
     const bool turned = (random[3] & 1U) != 0;
     const bool mirrored = (random[3] & 2U) != 0;
     const std::uint32_t along_v = turned ? long_step : short_step;
-    return {static_cast<std::int32_t>(std::min(trials, 1e6) + Trials::unit * random[0]),
+    return {static_cast<std::int32_t>(std::min(trials, most_in_cell_) + Trials::unit * random[0]),
             random[1],
             random[2],
             turned ? short_step : long_step,
@@ -143,10 +148,13 @@ void PlaneCandidates::for_points(const SurfaceCell& cell, Visit&& visit) const n
     }
 }
 
-void PlaneCandidates::draw(double density) {
+void PlaneCandidates::draw(double density, double most_trials, const base::Progress& progress) {
     density_ = density;
+    const auto flat = static_cast<double>(std::count(kind_.begin(), kind_.end(), CellKind::flat));
+    most_in_cell_ = std::clamp(most_trials / std::max(flat, 1.0), fewest_in_cell, most_of_cell);
     site_.runtime.parallel.for_chunks(kind_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
+            progress.check(); // a cell may have many
             std::int32_t count = 0;
             if (kind_[i] == CellKind::flat) for_points(cells_.cell[i], [&](const glm::dvec3&, double) { ++count; });
             count_[i] = count;

@@ -15,11 +15,12 @@ enum class CellKind : std::uint8_t {
 
 class PlaneCandidates {
 public:
-    PlaneCandidates(const Site& site, const SurfaceCells& cells, const geometry::CellMap& numbers, Group group);
+    PlaneCandidates(const Site& site, const SurfaceCells& cells, const geometry::CellMap& numbers, Group group,
+                    const base::Progress& progress = {});
 
     [[nodiscard]] const base::Array<CellKind>& kind() const noexcept { return kind_; }
-    // Draws that many per area, in place of those drawn before.
-    void draw(double density);
+    // Draws that many per area, in place of those drawn before, but no more trials than that for all cells together.
+    void draw(double density, double most_trials = 1e300, const base::Progress& progress = {});
     [[nodiscard]] std::int64_t count() const noexcept { return all_; }
     // Of the planes inside flat cells and the region, as the candidates tell.
     [[nodiscard]] double area() const noexcept { return all_ > 0 ? static_cast<double>(all_) / density_ : 0.0; }
@@ -45,6 +46,7 @@ private:
     base::Array<float> curvature_; // mean
     base::Array<std::int32_t> count_;
     double density_ = 0.0;
+    double most_in_cell_ = 0.0; // trials
     std::int64_t all_ = 0;
 };
 

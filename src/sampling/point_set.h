@@ -72,6 +72,7 @@ struct PointSet {
     glm::dvec3 origin{0.0};
     geometry::Bounds bounds; // of all marks, absolute
     double spacing = 0.0;
+    double unit = 1.0; // of lengths in the clusters: a power of two, by cluster_marks()
     LevelReport seeds;
     double seconds_seeds = 0.0;
     double seconds_total = 0.0;

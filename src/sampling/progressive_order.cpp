@@ -100,7 +100,7 @@ bool Ordering::run_stage(Candidates& candidates, std::int32_t level, std::int64_
                          const base::Progress& progress) {
     for (const double least : {least_distance, 0.0}) {
         const StageSettings settings = settings_of(level, last);
-        OrderStage stage(site_, candidates, home_, home_level_, settings, marks_);
+        OrderStage stage(site_, candidates, home_, home_level_, settings, marks_, progress);
         const double end = densest(static_cast<double>(last));
         // Closer points are the same to float positions.
         const double closest = std::max(least, 1e-7 * candidates_.region.diagonal() / end);

@@ -16,6 +16,9 @@ constexpr double well_spread_variation = 0.5;
 // Marks of the blue-noise order are found from any point of each sheet: a finer grid misses fewer sheets.
 constexpr std::int32_t automatic_box_resolution = 16;
 
+// In diagonals from the bounds: beside such a distance floats would not tell the model's own marks apart.
+constexpr double farthest_seed = 1e4;
+
 // Collects what settles of a stream of starting points, a chunk at a time.
 class Collector {
 public:
@@ -126,6 +129,11 @@ void seeds_at_points(const Site& site, const base::InView& points, Seeds& seeds,
         const glm::dvec3 p(points.get(i, 0), points.get(i, 1), points.get(i, 2));
         if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
             fail(Status::invalid_argument, "seed_points[%lld] is not finite", static_cast<long long>(i));
+        const geometry::Bounds near = site.implicit.bounds().grown(farthest_seed * site.implicit.diagonal());
+        if (!near.contains(p))
+            fail(Status::invalid_argument,
+                 "seed_points[%lld] is more than %g diagonals away from the model's bounds: leave it out",
+                 static_cast<long long>(i), farthest_seed);
         return p;
     };
     seeds_at(site, points.count, position, seeds, progress);

@@ -1,6 +1,7 @@
 #include "base/random.h"
 #include "geometry/tangent_frame.h"
 #include "sampling/generate.h"
+#include "sampling/in_unit.h"
 #include "sampling/seeds.h"
 
 #include <algorithm>
@@ -34,8 +35,10 @@ base::Array<Ticket> shuffled(const Site& site, std::int64_t count) {
 
 double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
                     const GenerateSettings& settings, const base::OutView& corners, const base::Progress& progress) {
-    const Site site{runtime, implicit, settings.projection_tolerance, settings.random_seed};
-    const Seeds seeds = make_seeds(site, samples, settings, progress);
+    check_request(implicit, settings);
+    const InUnit in_unit(runtime, implicit, samples, settings);
+    const Site site = in_unit.site();
+    const Seeds seeds = make_seeds(site, in_unit.samples(), in_unit.settings(), progress);
     const double step = seeds.step;
     const base::Array<Ticket> order = shuffled(site, seeds.position.size());
     for (std::int64_t patch = 0; patch < corners.count; ++patch) {
@@ -46,11 +49,11 @@ double step_patches(const base::Runtime& runtime, const implicit::Implicit& impl
         std::uint32_t component = 0;
         for (const auto& [along_u, along_r] : sides) {
             const glm::dvec3 corner = seeds.position[seed] + step * (along_u * frame.u + along_r * frame.r);
-            for (int axis = 0; axis < 3; ++axis) corners.set(patch, component++, corner[axis]);
+            for (int axis = 0; axis < 3; ++axis) corners.set(patch, component++, site.unit * corner[axis]);
         }
     }
     progress.update(1.0);
-    return step;
+    return site.unit * step;
 }
 
 } // namespace hrbfnpr::sampling

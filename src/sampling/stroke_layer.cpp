@@ -34,6 +34,11 @@ constexpr double sharpest = 0.5;
 constexpr double buckets_per_separation = 8.0;
 constexpr std::int64_t most_reserved = 4000000; // points
 
+// One at least, and no more than numbers of steps can be.
+std::int64_t whole_steps(double steps) noexcept {
+    return static_cast<std::int64_t>(std::clamp(std::floor(steps), 1.0, 1e9));
+}
+
 class Layering {
 public:
     Layering(base::Memory& memory, const surface::DirectionField& field, const LayerSettings& settings)
@@ -93,7 +98,7 @@ void Layering::prepare(int number) {
     trace_.step = settings_.step;
     trace_.test = test_room * apart_;
     trace_.longest = settings_.longest;
-    trace_.thin = static_cast<std::int32_t>(std::max(1.0, std::floor(grid_points * apart_ / settings_.step + 1e-9)));
+    trace_.thin = static_cast<std::int32_t>(whole_steps(grid_points * apart_ / settings_.step + 1e-9));
     trace_.least_cosine = std::cos(std::min(settings_.step / (tightest * settings_.separation), sharpest));
     trace_.turned = settings_.turned;
     trace_.region = settings_.region;
@@ -187,7 +192,7 @@ void Layering::seed_from_samples(const base::Progress& progress) {
 
 void Layering::seed_beside(std::int64_t number) {
     const Layer::Stroke& stroke = layer_.stroke[number];
-    const auto every = static_cast<std::int64_t>(std::max(1.0, std::floor(side_places * apart_ / settings_.step)));
+    const std::int64_t every = whole_steps(side_places * apart_ / settings_.step);
     for (std::int64_t i = every / 2; i < stroke.count; i += every) {
         const StrokePoint from = layer_.point[stroke.begin + i];
         const glm::dvec3 side = glm::cross(from.normal, from.direction);
@@ -219,6 +224,7 @@ bool Layering::lay(const StrokePoint& seed) {
 
 void Layering::pass(int number, const base::Progress& progress) {
     prepare(number);
+    trace_.progress = progress;
     for (std::int64_t s = 0; s < layer_.stroke.size(); ++s) {
         if (s % 256 == 0) progress.check();
         seed_beside(s);

@@ -38,7 +38,7 @@ bool Tracer::advance(const StrokePoint& from, const TraceSettings& settings, Str
 Tracer::Verdict Tracer::look(const StrokePoint& point, std::int32_t stroke, std::int32_t place,
                              const TraceSettings& settings) const noexcept {
     Verdict verdict = Verdict::free;
-    const auto reach = static_cast<std::int32_t>(std::ceil(own_reach * settings.test / settings.step));
+    const auto reach = static_cast<std::int32_t>(std::min(std::ceil(own_reach * settings.test / settings.step), 1e9));
     grid_.around(point.position, settings.test, [&](const StrokeGrid::Node& node) {
         const glm::dvec3 offset = node.point.position - point.position;
         if (squared_clearance(point, offset) >= settings.test * settings.test || !run_alike(node.point, point))
@@ -64,6 +64,7 @@ void Tracer::run(const StrokePoint& from, int side, std::int32_t stroke, std::in
     if (side < 0) here.direction = -here.direction;
     StrokePoint next;
     while (count() < most && advance(here, settings, next)) {
+        if (points.size() % 256 == 0) settings.progress.check();
         const auto place = static_cast<std::int32_t>(side > 0 ? points.size() : -points.size() - 1);
         here = next;
         if (side < 0) next.direction = -next.direction;
@@ -84,7 +85,7 @@ void Tracer::close_up(const StrokePoint& end, std::int32_t stroke, std::int32_t 
     const StrokePoint last = ahead_.back();
     const glm::dvec3 rest = first.position - last.position;
     const double length = glm::length(rest);
-    const auto steps = static_cast<std::int32_t>(std::lround(length / settings.step));
+    const auto steps = static_cast<std::int32_t>(std::lround(std::min(length / settings.step, 1e9)));
     for (std::int32_t i = 1; i < steps; ++i) {
         const double t = static_cast<double>(i) / static_cast<double>(steps);
         StrokePoint point;

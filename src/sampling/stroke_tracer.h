@@ -2,6 +2,7 @@
 // [Jobard & Lefer 1997, 3]
 #pragma once
 
+#include "base/operation.h"
 #include "geometry/vec.h"
 #include "sampling/stroke_grid.h"
 #include "surface/direction_field.h"
@@ -17,6 +18,7 @@ struct TraceSettings {
     std::int32_t thin = 1;     // every thin-th point stands in the grid
     bool turned = false;       // the second set of a line field
     geometry::Bounds region;   // strokes stay inside
+    base::Progress progress;   // only looked at for a cancel
 };
 
 // Whether two points see each other as neighbours: on the same side, with strokes that run alike.

@@ -182,7 +182,7 @@ void Batch::bracket(std::size_t i, double f) noexcept {
 void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) noexcept {
     Ray& ray = rays_[i];
     const double slope = glm::dot(g, ray.direction);
-    if (!counted(i, std::isfinite(f) && std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z))) return;
+    if (!counted(i, std::isfinite(f) && std::isfinite(glm::length(g)))) return;
     ((f < 0.0) == ray.inside ? ray.low : ray.high) = ray.trial;
     const double newton = ray.trial - f / slope; // NaN or infinite where there is no slope
     const bool within = newton >= ray.low && newton <= ray.high;

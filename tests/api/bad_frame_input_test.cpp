@@ -21,7 +21,7 @@ struct Row {
 TEST(BadInput, Generate) {
     using Desc = hrbfnpr_generate_desc;
     static const std::vector<double> bad_point{0, 0, nan};
-    static const std::vector<double> far_point{1e30, 1e30, 1e30};
+    static const std::vector<double> far_point{1e3, 1e3, 1e3};
     const std::vector<Row<Desc>> rows = {
         {[](Desc& d) { d.groups = 0; }, "generate_desc.groups is 0"},
         {[](Desc& d) { d.groups = 8; }, "generate_desc.groups is 0x8; only the bits of 0x7"},

@@ -92,7 +92,7 @@ TEST(FromArrays, RefusesWhatIsWrongAndNamesIt) {
     };
     const double nan = std::nan("");
     refuse({"group[1].position[2]", "finite"}, [&](Arrays& a) { a.position[7] = nan; });
-    refuse({"group[1].position[0]", "finite"}, [&](Arrays& a) { a.position[0] = 1e300; });
+    refuse({"group[1].position[0]", "a float cannot hold"}, [&](Arrays& a) { a.position[0] = 1e300; });
     refuse({"group[1].normal[1]", "finite"}, [&](Arrays& a) { a.normal[4] = INFINITY; });
     refuse({"group[1].normal[1]", "zero"}, [&](Arrays& a) { a.normal[4] = 0.0; });
     refuse({"group[1].direction[3]", "finite"}, [&](Arrays& a) { a.direction[9] = nan; });

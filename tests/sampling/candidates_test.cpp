@@ -153,6 +153,21 @@ Field rounded_cube(const glm::dvec3& p) {
     return {beyond[axis] - 0.08, gradient, {}};
 }
 
+TEST(PlaneCandidates, AreDrawnInSoManyTrialsAtMost) {
+    const Sphere sphere;
+    const Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
+    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, Group::stipple);
+    const auto flat = std::count(planes.kind().begin(), planes.kind().end(), CellKind::flat);
+    ASSERT_GT(flat, 2000);
+    planes.draw(1e30, 100.0 * static_cast<double>(flat));
+    EXPECT_LE(planes.count(), 101 * flat);
+    EXPECT_GT(planes.count(), 20 * flat);
+    base::Operation operation;
+    operation.begin();
+    operation.cancel();
+    expect_error(Status::cancelled, {}, [&] { planes.draw(1e30, 1e30, base::Progress(&operation)); });
+}
+
 // Flat but for its edges: planes and layers meet without a seam.
 TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
     const AnyField cube({glm::dvec3(-0.58), glm::dvec3(0.58)}, rounded_cube);

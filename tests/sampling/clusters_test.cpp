@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace hrbfnpr::testing {
 namespace {
@@ -130,6 +133,60 @@ TEST_F(Clusters, BearDegenerateSets) {
     for (int i = 0; i < 500; ++i) add_stipple(far, 1e30 * fibonacci_direction(i, 500), fibonacci_direction(i, 500));
     sampling::cluster_marks(runtime, far);
     EXPECT_FALSE(far.group[0].clusters.cluster.empty());
+}
+
+// Positions, centres and radii are in the set's unit, so that no size leaves a trace.
+TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
+    const sampling::PointSet unit = clustered(runtime, sphere(runtime.memory, 3000));
+    ASSERT_EQ(unit.unit, 1.0);
+    for (const int power : {-149, -140, -100, -66, 66, 100, 127}) {
+        SCOPED_TRACE(power);
+        sampling::PointSet set(runtime.memory);
+        for (std::int64_t i = 0; i < unit.group[0].count(); ++i)
+            add_stipple(set, std::ldexp(1.0, power) * glm::dvec3(sampling::vector_at(unit.group[0].position, i)),
+                        glm::dvec3(sampling::vector_at(unit.group[0].normal, i)));
+        for (float& coordinate : set.group[0].position)
+            coordinate =
+                std::clamp(coordinate, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max());
+        sampling::cluster_marks(runtime, set);
+        ASSERT_NE(set.unit, 1.0);
+        std::int64_t marks = 0;
+        for (const Cluster& c : set.group[0].clusters.cluster) {
+            marks += c.count;
+            ASSERT_LT(c.radius, 8.0F);
+            for (const float number : {c.radius, c.bend, c.axis[0], c.shape[0], c.shape[3], c.shape[5]})
+                ASSERT_TRUE(std::isfinite(number));
+        }
+        EXPECT_EQ(marks, set.group[0].count());
+        if (power < -100 || power > 100) continue; // some digits are lost
+        const sampling::MarkBlock& small = set.group[0].clusters.block[0];
+        const sampling::MarkBlock& same = unit.group[0].clusters.block[0];
+        EXPECT_EQ(set.group[0].clusters.cluster.size(), unit.group[0].clusters.cluster.size());
+        EXPECT_EQ(small.mark[3], same.mark[3]);
+        EXPECT_EQ(small.rank[3], same.rank[3]);
+        EXPECT_EQ(double{small.x[3]} * set.unit, std::ldexp(double{same.x[3]}, power));
+    }
+    sampling::PointSet ends(runtime.memory); // as far from each other as floats go
+    constexpr double most = std::numeric_limits<float>::max();
+    for (int i = 0; i < 400; ++i)
+        add_stipple(ends,
+                    (i % 3 == 0   ? -most
+                     : i % 3 == 1 ? most
+                                  : 1e-45) *
+                        glm::dvec3(1.0),
+                    fibonacci_direction(i, 400));
+    sampling::cluster_marks(runtime, ends);
+    for (const Cluster& c : ends.group[0].clusters.cluster) EXPECT_TRUE(std::isfinite(c.radius));
+}
+
+// No file and no array gives such positions; if one did, the undefined-behaviour sanitizer would have nothing to say.
+TEST_F(Clusters, BearWhatIsNoNumber) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    sampling::PointSet set(runtime.memory);
+    for (int i = 0; i < 300; ++i)
+        add_stipple(set, {i % 7 == 0 ? nan : 0.1 * i, i % 5 == 0 ? HUGE_VAL : 1.0, 0.0}, {0.0, 0.0, 1.0});
+    sampling::cluster_marks(runtime, set);
+    EXPECT_FALSE(set.group[0].clusters.cluster.empty());
 }
 
 // t . S t for a tangent direction.

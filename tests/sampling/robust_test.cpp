@@ -197,7 +197,7 @@ TEST(Accuracy, FarFromTheOriginFloatsAreStillExact) {
 }
 
 TEST(Accuracy, AnyUnitWorks) {
-    for (const double unit : {1e-6, 1e5}) {
+    for (const double unit : {1e-6, 1e5, 1e-30, 1e-20, 1e20, 1e30}) {
         const Torus torus(unit, 0.35 * unit);
         for (const GenerateSettings& settings : {small_paper(), small_blue()}) {
             const PointSet set = make(torus, settings);

@@ -1,0 +1,303 @@
+// Functions, boxes, budgets and densities that make no sense: refused in words, and a cancel is heard.
+#include "fixture.h"
+
+#include <cmath>
+#include <limits>
+
+namespace api_test {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A sphere whose gradients are this many times too long, where `spoils` says so.
+struct Steep {
+    double factor = 1.0;
+    bool (*spoils)(const double* p) = [](const double*) { return true; };
+    double value_factor = 1.0;
+    std::int64_t calls = 0;
+
+    static std::int32_t call(void* user, std::int64_t count, const double* points, double* value, double* gradient,
+                             double* /*hessian*/) {
+        auto& self = *static_cast<Steep*>(user);
+        ++self.calls;
+        for (std::int64_t i = 0; i < count; ++i) {
+            const double* p = points + 3 * i;
+            const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+            const bool spoilt = self.spoils(p);
+            value[i] = (spoilt ? self.value_factor : 1.0) * (r - 1.0);
+            for (int c = 0; gradient != nullptr && c < 3; ++c)
+                gradient[3 * i + c] = (spoilt ? self.factor : 1.0) * p[c] / r;
+        }
+        return 0;
+    }
+};
+
+Model model_of(const Context& context, Steep& steep, double half = 1.1) {
+    Error error;
+    auto desc = made(hrbfnpr_custom_desc_init);
+    desc.flags = HRBFNPR_CUSTOM_HAS_GRADIENT;
+    desc.function = Steep::call;
+    desc.user = &steep;
+    for (int axis = 0; axis < 3; ++axis) {
+        desc.bounds_min[axis] = -half;
+        desc.bounds_max[axis] = half;
+    }
+    hrbfnpr_model* model = nullptr;
+    EXPECT_OK(hrbfnpr_model_create_custom(context.get(), &desc, &model, error));
+    return Model(model);
+}
+
+hrbfnpr_status generated(const Context& context, const Model& model, const hrbfnpr_generate_desc& desc, Error& error,
+                         PointSet& set, hrbfnpr_operation* operation = nullptr) {
+    hrbfnpr_point_set* made_set = nullptr;
+    const hrbfnpr_status status =
+        hrbfnpr_point_set_generate(context.get(), model.get(), &desc, operation, &made_set, error);
+    set.reset(made_set);
+    return status;
+}
+
+hrbfnpr_generate_desc one_group(std::uint32_t group, std::int64_t budget) {
+    auto desc = made(hrbfnpr_generate_desc_init);
+    desc.groups = 1U << group;
+    desc.group[group].budget = budget;
+    return desc;
+}
+
+// Absolute, packed.
+std::vector<double> places(const PointSet& set, std::uint32_t group) {
+    Error error;
+    auto info = made(hrbfnpr_point_set_info_init);
+    EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
+    std::vector<double> result;
+    for (const float coordinate : attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION))
+        result.push_back(double{coordinate} + info.origin[result.size() % 3]);
+    return result;
+}
+
+bool on_the_right(const double* p) { return p[0] > 0.3; }
+
+// Steep everywhere: no seed arrives.  Steep in a part: no mark lies there, and what was dropped is counted.
+TEST(Hostile, GradientsThatAreNoneAreDegenerate) {
+    const Context context = make_context(1);
+    for (const double factor : {infinity, std::nan(""), 1e300}) {
+        Steep steep{factor};
+        const Model model = model_of(context, steep);
+        Error error;
+        PointSet set;
+        EXPECT_FAILS(generated(context, model, one_group(HRBFNPR_GROUP_STIPPLE, 500), error, set),
+                     HRBFNPR_STATUS_NOT_CONVERGED, "degenerate");
+        EXPECT_LT(steep.calls, 1000);
+        steep.spoils = on_the_right;
+        for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+            SCOPED_TRACE(testing::Message() << factor << ", group " << group);
+            ASSERT_OK(generated(context, model, one_group(group, 500), error, set));
+            const std::vector<double> position = places(set, group);
+            auto info = made(hrbfnpr_point_set_info_init);
+            ASSERT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
+            EXPECT_GT(position.size(), 3 * 200U);
+            EXPECT_GT(info.seeds.dropped_degenerate, 0);
+            for (std::size_t i = 0; i < position.size(); i += 3)
+                EXPECT_LT(position[i], 0.31) << "a mark where there is no gradient";
+        }
+    }
+}
+
+TEST(Hostile, ValuesThatAreNoneToo) {
+    const Context context = make_context(1);
+    for (const double factor : {infinity, std::nan(""), 1e308}) {
+        Steep steep;
+        steep.value_factor = factor;
+        const Model model = model_of(context, steep);
+        Error error;
+        PointSet set;
+        EXPECT_FAILS(generated(context, model, one_group(HRBFNPR_GROUP_STIPPLE, 500), error, set),
+                     HRBFNPR_STATUS_NOT_CONVERGED, "seeds");
+        EXPECT_LT(steep.calls, 4000);
+    }
+}
+
+// What a projection says of such a function.
+TEST(Hostile, ProjectionsAreNotConverged) {
+    const Context context = make_context(1);
+    for (const double factor : {infinity, 1e300}) {
+        Steep steep{factor};
+        Error error;
+        std::vector<double> point{0.5, 0.1, 0.2};
+        std::vector<std::uint8_t> status(1);
+        const hrbfnpr_array points = in(point);
+        const hrbfnpr_array_out to = out(status, 1);
+        ASSERT_OK(hrbfnpr_model_project(model_of(context, steep).get(), &points, nullptr, nullptr, nullptr, &to,
+                                        nullptr, nullptr, error));
+        EXPECT_EQ(status[0], HRBFNPR_PROJECTION_NOT_FINITE) << factor;
+    }
+}
+
+// Cancels at the k-th look, and counts the work that is done after it.
+struct Cancel {
+    std::int64_t at = -1;
+    std::int64_t looks = 0;
+    Steep* steep = nullptr;
+    std::int64_t calls_then = 0;
+
+    static std::int32_t look(void* user, double /*progress*/) {
+        auto& self = *static_cast<Cancel*>(user);
+        if (++self.looks != self.at) return 0;
+        self.calls_then = self.steep->calls;
+        return 1;
+    }
+};
+
+TEST(Hostile, ACancelEndsAnyFunctionSoon) {
+    const Context context = make_context(1);
+    for (const double factor : {1.0, infinity, 1e300, 1e-300})
+        for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
+            for (std::int64_t at = 1; at < 200; at += 1 + at / 2) {
+                Error error;
+                Steep steep{factor, on_the_right};
+                const Model model = model_of(context, steep);
+                const Operation operation = make_operation(context);
+                Cancel cancel;
+                cancel.at = at;
+                cancel.steep = &steep;
+                ASSERT_OK(hrbfnpr_operation_set_callback(operation.get(), Cancel::look, &cancel, error));
+                PointSet set;
+                const hrbfnpr_status status =
+                    generated(context, model, one_group(group, 2000), error, set, operation.get());
+                if (cancel.looks < at) break;
+                EXPECT_EQ(status, HRBFNPR_STATUS_CANCELLED);
+                EXPECT_LE(cancel.looks, at + 1);
+                EXPECT_LE(steep.calls, cancel.calls_then + 2) << "it went on: group " << group << ", look " << at;
+            }
+}
+
+// ---- boxes ---------------------------------------------------------------------------------
+
+TEST(Hostile, ABoxThatIsTooWideIsRefusedOrServed) {
+    const Context context = make_context(1);
+    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
+        for (const double half : {100.0, 1e6, 1e12}) {
+            SCOPED_TRACE(testing::Message() << "group " << group << ", box " << half);
+            Steep steep;
+            const Model model = model_of(context, steep, half);
+            Error error;
+            PointSet set;
+            const hrbfnpr_status status = generated(context, model, one_group(group, 200), error, set);
+            EXPECT_LT(steep.calls, 10000);
+            if (half > 100.0) {
+                EXPECT_EQ(status, HRBFNPR_STATUS_INVALID_ARGUMENT);
+                EXPECT_NE(std::string(error.record.message).find("bounds"), std::string::npos) << error.record.message;
+                continue;
+            }
+            ASSERT_OK(status);
+            EXPECT_GT(attribute<float>(set, group, HRBFNPR_ATTRIBUTE_RANK).size(), 120U);
+            const std::vector<double> position = places(set, group);
+            for (std::size_t i = 0; i < position.size(); i += 3)
+                EXPECT_NEAR(std::hypot(position[i], position[i + 1], position[i + 2]), 1.0, 1e-3);
+        }
+}
+
+TEST(Hostile, ABoxThatMissesTheSurface) {
+    const Context context = make_context(1);
+    Error error;
+    Steep steep;
+    auto desc = made(hrbfnpr_custom_desc_init);
+    desc.flags = HRBFNPR_CUSTOM_HAS_GRADIENT;
+    desc.function = Steep::call;
+    desc.user = &steep;
+    for (int axis = 0; axis < 3; ++axis) {
+        desc.bounds_min[axis] = 100.0;
+        desc.bounds_max[axis] = 101.0;
+    }
+    hrbfnpr_model* made_model = nullptr;
+    ASSERT_OK(hrbfnpr_model_create_custom(context.get(), &desc, &made_model, error));
+    const Model model(made_model);
+    PointSet set;
+    EXPECT_FAILS(generated(context, model, one_group(HRBFNPR_GROUP_STIPPLE, 500), error, set),
+                 HRBFNPR_STATUS_NOT_CONVERGED, "seeds");
+}
+
+// ---- budgets -------------------------------------------------------------------------------
+
+TEST(Hostile, ABudgetThatIsTooLargeIsRefusedBeforeAnyWork) {
+    const Context context = make_context(1);
+    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
+        for (const std::int64_t budget : {std::int64_t{2000000000}, std::int64_t{1} << 40U, std::int64_t{1} << 62U}) {
+            Steep steep;
+            Error error;
+            PointSet set;
+            EXPECT_FAILS(generated(context, model_of(context, steep), one_group(group, budget), error, set),
+                         HRBFNPR_STATUS_INVALID_ARGUMENT, "100000000");
+            EXPECT_EQ(steep.calls, 0);
+        }
+    Steep steep;
+    Error error;
+    PointSet set;
+    auto desc = made(hrbfnpr_generate_desc_init);
+    desc.shared_budget = 2000000000;
+    EXPECT_FAILS(generated(context, model_of(context, steep), desc, error, set), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "100000000");
+    EXPECT_EQ(steep.calls, 0);
+}
+
+// ---- densities -----------------------------------------------------------------------------
+
+std::int32_t constant(void* user, std::int64_t count, const double* /*positions*/, const double* /*normals*/,
+                      double* density) {
+    std::fill_n(density, count, *static_cast<double*>(user));
+    return 0;
+}
+
+hrbfnpr_status with_density(double density, PointSet& set, Error& error) {
+    const Context context = make_context(1);
+    Steep steep;
+    hrbfnpr_generate_desc desc = one_group(HRBFNPR_GROUP_STIPPLE, 500);
+    desc.density = HRBFNPR_DENSITY_CALLBACK;
+    desc.density_function = constant;
+    desc.density_user = &density;
+    return generated(context, model_of(context, steep), desc, error, set);
+}
+
+TEST(Hostile, ADensityIsHeldAgainstOne) {
+    PointSet set;
+    for (const double density : {1.0, 1e300, infinity}) {
+        Error error;
+        ASSERT_OK(with_density(density, set, error));
+        EXPECT_GT(attribute<float>(set, 0, HRBFNPR_ATTRIBUTE_RANK).size(), 490U) << density;
+    }
+    for (const double density : {1e-300, 1e-6, std::numeric_limits<double>::denorm_min()}) {
+        Error error;
+        EXPECT_FAILS(with_density(density, set, error), HRBFNPR_STATUS_INVALID_ARGUMENT, "density");
+        EXPECT_NE(std::string(error.record.message).find("1 where marks are to be densest"), std::string::npos);
+    }
+    for (const double density : {std::nan(""), -1e-300, -infinity}) {
+        Error error;
+        EXPECT_FAILS(with_density(density, set, error), HRBFNPR_STATUS_CALLBACK, "density_function");
+    }
+}
+
+// ---- lengths -------------------------------------------------------------------------------
+
+TEST(Hostile, LengthsAtTheirLimits) {
+    const Context context = make_context(1);
+    for (const double length : {1e-300, 1e-13, 1e-3, 1e6, 1e12, 1e300})
+        for (const std::uint32_t field : {0U, 1U, 2U}) {
+            SCOPED_TRACE(testing::Message() << length << ", field " << field);
+            Steep steep;
+            hrbfnpr_generate_desc desc = one_group(HRBFNPR_GROUP_CURVATURE, 300);
+            (field == 0 ? desc.stroke_separation : field == 1 ? desc.stroke_step : desc.stroke_length) = length;
+            Error error;
+            PointSet set;
+            const hrbfnpr_status status = generated(context, model_of(context, steep), desc, error, set);
+            EXPECT_LT(steep.calls, 10000);
+            if (status == HRBFNPR_STATUS_OK) {
+                EXPECT_FALSE(attribute<float>(set, 1, HRBFNPR_ATTRIBUTE_POSITION).empty());
+                for (const float x : attribute<float>(set, 1, HRBFNPR_ATTRIBUTE_POSITION)) ASSERT_LT(std::abs(x), 1.2F);
+            } else {
+                EXPECT_TRUE(status == HRBFNPR_STATUS_INVALID_ARGUMENT || status == HRBFNPR_STATUS_NOT_CONVERGED);
+                EXPECT_NE(std::string(error.record.message).find("stroke_"), std::string::npos) << error.record.message;
+            }
+        }
+}
+
+} // namespace
+} // namespace api_test

@@ -1,0 +1,405 @@
+// Models of any size: the same marks and pictures at any power of two, and a clear refusal where floats end.
+#include "fixture.h"
+
+#include <cmath>
+#include <limits>
+
+namespace api_test {
+namespace {
+
+scenes::Samples scaled(scenes::Samples samples, double by) {
+    for (double& coordinate : samples.points) coordinate *= by;
+    return samples;
+}
+
+Model sphere_of(const Context& context, double radius) { return fit(context, scaled(scenes::sphere_6(), radius)); }
+
+hrbfnpr_point_set_info info_of(const PointSet& set) {
+    Error error;
+    auto info = made(hrbfnpr_point_set_info_init);
+    EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
+    return info;
+}
+
+std::vector<float> times(std::vector<float> numbers, double by) {
+    for (float& number : numbers) number = static_cast<float>(static_cast<double>(number) * by);
+    return numbers;
+}
+
+// k1, k2 and confidence: the first two are lengths to the power -1.
+std::vector<float> bent(std::vector<float> curvature, double by) {
+    for (std::size_t i = 0; i < curvature.size(); ++i)
+        if (i % 3 != 2) curvature[i] = static_cast<float>(static_cast<double>(curvature[i]) / by);
+    return curvature;
+}
+
+// All marks of a set are those of another one, this many times as large.
+void expect_times(const PointSet& set, const PointSet& unit, double by) {
+    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+        const auto of = [&](const PointSet& which, std::uint32_t what) { return attribute<float>(which, group, what); };
+        ASSERT_FALSE(of(unit, HRBFNPR_ATTRIBUTE_POSITION).empty());
+        EXPECT_EQ(of(set, HRBFNPR_ATTRIBUTE_POSITION), times(of(unit, HRBFNPR_ATTRIBUTE_POSITION), by));
+        EXPECT_EQ(of(set, HRBFNPR_ATTRIBUTE_CURVATURE), bent(of(unit, HRBFNPR_ATTRIBUTE_CURVATURE), by));
+        for (const std::uint32_t what : {HRBFNPR_ATTRIBUTE_NORMAL, HRBFNPR_ATTRIBUTE_DIRECTION, HRBFNPR_ATTRIBUTE_RANK})
+            EXPECT_EQ(of(set, what), of(unit, what));
+    }
+    const hrbfnpr_point_set_info info = info_of(set);
+    const hrbfnpr_point_set_info expected = info_of(unit);
+    EXPECT_EQ(info.spacing, by * expected.spacing);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(info.origin[axis], by * expected.origin[axis]);
+        EXPECT_EQ(info.bounds_min[axis], by * expected.bounds_min[axis]);
+    }
+    for (std::size_t group = 0; group < 3; ++group) EXPECT_EQ(info.group[group].step, by * expected.group[group].step);
+}
+
+TEST(Scale, APowerOfTwoLeavesNoTraceInTheMarks) {
+    const Context context = make_context();
+    for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PAPER}) {
+        const hrbfnpr_generate_desc desc = small_desc(distribution);
+        const PointSet unit = generate(context, sphere_of(context, 1.0), desc);
+        for (const int power : {-100, -73, -60, 60, 73, 100}) {
+            SCOPED_TRACE(power);
+            expect_times(generate(context, sphere_of(context, std::ldexp(1.0, power)), desc), unit,
+                         std::ldexp(1.0, power));
+        }
+    }
+}
+
+// What is given in lengths is scaled alike, and callbacks see the caller's coordinates.
+std::int32_t upper_half(void* user, std::int64_t count, const double* positions, const double* /*normals*/,
+                        double* density) {
+    for (std::int64_t i = 0; i < count; ++i) {
+        EXPECT_NEAR(std::abs(positions[3 * i + 2] / *static_cast<double*>(user)), 0.5, 0.51);
+        density[i] = positions[3 * i + 2] > 0.0 ? 1.0 : 0.25;
+    }
+    return 0;
+}
+
+TEST(Scale, LengthsOfTheDescriptorAreInTheSamplesUnit) {
+    const Context context = make_context();
+    const auto made_at = [&](double scale) {
+        const std::vector<double> seeds{scale, 0.0, 0.0, 0.0, 0.0, -scale};
+        hrbfnpr_generate_desc desc = small_desc();
+        desc.seed_source = HRBFNPR_SEED_POINTS;
+        desc.seed_points = in(seeds);
+        desc.stroke_separation = 0.3 * scale;
+        desc.stroke_step = 0.05 * scale;
+        desc.stroke_length = 2.0 * scale;
+        desc.density = HRBFNPR_DENSITY_CALLBACK;
+        desc.density_function = upper_half;
+        desc.density_user = &scale;
+        return generate(context, sphere_of(context, scale), desc);
+    };
+    expect_times(made_at(std::ldexp(1.0, -70)), made_at(1.0), std::ldexp(1.0, -70));
+}
+
+TEST(Scale, StepPatchesToo) {
+    const Context context = make_context();
+    const auto patches = [&](double scale) {
+        Error error;
+        std::vector<double> corners(12 * 5);
+        const hrbfnpr_array_out to = out(corners, 12);
+        double step = 0.0;
+        const hrbfnpr_generate_desc desc = small_desc(HRBFNPR_DISTRIBUTION_PAPER);
+        EXPECT_OK(hrbfnpr_point_set_step_patches(context.get(), sphere_of(context, scale).get(), &desc, &to, &step,
+                                                 nullptr, error));
+        corners.push_back(step);
+        return corners;
+    };
+    const std::vector<double> small = patches(std::ldexp(1.0, -80));
+    const std::vector<double> unit = patches(1.0);
+    for (std::size_t i = 0; i < unit.size(); ++i) EXPECT_EQ(small[i], std::ldexp(unit[i], -80));
+}
+
+// The picture of a set by a camera that fits its bounds.
+std::vector<std::uint8_t> picture_of(const Context& context, const PointSet& set, double angle,
+                                     const hrbfnpr_style& style, const hrbfnpr_model* model = nullptr) {
+    Error error;
+    const hrbfnpr_point_set_info info = info_of(set);
+    auto camera = made(hrbfnpr_camera_init);
+    const double direction[3] = {0.2, 0.3, -1.0};
+    const double up[3] = {0.0, 1.0, 0.0};
+    EXPECT_OK(hrbfnpr_camera_fit_bounds(&camera, info.bounds_min, info.bounds_max, direction, up, angle, 96, 96, 0.05,
+                                        error));
+    const Renderer renderer = make_renderer(context);
+    hrbfnpr_item item = item_of(set, &style);
+    item.model = model;
+    EXPECT_OK(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, error));
+    std::vector<std::uint8_t> pixels;
+    const hrbfnpr_image image = image_of(pixels, 96);
+    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    return pixels;
+}
+
+hrbfnpr_style preset(std::uint32_t which, std::uint32_t visibility) {
+    Error error;
+    hrbfnpr_style style;
+    std::uint32_t groups = 0;
+    EXPECT_OK(hrbfnpr_style_init_preset(&style, sizeof style, which, &groups, error));
+    style.visibility = visibility;
+    return style;
+}
+
+double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(int{a[i]} - int{b[i]});
+    return sum / static_cast<double>(a.size());
+}
+
+TEST(Scale, PicturesAreThoseOfRadiusOne) {
+    const Context context = make_context();
+    const hrbfnpr_generate_desc desc = small_desc();
+    const auto set_of = [&](double radius) { return generate(context, sphere_of(context, radius), desc); };
+    const PointSet unit = set_of(1.0);
+    for (const std::uint32_t visibility : {HRBFNPR_VISIBILITY_SHEETS, HRBFNPR_VISIBILITY_PAINTED}) {
+        const hrbfnpr_style style = preset(HRBFNPR_STYLE_FULL, visibility);
+        for (const double angle : {0.0, 0.6}) {
+            const std::vector<std::uint8_t> expected = picture_of(context, unit, angle, style);
+            ASSERT_GT(mean_difference(expected, std::vector<std::uint8_t>(expected.size(), 255)), 3.0) << "no ink";
+            for (const int power : {-100, -66, 66, 100}) {
+                const PointSet set = set_of(std::ldexp(1.0, power));
+                EXPECT_LT(mean_difference(picture_of(context, set, angle, style), expected), 0.01)
+                    << "2^" << power << ", angle " << angle << ", visibility " << visibility;
+            }
+        }
+    }
+}
+
+TEST(Scale, ExactVisibilityToo) {
+    const Context context = make_context();
+    const hrbfnpr_style style = preset(HRBFNPR_STYLE_XRAY, HRBFNPR_VISIBILITY_SHEETS);
+    std::vector<std::vector<std::uint8_t>> pictures;
+    for (const int power : {0, -90, 90}) {
+        const Model model = sphere_of(context, std::ldexp(1.0, power));
+        const PointSet set = generate(context, model, small_desc());
+        pictures.push_back(picture_of(context, set, 0.6, style, model.get()));
+    }
+    EXPECT_LT(mean_difference(pictures[1], pictures[0]), 0.01);
+    EXPECT_LT(mean_difference(pictures[2], pictures[0]), 0.01);
+}
+
+// What a host reads of a frame: directions and normals are unit vectors, positions the marks' own.
+TEST(Scale, VerticesAreFiniteAndUnit) {
+    const Context context = make_context();
+    Error error;
+    const double scale = std::ldexp(1.0, -90);
+    const PointSet set = generate(context, sphere_of(context, scale), small_desc());
+    const Renderer renderer = make_renderer(context);
+    const hrbfnpr_point_set_info info = info_of(set);
+    auto camera = made(hrbfnpr_camera_init);
+    const double direction[3] = {0.0, 0.0, -1.0};
+    const double up[3] = {0.0, 1.0, 0.0};
+    ASSERT_OK(
+        hrbfnpr_camera_fit_bounds(&camera, info.bounds_min, info.bounds_max, direction, up, 0.6, 96, 96, 0.05, error));
+    const hrbfnpr_item item = item_of(set);
+    ASSERT_OK(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, error));
+    std::int64_t count = 0;
+    ASSERT_OK(hrbfnpr_renderer_vertex_bound(renderer.get(), &count, error));
+    ASSERT_GT(count, 20);
+    auto layout = made(hrbfnpr_vertex_layout_init);
+    layout.attribute_count = 2;
+    layout.attributes[0] = {HRBFNPR_VERTEX_POSITION, HRBFNPR_SCALAR_FLOAT32, 0, 0};
+    layout.attributes[1] = {HRBFNPR_VERTEX_DIRECTION, HRBFNPR_SCALAR_FLOAT32, 12, 0};
+    std::vector<float> vertices(static_cast<std::size_t>(6 * count));
+    ASSERT_OK(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, vertices.data(), count, &count, error));
+    for (std::size_t i = 0; i < vertices.size(); i += 6) {
+        EXPECT_NEAR(double{std::hypot(vertices[i], vertices[i + 1], vertices[i + 2])} / scale, 1.0, 0.05);
+        EXPECT_NEAR(std::hypot(vertices[i + 3], vertices[i + 4], vertices[i + 5]), 1.0, 1e-5);
+    }
+}
+
+// ---- refusals ------------------------------------------------------------------------------
+
+TEST(Scale, WhatFloatsDoNotHoldIsRefusedAtOnce) {
+    const Context context = make_context();
+    for (const double radius : {1e-100, 1e-60, 1e-38, 1e38, 1e39, 1e60, 1e99}) {
+        Error error;
+        const Model model = sphere_of(context, radius);
+        for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PAPER}) {
+            const hrbfnpr_generate_desc desc = small_desc(distribution);
+            hrbfnpr_point_set* set = nullptr;
+            EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error),
+                         HRBFNPR_STATUS_INVALID_ARGUMENT, "scale the samples");
+            EXPECT_EQ(set, nullptr);
+        }
+    }
+}
+
+TEST(Scale, LargeSpheresGetAllTheirMarks) {
+    const Context context = make_context();
+    for (const double radius : {1e20, 1e30, 1e-20, 1e-22, 1e-30}) {
+        const PointSet set = generate(context, sphere_of(context, radius), small_desc());
+        EXPECT_GE(info_of(set).group[0].count, 294) << radius; // of 300
+        for (const float x : attribute<float>(set, 1, HRBFNPR_ATTRIBUTE_CURVATURE)) ASSERT_TRUE(std::isfinite(x));
+        for (const float x : attribute<float>(set, 0, HRBFNPR_ATTRIBUTE_POSITION))
+            ASSERT_LE(std::abs(x), 1.01 * radius);
+    }
+}
+
+hrbfnpr_status from_arrays(const Context& context, const std::vector<double>& positions, Error& error) {
+    std::vector<double> normals;
+    for (std::size_t i = 0; i < positions.size(); ++i) normals.push_back(i % 3 == 2 ? 1.0 : 0.0);
+    auto desc = made(hrbfnpr_point_set_desc_init);
+    desc.group[0].position = in(positions);
+    desc.group[0].normal = in(normals);
+    hrbfnpr_point_set* set = nullptr;
+    const hrbfnpr_status status = hrbfnpr_point_set_create_from_arrays(context.get(), &desc, &set, error);
+    hrbfnpr_point_set_release(set);
+    return status;
+}
+
+TEST(Scale, ReadyMadeMarksToo) {
+    const Context context = make_context();
+    Error error;
+    for (const double size : {1e-300, 1e-40, 1e34, 1e38})
+        EXPECT_FAILS(from_arrays(context, {0, 0, 0, size, 0, 0, 0, size, 0}, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                     "scale the");
+    EXPECT_FAILS(from_arrays(context, {0, 0, 0, 1e300, 0, 0}, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "group[0].position[1]");
+    EXPECT_OK(from_arrays(context, {0, 0, 0, 1e-30, 0, 0, 0, 1e-30, 0}, error));
+    EXPECT_OK(from_arrays(context, {0, 0, 0, 1e30, 0, 0, 0, 1e30, 0}, error));
+    EXPECT_OK(from_arrays(context, {5, 0, 0}, error));
+}
+
+// A cloud of one point is a point, however far it lies.
+TEST(Scale, SeedsFarFromTheModelAreRefused) {
+    const Context context = make_context();
+    Error error;
+    scenes::Samples plane;
+    plane.add({0, 0, 0}, {0, 0, 1});
+    plane.add({1, 0, 0}, {0, 0, 1});
+    plane.add({0, 1, 0}, {0, 0, 1});
+    const Model model = fit(context, plane);
+    const std::vector<double> seeds{0.1, 0.1, 0.0, 1e35, 0.0, 0.0};
+    hrbfnpr_generate_desc desc = small_desc();
+    desc.seed_source = HRBFNPR_SEED_POINTS;
+    desc.seed_points = in(seeds);
+    hrbfnpr_point_set* set = nullptr;
+    EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error),
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "seed_points[1]");
+}
+
+// ---- questions to a model ------------------------------------------------------------------
+
+struct Answers {
+    std::vector<double> value = std::vector<double>(2), gradient = std::vector<double>(6),
+                        hessian = std::vector<double>(12), position = std::vector<double>(6),
+                        normal = std::vector<double>(6), k1 = std::vector<double>(2), k2 = std::vector<double>(2),
+                        t = std::vector<double>(2);
+    std::vector<std::uint8_t> status = std::vector<std::uint8_t>(2);
+
+    // Each call gives finite numbers, or says what is wrong.
+    void ask(const Model& model, const std::vector<double>& point);
+};
+
+void expect_said(hrbfnpr_status status, const Error& error, const std::vector<const std::vector<double>*>& numbers) {
+    if (status != HRBFNPR_STATUS_OK) {
+        EXPECT_EQ(status, HRBFNPR_STATUS_INVALID_ARGUMENT);
+        EXPECT_NE(std::string(error.record.message).find("points["), std::string::npos) << error.record.message;
+        return;
+    }
+    for (const auto* all : numbers)
+        for (const double number : *all) EXPECT_TRUE(std::isfinite(number)) << number;
+}
+
+void Answers::ask(const Model& model, const std::vector<double>& point) {
+    const hrbfnpr_array points = in(point);
+    const hrbfnpr_array_out to_value = out(value, 1), to_gradient = out(gradient), to_hessian = out(hessian, 6),
+                            to_position = out(position), to_normal = out(normal), to_k1 = out(k1, 1),
+                            to_k2 = out(k2, 1), to_status = out(status, 1);
+    Error error;
+    expect_said(hrbfnpr_model_evaluate(model.get(), &points, &to_value, &to_gradient, &to_hessian, nullptr, error),
+                error, {&value, &gradient, &hessian});
+    expect_said(hrbfnpr_model_project(model.get(), &points, nullptr, &to_position, &to_normal, &to_status, nullptr,
+                                      nullptr, error),
+                error, {&position, &normal});
+    expect_said(
+        hrbfnpr_model_curvature(model.get(), &points, &to_k1, &to_k2, nullptr, nullptr, nullptr, nullptr, error), error,
+        {&k1, &k2});
+}
+
+TEST(Scale, AnswersAreFiniteOrRefused) {
+    const Context context = make_context();
+    for (const double radius : {1e-99, 1e-60, 1e-30, 1.0, 1e30, 1e60, 1e99}) {
+        const Model model = sphere_of(context, radius);
+        for (const double part : {0.0, 1e-20, 0.5, 1.2, 1e10, 1e100, 1e200, 1e307}) {
+            const double x = radius * part;
+            if (!std::isfinite(x)) continue;
+            SCOPED_TRACE(testing::Message() << "radius " << radius << ", at " << x);
+            Answers().ask(model, {x, 0.0, 0.0, 0.3 * x, 0.3 * x, 0.3 * x});
+        }
+        Answers near;
+        near.ask(model, {1.2 * radius, 0.0, 0.0, 0.0, 1.1 * radius, 0.0});
+        EXPECT_NEAR(near.position[0] / radius, 1.0, 1e-6) << radius;
+        EXPECT_EQ(near.status[0], HRBFNPR_PROJECTION_CONVERGED) << radius;
+    }
+}
+
+// A float that cannot hold an answer is not filled with infinity.
+TEST(Scale, FloatArraysThatCannotHoldAnAnswerAreRefused) {
+    const Context context = make_context();
+    Error error;
+    const Model model = sphere_of(context, 1e-60);
+    const std::vector<double> point{1e-60, 0.0, 0.0};
+    std::vector<float> curvature(1);
+    const hrbfnpr_array points = in(point);
+    const hrbfnpr_array_out k1 = out(curvature, 1);
+    EXPECT_FAILS(hrbfnpr_model_curvature(model.get(), &points, &k1, nullptr, nullptr, nullptr, nullptr, nullptr, error),
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "FLOAT64");
+    const Model large = sphere_of(context, 1e60);
+    const std::vector<double> far{2e60, 0.0, 0.0};
+    std::vector<float> value(1), place(3);
+    const hrbfnpr_array from = in(far);
+    const hrbfnpr_array_out values = out(value, 1), places = out(place);
+    EXPECT_FAILS(hrbfnpr_model_evaluate(large.get(), &from, &values, nullptr, nullptr, nullptr, error),
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "FLOAT64");
+    EXPECT_FAILS(hrbfnpr_model_project(large.get(), &from, nullptr, &places, nullptr, nullptr, nullptr, nullptr, error),
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "FLOAT64");
+}
+
+TEST(Scale, RaysAreCastAtAnyScaleOrRefused) {
+    const Context context = make_context();
+    for (const double radius : {1e-99, 1e-30, 1.0, 1e30, 1e99}) {
+        const Model model = sphere_of(context, radius);
+        for (const double length : {1e-300, 1.0, 1e300}) {
+            Error error;
+            const std::vector<double> origin{0.0, 0.0, 3.0 * radius}, direction{0.0, 0.0, -length};
+            std::vector<double> t(1), place(3);
+            std::vector<std::uint32_t> hits(1);
+            const hrbfnpr_array from = in(origin), along = in(direction);
+            const hrbfnpr_array_out to_hits = out(hits, 1), to_t = out(t, 1), to_place = out(place);
+            const hrbfnpr_status status =
+                hrbfnpr_model_cast_rays(model.get(), &from, &along, nullptr, &to_hits, &to_t, &to_place, nullptr,
+                                        nullptr, nullptr, nullptr, nullptr, error);
+            if (status != HRBFNPR_STATUS_OK) {
+                EXPECT_NE(std::string(error.record.message).find("directions[0]"), std::string::npos)
+                    << error.record.message;
+                continue;
+            }
+            ASSERT_EQ(hits[0], 1U) << radius << ' ' << length;
+            EXPECT_NEAR(place[2] / radius, 1.0, 1e-6) << radius << ' ' << length;
+            EXPECT_TRUE(std::isfinite(t[0])) << radius << ' ' << length;
+        }
+    }
+}
+
+TEST(Scale, BoxesOfCustomModelsAreAskedForTheirSize) {
+    const Context context = make_context();
+    Error error;
+    Sphere sphere;
+    for (const double half : {1e-200, 1e-130, 1e130, 1e200}) {
+        hrbfnpr_custom_desc desc = sphere_desc(sphere, 0);
+        for (int axis = 0; axis < 3; ++axis) {
+            desc.bounds_min[axis] = -half;
+            desc.bounds_max[axis] = half;
+        }
+        hrbfnpr_model* model = nullptr;
+        EXPECT_FAILS(hrbfnpr_model_create_custom(context.get(), &desc, &model, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                     "custom_desc.bounds");
+        hrbfnpr_model_release(model);
+    }
+}
+
+} // namespace
+} // namespace api_test
