@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hrbfnpr::sampling {
 namespace {
@@ -60,16 +59,6 @@ void compute_curvature(const Site& site, const Marks& marks, const base::Array<s
     }
 }
 
-// Positions are floats about the middle of all marks.
-void require_floats(const geometry::Bounds& bounds) {
-    constexpr double most = std::numeric_limits<float>::max();
-    const glm::dvec3 size = bounds.size();
-    const double side = std::max({size.x, size.y, size.z});
-    if (!(0.5 * side <= most))
-        fail(Status::invalid_argument,
-             "the marks are up to %g apart and their positions do not fit into floats: use a larger unit", side);
-}
-
 } // namespace
 
 float random_rank(std::uint64_t random_seed, std::uint64_t key, Group group) noexcept {
@@ -117,7 +106,6 @@ void measure(const base::Runtime& runtime, std::span<const geometry::VecArray* c
         for (std::int64_t i = 0; i < group->size(); ++i) set.bounds.extend((*group)[i]);
     }
     if (set.bounds.empty()) return; // no mark: an origin or a spacing would be 0 / 0
-    require_floats(set.bounds);
     set.origin = set.bounds.centre();
     set.spacing = area > 0.0 ? std::sqrt(area / static_cast<double>(largest->size()))
                              : covered_spacing(runtime, *largest, progress);

@@ -38,14 +38,16 @@ hrbfnpr_model_info info_of(const hrbfnpr_model* model) {
     return info;
 }
 
-// One anywhere, the middle and two corners of the bounds, and one of the samples.
+// One outside, the middle and two corners of the bounds, and one of the samples.
 Vectors points_of(const hrbfnpr_model* model, const hrbfnpr_model_info& info) {
-    Vectors points = {0.1, 0.2, 0.3};
+    Vectors points{};
     Call call("model_view");
     hrbfnpr_array samples;
     call.expect(hrbfnpr_model_view(model, HRBFNPR_MODEL_ATTRIBUTE_POSITION, &samples, call.error()));
     require(samples.count == info.centres && samples.data != nullptr, "the centres can be seen");
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double size = info.bounds_max[axis] - info.bounds_min[axis];
+        points[axis] = info.bounds_max[axis] + 0.1 * static_cast<double>(1 + axis) * size;
         points[3 + axis] = 0.5 * (info.bounds_min[axis] + info.bounds_max[axis]);
         points[6 + axis] = info.bounds_min[axis];
         points[9 + axis] = info.bounds_max[axis];
