@@ -18,7 +18,8 @@ namespace {
 
 #if HRBFNPR_HAS_THREADS
 
-// The fit's dense products want 276 KiB (docs/hosts.md), more under sanitizers; not every system's default is that large.
+// The fit's dense products want 276 KiB (docs/hosts.md), more under sanitizers; not every system's default is that
+// large.
 constexpr std::size_t stack_size = std::size_t{2} << 20U;
 
 // Blocks signals for as long as it lives; threads inherit what is blocked.
