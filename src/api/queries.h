@@ -31,7 +31,10 @@ public:
     // After all arguments are known to be right; takes a pass over the points.
     // Finite, and so near the model that f and its derivatives are finite there.
     void check_near(const implicit::Implicit& implicit) const {
-        const geometry::Bounds near = implicit.bounds().grown(farthest_query * implicit.diagonal());
+        // The bounds of a file may be narrower than what its samples' coordinates are rounded to.
+        const geometry::Bounds& bounds = implicit.bounds();
+        const double rounding = 1e-9 * std::max(glm::length(bounds.min), glm::length(bounds.max));
+        const geometry::Bounds near = bounds.grown(std::max(farthest_query * implicit.diagonal(), rounding));
         check([&](std::int64_t i) {
             const glm::dvec3 p(view_.get(i, 0), view_.get(i, 1), view_.get(i, 2));
             if (near.contains(p)) return;
