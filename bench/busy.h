@@ -4,7 +4,6 @@
 #include <csignal>
 #include <cstdint>
 #include <stdexcept>
-#include <sys/resource.h>
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -32,16 +31,16 @@ public:
         }
     }
 
-    // processor: the one it stays on.  nice: 0 as everybody's, 19 the lowest.
-    void add(int processor = anywhere, int nice = 0) {
+    // processor: the one it stays on.  lower: by how much its priority is below this process's, 0 to 19.
+    void add(int processor = anywhere, int lower = 0) {
         const pid_t child = fork();
         if (child < 0) throw std::runtime_error("cannot fork");
-        if (child == 0) work(processor, nice);
+        if (child == 0) work(processor, lower);
         children_.push_back(child);
     }
 
 private:
-    [[noreturn]] static void work(int processor, int nice) {
+    [[noreturn]] static void work(int processor, int lower) {
 #if defined(__linux__)
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (processor != anywhere) {
@@ -51,7 +50,7 @@ private:
             sched_setaffinity(0, sizeof one, &one);
         }
 #endif
-        setpriority(PRIO_PROCESS, 0, nice);
+        [[maybe_unused]] const int now = ::nice(lower);
         for (volatile std::uint64_t count = 0;;) count = count + 1;
     }
 
