@@ -623,7 +623,7 @@ enum {
     HRBFNPR_PROJECTION_CONVERGED = 0,
     HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* iteration limit, or no step lowers f^2 */
     HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, /* stuck at a critical point off the surface */
-    HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient was not finite, or that longer than 1e150 */
+    HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient was not finite, or the latter above 1e150 */
 };
 
 typedef struct hrbfnpr_project_desc {
