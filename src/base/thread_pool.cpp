@@ -206,7 +206,7 @@ void ThreadPool::run(std::int64_t count, TaskFn task, void* context) noexcept {
 }
 
 int ThreadPool::workers() const noexcept {
-    return owner_.load(std::memory_order_acquire) == process_id() ? const_cast<ThreadPool*>(this)->room().workers() : 0;
+    return owner_.load(std::memory_order_acquire) == process_id() ? room().workers() : 0;
 }
 
 Team& ThreadPool::team() noexcept {

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <new>
 #include <thread>
 
 namespace hrbfnpr::base {
@@ -130,6 +131,7 @@ private:
     // may be held for ever: it gets a new team in the place of the old one.
     [[nodiscard]] Team& team() noexcept;
     [[nodiscard]] Team& room() noexcept { return *std::launder(reinterpret_cast<Team*>(room_)); }
+    [[nodiscard]] const Team& room() const noexcept { return *std::launder(reinterpret_cast<const Team*>(room_)); }
 
     int threads_;
     std::atomic<std::int64_t> owner_{0}; // the process whose team it is; negative while that starts

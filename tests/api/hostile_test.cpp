@@ -32,19 +32,24 @@ struct Steep {
     }
 };
 
-Model model_of(const Context& context, Steep& steep, double half = 1.1) {
+// In the box from (low, low, low) to (high, high, high).
+Model model_in_box(const Context& context, Steep& steep, double low, double high) {
     Error error;
     auto desc = made(hrbfnpr_custom_desc_init);
     desc.flags = HRBFNPR_CUSTOM_HAS_GRADIENT;
     desc.function = Steep::call;
     desc.user = &steep;
     for (int axis = 0; axis < 3; ++axis) {
-        desc.bounds_min[axis] = -half;
-        desc.bounds_max[axis] = half;
+        desc.bounds_min[axis] = low;
+        desc.bounds_max[axis] = high;
     }
     hrbfnpr_model* model = nullptr;
     EXPECT_OK(hrbfnpr_model_create_custom(context.get(), &desc, &model, error));
     return Model(model);
+}
+
+Model model_of(const Context& context, Steep& steep, double half = 1.1) {
+    return model_in_box(context, steep, -half, half);
 }
 
 hrbfnpr_status generated(const Context& context, const Model& model, const hrbfnpr_generate_desc& desc, Error& error,
@@ -200,17 +205,7 @@ TEST(Hostile, ABoxThatMissesTheSurface) {
     const Context context = make_context(1);
     Error error;
     Steep steep;
-    auto desc = made(hrbfnpr_custom_desc_init);
-    desc.flags = HRBFNPR_CUSTOM_HAS_GRADIENT;
-    desc.function = Steep::call;
-    desc.user = &steep;
-    for (int axis = 0; axis < 3; ++axis) {
-        desc.bounds_min[axis] = 100.0;
-        desc.bounds_max[axis] = 101.0;
-    }
-    hrbfnpr_model* made_model = nullptr;
-    ASSERT_OK(hrbfnpr_model_create_custom(context.get(), &desc, &made_model, error));
-    const Model model(made_model);
+    const Model model = model_in_box(context, steep, 100.0, 101.0);
     PointSet set;
     EXPECT_FAILS(generated(context, model, one_group(HRBFNPR_GROUP_STIPPLE, 500), error, set),
                  HRBFNPR_STATUS_NOT_CONVERGED, "seeds");
