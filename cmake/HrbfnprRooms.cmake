@@ -2,7 +2,7 @@
 # test of one room links that room and the rooms below it, and nothing else.
 #
 #   hrbfnpr_room(fit DEPENDS implicit)     makes hrbfnpr_fit from src/fit/*.cpp
-#   hrbfnpr_link_room(some_test fit)       links it and all that it depends on
+#   hrbfnpr_link_room(some_test fit ...)   links these and all that they depend on
 
 function(hrbfnpr_room name)
   cmake_parse_arguments(arg "" "FOLDER" "DEPENDS;SOURCES" ${ARGN})
@@ -28,8 +28,13 @@ function(hrbfnpr_room name)
   set_property(GLOBAL PROPERTY HRBFNPR_ROOM_${name} "${closure}")
 endfunction()
 
-function(hrbfnpr_link_room target room)
-  get_property(closure GLOBAL PROPERTY HRBFNPR_ROOM_${room})
+function(hrbfnpr_link_room target)
+  set(closure)
+  foreach(room IN LISTS ARGN)
+    get_property(below GLOBAL PROPERTY HRBFNPR_ROOM_${room})
+    list(APPEND closure ${below})
+  endforeach()
+  list(REMOVE_DUPLICATES closure)
   foreach(name IN LISTS closure)
     target_link_libraries(${target} PRIVATE hrbfnpr_${name})
   endforeach()

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "api/descriptor.h"
-#include "frame/camera.h"
+#include "frame/scene/camera.h"
 
 #include <hrbfnpr.h>
 

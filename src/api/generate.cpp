@@ -1,5 +1,5 @@
 // Making point sets: by generation on a model, or from the caller's arrays.
-#include "sampling/generate.h"
+#include "generate/generate.h"
 
 #include "api/barrier.h"
 #include "api/checks.h"
@@ -8,50 +8,51 @@
 #include "api/operation.h"
 #include "api/point_set.h"
 #include "api/views.h"
-#include "sampling/cluster_marks.h"
+#include "marks/cluster_marks.h"
+#include "marks/from_arrays.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
 using namespace hrbfnpr;
-using sampling::group_count;
+using marks::group_count;
 
-static_assert(static_cast<int>(sampling::Group::stipple) == HRBFNPR_GROUP_STIPPLE);
-static_assert(static_cast<int>(sampling::Group::curvature) == HRBFNPR_GROUP_CURVATURE);
-static_assert(static_cast<int>(sampling::Group::combing) == HRBFNPR_GROUP_COMBING);
+static_assert(static_cast<int>(marks::Group::stipple) == HRBFNPR_GROUP_STIPPLE);
+static_assert(static_cast<int>(marks::Group::curvature) == HRBFNPR_GROUP_CURVATURE);
+static_assert(static_cast<int>(marks::Group::combing) == HRBFNPR_GROUP_COMBING);
 static_assert(group_count == HRBFNPR_GROUP_COUNT);
-static_assert(static_cast<int>(sampling::Distribution::blue_noise) == HRBFNPR_DISTRIBUTION_BLUE_NOISE);
-static_assert(static_cast<int>(sampling::Distribution::paper) == HRBFNPR_DISTRIBUTION_PAPER);
-static_assert(static_cast<int>(sampling::StrokeField::line) == HRBFNPR_STROKE_FIELD_LINE);
-static_assert(static_cast<int>(sampling::StrokeField::cross) == HRBFNPR_STROKE_FIELD_CROSS);
-static_assert(static_cast<int>(sampling::Density::uniform) == HRBFNPR_DENSITY_UNIFORM);
-static_assert(static_cast<int>(sampling::Density::curvature) == HRBFNPR_DENSITY_CURVATURE);
-static_assert(static_cast<int>(sampling::Density::callback) == HRBFNPR_DENSITY_CALLBACK);
-static_assert(sampling::layer_count == HRBFNPR_LAYER_COUNT);
-static_assert(static_cast<int>(sampling::SeedSource::automatic) == HRBFNPR_SEED_AUTO);
-static_assert(static_cast<int>(sampling::SeedSource::samples) == HRBFNPR_SEED_SAMPLES);
-static_assert(static_cast<int>(sampling::SeedSource::box) == HRBFNPR_SEED_BOX);
-static_assert(static_cast<int>(sampling::SeedSource::points) == HRBFNPR_SEED_POINTS);
+static_assert(static_cast<int>(marks::Distribution::blue_noise) == HRBFNPR_DISTRIBUTION_BLUE_NOISE);
+static_assert(static_cast<int>(marks::Distribution::paper) == HRBFNPR_DISTRIBUTION_PAPER);
+static_assert(static_cast<int>(marks::StrokeField::line) == HRBFNPR_STROKE_FIELD_LINE);
+static_assert(static_cast<int>(marks::StrokeField::cross) == HRBFNPR_STROKE_FIELD_CROSS);
+static_assert(static_cast<int>(stipples::Density::uniform) == HRBFNPR_DENSITY_UNIFORM);
+static_assert(static_cast<int>(stipples::Density::curvature) == HRBFNPR_DENSITY_CURVATURE);
+static_assert(static_cast<int>(stipples::Density::callback) == HRBFNPR_DENSITY_CALLBACK);
+static_assert(generate::layer_count == HRBFNPR_LAYER_COUNT);
+static_assert(static_cast<int>(marks::SeedSource::automatic) == HRBFNPR_SEED_AUTO);
+static_assert(static_cast<int>(marks::SeedSource::samples) == HRBFNPR_SEED_SAMPLES);
+static_assert(static_cast<int>(marks::SeedSource::box) == HRBFNPR_SEED_BOX);
+static_assert(static_cast<int>(marks::SeedSource::points) == HRBFNPR_SEED_POINTS);
 
 namespace hrbfnpr::api {
 
 template <>
 hrbfnpr_generate_desc defaults() noexcept {
-    const sampling::GenerateSettings settings;
+    const generate::Settings settings;
     hrbfnpr_generate_desc desc{};
     desc.groups = 1U << HRBFNPR_GROUP_STIPPLE;
     desc.distribution = static_cast<std::uint32_t>(settings.distribution);
-    desc.seed_source = static_cast<std::uint32_t>(settings.seed_source);
-    desc.box_resolution = static_cast<std::uint32_t>(settings.box_resolution);
-    desc.box_jitter = settings.box_jitter;
-    desc.initial_step = settings.initial_step;
+    desc.seed_source = static_cast<std::uint32_t>(settings.seeds.source);
+    desc.box_resolution = static_cast<std::uint32_t>(settings.seeds.box_resolution);
+    desc.box_jitter = settings.seeds.box_jitter;
+    desc.initial_step = settings.seeds.initial_step;
     desc.projection_tolerance = settings.projection_tolerance;
     desc.random_seed = settings.random_seed;
     desc.group[HRBFNPR_GROUP_STIPPLE].levels = 4;
     desc.group[HRBFNPR_GROUP_CURVATURE].levels = 3;
     desc.group[HRBFNPR_GROUP_COMBING].levels = 3;
-    desc.stroke_field = static_cast<std::uint32_t>(settings.stroke_field);
+    desc.stroke_field = static_cast<std::uint32_t>(settings.strokes.field);
     desc.density_strength = settings.density.strength;
     return desc;
 }
@@ -89,22 +90,22 @@ void check_stipple_seeds(const hrbfnpr_generate_desc& desc, int group, const cha
              static_cast<int>(wanted.seed_level), static_cast<int>(levels));
 }
 
-sampling::GroupSettings checked_group(const hrbfnpr_generate_desc& desc, int group) {
+generate::GroupSettings checked_group(const hrbfnpr_generate_desc& desc, int group) {
     const hrbfnpr_group_desc& given = desc.group[group];
-    sampling::GroupSettings settings;
+    generate::GroupSettings settings;
     settings.wanted = (desc.groups >> group & 1U) != 0;
     if (!settings.wanted) return settings;
     const GroupName name("generate_desc", group);
     const Checks checks(name.text);
-    checks.between("levels", given.levels, 0, sampling::most_levels);
+    checks.between("levels", given.levels, 0, marks::most_levels);
     checks.one_of("seeds", given.seeds, HRBFNPR_GROUP_SEED_STIPPLES + 1, "HRBFNPR_GROUP_SEED_...");
-    checks.between("seed_level", given.seed_level, 0, sampling::most_levels);
+    checks.between("seed_level", given.seed_level, 0, marks::most_levels);
     checks.zero("reserved", given.reserved);
     checks.at_least("budget", static_cast<double>(given.budget), 0.0);
     check_stipple_seeds(desc, group, name.text);
-    settings.levels = given.levels;
-    settings.from_stipples = given.seeds == HRBFNPR_GROUP_SEED_STIPPLES;
-    settings.seed_level = given.seed_level;
+    settings.published.levels = given.levels;
+    settings.published.from_stipples = given.seeds == HRBFNPR_GROUP_SEED_STIPPLES;
+    settings.published.seed_level = given.seed_level;
     settings.budget = given.budget;
     settings.with_curvature =
         group == HRBFNPR_GROUP_CURVATURE ||
@@ -134,26 +135,26 @@ void check_numbers(const hrbfnpr_generate_desc& desc) {
     checks.at_least("shared_budget", static_cast<double>(desc.shared_budget), 0.0);
 }
 
-sampling::DensitySettings checked_density(const hrbfnpr_generate_desc& desc) {
+stipples::DensitySettings checked_density(const hrbfnpr_generate_desc& desc) {
     const Checks checks("generate_desc");
     checks.one_of("density", desc.density, HRBFNPR_DENSITY_CALLBACK + 1, "HRBFNPR_DENSITY_...");
     checks.between("density_strength", desc.density_strength, 0.0, 1.0);
     if (desc.density == HRBFNPR_DENSITY_CALLBACK) checks.given("density_function", desc.density_function != nullptr);
-    return {static_cast<sampling::Density>(desc.density), desc.density_strength, desc.density_function,
+    return {static_cast<stipples::Density>(desc.density), desc.density_strength, desc.density_function,
             desc.density_user};
 }
 
 int group_of_layer(int layer) noexcept { return (layer + 1) / 2; }
 
 // The layers that are made share the tones evenly in LAYERED order, but for those that say their part themselves.
-void fill_layers(const hrbfnpr_generate_desc& desc, sampling::GenerateSettings& settings) {
+void fill_layers(const hrbfnpr_generate_desc& desc, generate::Settings& settings) {
     const auto made = [&](int layer) { return settings.group[static_cast<std::size_t>(group_of_layer(layer))].wanted; };
     double layers = 0.0;
     for (int layer = 0; layer < HRBFNPR_LAYER_COUNT; ++layer) layers += made(layer) ? 1.0 : 0.0;
     double before = 0.0;
     for (int layer = 0; layer < HRBFNPR_LAYER_COUNT; ++layer) {
         const hrbfnpr_layer& given = desc.layer[layer];
-        sampling::TonePart& part = settings.layer[static_cast<std::size_t>(layer)];
+        marks::TonePart& part = settings.layer[static_cast<std::size_t>(layer)];
         if (!(given.begin == 0.0F && given.end == 0.0F)) {
             if (!(given.begin >= 0.0F && given.begin < given.end && given.end <= 1.0F))
                 fail(Status::invalid_argument,
@@ -168,7 +169,7 @@ void fill_layers(const hrbfnpr_generate_desc& desc, sampling::GenerateSettings& 
 }
 
 // Each layer's marks in proportion to its part of the tones.
-void share_budget(std::int64_t budget, sampling::GenerateSettings& settings) {
+void share_budget(std::int64_t budget, generate::Settings& settings) {
     if (budget == 0) return;
     std::array<double, group_count> share{};
     double all = 0.0;
@@ -189,22 +190,22 @@ void share_budget(std::int64_t budget, sampling::GenerateSettings& settings) {
                 std::max<std::int64_t>(1, static_cast<std::int64_t>(static_cast<double>(budget) * share[group] / all));
 }
 
-sampling::GenerateSettings checked(const hrbfnpr_generate_desc& desc) {
+generate::Settings checked(const hrbfnpr_generate_desc& desc) {
     check_numbers(desc);
-    sampling::GenerateSettings settings;
-    settings.distribution = static_cast<sampling::Distribution>(desc.distribution);
-    settings.seed_source = static_cast<sampling::SeedSource>(desc.seed_source);
-    settings.box_resolution = static_cast<std::int32_t>(desc.box_resolution);
-    settings.box_jitter = desc.box_jitter;
-    settings.initial_step = desc.initial_step;
+    generate::Settings settings;
+    settings.distribution = static_cast<marks::Distribution>(desc.distribution);
+    settings.seeds.source = static_cast<marks::SeedSource>(desc.seed_source);
+    settings.seeds.box_resolution = static_cast<std::int32_t>(desc.box_resolution);
+    settings.seeds.box_jitter = desc.box_jitter;
+    settings.seeds.initial_step = desc.initial_step;
     settings.projection_tolerance = desc.projection_tolerance;
     settings.random_seed = desc.random_seed;
-    settings.stroke_separation = desc.stroke_separation;
-    settings.stroke_step = desc.stroke_step;
-    settings.stroke_length = desc.stroke_length;
-    settings.stroke_field = static_cast<sampling::StrokeField>(desc.stroke_field);
-    settings.seed_points = in_view(desc.seed_points, "generate_desc.seed_points", points_type);
-    if (desc.seed_source == HRBFNPR_SEED_POINTS && settings.seed_points.empty())
+    settings.strokes.separation = desc.stroke_separation;
+    settings.strokes.step = desc.stroke_step;
+    settings.strokes.longest = desc.stroke_length;
+    settings.strokes.field = static_cast<marks::StrokeField>(desc.stroke_field);
+    settings.seeds.points = in_view(desc.seed_points, "generate_desc.seed_points", points_type);
+    if (desc.seed_source == HRBFNPR_SEED_POINTS && settings.seeds.points.empty())
         fail(Status::invalid_argument,
              "generate_desc.seed_points is empty; seed_source POINTS needs one point at least");
     for (int group = 0; group < group_count; ++group)
@@ -217,16 +218,16 @@ sampling::GenerateSettings checked(const hrbfnpr_generate_desc& desc) {
 
 hrbfnpr_point_set* generate(hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_generate_desc& desc,
                             hrbfnpr_operation* operation) {
-    const sampling::GenerateSettings settings = checked(desc);
+    const generate::Settings settings = checked(desc);
     const OperationUse use(operation);
-    const sampling::SampleHint samples = model.samples();
-    sampling::check_request(model.implicit(), settings);
+    const generate::SampleHint samples = model.samples();
+    generate::check_request(model.implicit(), settings);
     const implicit::Implicit& implicit =
-        model.implicit_for(sampling::expected_evaluations(samples, settings), use.progress());
-    sampling::PointSet set = sampling::generate(context.runtime, implicit, samples, settings, use.progress());
-    sampling::cluster_marks(context.runtime, set, use.progress());
+        model.implicit_for(generate::expected_evaluations(samples, settings), use.progress());
+    marks::PointSet set = generate::generate(context.runtime, implicit, samples, settings, use.progress());
+    marks::cluster_marks(context.runtime, set, use.progress());
     use.finish();
-    for (const sampling::MarkGroup& group : set.group)
+    for (const marks::MarkGroup& group : set.group)
         if (group.count() > 0)
             context.runtime.log(base::LogLevel::info, "generate: %lld marks in group %d in %.3f s",
                                 static_cast<long long>(group.count()), static_cast<int>(&group - set.group.data()),
@@ -236,17 +237,17 @@ hrbfnpr_point_set* generate(hrbfnpr_context& context, const hrbfnpr_model& model
 
 double step_patches(const hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_generate_desc& desc,
                     const hrbfnpr_array_out* corners, hrbfnpr_operation* operation) {
-    const sampling::GenerateSettings settings = checked(desc);
+    const generate::Settings settings = checked(desc);
     const std::int64_t count = deref(corners, "corners").count;
     const base::OutView out = out_view(corners, "corners", {12, float_types}, count);
     const OperationUse use(operation);
     const double step =
-        sampling::step_patches(context.runtime, model.implicit(), model.samples(), settings, out, use.progress());
+        generate::step_patches(context.runtime, model.implicit(), model.samples(), settings, out, use.progress());
     use.finish();
     return step;
 }
 
-sampling::GroupArrays checked(const hrbfnpr_group_arrays& arrays, int group) {
+marks::GroupArrays checked(const hrbfnpr_group_arrays& arrays, int group) {
     const auto view = [&](const hrbfnpr_array& array, const char* field, ArrayType type) {
         char name[64];
         std::snprintf(name, sizeof name, "%s.%s", GroupName("point_set_desc", group).text, field);
@@ -260,10 +261,10 @@ sampling::GroupArrays checked(const hrbfnpr_group_arrays& arrays, int group) {
 
 hrbfnpr_point_set* from_arrays(hrbfnpr_context& context, const hrbfnpr_point_set_desc& desc) {
     Checks("point_set_desc").zero("reserved", desc.reserved);
-    std::array<sampling::GroupArrays, group_count> arrays;
+    std::array<marks::GroupArrays, group_count> arrays;
     for (int group = 0; group < group_count; ++group)
         arrays[static_cast<std::size_t>(group)] = checked(desc.group[group], group);
-    return adopt(context, sampling::from_arrays(context.runtime, arrays, desc.random_seed));
+    return adopt(context, marks::from_arrays(context.runtime, arrays, desc.random_seed));
 }
 
 } // namespace

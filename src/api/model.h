@@ -3,10 +3,10 @@
 
 #include "api/handles.h"
 #include "fit/fit.h"
+#include "generate/settings.h"
 #include "implicit/custom.h"
 #include "implicit/hrbf.h"
 #include "implicit/prepared.h"
-#include "sampling/generate.h"
 
 #include <memory>
 #include <mutex>
@@ -36,10 +36,10 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         return hrbf != nullptr ? &hrbf->data() : nullptr;
     }
     // Empty for a custom model.
-    [[nodiscard]] hrbfnpr::sampling::SampleHint samples() const noexcept {
+    [[nodiscard]] hrbfnpr::generate::SampleHint samples() const noexcept {
         const auto* hrbf = data();
-        return hrbf != nullptr ? hrbfnpr::sampling::SampleHint{hrbf->sample_position.span(), hrbf->spacing}
-                               : hrbfnpr::sampling::SampleHint{};
+        return hrbf != nullptr ? hrbfnpr::generate::SampleHint{hrbf->sample_position.span(), hrbf->spacing}
+                               : hrbfnpr::generate::SampleHint{};
     }
 
     std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Custom> surface;

@@ -4,7 +4,7 @@
 #include "api/descriptor.h"
 #include "api/streams.h"
 #include "io/files.h"
-#include "sampling/cluster_marks.h"
+#include "marks/cluster_marks.h"
 
 using namespace hrbfnpr;
 
@@ -15,21 +15,21 @@ hrbfnpr_point_set_info defaults() noexcept {
     return {};
 }
 
-hrbfnpr_point_set* adopt(hrbfnpr_context& context, sampling::PointSet&& set) {
-    sampling::cluster_marks(context.runtime, set);
+hrbfnpr_point_set* adopt(hrbfnpr_context& context, marks::PointSet&& set) {
+    marks::cluster_marks(context.runtime, set);
     return make_handle<hrbfnpr_point_set>(context, std::move(set));
 }
 
 namespace {
 
-static_assert(sampling::most_levels + 1 == sizeof(hrbfnpr_group_info::level) / sizeof(hrbfnpr_level_info));
+static_assert(marks::most_levels + 1 == sizeof(hrbfnpr_group_info::level) / sizeof(hrbfnpr_level_info));
 
-hrbfnpr_level_info describe(const sampling::LevelReport& level) noexcept {
+hrbfnpr_level_info describe(const marks::LevelReport& level) noexcept {
     return {level.attempted,          level.placed,        level.dropped_not_converged, level.dropped_strayed,
             level.dropped_degenerate, level.dropped_budget};
 }
 
-hrbfnpr_group_info describe(const sampling::MarkGroup& group) noexcept {
+hrbfnpr_group_info describe(const marks::MarkGroup& group) noexcept {
     hrbfnpr_group_info info{};
     info.count = group.count();
     info.strokes = group.report.strokes;
@@ -41,7 +41,7 @@ hrbfnpr_group_info describe(const sampling::MarkGroup& group) noexcept {
     return info;
 }
 
-hrbfnpr_point_set_info describe(const sampling::PointSet& set) noexcept {
+hrbfnpr_point_set_info describe(const marks::PointSet& set) noexcept {
     hrbfnpr_point_set_info info{};
     info.distribution = static_cast<std::uint32_t>(set.distribution);
     info.seed_source = static_cast<std::uint32_t>(set.seed_source);
@@ -65,10 +65,10 @@ hrbfnpr_array view(const base::Array<T>& array, std::uint32_t scalar, std::uint3
             components};
 }
 
-hrbfnpr_array view_of(const sampling::PointSet& set, std::uint32_t group, std::uint32_t attribute) {
+hrbfnpr_array view_of(const marks::PointSet& set, std::uint32_t group, std::uint32_t attribute) {
     if (group >= HRBFNPR_GROUP_COUNT)
         fail(Status::invalid_argument, "group is %u; it must be one of HRBFNPR_GROUP_... (0 to 2)", group);
-    const sampling::MarkGroup& marks = set.group[group];
+    const marks::MarkGroup& marks = set.group[group];
     switch (attribute) {
     case HRBFNPR_ATTRIBUTE_POSITION: return view(marks.position, HRBFNPR_SCALAR_FLOAT32, 3);
     case HRBFNPR_ATTRIBUTE_NORMAL: return view(marks.normal, HRBFNPR_SCALAR_FLOAT32, 3);

@@ -2,18 +2,18 @@
 #pragma once
 
 #include "api/handles.h"
-#include "sampling/point_set.h"
+#include "marks/point_set.h"
 
 struct hrbfnpr_point_set : hrbfnpr::api::Child {
-    hrbfnpr_point_set(hrbfnpr_context& context, hrbfnpr::sampling::PointSet&& marks) noexcept
+    hrbfnpr_point_set(hrbfnpr_context& context, hrbfnpr::marks::PointSet&& marks) noexcept
         : Child(context), set(std::move(marks)) {}
 
-    const hrbfnpr::sampling::PointSet set;
+    const hrbfnpr::marks::PointSet set;
 };
 
 namespace hrbfnpr::api {
 
 // Makes a finished set ready for frames, and a handle of it.
-[[nodiscard]] hrbfnpr_point_set* adopt(hrbfnpr_context& context, sampling::PointSet&& set);
+[[nodiscard]] hrbfnpr_point_set* adopt(hrbfnpr_context& context, marks::PointSet&& set);
 
 } // namespace hrbfnpr::api

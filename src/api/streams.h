@@ -3,7 +3,6 @@
 
 #include "api/barrier.h"
 #include "base/status.h"
-#include "io/memory_stream.h"
 #include "io/stream.h"
 
 #include <hrbfnpr.h>

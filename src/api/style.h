@@ -2,7 +2,7 @@
 #pragma once
 
 #include "api/descriptor.h"
-#include "frame/style.h"
+#include "frame/scene/style.h"
 
 #include <hrbfnpr.h>
 

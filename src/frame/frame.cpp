@@ -1,8 +1,8 @@
 #include "frame/frame.h"
 
-#include "frame/painted_frame.h"
-#include "frame/scene.h"
-#include "frame/sheet_frame.h"
+#include "frame/depth_layers/sheet_frame.h"
+#include "frame/published/painted_frame.h"
+#include "frame/scene/scene.h"
 #include "geometry/unit.h"
 
 #include <algorithm>
@@ -21,15 +21,6 @@ namespace {
 }
 
 } // namespace
-
-FrameInfo& FrameInfo::operator+=(const FrameInfo& other) noexcept {
-    for (std::int64_t FrameInfo::*const field :
-         {&FrameInfo::marks, &FrameInfo::outside, &FrameInfo::front, &FrameInfo::back, &FrameInfo::silhouette,
-          &FrameInfo::shown, &FrameInfo::dropped_tone, &FrameInfo::dropped_depth, &FrameInfo::dropped_zoom,
-          &FrameInfo::dropped_hidden, &FrameInfo::painted, &FrameInfo::culled})
-        this->*field += other.*field;
-    return *this;
-}
 
 struct Frame::Impl {
     explicit Impl(const base::Runtime& host) : scene(host.memory), painted_frame(host), sheet_frame(host) {}
@@ -81,8 +72,8 @@ Frame::MarkSource Frame::source(const Disc& disc) const noexcept {
     const std::int64_t mark = disc.id - run.first_id;
     MarkSource source;
     source.position = glm::vec3(item.to_world * glm::dvec4(item.place(*run.marks, mark), 1.0));
-    source.normal = unit_or_zero(item.normal_to_world * sampling::vector_at(run.marks->normal, mark));
-    source.direction = unit_or_zero(of_moderate_scale(item.to_world) * sampling::vector_at(run.marks->direction, mark));
+    source.normal = unit_or_zero(item.normal_to_world * marks::vector_at(run.marks->normal, mark));
+    source.direction = unit_or_zero(of_moderate_scale(item.to_world) * marks::vector_at(run.marks->direction, mark));
     return source;
 }
 

@@ -1,13 +1,11 @@
 // One frame: from point sets, camera and styles to what is to be drawn.  [NPAR 6]
 #pragma once
 
-#include "base/memory.h"
 #include "base/runtime.h"
-#include "frame/camera.h"
-#include "frame/mark_class.h"
-#include "frame/style.h"
-#include "implicit/implicit.h"
-#include "sampling/point_set.h"
+#include "frame/scene/camera.h"
+#include "frame/scene/disc.h"
+#include "frame/scene/frame_info.h"
+#include "frame/scene/item.h"
 
 #include <memory>
 #include <span>
@@ -15,41 +13,6 @@
 namespace hrbfnpr::frame {
 
 class SheetFrame;
-
-struct Item {
-    const sampling::PointSet* set = nullptr;
-    const implicit::Implicit* model = nullptr; // if not, visibility is exact
-    Style style;
-    glm::dmat4 transform{1.0};
-};
-
-// One disc of ink or of paper, in image space.
-struct Disc {
-    float x = 0.0F; // pixels, from the image's top-left corner
-    float y = 0.0F;
-    float radius = 0.0F;   // pixels
-    float depth = 0.0F;    // window depth, in the camera's convention
-    glm::vec4 color{0.0F}; // straight RGBA; a disc of paper: the paper's RGB, and its opacity alpha
-    std::uint32_t id = 0;  // 1 + running number of the mark
-    MarkClass mark_class = MarkClass::none;
-    bool is_paper = false;
-};
-
-// Same fields as hrbfnpr_frame_info.  Marks of the groups that a style draws or takes contours from:
-//   marks = outside + front + back + silhouette + culled; of those,
-//   front + silhouette = shown + dropped_... + those whose group or set of directions is not drawn.
-// By sheets, marks of a cluster whose ranks nothing shows are culled before their class is known.
-// A mark is outside if no disc of it could touch the viewport, or it lies before the near or behind
-// the far plane.  A dropped mark counts once, for the first of: share and light (tone), zoom, depth,
-// hidden.  Marks that are not numbers count as outside.
-struct FrameInfo {
-    std::int64_t marks = 0, outside = 0, front = 0, back = 0, silhouette = 0, shown = 0;
-    std::int64_t dropped_tone = 0, dropped_depth = 0, dropped_zoom = 0, dropped_hidden = 0, painted = 0, culled = 0;
-    std::int64_t nanoseconds_classify = 0, nanoseconds_visibility = 0, nanoseconds_sort = 0, nanoseconds_draw = 0;
-    std::int64_t scratch_bytes = 0;
-
-    FrameInfo& operator+=(const FrameInfo& other) noexcept;
-};
 
 // Reused from frame to frame: allocates nothing once warm.
 class Frame {

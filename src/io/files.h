@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "implicit/hrbf.h"
 #include "io/stream.h"
-#include "sampling/point_set.h"
+#include "marks/point_set.h"
 
 namespace hrbfnpr::io {
 
@@ -20,7 +20,7 @@ void save_model(const implicit::HrbfData& data, std::span<const double> report, 
 // Throws Error{corrupt_data, version_mismatch, io, out_of_memory}; reads no byte beyond the file's end.
 [[nodiscard]] ModelFile load_model(base::Memory& memory, Reader& reader);
 
-void save_point_set(const sampling::PointSet& set, Writer& writer);
-[[nodiscard]] sampling::PointSet load_point_set(base::Memory& memory, Reader& reader);
+void save_point_set(const marks::PointSet& set, Writer& writer);
+[[nodiscard]] marks::PointSet load_point_set(base::Memory& memory, Reader& reader);
 
 } // namespace hrbfnpr::io

@@ -24,18 +24,18 @@ constexpr std::uint32_t tag_stroke = tag("STRK");
 constexpr std::uint32_t tag_width = tag("WIDT");
 
 constexpr std::size_t level_numbers = 6;
-constexpr std::size_t levels = sampling::most_levels + 1;
+constexpr std::size_t levels = marks::most_levels + 1;
 using Numbers = std::array<double, 12>;
 using LevelNumbers = std::array<std::int64_t, level_numbers>;
 using GroupCounts = std::array<std::int64_t, 3 + levels * level_numbers>;
 
-Numbers numbers_of(const sampling::PointSet& set) noexcept {
+Numbers numbers_of(const marks::PointSet& set) noexcept {
     const auto& [low, high] = set.bounds;
     return {set.origin.x, set.origin.y,      set.origin.z,     low.x, low.y, low.z, high.x, high.y, high.z,
             set.spacing,  set.seconds_seeds, set.seconds_total};
 }
 
-void set_numbers(sampling::PointSet& set, const Numbers& n) noexcept {
+void set_numbers(marks::PointSet& set, const Numbers& n) noexcept {
     set.origin = {n[0], n[1], n[2]};
     set.bounds = {{n[3], n[4], n[5]}, {n[6], n[7], n[8]}};
     set.spacing = n[9];
@@ -43,14 +43,14 @@ void set_numbers(sampling::PointSet& set, const Numbers& n) noexcept {
     set.seconds_total = n[11];
 }
 
-LevelNumbers numbers_of(const sampling::LevelReport& level) noexcept {
+LevelNumbers numbers_of(const marks::LevelReport& level) noexcept {
     return {level.attempted,          level.placed,        level.dropped_not_converged, level.dropped_strayed,
             level.dropped_degenerate, level.dropped_budget};
 }
 
-sampling::LevelReport level_of(const std::int64_t* n) noexcept { return {n[0], n[1], n[2], n[3], n[4], n[5]}; }
+marks::LevelReport level_of(const std::int64_t* n) noexcept { return {n[0], n[1], n[2], n[3], n[4], n[5]}; }
 
-GroupCounts counts_of(const sampling::GroupReport& report) noexcept {
+GroupCounts counts_of(const marks::GroupReport& report) noexcept {
     GroupCounts counts{report.strokes, report.full_count, report.levels};
     for (std::size_t level = 0; level < levels; ++level) {
         const LevelNumbers numbers = numbers_of(report.level[level]);
@@ -59,7 +59,7 @@ GroupCounts counts_of(const sampling::GroupReport& report) noexcept {
     return counts;
 }
 
-void encode_group(Encoder& encoder, const sampling::MarkGroup& group) {
+void encode_group(Encoder& encoder, const marks::MarkGroup& group) {
     encoder.section<std::int64_t>(tag_group_counts, counts_of(group.report));
     encoder.section<double>(tag_group_numbers, std::array{group.report.step, group.report.seconds});
     encoder.section(tag_rank, group.rank.span());
@@ -72,45 +72,44 @@ void encode_group(Encoder& encoder, const sampling::MarkGroup& group) {
 }
 
 // One for each group, at the end, and none where all are empty: as in files from before there were widths.
-void encode_widths(Encoder& encoder, const sampling::PointSet& set) {
-    const auto has_width = [](const sampling::MarkGroup& group) { return !group.width.empty(); };
+void encode_widths(Encoder& encoder, const marks::PointSet& set) {
+    const auto has_width = [](const marks::MarkGroup& group) { return !group.width.empty(); };
     if (std::none_of(set.group.begin(), set.group.end(), has_width)) return;
-    for (const sampling::MarkGroup& group : set.group) encoder.section(tag_width, group.width.span());
+    for (const marks::MarkGroup& group : set.group) encoder.section(tag_width, group.width.span());
 }
 
-void encode(Encoder& encoder, const sampling::PointSet& set) {
+void encode(Encoder& encoder, const marks::PointSet& set) {
     const std::array<std::uint32_t, 3> kind{static_cast<std::uint32_t>(set.distribution),
-                                            static_cast<std::uint32_t>(set.seed_source), sampling::group_count};
+                                            static_cast<std::uint32_t>(set.seed_source), marks::group_count};
     encoder.section<std::uint32_t>(tag_kind, kind);
     encoder.section<double>(tag_numbers, numbers_of(set));
     encoder.section<std::int64_t>(tag_seeds, numbers_of(set.seeds));
-    for (const sampling::MarkGroup& group : set.group) encode_group(encoder, group);
+    for (const marks::MarkGroup& group : set.group) encode_group(encoder, group);
     encode_widths(encoder, set);
 }
 
-void decode_kind(Decoder& decoder, sampling::PointSet& set) {
+void decode_kind(Decoder& decoder, marks::PointSet& set) {
     std::array<std::uint32_t, 3> kind{};
     decoder.section<std::uint32_t>(tag_kind, kind);
-    if (kind[0] > static_cast<std::uint32_t>(sampling::Distribution::paper))
+    if (kind[0] > static_cast<std::uint32_t>(marks::Distribution::paper))
         decoder.damaged("its distribution is unknown");
-    if (kind[1] > static_cast<std::uint32_t>(sampling::SeedSource::points))
-        decoder.damaged("its seed source is unknown");
-    if (kind[2] != sampling::group_count) decoder.damaged("it has %u groups instead of 3", kind[2]);
-    set.distribution = static_cast<sampling::Distribution>(kind[0]);
-    set.seed_source = static_cast<sampling::SeedSource>(kind[1]);
+    if (kind[1] > static_cast<std::uint32_t>(marks::SeedSource::points)) decoder.damaged("its seed source is unknown");
+    if (kind[2] != marks::group_count) decoder.damaged("it has %u groups instead of 3", kind[2]);
+    set.distribution = static_cast<marks::Distribution>(kind[0]);
+    set.seed_source = static_cast<marks::SeedSource>(kind[1]);
 }
 
-sampling::GroupReport decode_report(Decoder& decoder) {
+marks::GroupReport decode_report(Decoder& decoder) {
     GroupCounts counts{};
     std::array<double, 2> numbers{};
     decoder.section<std::int64_t>(tag_group_counts, counts);
     decoder.section<double>(tag_group_numbers, numbers);
     for (const std::int64_t count : counts)
         if (count < 0) decoder.damaged("a count of a group is negative");
-    if (counts[2] > sampling::most_levels) decoder.damaged("a group has more than 12 levels");
+    if (counts[2] > marks::most_levels) decoder.damaged("a group has more than 12 levels");
     check_finite<double>(decoder, "group", numbers);
     if (numbers[0] < 0.0 || numbers[1] < 0.0) decoder.damaged("a step or time of a group is negative");
-    sampling::GroupReport report;
+    marks::GroupReport report;
     report.strokes = counts[0];
     report.full_count = counts[1];
     report.levels = static_cast<std::int32_t>(counts[2]);
@@ -121,7 +120,7 @@ sampling::GroupReport decode_report(Decoder& decoder) {
     return report;
 }
 
-void decode_group(Decoder& decoder, sampling::MarkGroup& group) {
+void decode_group(Decoder& decoder, marks::MarkGroup& group) {
     group.report = decode_report(decoder);
     decoder.section(tag_rank, group.rank);
     const std::int64_t count = group.rank.size();
@@ -135,21 +134,21 @@ void decode_group(Decoder& decoder, sampling::MarkGroup& group) {
     decoder.section(tag_stroke, group.stroke, 2 * count);
 }
 
-void decode_widths(Decoder& decoder, sampling::PointSet& set) {
+void decode_widths(Decoder& decoder, marks::PointSet& set) {
     if (!decoder.more()) return;
-    for (sampling::MarkGroup& group : set.group) {
+    for (marks::MarkGroup& group : set.group) {
         decoder.section(tag_width, group.width);
         if (!group.width.empty() && group.width.size() != group.count())
             decoder.damaged("a group's widths are not as many as its marks");
     }
 }
 
-void check_group(const Decoder& decoder, const sampling::MarkGroup& group) {
+void check_group(const Decoder& decoder, const marks::MarkGroup& group) {
     check_finite(decoder, "position", group.position.span());
     check_unit(decoder, "normal", group.normal.span());
     check_finite(decoder, "direction", group.direction.span());
     for (std::int64_t i = 0; i < group.count(); ++i)
-        if (const glm::vec3 d = sampling::vector_at(group.direction, i); !(glm::dot(d, d) < 1.02F))
+        if (const glm::vec3 d = marks::vector_at(group.direction, i); !(glm::dot(d, d) < 1.02F))
             decoder.damaged("direction[%lld] is longer than a unit vector", static_cast<long long>(i));
     check_finite(decoder, "curvature", group.curvature.span());
     for (const float rank : group.rank.span())
@@ -159,11 +158,11 @@ void check_group(const Decoder& decoder, const sampling::MarkGroup& group) {
 }
 
 // Positions are floats about the middle of the box of all marks, which lie in it; but for their rounding.
-void check_places(const Decoder& decoder, const sampling::PointSet& set) {
+void check_places(const Decoder& decoder, const marks::PointSet& set) {
     constexpr double float_max = std::numeric_limits<float>::max();
     check_bounds(decoder, set.bounds);
     if (!(0.5 * longest_side(set.bounds) <= float_max)) decoder.damaged("its bounds are larger than floats can be");
-    for (const sampling::MarkGroup& group : set.group)
+    for (const marks::MarkGroup& group : set.group)
         for (std::int64_t i = 0; i < group.position.size(); ++i) {
             const auto axis = static_cast<glm::length_t>(i % 3);
             const double position = group.position[i];
@@ -175,7 +174,7 @@ void check_places(const Decoder& decoder, const sampling::PointSet& set) {
 }
 
 // A set without marks has no box, and once had no origin and no spacing.
-void check_empty(const Decoder& decoder, sampling::PointSet& set) {
+void check_empty(const Decoder& decoder, marks::PointSet& set) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!(std::isinf(set.bounds.min[axis]) && set.bounds.min[axis] > 0.0 && std::isinf(set.bounds.max[axis]) &&
               set.bounds.max[axis] < 0.0))
@@ -185,9 +184,9 @@ void check_empty(const Decoder& decoder, sampling::PointSet& set) {
     set.spacing = 0.0;
 }
 
-void check_set(const Decoder& decoder, sampling::PointSet& set) {
+void check_set(const Decoder& decoder, marks::PointSet& set) {
     std::int64_t marks = 0;
-    for (const sampling::MarkGroup& group : set.group) {
+    for (const marks::MarkGroup& group : set.group) {
         check_group(decoder, group);
         marks += group.count();
     }
@@ -202,13 +201,13 @@ void check_set(const Decoder& decoder, sampling::PointSet& set) {
 
 } // namespace
 
-void save_point_set(const sampling::PointSet& set, Writer& writer) {
+void save_point_set(const marks::PointSet& set, Writer& writer) {
     write_file(writer, kind_point_set, [&](Encoder& encoder) { encode(encoder, set); });
 }
 
-sampling::PointSet load_point_set(base::Memory& memory, Reader& reader) {
+marks::PointSet load_point_set(base::Memory& memory, Reader& reader) {
     Decoder decoder(reader, kind_point_set, "point set");
-    sampling::PointSet set(memory);
+    marks::PointSet set(memory);
     decode_kind(decoder, set);
     Numbers numbers{};
     decoder.section<double>(tag_numbers, numbers);
@@ -218,7 +217,7 @@ sampling::PointSet load_point_set(base::Memory& memory, Reader& reader) {
     for (const std::int64_t count : seeds)
         if (count < 0) decoder.damaged("a count of its seeds is negative");
     set.seeds = level_of(seeds.data());
-    for (sampling::MarkGroup& group : set.group) decode_group(decoder, group);
+    for (marks::MarkGroup& group : set.group) decode_group(decoder, group);
     decode_widths(decoder, set);
     decoder.finish();
     check_set(decoder, set);

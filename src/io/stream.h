@@ -1,7 +1,11 @@
 // Where bytes come from and go to.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <span>
 
 namespace hrbfnpr::io {
 
@@ -22,6 +26,40 @@ public:
     virtual ~Reader() = default;
     // Reads up to `size` bytes; 0 at the end.  Throws Error{io}.
     virtual std::uint64_t read(void* data, std::uint64_t size) = 0;
+};
+
+// From plain memory.
+class MemoryReader final : public Reader {
+public:
+    explicit MemoryReader(std::span<const std::byte> bytes) noexcept : rest_(bytes) {}
+
+    std::uint64_t read(void* data, std::uint64_t size) override {
+        const std::size_t count = std::min(rest_.size(), static_cast<std::size_t>(size));
+        if (count > 0) std::memcpy(data, rest_.data(), count);
+        rest_ = rest_.subspan(count);
+        return count;
+    }
+    [[nodiscard]] std::size_t remaining() const noexcept { return rest_.size(); }
+
+private:
+    std::span<const std::byte> rest_;
+};
+
+// To plain memory: writes what fits and counts everything.
+class MemoryWriter final : public Writer {
+public:
+    explicit MemoryWriter(std::span<std::byte> room) noexcept : room_(room) {}
+
+    void write(const void* data, std::uint64_t size) override {
+        if (needed_ + size <= room_.size() && size > 0)
+            std::memcpy(room_.data() + needed_, data, static_cast<std::size_t>(size));
+        needed_ += size;
+    }
+    [[nodiscard]] std::uint64_t needed() const noexcept { return needed_; }
+
+private:
+    std::span<std::byte> room_;
+    std::uint64_t needed_ = 0;
 };
 
 } // namespace hrbfnpr::io

@@ -1,6 +1,5 @@
 #include "surface/curvature.h"
 
-#include "geometry/eigen2.h"
 #include "geometry/tangent_frame.h"
 #include "implicit/evaluate_all.h"
 
@@ -55,8 +54,8 @@ Curvature principal_curvature(const glm::dvec3& gradient, const std::array<doubl
     const Symmetric3 h{hessian};
     const glm::dvec3 hr = h.times(frame.r);
     const glm::dvec3 hu = h.times(frame.u);
-    const geometry::Eigen2 eigen = geometry::symmetric_eigen2(
-        -glm::dot(frame.r, hr) / slope, -glm::dot(frame.u, hr) / slope, -glm::dot(frame.u, hu) / slope);
+    const Eigen2 eigen = symmetric_eigen2(-glm::dot(frame.r, hr) / slope, -glm::dot(frame.u, hr) / slope,
+                                          -glm::dot(frame.u, hu) / slope);
     if (!std::isfinite(eigen.high) || !std::isfinite(eigen.low)) return {};
     Curvature result;
     result.k1 = eigen.high;

@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 
 class Classify : public ::testing::Test {
 protected:
-    const FrameInfo& prepare(const sampling::PointSet& set, const Style& style, const frame::Camera& camera,
+    const FrameInfo& prepare(const marks::PointSet& set, const Style& style, const frame::Camera& camera,
                              const glm::dmat4& transform = glm::dmat4(1.0)) {
         const std::array items{item_of(set, style, transform)};
         frame.prepare(items, camera);
@@ -36,7 +36,7 @@ void expect_consistent(const FrameInfo& info) {
 
 TEST_F(Classify, SharesOfASphereSeenFromAfarAreThoseOfItsArea) {
     const int count = 20000;
-    const sampling::PointSet set = sphere(runtime.memory, count);
+    const marks::PointSet set = sphere(runtime.memory, count);
     for (const double threshold : {0.05, 0.2, 0.5}) {
         Style style = plain_style();
         style.silhouette_threshold = threshold;
@@ -53,7 +53,7 @@ TEST_F(Classify, SharesOfASphereSeenFromAfarAreThoseOfItsArea) {
 
 TEST_F(Classify, PerspectiveLooksFromTheEye) {
     const int count = 20000;
-    const sampling::PointSet set = sphere(runtime.memory, count);
+    const marks::PointSet set = sphere(runtime.memory, count);
     frame::Camera camera = front_camera(100, 100);
     camera.view = frame::look_at({0.0, 0.0, 2.0}, glm::dvec3(0.0), {0.0, 1.0, 0.0});
     camera.projection = frame::perspective(1.5, 100, 100, 0.1, 20.0, camera.depth);
@@ -67,7 +67,7 @@ TEST_F(Classify, PerspectiveLooksFromTheEye) {
 TEST_F(Classify, AnOffAxisEyeIsTakenFromTheProjection) {
     // A projection that contains a turn and a shift of the eye: the same picture as with the
     // shift in the view, so the same classes.
-    const sampling::PointSet set = sphere(runtime.memory, 5000);
+    const marks::PointSet set = sphere(runtime.memory, 5000);
     frame::Camera camera = front_camera(100, 100);
     camera.view = frame::look_at({0.3, 0.2, 3.0}, {0.1, 0.0, 0.0}, {0.0, 1.0, 0.0});
     camera.projection = frame::perspective(1.0, 100, 100, 0.1, 20.0, camera.depth);
@@ -83,7 +83,7 @@ TEST_F(Classify, AnOffAxisEyeIsTakenFromTheProjection) {
 TEST_F(Classify, MarksLandOnTheirPixels) {
     for (const auto depth : {frame::DepthConvention::negative_one_to_one, frame::DepthConvention::zero_to_one,
                              frame::DepthConvention::reversed}) {
-        sampling::PointSet set(runtime.memory);
+        marks::PointSet set(runtime.memory);
         add_stipple(set, {0.25, 0.5, 1.0}, {0, 0, 1});
         frame::Camera camera = front_camera(200, 100, 1.0);
         camera.depth = depth;
@@ -103,7 +103,7 @@ TEST_F(Classify, MarksLandOnTheirPixels) {
 }
 
 TEST_F(Classify, MarksOutsideTheFrustumCountAsOutside) {
-    sampling::PointSet set(runtime.memory);
+    marks::PointSet set(runtime.memory);
     const glm::dvec3 n(0.0, 0.0, 1.0);
     add_stipple(set, {0.0, 0.0, 0.0}, n);
     add_stipple(set, {1.0, 0.0, 0.0}, n);    // on the rim
@@ -123,7 +123,7 @@ TEST_F(Classify, MarksOutsideTheFrustumCountAsOutside) {
 }
 
 TEST_F(Classify, AMarkAtTheCameraDoesNoHarm) {
-    sampling::PointSet set(runtime.memory);
+    marks::PointSet set(runtime.memory);
     set.spacing = 0.1;
     add_stipple(set, {0.0, 0.0, 10.0}, {0, 0, 1});
     add_stipple(set, {0.0, 0.0, 10.0 - 1e-7}, {0, 0, 1});
@@ -138,7 +138,7 @@ TEST_F(Classify, AMarkAtTheCameraDoesNoHarm) {
 }
 
 TEST_F(Classify, MarksThatAreNotNumbersAreOutside) {
-    sampling::PointSet set(runtime.memory);
+    marks::PointSet set(runtime.memory);
     for (int i = 0; i < 6; ++i) add_stipple(set, {0.0, 0.0, 0.0}, {0, 0, 1});
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -156,7 +156,7 @@ TEST_F(Classify, MarksThatAreNotNumbersAreOutside) {
 TEST_F(Classify, NormalsFollowTheInverseTransposeAlsoUnderMirrors) {
     const int count = 5000;
     for (const glm::dvec3 scale : {glm::dvec3(1, 1, -1), glm::dvec3(-3, 0.5, 2), glm::dvec3(-2, -1, -0.25)}) {
-        sampling::PointSet set(runtime.memory);
+        marks::PointSet set(runtime.memory);
         set.spacing = 0.05;
         for (int i = 0; i < count; ++i) {
             const glm::dvec3 n = fibonacci_direction(i, count);
@@ -177,12 +177,12 @@ TEST_F(Classify, NormalsFollowTheInverseTransposeAlsoUnderMirrors) {
 }
 
 TEST_F(Classify, TheSameFarFromTheOrigin) {
-    const sampling::PointSet near_set = sphere(runtime.memory, 3000);
+    const marks::PointSet near_set = sphere(runtime.memory, 3000);
     prepare(near_set, plain_style(), front_camera(500, 500));
     const std::vector<Disc> expected(frame.discs().begin(), frame.discs().end());
 
     const glm::dvec3 far(1e6, -1e6, 1e6 + 0.125);
-    sampling::PointSet far_set = sphere(runtime.memory, 3000);
+    marks::PointSet far_set = sphere(runtime.memory, 3000);
     far_set.origin = far;
     frame::Camera camera = front_camera(500, 500);
     camera.view = frame::look_at(far + glm::dvec3(0, 0, 10), far, {0, 1, 0});
@@ -195,11 +195,11 @@ TEST_F(Classify, TheSameFarFromTheOrigin) {
 }
 
 TEST_F(Classify, IdsCountOverItemsAndGroupsWhateverIsUsed) {
-    sampling::PointSet first(runtime.memory);
+    marks::PointSet first(runtime.memory);
     add_stipple(first, {0, 0, 0}, {0, 0, 1});
     add_stipple(first, {0, 0, 0.1}, {0, 0, 1});
     add_mark(first.group[2], {0, 0, 0.2}, {0, 0, 1}, {1, 0, 0}, 0, 0);
-    sampling::PointSet second(runtime.memory);
+    marks::PointSet second(runtime.memory);
     add_stipple(second, {0, 0, 0.3}, {0, 0, 1});
     Style no_stipples = plain_style();
     no_stipples.group[0].shown = false;
@@ -217,7 +217,7 @@ TEST_F(Classify, NothingToDrawIsFine) {
     frame.prepare({}, front_camera(100, 100));
     EXPECT_TRUE(frame.prepared());
     EXPECT_TRUE(frame.discs().empty());
-    const sampling::PointSet empty(runtime.memory);
+    const marks::PointSet empty(runtime.memory);
     EXPECT_EQ(prepare(empty, Style{}, front_camera(100, 100)).marks, 0);
     EXPECT_TRUE(frame.discs().empty());
 }
@@ -237,7 +237,7 @@ protected:
         EXPECT_TRUE(frame.discs().empty());
     }
 
-    sampling::PointSet set = sphere(runtime.memory, 10);
+    marks::PointSet set = sphere(runtime.memory, 10);
     Item good = item_of(set, Style{});
     frame::Camera camera = front_camera(100, 100);
 };

@@ -1,6 +1,6 @@
 // Contours of constant width, and the published band, against the contours of a sphere and a torus.
 #include "frame/line_of_sight.h"
-#include "sampling/generate.h"
+#include "generate/generate.h"
 #include "support/analytic.h"
 
 #include <gtest/gtest.h>
@@ -20,11 +20,11 @@ constexpr int size = 600;
 constexpr double minor = 0.4;
 
 // Evenly spread stipples in a blue-noise order.
-sampling::PointSet spread(const base::Runtime& runtime, const implicit::Implicit& surface, std::int64_t marks) {
-    sampling::GenerateSettings settings;
+marks::PointSet spread(const base::Runtime& runtime, const implicit::Implicit& surface, std::int64_t marks) {
+    generate::Settings settings;
     settings.group[0].wanted = true;
     settings.group[0].budget = marks;
-    return clustered(runtime, sampling::generate(runtime, surface, {}, settings, {}));
+    return clustered(runtime, generate::generate(runtime, surface, {}, settings, {}));
 }
 
 Style contours(float width) {
@@ -108,7 +108,7 @@ Bend torus_bend(const glm::dvec3& eye, bool from_point) {
 
 class Contours : public ::testing::Test {
 protected:
-    Line line(const sampling::PointSet& set, float width, const frame::Camera& camera,
+    Line line(const marks::PointSet& set, float width, const frame::Camera& camera,
               const std::vector<glm::dvec3>& contour, const Bend& bend) {
         Style style = contours(width);
         style.hidden_lines = hidden_lines;
@@ -142,7 +142,7 @@ protected:
 
     // A sphere hides none of its own contour.
     void expect_whole_sphere() {
-        const sampling::PointSet set = spread(runtime, test::Sphere(), 150000);
+        const marks::PointSet set = spread(runtime, test::Sphere(), 150000);
         const glm::dvec3 eye(1.0, -2.0, 3.0);
         for (const auto hidden : {frame::HiddenLines::hide, frame::HiddenLines::attenuate}) {
             hidden_lines = hidden;
@@ -163,7 +163,7 @@ protected:
 };
 
 TEST_F(Contours, OfASphereAreThinAndWhole) {
-    const sampling::PointSet set = spread(runtime, test::Sphere(), 150000);
+    const marks::PointSet set = spread(runtime, test::Sphere(), 150000);
     const glm::dvec3 eye(1.0, -2.0, 3.0);
     for (const float width : {0.7F, 1.0F, 2.0F}) {
         for (const double half : {3.0, 1.25, 0.8}) {
@@ -183,7 +183,7 @@ TEST_F(Contours, OfASphereAreThinAndWhole) {
 }
 
 TEST_F(Contours, OfATorusAreThinAndWhole) {
-    const sampling::PointSet set = spread(runtime, test::Torus(1.0, minor), 250000);
+    const marks::PointSet set = spread(runtime, test::Torus(1.0, minor), 250000);
     for (const double tilt : {0.2, 0.7, 1.1}) {
         const glm::dvec3 eye(0.0, -4.0 * std::sin(tilt), 4.0 * std::cos(tilt));
         for (const double half : {1.6, 0.9}) {
@@ -215,7 +215,7 @@ TEST_F(Contours, AreNotHiddenByTheirOwnHalo) {
 }
 
 TEST_F(Contours, AreOfOneDensityWhateverTheZoom) {
-    const sampling::PointSet set = spread(runtime, test::Sphere(), 60000);
+    const marks::PointSet set = spread(runtime, test::Sphere(), 60000);
     for (const double half : {3.0, 2.0, 1.4}) {
         const Line found =
             line(set, 1.0F, camera_from({0, 0, 1}, size, half), sphere_contour({0, 0, 1}, false), sphere_bend);
@@ -226,7 +226,7 @@ TEST_F(Contours, AreOfOneDensityWhateverTheZoom) {
 }
 
 TEST_F(Contours, ByAngleAreThePublishedBand) {
-    const sampling::PointSet set = clustered(runtime, torus(runtime.memory, 150));
+    const marks::PointSet set = clustered(runtime, torus(runtime.memory, 150));
     for (const double threshold : {0.05, 0.2, 0.4}) {
         Style style = contours(1.0F);
         style.silhouette_law = SilhouetteLaw::angle;
@@ -246,7 +246,7 @@ TEST_F(Contours, ByAngleAreThePublishedBand) {
 
 TEST(StretchedContours, LieOnTheOutlineOfAnEllipsoid) {
     const base::Runtime runtime;
-    const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 60000));
+    const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 60000));
     glm::dmat4 stretched(1.0);
     stretched[0][0] = 1.1;
     stretched[1][1] = 0.8;

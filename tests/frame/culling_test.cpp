@@ -1,7 +1,7 @@
 // Clusters are passed over whole: the ink must be that of every mark looked at one by one.
-#include "frame/cluster_view.h"
+#include "frame/depth_layers/cluster_view.h"
+#include "frame/depth_layers/gather.h"
 #include "frame/line_of_sight.h"
-#include "frame/tone_curve.h"
 #include "support/instruction_sets.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
@@ -119,7 +119,7 @@ protected:
     // over.  Returns how many marks were.
     std::int64_t expect_same_without(const View& view, const Style& style) {
         const bool parallel = view.camera.projection[2][3] == 0.0 && view.camera.projection[0][3] == 0.0;
-        base::Array<sampling::Cluster>& clusters = open.group[0].clusters.cluster;
+        base::Array<marks::Cluster>& clusters = open.group[0].clusters.cluster;
         for (std::int64_t i = 0; i < clusters.size(); ++i) {
             clusters[i].cone_cosine = -1.0F;
             clusters[i].cone_sine = 0.0F;
@@ -143,12 +143,12 @@ protected:
         }
         return culled;
     }
-    sampling::PointSet set_of() { return clustered(runtime, torus(runtime.memory, 130)); }
+    marks::PointSet set_of() { return clustered(runtime, torus(runtime.memory, 130)); }
 
     base::Runtime runtime;
     Frame frame{runtime};
-    sampling::PointSet set = set_of();
-    sampling::PointSet open = set_of();
+    marks::PointSet set = set_of();
+    marks::PointSet open = set_of();
 };
 
 TEST_F(Culling, ChangesNoInk) {
@@ -168,7 +168,7 @@ TEST_F(Culling, ChangesNoInkByThePublishedRuleOfTone) {
 
 // Marks beyond the picture's border whose discs reach into it.
 TEST_F(Culling, DiscsThatGrowWithTheZoomReachIntoThePicture) {
-    const sampling::PointSet flat = clustered(runtime, plane(runtime.memory, 100));
+    const marks::PointSet flat = clustered(runtime, plane(runtime.memory, 100));
     Style style = styles()[2];
     style.tone = frame::Tone::none;
     style.group[0].share = 1.0F;
@@ -329,9 +329,9 @@ TEST_F(Culling, SameBitsForAnyThreadCountAndInstructionSet) {
     const auto bytes_of = [](int threads, base::InstructionSet instructions, const Style& style) {
         const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
                                   nullptr, nullptr);
-        sampling::PointSet points = torus(other.memory, 130);
+        marks::PointSet points = torus(other.memory, 130);
         add_torus_strokes(points, 1, 300, 27, 0.3);
-        const sampling::PointSet ring = clustered(other, std::move(points));
+        const marks::PointSet ring = clustered(other, std::move(points));
         Style own = style;
         own.hidden_lines = frame::HiddenLines::attenuate;
         own.attenuation_front = 0.4;

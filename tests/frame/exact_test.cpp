@@ -1,5 +1,5 @@
 // Visibility that is asked of the surface itself.
-#include "frame/cover_law.h"
+#include "frame/depth_layers/cover_law.h"
 #include "frame/line_of_sight.h"
 #include "support/analytic.h"
 
@@ -30,7 +30,7 @@ protected:
 
     base::Runtime runtime;
     test::Torus solid{1.0, 0.45};
-    sampling::PointSet set = clustered(runtime, torus(runtime.memory, 160));
+    marks::PointSet set = clustered(runtime, torus(runtime.memory, 160));
     frame::Frame frame{runtime};
 };
 

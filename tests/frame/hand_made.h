@@ -4,7 +4,7 @@
 #include "base/random.h"
 #include "frame/frame.h"
 #include "geometry/tangent_frame.h"
-#include "sampling/cluster_marks.h"
+#include "marks/cluster_marks.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -15,7 +15,7 @@ namespace hrbfnpr::testing {
 
 inline constexpr double pi = std::numbers::pi;
 
-inline void add_mark(sampling::MarkGroup& group, const glm::dvec3& position, const glm::dvec3& normal,
+inline void add_mark(marks::MarkGroup& group, const glm::dvec3& position, const glm::dvec3& normal,
                      const glm::dvec3& direction, std::uint32_t stroke, std::uint32_t place) {
     const auto index = static_cast<std::uint64_t>(group.count());
     for (int k = 0; k < 3; ++k) {
@@ -29,8 +29,8 @@ inline void add_mark(sampling::MarkGroup& group, const glm::dvec3& position, con
     group.stroke.push_back(place);
 }
 
-inline void add_stipple(sampling::PointSet& set, const glm::dvec3& position, const glm::dvec3& normal) {
-    sampling::MarkGroup& group = set.group[0];
+inline void add_stipple(marks::PointSet& set, const glm::dvec3& position, const glm::dvec3& normal) {
+    marks::MarkGroup& group = set.group[0];
     add_mark(group, position, normal, geometry::any_perpendicular(normal), static_cast<std::uint32_t>(group.count()),
              0);
     set.bounds.extend(position + set.origin);
@@ -44,9 +44,9 @@ inline glm::dvec3 fibonacci_direction(int i, int count) {
 }
 
 // Evenly spread stipples.
-inline sampling::PointSet sphere(base::Memory& memory, int count, double radius = 1.0,
-                                 const glm::dvec3& centre = glm::dvec3(0.0)) {
-    sampling::PointSet set(memory);
+inline marks::PointSet sphere(base::Memory& memory, int count, double radius = 1.0,
+                              const glm::dvec3& centre = glm::dvec3(0.0)) {
+    marks::PointSet set(memory);
     for (int i = 0; i < count; ++i) {
         const glm::dvec3 n = fibonacci_direction(i, count);
         add_stipple(set, centre + radius * n, n);
@@ -56,8 +56,8 @@ inline sampling::PointSet sphere(base::Memory& memory, int count, double radius 
 }
 
 // A square of side 2 in the plane z = 0, facing +z.
-inline sampling::PointSet plane(base::Memory& memory, int side) {
-    sampling::PointSet set(memory);
+inline marks::PointSet plane(base::Memory& memory, int side) {
+    marks::PointSet set(memory);
     set.spacing = 2.0 / side;
     for (int i = 0; i < side; ++i) {
         for (int j = 0; j < side; ++j)
@@ -78,8 +78,8 @@ inline TorusPoint torus_point(double minor, double along, double around) {
 }
 
 // Stipples in rings of even spacing.
-inline sampling::PointSet torus(base::Memory& memory, int rings, double minor = 0.45) {
-    sampling::PointSet set(memory);
+inline marks::PointSet torus(base::Memory& memory, int rings, double minor = 0.45) {
+    marks::PointSet set(memory);
     set.spacing = 2.0 * pi * minor / rings;
     for (int r = 0; r < rings; ++r) {
         const double around = 2.0 * pi * r / rings;
@@ -93,7 +93,7 @@ inline sampling::PointSet torus(base::Memory& memory, int rings, double minor = 
 }
 
 // Strokes on the torus into `group`: set 0 the long way, set 1 around the tube.
-inline void add_torus_strokes(sampling::PointSet& set, std::size_t group, int strokes, int marks, double length,
+inline void add_torus_strokes(marks::PointSet& set, std::size_t group, int strokes, int marks, double length,
                               double minor = 0.45) {
     for (int s = 0; s < strokes; ++s) {
         const auto u = base::uniform4(7, static_cast<std::uint64_t>(s), base::Purpose::candidate);
@@ -132,13 +132,13 @@ inline frame::Style plain_style() {
 }
 
 // Frames by sheets see clusters only: for sets that are complete.
-inline sampling::PointSet clustered(const base::Runtime& runtime, sampling::PointSet set) {
-    sampling::cluster_marks(runtime, set);
+inline marks::PointSet clustered(const base::Runtime& runtime, marks::PointSet set) {
+    marks::cluster_marks(runtime, set);
     return set;
 }
 
 // By sheets, if the style says nothing else; the set must be clustered().
-inline frame::Item sheet_item(const sampling::PointSet& set, const frame::Style& style,
+inline frame::Item sheet_item(const marks::PointSet& set, const frame::Style& style,
                               const glm::dmat4& transform = glm::dmat4(1.0)) {
     frame::Item item;
     item.set = &set;
@@ -148,7 +148,7 @@ inline frame::Item sheet_item(const sampling::PointSet& set, const frame::Style&
 }
 
 // Painted as published.
-inline frame::Item item_of(const sampling::PointSet& set, const frame::Style& style,
+inline frame::Item item_of(const marks::PointSet& set, const frame::Style& style,
                            const glm::dmat4& transform = glm::dmat4(1.0)) {
     frame::Item item = sheet_item(set, style, transform);
     item.style.visibility = frame::Visibility::painted;

@@ -38,7 +38,7 @@ protected:
     static double doubt(double share) { return 3.0 * std::sqrt(share * (1.0 - share)) / side; }
 
     base::Runtime runtime;
-    sampling::PointSet set = plane(runtime.memory, side);
+    marks::PointSet set = plane(runtime.memory, side);
     frame::Frame frame{runtime};
 };
 
@@ -113,7 +113,7 @@ TEST_F(Shade, DepthAttenuationThinsFrontAndSilhouetteMarks) {
 
 TEST_F(Shade, DepthIsTheDistanceFromTheEye) {
     // A mark to the side is farther from the eye than one straight ahead in the same plane.
-    sampling::PointSet two(runtime.memory);
+    marks::PointSet two(runtime.memory);
     add_stipple(two, {0.0, 0.0, 0.0}, {0, 0, 1});
     add_stipple(two, {5.0, 0.0, 0.0}, {0, 0, 1}); // 11.18 from the eye
     frame::Camera camera = front_camera(100, 100);
@@ -154,7 +154,7 @@ TEST_F(Shade, ZoomIsPixelsPerWorldUnitAtTheMark) {
     style.zoom_reference = 1.0;
     style.group[0].radius_zoom = 1.0F;
     style.group[0].radius = 0.5F;
-    sampling::PointSet one(runtime.memory);
+    marks::PointSet one(runtime.memory);
     add_stipple(one, glm::dvec3(0.0, 0.0, 6.0), {0, 0, 1}); // 4 from the eye
     glm::dmat4 doubled(2.0);
     doubled[3] = {0.0, 0.0, -6.0, 1.0}; // the item's own scale does not matter
@@ -166,7 +166,7 @@ TEST_F(Shade, ZoomIsPixelsPerWorldUnitAtTheMark) {
 }
 
 TEST_F(Shade, SetsChooseTheStrokesOfOneDirection) {
-    sampling::PointSet strokes(runtime.memory);
+    marks::PointSet strokes(runtime.memory);
     for (std::uint32_t i = 0; i < 30; ++i)
         add_mark(strokes.group[1], {0.01 * i, 0, 0}, {0, 0, 1}, {1, 0, 0}, i / 3, i % 3);
     for (const std::uint32_t sets : {0U, 1U, 2U, 3U}) {
@@ -180,7 +180,7 @@ TEST_F(Shade, SetsChooseTheStrokesOfOneDirection) {
 }
 
 TEST_F(Shade, GroupsHaveTheirOwnInk) {
-    sampling::PointSet groups(runtime.memory);
+    marks::PointSet groups(runtime.memory);
     for (std::size_t g = 0; g < 3; ++g)
         add_mark(groups.group[g], {0, 0, 0.1 * static_cast<double>(g)}, {0, 0, 1}, {1, 0, 0}, 0, 0);
     add_stipple(groups, {0, 0, 0.5}, {1, 0, 0}); // silhouette
@@ -205,7 +205,7 @@ TEST_F(Shade, GroupsHaveTheirOwnInk) {
 }
 
 TEST_F(Shade, WidthTapersTheInkOfFrontMarksOnly) {
-    sampling::PointSet stroke(runtime.memory);
+    marks::PointSet stroke(runtime.memory);
     for (int i = 0; i < 4; ++i)
         add_mark(stroke.group[1], {0.1 * i, 0, 0}, i < 3 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0), {0, 1, 0}, 0, 0);
     for (const float width : {0.25F, 0.5F, 1.0F, 0.25F}) stroke.group[1].width.push_back(width);
@@ -222,7 +222,7 @@ TEST_F(Shade, WidthTapersTheInkOfFrontMarksOnly) {
 }
 
 TEST_F(Shade, SilhouettesComeFromTheirGroupsAndHiddenGroupsStayOut) {
-    sampling::PointSet ball = sphere(runtime.memory, 4000);
+    marks::PointSet ball = sphere(runtime.memory, 4000);
     Style style = plain_style();
     style.group[0].shown = false;
     std::array items{item_of(ball, style)};

@@ -1,5 +1,5 @@
 // What sheets of surface hide and dim, against lines of sight through known solids.
-#include "frame/cover_law.h"
+#include "frame/depth_layers/cover_law.h"
 #include "frame/line_of_sight.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ protected:
         frame.prepare(items, camera);
         return frame.info();
     }
-    std::vector<float> seen(const sampling::PointSet& set, const Style& style, const frame::Camera& camera) {
+    std::vector<float> seen(const marks::PointSet& set, const Style& style, const frame::Camera& camera) {
         const std::array items{sheet_item(set, style)};
         prepare(items, camera);
         return seen_share(frame, set.group[0].count());
@@ -34,7 +34,7 @@ constexpr HiddenLines hiding[] = {HiddenLines::attenuate, HiddenLines::hide};
 
 TEST_F(SheetsTest, ASphereNeverDimsItsOwnFront) {
     for (const int count : {3000, 20000, 100000}) {
-        const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, count));
+        const marks::PointSet set = clustered(runtime, sphere(runtime.memory, count));
         for (const HiddenLines hidden : hiding) {
             for (const double half : {0.6, 1.25, 6.0}) {
                 const std::array items{sheet_item(set, all_front(hidden))};
@@ -56,7 +56,7 @@ TEST_F(SheetsTest, ASphereNeverDimsItsOwnFront) {
 // With 100 marks on 400 pixels, discs of sheets stand out of their own surface by more than the gap that is left to it.
 TEST_F(SheetsTest, ASparseSphereNeverDimsItsOwnFront) {
     for (const int count : {100, 300}) {
-        const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, count));
+        const marks::PointSet set = clustered(runtime, sphere(runtime.memory, count));
         const std::array items{sheet_item(set, all_front(HiddenLines::attenuate))};
         frame::Camera camera = front_camera(500, 500);
         camera.view = frame::look_at({0.3, 1.0, 5.0}, glm::dvec3(0.0), {0, 1, 0});
@@ -68,7 +68,7 @@ TEST_F(SheetsTest, ASparseSphereNeverDimsItsOwnFront) {
 
 // Front marks within the contour's band, which are drawn if they fade.
 TEST_F(SheetsTest, AHaloLeavesItsOwnFrontAlone) {
-    const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 100000));
+    const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 100000));
     Style style = all_front(HiddenLines::hide);
     style.tone_fade = 0.25F;
     style.halo_width = 0.0F;
@@ -80,7 +80,7 @@ TEST_F(SheetsTest, AHaloLeavesItsOwnFrontAlone) {
 }
 
 TEST_F(SheetsTest, APlaneNeverDimsItselfAtAnyTilt) {
-    const sampling::PointSet set = clustered(runtime, plane(runtime.memory, 100));
+    const marks::PointSet set = clustered(runtime, plane(runtime.memory, 100));
     for (const HiddenLines hidden : hiding) {
         for (const double tilt : {0.0, 0.3, 0.6, 0.9, 1.2, 1.35, 1.45, 1.5}) {
             const frame::Camera camera = camera_from({0.0, -std::sin(tilt), std::cos(tilt)}, 400, 1.25);
@@ -98,7 +98,7 @@ struct Agreement {
     int lost = 0, dimmed = 0, leaked = 0; // seen but not drawn, or not wholly; hidden but drawn
 };
 
-Agreement agreement(const sampling::PointSet& set, const Solid& solid, const std::vector<float>& share,
+Agreement agreement(const marks::PointSet& set, const Solid& solid, const std::vector<float>& share,
                     const glm::dvec3& toward, double band) {
     Agreement result;
     for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
@@ -121,7 +121,7 @@ Agreement agreement(const sampling::PointSet& set, const Solid& solid, const std
 TEST_F(SheetsTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
     int hidden = 0;
     for (const int rings : {90, 200}) {
-        const sampling::PointSet set = clustered(runtime, torus(runtime.memory, rings));
+        const marks::PointSet set = clustered(runtime, torus(runtime.memory, rings));
         for (const double tilt : {0.0, 0.4, 0.8, 1.0, 1.2, 1.35, 1.5}) {
             const glm::dvec3 toward(0.3 * std::sin(tilt), -std::sin(tilt), std::cos(tilt));
             const glm::dvec3 unit = glm::normalize(toward);
@@ -153,7 +153,7 @@ TEST_F(SheetsTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
 TEST_F(SheetsTest, NearTheContourThatHidesThemFewMarksAreTakenWrongly) {
     // All marks whose fate is not sure above: within a band of 2 px and the halo they may go either way, but beyond
     // it they may not.
-    const sampling::PointSet set = clustered(runtime, torus(runtime.memory, 300));
+    const marks::PointSet set = clustered(runtime, torus(runtime.memory, 300));
     const double pixel = 3.2 / 600.0;
     std::int64_t wrong = 0;
     std::int64_t judged = 0;
@@ -172,7 +172,7 @@ TEST_F(SheetsTest, NearTheContourThatHidesThemFewMarksAreTakenWrongly) {
 
 TEST_F(SheetsTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
     // With contours: those on the far side of the hole, and around the cusps, must not shine through.
-    const sampling::PointSet set = clustered(runtime, torus(runtime.memory, 260));
+    const marks::PointSet set = clustered(runtime, torus(runtime.memory, 260));
     Style style = all_front(HiddenLines::hide);
     style.silhouette_groups = 1;
     for (const double tilt : {0.7, 0.9, 1.05, 1.2, 1.35}) {
@@ -197,8 +197,8 @@ TEST_F(SheetsTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
 
 TEST_F(SheetsTest, ABallInFrontDimsByTheLawsOfBothItsSheets) {
     const double radius = 0.8;
-    const sampling::PointSet front = clustered(runtime, sphere(runtime.memory, 30000, radius));
-    const sampling::PointSet behind = clustered(runtime, plane(runtime.memory, 120));
+    const marks::PointSet front = clustered(runtime, sphere(runtime.memory, 30000, radius));
+    const marks::PointSet behind = clustered(runtime, plane(runtime.memory, 120));
     Style style = all_front(HiddenLines::attenuate);
     style.attenuation_front = 0.5;
     style.attenuation_back = 0.3;
@@ -237,7 +237,7 @@ struct Front {
 };
 
 TEST_F(SheetsTest, OpenSheetsOneBehindTheOtherDimExactly) {
-    const sampling::PointSet set = clustered(runtime, plane(runtime.memory, 60));
+    const marks::PointSet set = clustered(runtime, plane(runtime.memory, 60));
     Style style = all_front(HiddenLines::attenuate);
     style.attenuation_front = 0.4;
     style.attenuation_back = 0.3;
@@ -280,8 +280,8 @@ TEST_F(SheetsTest, OpenSheetsOneBehindTheOtherDimExactly) {
 }
 
 TEST_F(SheetsTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
-    const sampling::PointSet big = clustered(runtime, sphere(runtime.memory, 20000));
-    const sampling::PointSet small = clustered(runtime, sphere(runtime.memory, 3000, 0.5));
+    const marks::PointSet big = clustered(runtime, sphere(runtime.memory, 20000));
+    const marks::PointSet small = clustered(runtime, sphere(runtime.memory, 3000, 0.5));
     const auto drawn_of_small = [&](HiddenLines hidden, const glm::dvec3& at) {
         const std::array items{sheet_item(big, all_front(hidden)), sheet_item(small, all_front(hidden), shifted(at))};
         prepare(items, front_camera(500, 500));
@@ -302,8 +302,8 @@ TEST_F(SheetsTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
 }
 
 TEST_F(SheetsTest, AHaloIsAsWideAsAskedAtAnyZoom) {
-    const sampling::PointSet disc = clustered(runtime, sphere(runtime.memory, 60000, 0.5));
-    const sampling::PointSet wall = clustered(runtime, plane(runtime.memory, 700));
+    const marks::PointSet disc = clustered(runtime, sphere(runtime.memory, 60000, 0.5));
+    const marks::PointSet wall = clustered(runtime, plane(runtime.memory, 700));
     for (const HiddenLines hidden : hiding) {
         for (const double half : {1.25, 0.8, 0.55}) {
             for (const float halo : {0.0F, 3.0F, 7.0F}) {
@@ -332,8 +332,8 @@ TEST_F(SheetsTest, AHaloIsAsWideAsAskedAtAnyZoom) {
 }
 
 TEST_F(SheetsTest, InstancesEqualTwoSets) {
-    const sampling::PointSet set = clustered(runtime, torus(runtime.memory, 80));
-    const sampling::PointSet same = clustered(runtime, torus(runtime.memory, 80));
+    const marks::PointSet set = clustered(runtime, torus(runtime.memory, 80));
+    const marks::PointSet same = clustered(runtime, torus(runtime.memory, 80));
     Style first;
     first.attenuation_front = 0.3;
     first.cover_layers = 2.0F;
@@ -364,7 +364,7 @@ TEST_F(SheetsTest, InstancesEqualTwoSets) {
 }
 
 TEST_F(SheetsTest, StylesOfOneFrameHaveOneVisibility) {
-    const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 100));
+    const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 100));
     for (const bool painted_first : {false, true}) {
         std::array items{sheet_item(set, Style{}), sheet_item(set, Style{}), item_of(set, Style{})};
         if (painted_first) std::swap(items[0], items[2]);

@@ -1,6 +1,6 @@
 // What hides what, and the discs of paper.
-#include "frame/attenuation.h"
 #include "frame/hand_made.h"
+#include "frame/scene/attenuation.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ protected:
 };
 
 TEST_F(Visibility, ASheetDoesNotHideItselfAtAnyTilt) {
-    const sampling::PointSet set = plane(runtime.memory, 100);
+    const marks::PointSet set = plane(runtime.memory, 100);
     const std::array items{item_of(set, hiding_style())};
     for (const double tilt : {0.0, 0.3, 0.6, 0.9, 1.2, 1.35}) {
         frame::Camera camera = front_camera(400, 400);
@@ -53,7 +53,7 @@ TEST_F(Visibility, ASheetDoesNotHideItselfAtAnyTilt) {
 
 TEST_F(Visibility, ASphereKeepsItsFrontAndItsContour) {
     for (const int count : {2000, 10000, 50000}) {
-        const sampling::PointSet set = sphere(runtime.memory, count);
+        const marks::PointSet set = sphere(runtime.memory, count);
         const std::array items{item_of(set, hiding_style())};
         const FrameInfo& info = prepare(items, front_camera(600, 600));
         std::int64_t front = 0;
@@ -71,8 +71,8 @@ TEST_F(Visibility, ASphereKeepsItsFrontAndItsContour) {
 }
 
 TEST_F(Visibility, ASphereHidesAnotherOneBehindIt) {
-    const sampling::PointSet set = sphere(runtime.memory, 20000);
-    const sampling::PointSet small = sphere(runtime.memory, 3000, 0.5);
+    const marks::PointSet set = sphere(runtime.memory, 20000);
+    const marks::PointSet small = sphere(runtime.memory, 3000, 0.5);
     std::array items{item_of(set, hiding_style()), item_of(small, hiding_style(), moved({0.2, 0.0, -2.0}))};
     prepare(items, front_camera(500, 500));
     for (const Disc& disc : frame.discs()) EXPECT_LE(disc.id, 20000U);
@@ -90,7 +90,7 @@ TEST_F(Visibility, ASphereHidesAnotherOneBehindIt) {
 }
 
 TEST_F(Visibility, TheInsideOfAnOpenSheetHidesToo) {
-    const sampling::PointSet set = plane(runtime.memory, 60);
+    const marks::PointSet set = plane(runtime.memory, 60);
     glm::dmat4 turned(1.0); // shows its back
     turned[0][0] = -1.0;
     turned[2][2] = -1.0;
@@ -102,7 +102,7 @@ TEST_F(Visibility, TheInsideOfAnOpenSheetHidesToo) {
 }
 
 TEST_F(Visibility, TheContoursOfATorusAreHiddenWhereItsTubeIsInFront) {
-    const sampling::PointSet set = torus(runtime.memory, 160);
+    const marks::PointSet set = torus(runtime.memory, 160);
     Style style = hiding_style();
     style.group[0].shown = false;
     const std::array items{item_of(set, style)};
@@ -136,7 +136,7 @@ TEST_F(Visibility, TheContoursOfATorusAreHiddenWhereItsTubeIsInFront) {
 }
 
 TEST_F(Visibility, AHugeViewportGetsACoarserMap) {
-    const sampling::PointSet set = sphere(runtime.memory, 500);
+    const marks::PointSet set = sphere(runtime.memory, 500);
     const std::array items{item_of(set, hiding_style()), item_of(set, hiding_style(), moved({0.0, 0.0, -3.0}))};
     frame::Camera camera = front_camera(9000, 9000);
     camera.viewport = {-100.0, 50.0, 9000.0, 9000.0};
@@ -147,7 +147,7 @@ TEST_F(Visibility, AHugeViewportGetsACoarserMap) {
 }
 
 TEST_F(Visibility, PaperFollowsTheLawsOfAttenuation) {
-    const sampling::PointSet set = sphere(runtime.memory, 5000);
+    const marks::PointSet set = sphere(runtime.memory, 5000);
     Style style;
     style.cover_radius = 6.0F;
     style.attenuation_front = 0.7;
@@ -180,7 +180,7 @@ TEST_F(Visibility, PaperFollowsTheLawsOfAttenuation) {
 }
 
 TEST_F(Visibility, OneGroupPaintsPaperWithLayersAndAllAsPublished) {
-    sampling::PointSet set = sphere(runtime.memory, 1000);
+    marks::PointSet set = sphere(runtime.memory, 1000);
     for (int i = 0; i < 3000; ++i) {
         const glm::dvec3 n = fibonacci_direction(i, 3000);
         add_mark(set.group[1], n, n, geometry::any_perpendicular(n), 0, 0);

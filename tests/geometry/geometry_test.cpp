@@ -1,7 +1,5 @@
-#include "geometry/cell_map.h"
-#include "geometry/cell_neighbours.h"
+#include "geometry/cell_block.h"
 #include "geometry/cell_set.h"
-#include "geometry/eigen2.h"
 #include "geometry/morton.h"
 #include "geometry/point_tree.h"
 #include "geometry/tangent_frame.h"
@@ -91,15 +89,6 @@ TEST(Morton, CodesGoBackToTheirCells) {
     EXPECT_EQ(morton_code({0, 1, 1}), 6U);
 }
 
-TEST(CellMap, FindsWhatItWasGiven) {
-    base::Array<std::uint64_t> codes(memory());
-    for (std::uint64_t i = 0; i < 1000; ++i) codes.push_back(i * i * 7919U);
-    const CellMap map(memory(), codes);
-    for (std::int64_t i = 0; i < codes.size(); ++i) EXPECT_EQ(map.find(codes[i]), i);
-    for (std::uint64_t i = 1; i < 1000; ++i) EXPECT_EQ(map.find(i * i * 7919U + 1), -1);
-    EXPECT_EQ(CellMap(memory()).find(3), -1);
-}
-
 TEST(CellSet, IsASet) {
     CellSet cells(memory());
     std::set<std::uint64_t> reference;
@@ -134,28 +123,6 @@ TEST(CellSet, TakesNeighboursAllAtOnce) {
     EXPECT_EQ(cells.size(), static_cast<std::int64_t>(reference.size()));
 }
 
-TEST(CellNeighbours, AreThoseThatTheMapHas) {
-    std::set<std::uint64_t> all;
-    std::mt19937 random(6);
-    for (int i = 0; i < 300; ++i) all.insert(morton_code(random_cell(random)));
-    base::Array<std::uint64_t> codes(memory());
-    for (const std::uint64_t code : all) codes.push_back(code);
-    const CellMap map(memory(), codes);
-    CellNeighbours around(map);
-    for (std::int64_t i = 0; i < codes.size(); ++i) {
-        around.go_to(codes[i]);
-        EXPECT_EQ(around[CellNeighbours::itself], i);
-        for (int step = 0; step < neighbour_count; ++step) {
-            const CellGrid::Cell there = neighbour(morton_cell(codes[i]), step);
-            EXPECT_EQ(around[static_cast<std::size_t>(step)],
-                      CellGrid::inside(there) ? map.find(morton_code(there)) : -1);
-        }
-        CellGrid::Cell next = morton_cell(codes[i]);
-        ++next[1];
-        EXPECT_EQ(around[CellNeighbours::itself + CellNeighbours::step_along[1]], map.find(morton_code(next)));
-    }
-}
-
 TEST(CellGrid, PacksAndPlacesCells) {
     const CellGrid grid{{-1.0, -2.0, -3.0}, 0.5};
     const CellGrid::Cell cell = grid.cell_of({0.1, 0.1, 0.1});
@@ -168,24 +135,6 @@ TEST(CellGrid, PacksAndPlacesCells) {
     EXPECT_FALSE(CellGrid::inside({0, -1, 0}));
     EXPECT_FALSE(CellGrid::inside({0, CellGrid::most, 0}));
     EXPECT_EQ(grid.cell_of({-9.0, 1e9, -3.0}), (CellGrid::Cell{0, CellGrid::most - 1, 0})) << "clamped";
-}
-
-TEST(Eigen2, SolvesTheSymmetricProblem) {
-    for (int i = 0; i < 200; ++i) {
-        const glm::dvec3 m = pseudo_random(i);
-        const Eigen2 e = symmetric_eigen2(m.x, m.y, m.z);
-        EXPECT_GE(e.high, e.low);
-        EXPECT_NEAR(m.x * e.cosine + m.y * e.sine, e.high * e.cosine, 1e-14);
-        EXPECT_NEAR(m.y * e.cosine + m.z * e.sine, e.high * e.sine, 1e-14);
-        EXPECT_NEAR(e.high + e.low, m.x + m.z, 1e-14);
-        EXPECT_NEAR(e.high * e.low, m.x * m.z - m.y * m.y, 1e-14);
-    }
-    const Eigen2 umbilic = symmetric_eigen2(2.0, 0.0, 2.0);
-    EXPECT_EQ(umbilic.high, 2.0);
-    EXPECT_EQ(umbilic.low, 2.0);
-    const Eigen2 nearly = symmetric_eigen2(1.0, 1e-20, 1.0);
-    EXPECT_EQ(nearly.high - nearly.low, 0.0) << "below rounding";
-    EXPECT_NEAR(nearly.cosine, std::sqrt(0.5), 1e-15) << "and yet the direction is right";
 }
 
 void expect_right_handed(const TangentFrame& frame, const glm::dvec3& n) {

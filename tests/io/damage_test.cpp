@@ -199,12 +199,12 @@ TEST(ModelFile, PlacesAndScalesAreThoseOfAFit) {
     expect(model_message(shrink), "bounds are smaller than 1e-110");
 }
 
-using Set = sampling::PointSet;
+using Set = marks::PointSet;
 
 template <class Change>
 std::string set_message(Change&& change) {
     base::Memory memory;
-    sampling::PointSet set = point_set(memory, 3);
+    marks::PointSet set = point_set(memory, 3);
     change(set);
     return load(memory, bytes_of(set), false).message;
 }
@@ -235,8 +235,8 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.seeds.placed = -1; }), "negative");
     expect(set_message([](Set& s) { s.spacing = -1.0; }), "spacing is negative");
     expect(set_message([](Set& s) { s.bounds = {}; }), "not a box");
-    expect(set_message([](Set& s) { s.distribution = static_cast<sampling::Distribution>(2); }), "distribution");
-    expect(set_message([](Set& s) { s.seed_source = static_cast<sampling::SeedSource>(9); }), "seed source");
+    expect(set_message([](Set& s) { s.distribution = static_cast<marks::Distribution>(2); }), "distribution");
+    expect(set_message([](Set& s) { s.seed_source = static_cast<marks::SeedSource>(9); }), "seed source");
     expect(set_message([](Set& s) { s.group[1].direction[1] = 1.5F; }), "direction[0] is longer than a unit vector");
     expect(set_message([](Set& s) { s.group[0].report.step = -0.5; }), "step or time of a group is negative");
     expect(set_message([](Set& s) { s.group[0].report.seconds = -0.5; }), "step or time of a group is negative");
@@ -262,7 +262,7 @@ TEST(PointSetFile, FarMarksAreRoundedIntoTheirBox) {
             const auto far = [&](Set& s) {
                 s.origin = glm::dvec3(origin);
                 s.bounds = {glm::dvec3(origin - half), glm::dvec3(origin + half)};
-                for (sampling::MarkGroup& group : s.group)
+                for (marks::MarkGroup& group : s.group)
                     for (float& position : group.position)
                         position = static_cast<float>((position < 0.0F ? s.bounds.min.x : s.bounds.max.x) - origin);
             };
@@ -273,7 +273,7 @@ TEST(PointSetFile, FarMarksAreRoundedIntoTheirBox) {
 TEST(PointSetFile, ASetWithoutMarksHasNoOtherPlaces) {
     const auto message = [](auto&& change) {
         base::Memory memory;
-        sampling::PointSet set(memory);
+        marks::PointSet set(memory);
         change(set);
         return load(memory, bytes_of(set), false).message;
     };

@@ -52,9 +52,9 @@ TEST(Golden, PointSetOfVersion1) {
     base::Memory memory;
     const Bytes bytes = golden("sphere_6.points.v1");
     MemoryReader reader = reader_of(bytes);
-    const sampling::PointSet set = load_point_set(memory, reader);
-    EXPECT_EQ(set.distribution, sampling::Distribution::paper);
-    EXPECT_EQ(set.seed_source, sampling::SeedSource::samples);
+    const marks::PointSet set = load_point_set(memory, reader);
+    EXPECT_EQ(set.distribution, marks::Distribution::paper);
+    EXPECT_EQ(set.seed_source, marks::SeedSource::samples);
     EXPECT_EQ(set.group[0].count(), 30);
     EXPECT_EQ(set.group[1].count(), 36);
     EXPECT_EQ(set.group[2].count(), 36);

@@ -68,7 +68,7 @@ TEST(PointSetFile, KeepsEveryBit) {
         const Bytes first = bytes_of(point_set(memory, count));
         MemoryReader reader = reader_of(first);
         EXPECT_EQ(first, bytes_of(load_point_set(memory, reader)));
-        sampling::PointSet tapered = point_set(memory, count);
+        marks::PointSet tapered = point_set(memory, count);
         for (std::int64_t i = 0; i < count; ++i)
             tapered.group[1].width.push_back(0.25F + 0.01F * static_cast<float>(i % 70));
         const Bytes with = bytes_of(tapered);
@@ -83,10 +83,10 @@ TEST(PointSetFile, KeepsEveryBit) {
 
 TEST(PointSetFile, GivesBackEveryField) {
     base::Memory memory;
-    const sampling::PointSet set = point_set(memory, 4);
+    const marks::PointSet set = point_set(memory, 4);
     const Bytes bytes = bytes_of(set);
     MemoryReader reader = reader_of(bytes);
-    const sampling::PointSet loaded = load_point_set(memory, reader);
+    const marks::PointSet loaded = load_point_set(memory, reader);
     EXPECT_EQ(loaded.distribution, set.distribution);
     EXPECT_EQ(loaded.seed_source, set.seed_source);
     EXPECT_EQ(loaded.origin, set.origin);
@@ -104,7 +104,7 @@ TEST(PointSetFile, GivesBackEveryField) {
 
 TEST(PointSetFile, ASetWithoutMarksHasNoBox) {
     base::Memory memory;
-    const sampling::PointSet empty(memory);
+    const marks::PointSet empty(memory);
     EXPECT_EQ(load(memory, bytes_of(empty), false).status, Status::ok);
 }
 

@@ -5,7 +5,7 @@
 #include "io/crc32.h"
 #include "io/files.h"
 #include "io/format.h"
-#include "io/memory_stream.h"
+#include "io/stream.h"
 
 #include <cmath>
 #include <cstdint>
@@ -75,10 +75,10 @@ inline const std::vector<double>& report() {
     return numbers;
 }
 
-inline sampling::PointSet point_set(base::Memory& memory, std::int64_t count) {
-    sampling::PointSet set(memory);
-    set.distribution = sampling::Distribution::blue_noise;
-    set.seed_source = sampling::SeedSource::box;
+inline marks::PointSet point_set(base::Memory& memory, std::int64_t count) {
+    marks::PointSet set(memory);
+    set.distribution = marks::Distribution::blue_noise;
+    set.seed_source = marks::SeedSource::box;
     if (count > 0) {
         set.origin = {10.0, 20.0, 30.0};
         set.bounds = {{9.0, 19.0, 29.0}, {11.0, 21.0, 31.0}};
@@ -87,7 +87,7 @@ inline sampling::PointSet point_set(base::Memory& memory, std::int64_t count) {
     set.seeds = {100, 90, 4, 3, 2, 1};
     set.seconds_total = 0.75;
     for (std::int64_t g = 0; g < 2; ++g) { // the third stays empty
-        sampling::MarkGroup& group = set.group[static_cast<std::size_t>(g)];
+        marks::MarkGroup& group = set.group[static_cast<std::size_t>(g)];
         group.report.strokes = g * 5;
         group.report.levels = 3;
         group.report.step = 0.5;
@@ -113,7 +113,7 @@ inline Bytes bytes_of(const implicit::HrbfData& data) {
     return writer.bytes;
 }
 
-inline Bytes bytes_of(const sampling::PointSet& set) {
+inline Bytes bytes_of(const marks::PointSet& set) {
     BytesWriter writer;
     save_point_set(set, writer);
     return writer.bytes;

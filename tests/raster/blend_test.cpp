@@ -25,7 +25,7 @@ protected:
     }
 
     base::Runtime runtime;
-    sampling::PointSet set{runtime.memory};
+    marks::PointSet set{runtime.memory};
     Frame frame{runtime};
     output::Raster raster{runtime};
 };
@@ -47,7 +47,7 @@ TEST_F(Blend, NoMarksLeavePaper) {
 TEST_F(Blend, ADiscHasTheAreaOfItsCircleWhereverItsCentreLies) {
     for (const float radius : {0.5F, 0.8F, 1.0F, 1.5F, 4.0F, 12.3F}) {
         for (const glm::dvec2 centre : {glm::dvec2(20.0, 20.0), glm::dvec2(20.5, 20.5), glm::dvec2(20.3, 19.9)}) {
-            set = sampling::PointSet(runtime.memory);
+            set = marks::PointSet(runtime.memory);
             add_pixel_mark(set, centre.x, centre.y);
             Style style = plain_style();
             style.group[0].radius = radius;
@@ -60,7 +60,7 @@ TEST_F(Blend, ADiscHasTheAreaOfItsCircleWhereverItsCentreLies) {
 }
 
 TEST_F(Blend, ATinyDiscGetsPalerInsteadOfSmaller) {
-    set = sampling::PointSet(runtime.memory);
+    set = marks::PointSet(runtime.memory);
     add_pixel_mark(set, 20.5, 20.5);
     Style style = plain_style();
     for (const float radius : {0.5F, 0.25F, 0.1F, 1e-30F}) {
@@ -138,7 +138,7 @@ TEST_F(Blend, TransparentPaperErases) {
 }
 
 TEST_F(Blend, SameBitsForAnyThreadCount) {
-    const sampling::PointSet ball = sphere(runtime.memory, 20000);
+    const marks::PointSet ball = sphere(runtime.memory, 20000);
     const std::array items{item_of(ball, Style{})};
     std::vector<std::byte> expected;
     for (const int threads : {1, 2, 3, 7}) {
@@ -154,7 +154,7 @@ TEST_F(Blend, AllocatesNothingOnceWarm) {
     CountingAllocator counter;
     const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
                                 base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
-    const sampling::PointSet ball = sphere(counted.memory, 5000);
+    const marks::PointSet ball = sphere(counted.memory, 5000);
     const std::array items{item_of(ball, Style{})};
     Frame counted_frame(counted);
     output::Raster counted_raster(counted);

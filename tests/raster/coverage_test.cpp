@@ -1,8 +1,8 @@
 // Tone by coverage: what is drawn covers as much of the paper as was asked for, at any zoom; and marks fade.
+#include "frame/depth_layers/gather.h"
 #include "frame/line_of_sight.h"
-#include "frame/tone_curve.h"
+#include "generate/generate.h"
 #include "raster/picture.h"
-#include "sampling/generate.h"
 #include "support/analytic.h"
 
 #include <gtest/gtest.h>
@@ -20,12 +20,12 @@ using frame::ToneCurve;
 constexpr int size = 400;
 
 // A square of side 2 in the plane z = 0 with evenly spread stipples in a blue-noise order.
-sampling::PointSet patch(const base::Runtime& runtime, std::int64_t marks) {
+marks::PointSet patch(const base::Runtime& runtime, std::int64_t marks) {
     const test::Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}});
-    sampling::GenerateSettings settings;
+    generate::Settings settings;
     settings.group[0].wanted = true;
     settings.group[0].budget = marks;
-    return clustered(runtime, sampling::generate(runtime, plane, {}, settings, {}));
+    return clustered(runtime, generate::generate(runtime, plane, {}, settings, {}));
 }
 
 // Front ink only; tau = the cosine of the light.
@@ -39,12 +39,12 @@ Style toned(double tau) {
 
 class Coverage : public ::testing::Test {
 protected:
-    void prepare(const sampling::PointSet& set, const Style& style, const frame::Camera& camera) {
+    void prepare(const marks::PointSet& set, const Style& style, const frame::Camera& camera) {
         const std::array items{sheet_item(set, style)};
         frame.prepare(items, camera);
     }
     // Of the picture's middle.
-    double covered(const sampling::PointSet& set, const Style& style, double half) {
+    double covered(const marks::PointSet& set, const Style& style, double half) {
         const std::array items{sheet_item(set, style)};
         return draw(runtime, items, front_camera(size, size, half), size, size).darkness(20, 20, size - 20, size - 20);
     }
@@ -72,7 +72,7 @@ bool enough(std::int64_t budget, double half, float radius, double coverage) {
 TEST_F(Coverage, IsTheToneForMarksOfAnySizeAtAnyZoomAndBudget) {
     int judged = 0;
     for (const std::int64_t budget : {20000, 60000}) {
-        const sampling::PointSet set = patch(runtime, budget);
+        const marks::PointSet set = patch(runtime, budget);
         for (const double half : {0.5, 0.8}) {
             for (const float radius : {1.0F, 1.5F, 2.5F, 4.0F}) {
                 for (const float fade : {0.0F, 0.25F}) {
@@ -93,7 +93,7 @@ TEST_F(Coverage, IsTheToneForMarksOfAnySizeAtAnyZoomAndBudget) {
 }
 
 TEST_F(Coverage, IsTheToneWhereItIsDarkToo) {
-    const sampling::PointSet set = patch(runtime, 60000);
+    const marks::PointSet set = patch(runtime, 60000);
     for (const float radius : {2.5F, 4.0F}) {
         for (const double coverage : {0.6, 0.7, 0.8, 0.9}) {
             ASSERT_TRUE(enough(60000, 0.8, radius, coverage));
@@ -106,7 +106,7 @@ TEST_F(Coverage, IsTheToneWhereItIsDarkToo) {
 }
 
 TEST_F(Coverage, OfATiltedPatchIsTheToneToo) {
-    const sampling::PointSet set = patch(runtime, 60000);
+    const marks::PointSet set = patch(runtime, 60000);
     for (const double tilt : {0.4, 0.8, 1.1}) {
         Style style = toned(0.5);
         style.group[0].radius = 1.5F;
@@ -119,7 +119,7 @@ TEST_F(Coverage, OfATiltedPatchIsTheToneToo) {
 }
 
 TEST_F(Coverage, WithoutMarksEnoughAllAreShown) {
-    const sampling::PointSet set = patch(runtime, 4000);
+    const marks::PointSet set = patch(runtime, 4000);
     Style style = toned(0.1);
     style.tone_fade = 0.0F;
     prepare(set, style, front_camera(size, size, 1.1));
@@ -128,7 +128,7 @@ TEST_F(Coverage, WithoutMarksEnoughAllAreShown) {
 }
 
 TEST_F(Coverage, TonesGetPalerTogetherWhereMarksAreFew) {
-    const sampling::PointSet set = patch(runtime, 4000);
+    const marks::PointSet set = patch(runtime, 4000);
     const auto shown_at = [&](double coverage) {
         Style style = toned(1.0 - coverage);
         style.tone_fade = 0.0F;
@@ -142,9 +142,9 @@ TEST_F(Coverage, TonesGetPalerTogetherWhereMarksAreFew) {
 }
 
 TEST_F(Coverage, ZoomingInNeverRemovesAMarkNorItsInk) {
-    const sampling::PointSet flat = patch(runtime, 20000);
-    const sampling::PointSet round = clustered(runtime, torus(runtime.memory, 110));
-    for (const sampling::PointSet* set : {&flat, &round}) {
+    const marks::PointSet flat = patch(runtime, 20000);
+    const marks::PointSet round = clustered(runtime, torus(runtime.memory, 110));
+    for (const marks::PointSet* set : {&flat, &round}) {
         for (const float fade : {0.0F, 0.25F}) {
             Style style = toned(0.4);
             style.tone_fade = fade;
@@ -179,7 +179,7 @@ double ink_of_table(double coverage) {
 }
 
 TEST_F(Coverage, SmallChangesOfLightChangeInkOnlyALittle) {
-    const sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 20000));
+    const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 20000));
     const frame::Camera camera = front_camera(size, size);
     const double fade = 0.25;
     const auto light = [](double angle) { return glm::dvec3(std::sin(angle), 0.3, std::cos(angle)); };
@@ -219,7 +219,7 @@ TEST_F(Coverage, SmallChangesOfLightChangeInkOnlyALittle) {
 }
 
 TEST_F(Coverage, FadesOnlyIfAskedTo) {
-    const sampling::PointSet set = patch(runtime, 20000);
+    const marks::PointSet set = patch(runtime, 20000);
     Style style = toned(0.6);
     style.tone_fade = 0.0F;
     style.group[0].radius = 1.25F;
@@ -239,7 +239,7 @@ TEST_F(Coverage, FadesOnlyIfAskedTo) {
 }
 
 TEST_F(Coverage, LinearShowsTheShareOfTheMarks) {
-    const sampling::PointSet set = patch(runtime, 20000);
+    const marks::PointSet set = patch(runtime, 20000);
     for (const double tau : {0.2, 0.5, 0.8}) {
         Style style = toned(tau);
         style.tone_curve = ToneCurve::linear;

@@ -31,7 +31,7 @@ protected:
     }
 
     base::Runtime runtime;
-    sampling::PointSet set = sphere(runtime.memory, 3000);
+    marks::PointSet set = sphere(runtime.memory, 3000);
     Frame frame{runtime};
     output::Raster raster{runtime};
 };
@@ -153,7 +153,7 @@ base::OutView out_view(std::vector<T>& values, base::Scalar scalar) {
 }
 
 TEST_F(ImageTest, OutputsTellTheNearestSurfaceAndTheTopmostMark) {
-    set = sampling::PointSet(runtime.memory);
+    set = marks::PointSet(runtime.memory);
     add_pixel_mark(set, 20.5, 20.5, 3.0);
     add_pixel_mark(set, 24.5, 20.5, 1.0);
     add_stipple(set, {60.5, -20.5, -2.0}, {1.0, 0.0, 0.0});  // silhouette
@@ -214,7 +214,7 @@ TEST_F(ImageTest, OutputsOutsideTheViewportStayUntouched) {
 }
 
 TEST_F(ImageTest, TheHostsDepthHidesMarksPixelByPixel) {
-    set = sampling::PointSet(runtime.memory);
+    set = marks::PointSet(runtime.memory);
     add_pixel_mark(set, 45.0, 35.0);
     Style style = plain_style();
     style.group[0].radius = 20.0F;

@@ -12,7 +12,7 @@ protected:
 };
 
 TEST_P(Presets, DrawATorus) {
-    sampling::PointSet set = torus(runtime.memory, 120);
+    marks::PointSet set = torus(runtime.memory, 120);
     add_torus_strokes(set, 1, 1500, 27, 0.3);
     add_torus_strokes(set, 2, 1500, 27, 0.3);
     const frame::Preset preset = frame::preset(GetParam());
@@ -26,7 +26,7 @@ TEST_P(Presets, DrawATorus) {
 }
 
 TEST_P(Presets, DrawASphere) {
-    const sampling::PointSet set = sphere(runtime.memory, 30000);
+    const marks::PointSet set = sphere(runtime.memory, 30000);
     const frame::Preset preset = frame::preset(GetParam());
     const std::array items{item_of(set, preset.style)};
     const Picture picture = draw(runtime, items, front_camera(600, 600), 600, 600);

@@ -72,7 +72,7 @@ inline frame::Camera pixel_camera(int width, int height) {
     return camera;
 }
 
-inline void add_pixel_mark(sampling::PointSet& set, double x, double y, double depth = 0.0) {
+inline void add_pixel_mark(marks::PointSet& set, double x, double y, double depth = 0.0) {
     add_stipple(set, {x, -y, -depth}, {0.0, 0.0, 1.0});
 }
 

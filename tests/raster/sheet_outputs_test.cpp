@@ -45,7 +45,7 @@ protected:
     }
 
     base::Runtime runtime;
-    sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 20000));
+    marks::PointSet set = clustered(runtime, sphere(runtime.memory, 20000));
     Frame frame{runtime};
     frame::Camera camera = front_camera(size, size, half);
     std::vector<float> depth = std::vector<float>(size * size, -7.0F);
@@ -82,7 +82,7 @@ TEST_P(SheetOutputs, TellTheNearestSheetAndItsMark) {
 
 TEST_P(SheetOutputs, TellAnInnerSideAndAContour) {
     // The near half is taken away: the far half's inner side is seen.
-    sampling::PointSet bowl(runtime.memory);
+    marks::PointSet bowl(runtime.memory);
     for (int i = 0; i < 40000; ++i) {
         const glm::dvec3 n = fibonacci_direction(i, 40000);
         const glm::dvec3 turned(n.x, n.y, -std::abs(n.z));

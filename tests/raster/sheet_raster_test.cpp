@@ -1,5 +1,5 @@
 // Ink of frames by sheets into pixels, against a plain splatter in doubles.
-#include "frame/sheet_frame.h"
+#include "frame/depth_layers/sheet_frame.h"
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
 
@@ -147,7 +147,7 @@ protected:
                              static_cast<double>(style.group[0].radius), glm::dvec4(style.group[0].ink),
                              (10.0 + 8.0 * u[2]) / 20.0});
         }
-        sampling::cluster_marks(runtime, sets.back());
+        marks::cluster_marks(runtime, sets.back());
         styles.push_back(style);
     }
     void add_colors() {
@@ -191,7 +191,7 @@ protected:
     }
 
     base::Runtime runtime;
-    std::vector<sampling::PointSet> sets;
+    std::vector<marks::PointSet> sets;
     std::vector<Style> styles;
     std::vector<Known> known;
     Frame frame{runtime};
@@ -279,8 +279,8 @@ TEST_F(SheetRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
 
 TEST_F(SheetRaster, DiscsSplattedPlainlyGiveThePicture) {
     // A real frame: sheets, halos, tone and contours.
-    const sampling::PointSet ball = clustered(runtime, sphere(runtime.memory, 6000, 1.0));
-    const sampling::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
+    const marks::PointSet ball = clustered(runtime, sphere(runtime.memory, 6000, 1.0));
+    const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     for (const glm::vec4& paper : papers) {
         for (const bool many : {false, true}) {
             Style style;
@@ -309,7 +309,7 @@ TEST_F(SheetRaster, DiscsSplattedPlainlyGiveThePicture) {
 
 // Ink that touches no tile is in discs(), undimmed, but not in info().shown.
 TEST_F(SheetRaster, DiscsAreThoseThatTheInfoCounts) {
-    const sampling::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
+    const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     Style style;
     style.group[0].radius = 1.3F;
     const std::array items{sheet_item(ring, style)};
@@ -325,8 +325,8 @@ TEST_F(SheetRaster, SameBitsForAnyThreadCountAndInstructionSet) {
     const auto picture_of = [](int threads, base::InstructionSet set, bool many, bool linear) {
         const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), set, nullptr,
                                   nullptr);
-        const sampling::PointSet ball = clustered(other, sphere(other.memory, 20000));
-        const sampling::PointSet ring = clustered(other, torus(other.memory, 90));
+        const marks::PointSet ball = clustered(other, sphere(other.memory, 20000));
+        const marks::PointSet ring = clustered(other, torus(other.memory, 90));
         Style style;
         style.group[0].radius = 1.7F;
         style.attenuation_front = 0.3;
@@ -385,7 +385,7 @@ TEST_F(SheetRaster, AllocatesNothingOnceWarm) {
     CountingAllocator counter;
     const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
                                 base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
-    const sampling::PointSet ring = clustered(counted, torus(counted.memory, 80));
+    const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
     Style style;
     const std::array items{sheet_item(ring, style)};
     style.silhouette_ink = {1.0F, 0.0F, 0.0F, 1.0F};

@@ -21,7 +21,7 @@ Style inked(HiddenLines hidden_lines) {
 class Wash : public ::testing::Test {
 protected:
     // Darkness with attenuation over that without.
-    double kept(const sampling::PointSet& set, const frame::Camera& camera, const Style& style, int size) {
+    double kept(const marks::PointSet& set, const frame::Camera& camera, const Style& style, int size) {
         Style shown = style;
         shown.hidden_lines = HiddenLines::show;
         const std::array with{item_of(set, style)};
@@ -34,7 +34,7 @@ protected:
 };
 
 TEST_F(Wash, APlaneKeepsItsInkAtAnyTilt) {
-    const sampling::PointSet set = plane(runtime.memory, 80);
+    const marks::PointSet set = plane(runtime.memory, 80);
     for (const double tilt : {0.0, 0.3, 0.7, 1.0, 1.2, 1.35}) {
         frame::Camera camera = front_camera(400, 400);
         const glm::dvec3 eye(0.0, -10.0 * std::sin(tilt), 10.0 * std::cos(tilt));
@@ -47,7 +47,7 @@ TEST_F(Wash, APlaneKeepsItsInkAtAnyTilt) {
 
 TEST_F(Wash, ASphereKeepsItsInkAndItsContour) {
     for (const int count : {3000, 20000}) {
-        const sampling::PointSet set = sphere(runtime.memory, count);
+        const marks::PointSet set = sphere(runtime.memory, count);
         // All ink, and the contour alone.  The far half of the contour's band lies under the near one.
         Style style = inked(HiddenLines::attenuate);
         EXPECT_GT(kept(set, front_camera(500, 500), style, 500), 0.97) << count;
@@ -59,7 +59,7 @@ TEST_F(Wash, ASphereKeepsItsInkAndItsContour) {
 }
 
 TEST_F(Wash, AScaledMirroredAndTurnedSphereKeepsItsInk) {
-    const sampling::PointSet set = sphere(runtime.memory, 10000, 0.1);
+    const marks::PointSet set = sphere(runtime.memory, 10000, 0.1);
     glm::dmat4 transform(0.0);
     transform[1][0] = -10.0;
     transform[0][1] = 10.0;
@@ -84,7 +84,7 @@ glm::dmat4 turned(double angle, double z) {
 
 // Ink of one sheet behind the paper of another.
 double darkness_behind(const base::Runtime& runtime, const Style& style, double gap, int side) {
-    const sampling::PointSet set = plane(runtime.memory, side);
+    const marks::PointSet set = plane(runtime.memory, side);
     Style paper_only = style;
     paper_only.group[0].share = 0.0F;
     const std::array items{item_of(set, style, turned(0.4, -gap)), item_of(set, paper_only)};
@@ -111,7 +111,7 @@ TEST_F(Wash, AFrontSheetIsAsOpaqueAsItsLayersWhateverItsDensity) {
 }
 
 TEST_F(Wash, EveryLayerAttenuatesOnceMore) {
-    const sampling::PointSet set = plane(runtime.memory, 60);
+    const marks::PointSet set = plane(runtime.memory, 60);
     Style style = inked(HiddenLines::attenuate);
     style.attenuation_front = 0.3;
     style.cover_layers = 2.0F;
@@ -131,8 +131,8 @@ TEST_F(Wash, EveryLayerAttenuatesOnceMore) {
 
 TEST_F(Wash, AHaloSurroundsWhatIsInFront) {
     // Vertical ink far behind a sphere: the paper of its back marks clears a rim around it.
-    const sampling::PointSet ball = sphere(runtime.memory, 20000, 0.5);
-    const sampling::PointSet wall = plane(runtime.memory, 100);
+    const marks::PointSet ball = sphere(runtime.memory, 20000, 0.5);
+    const marks::PointSet wall = plane(runtime.memory, 100);
     Style style = inked(HiddenLines::attenuate);
     Style blank = style;
     blank.group[0].share = 0.0F;

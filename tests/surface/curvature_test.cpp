@@ -184,5 +184,23 @@ TEST(Curvature, BatchesAreThePointsOneByOne) {
     EXPECT_THROW(principal_curvatures(runtime, torus, points, result, base::Progress(&operation)), Error);
 }
 
+TEST(Eigen2, SolvesTheSymmetricProblem) {
+    for (int i = 0; i < 200; ++i) {
+        const glm::dvec3 m(std::sin(12.9898 * i), std::sin(78.233 * i + 1.0), std::sin(37.719 * i + 2.0));
+        const Eigen2 e = symmetric_eigen2(m.x, m.y, m.z);
+        EXPECT_GE(e.high, e.low);
+        EXPECT_NEAR(m.x * e.cosine + m.y * e.sine, e.high * e.cosine, 1e-14);
+        EXPECT_NEAR(m.y * e.cosine + m.z * e.sine, e.high * e.sine, 1e-14);
+        EXPECT_NEAR(e.high + e.low, m.x + m.z, 1e-14);
+        EXPECT_NEAR(e.high * e.low, m.x * m.z - m.y * m.y, 1e-14);
+    }
+    const Eigen2 umbilic = symmetric_eigen2(2.0, 0.0, 2.0);
+    EXPECT_EQ(umbilic.high, 2.0);
+    EXPECT_EQ(umbilic.low, 2.0);
+    const Eigen2 nearly = symmetric_eigen2(1.0, 1e-20, 1.0);
+    EXPECT_EQ(nearly.high - nearly.low, 0.0) << "below rounding";
+    EXPECT_NEAR(nearly.cosine, std::sqrt(0.5), 1e-15) << "and yet the direction is right";
+}
+
 } // namespace
 } // namespace hrbfnpr::surface

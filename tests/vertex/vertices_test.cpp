@@ -32,7 +32,7 @@ protected:
     }
 
     base::Runtime runtime;
-    sampling::PointSet set = clustered(runtime, sphere(runtime.memory, 1500));
+    marks::PointSet set = clustered(runtime, sphere(runtime.memory, 1500));
     bool sheets = false; // or painted
     glm::dmat4 transform{1.0};
     Frame frame{runtime};
@@ -100,7 +100,7 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
         const Disc& disc = frame.discs()[i];
         const std::int64_t at = static_cast<std::int64_t>(i) * stride;
         const auto mark = static_cast<std::int64_t>(disc.id) - 1;
-        const sampling::MarkGroup& group = set.group[0];
+        const marks::MarkGroup& group = set.group[0];
         ASSERT_EQ(memory[static_cast<std::size_t>(at)], std::byte{0xCD});
         for (std::int64_t k = 87; k < 91; ++k) ASSERT_EQ(memory[static_cast<std::size_t>(at + k)], std::byte{0xCD});
         for (int c = 0; c < 4; ++c) {
@@ -174,7 +174,7 @@ TEST_F(Vertices, OfSheetsAreWrittenWithoutAllocationOnceWarm) {
     CountingAllocator counter;
     const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
                                 base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
-    const sampling::PointSet ring = clustered(counted, torus(counted.memory, 80));
+    const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
     const std::array items{sheet_item(ring, Style{})};
     Frame own(counted);
     const std::array fields{VertexField{VertexAttribute::window, Scalar::float32, 0},

@@ -1,6 +1,6 @@
 #include "output/raster/draw.h"
 
-#include "frame/tile_bins.h"
+#include "frame/scene/tile_bins.h"
 #include "output/raster/pixels.h"
 #include "output/raster/rects.h"
 #include "output/raster/sheet_raster.h"

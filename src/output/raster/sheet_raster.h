@@ -1,7 +1,7 @@
 // The rasteriser of frames by sheets: ink into the caller's pixels, in tiles.
 #pragma once
 
-#include "frame/sheet_frame.h"
+#include "frame/depth_layers/sheet_frame.h"
 #include "output/raster/draw.h"
 #include "output/raster/splat_loops.h"
 

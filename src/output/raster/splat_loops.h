@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/instruction_set.h"
-#include "frame/ink.h"
+#include "frame/depth_layers/ink.h"
 
 #include <cstdint>
 

@@ -1,0 +1,88 @@
+#include "frame/depth_layers/exact_visibility.h"
+
+#include "base/operation.h"
+#include "frame/depth_layers/cover_law.h"
+
+#include <glm/matrix.hpp>
+
+namespace hrbfnpr::frame {
+namespace {
+
+constexpr std::int64_t rays_at_a_time = 16384;
+constexpr std::int32_t most_sheets = 8;
+// A ray starts so many pixels outside of its own sheet; a contour's, where its own sheet is out of the way.
+constexpr double off_sheet = 0.5;
+constexpr double off_contour = 3.0;
+
+} // namespace
+
+// From the mark to the eye, in the model's space.
+void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Ink& ink) {
+    const ItemView& item = scene.item_of(run);
+    const std::int64_t mark = ink.id - run.first_id;
+    const glm::dmat3 to_eye(item.to_eye);
+    const glm::dmat3 back = glm::inverse(to_eye);
+    const double pixel = 1.0 / (static_cast<double>(ink.ppe) * std::cbrt(std::abs(glm::determinant(to_eye))));
+    const double off = ink.mark_class == MarkClass::silhouette ? off_contour : off_sheet;
+    const glm::dvec3 from =
+        glm::dvec3(item.place(*run.marks, mark)) + off * pixel * glm::dvec3(marks::vector_at(run.marks->normal, mark));
+    const glm::dvec3 centre(scene.lens.centre);
+    const bool parallel = scene.lens.centre.w == 0.0F;
+    // The direction's length does not matter where lines of sight are parallel: rays end with the model's bounds.
+    const glm::dvec3 to = parallel ? from - back * centre : back * (centre - glm::dvec3(item.eye_offset));
+    rays_.origin.push_back(item.unit * from + item.origin);
+    rays_.direction.push_back(item.unit * (to - from));
+}
+
+void ExactVisibility::ask(const base::Runtime& runtime, const Scene& scene, std::int32_t item, std::span<Ink> inks) {
+    if (asked_.empty()) return;
+    const ItemView& view = scene.items[item];
+    surface::RaySettings settings;
+    settings.maximum_hits = most_sheets;
+    if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // at the eye
+    surface::cast_rays(runtime, *view.model, settings, rays_, hits_, {});
+    for (std::int64_t i = 0; i < asked_.size(); ++i) {
+        const glm::dvec3 sight = rays_.direction[i] / -view.unit;
+        for (std::int32_t hit = 0; hit < hits_.count[i]; ++hit) {
+            const glm::dvec3 n = hits_.normal[i * most_sheets + hit];
+            const double nu = glm::dot(n, sight) / glm::length(sight);
+            inks[asked_[i]].alpha *= sheet_clear(view.style, static_cast<float>(nu));
+        }
+    }
+    rays_.origin.clear();
+    rays_.direction.clear();
+    asked_.clear();
+}
+
+std::int64_t ExactVisibility::attenuate(const base::Runtime& runtime, const Scene& scene, std::span<Ink> inks,
+                                        std::span<const Piece> pieces) {
+    rays_.origin.clear(); // what a failed frame left
+    rays_.direction.clear();
+    asked_.clear();
+    std::int64_t hidden = 0;
+    std::int32_t item = -1;
+    for (const Piece& piece : pieces) {
+        for (std::int64_t i = piece.begin; i < piece.end; ++i) {
+            const Ink& ink = inks[static_cast<std::size_t>(i)];
+            const Run& run = scene.runs[ink.color / 2];
+            if (run.item != item || asked_.size() == rays_at_a_time) ask(runtime, scene, item, inks);
+            item = run.item;
+            if (scene.item_of(run).model == nullptr || !(ink.alpha > 0.0F)) continue;
+            add_ray(scene, run, ink);
+            asked_.push_back(static_cast<std::uint32_t>(i));
+        }
+    }
+    ask(runtime, scene, item, inks);
+    for (const Piece& piece : pieces) {
+        for (std::int64_t i = piece.begin; i < piece.end; ++i) {
+            Ink& ink = inks[static_cast<std::size_t>(i)];
+            if (scene.item_of(scene.runs[ink.color / 2]).model == nullptr || !(ink.alpha > 0.0F)) continue;
+            if (ink.alpha >= faintest_ink) continue;
+            ink.alpha = 0.0F;
+            ++hidden;
+        }
+    }
+    return hidden;
+}
+
+} // namespace hrbfnpr::frame

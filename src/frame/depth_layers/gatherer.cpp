@@ -1,0 +1,333 @@
+#include "frame/depth_layers/gatherer.h"
+
+#include "base/prefetch.h"
+#include "frame/depth_layers/cover_law.h"
+#include "frame/scene/tone.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace hrbfnpr::frame {
+namespace {
+
+constexpr std::size_t darkest_step = needed_steps * 6 / 10;
+
+using marks::MarkBlock;
+
+// Marks farther round the contour than this are none of its, whatever the curvature.
+constexpr float widest_band = 0.9F;
+// Ink of the front vanishes towards the contour over this much of n . v, where nothing else makes it vanish.
+constexpr float front_fade = 0.08F;
+// Contours are asked for what hides them so many pixels outside of their own sheet.
+constexpr float probe = 3.0F;
+// A halo goes out from marks within this many pixels of the contour.
+constexpr float halo_band = 1.0F;
+// A contour that runs into the depth more steeply has no halo.
+constexpr float steepest_contour = 8.0F;
+// Marks of a contour for each of its pixels.
+constexpr float contour_marks = 3.0F;
+
+} // namespace
+
+Gatherer::Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t run_number,
+                   std::int64_t first_place) noexcept
+    : all_(all), scene_(scene), run_(run), item_(scene.item_of(run)), style_(item_.style),
+      sight_(all.sights_[run.item]), item_ink_(all.item_inks_[run.item]), clear_(all.clears_[all.clear_of_[run.item]]),
+      marks_(run.marks->clusters), color_(2U * static_cast<std::uint32_t>(run_number)), judge_(common_judge()),
+      ink_(all.inks_.data() + first_place), cover_(all.covers_.data() + first_place) {}
+
+Judge Gatherer::common_judge() const noexcept {
+    Judge judge{};
+    judge.by_paper = style_.tone_rule == ToneRule::paper;
+    judge.coverage = style_.tone_curve == ToneCurve::coverage;
+    judge.needed = item_ink_.needed.data();
+    judge.share = style_.group[static_cast<std::size_t>(run_.group)].share;
+    judge.fade = style_.tone_fade;
+    judge.more = 1.0F / (1.0F - 0.5F * judge.fade); // marks that fade in are small
+    // Coverage counts on foreshortening; else the ink of the front vanishes where it turns away.
+    judge.turn = judge.fade > 0.0F && !judge.coverage && !judge.by_paper ? front_fade : 0.0F;
+    judge.draws_contours = run_.draws_silhouettes;
+    for (int k = 0; k < 3; ++k) judge.eye[k] = sight_.eye[k];
+    judge.width = style_.silhouette_width;
+    return judge;
+}
+
+// The largest disc that a mark can bring decides whether it can reach the viewport.
+float Gatherer::reach(float ppe) const noexcept {
+    float radius = 0.0F;
+    if (run_.draws_front) radius = run_.pen.front_ink(ppe);
+    if (run_.draws_silhouettes) radius = std::max(radius, run_.pen.silhouette_ink(ppe));
+    return radius + soft_rim;
+}
+
+Gatherer::Local Gatherer::local_of(const marks::Cluster& cluster) const noexcept {
+    Local local{&cluster, {}, judge_, cover_spacing};
+    const float reach_there = reach(ppe_at(cluster, sight_, scene_.lens));
+    local.view = view_cluster(cluster, sight_, scene_.lens, all_.frustum_, reach_there);
+    const ClusterView& view = local.view;
+    Judge& judge = local.judge;
+    const glm::vec4& v = scene_.lens.viewport;
+    judge.left = v.x - reach_there;
+    judge.right = v.x + v.z + reach_there;
+    judge.top = v.y - reach_there;
+    judge.bottom = v.y + v.w + reach_there;
+    judge.all_inside = view.inside;
+    judge.front_ink = run_.draws_front && (run_.sets == 3U || (run_.sets >> cluster.set & 1U) != 0);
+    judge.scale = run_.pen.scale(view.ppe);
+    if (judge.coverage)
+        // Marks that cover less than 0.6 are shown as if they covered that: their dark tones still differ.
+        judge.per_ink = 1.0F / std::max(item_ink_.per_pixel(view.ppe), item_ink_.needed[darkest_step]);
+    set_contour(local);
+    judge.most_shown = most_shown(local);
+    return local;
+}
+
+// The share of its marks that a line of `contour_marks` for each pixel takes: around a circle the band is
+// sqrt(2 width / curvature) wide on either side.  Groups that come first go first.
+void Gatherer::set_contour(Local& local) const noexcept {
+    const marks::Cluster& cluster = *local.cluster;
+    Judge& judge = local.judge;
+    const float ppe = local.view.ppe;
+    judge.pixel_curvature = 1.0F / (sight_.scale * ppe);
+    judge.by_width = style_.silhouette_law == SilhouetteLaw::width && cluster.bend >= 0.0F;
+    judge.band = static_cast<float>(style_.silhouette_threshold);
+    if (!judge.by_width) return;
+    judge.band = std::min(contour_band(1.05F * judge.width, cluster.bend * judge.pixel_curvature), widest_band);
+    const float area = run_.pen.spacing * run_.pen.spacing;
+    judge.line_slope = contour_marks * ppe * ppe * area / (2.0F * std::sqrt(2.0F * std::max(judge.width, 1e-3F)));
+    judge.line_earlier = run_.earlier_contours * area;
+    for (std::size_t k = 0; k < cluster.shape.size(); ++k) judge.shape[k] = cluster.shape[k];
+}
+
+void Gatherer::operator()(const marks::Cluster& cluster) noexcept {
+    const std::int64_t marks = cluster.count;
+    info_.marks += marks;
+    Local local = local_of(cluster);
+    if (local.view.outside) {
+        info_.outside += marks;
+        return;
+    }
+    const bool whole = count_whole(local);
+    local.cover_spacing = whole ? cover_spacing : contour_cover_spacing;
+    const std::int64_t covers = covers_of(local);
+    const Judge& judge = local.judge;
+    const bool tone = judge.front_ink && local.view.nu_min < 0.0F;
+    float most = tone ? judge.most_shown : 0.0F;
+    // Wherever it bends the most, a contour takes the most marks.
+    if (judge.draws_contours && !whole)
+        most = std::max(most, judge.by_width
+                                  ? 1e-4F + 1.01F * judge.line_slope * std::sqrt(cluster.bend * judge.pixel_curvature) -
+                                        judge.line_earlier
+                                  : 1.0F);
+    const std::int64_t inks = shown_of(cluster, most);
+    if (!whole)
+        info_.culled += marks - inks;
+    else if (tone)
+        info_.dropped_tone += marks - inks;
+    const std::int64_t count = std::max(covers, inks);
+    if (count == 0) return;
+    Seen seen;
+    all_.loops_.see(sight_.seer, {marks_.block.data() + cluster.block, count}, seen);
+    if (covers > 0) cover(local, seen, covers);
+    if (inks > 0) ink(local, seen, inks, whole);
+}
+
+void Gatherer::expect(std::int64_t cluster) const noexcept {
+    if (cluster >= marks_.cluster.size()) return;
+    base::prefetch(&marks_.block[marks_.cluster[cluster].block], 1);
+}
+
+// Whether all marks of the cluster are of one class, which is then counted.
+bool Gatherer::count_whole(const Local& local) noexcept {
+    if (!local.view.inside) return false;
+    const bool front = local.view.nu_max < -local.judge.band;
+    const bool back = local.view.nu_min > local.judge.band;
+    if (front) info_.front += local.cluster->count;
+    if (back) info_.back += local.cluster->count;
+    return front || back;
+}
+
+// How many of a cluster's marks are among the share `shown` of all.
+std::int64_t Gatherer::shown_of(const marks::Cluster& cluster, float shown) const noexcept {
+    if (!(shown > 0.0F)) return 0;
+    const MarkBlock* const blocks = marks_.block.data() + cluster.block;
+    std::int64_t low = 0;
+    std::int64_t high = cluster.count;
+    while (low < high) {
+        const std::int64_t middle = (low + high) / 2;
+        if (1.0F - blocks[middle / MarkBlock::size].rank[middle % MarkBlock::size] <= shown)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+// A bound on what judge() shows of the front.
+float Gatherer::most_shown(const Local& local) const noexcept {
+    const Judge& judge = local.judge;
+    if (judge.by_paper || style_.tone == Tone::callback) return 1.0F;
+    const float tau =
+        style_.tone == Tone::light ? light_tone(local.view.lit_min, static_cast<float>(style_.tone_exponent)) : 0.0F;
+    float shown = 1.0F - tau;
+    if (judge.coverage) {
+        const float nu = std::max(-local.view.nu_min, -local.view.nu_max);
+        const auto cell = static_cast<std::size_t>(shown * needed_steps);
+        const float needed = item_ink_.needed[std::min<std::size_t>(cell + 1, needed_steps)];
+        shown = std::min(1.0F, needed * nu * judge.per_ink);
+    }
+    return 1.001F * judge.share * judge.more * shown + 1e-5F;
+}
+
+std::int64_t Gatherer::covers_of(const Local& local) const noexcept {
+    if (!run_.covers) return 0;
+    if (!run_.spread_evenly && run_.group != 0) return local.cluster->count;
+    const float pixels = run_.pen.spacing * local.view.ppe / local.cover_spacing;
+    if (!(pixels < 1.0F)) return local.cluster->count; // NaN: of a spacing that floats do not hold
+    // The first of a cluster are as even as the first of all.
+    return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster->count)));
+}
+
+void Gatherer::cover(const Local& local, const Seen& seen, std::int64_t count) noexcept {
+    const float spacing = run_.group == 0 ? std::max(run_.pen.spacing * local.view.ppe, local.cover_spacing)
+                                          : run_.pen.spacing * local.view.ppe;
+    const bool even = run_.spread_evenly && run_.group == 0;
+    const float own_radius = (even ? even_cover : random_cover) * spacing + 0.5F;
+    const float radius =
+        std::min(run_.pen.cover_radius > 0.0F ? run_.pen.cover_radius : own_radius, run_.pen.largest_cover);
+    const MarkBlock* const blocks = marks_.block.data() + local.cluster->block;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const float nu = seen.nu[i];
+        if (!(seen.ppe[i] > 0.0F) || !(std::abs(nu) <= 1.001F) || !(seen.window[i] >= 0.0F && seen.window[i] <= 1.0F))
+            continue;
+        Cover& c = *cover_++;
+        c.x = seen.x[i];
+        c.y = seen.y[i];
+        c.radius = radius;
+        c.depth = seen.depth[i];
+        c.ppe = seen.ppe[i];
+        const float turn = -seen.along[i] / (std::abs(nu) > 1e-3F ? nu : 1e-3F);
+        const float x = seen.side_x[i] * turn;
+        const float y = -seen.side_y[i] * turn;
+        const float slope = std::sqrt(x * x + y * y);
+        const float shrink = (slope > steepest ? steepest / slope : 1.0F) / c.ppe;
+        c.slope_x = x * shrink;
+        c.slope_y = y * shrink;
+        c.clear = clear_.at(nu);
+        c.window = seen.window[i];
+        set_halo(c, local, seen, i);
+        c.id = run_.first_id + blocks[i / MarkBlock::size].mark[i % MarkBlock::size];
+        c.faces_back = nu > 0.0F;
+        ++info_.painted;
+    }
+}
+
+Gatherer::Rim Gatherer::rim_of(const Local& local, std::int64_t i) const noexcept {
+    const MarkBlock& m = marks_.block[local.cluster->block + i / MarkBlock::size];
+    const std::int64_t at = i % MarkBlock::size;
+    const glm::vec3 n(m.nx[at], m.ny[at], m.nz[at]);
+    const glm::vec3 v = sight_.seer.parallel ? sight_.eye : glm::vec3(m.x[at], m.y[at], m.z[at]) - sight_.eye;
+    return {n, v, radial_curvature(*local.cluster, n, v)};
+}
+
+// A halo goes out from the contour, and may be nowhere in front of its own line, which may run into the depth.
+void Gatherer::set_halo(Cover& c, const Local& local, const Seen& seen, std::int64_t i) const noexcept {
+    const float nu = seen.nu[i];
+    c.halo = 0.0F;
+    if (!(style_.halo_width > 0.0F) || !(std::abs(nu) <= widest_band) || local.cluster->bend < 0.0F) return;
+    const Rim rim = rim_of(local, i);
+    const float away = contour_distance(nu, std::abs(rim.curvature) * local.judge.pixel_curvature);
+    if (!(away <= halo_band)) return;
+    const glm::vec3 along = item_.to_eye * contour_direction(*local.cluster, rim.normal, rim.sight);
+    const float across = std::sqrt(along.x * along.x + along.y * along.y);
+    const float slope = -along.z / across;
+    const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
+    if (!(std::abs(slope) <= steepest_contour) || !(side > 0.0F)) return; // it ends here
+    c.halo = style_.halo_width;
+    c.halo_clear = clear_.halo;
+    c.halo_x = c.x + away * seen.side_x[i] / side;
+    c.halo_y = c.y - away * seen.side_y[i] / side;
+    // Where a surface bends little, its marks tell little of how far away the contour is: its own line stays before
+    // the halo, and so does what is hardly behind.
+    const float pixel_radius = 1.0F / (std::abs(rim.curvature) * local.judge.pixel_curvature);
+    const float slack = std::sqrt(2.0F * halo_band * pixel_radius) + std::abs(slope) * c.halo;
+    c.halo_depth = c.depth + to_rim(rim, nu) + slack / c.ppe;
+    c.halo_slope_x = slope * along.x / (across * c.ppe);
+    c.halo_slope_y = -slope * along.y / (across * c.ppe);
+}
+
+// How much farther than the mark its contour is: n . v turns with the curvature along the line of sight.
+float Gatherer::to_rim(const Rim& rim, float nu) const noexcept { return -nu * sight_.scale / rim.curvature; }
+
+const float* Gatherer::taus(const Local& local, const Seen& seen, std::int64_t count, float* scratch) const noexcept {
+    if (style_.tone == Tone::callback)
+        return all_.tau_.data() + run_.first_place + local.cluster->block * MarkBlock::size;
+    const auto exponent = static_cast<float>(style_.tone_exponent);
+    for (std::int64_t i = 0; i < count; ++i)
+        scratch[i] = style_.tone == Tone::light ? light_tone(seen.lit[i], exponent) : 0.0F;
+    return scratch;
+}
+
+const float* Gatherer::depth_tones(const Seen& seen, std::int64_t count, float* scratch) const noexcept {
+    if (!(style_.depth_min > 0.0 && style_.depth_max > style_.depth_min)) return nullptr;
+    for (std::int64_t i = 0; i < count; ++i)
+        scratch[i] = depth_tone(static_cast<double>(seen.distance[i] / scene_.lens.eye_per_world), style_.depth_min,
+                                style_.depth_max);
+    return scratch;
+}
+
+// counted: the class of all marks already is.
+void Gatherer::ink(const Local& local, const Seen& seen, std::int64_t count, bool counted) noexcept {
+    std::array<float, Seen::most> tau;
+    std::array<float, Seen::most> tau_depth;
+    Judged judged;
+    all_.loops_.judge(local.judge, sight_.seer, {marks_.block.data() + local.cluster->block, count}, seen,
+                      taus(local, seen, count, tau.data()), depth_tones(seen, count, tau_depth.data()), judged);
+    if (!counted) {
+        info_.outside += judged.outside;
+        info_.front += judged.fronts;
+        info_.back += judged.backs;
+        info_.silhouette += judged.contours;
+    }
+    info_.dropped_tone += judged.dropped_tone;
+    info_.dropped_zoom += judged.dropped_zoom;
+    info_.dropped_depth += judged.dropped_depth;
+    for (std::int64_t first = 0, word = 0; first < count; first += judged.lanes, ++word) {
+        for (unsigned bits = judged.drawn[word]; bits != 0; bits &= bits - 1) {
+            const std::int64_t i = first + std::countr_zero(bits);
+            const std::int64_t place = local.cluster->block * MarkBlock::size + i;
+            // Areas: a mark on its way from the front into the contour's band is as large as the larger of both.
+            const float own = run_.pen.front_ink(seen.ppe[i]) * (marks_.width.empty() ? 1.0F : marks_.width[place]);
+            const float front = own * own * judged.front[i];
+            const float pen = run_.pen.silhouette_ink(seen.ppe[i]);
+            const float line = pen * pen * judged.line[i];
+            put(local, seen, i, std::sqrt(std::max(line, front)), line > 0.0F);
+        }
+    }
+}
+
+void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float radius, bool contour) noexcept {
+    const MarkBlock& m = marks_.block[local.cluster->block + i / MarkBlock::size];
+    Ink& ink = *ink_++;
+    ink.x = seen.x[i];
+    ink.y = seen.y[i];
+    ink.radius = radius;
+    ink.alpha = 1.0F;
+    ink.depth = seen.depth[i];
+    ink.window = seen.window[i];
+    ink.ppe = seen.ppe[i];
+    ink.id = run_.first_id + m.mark[i % MarkBlock::size];
+    ink.color = color_ + (contour ? 1U : 0U);
+    ink.mark_class = contour ? MarkClass::silhouette : MarkClass::front;
+    ink.flags = static_cast<std::uint8_t>((seen.nu[i] > 0.0F ? ink_faces_back : 0) |
+                                          (item_.model != nullptr ? ink_is_exact : 0));
+    const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
+    const float step = contour && side > 0.0F ? probe * probe_steps / side : 0.0F;
+    // A line is where its contour is, not where its marks are around it.
+    if (contour && local.judge.by_width) ink.depth += to_rim(rim_of(local, i), seen.nu[i]);
+    ink.probe_x = static_cast<std::int8_t>(seen.side_x[i] * step);
+    ink.probe_y = static_cast<std::int8_t>(-seen.side_y[i] * step);
+}
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,71 @@
+// The work of Gather on one piece of a run.
+#pragma once
+
+#include "frame/depth_layers/gather.h"
+
+namespace hrbfnpr::frame {
+
+class Gatherer {
+public:
+    // first_place: where its inks and covers go.
+    Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t run_number,
+             std::int64_t first_place) noexcept;
+
+    void operator()(const marks::Cluster& cluster) noexcept;
+    // This cluster comes soon.
+    void expect(std::int64_t cluster) const noexcept;
+
+    [[nodiscard]] std::int64_t ink_end() const noexcept { return ink_ - all_.inks_.data(); }
+    [[nodiscard]] std::int64_t cover_end() const noexcept { return cover_ - all_.covers_.data(); }
+    [[nodiscard]] const FrameInfo& info() const noexcept { return info_; }
+
+private:
+    // What is the same for all marks of a cluster.
+    struct Local {
+        const marks::Cluster* cluster = nullptr;
+        ClusterView view;
+        Judge judge;
+        float cover_spacing = 1.0F; // pixels
+    };
+
+    // A mark near a contour, in object space.
+    struct Rim {
+        glm::vec3 normal, sight;
+        float curvature; // along the line of sight
+    };
+
+    [[nodiscard]] Judge common_judge() const noexcept;
+    [[nodiscard]] Local local_of(const marks::Cluster& cluster) const noexcept;
+    void set_contour(Local& local) const noexcept;
+    [[nodiscard]] float reach(float ppe) const noexcept;
+    [[nodiscard]] bool count_whole(const Local& local) noexcept;
+    [[nodiscard]] std::int64_t shown_of(const marks::Cluster& cluster, float shown) const noexcept;
+    [[nodiscard]] float most_shown(const Local& local) const noexcept;
+    [[nodiscard]] std::int64_t covers_of(const Local& local) const noexcept;
+    void cover(const Local& local, const Seen& seen, std::int64_t count) noexcept;
+    [[nodiscard]] Rim rim_of(const Local& local, std::int64_t i) const noexcept;
+    [[nodiscard]] float to_rim(const Rim& rim, float nu) const noexcept;
+    void set_halo(Cover& c, const Local& local, const Seen& seen, std::int64_t i) const noexcept;
+    void ink(const Local& local, const Seen& seen, std::int64_t count, bool counted) noexcept;
+    [[nodiscard]] const float* taus(const Local& local, const Seen& seen, std::int64_t count,
+                                    float* scratch) const noexcept;
+    [[nodiscard]] const float* depth_tones(const Seen& seen, std::int64_t count, float* scratch) const noexcept;
+    void put(const Local& local, const Seen& seen, std::int64_t i, float radius, bool contour) noexcept;
+
+    Gather& all_;
+    const Scene& scene_;
+    const Run& run_;
+    const ItemView& item_;
+    const Style& style_;
+    const ItemSight& sight_;
+    const ItemInk& item_ink_;
+    const ClearTable& clear_;
+    const marks::MarkClusters& marks_;
+    std::uint32_t color_;
+    Judge judge_; // what is the same for all clusters
+    FrameInfo info_;
+    Ink* ink_;
+    Cover* cover_;
+};
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,289 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "frame/depth_layers/see_loops.cpp"
+#include "base/simd.h"
+
+#include "frame/depth_layers/see_loops.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hrbfnpr::frame::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, marks::MarkBlock::size>; // a vector never leaves its block
+using W = hn::Vec<F>;
+using M = hn::Mask<F>;
+
+// Products and sums are rounded one by one: a fused step would give other bits where there is one.
+HWY_INLINE W dot3(const float* row, W x, W y, W z) {
+    const F d;
+    return hn::Add(hn::Add(hn::Mul(hn::Set(d, row[0]), x), hn::Mul(hn::Set(d, row[1]), y)),
+                   hn::Mul(hn::Set(d, row[2]), z));
+}
+HWY_INLINE W affine(const float* row, W x, W y, W z) { return hn::Add(dot3(row, x, y, z), hn::Set(F(), row[3])); }
+HWY_INLINE W squared(W x, W y, W z) { return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)); }
+
+struct Sight {
+    W x, y, z;
+};
+
+HWY_INLINE Sight sight(const Seer& s, W x, W y, W z) {
+    const F d;
+    const W cx = hn::Set(d, s.centre[0]);
+    const W cy = hn::Set(d, s.centre[1]);
+    const W cz = hn::Set(d, s.centre[2]);
+    if (s.parallel) return {cx, cy, cz};
+    return {hn::Sub(x, cx), hn::Sub(y, cy), hn::Sub(z, cz)};
+}
+
+HWY_INLINE void place(const Seer& s, W px, W py, W pz, std::int64_t at, Seen& seen) {
+    const F d;
+    const W inverse = hn::Div(hn::Set(d, 1.0F), affine(s.clip[3], px, py, pz));
+    hn::StoreU(hn::Mul(affine(s.clip[0], px, py, pz), inverse), d, seen.x + at);
+    hn::StoreU(hn::Mul(affine(s.clip[1], px, py, pz), inverse), d, seen.y + at);
+    hn::StoreU(hn::Mul(affine(s.clip[2], px, py, pz), inverse), d, seen.window + at);
+    hn::StoreU(hn::Mul(hn::Set(d, s.pixels), inverse), d, seen.ppe + at);
+}
+
+HWY_INLINE W light(const Seer& s, W nx, W ny, W nz) {
+    if (s.rigid) return dot3(s.light, nx, ny, nz);
+    const W lx = dot3(s.normal_light[0], nx, ny, nz);
+    const W ly = dot3(s.normal_light[1], nx, ny, nz);
+    const W lz = dot3(s.normal_light[2], nx, ny, nz);
+    return hn::Div(dot3(s.light, lx, ly, lz), hn::Sqrt(squared(lx, ly, lz)));
+}
+
+void see(const Seer& s, const MarkRange& range, Seen& seen) {
+    const F d;
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    for (std::int64_t at = 0; at < range.count; at += lanes) {
+        const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
+        const std::int64_t in_block = at % marks::MarkBlock::size;
+        const auto load = [&](const float* from) HWY_ATTR { return hn::LoadU(d, from + in_block); };
+        const W px = load(m.x);
+        const W py = load(m.y);
+        const W pz = load(m.z);
+        place(s, px, py, pz, at, seen);
+        const W ex = affine(s.eye[0], px, py, pz);
+        const W ey = affine(s.eye[1], px, py, pz);
+        const W ez = affine(s.eye[2], px, py, pz);
+        const Sight v = sight(s, ex, ey, ez);
+        const W length = hn::Sqrt(squared(v.x, v.y, v.z));
+        const W inverse = hn::Div(hn::Set(d, 1.0F), length);
+        const W nx = load(m.nx);
+        const W ny = load(m.ny);
+        const W nz = load(m.nz);
+        W tx = dot3(s.normal[0], nx, ny, nz);
+        W ty = dot3(s.normal[1], nx, ny, nz);
+        W tz = dot3(s.normal[2], nx, ny, nz);
+        if (!s.rigid) {
+            const W unit = hn::Div(hn::Set(d, 1.0F), hn::Sqrt(squared(tx, ty, tz)));
+            tx = hn::Mul(tx, unit);
+            ty = hn::Mul(ty, unit);
+            tz = hn::Mul(tz, unit);
+        }
+        const W facing = hn::Add(hn::Add(hn::Mul(tx, v.x), hn::Mul(ty, v.y)), hn::Mul(tz, v.z));
+        hn::StoreU(hn::Mul(facing, inverse), d, seen.nu + at);
+        hn::StoreU(tx, d, seen.side_x + at);
+        hn::StoreU(ty, d, seen.side_y + at);
+        hn::StoreU(hn::Mul(hn::Neg(v.z), inverse), d, seen.along + at);
+        hn::StoreU(hn::Neg(ez), d, seen.depth + at);
+        hn::StoreU(s.parallel ? hn::Neg(ez) : length, d, seen.distance + at);
+        hn::StoreU(light(s, nx, ny, nz), d, seen.lit + at);
+    }
+}
+
+// The share of its area at which a mark is drawn, `place` its 1 - rank: it grows while the last ones shown come in.
+HWY_INLINE W grown(W place, W shown, float fade) {
+    const F d;
+    const W rest = hn::Sub(shown, place);
+    const M is_shown = hn::And(hn::Ge(rest, hn::Zero(d)), hn::Gt(shown, hn::Zero(d)));
+    if (!(fade > 0.0F)) return hn::IfThenElseZero(is_shown, hn::Set(d, 1.0F));
+    return hn::IfThenElseZero(is_shown, hn::Min(hn::Set(d, 1.0F), hn::Div(rest, hn::Mul(hn::Set(d, fade), shown))));
+}
+
+HWY_INLINE M inside(const Judge& j, const Seen& seen, std::int64_t at) {
+    const F d;
+    const auto between = [&](const float* from, float low, float high) HWY_ATTR {
+        const W value = hn::LoadU(d, from + at);
+        return hn::And(hn::Ge(value, hn::Set(d, low)), hn::Le(value, hn::Set(d, high)));
+    };
+    // Everything is asked so that a value that is not a number answers "outside".
+    return hn::And(hn::And(hn::And(between(seen.x, j.left, j.right), between(seen.y, j.top, j.bottom)),
+                           hn::And(between(seen.window, 0.0F, 1.0F), between(seen.nu, -1.001F, 1.001F))),
+                   hn::Gt(hn::LoadU(d, seen.ppe + at), hn::Zero(d)));
+}
+
+// Normal curvature along the line of sight, per pixel.
+HWY_INLINE W radial_curvature(const Judge& j, const Seer& seer, const marks::MarkBlock& m, std::int64_t at) {
+    const F d;
+    const W nx = hn::LoadU(d, m.nx + at);
+    const W ny = hn::LoadU(d, m.ny + at);
+    const W nz = hn::LoadU(d, m.nz + at);
+    const auto along = [&](const float* from, float eye) HWY_ATTR {
+        return seer.parallel ? hn::Set(d, eye) : hn::Sub(hn::LoadU(d, from + at), hn::Set(d, eye));
+    };
+    const W vx = along(m.x, j.eye[0]);
+    const W vy = along(m.y, j.eye[1]);
+    const W vz = along(m.z, j.eye[2]);
+    const W across = hn::Add(hn::Add(hn::Mul(vx, nx), hn::Mul(vy, ny)), hn::Mul(vz, nz));
+    const W wx = hn::Sub(vx, hn::Mul(across, nx)); // the line of sight along the surface
+    const W wy = hn::Sub(vy, hn::Mul(across, ny));
+    const W wz = hn::Sub(vz, hn::Mul(across, nz));
+    const float low[3] = {j.shape[0], j.shape[1], j.shape[2]};
+    const float middle[3] = {j.shape[1], j.shape[3], j.shape[4]};
+    const float high[3] = {j.shape[2], j.shape[4], j.shape[5]};
+    const W turn = hn::Add(hn::Add(hn::Mul(wx, dot3(low, wx, wy, wz)), hn::Mul(wy, dot3(middle, wx, wy, wz))),
+                           hn::Mul(wz, dot3(high, wx, wy, wz)));
+    return hn::Mul(hn::Div(hn::Abs(turn), squared(wx, wy, wz)), hn::Set(d, j.pixel_curvature));
+}
+
+struct Line {
+    M in;
+    W share, shown;
+};
+
+// Where a mark lies in the contour's band, and which marks its line takes.
+HWY_INLINE Line line_of(const Judge& j, const Seer& seer, const marks::MarkBlock& m, std::int64_t in_block, W nu,
+                        M valid) {
+    const F d;
+    const W one = hn::Set(d, 1.0F);
+    const W size = hn::Abs(nu);
+    const M near = hn::And(valid, hn::Le(size, hn::Set(d, j.band)));
+    if (hn::AllFalse(d, near)) return {near, hn::Zero(d), hn::Zero(d)};
+    if (!j.by_width) {
+        const W rest = hn::Sub(one, hn::Mul(size, hn::Set(d, 1.0F / j.band)));
+        return {near, j.fade > 0.0F ? hn::Min(one, hn::Mul(hn::Set(d, 4.0F), rest)) : one, one};
+    }
+    const W curvature = radial_curvature(j, seer, m, in_block);
+    // As contour_distance().
+    const W square = hn::Mul(nu, nu);
+    const W root = hn::Sqrt(hn::Max(hn::Zero(d), hn::Sub(one, square)));
+    const W pixels = hn::Div(square, hn::Mul(hn::Add(one, root), curvature));
+    const W rest = hn::Sub(one, hn::Mul(pixels, hn::Set(d, 1.0F / j.width)));
+    const W shown = hn::Sub(hn::Mul(hn::Set(d, j.line_slope), hn::Sqrt(curvature)), hn::Set(d, j.line_earlier));
+    return {hn::And(near, hn::Gt(rest, hn::Zero(d))), j.fade > 0.0F ? hn::Min(one, hn::Add(rest, rest)) : one,
+            hn::Min(one, hn::Max(hn::Zero(d), shown))};
+}
+
+// The share of the marks that makes up a tone.
+HWY_INLINE W shown_for(const Judge& j, W tau, W nu) {
+    const F d;
+    const W one = hn::Set(d, 1.0F);
+    W shown = hn::Sub(one, tau);
+    if (j.coverage) {
+        const hn::RebindToSigned<F> integer;
+        const W at = hn::Mul(shown, hn::Set(d, static_cast<float>(needed_steps)));
+        // Lanes behind the last mark may hold anything.
+        const auto cell =
+            hn::Max(hn::Min(hn::ConvertTo(integer, at), hn::Set(integer, needed_steps - 1)), hn::Zero(integer));
+        const W below = hn::GatherIndex(d, j.needed, cell);
+        const W above = hn::GatherIndex(d, j.needed + 1, cell);
+        const W needed = hn::Add(below, hn::Mul(hn::Sub(above, below), hn::Sub(at, hn::ConvertTo(d, cell))));
+        shown = hn::Min(one, hn::Mul(hn::Mul(needed, hn::Abs(nu)), hn::Set(d, j.per_ink)));
+    }
+    return hn::Mul(shown, hn::Set(d, j.share * j.more));
+}
+
+HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
+
+// Ink of the front, and why there is none.
+HWY_INLINE W front_of(const Judge& j, W nu, W place, W tau, W tau_depth, M front, M counted, Judged& judged) {
+    const F d;
+    const W zero = hn::Zero(d);
+    const W scale = hn::Set(d, j.scale);
+    W by_tone;
+    W by_zoom;
+    W area;
+    if (j.by_paper) {
+        const W rank = hn::Sub(hn::Set(d, 1.0F), place);
+        const W one = hn::Set(d, 1.0F);
+        by_tone = hn::IfThenElseZero(hn::And(hn::Ge(rank, tau), hn::Lt(rank, hn::Set(d, j.share))), one);
+        by_zoom = hn::IfThenElseZero(hn::Lt(rank, scale), by_tone);
+        area = hn::IfThenElseZero(hn::Lt(rank, tau_depth), by_zoom);
+    } else {
+        const W shown = shown_for(j, tau, nu);
+        by_tone = grown(place, shown, j.fade);
+        by_zoom = j.scale < 1.0F ? grown(place, hn::Mul(shown, scale), j.fade) : by_tone;
+        area = grown(place, hn::Mul(hn::Mul(shown, scale), tau_depth), j.fade);
+        if (j.turn > 0.0F)
+            area = hn::Mul(area, hn::Min(hn::Set(d, 1.0F), hn::Mul(hn::Abs(nu), hn::Set(d, 1.0F / j.turn))));
+    }
+    const M tone = hn::And(counted, hn::Eq(by_tone, zero));
+    const M zoom = hn::AndNot(tone, hn::And(counted, hn::Eq(by_zoom, zero)));
+    judged.dropped_tone += count(tone);
+    judged.dropped_zoom += count(zoom);
+    judged.dropped_depth += count(hn::AndNot(hn::Or(tone, zoom), hn::And(counted, hn::Eq(area, zero))));
+    return hn::IfThenElseZero(front, area);
+}
+
+// undrawn: marks that are not ink of the front either.
+HWY_INLINE W contour_of(const Judge& j, const Line& line, W place, W tau_depth, M undrawn, Judged& judged) {
+    const F d;
+    const W one = hn::Set(d, 1.0F);
+    const auto full = [&](W shown)
+                          HWY_ATTR { return hn::IfThenElse(hn::Ge(shown, one), one, grown(place, shown, j.fade)); };
+    W area = full(hn::Mul(line.shown, tau_depth));
+    if (j.by_paper) area = hn::IfThenElseZero(hn::Lt(hn::Sub(one, place), tau_depth), full(line.shown));
+    area = hn::IfThenElseZero(line.in, hn::Mul(area, line.share));
+    const M dropped = hn::And(hn::And(line.in, undrawn), hn::Eq(area, hn::Zero(d)));
+    const M thinned = hn::And(dropped, hn::Eq(full(line.shown), hn::Zero(d)));
+    judged.dropped_tone += count(thinned);
+    judged.dropped_depth += count(hn::AndNot(thinned, dropped));
+    return area;
+}
+
+void judge(const Judge& j, const Seer& seer, const MarkRange& range, const Seen& seen, const float* taus,
+           const float* tau_depths, Judged& judged) {
+    const F d;
+    const W zero = hn::Zero(d);
+    const W one = hn::Set(d, 1.0F);
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    judged.outside = judged.fronts = judged.backs = judged.contours = 0;
+    judged.dropped_tone = judged.dropped_zoom = judged.dropped_depth = 0;
+    for (std::int64_t at = 0; at < range.count; at += lanes) {
+        const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
+        const std::int64_t in_block = at % marks::MarkBlock::size;
+        const M all = hn::FirstN(d, static_cast<size_t>(range.count - at < lanes ? range.count - at : lanes));
+        const M valid = j.all_inside ? all : hn::And(all, inside(j, seen, at));
+        judged.outside += count(hn::AndNot(valid, all));
+        const W nu = hn::LoadU(d, seen.nu + at);
+        const W place = hn::Sub(one, hn::LoadU(d, m.rank + in_block));
+        const W tau_depth = tau_depths == nullptr ? one : hn::LoadU(d, tau_depths + at);
+        const Line line = line_of(j, seer, m, in_block, nu, valid);
+        const M faces = hn::And(valid, hn::Lt(nu, zero));
+        const M own = hn::AndNot(line.in, faces);
+        const std::int32_t contours = count(line.in);
+        const std::int32_t fronts = count(own);
+        judged.contours += contours;
+        judged.fronts += fronts;
+        judged.backs += count(valid) - contours - fronts;
+        W front = zero;
+        if (j.front_ink)
+            front =
+                front_of(j, nu, place, hn::LoadU(d, taus + at), tau_depth, j.fade > 0.0F ? faces : own, own, judged);
+        const W contour = j.draws_contours ? contour_of(j, line, place, tau_depth, hn::Eq(front, zero), judged) : zero;
+        hn::StoreU(front, d, judged.front + at);
+        hn::StoreU(contour, d, judged.line + at);
+        const M drawn = hn::Or(hn::Gt(front, zero), hn::Gt(contour, zero));
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, drawn, bits);
+        judged.drawn[at / lanes] = static_cast<std::uint16_t>(bits[0] | bits[1] << 8);
+    }
+    judged.lanes = static_cast<std::int32_t>(lanes);
+}
+
+} // namespace
+
+SeeLoops pick_see_loops() noexcept { return {see, judge}; }
+
+} // namespace hrbfnpr::frame::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hrbfnpr::frame {
+
+SeeLoops see_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_see_loops)(); }
+
+} // namespace hrbfnpr::frame
+#endif

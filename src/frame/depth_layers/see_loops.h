@@ -1,0 +1,91 @@
+// From marks to places on the screen and to how much of each is drawn, for each instruction set; the same bits from
+// all of them.
+#pragma once
+
+#include "base/instruction_set.h"
+#include "marks/mark_clusters.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::frame {
+
+// What is done to the marks of one item: rows of matrices, of positions and normals of the set.
+struct Seer {
+    float clip[4][4];         // to x w, y w, window depth w, w
+    float eye[3][4];          // to eye space
+    bool rigid;               // `normal` keeps lengths, and `light` is a direction of the set's own space
+    float normal[3][3];       // to eye space, of any length
+    float normal_light[3][3]; // to the space that the light is in
+    float light[3];
+    float centre[3]; // of projection, eye space; or the direction of all lines of sight
+    bool parallel;
+    float pixels; // per eye unit where w is 1
+};
+
+// The first marks of a cluster.
+struct MarkRange {
+    const marks::MarkBlock* blocks;
+    std::int64_t count; // <= Seen::most
+};
+
+struct Seen {
+    static constexpr std::int64_t most = marks::most_in_cluster;
+    float x[most], y[most];           // pixels
+    float window[most];               // depth in the camera's convention
+    float depth[most];                // eye units along the view
+    float ppe[most];                  // pixels per eye unit; <= 0 or not a number: behind the camera
+    float nu[most];                   // n . v
+    float lit[most];                  // n . l
+    float side_x[most], side_y[most]; // of the unit normal, eye space
+    float along[most];                // how far a unit step of v goes along the view
+    float distance[most];             // from the centre of projection, eye units; parallel: depth
+};
+
+// What decides on the marks of one cluster.
+struct Judge {
+    // Of the screen, as far out as a disc can reach it; all_inside: every mark surely lies there.
+    float left, right, top, bottom;
+    bool all_inside;
+
+    // Ink of the front.  By share: a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
+    // scale tau_depth; by the published rule test by test.
+    bool front_ink;
+    bool by_paper;
+    bool coverage;       // else needed() is left out, and |nu|
+    const float* needed; // of coverages 0, 1 / needed_steps ... 1
+    float per_ink, share, more, scale;
+    float most_shown; // no tone shows a larger share
+    float fade;       // 0: a mark is shown or not
+    float turn;       // > 0: ink vanishes where |nu| falls below it
+
+    // Of contours.
+    bool draws_contours;
+    bool by_width;                  // else by |nu| <= band alone
+    float band;                     // no contour mark has a larger |nu|
+    float eye[3];                   // centre of projection, or direction of sight, in the set's space
+    float shape[6];                 // of the cluster
+    float pixel_curvature;          // of a curvature of 1
+    float width;                    // pixels
+    float line_slope, line_earlier; // the line takes the share line_slope sqrt(curvature) - line_earlier of the marks
+};
+inline constexpr int needed_steps = 64;
+
+struct Judged {
+    float front[Seen::most];         // of a mark's area as ink of the front
+    float line[Seen::most];          // as ink of a contour
+    std::uint16_t drawn[Seen::most]; // a bit for each mark: either is not 0; so many in one as `lanes`
+    std::int32_t lanes;
+    std::int32_t outside, fronts, backs, contours;
+    std::int32_t dropped_tone, dropped_zoom, dropped_depth;
+};
+
+struct SeeLoops {
+    void (*see)(const Seer& seer, const MarkRange& marks, Seen& seen);
+    // tau and tau_depth: of each mark; tau_depth may be NULL, all 1.
+    void (*judge)(const Judge& judge, const Seer& seer, const MarkRange& marks, const Seen& seen, const float* tau,
+                  const float* tau_depth, Judged& judged);
+};
+
+[[nodiscard]] SeeLoops see_loops(base::InstructionSet set) noexcept;
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,138 @@
+#include "frame/published/painted_frame.h"
+
+#include "base/clock.h"
+#include "frame/scene/scratch.h"
+
+#include <algorithm>
+
+namespace hrbfnpr::frame {
+namespace {
+
+constexpr std::int64_t disc_grain = 4096;
+
+} // namespace
+
+PaintedFrame::PaintedFrame(const base::Runtime& runtime) noexcept
+    : runtime_(runtime), tone_calls_(runtime.memory), visibility_(runtime.memory), order_(runtime.memory),
+      counts_(runtime.memory), first_key_(runtime.memory), keys_(runtime.memory), discs_(runtime.memory) {}
+
+void PaintedFrame::run(Scene& scene, const glm::vec4& paper) {
+    const base::Parallel& parallel = runtime_.parallel;
+    base::Stopwatch watch;
+    add_chunks(scene);
+    classify(parallel, scene);
+    ask_tones(scene, tone_calls_);
+    const std::int64_t classified = watch.nanoseconds();
+
+    watch.restart();
+    const bool hiding = hides(scene);
+    if (hiding) visibility_.build(parallel, scene);
+    const std::int64_t seen = watch.nanoseconds();
+
+    watch.restart();
+    decide(parallel, scene, hiding ? &visibility_ : nullptr, counts_);
+    info_ = FrameInfo{};
+    for (const FrameInfo& chunk : counts_) info_ += chunk;
+    info_.nanoseconds_classify = classified + watch.nanoseconds();
+    info_.nanoseconds_visibility = seen;
+
+    watch.restart();
+    emit_keys(scene);
+    order_.sort(parallel, keys_);
+    build_discs(scene, paper);
+    info_.nanoseconds_sort = watch.nanoseconds();
+}
+
+bool PaintedFrame::hides(const Scene& scene) noexcept {
+    return std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& run) { return run.occludes; });
+}
+
+float PaintedFrame::ink_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept {
+    const float ppe = scene.marks.ppe[place];
+    return scene.marks.mark_class[place] == MarkClass::silhouette ? run.pen.silhouette_ink(ppe)
+                                                                  : run.front_ink(place - run.first, ppe);
+}
+
+float PaintedFrame::cover_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept {
+    const float ppe = scene.marks.ppe[place];
+    return scene.marks.mark_class[place] == MarkClass::back ? run.pen.back_cover(ppe) : run.pen.front_cover(ppe);
+}
+
+std::uint64_t PaintedFrame::ink_key(const Scene& scene, const Run& run, std::int64_t place) noexcept {
+    const Marks& m = scene.marks;
+    const float depth = ink_depth(m.depth[place], ink_radius(scene, run, place), m.ppe[place]);
+    return far_first_key(depth, static_cast<std::uint32_t>(place) << 1U);
+}
+
+std::uint64_t PaintedFrame::paper_key(const Scene& scene, const Run& run, std::int64_t place) noexcept {
+    const Marks& m = scene.marks;
+    return far_first_key(paper_depth(m, place, cover_radius(scene, run, place)),
+                         static_cast<std::uint32_t>(place) << 1U | 1U);
+}
+
+// A key for each disc, in the order of the marks.
+void PaintedFrame::emit_keys(const Scene& scene) {
+    resize_scratch(first_key_, counts_.size());
+    std::int64_t total = 0;
+    for (std::int64_t c = 0; c < counts_.size(); ++c) {
+        first_key_[c] = total;
+        total += counts_[c].shown + counts_[c].painted;
+    }
+    resize_scratch(keys_, total);
+    runtime_.parallel.for_each(scene.chunks.size(), [&](std::int64_t c) {
+        const Chunk& chunk = scene.chunks[c];
+        const Run& run = scene.runs[chunk.run];
+        std::int64_t next = first_key_[c];
+        for (std::int64_t place = chunk.begin; place < chunk.end; ++place) {
+            const unsigned role = scene.marks.role[place];
+            if ((role & role_paper) != 0) keys_[next++] = paper_key(scene, run, place);
+            if ((role & role_ink) != 0) keys_[next++] = ink_key(scene, run, place);
+        }
+    });
+}
+
+void PaintedFrame::build_discs(const Scene& scene, const glm::vec4& paper) {
+    resize_scratch(discs_, keys_.size());
+    runtime_.parallel.for_chunks(keys_.size(), disc_grain, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const auto what = static_cast<std::uint32_t>(keys_[i]);
+            const std::int64_t place = what >> 1U;
+            const Run* run = std::upper_bound(scene.runs.begin(), scene.runs.end(), place,
+                                              [](std::int64_t p, const Run& r) { return p < r.first; }) -
+                             1;
+            discs_[i] = disc_of(scene, paper, *run, place, (what & 1U) != 0);
+        }
+    });
+}
+
+Disc PaintedFrame::disc_of(const Scene& scene, const glm::vec4& paper, const Run& run, std::int64_t place,
+                           bool is_paper) noexcept {
+    const Marks& m = scene.marks;
+    const Style& style = scene.item_of(run).style;
+    Disc disc;
+    disc.x = m.x[place];
+    disc.y = m.y[place];
+    disc.depth = m.window_depth[place];
+    disc.id = run.first_id + static_cast<std::uint32_t>(place - run.first);
+    disc.mark_class = m.mark_class[place];
+    disc.is_paper = is_paper;
+    if (!is_paper) {
+        disc.radius = ink_radius(scene, run, place);
+        disc.color = disc.mark_class == MarkClass::silhouette ? style.silhouette_ink
+                                                              : style.group[static_cast<std::size_t>(run.group)].ink;
+        return disc;
+    }
+    disc.radius = cover_radius(scene, run, place);
+    const float opacity = disc.mark_class == MarkClass::back
+                              ? run.pen.back_opacity(m.nu[place], disc.radius, m.ppe[place])
+                              : run.pen.front_opacity(m.nu[place], disc.radius, m.ppe[place]);
+    disc.color = glm::vec4(glm::vec3(paper), opacity);
+    return disc;
+}
+
+std::int64_t PaintedFrame::bytes() const noexcept {
+    return tone_calls_.bytes() + visibility_.bytes() + order_.bytes() + counts_.bytes() + first_key_.bytes() +
+           keys_.bytes() + discs_.bytes();
+}
+
+} // namespace hrbfnpr::frame

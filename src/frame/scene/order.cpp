@@ -1,0 +1,52 @@
+#include "frame/scene/order.h"
+
+#include "frame/scene/scratch.h"
+
+#include <utility>
+
+namespace hrbfnpr::frame {
+namespace {
+
+constexpr std::int64_t grain = 16384;
+constexpr unsigned digit_bits = 8;
+constexpr std::int64_t digits = std::int64_t{1} << digit_bits;
+
+[[nodiscard]] std::int64_t digit_of(std::uint64_t key, unsigned shift) noexcept {
+    return static_cast<std::int64_t>(key >> shift & std::uint64_t{digits - 1});
+}
+
+} // namespace
+
+void FarToNear::sort(const base::Parallel& parallel, base::Array<std::uint64_t>& keys) {
+    resize_scratch(other_, keys.size());
+    for (unsigned shift = 32; shift < 64; shift += digit_bits) {
+        if (pass(parallel, keys, other_, shift)) std::swap(keys, other_);
+    }
+}
+
+// One digit.  Returns false, with `to` untouched, if all keys share it.
+bool FarToNear::pass(const base::Parallel& parallel, const base::Array<std::uint64_t>& from,
+                     base::Array<std::uint64_t>& to, unsigned shift) {
+    const std::int64_t count = from.size();
+    const std::int64_t chunks = (count + grain - 1) / grain;
+    resize_scratch(histogram_, chunks * digits);
+    parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+        std::int64_t* const own = histogram_.data() + begin / grain * digits;
+        std::fill(own, own + digits, std::int64_t{0});
+        for (std::int64_t i = begin; i < end; ++i) ++own[digit_of(from[i], shift)];
+    });
+    std::int64_t total = 0;
+    for (std::int64_t digit = 0; digit < digits; ++digit) {
+        const std::int64_t before = total;
+        for (std::int64_t chunk = 0; chunk < chunks; ++chunk)
+            total += std::exchange(histogram_[chunk * digits + digit], total);
+        if (total - before == count) return false;
+    }
+    parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+        std::int64_t* const own = histogram_.data() + begin / grain * digits;
+        for (std::int64_t i = begin; i < end; ++i) to[own[digit_of(from[i], shift)]++] = from[i];
+    });
+    return true;
+}
+
+} // namespace hrbfnpr::frame

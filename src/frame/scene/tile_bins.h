@@ -1,0 +1,200 @@
+// Which discs touch which square tile of a picture, each tile's in the order of the discs.
+#pragma once
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "frame/scene/scratch.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+
+namespace hrbfnpr::frame {
+
+// Consecutive elements of an array that has gaps.
+struct Piece {
+    std::int64_t begin = 0, end = 0;
+};
+
+// The same bins for any thread count: counted and filled in parts of the discs.  Discs over
+// very many tiles stand in one list that every tile looks through, so that memory is bounded.
+class TileBins {
+public:
+    // A round footprint in pixels of the binned picture.
+    struct Footprint {
+        float x, y, radius;
+    };
+
+    TileBins(base::Memory& memory, std::int32_t tile_size) noexcept
+        : tile_size_(tile_size), rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory),
+          pieces_(memory), starts_(memory) {}
+
+    // footprint(i, out) returns false for what is not to be binned; it is asked once for each i of the pieces, which
+    // ascend.
+    template <class F>
+    void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height, std::span<const Piece> pieces,
+               const F& footprint) {
+        columns_ = (width + tile_size_ - 1) / tile_size_;
+        rows_ = (height + tile_size_ - 1) / tile_size_;
+        number(pieces);
+        resize_scratch(rects_, total_);
+        // At most 16 parts: each keeps a count for each tile.
+        grain_ = std::max(least_grain, (total_ + 15) / 16);
+        const std::int64_t parts = (total_ + grain_ - 1) / grain_;
+        resize_scratch(counts_, parts * tiles());
+        std::atomic<bool> any_large{false};
+        parallel.for_chunks(total_, grain_, [&](std::int64_t begin, std::int64_t end) {
+            std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
+            std::fill_n(counts, tiles(), 0U);
+            for_each_disc(begin, end, [&](std::int64_t number, std::int64_t i) {
+                Footprint print{};
+                const Rect rect = footprint(i, print) ? rect_of(print) : Rect{};
+                rects_[number] = rect;
+                if (rect.tiles() > most_tiles_of_one) any_large.store(true, std::memory_order_relaxed);
+                for_tiles(rect, [counts](std::int64_t tile) { ++counts[tile]; });
+            });
+        });
+        distribute(parallel);
+        large_.clear();
+        if (any_large) list_large();
+    }
+
+    [[nodiscard]] std::int32_t tile_size() const noexcept { return tile_size_; }
+    [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
+    [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
+    [[nodiscard]] std::int64_t tiles() const noexcept { return std::int64_t{columns_} * rows_; }
+    [[nodiscard]] std::int64_t bytes() const noexcept {
+        return rects_.bytes() + counts_.bytes() + offsets_.bytes() + entries_.bytes() + large_.bytes() +
+               pieces_.bytes() + starts_.bytes();
+    }
+
+    // Puts each tile's discs into another order than that of their numbers.
+    template <class Before>
+    void order(const base::Parallel& parallel, const Before& before) {
+        parallel.for_each(tiles(), [&](std::int64_t tile) {
+            std::sort(entries_.data() + offsets_[tile], entries_.data() + offsets_[tile + 1], before);
+        });
+        std::sort(large_.begin(), large_.end(), [&](const Large& a, const Large& b) { return before(a.disc, b.disc); });
+    }
+    // The places to which a tile is the nearest: those in it, and around the picture.
+    struct Extent {
+        float left, top, right, bottom;
+        [[nodiscard]] bool holds(float x, float y) const noexcept {
+            return x >= left && x < right && y >= top && y < bottom;
+        }
+    };
+    [[nodiscard]] Extent own_extent(std::int64_t tile) const noexcept {
+        constexpr float far = std::numeric_limits<float>::infinity();
+        const std::int64_t column = tile % columns_;
+        const std::int64_t row = tile / columns_;
+        const auto edge = [&](std::int64_t at, std::int64_t count) {
+            return at <= 0 ? -far : at >= count ? far : static_cast<float>(at * tile_size_);
+        };
+        return {edge(column, columns_), edge(row, rows_), edge(column + 1, columns_), edge(row + 1, rows_)};
+    }
+
+    // Calls f(disc) for the discs that touch the tile, in ascending order, or in that of order().
+    template <class F, class Before = std::less<>>
+    void for_tile(std::int64_t tile, F&& f, const Before& before = {}) const {
+        for_spans(
+            tile,
+            [&](std::span<const std::uint32_t> discs) {
+                for (const std::uint32_t disc : discs) f(disc);
+            },
+            before);
+    }
+
+    // Calls f(discs) for consecutive parts of what for_tile() runs through.
+    template <class F, class Before = std::less<>>
+    void for_spans(std::int64_t tile, F&& f, const Before& before = {}) const {
+        const auto column = static_cast<std::uint16_t>(tile % columns_);
+        const auto row = static_cast<std::uint16_t>(tile / columns_);
+        const std::uint32_t* own = entries_.data() + offsets_[tile];
+        const std::uint32_t* const own_end = entries_.data() + offsets_[tile + 1];
+        for (const Large& large : large_) {
+            const Rect& rect = large.rect;
+            if (column < rect.left || column >= rect.right || row < rect.top || row >= rect.bottom) continue;
+            const std::uint32_t* const stop =
+                std::partition_point(own, own_end, [&](std::uint32_t disc) { return before(disc, large.disc); });
+            if (stop != own) f(std::span(own, stop));
+            own = stop;
+            f(std::span(&large.disc, 1));
+        }
+        if (own != own_end) f(std::span(own, own_end));
+    }
+
+private:
+    static constexpr std::int64_t least_grain = 8192;
+    static constexpr std::int64_t most_tiles_of_one = 64;
+
+    // Half-open, in tiles; empty by default.
+    struct Rect {
+        std::uint16_t left = 0, top = 0, right = 0, bottom = 0;
+        [[nodiscard]] std::int64_t tiles() const noexcept {
+            return std::int64_t{right - left} * std::int64_t{bottom - top};
+        }
+    };
+    struct Large {
+        std::uint32_t disc;
+        Rect rect;
+    };
+
+    [[nodiscard]] Rect rect_of(const Footprint& print) const noexcept {
+        // Clamped as floats: radii may be larger than any integer, or not numbers at all.
+        const float scale = 1.0F / static_cast<float>(tile_size_);
+        const auto cell = [scale](float at, std::int32_t limit) {
+            return static_cast<std::int32_t>(std::clamp(at * scale + 1.0F, 0.0F, static_cast<float>(limit + 1))) - 1;
+        };
+        if (!(print.radius >= 0.0F) || !std::isfinite(print.x) || !std::isfinite(print.y)) return {};
+        const std::int32_t left = std::max(cell(print.x - print.radius, columns_), 0);
+        const std::int32_t right = std::min(cell(print.x + print.radius, columns_), columns_ - 1) + 1;
+        const std::int32_t top = std::max(cell(print.y - print.radius, rows_), 0);
+        const std::int32_t bottom = std::min(cell(print.y + print.radius, rows_), rows_ - 1) + 1;
+        if (left >= right || top >= bottom) return {};
+        return {static_cast<std::uint16_t>(left), static_cast<std::uint16_t>(top), static_cast<std::uint16_t>(right),
+                static_cast<std::uint16_t>(bottom)};
+    }
+
+    // Calls f(number, disc) for the discs of these numbers: the pieces' elements one after the other.
+    template <class F>
+    void for_each_disc(std::int64_t begin, std::int64_t end, F&& f) const {
+        const std::int64_t* const after = std::upper_bound(starts_.begin(), starts_.end(), begin);
+        for (std::int64_t p = after - starts_.begin() - 1; begin < end; ++p) {
+            const std::int64_t stop = std::min(end, starts_[p + 1]);
+            const std::int64_t shift = pieces_[p].begin - starts_[p];
+            for (; begin < stop; ++begin) f(begin, begin + shift);
+        }
+    }
+
+    // Calls f(tile) for the tiles of a disc that is not large.
+    template <class F>
+    void for_tiles(const Rect& rect, F&& f) const {
+        if (rect.tiles() > most_tiles_of_one) return;
+        for (std::int64_t row = rect.top; row < rect.bottom; ++row) {
+            for (std::int64_t column = rect.left; column < rect.right; ++column) f(row * columns_ + column);
+        }
+    }
+
+    void number(std::span<const Piece> pieces);
+    void distribute(const base::Parallel& parallel);
+    void list_large();
+
+    std::int32_t tile_size_;
+    std::int32_t columns_ = 0;
+    std::int32_t rows_ = 0;
+    std::int64_t total_ = 0;
+    std::int64_t grain_ = 1;             // discs of a part
+    base::Array<Rect> rects_;            // of each disc, by its number
+    base::Array<std::uint32_t> counts_;  // part by part, for each tile
+    base::Array<std::int64_t> offsets_;  // of each tile's entries, and the end
+    base::Array<std::uint32_t> entries_; // discs
+    base::Array<Large> large_;           // discs that are in no tile's entries
+    base::Array<Piece> pieces_;
+    base::Array<std::int64_t> starts_; // number of each piece's first disc, and the end
+};
+
+} // namespace hrbfnpr::frame

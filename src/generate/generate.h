@@ -1,0 +1,30 @@
+// Placing marks on an implicit surface.                              [NPAR 4.2, 5]
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "base/view.h"
+#include "generate/settings.h"
+#include "implicit/implicit.h"
+#include "marks/point_set.h"
+
+namespace hrbfnpr::generate {
+
+// What can be refused before any work: sizes that floats do not hold, lengths that make no sense beside the model's,
+// and budgets that are too large.  generate() and step_patches() check it themselves.
+void check_request(const implicit::Implicit& implicit, const Settings& settings);
+
+// Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
+[[nodiscard]] marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                       const SampleHint& samples, const Settings& settings,
+                                       const base::Progress& progress);
+
+// Of the implicit, roughly.
+[[nodiscard]] double expected_evaluations(const SampleHint& samples, const Settings& settings) noexcept;
+
+// Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds,
+// 12 numbers each.  Returns rho_0.
+double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
+                    const Settings& settings, const base::OutView& corners, const base::Progress& progress);
+
+} // namespace hrbfnpr::generate

@@ -1,0 +1,153 @@
+#include "base/random.h"
+#include "geometry/tangent_frame.h"
+#include "published/growth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::published {
+namespace {
+
+constexpr std::int64_t children = 4;
+constexpr double jitter = 0.125;
+
+class Stipples {
+public:
+    Stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
+             marks::GroupReport& report)
+        : site_(site), start_(start), settings_(settings), marks_(marks), report_(report), settler_(site),
+          parent_(site.memory()), key_(site.memory()) {}
+
+    // Returns whether the budget cut the level.
+    bool place_seeds(const base::Progress& progress);
+    bool refine(std::int32_t level, double rho, const base::Progress& progress);
+
+private:
+    // Where a child starts: (i r + j u) rho in the parent's tangent plane, i and j = +-1 + U(-1/8, 1/8),
+    // drawn for each child.                                                        [NPAR 5.2]
+    [[nodiscard]] glm::dvec3 offset(std::int64_t parent, std::int64_t child, std::uint64_t key) const noexcept {
+        const auto u = base::uniform4(site_.random_seed, key, base::Purpose::stipple_jitter);
+        const double i = (child & 1) != 0 ? 1.0 : -1.0;
+        const double j = (child & 2) != 0 ? 1.0 : -1.0;
+        const geometry::TangentFrame frame = geometry::stipple_frame(marks_.normal[parent]);
+        return (i + jitter * (2.0 * u[0] - 1.0)) * frame.r + (j + jitter * (2.0 * u[1] - 1.0)) * frame.u;
+    }
+    void add_child(std::int64_t parent, std::int64_t child, double rho, const marks::Thinning& thinning,
+                   marks::LevelReport& report);
+    void append_placed(std::uint8_t level);
+
+    const marks::Site& site_;
+    const Start& start_;
+    const GrowthSettings& settings_;
+    marks::Marks& marks_;
+    marks::GroupReport& report_;
+    marks::Settler settler_;
+    base::Array<std::int64_t> parent_; // of the chunk's starts
+    base::Array<std::uint64_t> key_;
+    std::uint64_t full_count_ = 0; // marks before this level, had none been dropped
+};
+
+bool Stipples::place_seeds(const base::Progress& progress) {
+    const std::int64_t count = start_.position.size();
+    const std::int64_t room = settings_.budget > 0 ? settings_.budget : count;
+    const marks::Thinning thinning(
+        site_, count, room, marks::lane_of(marks::Group::stipple),
+        [](std::int64_t i) { return static_cast<std::uint64_t>(i); }, progress);
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (!thinning.keeps(static_cast<std::uint64_t>(i))) continue;
+        marks_.position.push_back(start_.position[i]);
+        marks_.normal.push_back(start_.normal[i]);
+        marks_.key.push_back(static_cast<std::uint64_t>(i));
+        marks_.stroke.push_back(static_cast<std::uint32_t>(i));
+        marks_.place.push_back(0);
+        marks_.level.push_back(0);
+    }
+    marks::LevelReport& level = report_.level[0];
+    level.attempted = count;
+    level.placed = marks_.count();
+    level.dropped_budget = count - marks_.count();
+    full_count_ = static_cast<std::uint64_t>(count);
+    return thinning.active();
+}
+
+// The mark `key` of a full tree of n marks has the children n + 4 key + {0, 1, 2, 3}.
+bool Stipples::refine(std::int32_t level, double rho, const base::Progress& progress) {
+    marks::LevelReport& report = report_.level[static_cast<std::size_t>(level)];
+    const std::int64_t parents = marks_.count();
+    const std::int64_t room =
+        settings_.budget > 0 ? std::max<std::int64_t>(0, settings_.budget - parents) : children * parents;
+    const auto key_of = [&](std::int64_t i) {
+        return full_count_ + 4 * marks_.key[i / children] + static_cast<std::uint64_t>(i % children);
+    };
+    const marks::Thinning thinning(site_, children * parents, room, marks::lane_of(marks::Group::stipple), key_of,
+                                   progress);
+    constexpr std::int64_t parents_of_chunk = marks::chunk_size / children;
+    // No start is farther from its parent than this, and a child that lands farther from its start
+    // than its start is from the parent belongs to another part of the surface.
+    const double stray_limit = std::sqrt(2.0) * (1.0 + jitter) * rho;
+    for (std::int64_t begin = 0; begin < parents; begin += parents_of_chunk) {
+        const std::int64_t end = std::min(parents, begin + parents_of_chunk);
+        settler_.start.clear();
+        parent_.clear();
+        key_.clear();
+        for (std::int64_t parent = begin; parent < end; ++parent)
+            for (std::int64_t child = 0; child < children; ++child) add_child(parent, child, rho, thinning, report);
+        const auto all = static_cast<double>(parents);
+        settler_.settle(stray_limit, report,
+                        progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
+        append_placed(static_cast<std::uint8_t>(level));
+    }
+    full_count_ *= 1 + static_cast<std::uint64_t>(children);
+    return thinning.active();
+}
+
+void Stipples::add_child(std::int64_t parent, std::int64_t child, double rho, const marks::Thinning& thinning,
+                         marks::LevelReport& report) {
+    const std::uint64_t key = full_count_ + 4 * marks_.key[parent] + static_cast<std::uint64_t>(child);
+    if (!thinning.keeps(key)) {
+        ++report.attempted;
+        ++report.dropped_budget;
+        return;
+    }
+    settler_.start.push_back(marks_.position[parent] + rho * offset(parent, child, key));
+    parent_.push_back(parent);
+    key_.push_back(key);
+}
+
+void Stipples::append_placed(std::uint8_t level) {
+    for (std::int64_t i = 0; i < settler_.start.size(); ++i) {
+        if (!settler_.placed(i)) continue;
+        marks_.position.push_back(settler_.position(i));
+        marks_.normal.push_back(settler_.normal(i));
+        marks_.key.push_back(key_[i]);
+        marks_.stroke.push_back(marks_.stroke[parent_[i]]);
+        marks_.place.push_back(0);
+        marks_.level.push_back(level);
+    }
+}
+
+} // namespace
+
+void grow_stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
+                   marks::GroupReport& report, const base::Progress& progress) {
+    report.full_count = marks::grown_count(start.full_count, 1 + children, settings.levels);
+    report.step = settings.step;
+    marks::require_room(static_cast<int>(marks::Group::stipple),
+                        marks::grown_count(start.position.size(), 1 + children, settings.levels), settings.levels,
+                        settings.budget);
+    Stipples stipples(site, start, settings, marks, report);
+    bool full = stipples.place_seeds(progress);
+    double rho = settings.step;
+    const double work = static_cast<double>(marks::grown_count(1, 1 + children, settings.levels));
+    for (std::int32_t level = 1; level <= settings.levels && !full; ++level) {
+        const auto share = [&](std::int32_t l) {
+            return static_cast<double>(marks::grown_count(1, 1 + children, l)) / work;
+        };
+        full = stipples.refine(level, rho, progress.part(share(level - 1), share(level)));
+        report.levels = level;
+        rho /= 3.0;
+    }
+}
+
+} // namespace hrbfnpr::published

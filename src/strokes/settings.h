@@ -1,0 +1,16 @@
+// How strokes are wanted.
+#pragma once
+
+#include "marks/point_set.h"
+
+namespace hrbfnpr::strokes {
+
+// In object units.
+struct Settings {
+    double separation = 0.0; // 0 = such that all strokes have about the budget's marks
+    double step = 0.0;       // 0 = a part of the separation
+    double longest = 0.0;    // 0 = no limit
+    marks::StrokeField field = marks::StrokeField::cross;
+};
+
+} // namespace hrbfnpr::strokes

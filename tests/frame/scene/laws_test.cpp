@@ -1,0 +1,180 @@
+// Each law against its formula.
+#include "frame/scene/attenuation.h"
+#include "frame/scene/scene.h"
+#include "frame/scene/tone.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+
+namespace hrbfnpr::frame {
+namespace {
+
+TEST(FrontAlpha, IsTheSquare) {
+    EXPECT_FLOAT_EQ(front_alpha(-0.2F, 1.0F), 0.04F);
+    EXPECT_FLOAT_EQ(front_alpha(-0.5F, 1.0F), 0.25F);
+    EXPECT_FLOAT_EQ(front_alpha(-0.5F, 2.0F), 0.5F);
+    EXPECT_FLOAT_EQ(front_alpha(-1.0F, 1.0F), 1.0F);
+    EXPECT_FLOAT_EQ(front_alpha(-1.0F, 3.0F), 1.0F); // clamped
+    EXPECT_FLOAT_EQ(front_alpha(-0.7F, 0.0F), 0.0F);
+}
+
+TEST(BackAlpha, IsTheLogarithm) {
+    // 0.2 (ln(nu - 0.05) + 5), by hand.
+    EXPECT_NEAR(back_alpha(1.0F, 1.0F), 0.98974134F, 1e-6);
+    EXPECT_NEAR(back_alpha(0.5F, 1.0F), 0.84029846F, 1e-6);
+    EXPECT_NEAR(back_alpha(0.2F, 1.0F), 0.62057601F, 1e-6);
+    EXPECT_NEAR(back_alpha(0.2F, 0.5F), 0.31028801F, 1e-6);
+    EXPECT_EQ(back_alpha(0.05F, 1.0F), 0.0F);
+    EXPECT_EQ(back_alpha(0.01F, 1.0F), 0.0F);
+    EXPECT_EQ(back_alpha(0.051F, 1.0F), 0.0F); // ln(0.001) + 5 < 0
+    EXPECT_EQ(back_alpha(1.0F, 4.0F), 1.0F);
+}
+
+TEST(DiscOpacity, MakesASheetAsOpaqueAsItsLayers) {
+    EXPECT_EQ(disc_opacity(0.3F, 0.0F, 7.0F), 0.3F); // as published
+    EXPECT_EQ(disc_opacity(1.0F, 8.0F, 7.0F), 1.0F);
+    EXPECT_EQ(disc_opacity(0.0F, 8.0F, 7.0F), 0.0F);
+    for (const float alpha : {0.04F, 0.3F, 0.9F}) {
+        for (const float overlap : {1.0F, 3.5F, 40.0F}) {
+            const float each = disc_opacity(alpha, 8.0F, overlap);
+            EXPECT_NEAR(std::pow(1.0F - each, overlap), std::pow(1.0F - alpha, 8.0F), 1e-5F);
+        }
+    }
+}
+
+TEST(ExpectedOverlap, IsDiscAreaOverTheAreaOfAMark) {
+    EXPECT_NEAR(expected_overlap(3.0F, 2.0F, -1.0F), 7.0686F, 1e-3);
+    EXPECT_NEAR(expected_overlap(3.0F, 2.0F, 0.5F), 14.137F, 1e-3); // foreshortened
+    EXPECT_EQ(expected_overlap(0.1F, 2.0F, 1.0F), 1.0F);
+    EXPECT_EQ(expected_overlap(3.0F, 0.0F, 1.0F), 1.0F); // unknown
+}
+
+TEST(LightTone, IsThePowerOfTheCosine) {
+    EXPECT_EQ(light_tone(-0.5F, 1.0F), 0.0F);
+    EXPECT_FLOAT_EQ(light_tone(0.3F, 1.0F), 0.3F);
+    EXPECT_FLOAT_EQ(light_tone(0.5F, 2.0F), 0.25F);
+    EXPECT_NEAR(light_tone(0.25F, 0.5F), 0.5F, 1e-7);
+    EXPECT_EQ(light_tone(1.0000001F, 1.0F), 1.0F);
+}
+
+TEST(DepthTone, FallsWithTheLogarithmFromNearToFar) {
+    EXPECT_EQ(depth_tone(1.0, 2.0, 8.0), 1.0F);
+    EXPECT_EQ(depth_tone(2.0, 2.0, 8.0), 1.0F);
+    EXPECT_FLOAT_EQ(depth_tone(4.0, 2.0, 8.0), 0.5F); // the geometric mean
+    EXPECT_FLOAT_EQ(depth_tone(3.0, 2.0, 8.0), static_cast<float>(1.0 - std::log(1.5) / std::log(4.0)));
+    EXPECT_EQ(depth_tone(8.0, 2.0, 8.0), 0.0F);
+    EXPECT_EQ(depth_tone(100.0, 2.0, 8.0), 0.0F);
+    EXPECT_EQ(depth_tone(-3.0, 2.0, 8.0), 1.0F); // an orthographic camera may stand anywhere
+}
+
+TEST(ZoomScale, IsThePowerOfTheZoomBelowTheReference) {
+    EXPECT_EQ(zoom_scale(2.0F, 2.0F), 1.0F);
+    EXPECT_FLOAT_EQ(zoom_scale(0.5F, 2.0F), 0.25F);
+    EXPECT_FLOAT_EQ(zoom_scale(0.5F, 1.0F), 0.5F);
+    EXPECT_EQ(zoom_scale(0.5F, 0.0F), 1.0F);
+    EXPECT_EQ(zoom_scale(0.0F, 2.0F), 0.0F);
+}
+
+TEST(ShareRule, ThinsOneOrderOfMarks) {
+    const ToneTerms terms{0.25F, 0.5F, 0.5F, 0.8F};
+    // u >= 1 - (1 - tau) tau_d scale share = 1 - 0.15.
+    EXPECT_EQ(front_verdict(0.8501F, terms, ToneRule::share), Verdict::shown);
+    EXPECT_EQ(front_verdict(0.8499F, terms, ToneRule::share), Verdict::depth);
+    EXPECT_EQ(front_verdict(0.6999F, terms, ToneRule::share), Verdict::zoom);
+    EXPECT_EQ(front_verdict(0.3999F, terms, ToneRule::share), Verdict::tone);
+    EXPECT_EQ(front_verdict(0.0F, {}, ToneRule::share), Verdict::shown);
+    EXPECT_EQ(front_verdict(0.9999999F, {1.0F, 1.0F, 1.0F, 1.0F}, ToneRule::share), Verdict::tone);
+    EXPECT_TRUE(silhouette_shown(0.75F, 0.25F, ToneRule::share));
+    EXPECT_FALSE(silhouette_shown(0.74F, 0.25F, ToneRule::share));
+    EXPECT_FALSE(silhouette_shown(0.9999999F, 0.0F, ToneRule::share));
+}
+
+TEST(PaperRule, TestsOneByOne) {
+    const ToneTerms terms{0.25F, 0.5F, 0.6F, 0.8F};
+    EXPECT_EQ(front_verdict(0.25F, terms, ToneRule::paper), Verdict::shown);
+    EXPECT_EQ(front_verdict(0.24F, terms, ToneRule::paper), Verdict::tone);
+    EXPECT_EQ(front_verdict(0.51F, terms, ToneRule::paper), Verdict::depth);
+    EXPECT_EQ(front_verdict(0.61F, terms, ToneRule::paper), Verdict::zoom);
+    EXPECT_EQ(front_verdict(0.80F, terms, ToneRule::paper), Verdict::tone);
+    EXPECT_TRUE(silhouette_shown(0.24F, 0.25F, ToneRule::paper));
+    EXPECT_FALSE(silhouette_shown(0.25F, 0.25F, ToneRule::paper));
+}
+
+Pen test_pen() {
+    Pen pen;
+    pen.spacing = 0.1F;
+    pen.halo = 2.0F;
+    pen.largest_cover = 1000.0F;
+    return pen;
+}
+
+TEST(Pen, FollowsTheZoom) {
+    Pen pen = test_pen();
+    pen.ink_radius = 2.0F;
+    EXPECT_EQ(pen.front_ink(10.0F), 2.0F); // no reference: the zoom is 1
+    pen.ink_zoom = 1.0F;
+    EXPECT_EQ(pen.front_ink(10.0F), 2.0F);
+    pen.zoom_per_ppe = 1.0F / 40.0F;
+    EXPECT_FLOAT_EQ(pen.front_ink(10.0F), 0.5F);
+    EXPECT_FLOAT_EQ(pen.front_ink(80.0F), 4.0F); // beyond the reference as well
+    pen.ink_zoom = 0.5F;
+    EXPECT_FLOAT_EQ(pen.front_ink(10.0F), 1.0F);
+}
+
+TEST(Pen, ScalesTheAreaOfBackPaper) {
+    Pen pen = test_pen();
+    pen.cover_radius = 6.0F;
+    EXPECT_EQ(pen.front_cover(10.0F), 6.0F);
+    EXPECT_EQ(pen.back_cover(10.0F), 8.0F);
+    pen.zoom_per_ppe = 1.0F / 40.0F;
+    pen.zoom_exponent = 2.0F;
+    EXPECT_EQ(pen.front_cover(10.0F), 6.0F);
+    EXPECT_FLOAT_EQ(pen.back_cover(10.0F), 2.0F); // area times 1/16
+    EXPECT_FLOAT_EQ(pen.back_cover(80.0F), 8.0F);
+}
+
+TEST(Pen, CoversBySpacingWithNoGaps) {
+    Pen pen = test_pen();
+    EXPECT_FLOAT_EQ(pen.front_cover(100.0F), cover_spacings * 10.0F);
+    EXPECT_FLOAT_EQ(pen.back_cover(100.0F), cover_spacings * 10.0F + 2.0F);
+    EXPECT_EQ(pen.front_cover(1.0F), 1.0F); // a pixel at least
+    EXPECT_EQ(pen.front_cover(1e9F), 1000.0F);
+}
+
+TEST(PaperPush, GrowsWithTheTilt) {
+    EXPECT_FLOAT_EQ(front_push(5.0F, -1.0F, 10.0F), 0.5F);
+    EXPECT_NEAR(front_push(5.0F, -0.6F, 10.0F), 0.5F * 1.8F / 0.6F, 1e-6F);
+    EXPECT_NEAR(front_push(5.0F, 0.0F, 10.0F), 0.5F * 2.0F / 0.05F, 0.1F); // limited
+    EXPECT_FLOAT_EQ(back_push(5.0F, 10.0F), 0.5F);
+}
+
+// The disc around each place of a sphere lies behind every place within its radius in the picture.
+TEST(PaperPush, PutsADiscBehindAllOfItsSphere) {
+    for (const double radius : {0.003, 0.01, 0.05, 0.2, 0.5}) {
+        for (double nu = 0.05; nu <= 1.0; nu += 0.01) {
+            const double from_axis = std::sqrt(1.0 - nu * nu);
+            const double behind =
+                nu - static_cast<double>(front_push(static_cast<float>(radius), static_cast<float>(-nu), 1.0F));
+            const double farthest = std::min(1.0, from_axis + radius);
+            EXPECT_LE(behind, std::sqrt(1.0 - farthest * farthest) + 1e-6) << radius << " " << nu;
+        }
+    }
+}
+
+// A mark that is shown stays while the zoom grows, or the tone darkens, or the depth comes nearer.
+TEST(FrontVerdict, ZoomingInOnlyAddsMarks) {
+    for (float u = 0.005F; u < 1.0F; u += 0.01F)
+        for (const float tau : {0.0F, 0.3F, 0.8F}) {
+            bool shown = false;
+            for (float zoom = 0.05F; zoom < 3.0F; zoom *= 1.1F) {
+                const ToneTerms terms{tau, 0.9F, zoom_scale(zoom, 2.0F), 0.7F};
+                const bool now = front_verdict(u, terms, ToneRule::share) == Verdict::shown;
+                EXPECT_TRUE(now || !shown) << u << " at zoom " << zoom;
+                shown = now;
+            }
+        }
+}
+
+} // namespace
+} // namespace hrbfnpr::frame

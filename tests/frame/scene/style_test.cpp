@@ -1,0 +1,67 @@
+// The named styles.
+#include "frame/scene/style.h"
+
+#include <gtest/gtest.h>
+
+namespace hrbfnpr::frame {
+namespace {
+
+TEST(Presets, HaveTheirNames) {
+    const char* const names[] = {"stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple",
+                                 "xray",    "full"};
+    for (std::uint32_t i = 0; i < preset_count; ++i) {
+        EXPECT_STREQ(preset_name(i), names[i]);
+        EXPECT_STREQ(preset(i).name, names[i]);
+    }
+    EXPECT_EQ(preset_name(preset_count), nullptr);
+    EXPECT_EQ(preset_name(0xFFFFFFFFU), nullptr);
+}
+
+TEST(Presets, AreValidStyles) {
+    for (std::uint32_t i = 0; i < preset_count; ++i) {
+        const Preset p = preset(i);
+        const Style& s = p.style;
+        EXPECT_GT(s.silhouette_threshold, 0.0);
+        EXPECT_LT(s.silhouette_threshold, 1.0);
+        EXPECT_GE(s.attenuation_front, 0.0);
+        EXPECT_GE(s.attenuation_back, 0.0);
+        EXPECT_GT(s.tone_exponent, 0.0);
+        EXPECT_GT(s.silhouette_radius, 0.0F);
+        EXPECT_EQ(s.paper, glm::vec4(1.0F)) << "styles of one frame need the same paper";
+        EXPECT_NE(p.needed_groups, 0U);
+        EXPECT_LT(p.needed_groups, 8U);
+        for (std::size_t g = 0; g < 3; ++g) {
+            EXPECT_GT(s.group[g].radius, 0.0F);
+            EXPECT_GE(s.group[g].share, 0.0F);
+            EXPECT_LE(s.group[g].share, 1.0F);
+            // What is drawn is asked for.
+            if (s.group[g].shown) {
+                EXPECT_NE(p.needed_groups >> g & 1U, 0U) << p.name;
+            }
+        }
+    }
+}
+
+TEST(Presets, AreWhatTheirNamesSay) {
+    const auto shown = [](std::uint32_t i) {
+        unsigned bits = 0;
+        for (std::size_t g = 0; g < 3; ++g) bits |= preset(i).style.group[g].shown ? 1U << g : 0U;
+        return bits;
+    };
+    EXPECT_EQ(shown(0), 1U);
+    EXPECT_EQ(preset(0).style.silhouette_groups, 0U);
+    EXPECT_EQ(shown(1), 2U);
+    EXPECT_EQ(preset(1).style.group[1].sets, 2U);
+    EXPECT_EQ(shown(2), 2U);
+    EXPECT_EQ(preset(2).style.group[1].sets, 3U);
+    EXPECT_EQ(shown(3), 4U);
+    EXPECT_EQ(shown(4), 0U);
+    EXPECT_EQ(shown(5), 1U);
+    EXPECT_EQ(shown(6), 0U);
+    EXPECT_EQ(preset(6).style.hidden_lines, HiddenLines::show);
+    EXPECT_EQ(shown(7), 3U);
+    for (std::uint32_t i = 1; i < preset_count; ++i) EXPECT_NE(preset(i).style.silhouette_groups, 0U);
+}
+
+} // namespace
+} // namespace hrbfnpr::frame

@@ -1,0 +1,213 @@
+// The same bits for any threads, cancelling, failing allocations, callbacks' threads, far origins.
+#include "support/point_sets.h"
+
+#include <cstdlib>
+#include <thread>
+
+namespace hrbfnpr::generate {
+namespace {
+
+using namespace marks;
+using namespace test;
+
+const std::initializer_list<Group> all_groups = {Group::stipple, Group::curvature, Group::combing};
+
+generate::Settings small_paper() {
+    generate::Settings settings = paper(all_groups, 2);
+    settings.seeds.box_resolution = 6;
+    settings.group[0].with_curvature = true;
+    settings.group[1].budget = 1000;
+    settings.group[2].published.from_stipples = true;
+    settings.group[2].published.seed_level = 1;
+    return settings;
+}
+
+generate::Settings small_blue() { return blue(all_groups, 3000, 2); }
+
+// Runs the tasks from the last to the first.
+void reverse_tasks(void* /*user*/, base::TaskFn task, void* context, std::int64_t count) {
+    for (std::int64_t i = count; i-- > 0;) task(context, i);
+}
+
+TEST(Determinism, SameBitsForAnyThreadCountAndTaskOrder) {
+    const Torus torus;
+    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+        const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr),
+                                   base::InstructionSet::automatic, nullptr, nullptr);
+        const PointSet expected = generate::generate(serial, torus, {}, settings, {});
+        for (const int threads : {2, 3, 7}) {
+            const base::Runtime many(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
+                                     base::InstructionSet::automatic, nullptr, nullptr);
+            EXPECT_TRUE(same_bits(expected, generate::generate(many, torus, {}, settings, {}))) << threads;
+        }
+        const base::Runtime hook(nullptr, nullptr, nullptr, base::Parallel(4, reverse_tasks, nullptr),
+                                 base::InstructionSet::automatic, nullptr, nullptr);
+        EXPECT_TRUE(same_bits(expected, generate::generate(hook, torus, {}, settings, {})));
+    }
+}
+
+TEST(Determinism, TheRandomSeedChangesTheMarks) {
+    const Torus torus;
+    for (generate::Settings settings : {small_paper(), small_blue()}) {
+        const PointSet one = make(torus, settings);
+        settings.random_seed = 2;
+        EXPECT_FALSE(same_bits(one, make(torus, settings)));
+    }
+}
+
+TEST(Callbacks, ASerialFunctionRunsOnTheCallersThreadOnly) {
+    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr),
+                                base::InstructionSet::automatic, nullptr, nullptr);
+    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+        Torus torus;
+        torus.is_concurrent = false;
+        const PointSet set = generate::generate(threads, torus, {}, settings, {});
+        EXPECT_FALSE(torus.strange_thread);
+        EXPECT_GT(torus.evaluations, 1000);
+    }
+    // The test can fail: a concurrent one does run elsewhere, where there are threads at all.
+    const Torus torus;
+    (void)generate::generate(threads, torus, {}, small_blue(), {});
+    if (std::thread::hardware_concurrency() > 1) {
+        EXPECT_TRUE(torus.strange_thread);
+    }
+}
+
+// Cancels at the k-th report of progress.
+struct CancelAt {
+    int calls = 0;
+    int at = -1;
+    double last = 0.0;
+    bool fell = false;
+
+    static std::int32_t report(void* user, double progress) {
+        CancelAt& self = *static_cast<CancelAt*>(user);
+        self.fell = self.fell || progress < self.last;
+        self.last = progress;
+        return self.calls++ == self.at ? 1 : 0;
+    }
+};
+
+TEST(Cancel, AtEveryReportOfProgress) {
+    const Torus torus;
+    const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr),
+                               base::InstructionSet::automatic, nullptr, nullptr);
+    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+        CancelAt watch;
+        {
+            base::Operation operation;
+            operation.set_callback(CancelAt::report, &watch);
+            operation.begin();
+            (void)generate::generate(serial, torus, {}, settings, base::Progress(&operation));
+            EXPECT_DOUBLE_EQ(operation.progress(), 1.0);
+        }
+        EXPECT_FALSE(watch.fell);
+        EXPECT_GT(watch.calls, 50);
+        const std::int64_t bytes = serial.memory.bytes_now();
+        for (int k = 0; k + 1 < watch.calls; k += 1 + watch.calls / 30) {
+            CancelAt cancel;
+            cancel.at = k;
+            base::Operation operation;
+            operation.set_callback(CancelAt::report, &cancel);
+            operation.begin();
+            expect_error(Status::cancelled, {},
+                         [&] { (void)generate::generate(serial, torus, {}, settings, base::Progress(&operation)); });
+            EXPECT_LE(cancel.calls, k + 2) << "it went on after the cancel";
+            EXPECT_EQ(serial.memory.bytes_now(), bytes) << "memory was lost";
+        }
+    }
+}
+
+// An allocator whose k-th allocation fails, once.
+struct FailingAllocator {
+    std::int64_t calls = 0;
+    std::int64_t failing = -1;
+
+    static void* allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
+        FailingAllocator& self = *static_cast<FailingAllocator*>(user);
+        if (self.calls++ == self.failing) return nullptr;
+        return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    }
+    static void deallocate(void* /*user*/, void* memory, std::uint64_t /*size*/, std::uint64_t /*alignment*/) {
+        std::free(memory);
+    }
+};
+
+TEST(Memory, EveryAllocationMayFail) {
+    const Torus torus;
+    generate::Settings tiny_paper = small_paper();
+    tiny_paper.seeds.box_resolution = 3;
+    tiny_paper.group[1].budget = 60;
+    for (const generate::Settings& settings : {tiny_paper, blue({Group::curvature}, 60, 1)}) {
+        FailingAllocator allocator;
+        {
+            const base::Runtime runtime(FailingAllocator::allocate, FailingAllocator::deallocate, &allocator,
+                                        base::Parallel(), base::InstructionSet::automatic, nullptr, nullptr);
+            (void)generate::generate(runtime, torus, {}, settings, {});
+            EXPECT_EQ(runtime.memory.bytes_now(), 0) << "all memory is given back with the set";
+        }
+        const std::int64_t count = allocator.calls;
+        EXPECT_GT(count, 100);
+        // The default's arrays grow in many steps of one kind: every fifth is enough.
+        const std::int64_t stride = settings.distribution == Distribution::paper ? 1 : 5;
+        for (std::int64_t k = 0; k < count; k += stride) {
+            allocator.calls = 0;
+            allocator.failing = k;
+            const base::Runtime runtime(FailingAllocator::allocate, FailingAllocator::deallocate, &allocator,
+                                        base::Parallel(), base::InstructionSet::automatic, nullptr, nullptr);
+            expect_error(Status::out_of_memory, {},
+                         [&] { (void)generate::generate(runtime, torus, {}, settings, {}); });
+            ASSERT_EQ(runtime.memory.bytes_now(), 0) << k;
+        }
+    }
+}
+
+TEST(Memory, BytesAreThoseOfTheArrays) {
+    const base::Runtime runtime;
+    const PointSet set = generate::generate(runtime, Torus(), {}, small_blue(), {});
+    EXPECT_EQ(set.bytes(), runtime.memory.bytes_now());
+    EXPECT_GT(set.bytes(), 9000 * (3 * 12 + 4 + 1 + 8));
+}
+
+// A function that fails ends the call with its own error.
+TEST(Callbacks, AFailureEndsTheCall) {
+    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(3, nullptr, nullptr),
+                                base::InstructionSet::automatic, nullptr, nullptr);
+    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+        for (const std::int64_t after : {0, 500, 20000}) {
+            std::atomic<std::int64_t> calls{0};
+            const AnyField fails(cube(1.0), [&](const glm::dvec3& p) {
+                if (calls++ >= after) fail(Status::callback, "the function failed");
+                return Sphere().at(p);
+            });
+            expect_error(Status::callback, {"the function failed"},
+                         [&] { (void)generate::generate(threads, fails, {}, settings, {}); });
+        }
+    }
+}
+
+// Float positions are relative to the set's own origin: a model far from 0 keeps its accuracy.
+TEST(Accuracy, FarFromTheOriginFloatsAreStillExact) {
+    const glm::dvec3 far(1e6, -2e6, 3e6);
+    const Sphere sphere(1.0, far);
+    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+        const PointSet set = make(sphere, settings);
+        EXPECT_LT(glm::distance(set.origin, far), 0.1);
+        expect_sound(set, sphere, 1e-6);
+        EXPECT_NEAR(glm::length(vec(of(set, Group::stipple).position, 0)), 1.0, 0.1);
+    }
+}
+
+TEST(Accuracy, AnyUnitWorks) {
+    for (const double unit : {1e-6, 1e5, 1e-30, 1e-20, 1e20, 1e30}) {
+        const Torus torus(unit, 0.35 * unit);
+        for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+            const PointSet set = make(torus, settings);
+            expect_sound(set, torus);
+            EXPECT_GT(of(set, Group::stipple).count(), 1000);
+        }
+    }
+}
+
+} // namespace
+} // namespace hrbfnpr::generate

@@ -1,0 +1,272 @@
+// Clusters of marks: whole, in order, and what is said of each holds.
+#include "marks/cluster_marks.h"
+
+#include "frame/hand_made.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using marks::Cluster;
+using marks::MarkClusters;
+
+glm::dvec3 vector_of(const std::array<float, 3>& a) {
+    return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
+}
+// A mark by its place in the blocks.
+struct Placed {
+    glm::dvec3 position, normal;
+    float rank;
+    std::uint32_t mark;
+};
+
+Placed placed(const MarkClusters& m, std::int64_t place) {
+    const marks::MarkBlock& b = m.block[place / marks::MarkBlock::size];
+    const std::int64_t i = place % marks::MarkBlock::size;
+    return {vector_of({b.x[i], b.y[i], b.z[i]}), vector_of({b.nx[i], b.ny[i], b.nz[i]}), b.rank[i], b.mark[i]};
+}
+
+void expect_sound(const marks::MarkGroup& group, bool strokes = false) {
+    const MarkClusters& m = group.clusters;
+    constexpr std::int64_t size = marks::MarkBlock::size;
+    std::vector<int> met(static_cast<std::size_t>(group.count()), 0);
+    std::int64_t blocks = 0;
+    for (const Cluster& c : m.cluster) {
+        ASSERT_EQ(c.block, blocks);
+        ASSERT_GT(c.count, 0);
+        ASSERT_LE(c.count, marks::most_in_cluster);
+        blocks += (c.count + size - 1) / size;
+        ASSERT_LE(blocks, m.block.size());
+        const glm::dvec3 axis = vector_of(c.axis);
+        ASSERT_NEAR(glm::length(axis), 1.0, 1e-6);
+        ASSERT_NEAR(c.cone_cosine * c.cone_cosine + c.cone_sine * c.cone_sine, 1.0F, 1e-5F);
+        for (std::int64_t place = c.block * size; place < c.block * size + c.count; ++place) {
+            const Placed p = placed(m, place);
+            ASSERT_LT(p.mark, group.count());
+            const std::int64_t mark = p.mark;
+            ++met[static_cast<std::size_t>(mark)];
+            for (int k = 0; k < 3; ++k) {
+                ASSERT_EQ(static_cast<float>(p.position[k]), group.position[3 * mark + k]);
+                ASSERT_EQ(static_cast<float>(p.normal[k]), group.normal[3 * mark + k]);
+            }
+            ASSERT_EQ(p.rank, group.rank[mark]);
+            if (!group.width.empty()) {
+                ASSERT_EQ(m.width[place], group.width[mark]);
+            }
+            if (place > c.block * size) {
+                ASSERT_LE(p.rank, placed(m, place - 1).rank);
+            }
+            ASSERT_LE(glm::length(p.position - vector_of(c.centre)), static_cast<double>(c.radius) + 1e-7);
+            ASSERT_GE(glm::dot(p.normal, axis), static_cast<double>(c.cone_cosine));
+            ASSERT_EQ(c.set, strokes ? group.stroke[2 * mark] & 1U : 0U);
+        }
+    }
+    ASSERT_EQ(blocks, m.block.size());
+    ASSERT_EQ(m.width.empty(), group.width.empty());
+    for (const int times : met) ASSERT_EQ(times, 1);
+}
+
+class Clusters : public ::testing::Test {
+protected:
+    base::Runtime runtime;
+};
+
+TEST_F(Clusters, HoldEveryMarkOnceAndBoundThem) {
+    for (const int count : {1, 2, 3, 127, 128, 129, 5000, 200000}) {
+        const marks::PointSet set = clustered(runtime, sphere(runtime.memory, count));
+        expect_sound(set.group[0]);
+        if (count == 200000) { // and there are not too many
+            EXPECT_LT(set.group[0].clusters.cluster.size(), 200000 / 20);
+        }
+        EXPECT_GE(set.bytes(), set.group[0].clusters.bytes());
+    }
+    expect_sound(clustered(runtime, torus(runtime.memory, 150)).group[0]);
+    expect_sound(clustered(runtime, plane(runtime.memory, 70)).group[0]);
+}
+
+TEST_F(Clusters, OfStrokesHaveOneSetEach) {
+    marks::PointSet set = torus(runtime.memory, 40);
+    add_torus_strokes(set, 1, 400, 27, 0.3);
+    add_torus_strokes(set, 2, 100, 9, 0.3);
+    for (std::int64_t i = 0; i < set.group[1].count(); ++i)
+        set.group[1].width.push_back(0.1F + 0.9F * static_cast<float>(i % 7) / 7.0F);
+    marks::cluster_marks(runtime, set);
+    expect_sound(set.group[0]);
+    expect_sound(set.group[1], true);
+    expect_sound(set.group[2], true);
+    // Again: nothing is left of the first time.
+    const std::int64_t clusters = set.group[1].clusters.cluster.size();
+    marks::cluster_marks(runtime, set);
+    EXPECT_EQ(set.group[1].clusters.cluster.size(), clusters);
+    expect_sound(set.group[1], true);
+}
+
+TEST_F(Clusters, BearDegenerateSets) {
+    marks::PointSet empty(runtime.memory);
+    marks::cluster_marks(runtime, empty);
+    EXPECT_TRUE(empty.group[0].clusters.cluster.empty());
+    marks::PointSet heap(runtime.memory); // 300 marks at one place that face alike
+    for (int i = 0; i < 300; ++i) add_stipple(heap, {0.5, 0.25, -2.0}, {0.0, 0.6, 0.8});
+    marks::cluster_marks(runtime, heap);
+    expect_sound(heap.group[0]);
+    for (const Cluster& c : heap.group[0].clusters.cluster) EXPECT_EQ(c.radius, 0.0F);
+    marks::PointSet star(runtime.memory); // at one place, facing all ways
+    for (int i = 0; i < 1000; ++i) add_stipple(star, {1.0, 1.0, 1.0}, fibonacci_direction(i, 1000));
+    marks::cluster_marks(runtime, star);
+    expect_sound(star.group[0]);
+    marks::PointSet opposite(runtime.memory);
+    add_stipple(opposite, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
+    add_stipple(opposite, {0.0, 0.0, 0.0}, {0.0, 0.0, -1.0});
+    marks::cluster_marks(runtime, opposite);
+    expect_sound(opposite.group[0]);
+    marks::PointSet line(runtime.memory);
+    for (int i = 0; i < 1000; ++i) add_stipple(line, {0.001 * i, 0.0, 0.0}, {0.0, 0.0, 1.0});
+    marks::cluster_marks(runtime, line);
+    expect_sound(line.group[0]);
+    marks::PointSet far(runtime.memory);
+    for (int i = 0; i < 500; ++i) add_stipple(far, 1e30 * fibonacci_direction(i, 500), fibonacci_direction(i, 500));
+    marks::cluster_marks(runtime, far);
+    EXPECT_FALSE(far.group[0].clusters.cluster.empty());
+}
+
+// Positions, centres and radii are in the set's unit, so that no size leaves a trace.
+TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
+    const marks::PointSet unit = clustered(runtime, sphere(runtime.memory, 3000));
+    ASSERT_EQ(unit.unit, 1.0);
+    for (const int power : {-149, -140, -100, -66, 66, 100, 127}) {
+        SCOPED_TRACE(power);
+        marks::PointSet set(runtime.memory);
+        for (std::int64_t i = 0; i < unit.group[0].count(); ++i)
+            add_stipple(set, std::ldexp(1.0, power) * glm::dvec3(marks::vector_at(unit.group[0].position, i)),
+                        glm::dvec3(marks::vector_at(unit.group[0].normal, i)));
+        for (float& coordinate : set.group[0].position)
+            coordinate =
+                std::clamp(coordinate, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max());
+        marks::cluster_marks(runtime, set);
+        ASSERT_NE(set.unit, 1.0);
+        std::int64_t marks = 0;
+        for (const Cluster& c : set.group[0].clusters.cluster) {
+            marks += c.count;
+            ASSERT_LT(c.radius, 8.0F);
+            for (const float number : {c.radius, c.bend, c.axis[0], c.shape[0], c.shape[3], c.shape[5]})
+                ASSERT_TRUE(std::isfinite(number));
+        }
+        EXPECT_EQ(marks, set.group[0].count());
+        if (power < -100 || power > 100) continue; // some digits are lost
+        const marks::MarkBlock& small = set.group[0].clusters.block[0];
+        const marks::MarkBlock& same = unit.group[0].clusters.block[0];
+        EXPECT_EQ(set.group[0].clusters.cluster.size(), unit.group[0].clusters.cluster.size());
+        EXPECT_EQ(small.mark[3], same.mark[3]);
+        EXPECT_EQ(small.rank[3], same.rank[3]);
+        EXPECT_EQ(double{small.x[3]} * set.unit, std::ldexp(double{same.x[3]}, power));
+    }
+    marks::PointSet ends(runtime.memory); // as far from each other as floats go
+    constexpr double most = std::numeric_limits<float>::max();
+    for (int i = 0; i < 400; ++i)
+        add_stipple(ends,
+                    (i % 3 == 0   ? -most
+                     : i % 3 == 1 ? most
+                                  : 1e-45) *
+                        glm::dvec3(1.0),
+                    fibonacci_direction(i, 400));
+    marks::cluster_marks(runtime, ends);
+    for (const Cluster& c : ends.group[0].clusters.cluster) EXPECT_TRUE(std::isfinite(c.radius));
+}
+
+// No file and no array gives such positions; if one did, the undefined-behaviour sanitizer would have nothing to say.
+TEST_F(Clusters, BearWhatIsNoNumber) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    marks::PointSet set(runtime.memory);
+    for (int i = 0; i < 300; ++i)
+        add_stipple(set, {i % 7 == 0 ? nan : 0.1 * i, i % 5 == 0 ? HUGE_VAL : 1.0, 0.0}, {0.0, 0.0, 1.0});
+    marks::cluster_marks(runtime, set);
+    EXPECT_FALSE(set.group[0].clusters.cluster.empty());
+}
+
+// t . S t for a tangent direction.
+double curvature(const Cluster& c, const glm::dvec3& t) {
+    const auto s = [&](std::size_t k) { return static_cast<double>(c.shape[k]); };
+    return t.x * (s(0) * t.x + 2.0 * (s(1) * t.y + s(2) * t.z)) + t.y * (s(3) * t.y + 2.0 * s(4) * t.z) +
+           t.z * s(5) * t.z;
+}
+
+// The share of the marks whose cluster's shape is off by more than 5 % of the largest curvature, which
+// wanted(centre, tangent) tells.
+struct Tangents {
+    glm::dvec3 first, second;
+    double first_curvature, second_curvature;
+};
+
+template <class Wanted>
+double share_off(const marks::MarkGroup& group, double largest, const Wanted& wanted) {
+    std::int64_t off = 0;
+    for (const Cluster& c : group.clusters.cluster) {
+        const Tangents t = wanted(vector_of(c.centre));
+        const double error = std::max(std::abs(curvature(c, t.first) - t.first_curvature),
+                                      std::abs(curvature(c, t.second) - t.second_curvature));
+        if (error > 0.05 * largest) off += c.count;
+        if (c.bend < 0.0F) { // too few to tell
+            EXPECT_LT(c.count, 12);
+            continue;
+        }
+        EXPECT_GE(static_cast<double>(c.bend), 0.75 * largest);
+        EXPECT_LE(static_cast<double>(c.bend), 1.6 * largest); // its norm: of a sphere sqrt(2)
+    }
+    return static_cast<double>(off) / static_cast<double>(group.count());
+}
+
+TEST_F(Clusters, KnowTheCurvatureOfASphere) {
+    for (const double radius : {0.25, 1.0, 40.0}) {
+        const auto wanted = [&](const glm::dvec3& centre) {
+            const glm::dvec3 t = geometry::any_perpendicular(glm::normalize(centre));
+            return Tangents{t, glm::cross(glm::normalize(centre), t), 1.0 / radius, 1.0 / radius};
+        };
+        const marks::PointSet many = clustered(runtime, sphere(runtime.memory, 200000, radius));
+        EXPECT_EQ(share_off(many.group[0], 1.0 / radius, wanted), 0.0);
+        // A cluster of a few marks at the edge of its cell has the shape of all the cell.
+        const marks::PointSet some = clustered(runtime, sphere(runtime.memory, 50000, radius));
+        EXPECT_LE(share_off(some.group[0], 1.0 / radius, wanted), 0.005);
+    }
+}
+
+TEST_F(Clusters, KnowTheCurvaturesOfATorus) {
+    const double minor = 0.45;
+    const auto wanted = [&](const glm::dvec3& centre) {
+        const glm::dvec3 out = glm::normalize(glm::dvec3(centre.x, centre.y, 0.0));
+        const glm::dvec3 n = glm::normalize(centre - out);
+        const glm::dvec3 along(-out.y, out.x, 0.0);
+        return Tangents{glm::cross(n, along), along, 1.0 / minor, glm::dot(n, out) / (1.0 + minor * glm::dot(n, out))};
+    };
+    const marks::PointSet set = clustered(runtime, torus(runtime.memory, 400, minor));
+    EXPECT_LE(share_off(set.group[0], 1.0 / minor, wanted), 0.005);
+}
+
+TEST_F(Clusters, AreTheSameForAnyThreadCount) {
+    const auto made = [](int threads) {
+        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
+                                  base::InstructionSet::automatic, nullptr, nullptr);
+        marks::PointSet set = torus(other.memory, 60);
+        add_torus_strokes(set, 1, 300, 9, 0.3);
+        marks::cluster_marks(other, set);
+        std::vector<std::uint32_t> marks;
+        for (const marks::MarkGroup& group : set.group) {
+            for (const Cluster& c : group.clusters.cluster) {
+                for (std::int64_t i = 0; i < c.count; ++i)
+                    marks.push_back(placed(group.clusters, c.block * marks::MarkBlock::size + i).mark);
+                marks.push_back(static_cast<std::uint32_t>(c.count));
+            }
+        }
+        return marks;
+    };
+    const auto expected = made(1);
+    for (const int threads : {2, 3, 7}) EXPECT_EQ(made(threads), expected);
+}
+
+} // namespace
+} // namespace hrbfnpr::testing

@@ -1,0 +1,140 @@
+// Making point sets, and what the tests of the rooms that place marks share.
+#pragma once
+
+#include "generate/generate.h"
+#include "support/analytic.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+namespace hrbfnpr::test {
+
+using namespace marks;
+using generate::GroupSettings;
+using generate::SampleHint;
+
+inline base::Runtime& runtime() {
+    static base::Runtime instance;
+    return instance;
+}
+
+inline base::InView view(const std::vector<double>& numbers, std::uint32_t components = 3) {
+    return {reinterpret_cast<const std::byte*>(numbers.data()), static_cast<std::int64_t>(numbers.size() / components),
+            std::int64_t{8} * components, base::Scalar::float64, components};
+}
+
+// Settings with the groups named and the published recursion.
+inline generate::Settings paper(std::initializer_list<Group> groups, std::int32_t levels) {
+    generate::Settings settings;
+    settings.distribution = Distribution::paper;
+    for (const Group group : groups) {
+        settings.group[static_cast<std::size_t>(group)].wanted = true;
+        settings.group[static_cast<std::size_t>(group)].published.levels = levels;
+    }
+    return settings;
+}
+
+inline generate::Settings blue(std::initializer_list<Group> groups, std::int64_t budget, std::int32_t levels = 3) {
+    generate::Settings settings = paper(groups, levels);
+    settings.distribution = Distribution::blue_noise;
+    for (GroupSettings& group : settings.group) group.budget = budget;
+    return settings;
+}
+
+inline std::vector<double> six_seeds() { return {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1}; }
+
+inline std::vector<double> spiral_seeds(int n) {
+    std::vector<double> points;
+    for (int i = 0; i < n; ++i)
+        for (const double c : spiral_point(i, n)) points.push_back(c);
+    return points;
+}
+
+inline void use_points(generate::Settings& settings, const std::vector<double>& points) {
+    settings.seeds.source = SeedSource::points;
+    settings.seeds.points = view(points);
+}
+
+inline PointSet make(const implicit::Implicit& implicit, const generate::Settings& settings,
+                     const SampleHint& samples = {}) {
+    return generate::generate(runtime(), implicit, samples, settings, {});
+}
+
+inline const MarkGroup& of(const PointSet& set, Group group) { return set.group[static_cast<std::size_t>(group)]; }
+
+inline glm::dvec3 vec(const base::Array<float>& array, std::int64_t i) {
+    return {double{array[3 * i]}, double{array[3 * i + 1]}, double{array[3 * i + 2]}};
+}
+
+inline glm::dvec3 position(const PointSet& set, Group group, std::int64_t i) {
+    return set.origin + vec(of(set, group).position, i);
+}
+
+// Every mark lies on the surface, inside the set's bounds, and its arrays are what they must be.
+inline void expect_sound(const PointSet& set, const Analytic& surface, double tolerance = 1e-6) {
+    const double diagonal = surface.diagonal();
+    for (const Group group : {Group::stipple, Group::curvature, Group::combing}) {
+        const MarkGroup& marks = of(set, group);
+        ASSERT_EQ(marks.position.size(), 3 * marks.count());
+        ASSERT_EQ(marks.stroke.size(), 2 * marks.count());
+        ASSERT_EQ(marks.level.size(), marks.count());
+        for (std::int64_t i = 0; i < marks.count(); ++i) {
+            const glm::dvec3 p = position(set, group, i);
+            const Field field = surface.at(p);
+            const glm::dvec3 n = vec(marks.normal, i);
+            const glm::dvec3 d = vec(marks.direction, i);
+            ASSERT_LE(std::abs(field.value), tolerance * diagonal) << i;
+            ASSERT_NEAR(glm::distance(n, glm::normalize(field.gradient)), 0.0, 1e-5) << i;
+            ASSERT_NEAR(glm::length(d), 1.0, 1e-6) << i;
+            ASSERT_NEAR(glm::dot(d, n), 0.0, 1e-6) << i;
+            ASSERT_TRUE(set.bounds.grown(1e-6 * diagonal).contains(p)) << i;
+            ASSERT_GE(marks.rank[i], 0.0F);
+            ASSERT_LT(marks.rank[i], 1.0F);
+        }
+        for (const LevelReport& l : marks.report.level)
+            EXPECT_EQ(l.attempted,
+                      l.placed + l.dropped_not_converged + l.dropped_strayed + l.dropped_degenerate + l.dropped_budget);
+    }
+    const LevelReport& seeds = set.seeds;
+    EXPECT_EQ(seeds.attempted,
+              seeds.placed + seeds.dropped_not_converged + seeds.dropped_strayed + seeds.dropped_degenerate);
+}
+
+template <class T>
+bool same_bits(const base::Array<T>& a, const base::Array<T>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), sizeof(T) * static_cast<std::size_t>(a.size())) == 0);
+}
+
+inline bool same_bits(const PointSet& a, const PointSet& b) {
+    if (a.origin != b.origin || a.bounds.min != b.bounds.min || a.bounds.max != b.bounds.max || a.spacing != b.spacing)
+        return false;
+    for (std::size_t g = 0; g < a.group.size(); ++g) {
+        const MarkGroup& x = a.group[g];
+        const MarkGroup& y = b.group[g];
+        if (!same_bits(x.position, y.position) || !same_bits(x.normal, y.normal) ||
+            !same_bits(x.direction, y.direction) || !same_bits(x.curvature, y.curvature) ||
+            !same_bits(x.rank, y.rank) || !same_bits(x.level, y.level) || !same_bits(x.stroke, y.stroke) ||
+            !same_bits(x.width, y.width))
+            return false;
+    }
+    return true;
+}
+
+// Runs f and expects an Error with this status whose message has all of `words` in it.
+template <class F>
+void expect_error(Status status, std::initializer_list<const char*> words, F&& f) {
+    try {
+        f();
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), status) << error.what();
+        for (const char* word : words) EXPECT_THAT(error.what(), testing::HasSubstr(word));
+        EXPECT_LT(std::strlen(error.what()), 247U) << "cut off: " << error.what();
+    }
+}
+
+} // namespace hrbfnpr::test
