@@ -19,7 +19,7 @@ LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
 
 
 def documents(root):
-    return sorted([*root.glob("*.md"), *root.glob("docs/**/*.md"), *root.glob("bindings/*/*.md")])
+    return sorted([*root.glob("*.md"), *root.glob("docs/**/*.md"), *root.glob("bindings/**/README.md")])
 
 
 def broken_links(root):
