@@ -1,9 +1,9 @@
 """Reads a C header in the plain style of include/hrbfnpr.h: what it declares, with the comments.
 
 What this module does not know is a HeaderError that names the line; nothing is skipped.  It knows
-`enum { NAME = value, ... };`, `typedef struct name { fields } name;`, `typedef struct name name;` (a handle), typedefs of
-scalars and of function pointers, and functions behind HRBFNPR_API.  Comments belong to what they stand directly above
-of or behind; those at the top level with an empty line below belong to the section, which a comment with a number and a
+`enum { NAME = value, ... };`, `typedef struct name { fields } name;`, `typedef struct name name;` (a handle), typedefs
+of scalars and of function pointers, and functions behind HRBFNPR_API.  Comments belong to what they stand directly
+above of or behind; those at the top level with an empty line below belong to the section, which a comment with a number and a
 title between lines of `=` begins.
 """
 import re
@@ -192,7 +192,8 @@ class Parser:
             self.fail("const that no pointer points to", line)
         if not pointers and self.kinds[base] == "handle":
             self.fail(f"the handle {base} without a pointer", line)
-        return {"c": text, "base": base, "kind": self.kinds[base], "pointers": pointers, "const": "const" in pointers[:1]}
+        return {"c": text, "base": base, "kind": self.kinds[base], "pointers": pointers,
+                "const": "const" in pointers[:1]}
 
     def value_type(self):
         line = self.token.line
@@ -395,7 +396,8 @@ class Parser:
         found = SECTION.fullmatch(text)
         if found:
             number, title, rest = found.groups()
-            self.parsed.sections.append({"number": int(number), "title": " ".join(title.split()), "text": rest.strip("\n")})
+            self.parsed.sections.append(
+                {"number": int(number), "title": " ".join(title.split()), "text": rest.strip("\n")})
         elif text.startswith("==="):
             self.fail("a section without a number and a title", comment.line)
         elif self.parsed.sections:

@@ -117,8 +117,8 @@ def add_uses(parsed):
 
 def ordered(entry):
     """Keys in one order: short ones first, lists last."""
-    keys = ["prefix", "name", "section", "noun", "concurrent", "value", "type", "array", "returns", "constants", "layout",
-            "see", "doc", "heading", "parameters", "fields"]
+    keys = ["prefix", "name", "section", "noun", "concurrent", "value", "type", "array", "returns", "constants",
+            "layout", "see", "doc", "heading", "parameters", "fields"]
     return {key: ordered(entry[key]) if isinstance(entry[key], dict) else
             [ordered(item) if isinstance(item, dict) else item for item in entry[key]]
             if isinstance(entry[key], list) else entry[key]

@@ -1,5 +1,5 @@
-"""The declarations of api.json for foreign-function interfaces that read C, such as LuaJIT's and koffi; and the same as a
-Lua module.  bindings/generate runs it.
+"""The declarations of api.json for foreign-function interfaces that read C, such as LuaJIT's and koffi; and the same as
+a Lua module.  bindings/generate runs it.
 """
 import re
 import textwrap

@@ -70,7 +70,8 @@ HRBFNPR_API void hrbfnpr_h(void);""")
                          [("Above a function.\n\nand behind it", None), ("", "hrbfnpr_f"), ("", None)])
 
     def test_values_are_computed(self):
-        constants = made("enum { HRBFNPR_A_X = 1 << 3, HRBFNPR_A_Y = HRBFNPR_A_X | 0x10u, HRBFNPR_A_Z = -(2 + 1) * 2 };")
+        constants = made("""
+enum { HRBFNPR_A_X = 1 << 3, HRBFNPR_A_Y = HRBFNPR_A_X | 0x10u, HRBFNPR_A_Z = -(2 + 1) * 2 };""")
         self.assertEqual([constant["value"] for constant in constants["constants"][1]["constants"]], [8, 24, -6])
 
     def test_prefixes_are_those_that_the_comments_name(self):
@@ -84,8 +85,8 @@ typedef struct hrbfnpr_desc { uint32_t flags; /* HRBFNPR_MAKE_..., or-ed */
         self.assertEqual(api["structs"][0]["fields"][0]["constants"], "HRBFNPR_MAKE")
 
     def test_types_keep_what_each_pointer_points_to(self):
-        parameters = made("HRBFNPR_API const char* hrbfnpr_f(const hrbfnpr_thing* const* a, hrbfnpr_thing** b, double c);")
-        parameters = parameters["functions"][0]["parameters"]
+        api = made("HRBFNPR_API const char* hrbfnpr_f(const hrbfnpr_thing* const* a, hrbfnpr_thing** b, double c);")
+        parameters = api["functions"][0]["parameters"]
         self.assertEqual([(one["type"]["c"], one["type"]["pointers"], one["type"]["const"]) for one in parameters],
                          [("const hrbfnpr_thing* const*", ["const", "const"], True),
                           ("hrbfnpr_thing**", ["mutable", "mutable"], False), ("double", [], False)])
@@ -113,7 +114,8 @@ HRBFNPR_API void hrbfnpr_thing_turn(hrbfnpr_thing* thing);
 HRBFNPR_API void hrbfnpr_thing_part_with(const hrbfnpr_thing* thing, hrbfnpr_tool* tool);
 HRBFNPR_API void hrbfnpr_make(hrbfnpr_thing** out);""")
         self.assertEqual([(one["noun"], one["concurrent"]) for one in api["functions"]],
-                         [("hrbfnpr_thing", True), ("hrbfnpr_thing", False), ("hrbfnpr_thing_part", False), (None, True)])
+                         [("hrbfnpr_thing", True), ("hrbfnpr_thing", False),
+                          ("hrbfnpr_thing_part", False), (None, True)])
         self.assertEqual([tuple(one) for one in const_functions(api)],
                          [("hrbfnpr_thing_look", ["thing"], []), ("hrbfnpr_thing_part_with", ["thing"], ["tool"])])
 
@@ -128,7 +130,8 @@ class Refusals(unittest.TestCase):
     def refused(self, text, line, words):
         with self.assertRaises(c_header.HeaderError) as caught:
             made(text)
-        self.assertEqual((caught.exception.line - LINE + 1, words in str(caught.exception)), (line, True), caught.exception)
+        error = caught.exception
+        self.assertEqual((error.line - LINE + 1, words in str(error)), (line, True), error)
 
     def test_what_is_not_known_is_named_with_its_line(self):
         for text, line, words in [

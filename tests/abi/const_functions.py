@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Functions that take a const handle: those that several threads may call at the same time with the same one.
 
-    const_functions.py [API]     one a line: function, its const handles, and the handles that each thread needs of its own
+    const_functions.py [API]     one a line: function, const handles, and the handles that each thread needs of its own
 """
 import sys
 from pathlib import Path

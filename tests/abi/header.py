@@ -1,5 +1,5 @@
-"""What include/hrbfnpr.h declares, from bindings/api.json: functions with their signatures, constants, structs with their
-fields.  That api.json is the header's is what the test house.generated says.
+"""What include/hrbfnpr.h declares, from bindings/api.json: functions with their signatures, constants, structs with
+their fields.  That api.json is the header's is what the test house.generated says.
 """
 import json
 import sys

@@ -3,7 +3,8 @@
 
     layout.py CC [API]     for each data model of api.json that CC can compile for; API in place of bindings/api.json
 
-Everything becomes an assertion of a C file that includes the header; nothing is run, so no library for 32 bits is needed.
+Everything becomes an assertion of a C file that includes the header; nothing is run, so that no library for 32 bits is
+needed.
 """
 import re
 import subprocess
@@ -78,8 +79,8 @@ def compiles(compiler, flags, text):
     with tempfile.TemporaryDirectory() as folder:
         source = Path(folder) / "layout.c"
         source.write_text(text)
-        command = [compiler, "-std=c11", *flags, "-ffreestanding", "-fsyntax-only", f"-I{header.HEADER.parent}", str(source)]
-        result = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        command = [compiler, "-std=c11", *flags, "-ffreestanding", "-fsyntax-only", f"-I{header.HEADER.parent}"]
+        result = subprocess.run([*command, str(source)], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         return result.returncode == 0, re.sub(re.escape(folder) + "/", "", result.stdout)
 
 
