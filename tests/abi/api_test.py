@@ -104,6 +104,7 @@ typedef struct hrbfnpr_outer {
         self.assertEqual({model: [whole["size"], whole["align"]] for model, whole in outer["layout"].items()},
                          {"lp64": [120, 8], "ilp32": [112, 8], "i386": [84, 4]})
         self.assertEqual([field["layout"]["i386"]["offset"] for field in outer["fields"]], [0, 4, 76, 80])
+        self.assertEqual([field["layout"]["ilp32"]["offset"] for field in outer["fields"]], [0, 8, 104, 108])
         self.assertEqual([field["array"] for field in outer["fields"]], [[], [2, 3], [], []])
 
     def test_functions_know_their_noun_and_their_handles(self):
