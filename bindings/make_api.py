@@ -92,7 +92,8 @@ def add_prefixes(parsed, text):
         names = [constant["name"] for constant in enum["constants"]]
         enum["prefix"] = prefix(names, mentioned)
         if enum["prefix"] in first_to_prefix.values():
-            raise SystemExit(f"two enums of {enum['prefix']}_...: {names[0]} begins the second")
+            line = text[:re.search(rf"\b{names[0]}\s*=", text).start()].count("\n") + 1
+            raise c_header.HeaderError(line, f"a second enum of {enum['prefix']}_...")
         first_to_prefix[names[0]] = enum["prefix"]
     for entry in parsed.order:
         if entry[0] == "enum":

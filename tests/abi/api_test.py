@@ -194,8 +194,8 @@ class Refusals(unittest.TestCase):
                 c_header.parse(text[:len(text) * share // 10])
 
     def test_two_enums_of_one_prefix(self):
-        with self.assertRaises(SystemExit):
-            made("enum { HRBFNPR_A_X = 1, HRBFNPR_A_Y = 2 };\nenum { HRBFNPR_A_V = 1, HRBFNPR_A_W = 2 };")
+        self.refused("enum { HRBFNPR_A_X = 1, HRBFNPR_A_Y = 2 };\nenum { HRBFNPR_A_V = 1, HRBFNPR_A_W = 2 };", 2,
+                     "a second enum of HRBFNPR_A_...")
 
 
 class TheHeader(unittest.TestCase):
