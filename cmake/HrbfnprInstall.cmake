@@ -49,5 +49,7 @@ configure_file("${PROJECT_SOURCE_DIR}/cmake/hrbfnpr.pc.in" "${PROJECT_BINARY_DIR
 install(FILES "${PROJECT_BINARY_DIR}/hrbfnpr.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-# The header's declarations alone, for foreign-function interfaces that read C.
-install(FILES "${PROJECT_SOURCE_DIR}/bindings/cdef/hrbfnpr_cdef.h" DESTINATION "${CMAKE_INSTALL_DATADIR}/hrbfnpr")
+# For other languages: the header's declarations alone, and a description of them with layouts and comments.
+install(FILES
+  "${PROJECT_SOURCE_DIR}/bindings/cdef/hrbfnpr_cdef.h" "${PROJECT_SOURCE_DIR}/bindings/api.json"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/hrbfnpr")

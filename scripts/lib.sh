@@ -19,6 +19,7 @@ package_set() {
     csharp) echo mono-mcs mono-runtime ;;
     love) echo love luajit xvfb xauth ;;
     godot) echo godot3-server godot3-runner xvfb xauth ;;
+    rust) echo rustc cargo ;;
     sdl2) echo libsdl2-dev libxtst6 xvfb xauth ;;
     coverage) echo gcovr ;;
     bench) echo libtbb-dev libopenblas0 libegl-dev libgles-dev libgl1-mesa-dri ;;

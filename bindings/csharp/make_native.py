@@ -1,22 +1,13 @@
-#!/usr/bin/env python3
-"""Make the C# declarations of the C boundary, HrbfNpr/Native/Native*.cs, from include/hrbfnpr.h.
+"""The C# declarations of the C boundary, HrbfNpr/Native/Native*.cs, from api.json.  bindings/generate runs it.
 
-    make_native.py            write them
-    make_native.py --check    fail if they are not what the header says
-
-Run it after every change of the header.  The results are committed.  Structs that a program reads
-(..._info) are written by hand, with documentation; a test compares their layout with the header's.
+The results are committed.  Structs that a program reads (..._info) are written by hand, with documentation; a test
+compares their layout with the header's.
 """
-import re
-import sys
+import math
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 FOLDER = HERE / "HrbfNpr" / "Native"
-sys.path.insert(0, str(HERE.parents[1] / "tests" / "abi"))
-sys.dont_write_bytecode = True
-
-import header  # noqa: E402
 
 HANDLES = {
     "hrbfnpr_context": "ContextHandle",
@@ -35,6 +26,10 @@ BY_HAND = {
     "hrbfnpr_frame_info": "FrameInfo",
 }
 SCALARS = {
+    "int8_t": "sbyte",
+    "uint8_t": "byte",
+    "int16_t": "short",
+    "uint16_t": "ushort",
     "int32_t": "int",
     "uint32_t": "uint",
     "int64_t": "long",
@@ -42,46 +37,49 @@ SCALARS = {
     "double": "double",
     "float": "float",
     "char": "byte",
+    "size_t": "UIntPtr",
     "void": "void",
-    "hrbfnpr_status": "int",
 }
 NOTE = "// Made by make_native.py from include/hrbfnpr.h; do not edit.\n"
 PRELUDE = "using System;\nusing System.Runtime.InteropServices;\n"
 
 
-def value_type(name):
-    if name == "hrbfnpr_array_out":
-        name = "hrbfnpr_array"  # of the same layout
-    return BY_HAND.get(name) or SCALARS.get(name) or name
+def value_type(kind):
+    """The C# type of a value that is no pointer."""
+    base = kind["base"]
+    if kind["kind"] != "struct":
+        return SCALARS[base]
+    if base == "hrbfnpr_array_out":
+        base = "hrbfnpr_array"  # of the same layout
+    return BY_HAND.get(base, base)
 
 
-def parameter_type(function, declaration):
-    """The C# type of a parameter such as `const hrbfnpr_model* model`."""
-    kind = re.sub(r"\bconst\b|\s", "", declaration)
-    base, stars = kind.rstrip("*"), kind.count("*")
-    if base.endswith("_fn"):
+def parameter_type(function, kind):
+    """The C# type of a parameter or a result."""
+    base, stars = kind["base"], len(kind["pointers"])
+    if kind["kind"] == "callback":
         return "IntPtr"
-    if base in HANDLES:
+    if kind["kind"] == "handle":
+        if base not in HANDLES:
+            raise SystemExit(f"give {base} a class, in Native/Handles.cs and in bindings/csharp/make_native.py")
         if stars == 2:
             return "out IntPtr"
         # An operation can outlive the program's handle of its context, and release gets what is left of a handle.
         raw = function.endswith(("_retain", "_release")) or (function, base) == (
             "hrbfnpr_operation_create", "hrbfnpr_context")
         return "IntPtr" if raw else HANDLES[base]
-    return value_type(base) + "*" * stars
+    return value_type(kind) + "*" * stars
 
 
 def methods(functions):
-    for name, signature in functions.items():
-        result, rest = re.match(rf"(.*?)\s*\b{name}\s*\((.*)\)$", signature).groups()
+    for function in functions:
+        name = function["name"]
         parameters = []
-        for part in rest.split(","):
-            if part.strip() == "void":
-                continue
-            declaration, parameter = re.match(r"(.*?)(\w+)$", part.strip()).groups()
-            kind = "IntPtr" if parameter == "user" else parameter_type(name, declaration)
-            parameters.append(f"{kind} {parameter}")
-        yield parameter_type(name, result), name, parameters
+        for parameter in function["parameters"]:
+            user = parameter["name"] == "user"
+            kind = "IntPtr" if user else parameter_type(name, parameter["type"])
+            parameters.append(f"{kind} {parameter['name']}")
+        yield parameter_type(name, function["returns"]), name, parameters
 
 
 def wrapped(first, parameters, last):
@@ -106,32 +104,29 @@ def method_file(functions, condition, attribute, modifiers, usings):
     return "\n".join(lines)
 
 
-def fields(name, types):
-    for key, declaration in types.items():
-        if not key.startswith(name + "."):
-            continue
-        field = key.split(".")[1]
-        kind, count = re.match(rf"(.*?)\b{field}\)?(?:\[(\d+)\]|\(.*\))?$", declaration).groups()
-        kind = re.sub(r"\bconst\b|\s|\(\*$", "", kind)
-        if kind.endswith("*") or kind.endswith("_fn") or "(*" in declaration:
-            yield f"IntPtr {field};"
-        elif count is None:
-            yield f"{value_type(kind)} {field};"
-        elif kind in SCALARS:
-            yield f"fixed {value_type(kind)} {field}[{count}];"
+def fields(struct):
+    for field in struct["fields"]:
+        name, kind, count = field["name"], field["type"], math.prod(field["array"])
+        pointer = kind["pointers"] or kind["kind"] in ("callback", "function")
+        native = "IntPtr" if pointer else value_type(kind)
+        if not field["array"]:
+            yield f"{native} {name};"
+        elif not pointer and kind["kind"] == "scalar":
+            yield f"fixed {native} {name}[{count}];"
         else:
-            yield f"{value_type(kind)} " + ", ".join(f"{field}{i}" for i in range(int(count))) + ";"
+            yield f"{native} " + ", ".join(f"{name}{i}" for i in range(count)) + ";"
 
 
-def struct_file(declared):
+def struct_file(structs):
     lines = [NOTE + "#pragma warning disable 169, 649 // some fields are only read or written by the library",
              PRELUDE + "\nnamespace HrbfNpr", "{"]
-    for name in declared.structs:
+    for struct in structs:
+        name = struct["name"]
         if name in BY_HAND:
             continue
         lines += [f'    [StructLayout(LayoutKind.Sequential), NativeStruct("{name}")]',
                   f"    internal unsafe struct {name}", "    {"]
-        for field in fields(name, declared.types):
+        for field in fields(struct):
             if ", " in field:
                 lines += wrapped("        internal", field[:-1].split(", "), ";")
             else:
@@ -141,45 +136,24 @@ def struct_file(declared):
     return "\n".join(lines)
 
 
-def constants():
-    text = header.HEADER.read_text(encoding="utf-8")
-    abi = re.search(r"HRBFNPR_ABI_VERSION = (\d+)", text).group(1)
+def constants(abi):
     return (NOTE + "namespace HrbfNpr\n{\n    internal static unsafe partial class NativeMethods\n    {\n"
             "        /// <summary>The ABI version that this assembly was made for.</summary>\n"
             f"        internal const uint AbiVersion = {abi};\n    }}\n}}\n")
 
 
-def generate():
-    declared = header.read()
-    return {
+def outputs(api):
+    """The text of each file."""
+    functions = api["functions"]
+    SCALARS.update({typedef["name"]: SCALARS[typedef["type"]["base"]] for typedef in api["typedefs"]})
+    return {FOLDER / name: text for name, text in {
         "NativeMethods.DllImport.cs": method_file(
-            declared.functions, "!NET7_0_OR_GREATER",
+            functions, "!NET7_0_OR_GREATER",
             ["[DllImport(Name, CallingConvention = CallingConvention.Cdecl)]"], "extern", PRELUDE + "\n"),
         "NativeMethods.LibraryImport.cs": method_file(
-            declared.functions, "NET7_0_OR_GREATER",
+            functions, "NET7_0_OR_GREATER",
             ["[LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]"], "partial",
             PRELUDE.replace("InteropServices;", "CompilerServices;\nusing System.Runtime.InteropServices;") + "\n"),
-        "NativeMethods.Constants.cs": constants(),
-        "NativeStructs.cs": struct_file(declared),
-    }
-
-
-def main():
-    out_of_date = []
-    for name, text in generate().items():
-        path = FOLDER / name
-        if not path.exists() or path.read_text(encoding="utf-8") != text:
-            out_of_date.append(name)
-            if "--check" not in sys.argv[1:]:
-                path.write_text(text, encoding="utf-8")
-    if "--check" in sys.argv[1:]:
-        for name in out_of_date:
-            print(f"{name} is out of date: run {Path(__file__).name}")
-        if not out_of_date:
-            print("the C# declarations are what the header says")
-        return 1 if out_of_date else 0
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+        "NativeMethods.Constants.cs": constants(api["abi_version"]),
+        "NativeStructs.cs": struct_file(api["structs"]),
+    }.items()}

@@ -1,46 +1,38 @@
-"""What include/hrbfnpr.h declares: functions with their signatures, constants, structs with their fields."""
-
-import re
+"""What include/hrbfnpr.h declares, from bindings/api.json: functions with their signatures, constants, structs with
+their fields.  That api.json is the header's is what the test house.generated says.
+"""
+import json
+import sys
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
-HEADER = Path(__file__).resolve().parents[2] / "include" / "hrbfnpr.h"
+ROOT = Path(__file__).resolve().parents[2]
+HEADER = ROOT / "include" / "hrbfnpr.h"
+API = ROOT / "bindings" / "api.json"
+sys.path.append(str(ROOT / "bindings"))
+sys.dont_write_bytecode = True
+
+from outputs import declaration, signature  # noqa: E402
 
 
 class Declarations(NamedTuple):
-    functions: Dict[str, str]  # name -> signature, white space folded
+    functions: Dict[str, str]  # name -> signature
     constants: List[str]
     structs: Dict[str, List[str]]  # name -> fields in order
-    types: Dict[str, str]  # callbacks and fields, "struct.field" -> declaration, white space folded
+    types: Dict[str, str]  # callbacks and fields, "struct.field" -> declaration
 
 
-def _plain(text: str) -> str:
-    text = re.sub(r"/\*.*?\*/", " ", text, flags=re.DOTALL)
-    return re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
+def description(path: Path = API) -> dict:
+    return json.loads(path.read_text(encoding="utf-8"))
 
 
-def _field(declaration: str) -> str:
-    """The name in `double view[16]`, `void (*release)(void* user)`, `const void* data`."""
-    pointer = re.search(r"\(\*(\w+)\)", declaration)
-    if pointer:
-        return pointer.group(1)
-    return re.search(r"(\w+)\s*(\[[^\]]*\])*$", declaration).group(1)
-
-
-def read(header: Path = HEADER) -> Declarations:
-    text = _plain(header.read_text(encoding="utf-8"))
-    functions = {}
-    for match in re.finditer(r"HRBFNPR_API\s+([^;{}]*?\b(hrbfnpr_\w+)\s*\([^;{}]*\))\s*;", text):
-        functions[match.group(2)] = re.sub(r"\s+", " ", match.group(1))
-    constants = []
-    for body in re.findall(r"\benum\s*\{([^}]*)\}", text):
-        constants += re.findall(r"\b(HRBFNPR_\w+)\s*=", body)
-    structs = {}
-    types = {}
-    for declaration, name in re.findall(r"(typedef [^;{}]*?\(\*(\w+)\)[^;{}]*);", text):
-        types[name] = re.sub(r"\s+", " ", declaration)
-    for name, body in re.findall(r"typedef struct (\w+) \{([^}]*)\} \w+;", text):
-        declarations = [re.sub(r"\s+", " ", part.strip()) for part in body.split(";") if part.strip()]
-        structs[name] = [_field(declaration) for declaration in declarations]
-        types.update({f"{name}.{_field(declaration)}": declaration for declaration in declarations})
-    return Declarations(functions, constants, structs, types)
+def read(path: Path = API) -> Declarations:
+    api = description(path)
+    types = {entry["name"]: f"typedef {signature(entry, '(*' + entry['name'] + ')')}" for entry in api["callbacks"]}
+    for struct in api["structs"]:
+        types.update({f"{struct['name']}.{field['name']}": declaration(field) for field in struct["fields"]})
+    return Declarations(
+        {entry["name"]: signature(entry) for entry in api["functions"]},
+        [constant["name"] for group in api["constants"] for constant in group["constants"]],
+        {struct["name"]: [field["name"] for field in struct["fields"]] for struct in api["structs"]},
+        types)

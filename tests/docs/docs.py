@@ -1,7 +1,7 @@
 """What the documents say, held against the project.
 
     docs.py links ROOT                      links to files of the project lead somewhere
-    docs.py versions ROOT                   CHANGELOG.md and CITATION.cff name the project's version
+    docs.py versions ROOT                   CHANGELOG.md, CITATION.cff and Cargo.toml name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
         README.md contains examples/FILE to the letter, and PROGRAM (or, for a .py, the file itself)
         leaves a drawing in the current folder
@@ -19,7 +19,7 @@ LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
 
 
 def documents(root):
-    return sorted([*root.glob("*.md"), *root.glob("docs/**/*.md"), *root.glob("bindings/*/*.md")])
+    return sorted([*root.glob("*.md"), *root.glob("docs/**/*.md"), *root.glob("bindings/**/README.md")])
 
 
 def broken_links(root):
@@ -40,6 +40,9 @@ def wrong_versions(root):
     citation = (root / "CITATION.cff").read_text(encoding="utf-8")
     if f"\nversion: {version}\n" not in citation:
         yield f"CITATION.cff does not say version: {version}"
+    crate = "bindings/rust/hrbfnpr-sys/Cargo.toml"
+    if f'\nversion = "{version}"\n' not in (root / crate).read_text(encoding="utf-8"):
+        yield f'{crate} does not say version = "{version}"'
 
 
 def code_blocks(text, language):

@@ -64,7 +64,8 @@ def install(build, work):
         for leak in (str(stage), str(build), str(HERE.parent.parent), "Eigen", "glm"):
             expect(leak not in text, f"{path.name} names {leak}")
         expect("OpenMP::" not in text or path.name == "hrbfnprConfig.cmake", f"{path.name} names OpenMP")
-    for name in ("include/hrbfnpr.h", "share/doc/hrbfnpr/LICENSE"):
+    for name in ("include/hrbfnpr.h", "share/doc/hrbfnpr/LICENSE", "share/hrbfnpr/api.json",
+                 "share/hrbfnpr/hrbfnpr_cdef.h"):
         expect((moved(work) / name).is_file(), f"{name} was not installed")
 
 

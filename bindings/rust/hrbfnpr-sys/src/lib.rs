@@ -1,0 +1,1900 @@
+// Made by bindings/generate from bindings/api.json; do not edit.
+//! hrbfnpr.h: Hermite RBF implicit surfaces, drawn in pen and ink.
+//!
+//! A few point-and-normal samples become a smooth implicit surface; marks are
+//! placed on it; each frame draws the marks into a caller's image, or hands
+//! them over as vertex arrays.  The method is that of
+//!
+//!   Vital Brazil, Macedo, Sousa, Velho, de Figueiredo: "A Few Good Samples:
+//!   Shape & Tone Depiction for Hermite RBF Implicits", NPAR 2010,
+//!
+//! cited below as [NPAR] with a section number.
+//!
+//! SPDX-License-Identifier: MIT
+//!
+//! # CONTRACTS that hold for every function below
+//!
+//! Handles.  A handle is an opaque pointer.  A call that takes `const T*` may
+//!   run at the same time on several threads with the same handle; a call that
+//!   takes `T*` needs the handle for itself.  Exceptions are named where they
+//!   stand (retain, release and hrbfnpr_operation_cancel run on any thread).
+//!   A context may serve calls of several threads at the same time; its
+//!   callbacks are then called by as many.
+//!
+//! Ownership.  `_create`, `_fit`, `_generate` and `_load` return a handle with
+//!   one reference, `_retain` adds one, `_release` takes one away and accepts
+//!   NULL.  A child keeps what it needs of its parent alive, so handles may be
+//!   released in any order.  Input arrays are read during the call only; no
+//!   call keeps a pointer to caller memory unless it says so.  Nothing that
+//!   this library returns has to be freed by the caller.
+//!
+//! Descriptors.  A struct whose first field is `struct_size` is set up with
+//!   its `_init(desc, sizeof *desc)` function, which fills in every default.
+//!   Structs only ever grow at their end.  A shorter (older) struct gets the
+//!   defaults for the fields it lacks; a longer (newer) one is refused with
+//!   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
+//!   zero.  Output structs (`_info`) are filled up to their `struct_size`.
+//!   A struct_size below 8 or above 65536 was never set up, and is refused
+//!   with the same status; `_init` of NULL is INVALID_ARGUMENT.
+//!   Fields named `reserved` must be zero.
+//!
+//! Failure.  Calls that can fail return a status and take, last, a nullable
+//!   hrbfnpr_error.  A failed call leaves caller's arrays and output structs
+//!   untouched, sets `*out_handle` to NULL, and says in the message which
+//!   argument was wrong, how, and what would be right.  No C++ exception, no
+//!   abort and no signal leaves the library; it prints nothing.  One
+//!   exception is stated: a CANCELLED or failed batch call (evaluate, project,
+//!   curvature, cast_rays, contains) may already have written a part of its output arrays.
+//!
+//! Arrays.  Strides are in bytes and may be negative or larger than the
+//!   element; 0 means packed.  Elements need no alignment beyond one byte.
+//!   count * stride is checked for overflow before anything is touched.
+//!   Input and output arrays of one call must not overlap unless the call
+//!   says that they may.
+//!
+//! Geometry.  Frames are right-handed.  Matrices are column-major, 16 doubles,
+//!   and act on column vectors (OpenGL's layout).  Pixel (i, j) covers
+//!   [i, i+1) x [j, j+1), its centre at (i + 0.5, j + 0.5); j grows downward
+//!   from the first row that is given.  Lengths are in the unit of the caller's
+//!   samples unless a comment says pixels.  Normals point outward.  "Diagonal"
+//!   always means the length of the diagonal of the samples' bounding box.
+//!
+//! Determinism.  The same input gives the same bits for any thread count and from
+//!   every thread backend, on one build and instruction set.
+//!
+//! Threads.  A context starts its threads with the first call that needs them and
+//!   ends them with the last reference to it; with thread_count 1 or a `run_tasks`
+//!   hook it starts none.  They take no signals of the host's.  A forked child may
+//!   go on with contexts of its parent, which start threads anew in it, but not in
+//!   the middle of a call (from a callback).  Unloaded while a context has threads,
+//!   the library stays in memory.  Callbacks run only on the thread that entered
+//!   the library, unless flagged thread-safe.  No call changes the caller's
+//!   floating-point state, locale or OpenMP settings.
+//!
+//! Stacks.  Every call but hrbfnpr_model_fit does with a thread's stack of 64 KiB,
+//!   12 of them for the caller's own frames and callbacks; hrbfnpr_model_fit needs
+//!   512 KiB, on the thread that calls it and, with a `run_tasks` hook, on those
+//!   that run its tasks.  Neither depends on the number of samples or marks.
+//!
+//! Callbacks.  A callback must return normally: it must not throw, longjmp, or
+//!   call back into the library with the same non-const handle.  It runs in the
+//!   default floating-point state (round to nearest, nothing trapped).
+//!
+//! # OPERATION: progress and cancelling of one long call
+//!
+//! Pass one to a long call; poll and cancel it from any thread.  It may serve
+//! one call at a time, and further calls one after the other: each resets the
+//! progress to 0.  A cancelled operation stays cancelled and makes each further
+//! call that it is passed to return CANCELLED at once.
+//!
+//! Streams, for saving and loading.  Both run on the thread that entered.
+#![no_std]
+#![allow(non_camel_case_types)]
+#![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is none
+
+#[cfg(hrbfnpr_no_core_c_char)]
+extern crate std;
+
+#[cfg(not(hrbfnpr_no_core_c_char))]
+use core::ffi::c_char;
+use core::ffi::c_void;
+use core::marker::{PhantomData, PhantomPinned};
+#[cfg(hrbfnpr_no_core_c_char)]
+use std::os::raw::c_char;
+
+mod layout;
+
+// 1  VERSION
+
+// The header's version.  HRBFNPR_ABI_VERSION is the number in the shared
+// library's SONAME; it moves only when an existing binary would break.
+pub const HRBFNPR_VERSION_MAJOR: u32 = 0;
+pub const HRBFNPR_VERSION_MINOR: u32 = 1;
+pub const HRBFNPR_VERSION_PATCH: u32 = 0;
+pub const HRBFNPR_ABI_VERSION: u32 = 0;
+
+extern "C" {
+    /// The library's version as major * 10000 + minor * 100 + patch.
+    pub fn hrbfnpr_version() -> u32;
+    /// The library's ABI version; compare it with HRBFNPR_ABI_VERSION.
+    pub fn hrbfnpr_abi_version() -> u32;
+    /// "major.minor.patch", static, UTF-8, never NULL.
+    pub fn hrbfnpr_version_string() -> *const c_char;
+}
+
+// 2  STATUS AND ERRORS
+
+/// 0 is success, negative numbers are failures; numbers are fixed for ever.
+/// Treat a number that is not in this list like INTERNAL.
+pub type hrbfnpr_status = i32;
+
+pub const HRBFNPR_STATUS_OK: hrbfnpr_status = 0;
+/// the message names the argument and the remedy
+pub const HRBFNPR_STATUS_INVALID_ARGUMENT: hrbfnpr_status = -1;
+/// the allocator said no
+pub const HRBFNPR_STATUS_OUT_OF_MEMORY: hrbfnpr_status = -2;
+/// the needed size has been written, nothing else
+pub const HRBFNPR_STATUS_BUFFER_TOO_SMALL: hrbfnpr_status = -3;
+/// struct_size too small, or an unknown tail is not zero
+pub const HRBFNPR_STATUS_UNSUPPORTED_STRUCT: hrbfnpr_status = -4;
+/// the fit has no (numerically) unique solution
+pub const HRBFNPR_STATUS_SINGULAR_SYSTEM: hrbfnpr_status = -5;
+/// an iteration ended short of its goal
+pub const HRBFNPR_STATUS_NOT_CONVERGED: hrbfnpr_status = -6;
+/// by hrbfnpr_operation_cancel
+pub const HRBFNPR_STATUS_CANCELLED: hrbfnpr_status = -7;
+/// a read or write callback failed
+pub const HRBFNPR_STATUS_IO: hrbfnpr_status = -8;
+/// a stream is not ours, truncated or damaged
+pub const HRBFNPR_STATUS_CORRUPT_DATA: hrbfnpr_status = -9;
+/// a stream, or the caller's header, is too new
+pub const HRBFNPR_STATUS_VERSION_MISMATCH: hrbfnpr_status = -10;
+/// a caller's callback returned non-zero
+pub const HRBFNPR_STATUS_CALLBACK: hrbfnpr_status = -11;
+/// a bug in the library: please report it
+pub const HRBFNPR_STATUS_INTERNAL: hrbfnpr_status = -99;
+
+extern "C" {
+    /// Name of a status, such as "INVALID_ARGUMENT"; "UNKNOWN" for a number that is
+    /// not in the list.  Static, never NULL.
+    pub fn hrbfnpr_status_name(status: hrbfnpr_status) -> *const c_char;
+}
+
+/// A failure in words.  The caller owns it and sets struct_size (by
+/// hrbfnpr_error_init) before the first use; it can be used again and again.
+/// A successful call leaves it untouched.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_error {
+    pub struct_size: u32,
+    pub status: hrbfnpr_status,
+    /// UTF-8, always terminated, cut at a character where it does not fit
+    pub message: [c_char; 248],
+}
+
+extern "C" {
+    /// Sets struct_size, OK and an empty message.
+    /// INVALID_ARGUMENT if `error` is NULL, UNSUPPORTED_STRUCT if struct_size < 256.
+    pub fn hrbfnpr_error_init(error: *mut hrbfnpr_error, struct_size: u32) -> hrbfnpr_status;
+    /// What this build is, as one JSON object: version, abi, compiler,
+    /// instruction_sets, thread_backends, dependencies.  Writes up to `capacity`
+    /// bytes with a terminating zero; `*needed` (nullable) gets the bytes needed.
+    /// BUFFER_TOO_SMALL writes nothing to `destination`.  destination may be NULL
+    /// when capacity is 0.
+    pub fn hrbfnpr_build_info(
+        destination: *mut c_char,
+        capacity: i64,
+        needed: *mut i64,
+    ) -> hrbfnpr_status;
+}
+
+// 3  VIEWS of caller's memory
+
+pub const HRBFNPR_SCALAR_FLOAT32: u32 = 1;
+pub const HRBFNPR_SCALAR_FLOAT64: u32 = 2;
+pub const HRBFNPR_SCALAR_UINT8: u32 = 3;
+pub const HRBFNPR_SCALAR_UINT32: u32 = 4;
+
+/// `count` elements of `components` scalars each, `stride` bytes apart.
+/// An array with data NULL and count 0 is "not given".  Never owns.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_array {
+    pub data: *const c_void,
+    pub count: i64,
+    /// bytes from one element to the next; 0 = packed; may be negative
+    pub stride: i64,
+    /// HRBFNPR_SCALAR_...
+    pub scalar: u32,
+    /// scalars in an element, packed side by side
+    pub components: u32,
+}
+
+/// The same for memory that a call writes.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_array_out {
+    pub data: *mut c_void,
+    pub count: i64,
+    pub stride: i64,
+    pub scalar: u32,
+    pub components: u32,
+}
+
+// Byte order in memory; 8 bits a channel.  PREMULTIPLIED: colour times alpha.
+pub const HRBFNPR_FORMAT_RGBA8: u32 = 1;
+pub const HRBFNPR_FORMAT_BGRA8: u32 = 2;
+pub const HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED: u32 = 3;
+pub const HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED: u32 = 4;
+
+/// An image of the caller's.  `pixels` is the top-left pixel, whatever the sign
+/// of row_stride; a bottom-up image passes its last row and a negative stride.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_image {
+    pub struct_size: u32,
+    /// HRBFNPR_FORMAT_...
+    pub format: u32,
+    /// pixels, 1 .. 32768
+    pub width: i32,
+    pub height: i32,
+    pub pixels: *mut c_void,
+    /// bytes from a row to the one below; 0 = packed; |row_stride| >= 4 * width
+    pub row_stride: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_image_init(image: *mut hrbfnpr_image, struct_size: u32) -> hrbfnpr_status;
+}
+
+// 4  CONTEXT: allocator, threads, log. Everything else hangs on one.
+
+#[repr(C)]
+pub struct hrbfnpr_context {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// Returns `size` bytes aligned to `alignment` (a power of two), or NULL.
+/// Called from any thread that runs the library's work.
+pub type hrbfnpr_allocate_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, size: u64, alignment: u64) -> *mut c_void>;
+
+/// Gives back what allocate returned, with the same size and alignment.
+pub type hrbfnpr_deallocate_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, memory: *mut c_void, size: u64, alignment: u64)>;
+
+pub const HRBFNPR_LOG_DEBUG: u32 = 0;
+pub const HRBFNPR_LOG_INFO: u32 = 1;
+pub const HRBFNPR_LOG_WARNING: u32 = 2;
+
+/// Runs on the thread that entered the library.  `message` is UTF-8 and lives
+/// for the call only.
+pub type hrbfnpr_log_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, level: i32, message: *const c_char)>;
+
+/// One task of the library's: call it once for every index in [0, count).
+pub type hrbfnpr_task_fn = Option<unsafe extern "C" fn(task_context: *mut c_void, index: i64)>;
+
+/// The host's job runner: calls task(task_context, i) once for every
+/// i in [0, task_count), on any threads, in any order, and returns when all
+/// have ended.  It may be called again from inside a task's thread.  A call that
+/// finds tasks left out or run twice fails with CALLBACK and says how many.
+pub type hrbfnpr_run_tasks_fn = Option<
+    unsafe extern "C" fn(
+        user: *mut c_void,
+        task: hrbfnpr_task_fn,
+        task_context: *mut c_void,
+        task_count: i64,
+    ),
+>;
+
+// Instruction sets, for `highest_instruction_set` and `instruction_set`.
+/// the best that build and processor have
+pub const HRBFNPR_INSTRUCTION_SET_AUTO: u32 = 0;
+/// what the library was compiled for
+pub const HRBFNPR_INSTRUCTION_SET_BASELINE: u32 = 1;
+pub const HRBFNPR_INSTRUCTION_SET_AVX2: u32 = 2;
+pub const HRBFNPR_INSTRUCTION_SET_AVX512: u32 = 3;
+pub const HRBFNPR_INSTRUCTION_SET_NEON: u32 = 4;
+
+// Who runs the library's tasks.  The results are the same bits from all.
+/// RUN_TASKS where that is given, else POOL
+pub const HRBFNPR_THREAD_BACKEND_AUTO: u32 = 0;
+/// threads of the context's own. The calling thread takes part and waits only for tasks that
+/// others have begun, so a processor that is busy elsewhere costs little; idle threads sleep
+/// after 20 microseconds
+pub const HRBFNPR_THREAD_BACKEND_POOL: u32 = 1;
+/// the OpenMP runtime's, shared with a host that uses it; serial in a forked child. For
+/// processors that nobody else wants. INVALID_ARGUMENT in a build without it
+/// (hrbfnpr_build_info: thread_backends)
+pub const HRBFNPR_THREAD_BACKEND_OPENMP: u32 = 2;
+/// the host's job system
+pub const HRBFNPR_THREAD_BACKEND_RUN_TASKS: u32 = 3;
+/// the calling thread alone, as with thread_count 1
+pub const HRBFNPR_THREAD_BACKEND_SERIAL: u32 = 4;
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_context_desc {
+    pub struct_size: u32,
+    /// _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH
+    pub abi_version: u32,
+    /// 0 = all processors (default), 1 = serial; at most 256 are used
+    pub thread_count: i32,
+    /// must be 0
+    pub flags: u32,
+    /// HRBFNPR_INSTRUCTION_SET_...; AUTO
+    pub highest_instruction_set: u32,
+    /// HRBFNPR_THREAD_BACKEND_...; AUTO
+    pub thread_backend: u32,
+    /// both or none; none = aligned operator new
+    pub allocate: hrbfnpr_allocate_fn,
+    pub deallocate: hrbfnpr_deallocate_fn,
+    pub allocator_user: *mut c_void,
+    /// may be NULL
+    pub log: hrbfnpr_log_fn,
+    pub log_user: *mut c_void,
+    /// may be NULL; only with thread_backend AUTO or RUN_TASKS
+    pub run_tasks: hrbfnpr_run_tasks_fn,
+    pub run_tasks_user: *mut c_void,
+}
+
+extern "C" {
+    pub fn hrbfnpr_context_desc_init(
+        desc: *mut hrbfnpr_context_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// `desc` may be NULL for all defaults.  The callbacks and their user pointers
+    /// must outlive the context and everything that was made from it.
+    pub fn hrbfnpr_context_create(
+        desc: *const hrbfnpr_context_desc,
+        out_context: *mut *mut hrbfnpr_context,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_context_retain(context: *mut hrbfnpr_context);
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_context_release(context: *mut hrbfnpr_context);
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_context_info {
+    pub struct_size: u32,
+    /// threads that a large call will use
+    pub thread_count: i32,
+    /// the one in use
+    pub instruction_set: u32,
+    /// HRBFNPR_THREAD_BACKEND_POOL, OPENMP, RUN_TASKS or SERIAL
+    pub thread_backend: u32,
+    /// allocated through this context at present
+    pub bytes_now: i64,
+    /// the most there ever were
+    pub bytes_peak: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_context_info_init(
+        info: *mut hrbfnpr_context_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    pub fn hrbfnpr_context_get_info(
+        context: *const hrbfnpr_context,
+        info: *mut hrbfnpr_context_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// 5  OPERATION: progress and cancelling of one long call
+
+#[repr(C)]
+pub struct hrbfnpr_operation {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// Runs on the thread that entered the long call, at irregular intervals, with
+/// a progress in [0,1] that never falls within a call.  Return 0 to go on,
+/// anything else to cancel (the call then returns CANCELLED).
+pub type hrbfnpr_progress_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, progress: f64) -> i32>;
+
+extern "C" {
+    pub fn hrbfnpr_operation_create(
+        context: *mut hrbfnpr_context,
+        out_operation: *mut *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    pub fn hrbfnpr_operation_release(operation: *mut hrbfnpr_operation);
+    /// Any thread, any time, more than once; NULL is ignored.
+    pub fn hrbfnpr_operation_cancel(operation: *mut hrbfnpr_operation);
+    /// 1 after a cancel, else 0.  Any thread.
+    pub fn hrbfnpr_operation_is_cancelled(operation: *const hrbfnpr_operation) -> i32;
+    /// Progress of the call in [0,1].  Any thread.
+    pub fn hrbfnpr_operation_progress(operation: *const hrbfnpr_operation) -> f64;
+    /// Not while a call that uses the operation runs.  `callback` NULL removes it.
+    pub fn hrbfnpr_operation_set_callback(
+        operation: *mut hrbfnpr_operation,
+        callback: hrbfnpr_progress_fn,
+        user: *mut c_void,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// Writes all `size` bytes; returns 0, or anything else for failure (IO).
+pub type hrbfnpr_write_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, data: *const c_void, size: u64) -> i32>;
+
+/// Reads up to `size` bytes into `data` and returns how many, 0 at the end,
+/// negative for failure (IO).
+pub type hrbfnpr_read_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, data: *mut c_void, size: u64) -> i64>;
+
+// 6  MODEL: an implicit surface f = 0, immutable [NPAR 4]
+
+#[repr(C)]
+pub struct hrbfnpr_model {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+// Radial functions phi(r) [NPAR 4.1].
+/// r^3 (default); no parameter
+pub const HRBFNPR_KERNEL_TRIHARMONIC: u32 = 0;
+/// exp(-r^2 / 2 radius^2)
+pub const HRBFNPR_KERNEL_GAUSSIAN: u32 = 1;
+/// (1 - r/radius)^4_+ (4 r/radius + 1)
+pub const HRBFNPR_KERNEL_WENDLAND_C2: u32 = 2;
+/// reported for a model made by _create_custom
+pub const HRBFNPR_KERNEL_CUSTOM: u32 = 3;
+
+pub const HRBFNPR_SOLVER_AUTO: u32 = 0;
+/// dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3)
+pub const HRBFNPR_SOLVER_DIRECT: u32 = 1;
+/// conjugate gradients, preconditioned by a sparse factor of the inverse (Schaefer, Katzfuss,
+/// Owhadi 2021), with a fast multipole method for many samples; memory O(N), about 2 to 6 kB
+/// a sample. TRIHARMONIC needs polynomial_degree >= 1
+pub const HRBFNPR_SOLVER_ITERATIVE: u32 = 2;
+
+// Why the solver that was used is the one.
+/// the caller named it
+pub const HRBFNPR_SOLVER_REASON_REQUESTED: u32 = 0;
+/// AUTO: DIRECT is the faster one
+pub const HRBFNPR_SOLVER_REASON_SMALL: u32 = 1;
+/// AUTO: DIRECT would take too much memory or time
+pub const HRBFNPR_SOLVER_REASON_LARGE: u32 = 2;
+/// ITERATIVE did not reach its tolerance
+pub const HRBFNPR_SOLVER_REASON_NOT_CONVERGED: u32 = 3;
+/// ITERATIVE needs a definite system
+pub const HRBFNPR_SOLVER_REASON_NOT_DEFINITE: u32 = 4;
+
+// What becomes of samples that look wrong; they are counted in any case.
+pub const HRBFNPR_REPAIR_KEEP: u32 = 0;
+pub const HRBFNPR_REPAIR_DROP: u32 = 1;
+/// of flipped normals only: turned round
+pub const HRBFNPR_REPAIR_REORIENT: u32 = 2;
+
+/// the field `regularization`
+pub const HRBFNPR_REGULARIZATION_GIVEN: u32 = 0;
+/// from the noise of the samples
+pub const HRBFNPR_REGULARIZATION_AUTO: u32 = 1;
+
+/// What to fit: N points with N outward normals.
+///
+/// The fit is in double precision, in normalised coordinates (centred, mean
+/// sample spacing 1), whatever the caller's unit.  Accepted repairs, counted in
+/// hrbfnpr_model_info: normals that are not of unit length are normalised;
+/// samples that coincide (within 1e-9 diagonals) and agree in their normal
+/// (within 1 degree) are merged, and so are, of 33 samples and more, near
+/// duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
+/// Of more than 6000, samples that contradict each other so much (slivers of a
+/// mesh in single precision) that the iterations break down get a little
+/// regularization, 1 cubic spacing, and a solver tolerance of 3e-4; the log and
+/// hrbfnpr_model_info.regularization say so.
+/// Samples that coincide and disagree are an INVALID_ARGUMENT that names both
+/// indices, as are NaN, infinity, zero normals, and an empty or mismatched
+/// array; so are coordinates beyond 1e100, and samples less than 1e-100 across.
+/// One sample is a plane.
+///
+/// Measured samples.  Of 33 and more, those that do not fit to the 16 nearest
+/// others are counted, and repaired only if asked for:
+/// - outliers: three times as far from their neighbours as these from theirs,
+///   or far above the tangent planes of most of them; and of near duplicates
+///   that disagree, the one that agrees less with those around it;
+/// - flipped normals: opposite to 7 of 8 neighbours at least, which agree with
+///   each other, lie on the same sheet, and all around.
+///
+/// Choosing.  With a tolerance or maximum_centres, samples are chosen as
+/// centres: some by farthest-point order, then, in rounds, those worst off the
+/// fit to the ones before, until every sample is within the tolerance (to first
+/// order, |f| / |grad f|), or there are maximum_centres.  An end short of the
+/// tolerance is no error: hrbfnpr_model_info says what was reached, and the log
+/// warns.  With regularization, what has to be within the tolerance, less two
+/// standard deviations of the noise (but not less than half), is the mean
+/// over a sample and its 16 neighbours, so that centres do not follow noise.
+///
+/// Automatic regularization.  The noise is measured by how far each sample is
+/// from the planes of its neighbours, where that does not vanish with their
+/// distance.  The fit is then the most likely function for it: regularization
+/// is the noise's variance over that of the function, which maximum likelihood
+/// gives (Rasmussen and Williams, "Gaussian Processes for Machine Learning",
+/// 2006, 5.4), with a value of its own for the normals.  Samples without noise
+/// are interpolated.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_fit_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_KERNEL_...; TRIHARMONIC
+    pub kernel: u32,
+    /// N x 3, FLOAT32 or FLOAT64
+    pub points: hrbfnpr_array,
+    /// N x 3, FLOAT32 or FLOAT64, outward
+    pub normals: hrbfnpr_array,
+    /// sigma or rho, in units of the points; 0 = from the sample spacing
+    pub kernel_radius: f64,
+    /// -1 (none) .. 3; 1. TRIHARMONIC is well-posed from 1 on (Duchon 1977); below that a pivoted
+    /// LU is tried.
+    pub polynomial_degree: i32,
+    /// HRBFNPR_SOLVER_...; AUTO
+    pub solver: u32,
+    /// >= 0; 0 interpolates. Added to the diagonal of the system in coordinates whose diagonal is
+    /// 1: larger is smoother
+    pub regularization: f64,
+    /// > 0: samples are chosen as centres until all lie this near to the surface, in units of the
+    /// points; 0: no such end
+    pub tolerance: f64,
+    /// > 0: no more samples than this are chosen as centres; 0: no limit. With tolerance 0, too,
+    /// every sample is a centre
+    pub maximum_centres: i64,
+    /// steps of iterative refinement after a direct solve; 2
+    pub iteration_limit: i32,
+    pub reserved: u32,
+    /// HRBFNPR_REPAIR_KEEP or DROP; KEEP
+    pub outliers: u32,
+    /// HRBFNPR_REPAIR_...; KEEP
+    pub flipped_normals: u32,
+    /// HRBFNPR_REGULARIZATION_...; GIVEN. AUTO needs regularization 0
+    pub regularization_mode: u32,
+    /// of ITERATIVE, 1 .. 48: more are fewer iterations and more setup; 0 = 16 to 32 as samples
+    /// are many (GAUSSIAN 40)
+    pub preconditioner_neighbours: u32,
+    /// relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and fewer 1e-10; or,
+    /// where rounding allows no more, 1e-6, with a warning
+    pub solver_tolerance: f64,
+    /// most iterations of ITERATIVE; 0 = 200
+    pub solver_iterations: i32,
+    pub reserved2: u32,
+}
+
+extern "C" {
+    pub fn hrbfnpr_fit_desc_init(desc: *mut hrbfnpr_fit_desc, struct_size: u32) -> hrbfnpr_status;
+    /// Fits f with f(x_i) = 0 and grad f(x_i) = n_i, so that f < 0 inside, f > 0
+    /// outside and |grad f| is near 1 at the surface [NPAR 4.1, equations 1, 2].
+    /// operation may be NULL.
+    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY (the message gives the bytes),
+    /// SINGULAR_SYSTEM, NOT_CONVERGED (the message gives the residual reached),
+    /// CANCELLED.
+    pub fn hrbfnpr_model_fit(
+        context: *mut hrbfnpr_context,
+        desc: *const hrbfnpr_fit_desc,
+        operation: *mut hrbfnpr_operation,
+        out_model: *mut *mut hrbfnpr_model,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// Evaluates the caller's implicit at `count` points (packed x,y,z doubles).
+/// Fills `value` (count), and, where the pointer is not NULL, `gradient`
+/// (count x 3) and `hessian` (count x 6: xx xy xz yy yz zz).  Returns 0, or
+/// anything else to fail the whole call with CALLBACK.
+pub type hrbfnpr_implicit_fn = Option<
+    unsafe extern "C" fn(
+        user: *mut c_void,
+        count: i64,
+        points: *const f64,
+        value: *mut f64,
+        gradient: *mut f64,
+        hessian: *mut f64,
+    ) -> i32,
+>;
+
+/// else gradient is always NULL and differenced
+pub const HRBFNPR_CUSTOM_HAS_GRADIENT: u32 = 1;
+/// else hessian is always NULL and differenced
+pub const HRBFNPR_CUSTOM_HAS_HESSIAN: u32 = 2;
+/// may be called from several threads at once
+pub const HRBFNPR_CUSTOM_THREAD_SAFE: u32 = 4;
+
+/// Any implicit function in place of a fit: every operator below works on it
+/// [NPAR 8].  It should be negative inside and of a gradient near 1 at the
+/// surface; it must be finite inside twice the bounds.  Where it is not, or its
+/// gradient is shorter than 1e-150 or longer than 1e150, no point is projected
+/// and no mark placed.  The bounds' diagonal is 1e-100 .. 1e100; they
+/// should fit the surface: tolerances, differences and the cells in which marks
+/// are placed are parts of the diagonal.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_custom_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_CUSTOM_..., or-ed; 0
+    pub flags: u32,
+    pub function: hrbfnpr_implicit_fn,
+    pub user: *mut c_void,
+    /// may be NULL; called once, with the last reference, on the thread that releases it; not
+    /// called when creation fails
+    pub release: Option<unsafe extern "C" fn(user: *mut c_void)>,
+    /// the box that the surface lies in
+    pub bounds_min: [f64; 3],
+    pub bounds_max: [f64; 3],
+    /// for differences; 0 = 1e-4 (Hessian 1e-3) of the diagonal
+    pub difference_step: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_custom_desc_init(
+        desc: *mut hrbfnpr_custom_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    pub fn hrbfnpr_model_create_custom(
+        context: *mut hrbfnpr_context,
+        desc: *const hrbfnpr_custom_desc,
+        out_model: *mut *mut hrbfnpr_model,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_model_retain(model: *const hrbfnpr_model);
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_model_release(model: *const hrbfnpr_model);
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_model_info {
+    pub struct_size: u32,
+    pub kernel: u32,
+    pub polynomial_degree: i32,
+    /// the one used
+    pub solver: u32,
+    /// as given
+    pub samples: i64,
+    /// after merging, cleaning and choosing
+    pub centres: i64,
+    /// samples that were merged into another
+    pub merged_samples: i64,
+    /// normals whose length was off 1 by more than 1e-4
+    pub rescaled_normals: i64,
+    /// of the samples
+    pub bounds_min: [f64; 3],
+    pub bounds_max: [f64; 3],
+    /// mean distance of a sample to its nearest neighbour
+    pub spacing: f64,
+    /// as used
+    pub kernel_radius: f64,
+    /// as used; of AUTO, that of the values
+    pub regularization: f64,
+    /// max |f(x_i)|, in units of the points
+    pub value_residual_max: f64,
+    pub value_residual_rms: f64,
+    /// max |grad f(x_i) - n_i|
+    pub gradient_residual_max: f64,
+    pub gradient_residual_rms: f64,
+    /// relative residual of the linear system, 2-norm
+    pub solver_residual: f64,
+    /// DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm
+    pub condition_estimate: f64,
+    /// refinement steps of DIRECT, steps of ITERATIVE
+    pub iterations: i32,
+    /// 1: the matrix was not definite and a pivoted LU was used
+    pub fallback: u32,
+    pub seconds_assemble: f64,
+    pub seconds_solve: f64,
+    pub seconds_total: f64,
+    /// kept by the model
+    pub bytes: i64,
+    pub outliers_found: i64,
+    pub outliers_dropped: i64,
+    /// normals against those of their neighbours
+    pub flipped_found: i64,
+    /// of these, dropped or turned round
+    pub flipped_repaired: i64,
+    /// samples much nearer to another than the spacing, merged into it
+    pub near_duplicates: i64,
+    /// standard deviation of the samples off their surface, in units of the points; 0 if none is
+    /// seen, or nobody asked (regularization GIVEN)
+    pub noise_estimate: f64,
+    /// of all samples but dropped ones from the surface, |f| / |grad f|
+    pub input_distance_max: f64,
+    pub input_distance_rms: f64,
+    /// share of all samples that lie within the tolerance; a dropped one counts as outside; 0
+    /// with tolerance 0
+    pub input_share_within: f64,
+    /// fits made to choose the centres; 0 if all samples are centres
+    pub choice_rounds: i32,
+    /// HRBFNPR_SOLVER_REASON_...
+    pub solver_reason: u32,
+    pub seconds_clean: f64,
+    /// of all rounds but the last fit
+    pub seconds_choose: f64,
+    pub seconds_precondition: f64,
+    /// most that the context's allocator had given out at a time, up to the fit's end
+    pub peak_bytes: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_model_info_init(
+        info: *mut hrbfnpr_model_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    pub fn hrbfnpr_model_get_info(
+        model: *const hrbfnpr_model,
+        info: *mut hrbfnpr_model_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// the centres, FLOAT64 x 3
+pub const HRBFNPR_MODEL_ATTRIBUTE_POSITION: u32 = 0;
+/// their unit normals, FLOAT64 x 3
+pub const HRBFNPR_MODEL_ATTRIBUTE_NORMAL: u32 = 1;
+/// relative residual after each iteration of ITERATIVE, FLOAT64 x 1; empty after DIRECT or loading
+pub const HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY: u32 = 2;
+
+extern "C" {
+    /// A zero-copy view of the merged samples or of the last fit's residuals, valid while the model lives.
+    /// Empty for a custom model.
+    pub fn hrbfnpr_model_view(
+        model: *const hrbfnpr_model,
+        attribute: u32,
+        out_view: *mut hrbfnpr_array,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// f, grad f and the Hessian at n points.
+    /// points:   n x 3, FLOAT32 or FLOAT64, finite, and within 1e50 diagonals of the
+    ///           model's bounds, here and in _project and _curvature.
+    /// value:    n x 1, gradient: n x 3, hessian: n x 6 (xx xy xz yy yz zz), each
+    ///           FLOAT32 or FLOAT64, or NULL.  At a sample the Hessian leaves out
+    ///           that sample's own (direction-dependent, zero-mean) term.
+    /// A finite answer that does not fit into a FLOAT32 array, of whatever call, is
+    /// INVALID_ARGUMENT.  What a custom function itself gives (NaN, say) is passed on.
+    ///
+    /// Preparing.  Where there are so many points that it pays (of r^3 and 512
+    /// centres on: n N above 1.3e9 + 8e4 N, a Hessian counting as 2.5 points), the
+    /// first such call of a model takes some tenths of a second, or 2 s with 65 000
+    /// centres, to sum up what is far into polynomials, which the model keeps (1 to
+    /// 4 kB a centre; the log says how much, and what values and gradients are off
+    /// by, which is measured); after that a point
+    /// hardly costs more with more centres.  f is then within 1e-9 diagonals of the
+    /// sum over all centres, its gradient within 1e-7; of rough, uneven samples
+    /// within 20 times that, or all centres are summed.  What a call gives depends
+    /// on its n, never on calls before it.  _project, _curvature and
+    /// hrbfnpr_point_set_generate do the same.
+    pub fn hrbfnpr_model_evaluate(
+        model: *const hrbfnpr_model,
+        points: *const hrbfnpr_array,
+        value: *const hrbfnpr_array_out,
+        gradient: *const hrbfnpr_array_out,
+        hessian: *const hrbfnpr_array_out,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+pub const HRBFNPR_PROJECTION_CONVERGED: u32 = 0;
+/// iteration limit, or no step lowers f^2
+pub const HRBFNPR_PROJECTION_NOT_CONVERGED: u32 = 1;
+/// stuck at a critical point off the surface
+pub const HRBFNPR_PROJECTION_ZERO_GRADIENT: u32 = 2;
+/// f or its gradient was not finite, or the latter above 1e150
+pub const HRBFNPR_PROJECTION_NOT_FINITE: u32 = 3;
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_project_desc {
+    pub struct_size: u32,
+    /// evaluations per point, 1 .. 1000; 50
+    pub iteration_limit: i32,
+    /// stop when |f| / |grad f| <= tolerance * diagonal; 1e-9
+    pub tolerance: f64,
+    /// sigma in (0, 0.5); 1e-4
+    pub armijo_slope: f64,
+    /// beta in (0, 1); 0.5
+    pub armijo_factor: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_project_desc_init(
+        desc: *mut hrbfnpr_project_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Projects n points on the surface by steepest descent on f^2 with Armijo's
+    /// rule, first step f^2's Newton step along the gradient [NPAR 4.2].
+    /// desc may be NULL.  position and normal (the unit gradient): n x 3, FLOAT32
+    /// or FLOAT64, or NULL; status: n x 1, UINT8 or UINT32 (HRBFNPR_PROJECTION_...),
+    /// or NULL; converged (nullable) gets the number that converged.
+    /// A point that fails keeps its last iterate.  position may be points itself.
+    pub fn hrbfnpr_model_project(
+        model: *const hrbfnpr_model,
+        points: *const hrbfnpr_array,
+        desc: *const hrbfnpr_project_desc,
+        position: *const hrbfnpr_array_out,
+        normal: *const hrbfnpr_array_out,
+        status: *const hrbfnpr_array_out,
+        converged: *mut i64,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Principal curvatures and directions of the level set through each of n
+    /// points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
+    /// G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
+    /// from its normal (a sphere with outward normals) has negative curvature,
+    /// -1/radius.  d1, d2: unit, orthogonal, tangent, of arbitrary sign.
+    /// confidence = (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal) clamped to [0,1]:
+    /// 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
+    /// k1, k2, confidence: n x 1; d1, d2: n x 3; FLOAT32 or FLOAT64; each or NULL.
+    /// Where the gradient vanishes all of them are 0.
+    pub fn hrbfnpr_model_curvature(
+        model: *const hrbfnpr_model,
+        points: *const hrbfnpr_array,
+        k1: *const hrbfnpr_array_out,
+        k2: *const hrbfnpr_array_out,
+        d1: *const hrbfnpr_array_out,
+        d2: *const hrbfnpr_array_out,
+        confidence: *const hrbfnpr_array_out,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// one hit or more
+pub const HRBFNPR_RAY_HIT: u32 = 0;
+/// none
+pub const HRBFNPR_RAY_MISS: u32 = 1;
+/// maximum_hits of 2 or more, and there is a further one
+pub const HRBFNPR_RAY_TRUNCATED: u32 = 2;
+/// given up on; what was found before is kept
+pub const HRBFNPR_RAY_ITERATION_LIMIT: u32 = 3;
+/// f or its gradient was not finite; what was found before is kept
+pub const HRBFNPR_RAY_NOT_FINITE: u32 = 4;
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_cast_desc {
+    pub struct_size: u32,
+    /// to find on a ray, 1 .. 256; 1: the first
+    pub maximum_hits: i32,
+    /// evaluations per ray, 1 .. 1000000; 20000
+    pub iteration_limit: i32,
+    pub reserved: u32,
+    /// where a ray begins and ends, in lengths of its direction: t_min finite, 0
+    pub t_min: f64,
+    /// not below t_min; infinity
+    pub t_max: f64,
+    /// bound on |grad f| in the search box; 0 = hrbfnpr_model_lipschitz's
+    pub lipschitz: f64,
+    /// in diagonals, above 0, at most 0.1; 1e-4
+    pub smallest_step: f64,
+    /// on the place of a hit along the ray, in diagonals, above 0; 1e-9
+    pub tolerance: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_cast_desc_init(desc: *mut hrbfnpr_cast_desc, struct_size: u32) -> hrbfnpr_status;
+    /// Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
+    /// steps that it cannot lie within [Hart 1996, "Sphere tracing"].
+    ///
+    /// The surface is looked for in the search box: the bounds, grown by 0.05
+    /// diagonals on every side.  From a place where f is known the next is |f| /
+    /// lipschitz away, but not less than smallest_step.  A change of sign between
+    /// two places brackets a hit, which Newton's method along the ray, safeguarded
+    /// by bisection, finds to the tolerance.  What changes no sign from one place to
+    /// the next is missed: grazing rays that are inside, and sheets that are thick,
+    /// for less than smallest_step.  So are hits that follow each other that
+    /// closely, in pairs.  A hit at the very ends of the range may or may not be
+    /// found.  A bound that is too small may miss more; a step that shows it to be
+    /// is taken back, and the bound raised for that ray.  One that is too large
+    /// costs time only.
+    ///
+    /// origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
+    ///            length but zero, and not so short that the t of a hit is infinite.
+    ///            Rays may start inside.
+    /// With h = maximum_hits, for each ray its hits in order; each array or NULL:
+    /// hits:      n x 1, UINT32: how many were found, 0 .. h.
+    /// t:         n x h; infinity after the last.
+    /// position, normal (the unit gradient): n x 3h, x y z of the first hit, then of
+    ///            the second ...; 0 after the last.  t, position and normal FLOAT32
+    ///            or FLOAT64.  From far origins position is the exacter one: t is
+    ///            rounded.
+    /// entering:  n x h, UINT8: 1 where f goes from + to - along the ray, else 0.
+    /// status:    n x 1, UINT8 or UINT32 (HRBFNPR_RAY_...).
+    /// hit_rays (nullable) gets the number of rays with a hit.
+    /// desc may be NULL.  A ray that starts on the surface may or may not meet it
+    /// there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
+    /// numbers of directions and origins that differ, and fields out of their range
+    /// are INVALID_ARGUMENT.
+    pub fn hrbfnpr_model_cast_rays(
+        model: *const hrbfnpr_model,
+        origins: *const hrbfnpr_array,
+        directions: *const hrbfnpr_array,
+        desc: *const hrbfnpr_cast_desc,
+        hits: *const hrbfnpr_array_out,
+        t: *const hrbfnpr_array_out,
+        position: *const hrbfnpr_array_out,
+        normal: *const hrbfnpr_array_out,
+        entering: *const hrbfnpr_array_out,
+        status: *const hrbfnpr_array_out,
+        hit_rays: *mut i64,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// The bound that _cast_rays takes where none is given: the largest |grad f| at
+    /// 24^3 points of the search box, times 1.5.  An estimate, and no proof.  A
+    /// program that casts few rays at a time asks for it once and passes it on:
+    /// otherwise each call evaluates those points.
+    pub fn hrbfnpr_model_lipschitz(
+        model: *const hrbfnpr_model,
+        lipschitz: *mut f64,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Which of n points lie inside the surface.
+    /// points: n x 3, FLOAT32 or FLOAT64, finite.
+    /// inside: n x 1, UINT8, or NULL: 1 where f < 0 and the point lies in the search
+    ///         box (the bounds, grown by 0.05 diagonals on every side), else 0.
+    ///         Beyond it, where f means nothing, it is not evaluated.
+    /// inside_count (nullable) gets the number of ones.
+    /// Of a surface with a border, which bounds nothing, it is the side that f says.
+    pub fn hrbfnpr_model_contains(
+        model: *const hrbfnpr_model,
+        points: *const hrbfnpr_array,
+        inside: *const hrbfnpr_array_out,
+        inside_count: *mut i64,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Saving and loading.  The stream is little-endian, versioned and checksummed;
+    /// a loaded model evaluates to the same bits.  A custom model cannot be saved
+    /// (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
+    /// that is too small is BUFFER_TOO_SMALL and writes nothing else.
+    pub fn hrbfnpr_model_save(
+        model: *const hrbfnpr_model,
+        write: hrbfnpr_write_fn,
+        user: *mut c_void,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// See [`hrbfnpr_model_save`].
+    pub fn hrbfnpr_model_save_memory(
+        model: *const hrbfnpr_model,
+        destination: *mut c_void,
+        capacity: i64,
+        size: *mut i64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// See [`hrbfnpr_model_save`].
+    pub fn hrbfnpr_model_load(
+        context: *mut hrbfnpr_context,
+        read: hrbfnpr_read_fn,
+        user: *mut c_void,
+        out_model: *mut *mut hrbfnpr_model,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// See [`hrbfnpr_model_save`].
+    pub fn hrbfnpr_model_load_memory(
+        context: *mut hrbfnpr_context,
+        data: *const c_void,
+        size: i64,
+        out_model: *mut *mut hrbfnpr_model,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// 7  POINT SET: marks on a surface, immutable [NPAR 4.2, 5]
+
+#[repr(C)]
+pub struct hrbfnpr_point_set {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+// The three groups of marks [NPAR 5].
+/// scattered marks
+pub const HRBFNPR_GROUP_STIPPLE: u32 = 0;
+/// strokes along d1 (set 0) and d2 (set 1)
+pub const HRBFNPR_GROUP_CURVATURE: u32 = 1;
+/// strokes along Stark's two directions, r (set 0), u (set 1)
+pub const HRBFNPR_GROUP_COMBING: u32 = 2;
+pub const HRBFNPR_GROUP_COUNT: u32 = 3;
+
+/// Stipples evenly spread over the area in a progressive order, each prefix
+/// of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
+/// budget may be missed by some marks in a thousand where the surface bends
+/// within their spacing.  Strokes that keep their distance from each other
+/// along their whole length, in an order of whole strokes each prefix of
+/// which is evenly spaced too: coarse ones first, then those between them.
+/// The default.
+pub const HRBFNPR_DISTRIBUTION_BLUE_NOISE: u32 = 0;
+/// The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
+/// drawn independently at random [NPAR 5, 6.2].
+pub const HRBFNPR_DISTRIBUTION_PAPER: u32 = 1;
+
+// What the strokes of BLUE_NOISE follow: directions as measured where they are
+// sure, and the smoothest field between them where they are not (umbilics, flat
+// parts, borders of the combing field's regions).
+/// Each set has a field of its own.  The sets are kept apart everywhere, and
+/// where two principal directions change places a stroke turns with its own.
+pub const HRBFNPR_STROKE_FIELD_LINE: u32 = 0;
+/// One field of crosses, which does not tell one direction from the other:
+/// strokes go straight on where these change places, and a stroke belongs to
+/// the set that it follows for most of its length.
+pub const HRBFNPR_STROKE_FIELD_CROSS: u32 = 1;
+
+/// SAMPLES if the model has well-spread ones, else BOX
+pub const HRBFNPR_SEED_AUTO: u32 = 0;
+/// the model's samples; INVALID_ARGUMENT for a custom model
+pub const HRBFNPR_SEED_SAMPLES: u32 = 1;
+/// jittered grid in the bounds, projected
+pub const HRBFNPR_SEED_BOX: u32 = 2;
+/// seed_points, projected
+pub const HRBFNPR_SEED_POINTS: u32 = 3;
+
+/// a group starts from the seeds
+pub const HRBFNPR_GROUP_SEED_SEEDS: u32 = 0;
+/// ... from the stipples up to level seed_level
+pub const HRBFNPR_GROUP_SEED_STIPPLES: u32 = 1;
+
+/// How one group grows.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_group_desc {
+    /// refinement steps, 0 .. 12; stipples 4, strokes 3. PAPER only; a stroke of it has 3^levels marks
+    pub levels: i32,
+    /// HRBFNPR_GROUP_SEED_...; PAPER only, not for STIPPLE
+    pub seeds: u32,
+    /// with _STIPPLES: the last stippling level used; 0
+    pub seed_level: i32,
+    pub reserved: u32,
+    /// the most marks, of both sets of strokes together, of BLUE_NOISE at most 100000000 (some
+    /// 300 bytes each while they are made); 0 = no limit for PAPER and for strokes with a
+    /// stroke_separation, else 40000. PAPER thins the level that exceeds it at random and stops
+    /// there; BLUE_NOISE leaves out the last strokes of the order
+    pub budget: i64,
+}
+
+/// fill CURVATURE for stipples too
+pub const HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES: u32 = 1;
+/// ... and for combing marks
+pub const HRBFNPR_GENERATE_CURVATURE_OF_COMBING: u32 = 2;
+
+/// as many stipples per area everywhere
+pub const HRBFNPR_DENSITY_UNIFORM: u32 = 0;
+/// more where the surface bends: 1 - s + s c / (c + mean of c), s = density_strength, c =
+/// sqrt((k1^2 + k2^2) / 2)
+pub const HRBFNPR_DENSITY_CURVATURE: u32 = 1;
+/// density_function
+pub const HRBFNPR_DENSITY_CALLBACK: u32 = 2;
+
+/// A density on the surface: fills density (count) from absolute positions and
+/// unit normals (count x 3 each), 1 where marks are to be densest, 0 where none
+/// are wanted; clamped to 1, negative or NaN is CALLBACK, and one that leaves no
+/// mark at all INVALID_ARGUMENT.  Called with some
+/// thousand places at a time, on the thread that called _generate.  Non-zero
+/// fails it with CALLBACK.
+pub type hrbfnpr_density_fn = Option<
+    unsafe extern "C" fn(
+        user: *mut c_void,
+        count: i64,
+        positions: *const f64,
+        normals: *const f64,
+        density: *mut f64,
+    ) -> i32,
+>;
+
+/// the ranks of each layer of marks cover all tones
+pub const HRBFNPR_ORDER_SEPARATE: u32 = 0;
+/// one layer of those that are made after the other, in the order of HRBFNPR_LAYER_..., each
+/// over an equal part of the tones: cross-hatching builds up from light to dark
+pub const HRBFNPR_ORDER_LAYERED: u32 = 1;
+
+// Layers of marks that hold ranks of their own.
+pub const HRBFNPR_LAYER_STIPPLE: u32 = 0;
+pub const HRBFNPR_LAYER_CURVATURE_FIRST: u32 = 1;
+pub const HRBFNPR_LAYER_CURVATURE_SECOND: u32 = 2;
+pub const HRBFNPR_LAYER_COMBING_FIRST: u32 = 3;
+pub const HRBFNPR_LAYER_COMBING_SECOND: u32 = 4;
+pub const HRBFNPR_LAYER_COUNT: u32 = 5;
+
+/// The darkness 1 - tau at which the first mark of a layer is shown, and that
+/// at which all are: rank u becomes 1 - begin - (1 - u) (end - begin).
+/// 0 <= begin < end <= 1, or both 0: as `order` says.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_layer {
+    pub begin: f32,
+    pub end: f32,
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_generate_desc {
+    pub struct_size: u32,
+    /// bit (1 << HRBFNPR_GROUP_...) each; 1 (stipples only)
+    pub groups: u32,
+    /// HRBFNPR_DISTRIBUTION_...; BLUE_NOISE
+    pub distribution: u32,
+    /// HRBFNPR_SEED_...; AUTO
+    pub seed_source: u32,
+    /// HRBFNPR_GENERATE_...; 0
+    pub flags: u32,
+    /// R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2]
+    pub box_resolution: u32,
+    /// alpha: in cell sides, 0 .. 0.5; 0.25
+    pub box_jitter: f64,
+    /// rho_0; 0 = voxel diameter for BOX, mean empty-ball diameter of the seeds for others [NPAR
+    /// 5.1]. PAPER only
+    pub initial_step: f64,
+    /// as in hrbfnpr_project_desc; 1e-7
+    pub projection_tolerance: f64,
+    /// any number; 1
+    pub random_seed: u64,
+    /// for POINTS: n x 3, FLOAT32 or FLOAT64
+    pub seed_points: hrbfnpr_array,
+    pub group: [hrbfnpr_group_desc; 3],
+    /// mean distance of neighbouring strokes of one set; 0 = such that all strokes have as many
+    /// marks as the group's budget
+    ///
+    /// Strokes of BLUE_NOISE, in object units; separation and step 0, or 1e-12 .. 1e9 diagonals (so is
+    /// initial_step); ignored for PAPER.
+    pub stroke_separation: f64,
+    /// distance of the marks of a stroke; 0 = a fifth of the separation
+    pub stroke_step: f64,
+    /// at most; 0 = no limit. Strokes end where they come nearer to another than about two thirds
+    /// of the separation, leave the surface's samples, or meet a singular point of the field; a
+    /// closed one ends at its start
+    pub stroke_length: f64,
+    /// HRBFNPR_STROKE_FIELD_...; CROSS
+    pub stroke_field: u32,
+    /// HRBFNPR_DENSITY_...; UNIFORM
+    ///
+    /// Stipples of BLUE_NOISE, which keep their evenness: a mark is left out where its place in the
+    /// uniform order, divided by the density, is too high.  Ignored for PAPER.
+    pub density: u32,
+    /// of CURVATURE, 0 .. 1; 0.5
+    pub density_strength: f64,
+    /// for CALLBACK. Where its mean is below 1/16 of 1, fewer marks than the budget are made
+    pub density_function: hrbfnpr_density_fn,
+    pub density_user: *mut c_void,
+    /// HRBFNPR_ORDER_...; SEPARATE
+    ///
+    /// Ranks of all layers, for every distribution.
+    pub order: u32,
+    pub reserved2: u32,
+    /// the most marks of all groups together: each layer gets its part of the tones; 0 = each
+    /// group has its own. Not with budgets of groups
+    pub shared_budget: i64,
+    /// HRBFNPR_LAYER_...; all 0
+    pub layer: [hrbfnpr_layer; 5],
+}
+
+extern "C" {
+    pub fn hrbfnpr_generate_desc_init(
+        desc: *mut hrbfnpr_generate_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Places marks on the surface.  desc may be NULL, operation may be NULL.
+    /// Marks whose projection fails or strays are dropped and counted in the info;
+    /// a set whose seeds are all dropped is an error (NOT_CONVERGED), and so is one
+    /// whose marks are, or that no stroke of a given separation or step fits into.
+    ///
+    /// Sizes.  Marks are float: the diagonal of the model's bounds must be 1e-33 ..
+    /// 1e33, in whatever unit.  Beyond 1e-9 .. 1e9 the marks of a model that is
+    /// scaled by a power of two are the same ones, scaled; a curvature that does not
+    /// fit a float is the largest that does.  Custom bounds may be up to 500 times
+    /// as wide as the surface, seed_points within 1e4 diagonals of the bounds.
+    /// Everything else is INVALID_ARGUMENT, and so is a budget that is too large,
+    /// before any mark is placed.
+    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, NOT_CONVERGED, CANCELLED, CALLBACK.
+    pub fn hrbfnpr_point_set_generate(
+        context: *mut hrbfnpr_context,
+        model: *const hrbfnpr_model,
+        desc: *const hrbfnpr_generate_desc,
+        operation: *mut hrbfnpr_operation,
+        out_point_set: *mut *mut hrbfnpr_point_set,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// What is known of each mark, per group.
+/// FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin
+pub const HRBFNPR_ATTRIBUTE_POSITION: u32 = 0;
+/// FLOAT32 x 3, unit, outward
+pub const HRBFNPR_ATTRIBUTE_NORMAL: u32 = 1;
+/// FLOAT32 x 3, unit, tangent: along the stroke; for a stipple the u of its basis [NPAR 5.2]
+pub const HRBFNPR_ATTRIBUTE_DIRECTION: u32 = 2;
+/// FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature)
+pub const HRBFNPR_ATTRIBUTE_CURVATURE: u32 = 3;
+/// FLOAT32: the u of [NPAR 6.2], uniform in [0,1): a mark is shown where u >= tau.
+/// BLUE_NOISE: all marks of a stroke have the same, and a share of the ranks is that share of
+/// each set's marks
+pub const HRBFNPR_ATTRIBUTE_RANK: u32 = 4;
+/// UINT8: the refinement step that placed it, 0 = a seed. BLUE_NOISE strokes: the pass; each
+/// one halves the distance that strokes keep
+pub const HRBFNPR_ATTRIBUTE_LEVEL: u32 = 5;
+/// UINT32 x 2: stroke (2 * number + set), and the mark's place along it. PAPER: the number is
+/// the seed's, places are 0 .. 3^levels - 1, the seed in the middle. BLUE_NOISE: 0 .. n - 1
+/// from end to end; strokes lie one after the other in the arrays. For a stipple its seed and
+/// 0
+pub const HRBFNPR_ATTRIBUTE_STROKE: u32 = 6;
+/// FLOAT32, relative, in (0,1]: 1 in the middle of a stroke, less towards its tapered ends.
+/// The ink of front marks has this much of the style's radius. Count 0 = all 1: stipples,
+/// PAPER
+pub const HRBFNPR_ATTRIBUTE_WIDTH: u32 = 7;
+pub const HRBFNPR_ATTRIBUTE_COUNT: u32 = 8;
+
+/// A group of ready-made marks.  position and normal are needed; the others may
+/// be left empty: direction = stipple basis, rank = random, level = 0, stroke =
+/// one for each mark, curvature = absent, width = 1 (else in (0,1]).  Types and components as
+/// in the list
+/// above, FLOAT64 accepted for FLOAT32.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_group_arrays {
+    /// absolute, not relative to an origin
+    pub position: hrbfnpr_array,
+    pub normal: hrbfnpr_array,
+    pub direction: hrbfnpr_array,
+    pub curvature: hrbfnpr_array,
+    pub rank: hrbfnpr_array,
+    pub level: hrbfnpr_array,
+    pub stroke: hrbfnpr_array,
+    pub width: hrbfnpr_array,
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_point_set_desc {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// for ranks that are not given; 1
+    pub random_seed: u64,
+    pub group: [hrbfnpr_group_arrays; 3],
+}
+
+extern "C" {
+    pub fn hrbfnpr_point_set_desc_init(
+        desc: *mut hrbfnpr_point_set_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Marks from the caller's arrays (copied).  They are 1e-33 .. 1e33 across, or at
+    /// one place.  Errors: INVALID_ARGUMENT naming the array and the index,
+    /// OUT_OF_MEMORY.
+    pub fn hrbfnpr_point_set_create_from_arrays(
+        context: *mut hrbfnpr_context,
+        desc: *const hrbfnpr_point_set_desc,
+        out_point_set: *mut *mut hrbfnpr_point_set,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// any thread
+    pub fn hrbfnpr_point_set_retain(set: *const hrbfnpr_point_set);
+    /// any thread
+    pub fn hrbfnpr_point_set_release(set: *const hrbfnpr_point_set);
+}
+
+/// What became of one level's candidates: attempted = placed + all dropped.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_level_info {
+    pub attempted: i64,
+    pub placed: i64,
+    /// projection ended short of the tolerance
+    pub dropped_not_converged: i64,
+    /// landed farther away than a cell diagonal or the step; or cut off the rest of its stroke by
+    /// one that was dropped
+    pub dropped_strayed: i64,
+    /// zero gradient or not finite
+    pub dropped_degenerate: i64,
+    /// over the group's budget
+    pub dropped_budget: i64,
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_group_info {
+    /// marks in the group
+    pub count: i64,
+    /// strokes in the group; 0 for stipples
+    pub strokes: i64,
+    /// what the counts would be if nothing had been dropped (PAPER), or had been left out for the
+    /// budget (BLUE_NOISE strokes)
+    pub full_count: i64,
+    /// refinement steps taken; BLUE_NOISE strokes: the last pass
+    pub levels: i32,
+    pub reserved: u32,
+    /// initial step rho_0 used; BLUE_NOISE strokes: the separation
+    pub step: f64,
+    pub seconds: f64,
+    pub level: [hrbfnpr_level_info; 13],
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_point_set_info {
+    pub struct_size: u32,
+    pub distribution: u32,
+    /// the one used
+    pub seed_source: u32,
+    pub reserved: u32,
+    /// add to POSITION
+    pub origin: [f64; 3],
+    /// of all marks, absolute
+    pub bounds_min: [f64; 3],
+    pub bounds_max: [f64; 3],
+    /// sqrt(area per mark) of the largest group, estimated: what a frame uses as the size of a
+    /// mark's piece of surface
+    pub spacing: f64,
+    pub seconds_seeds: f64,
+    pub seconds_total: f64,
+    /// kept by the set
+    pub bytes: i64,
+    pub seeds: hrbfnpr_level_info,
+    pub group: [hrbfnpr_group_info; 3],
+}
+
+extern "C" {
+    pub fn hrbfnpr_point_set_info_init(
+        info: *mut hrbfnpr_point_set_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    pub fn hrbfnpr_point_set_get_info(
+        set: *const hrbfnpr_point_set,
+        info: *mut hrbfnpr_point_set_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// A zero-copy view of one attribute of one group, valid while the set lives.
+    /// An empty group, or CURVATURE or WIDTH where there is none, gives count 0.
+    pub fn hrbfnpr_point_set_view(
+        set: *const hrbfnpr_point_set,
+        group: u32,
+        attribute: u32,
+        out_view: *mut hrbfnpr_array,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// The visual feedback for choosing the initial step [NPAR 5.1, Figure 5]:
+    /// `patch_count` squares of side 2 * initial_step in tangent planes of randomly
+    /// chosen seeds.  corners: patch_count x 12 (four corners, counter-clockwise
+    /// seen from outside), FLOAT32 or FLOAT64, absolute.  The seeds and, if
+    /// desc->initial_step is 0, the estimate are those that _generate with the same
+    /// desc would use; *step (nullable) gets the step.  desc may be NULL.
+    pub fn hrbfnpr_point_set_step_patches(
+        context: *mut hrbfnpr_context,
+        model: *const hrbfnpr_model,
+        desc: *const hrbfnpr_generate_desc,
+        corners: *const hrbfnpr_array_out,
+        step: *mut f64,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// As for models.
+    pub fn hrbfnpr_point_set_save(
+        set: *const hrbfnpr_point_set,
+        write: hrbfnpr_write_fn,
+        user: *mut c_void,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// See [`hrbfnpr_point_set_save`].
+    pub fn hrbfnpr_point_set_save_memory(
+        set: *const hrbfnpr_point_set,
+        destination: *mut c_void,
+        capacity: i64,
+        size: *mut i64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// See [`hrbfnpr_point_set_save`].
+    pub fn hrbfnpr_point_set_load(
+        context: *mut hrbfnpr_context,
+        read: hrbfnpr_read_fn,
+        user: *mut c_void,
+        out_point_set: *mut *mut hrbfnpr_point_set,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// See [`hrbfnpr_point_set_save`].
+    pub fn hrbfnpr_point_set_load_memory(
+        context: *mut hrbfnpr_context,
+        data: *const c_void,
+        size: i64,
+        out_point_set: *mut *mut hrbfnpr_point_set,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// 8  CAMERA AND STYLE: plain data
+
+// Range of window depth from near to far plane.
+/// clip space of OpenGL; written depth is 0 .. 1
+pub const HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE: u32 = 0;
+/// Direct3D, Vulkan, Metal
+pub const HRBFNPR_DEPTH_ZERO_TO_ONE: u32 = 1;
+/// 1 at the near plane, 0 at the far plane
+pub const HRBFNPR_DEPTH_REVERSED: u32 = 2;
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_camera {
+    pub struct_size: u32,
+    /// HRBFNPR_DEPTH_...; of `projection` and of depth buffers
+    pub depth_convention: u32,
+    /// world to eye, column-major; the eye looks along -z
+    pub view: [f64; 16],
+    /// eye to clip
+    pub projection: [f64; 16],
+    /// x, y of the top-left corner, width, height, in pixels
+    pub viewport: [f64; 4],
+}
+
+extern "C" {
+    /// Identity matrices, viewport 0 x 0 (which _prepare refuses).
+    pub fn hrbfnpr_camera_init(camera: *mut hrbfnpr_camera, struct_size: u32) -> hrbfnpr_status;
+    /// Sets `view`: from eye towards target, up roughly along `up`; 3 doubles each.
+    /// INVALID_ARGUMENT if eye = target or up is parallel to the view.
+    pub fn hrbfnpr_camera_look_at(
+        camera: *mut hrbfnpr_camera,
+        eye: *const f64,
+        target: *const f64,
+        up: *const f64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Sets `projection` and the viewport's size.  vertical_angle in radians, in
+    /// (0, pi); 0 < near_plane < far_plane.
+    pub fn hrbfnpr_camera_perspective(
+        camera: *mut hrbfnpr_camera,
+        vertical_angle: f64,
+        width: f64,
+        height: f64,
+        near_plane: f64,
+        far_plane: f64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Sets `projection` and the viewport's size; `view_height` is the height of
+    /// the visible slab in world units; near_plane < far_plane, either sign.
+    pub fn hrbfnpr_camera_orthographic(
+        camera: *mut hrbfnpr_camera,
+        view_height: f64,
+        width: f64,
+        height: f64,
+        near_plane: f64,
+        far_plane: f64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Sets view, projection and viewport so that the box fills the picture but for
+    /// `margin` (share of the picture on each side, 0 .. 0.45), seen along
+    /// `direction` (from the eye into the scene).  vertical_angle 0 = orthographic.
+    pub fn hrbfnpr_camera_fit_bounds(
+        camera: *mut hrbfnpr_camera,
+        bounds_min: *const f64,
+        bounds_max: *const f64,
+        direction: *const f64,
+        up: *const f64,
+        vertical_angle: f64,
+        width: f64,
+        height: f64,
+        margin: f64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// The same for n x 3 points, FLOAT32 or FLOAT64, n >= 1: the points themselves
+    /// fill the picture, not the corners of their box, and lie in its middle.
+    /// `origin` (3 doubles, NULL = 0) is added to each: with a point set's POSITION
+    /// give its info's origin.
+    pub fn hrbfnpr_camera_fit_points(
+        camera: *mut hrbfnpr_camera,
+        points: *const hrbfnpr_array,
+        origin: *const f64,
+        direction: *const f64,
+        up: *const f64,
+        vertical_angle: f64,
+        width: f64,
+        height: f64,
+        margin: f64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// painted over by paper, layer by layer [NPAR 6.1]
+pub const HRBFNPR_HIDDEN_LINES_ATTENUATE: u32 = 0;
+/// marks behind a nearer sheet are not drawn
+pub const HRBFNPR_HIDDEN_LINES_HIDE: u32 = 1;
+/// nothing is painted over (lambda = 0)
+pub const HRBFNPR_HIDDEN_LINES_SHOW: u32 = 2;
+
+/// Each mark of ink is seen through the sheets of surface in front of it, which are found
+/// from the marks: its opacity is multiplied by what they let through.  A sheet never dims its
+/// own ink, and the picture does not depend on the number of marks.
+pub const HRBFNPR_VISIBILITY_SHEETS: u32 = 0;
+/// As published: marks paint discs of paper and of ink, from far to near [NPAR 6.1].
+pub const HRBFNPR_VISIBILITY_PAINTED: u32 = 1;
+
+/// The coverage of the drawing is the tone that was asked for, 1 - tau: the number of marks
+/// follows from their size, their density on the screen and how they overlap, so that the
+/// tone stays when the zoom or the budget changes.  Where all marks together cover less than
+/// 0.6, the tone 0.6 shows all of them and the others are paler alike.
+pub const HRBFNPR_TONE_CURVE_COVERAGE: u32 = 0;
+/// the share of marks is 1 - tau [NPAR 6.2]
+pub const HRBFNPR_TONE_CURVE_LINEAR: u32 = 1;
+
+/// A line of constant width: marks whose image lies within silhouette_width pixels of
+/// the contour's, by the surface's curvature along the line of sight.
+pub const HRBFNPR_SILHOUETTE_LAW_WIDTH: u32 = 0;
+/// |n . v| <= silhouette_threshold, as published [NPAR 6]
+pub const HRBFNPR_SILHOUETTE_LAW_ANGLE: u32 = 1;
+
+/// tau = 0: all front marks are shown
+pub const HRBFNPR_TONE_NONE: u32 = 0;
+/// tau = max(0, n . l)^tone_exponent [NPAR 6.2]
+pub const HRBFNPR_TONE_LIGHT: u32 = 1;
+/// tau from tone_function
+pub const HRBFNPR_TONE_CALLBACK: u32 = 2;
+
+/// A front mark is shown if u >= 1 - (1 - tau) * tau_d * scale * share: all effects thin
+/// one and the same order of marks, so that a blue-noise order stays one.
+pub const HRBFNPR_TONE_RULE_SHARE: u32 = 0;
+/// As published, test by test: u >= tau, u < tau_d, u < scale, u < share.
+pub const HRBFNPR_TONE_RULE_PAPER: u32 = 1;
+
+pub const HRBFNPR_LIGHT_WORLD: u32 = 0;
+pub const HRBFNPR_LIGHT_CAMERA: u32 = 1;
+
+/// Any illumination model: fills tau (count, 1 = light, 0 = dark; clamped to
+/// [0,1], NaN is CALLBACK) from world positions and unit normals (count x 3
+/// each).  Runs on the thread that called _prepare.  Non-zero fails it.
+pub type hrbfnpr_tone_fn = Option<
+    unsafe extern "C" fn(
+        user: *mut c_void,
+        count: i64,
+        positions: *const f32,
+        normals: *const f32,
+        tau: *mut f32,
+    ) -> i32,
+>;
+
+/// One group's ink.  Colours are straight RGBA in [0,1], sRGB-encoded.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_group_style {
+    /// 1 or 0: whether front marks of the group are drawn
+    pub shown: u32,
+    /// bit 0: first directions, bit 1: second; 3
+    pub sets: u32,
+    /// 0 .. 1: share of the group's marks that is used at all; 1
+    pub share: f32,
+    /// of a mark, pixels, > 0
+    pub radius: f32,
+    /// 0: radius is in pixels at any zoom; 1: grows with the zoom; between
+    pub radius_zoom: f32,
+    pub ink: [f32; 4],
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_style {
+    pub struct_size: u32,
+    /// HRBFNPR_HIDDEN_LINES_...; ATTENUATE
+    pub hidden_lines: u32,
+    /// delta in (0,1): front n.v < -delta, back n.v > delta, else silhouette, v from the camera
+    /// to the mark [NPAR 6]; 0.2. With SILHOUETTE_LAW_WIDTH only where the curvature is not known
+    pub silhouette_threshold: f64,
+    /// lambda of alpha_f = nu^2 lambda; 1
+    pub attenuation_front: f64,
+    /// lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1
+    pub attenuation_back: f64,
+    /// of the paper that front marks paint, pixels; 0 = from the marks' spacing on the screen
+    pub cover_radius: f32,
+    /// SHEETS: how far beyond its contour a surface hides what lies behind, pixels at any zoom.
+    /// PAINTED: how much wider the paper of back marks is, pixels; 2
+    pub halo_width: f32,
+    /// n > 0: a sheet is as opaque as n overlapping marks of opacity alpha, 1 - (1 - alpha)^n,
+    /// whatever the marks' density and the zoom; 0: each mark paints with alpha itself, as
+    /// published; 8
+    pub cover_layers: f32,
+    /// HRBFNPR_VISIBILITY_...; SHEETS. One for all styles of a frame
+    pub visibility: u32,
+    /// HRBFNPR_TONE_...; LIGHT
+    pub tone: u32,
+    /// HRBFNPR_TONE_RULE_...; SHARE
+    pub tone_rule: u32,
+    /// HRBFNPR_LIGHT_...; CAMERA
+    pub light_space: u32,
+    /// groups whose silhouette marks are drawn, bit (1 << group); 7
+    pub silhouette_groups: u32,
+    /// towards the light, normalised on use; (-0.4, 0.6, 0.7)
+    pub light: [f64; 3],
+    /// lambda of the tone law, > 0; 1
+    pub tone_exponent: f64,
+    /// for CALLBACK
+    pub tone_function: hrbfnpr_tone_fn,
+    pub tone_user: *mut c_void,
+    /// distance from the camera where depth attenuation starts, > 0
+    pub depth_min: f64,
+    /// ... and where nothing is shown any more; 0 and 0 = off (default)
+    pub depth_max: f64,
+    /// pixels per world unit at which marks are shown in full; 0 = off. Below it the chance to be
+    /// shown is scale = zoom^zoom_exponent, exponential in the zoom level ln zoom; the area of
+    /// the paper of back marks scales alike [NPAR 6.2]
+    pub zoom_reference: f64,
+    /// >= 0; 2 keeps the ink per area
+    pub zoom_exponent: f64,
+    /// straight RGBA; alpha 0 = transparent; white
+    pub paper: [f32; 4],
+    pub silhouette_ink: [f32; 4],
+    /// pixels; 1
+    pub silhouette_radius: f32,
+    /// as radius_zoom; 0
+    pub silhouette_radius_zoom: f32,
+    pub group: [hrbfnpr_group_style; 3],
+    /// HRBFNPR_TONE_CURVE_...; COVERAGE. For TONE_RULE_SHARE
+    pub tone_curve: u32,
+    /// HRBFNPR_SILHOUETTE_LAW_...; WIDTH. For SHEETS; PAINTED is ANGLE
+    pub silhouette_law: u32,
+    /// 0 .. 1, SHEETS: a mark grows from nothing to its full area over this share of the marks
+    /// shown, instead of popping; 0 = it pops; 0.25
+    pub tone_fade: f32,
+    /// of WIDTH: pixels on either side of the contour; 1
+    pub silhouette_width: f32,
+}
+
+extern "C" {
+    pub fn hrbfnpr_style_init(style: *mut hrbfnpr_style, struct_size: u32) -> hrbfnpr_status;
+}
+
+// Named styles.  Each is a full set of fields that a caller goes on changing.
+// generate_groups: which groups of marks the style needs, as for
+// hrbfnpr_generate_desc.groups.
+/// stipples by light, no contours
+pub const HRBFNPR_STYLE_STIPPLE: u32 = 0;
+/// second principal direction by light, contours
+pub const HRBFNPR_STYLE_HATCH: u32 = 1;
+/// both principal directions by light, contours
+pub const HRBFNPR_STYLE_CROSS_HATCH: u32 = 2;
+/// combing strokes by light, contours
+pub const HRBFNPR_STYLE_COMBING: u32 = 3;
+/// contours only, hidden ones attenuated
+pub const HRBFNPR_STYLE_SILHOUETTE: u32 = 4;
+/// contours and stipples
+pub const HRBFNPR_STYLE_CONTOUR_AND_STIPPLE: u32 = 5;
+/// contours only, hidden ones shown
+pub const HRBFNPR_STYLE_XRAY: u32 = 6;
+/// stipples, cross hatching, contours and halo: Figure 1 (e)
+pub const HRBFNPR_STYLE_FULL: u32 = 7;
+pub const HRBFNPR_STYLE_COUNT: u32 = 8;
+
+extern "C" {
+    pub fn hrbfnpr_style_init_preset(
+        style: *mut hrbfnpr_style,
+        struct_size: u32,
+        preset: u32,
+        generate_groups: *mut u32,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// "stipple", "hatch", "cross-hatch", ...; NULL for a number out of range.
+    pub fn hrbfnpr_style_preset_name(preset: u32) -> *const c_char;
+}
+
+// 9  RENDERER: scratch of one thread [NPAR 6]
+
+#[repr(C)]
+pub struct hrbfnpr_renderer {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+extern "C" {
+    pub fn hrbfnpr_renderer_create(
+        context: *mut hrbfnpr_context,
+        out_renderer: *mut *mut hrbfnpr_renderer,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    pub fn hrbfnpr_renderer_release(renderer: *mut hrbfnpr_renderer);
+}
+
+/// One thing to draw.  Everything it points to is read during _prepare only,
+/// but the point set is retained until the next _prepare or release.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_item {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub point_set: *const hrbfnpr_point_set,
+    /// NULL = default style
+    pub style: *const hrbfnpr_style,
+    /// object to world, column-major, affine, invertible
+    pub transform: [f64; 16],
+    /// NULL, or the surface that the marks lie on: with SHEETS, what hides a mark is then found
+    /// by casting a ray from it to the eye, exact but slow (tens of microseconds a mark drawn)
+    pub model: *const hrbfnpr_model,
+}
+
+extern "C" {
+    /// NULL pointers and the identity transform.
+    pub fn hrbfnpr_item_init(item: *mut hrbfnpr_item, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// What a frame did.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_frame_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// in all items, of the groups that the styles use: outside + front + back + silhouette + culled
+    pub marks: i64,
+    /// outside the frustum
+    pub outside: i64,
+    /// of those inside: by class
+    pub front: i64,
+    pub back: i64,
+    pub silhouette: i64,
+    /// drawn as ink
+    pub shown: i64,
+    /// front marks not shown because of light or share, and contour marks that a line of even
+    /// density does not need
+    pub dropped_tone: i64,
+    /// front and silhouette marks not shown because of depth attenuation
+    pub dropped_depth: i64,
+    /// front marks not shown because of tone scaling
+    pub dropped_zoom: i64,
+    /// marks not drawn because nothing of them is seen through what is in front
+    pub dropped_hidden: i64,
+    /// PAINTED: discs of paper; SHEETS: marks that sheets were found from
+    pub painted: i64,
+    /// transform, classify, tone
+    pub nanoseconds_classify: i64,
+    pub nanoseconds_visibility: i64,
+    pub nanoseconds_sort: i64,
+    /// the last _draw_image; 0 in _prepare's own info
+    pub nanoseconds_draw: i64,
+    pub scratch_bytes: i64,
+    /// SHEETS: marks that are of no class, since no tone or contour could show them: they were
+    /// not looked at one by one
+    pub culled: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_frame_info_init(
+        info: *mut hrbfnpr_frame_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Classifies, shades and orders the marks of `item_count` items (items are
+    /// `item_stride` bytes apart, 0 = packed by the first one's struct_size) for
+    /// one camera.  info may be NULL.  Styles of one frame must have the same
+    /// paper; INVALID_ARGUMENT otherwise.
+    pub fn hrbfnpr_renderer_prepare(
+        renderer: *mut hrbfnpr_renderer,
+        items: *const hrbfnpr_item,
+        item_count: i64,
+        item_stride: i64,
+        camera: *const hrbfnpr_camera,
+        info: *mut hrbfnpr_frame_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// lay the drawing over the image's contents instead of replacing them inside the viewport;
+/// wants a style with transparent paper
+pub const HRBFNPR_DRAW_OVER: u32 = 1;
+/// blend in linear light (sRGB decoded), not in encoded values
+pub const HRBFNPR_DRAW_LINEAR_LIGHT: u32 = 2;
+
+// Class of what is nearest at a pixel, in class outputs and vertices.
+pub const HRBFNPR_CLASS_NONE: u32 = 0;
+pub const HRBFNPR_CLASS_FRONT: u32 = 1;
+pub const HRBFNPR_CLASS_BACK: u32 = 2;
+pub const HRBFNPR_CLASS_SILHOUETTE: u32 = 3;
+
+/// Optional inputs and outputs of _draw_image: width * height elements of one
+/// component each, row by row from the top-left pixel of the image, stride
+/// between elements as in every array.  Data NULL and count 0 = not wanted.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_draw_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_DRAW_...; 0
+    pub flags: u32,
+    /// FLOAT32, camera's convention: marks behind it are not drawn
+    pub host_depth: hrbfnpr_array,
+    /// FLOAT32, camera's convention: the nearest surface, the far plane where there is none
+    pub depth: hrbfnpr_array_out,
+    /// UINT32: 1 + running number of the nearest drawn mark, counted over items and groups in
+    /// order; 0 = none
+    pub id: hrbfnpr_array_out,
+    /// UINT8 or UINT32: HRBFNPR_CLASS_... of that mark
+    pub class_: hrbfnpr_array_out,
+}
+
+extern "C" {
+    pub fn hrbfnpr_draw_desc_init(desc: *mut hrbfnpr_draw_desc, struct_size: u32) -> hrbfnpr_status;
+    /// Draws the prepared frame.  The viewport (clipped to the image) is filled
+    /// with paper and marks far to near; pixels outside it are not touched.
+    /// desc may be NULL.  May be called again, also with other images.
+    /// INVALID_ARGUMENT before the first _prepare.
+    pub fn hrbfnpr_renderer_draw_image(
+        renderer: *mut hrbfnpr_renderer,
+        image: *const hrbfnpr_image,
+        desc: *const hrbfnpr_draw_desc,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Info of the last _prepare and _draw_image.
+    pub fn hrbfnpr_renderer_get_info(
+        renderer: *const hrbfnpr_renderer,
+        info: *mut hrbfnpr_frame_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// What a vertex can carry, and the types it can have.
+/// world, FLOAT32 x 3
+pub const HRBFNPR_VERTEX_POSITION: u32 = 0;
+/// pixel x, pixel y, depth; FLOAT32 x 3
+pub const HRBFNPR_VERTEX_WINDOW: u32 = 1;
+/// pixels; FLOAT32
+pub const HRBFNPR_VERTEX_RADIUS: u32 = 2;
+/// straight RGBA; FLOAT32 x 4, or UINT8 x 4
+pub const HRBFNPR_VERTEX_COLOR: u32 = 3;
+/// world, unit; FLOAT32 x 3
+pub const HRBFNPR_VERTEX_NORMAL: u32 = 4;
+/// world, unit; FLOAT32 x 3
+pub const HRBFNPR_VERTEX_DIRECTION: u32 = 5;
+/// as in hrbfnpr_draw_desc; UINT32
+pub const HRBFNPR_VERTEX_ID: u32 = 6;
+/// HRBFNPR_CLASS_...; UINT8 or UINT32
+pub const HRBFNPR_VERTEX_CLASS: u32 = 7;
+/// 1 = a disc of paper, 0 = ink; UINT8 or UINT32
+pub const HRBFNPR_VERTEX_IS_PAPER: u32 = 8;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_COUNT: u32 = 9;
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_vertex_attribute {
+    /// HRBFNPR_VERTEX_...
+    pub attribute: u32,
+    /// HRBFNPR_SCALAR_...
+    pub scalar: u32,
+    /// bytes from the start of the vertex
+    pub offset: u32,
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_vertex_layout {
+    pub struct_size: u32,
+    /// 1 .. 16
+    pub attribute_count: u32,
+    /// bytes of a vertex; 0 = up to the end of its last attribute
+    pub stride: i64,
+    pub attributes: [hrbfnpr_vertex_attribute; 16],
+}
+
+extern "C" {
+    /// No attributes.
+    pub fn hrbfnpr_vertex_layout_init(
+        layout: *mut hrbfnpr_vertex_layout,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// How many vertices the prepared frame has.  This, _write_vertices and _get_info
+    /// may run on several threads at the same time, as all that take a const handle.
+    pub fn hrbfnpr_renderer_vertex_bound(
+        renderer: *const hrbfnpr_renderer,
+        count: *mut i64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Writes the prepared frame as points, far to near: discs of paper and of ink.
+    /// A host that paints them in this order as round anti-aliased points with
+    /// ordinary "source over" blending gets the picture of _draw_image (without
+    /// its host_depth).  With transparent paper, the discs of paper must erase:
+    /// destination times (1 - alpha).  `capacity` is in vertices; *count gets the number written,
+    /// or needed with BUFFER_TOO_SMALL.
+    pub fn hrbfnpr_renderer_write_vertices(
+        renderer: *const hrbfnpr_renderer,
+        layout: *const hrbfnpr_vertex_layout,
+        destination: *mut c_void,
+        capacity: i64,
+        count: *mut i64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
