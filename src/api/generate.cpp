@@ -23,7 +23,7 @@ static_assert(static_cast<int>(marks::Group::curvature) == HRBFNPR_GROUP_CURVATU
 static_assert(static_cast<int>(marks::Group::combing) == HRBFNPR_GROUP_COMBING);
 static_assert(group_count == HRBFNPR_GROUP_COUNT);
 static_assert(static_cast<int>(marks::Distribution::blue_noise) == HRBFNPR_DISTRIBUTION_BLUE_NOISE);
-static_assert(static_cast<int>(marks::Distribution::paper) == HRBFNPR_DISTRIBUTION_PAPER);
+static_assert(static_cast<int>(marks::Distribution::published) == HRBFNPR_DISTRIBUTION_PAPER);
 static_assert(static_cast<int>(marks::StrokeField::line) == HRBFNPR_STROKE_FIELD_LINE);
 static_assert(static_cast<int>(marks::StrokeField::cross) == HRBFNPR_STROKE_FIELD_CROSS);
 static_assert(static_cast<int>(stipples::Density::uniform) == HRBFNPR_DENSITY_UNIFORM);

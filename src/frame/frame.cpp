@@ -1,7 +1,7 @@
 #include "frame/frame.h"
 
-#include "frame/depth_layers/sheet_frame.h"
-#include "frame/published/painted_frame.h"
+#include "frame/depth_layers/layer_frame.h"
+#include "frame/published/published_frame.h"
 #include "frame/scene/scene.h"
 #include "geometry/unit.h"
 
@@ -23,16 +23,16 @@ namespace {
 } // namespace
 
 struct Frame::Impl {
-    explicit Impl(const base::Runtime& host) : scene(host.memory), painted_frame(host), sheet_frame(host) {}
+    explicit Impl(const base::Runtime& host) : scene(host.memory), published_frame(host), layer_frame(host) {}
 
     bool prepared = false;
-    bool painted = false;
+    bool published = false;
     Camera camera;
     glm::vec4 paper{1.0F};
     FrameInfo info;
     Scene scene;
-    PaintedFrame painted_frame;
-    SheetFrame sheet_frame;
+    PublishedFrame published_frame;
+    LayerFrame layer_frame;
 };
 
 Frame::Frame(const base::Runtime& runtime) : impl_(std::make_unique<Impl>(runtime)) {}
@@ -43,14 +43,14 @@ void Frame::prepare(std::span<const Item> items, const Camera& camera) {
     own.prepared = false;
     own.camera = camera;
     own.paper = items.empty() ? Style{}.paper : items[0].style.paper;
-    own.painted = !items.empty() && items[0].style.visibility == Visibility::painted;
+    own.published = !items.empty() && items[0].style.visibility == Visibility::published;
     set_up(own.scene, items, camera);
-    if (own.painted)
-        own.painted_frame.run(own.scene, own.paper);
+    if (own.published)
+        own.published_frame.run(own.scene, own.paper);
     else
-        own.sheet_frame.run(own.scene);
-    own.info = own.painted ? own.painted_frame.info() : own.sheet_frame.info();
-    own.info.scratch_bytes = own.scene.bytes() + own.painted_frame.bytes() + own.sheet_frame.bytes();
+        own.layer_frame.run(own.scene);
+    own.info = own.published ? own.published_frame.info() : own.layer_frame.info();
+    own.info.scratch_bytes = own.scene.bytes() + own.published_frame.bytes() + own.layer_frame.bytes();
     own.prepared = true;
 }
 
@@ -58,9 +58,9 @@ bool Frame::prepared() const noexcept { return impl_->prepared; }
 const Camera& Frame::camera() const noexcept { return impl_->camera; }
 const glm::vec4& Frame::paper() const noexcept { return impl_->paper; }
 std::span<const Disc> Frame::discs() const {
-    return impl_->painted ? impl_->painted_frame.discs() : impl_->sheet_frame.discs();
+    return impl_->published ? impl_->published_frame.discs() : impl_->layer_frame.discs();
 }
-const SheetFrame* Frame::sheet_frame() const noexcept { return impl_->painted ? nullptr : &impl_->sheet_frame; }
+const LayerFrame* Frame::layer_frame() const noexcept { return impl_->published ? nullptr : &impl_->layer_frame; }
 const FrameInfo& Frame::info() const noexcept { return impl_->info; }
 
 Frame::MarkSource Frame::source(const Disc& disc) const noexcept {

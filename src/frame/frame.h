@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::frame {
 
-class SheetFrame;
+class LayerFrame;
 
 // Reused from frame to frame: allocates nothing once warm.
 class Frame {
@@ -29,7 +29,7 @@ public:
     // Far to near: the order of painting.
     [[nodiscard]] std::span<const Disc> discs() const;
     // NULL: painted as published.
-    [[nodiscard]] const SheetFrame* sheet_frame() const noexcept;
+    [[nodiscard]] const LayerFrame* layer_frame() const noexcept;
     [[nodiscard]] const FrameInfo& info() const noexcept;
 
     // The mark behind a disc, for outputs that want more of it than a disc holds.

@@ -6,7 +6,7 @@
 #include "marks/assemble.h"
 #include "published/growth.h"
 #include "stipples/blue_noise.h"
-#include "stipples/graded.h"
+#include "stipples/density_thinning.h"
 #include "strokes/hatch.h"
 
 #include <algorithm>
@@ -32,9 +32,9 @@ public:
 private:
     [[nodiscard]] bool wanted(marks::Group group) const noexcept { return settings_.group[at(group)].wanted; }
     [[nodiscard]] base::Progress group_progress(marks::Group group) const noexcept;
-    void paper();
-    void paper_stipples();
-    void paper_strokes(marks::Group group);
+    void published();
+    void published_stipples();
+    void published_strokes(marks::Group group);
     void blue_noise();
     void blue_noise_stipples(const stipples::SurfaceCells& cells);
     void blue_noise_strokes(const stipples::SurfaceCells& cells, marks::Group group);
@@ -70,7 +70,7 @@ std::int32_t stipple_levels_needed(const Settings& settings) noexcept {
     return levels;
 }
 
-void Generation::paper_stipples() {
+void Generation::published_stipples() {
     const std::int32_t levels = stipple_levels_needed(settings_);
     if (levels < 0) return;
     const base::Stopwatch watch;
@@ -82,7 +82,7 @@ void Generation::paper_stipples() {
     report.seconds = watch.seconds();
 }
 
-void Generation::paper_strokes(marks::Group group) {
+void Generation::published_strokes(marks::Group group) {
     const base::Stopwatch watch;
     const GroupSettings& settings = settings_.group[at(group)];
     marks::GroupReport& report = set_.group[at(group)].report;
@@ -105,10 +105,10 @@ void Generation::paper_strokes(marks::Group group) {
     report.seconds = watch.seconds();
 }
 
-void Generation::paper() {
-    paper_stipples();
+void Generation::published() {
+    published_stipples();
     for (const marks::Group group : {marks::Group::curvature, marks::Group::combing})
-        if (wanted(group)) paper_strokes(group);
+        if (wanted(group)) published_strokes(group);
     if (wanted(marks::Group::stipple)) return;
     marks_[0] = marks::Marks(site_.memory()); // they were only seeds of strokes
     set_.group[0].report = {};
@@ -225,8 +225,8 @@ marks::PointSet Generation::run() {
     set_.seed_source = seeds_.source;
     set_.seeds = seeds_.report;
     set_.seconds_seeds = watch.seconds();
-    if (settings_.distribution == marks::Distribution::paper)
-        paper();
+    if (settings_.distribution == marks::Distribution::published)
+        published();
     else
         blue_noise();
     finish();
@@ -238,7 +238,7 @@ marks::PointSet Generation::run() {
 } // namespace
 
 double expected_evaluations(const SampleHint& samples, const Settings& settings) noexcept {
-    const bool paper = settings.distribution == marks::Distribution::paper;
+    const bool published = settings.distribution == marks::Distribution::published;
     const std::int64_t seeds = settings.seeds.source == marks::SeedSource::points
                                    ? settings.seeds.points.count
                                    : static_cast<std::int64_t>(samples.position.size() / 3);
@@ -251,7 +251,7 @@ double expected_evaluations(const SampleHint& samples, const Settings& settings)
                                           : marks::grown_count(2 * seeds, 3, group.published.levels);
         const std::int64_t budget = group.budget > 0 ? group.budget : default_budget;
         const double cost = k == 1 ? 8.0 : 3.0; // with Hessians on the way, or without
-        evaluations += cost * static_cast<double>(paper ? grown : candidates_each * budget);
+        evaluations += cost * static_cast<double>(published ? grown : candidates_each * budget);
     }
     return evaluations;
 }

@@ -42,7 +42,7 @@ void check_length(const char* field, double length, double diagonal) {
 void check_request(const implicit::Implicit& implicit, const Settings& settings) {
     const double diagonal = implicit.diagonal();
     marks::require_size("the model's bounds are", diagonal, "samples (or a custom model's function)");
-    if (settings.distribution == marks::Distribution::paper)
+    if (settings.distribution == marks::Distribution::published)
         return check_length("initial_step", settings.seeds.initial_step, diagonal);
     check_length("stroke_separation", settings.strokes.separation, diagonal);
     check_length("stroke_step", settings.strokes.step, diagonal);

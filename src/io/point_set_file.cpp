@@ -91,7 +91,7 @@ void encode(Encoder& encoder, const marks::PointSet& set) {
 void decode_kind(Decoder& decoder, marks::PointSet& set) {
     std::array<std::uint32_t, 3> kind{};
     decoder.section<std::uint32_t>(tag_kind, kind);
-    if (kind[0] > static_cast<std::uint32_t>(marks::Distribution::paper))
+    if (kind[0] > static_cast<std::uint32_t>(marks::Distribution::published))
         decoder.damaged("its distribution is unknown");
     if (kind[1] > static_cast<std::uint32_t>(marks::SeedSource::points)) decoder.damaged("its seed source is unknown");
     if (kind[2] != marks::group_count) decoder.damaged("it has %u groups instead of 3", kind[2]);

@@ -13,7 +13,7 @@ namespace hrbfnpr::marks {
 // Same numbers as HRBFNPR_GROUP_..., HRBFNPR_DISTRIBUTION_..., HRBFNPR_STROKE_FIELD_..., HRBFNPR_SEED_...
 enum class Group : std::uint32_t { stipple = 0, curvature = 1, combing = 2 };
 inline constexpr int group_count = 3;
-enum class Distribution : std::uint32_t { blue_noise = 0, paper = 1 };
+enum class Distribution : std::uint32_t { blue_noise = 0, published = 1 };
 enum class StrokeField : std::uint32_t { line = 0, cross = 1 };
 enum class SeedSource : std::uint32_t { automatic = 0, samples = 1, box = 2, points = 3 };
 
@@ -67,7 +67,7 @@ struct MarkGroup {
 struct PointSet {
     explicit PointSet(base::Memory& memory) noexcept : group{MarkGroup(memory), MarkGroup(memory), MarkGroup(memory)} {}
 
-    Distribution distribution = Distribution::paper;
+    Distribution distribution = Distribution::published;
     SeedSource seed_source = SeedSource::points;
     glm::dvec3 origin{0.0};
     geometry::Bounds bounds; // of all marks, absolute

@@ -2,7 +2,7 @@
 
 #include "geometry/morton.h"
 #include "stipples/candidates.h"
-#include "stipples/crowds.h"
+#include "stipples/distance_repair.h"
 #include "stipples/progressive_order.h"
 
 #include <algorithm>
@@ -65,9 +65,9 @@ geometry::Bounds region_of(const marks::Site& site, const marks::Seeds& seeds, d
 }
 
 // Projects the chosen; those that do not arrive leave a gap in the order, and are counted.
-class Resting {
+class Projecting {
 public:
-    Resting(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks)
+    Projecting(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks)
         : site_(site), cells_(cells), chosen_(chosen), marks_(marks), settler_(site), normal_(site.memory()),
           fate_(site.memory()), wandered_(site.memory()) {}
 
@@ -81,7 +81,7 @@ public:
             settle(begin, end, progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
             append();
         }
-        if (!wandered_.empty()) keep_apart(site_, wandered_, marks_, report_);
+        if (!wandered_.empty()) repair_distances(site_, wandered_, marks_, report_);
         marks::LevelReport& report = marks_.report;
         report.dropped_budget = report.placed - count;
         report.placed = report_.placed;
@@ -185,7 +185,7 @@ EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std:
     EvenMarks marks(site.memory());
     marks.report = candidates.report;
     marks.area = candidates.area;
-    Resting(site, cells, chosen, marks).run(progress.part(0.9, 1.0));
+    Projecting(site, cells, chosen, marks).run(progress.part(0.9, 1.0));
     if (marks.position.empty())
         fail(Status::not_converged,
              "no mark could be placed in %lld cells near the surface: %lld points were tried, %lld did not "

@@ -31,7 +31,7 @@ void draw(const SurfaceCells& cells, PlaneCandidates& planes, LayerCandidates& l
         planes.draw(density, most_trials * static_cast<double>(wanted), progress);
         layer.draw(layer_density * density, progress.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8));
         const double placed =
-            static_cast<double>(planes.count()) + static_cast<double>(layer.feet().size()) / layer_density;
+            static_cast<double>(planes.count()) + static_cast<double>(layer.projections().size()) / layer_density;
         if (placed >= enough * static_cast<double>(wanted) || !(placed > 0.0)) return;
         density *= static_cast<double>(wanted) / placed;
     }
@@ -42,21 +42,21 @@ void make_room(Candidates& candidates, std::int64_t groups) {
     candidates.ticket.resize_for_overwrite(OrderGroup::size * groups);
 }
 
-void put(const Foot& foot, std::int64_t place, Candidates& candidates) noexcept {
+void put(const Projection& projection, std::int64_t place, Candidates& candidates) noexcept {
     const OrderBlock all = candidates.places();
-    all.at(OrderGroup::x, place) = foot.position.x;
-    all.at(OrderGroup::y, place) = foot.position.y;
-    all.at(OrderGroup::z, place) = foot.position.z;
-    all.at(OrderGroup::normal, place) = foot.normal;
-    candidates.ticket[place] = foot.ticket;
+    all.at(OrderGroup::x, place) = projection.position.x;
+    all.at(OrderGroup::y, place) = projection.position.y;
+    all.at(OrderGroup::z, place) = projection.position.z;
+    all.at(OrderGroup::normal, place) = projection.normal;
+    candidates.ticket[place] = projection.ticket;
 }
 
 // Both cell by cell, each with groups of its own; cells without any are left out.
 void merge(const marks::Site& site, const SurfaceCells& cells, const PlaneCandidates& planes,
-           const base::Array<Foot>& feet, Candidates& candidates) {
+           const base::Array<Projection>& projections, Candidates& candidates) {
     const std::int64_t count = cells.cell.size();
     base::Array<std::int64_t> next(site.memory(), count); // place of each cell's next candidate; at first, their number
-    for (const Foot& foot : feet) ++next[foot.cell];
+    for (const Projection& projection : projections) ++next[projection.cell];
     std::int64_t groups = 0;
     for (std::int64_t cell = 0; cell < count; ++cell) {
         const std::int64_t number = next[cell] + planes.count_in(cell);
@@ -73,7 +73,7 @@ void merge(const marks::Site& site, const SurfaceCells& cells, const PlaneCandid
         for (std::int64_t cell = begin; cell < end; ++cell)
             if (planes.count_in(cell) > 0) planes.put(cell, next[cell], candidates);
     });
-    for (const Foot& foot : feet) put(foot, next[foot.cell]++, candidates);
+    for (const Projection& projection : projections) put(projection, next[projection.cell]++, candidates);
     site.runtime.parallel.for_chunks(candidates.cells(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t cell = begin; cell < end; ++cell)
             clear_rest(candidates.places(), candidates.first[cell] + candidates.number[cell]);
@@ -92,7 +92,7 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     PlaneCandidates planes(site, cells, numbers, group, progress);
     LayerCandidates layer(site, cells, numbers, planes.kind(), group, wanted);
     draw(cells, planes, layer, wanted, progress);
-    merge(site, cells, planes, layer.feet(), candidates);
+    merge(site, cells, planes, layer.projections(), candidates);
     candidates.report.placed = candidates.count;
     candidates.report.dropped_strayed = layer.strayed();
     candidates.report.attempted = candidates.report.placed + candidates.report.dropped_strayed;

@@ -18,32 +18,34 @@ constexpr std::int64_t batch_points = 262144;
 constexpr std::int64_t cells_of_task = 512;
 constexpr std::int64_t points_of_task = 4096;
 
-// Candidates from each point that is evaluated: its foot, and others beside that in its tangent plane.  Fewer where
-// cells are small to the distance of marks: they would be one to the order.
-constexpr std::uint32_t most_feet = 5;
-// How far beside at most along two axes, in sides of a cell; there a foot is as near to the surface as the first one.
+// Candidates from each point that is evaluated: its projection, and others beside that in its tangent plane.  Fewer
+// where cells are small to the distance of marks: they would be one to the order.
+constexpr std::uint32_t most_projections = 5;
+// How far beside at most along two axes, in sides of a cell; there a projection is as near to the surface as the first
+// one.
 constexpr double stride = 0.55;
 
-// Cosine of the angle between a foot's normal and its cell's up to which the cell is flat.
+// Cosine of the angle between a projection's normal and its cell's up to which the cell is flat.
 constexpr double straight = 0.97;
-// In sides of a cell: how far a cell's plane may be off, and when a foot is near enough to the surface.
+// In sides of a cell: how far a cell's plane may be off, and when a projection is near enough to the surface.
 constexpr double expected = 0.1;
 constexpr double near_enough = 0.02;
 constexpr int most_steps = 6;
-// Feet that are looked at, to see whether one step is enough for the others.
-constexpr std::int64_t every_foot = 67;
+// Projections that are looked at, to see whether one step is enough for the others.
+constexpr std::int64_t every_projection = 67;
 
-// Where fewer feet come of a trial, more trials are no help.
+// Where fewer projections come of a trial, more trials are no help.
 constexpr double least_of_trial = 1.0 / 256.0;
 
 float packed(const glm::dvec3& normal) noexcept {
     return packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
 }
 
-std::int64_t feet_for(const SurfaceCells& cells, std::int64_t wanted) noexcept {
-    const double spacing = std::sqrt(cells.rough_area() * most_feet / static_cast<double>(wanted)); // of marks
-    const double feet = 0.5 * most_feet * cells.grid.side / spacing;
-    return std::clamp(static_cast<std::int64_t>(std::lround(feet)), std::int64_t{1}, std::int64_t{most_feet});
+std::int64_t projections_for(const SurfaceCells& cells, std::int64_t wanted) noexcept {
+    const double spacing = std::sqrt(cells.rough_area() * most_projections / static_cast<double>(wanted)); // of marks
+    const double projections = 0.5 * most_projections * cells.grid.side / spacing;
+    return std::clamp(static_cast<std::int64_t>(std::lround(projections)), std::int64_t{1},
+                      std::int64_t{most_projections});
 }
 
 } // namespace
@@ -51,14 +53,14 @@ std::int64_t feet_for(const SurfaceCells& cells, std::int64_t wanted) noexcept {
 LayerCandidates::LayerCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
                                  const base::Array<CellKind>& kind, marks::Group group, std::int64_t wanted)
     : site_(site), cells_(cells), numbers_(numbers), kind_(kind), lane_(marks::lane_of(group)),
-      feet_of_point_(feet_for(cells, wanted)), trial_cell_(site.memory()), slot_(site.memory()), drawn_(site.memory()),
-      drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()),
-      kept_(site.memory()), near_of_task_(site.memory()), strayed_of_task_(site.memory()), bent_(site.memory()),
-      landed_(site.memory()), feet_(site.memory()) {
+      projections_of_point_(projections_for(cells, wanted)), trial_cell_(site.memory()), slot_(site.memory()),
+      drawn_(site.memory()), drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()),
+      field_(site.memory()), kept_(site.memory()), near_of_task_(site.memory()), strayed_of_task_(site.memory()),
+      bent_(site.memory()), landed_(site.memory()), projections_(site.memory()) {
     find_trial_cells();
 }
 
-// A foot is less than a side from its trial point: sqrt(band^2 + 2 stride^2) = 0.93 sides.
+// A projection is less than a side from its trial point: sqrt(band^2 + 2 stride^2) = 0.93 sides.
 void LayerCandidates::find_trial_cells() {
     CellNeighbours around(numbers_);
     base::Array<std::uint8_t> taken(site_.memory(), kind_.size());
@@ -73,14 +75,14 @@ void LayerCandidates::find_trial_cells() {
 }
 
 // near_ / trials_ is the part of the volume that is in the layer of thickness 2 band.  Of its area, what is in the
-// region and in cells that are not flat is the same part as of the feet.
+// region and in cells that are not flat is the same part as of the projections.
 double LayerCandidates::area() const noexcept {
     const double side = cells_.grid.side;
     const auto volume = static_cast<double>(trial_cell_.size()) * side * side * side;
     if (rounds_ == 0) return volume / (2.0 * cells_.reach());
     if (near_ == 0) return 0.0;
-    const double feet = static_cast<double>(feet_of_point_) * trials_;
-    return static_cast<double>(feet_.size()) / feet * volume / (2.0 * cells_.band);
+    const double projections = static_cast<double>(projections_of_point_) * trials_;
+    return static_cast<double>(projections_.size()) / projections * volume / (2.0 * cells_.band);
 }
 
 // Number 0 of a cell and round decides whether the fraction of a trial becomes one.
@@ -147,46 +149,47 @@ bool LayerCandidates::surprises(const glm::dvec3& p, double distance) const noex
     return !(std::abs(cell.distance + glm::dot(cell.normal, p - centre) - distance) <= expected * cells_.grid.side);
 }
 
-// The feet of a trial point; returns the end of those that are in the region and its cells.
-Foot* LayerCandidates::land(std::int64_t i, double distance, Foot* to, std::int64_t& strayed) const noexcept {
+// The projections of a trial point; returns the end of those that are in the region and its cells.
+Projection* LayerCandidates::land(std::int64_t i, double distance, Projection* to,
+                                  std::int64_t& strayed) const noexcept {
     const glm::dvec3 normal = glm::normalize(field_.gradient[i]);
     const geometry::TangentFrame frame = geometry::combing_frame(normal);
     const float bits = packed(normal);
-    const glm::dvec3 foot = trial_[i] - distance * normal;
+    const glm::dvec3 projection = trial_[i] - distance * normal;
     const bool surprising = surprises(trial_[i], distance);
-    glm::dvec3 at = foot;
+    glm::dvec3 at = projection;
     std::uint32_t ticket = trial_ticket_[i];
-    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(feet_of_point_); ++k) {
+    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(projections_of_point_); ++k) {
         const std::int32_t cell = cell_of(at);
         if (cell < 0)
             ++strayed;
         else if (kind_[cell] != CellKind::flat)
             *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), bits,
                      surprising || !(glm::dot(normal, cells_.cell[cell].normal) >= straight)};
-        if (k + 1 == static_cast<std::uint32_t>(feet_of_point_)) break;
-        const base::Philox random =
-            base::philox(site_.random_seed, {trial_ticket_[i], std::bit_cast<std::uint32_t>(static_cast<float>(foot.x)),
-                                             static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
+        if (k + 1 == static_cast<std::uint32_t>(projections_of_point_)) break;
+        const base::Philox random = base::philox(
+            site_.random_seed, {trial_ticket_[i], std::bit_cast<std::uint32_t>(static_cast<float>(projection.x)),
+                                static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
         constexpr double scale = 2.0 / 4294967296.0;
         const double u = random[1] * scale - 1.0;
         const double r = random[2] * scale - 1.0;
-        at = foot + stride * cells_.grid.side * (u * frame.u + r * frame.r);
+        at = projection + stride * cells_.grid.side * (u * frame.u + r * frame.r);
         ticket = random[0];
     }
     return to;
 }
 
-// Each task leaves its feet at the front of its part of landed_.
+// Each task leaves its projections at the front of its part of landed_.
 void LayerCandidates::step_down(const base::Progress& progress) {
     evaluate(site_, trial_, field_, progress);
-    landed_.resize_for_overwrite(feet_of_point_ * trial_.size());
+    landed_.resize_for_overwrite(projections_of_point_ * trial_.size());
     const std::int64_t tasks = (trial_.size() + points_of_task - 1) / points_of_task;
     kept_.resize(tasks);
     near_of_task_.resize(tasks);
     strayed_of_task_.resize(tasks);
     site_.runtime.parallel.for_chunks(trial_.size(), points_of_task, [&](std::int64_t begin, std::int64_t end) {
-        Foot* const first = landed_.data() + feet_of_point_ * begin;
-        Foot* to = first;
+        Projection* const first = landed_.data() + projections_of_point_ * begin;
+        Projection* to = first;
         std::int64_t near = 0;
         std::int64_t strayed = 0;
         for (std::int64_t i = begin; i < end; ++i) {
@@ -196,16 +199,17 @@ void LayerCandidates::step_down(const base::Progress& progress) {
             to = land(i, distance, to, strayed);
         }
         kept_[begin / points_of_task] = to - first;
-        near_of_task_[begin / points_of_task] = feet_of_point_ * near;
+        near_of_task_[begin / points_of_task] = projections_of_point_ * near;
         strayed_of_task_[begin / points_of_task] = strayed;
     });
-    const std::int64_t first = feet_.size();
+    const std::int64_t first = projections_.size();
     for (std::int64_t task = 0; task < tasks; ++task) {
-        const std::int64_t before = feet_.size();
+        const std::int64_t before = projections_.size();
         near_ += near_of_task_[task];
         strayed_ += strayed_of_task_[task];
-        feet_.resize_for_overwrite(before + kept_[task]);
-        std::copy_n(landed_.data() + feet_of_point_ * points_of_task * task, kept_[task], feet_.data() + before);
+        projections_.resize_for_overwrite(before + kept_[task]);
+        std::copy_n(landed_.data() + projections_of_point_ * points_of_task * task, kept_[task],
+                    projections_.data() + before);
     }
     step_down_again(first, progress);
 }
@@ -213,8 +217,8 @@ void LayerCandidates::step_down(const base::Progress& progress) {
 // Of a function that is no distance, of a square for one, planes tell the wrong distance alike at all points.
 bool LayerCandidates::many_are_off(std::int64_t first, const base::Progress& progress) {
     trial_.clear();
-    for (std::int64_t i = first; i < feet_.size(); i += every_foot)
-        if (!feet_[i].bent) trial_.push_back(cells_.grid.origin + glm::dvec3(feet_[i].position));
+    for (std::int64_t i = first; i < projections_.size(); i += every_projection)
+        if (!projections_[i].bent) trial_.push_back(cells_.grid.origin + glm::dvec3(projections_[i].position));
     evaluate(site_, trial_, field_, progress);
     std::int64_t off = 0;
     for (std::int64_t k = 0; k < trial_.size(); ++k)
@@ -226,15 +230,15 @@ bool LayerCandidates::many_are_off(std::int64_t first, const base::Progress& pro
 void LayerCandidates::step_down_again(std::int64_t first, const base::Progress& progress) {
     if (!all_bent_) all_bent_ = many_are_off(first, progress);
     bent_.clear();
-    for (std::int64_t i = first; i < feet_.size(); ++i)
-        if (all_bent_ || feet_[i].bent) bent_.push_back(i);
+    for (std::int64_t i = first; i < projections_.size(); ++i)
+        if (all_bent_ || projections_[i].bent) bent_.push_back(i);
     for (int step = 0; step < most_steps && !bent_.empty(); ++step) {
         trial_.clear();
-        for (const std::int64_t i : bent_) trial_.push_back(cells_.grid.origin + glm::dvec3(feet_[i].position));
+        for (const std::int64_t i : bent_) trial_.push_back(cells_.grid.origin + glm::dvec3(projections_[i].position));
         evaluate(site_, trial_, field_, progress);
         std::int64_t left = 0;
         for (std::int64_t k = 0; k < bent_.size(); ++k) {
-            Foot& foot = feet_[bent_[k]];
+            Projection& projection = projections_[bent_[k]];
             const double distance = field_.distance(k);
             const bool near = std::abs(distance) <= cells_.band;
             const glm::dvec3 normal = near ? glm::normalize(field_.gradient[k]) : glm::dvec3(0.0);
@@ -242,28 +246,28 @@ void LayerCandidates::step_down_again(std::int64_t first, const base::Progress& 
             const std::int32_t cell = near ? cell_of(at) : -1;
             if (cell < 0 || kind_[cell] == CellKind::flat) {
                 strayed_ += cell < 0 ? 1 : 0;
-                foot.cell = -1; // it is no candidate after all
+                projection.cell = -1; // it is no candidate after all
                 continue;
             }
-            foot = {cell, foot.ticket, glm::vec3(at - cells_.grid.origin), packed(normal), true};
+            projection = {cell, projection.ticket, glm::vec3(at - cells_.grid.origin), packed(normal), true};
             if (std::abs(distance) > near_enough * cells_.grid.side) bent_[left++] = bent_[k];
         }
         bent_.resize(left);
     }
     std::int64_t kept = first;
-    for (std::int64_t i = first; i < feet_.size(); ++i)
-        if (feet_[i].cell >= 0) feet_[kept++] = feet_[i];
-    feet_.resize(kept);
+    for (std::int64_t i = first; i < projections_.size(); ++i)
+        if (projections_[i].cell >= 0) projections_[kept++] = projections_[i];
+    projections_.resize(kept);
 }
 
 void LayerCandidates::draw(double density, const base::Progress& progress) {
     const std::int64_t cells = trial_cell_.size();
-    const double missing = density * area() - static_cast<double>(feet_.size());
+    const double missing = density * area() - static_cast<double>(projections_.size());
     if (cells == 0 || !(missing > 0.0)) return;
     const double side = cells_.grid.side;
     const double volume = static_cast<double>(cells) * side * side * side;
-    double of_trial = static_cast<double>(feet_.size()) / trials_; // feet
-    if (rounds_ == 0) of_trial = static_cast<double>(feet_of_point_) * 2.0 * cells_.band * area() / volume;
+    double of_trial = static_cast<double>(projections_.size()) / trials_; // projections
+    if (rounds_ == 0) of_trial = static_cast<double>(projections_of_point_) * 2.0 * cells_.band * area() / volume;
     of_trial = std::max(of_trial, least_of_trial);
     const double per_cell = missing / of_trial / static_cast<double>(cells);
     lane_of_round_ = (lane_ + static_cast<std::uint32_t>(marks::group_count) * rounds_++) << 16U;

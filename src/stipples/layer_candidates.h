@@ -6,7 +6,7 @@
 namespace hrbfnpr::stipples {
 
 // A point on the surface, to second order, and the cell that it is in.
-struct Foot {
+struct Projection {
     std::int32_t cell; // number in SurfaceCells::cell
     std::uint32_t ticket;
     glm::vec3 position; // relative to the grid's origin
@@ -28,8 +28,8 @@ public:
     // Draws more, until there are about that many per area; each time others.
     void draw(double density, const base::Progress& progress);
 
-    [[nodiscard]] const base::Array<Foot>& feet() const noexcept { return feet_; }
-    // Feet that were not in the region or its cells.
+    [[nodiscard]] const base::Array<Projection>& projections() const noexcept { return projections_; }
+    // Projections that were not in the region or its cells.
     [[nodiscard]] std::int64_t strayed() const noexcept { return strayed_; }
 
 private:
@@ -43,17 +43,17 @@ private:
     void step_down_again(std::int64_t first, const base::Progress& progress);
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept;
     [[nodiscard]] bool surprises(const glm::dvec3& p, double distance) const noexcept;
-    Foot* land(std::int64_t i, double distance, Foot* to, std::int64_t& strayed) const noexcept;
+    Projection* land(std::int64_t i, double distance, Projection* to, std::int64_t& strayed) const noexcept;
 
     const marks::Site& site_;
     const SurfaceCells& cells_;
     const CellMap& numbers_;
     const base::Array<CellKind>& kind_;
     std::uint32_t lane_;
-    std::int64_t feet_of_point_;
+    std::int64_t projections_of_point_;
     std::uint32_t rounds_ = 0;
     std::uint32_t lane_of_round_ = 0;
-    base::Array<std::int32_t> trial_cell_; // all from which a foot may be in a cell that is bent
+    base::Array<std::int32_t> trial_cell_; // all from which a projection may be in a cell that is bent
     base::Array<std::int64_t> slot_;       // of the first trial of each cell of the batch
     geometry::VecArray drawn_;             // a slot for each trial; NaN: not worth evaluating
     base::Array<std::uint32_t> drawn_ticket_;
@@ -63,10 +63,10 @@ private:
     base::Array<std::int64_t> kept_, near_of_task_, strayed_of_task_;
     base::Array<std::int64_t> bent_;
     bool all_bent_ = false;
-    base::Array<Foot> landed_;
-    base::Array<Foot> feet_;
+    base::Array<Projection> landed_;
+    base::Array<Projection> projections_;
     double trials_ = 0.0;
-    std::int64_t near_ = 0; // feet of all trials within the band
+    std::int64_t near_ = 0; // projections of all trials within the band
     std::int64_t strayed_ = 0;
 };
 

@@ -113,7 +113,7 @@ protected:
         Style style = contours(width);
         style.hidden_lines = hidden_lines;
         style.halo_width = halo;
-        const std::array items{sheet_item(set, style)};
+        const std::array items{layered_item(set, style)};
         frame.prepare(items, camera);
         std::vector<glm::dvec2> truth;
         for (const glm::dvec3& p : contour) truth.push_back(image_of(camera, p));
@@ -206,7 +206,7 @@ TEST_F(Contours, OfATorusAreThinAndWhole) {
     }
 }
 
-TEST_F(Contours, AreNotHiddenByTheirOwnSheet) { expect_whole_sphere(); }
+TEST_F(Contours, AreNotHiddenByTheirOwnLayer) { expect_whole_sphere(); }
 
 // Marks a pixel inside of the contour lie many pixels nearer to the eye than it: their halo must not hide it.
 TEST_F(Contours, AreNotHiddenByTheirOwnHalo) {
@@ -233,7 +233,7 @@ TEST_F(Contours, ByAngleAreThePublishedBand) {
         style.silhouette_threshold = threshold;
         style.tone_fade = 0.0F;
         const glm::dvec3 toward = glm::normalize(glm::dvec3(0.2, -1.0, 1.0));
-        const std::array items{sheet_item(set, style)};
+        const std::array items{layered_item(set, style)};
         frame.prepare(items, camera_from(toward, size, 1.8));
         const std::vector<float> share = seen_share(frame, set.group[0].count());
         for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
@@ -254,7 +254,7 @@ TEST(StretchedContours, LieOnTheOutlineOfAnEllipsoid) {
     frame::Style style = all_front(frame::HiddenLines::show);
     style.silhouette_groups = 1;
     frame::Frame frame(runtime);
-    const std::array items{sheet_item(set, style, stretched)};
+    const std::array items{layered_item(set, style, stretched)};
     frame.prepare(items, front_camera(600, 600));
     const double pixel = 2.5 / 600.0;
     std::array<int, 90> around{};

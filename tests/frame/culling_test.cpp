@@ -103,7 +103,7 @@ std::vector<Style> styles() {
     dark.depth_min = 2.0;
     dark.depth_max = 9.0;
     Style rule = linear;
-    rule.tone_rule = frame::ToneRule::paper;
+    rule.tone_rule = frame::ToneRule::published;
     Style lines = lit;
     lines.group[0].shown = false;
     Style no_lines = lit;
@@ -125,12 +125,12 @@ protected:
             clusters[i].cone_sine = 0.0F;
             clusters[i].radius = parallel ? 100.0F : set.group[0].clusters.cluster[i].radius;
         }
-        const std::array items{sheet_item(set, style, view.transform)};
+        const std::array items{layered_item(set, style, view.transform)};
         frame.prepare(items, view.camera);
         const std::vector<Disc> discs(frame.discs().begin(), frame.discs().end());
         const std::int64_t culled = frame.info().culled;
         expect_counts(frame.info(), view.name);
-        const std::array wide{sheet_item(open, style, view.transform)};
+        const std::array wide{layered_item(open, style, view.transform)};
         frame.prepare(wide, view.camera);
         expect_counts(frame.info(), view.name);
         EXPECT_EQ(frame.discs().size(), discs.size()) << view.name;
@@ -162,7 +162,7 @@ TEST_F(Culling, ChangesNoInk) {
 // By the published rule contours take all their marks.
 TEST_F(Culling, ChangesNoInkByThePublishedRuleOfTone) {
     Style style = styles()[0];
-    style.tone_rule = frame::ToneRule::paper;
+    style.tone_rule = frame::ToneRule::published;
     for (const View& view : views()) expect_same_without(view, style);
 }
 
@@ -180,15 +180,15 @@ TEST_F(Culling, DiscsThatGrowWithTheZoomReachIntoThePicture) {
     frame.prepare(painted, camera);
     const std::int64_t expected = frame.info().shown;
     EXPECT_EQ(frame.discs()[0].radius, 120.0F);
-    const std::array sheets{sheet_item(flat, style)};
-    frame.prepare(sheets, camera);
+    const std::array layers{layered_item(flat, style)};
+    frame.prepare(layers, camera);
     EXPECT_EQ(frame.info().shown, expected);
 }
 
 // A contour's mark that its thinned line drops may be drawn as one of the front, and counts as both.
 TEST_F(Culling, EveryMarkCountsOnceWhileContoursFade) {
     for (const View& view : views()) {
-        const std::array items{sheet_item(set, styles()[0], view.transform)};
+        const std::array items{layered_item(set, styles()[0], view.transform)};
         frame.prepare(items, view.camera);
         const FrameInfo& info = frame.info();
         EXPECT_EQ(info.shown + info.dropped_tone + info.dropped_depth + info.dropped_zoom + info.dropped_hidden,
@@ -199,7 +199,7 @@ TEST_F(Culling, EveryMarkCountsOnceWhileContoursFade) {
 
 // One mark after the other, in doubles.
 struct Plain {
-    double x = 0.0, y = 0.0, nu = 0.0, tau = 0.0, ppe = 1.0;
+    double x = 0.0, y = 0.0, nu = 0.0, tau = 0.0, pixels_per_unit = 1.0;
     bool inside = false;
     bool near_edge = false; // rounding decides whether it is inside
 };
@@ -248,10 +248,10 @@ TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
     style.tone_fade = 0.0F;
     style.group[0].share = 0.7F;
     style.group[0].radius = 2.0F;
-    std::int64_t judged = 0;
+    std::int64_t selected = 0;
     for (const View& view : views()) {
         const Sight sight = sight_of(view);
-        const std::array items{sheet_item(set, style, view.transform)};
+        const std::array items{layered_item(set, style, view.transform)};
         frame.prepare(items, view.camera);
         const std::map<std::uint32_t, Disc> inks = inks_of(frame);
         for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
@@ -259,7 +259,7 @@ TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
             const double shown = 0.7 * (1.0 - p.tau);
             const double place = 1.0 - static_cast<double>(set.group[0].rank[i]);
             if (p.near_edge || std::abs(std::abs(p.nu) - 0.2) < 1e-4 || std::abs(place - shown) < 1e-4) continue;
-            ++judged;
+            ++selected;
             const bool contour = std::abs(p.nu) < 0.2;
             const bool wanted = p.inside && (contour || (p.nu < 0.0 && place < shown));
             const auto found = inks.find(static_cast<std::uint32_t>(i) + 1);
@@ -272,7 +272,7 @@ TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
             ASSERT_EQ(found->second.radius, contour ? 1.0F : 2.0F);
         }
     }
-    EXPECT_GT(judged, 1000000);
+    EXPECT_GT(selected, 1000000);
 }
 
 // By coverage: an evenly lit set, whose every mark takes the share that its turn away from the eye asks for.
@@ -286,11 +286,11 @@ TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
     for (const View& view : views()) {
         if (std::string(view.name).find("orthographic") == std::string::npos) continue; // one scale for all clusters
         const Sight sight = sight_of(view);
-        const double ppe = 0.5 * size * view.camera.projection[1][1];
-        const double full = pi * (1.5 * 1.5 + 1.0 / 12.0) / std::pow(set.spacing * ppe, 2.0);
+        const double pixels_per_unit = 0.5 * size * view.camera.projection[1][1];
+        const double full = pi * (1.5 * 1.5 + 1.0 / 12.0) / std::pow(set.spacing * pixels_per_unit, 2.0);
         // Where all marks cover less than 0.6 (in the table's steps of 1 / 64), they are shown as if they did not.
         const double enough = std::max(full, -std::log(1.0 - 38.0 / 64.0));
-        const std::array items{sheet_item(set, style, view.transform)};
+        const std::array items{layered_item(set, style, view.transform)};
         frame.prepare(items, view.camera);
         const std::map<std::uint32_t, Disc> inks = inks_of(frame);
         for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
@@ -311,7 +311,7 @@ TEST_F(Culling, FrontAndContourMarksAreShownDroppedOrNotDrawn) {
         for (Style style : styles()) {
             style.tone_fade = 0.0F;
             style.hidden_lines = frame::HiddenLines::hide;
-            const std::array items{sheet_item(set, style, view.transform)};
+            const std::array items{layered_item(set, style, view.transform)};
             frame.prepare(items, view.camera);
             const FrameInfo& info = frame.info();
             expect_counts(info, view.name);
@@ -336,7 +336,7 @@ TEST_F(Culling, SameBitsForAnyThreadCountAndInstructionSet) {
         own.hidden_lines = frame::HiddenLines::attenuate;
         own.attenuation_front = 0.4;
         own.cover_layers = 2.0F;
-        const std::array items{sheet_item(ring, own)};
+        const std::array items{layered_item(ring, own)};
         Frame own_frame(other);
         own_frame.prepare(items, perspective_from({2.0, -4.0, 3.0}, {0.0, 0.0, 0.0}, 0.5));
         std::vector<float> numbers;

@@ -1,5 +1,5 @@
 // Visibility that is asked of the surface itself.
-#include "frame/depth_layers/cover_law.h"
+#include "frame/depth_layers/splat_law.h"
 #include "frame/line_of_sight.h"
 #include "support/analytic.h"
 
@@ -21,7 +21,7 @@ class Exact : public ::testing::Test {
 protected:
     std::vector<float> shares(const Style& style, const frame::Camera& camera, const glm::dmat4& transform,
                               bool exact = true) {
-        frame::Item item = sheet_item(set, style, transform);
+        frame::Item item = layered_item(set, style, transform);
         if (exact) item.model = &solid;
         const std::array items{item};
         frame.prepare(items, camera);
@@ -76,7 +76,7 @@ TEST_F(Exact, FollowsTheItemAndThePerspective) {
     near_by.view = frame::look_at(eye, glm::dvec3(0.0), {0, 0, 1});
     near_by.projection = frame::perspective(0.9, size, size, 0.5, 20.0, near_by.depth);
     const std::vector<float> share = shares(style, near_by, glm::dmat4(1.0));
-    int judged = 0;
+    int selected = 0;
     for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
         const Mark mark = mark_of(set, i);
         const glm::dvec3 sight = glm::normalize(eye - mark.position);
@@ -84,12 +84,12 @@ TEST_F(Exact, FollowsTheItemAndThePerspective) {
         const double clear = own_clearance(ring(), mark.position + 0.003 * mark.normal, sight, 3.0);
         if (std::abs(clear) < 0.005) continue;
         ASSERT_EQ(share[static_cast<std::size_t>(i) + 1] > 0.0F, clear > 0.0) << i << " " << clear;
-        ++judged;
+        ++selected;
     }
-    EXPECT_GT(judged, 3000);
+    EXPECT_GT(selected, 3000);
 }
 
-TEST_F(Exact, DimsByTheLawsOfTheSheetsThatALineCrosses) {
+TEST_F(Exact, DimsByTheLawsOfTheLayersThatALineCrosses) {
     Style style = all_front(HiddenLines::attenuate);
     style.halo_width = 0.0F;
     style.attenuation_front = 0.4;
@@ -113,8 +113,8 @@ TEST_F(Exact, DimsByTheLawsOfTheSheetsThatALineCrosses) {
             const double d = ring()(p);
             if (t > 0.021 && (d < 0.0) != (before < 0.0)) {
                 const test::Field field = solid.at(p);
-                law *= static_cast<double>(
-                    frame::sheet_clear(style, static_cast<float>(-glm::dot(glm::normalize(field.gradient), toward))));
+                law *= static_cast<double>(frame::layer_transmittance(
+                    style, static_cast<float>(-glm::dot(glm::normalize(field.gradient), toward))));
             }
             before = d;
         }

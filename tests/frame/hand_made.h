@@ -131,15 +131,15 @@ inline frame::Style plain_style() {
     return style;
 }
 
-// Frames by sheets see clusters only: for sets that are complete.
+// Frames by layers see clusters only: for sets that are complete.
 inline marks::PointSet clustered(const base::Runtime& runtime, marks::PointSet set) {
     marks::cluster_marks(runtime, set);
     return set;
 }
 
-// By sheets, if the style says nothing else; the set must be clustered().
-inline frame::Item sheet_item(const marks::PointSet& set, const frame::Style& style,
-                              const glm::dmat4& transform = glm::dmat4(1.0)) {
+// By layers, if the style says nothing else; the set must be clustered().
+inline frame::Item layered_item(const marks::PointSet& set, const frame::Style& style,
+                                const glm::dmat4& transform = glm::dmat4(1.0)) {
     frame::Item item;
     item.set = &set;
     item.style = style;
@@ -150,8 +150,8 @@ inline frame::Item sheet_item(const marks::PointSet& set, const frame::Style& st
 // Painted as published.
 inline frame::Item item_of(const marks::PointSet& set, const frame::Style& style,
                            const glm::dmat4& transform = glm::dmat4(1.0)) {
-    frame::Item item = sheet_item(set, style, transform);
-    item.style.visibility = frame::Visibility::painted;
+    frame::Item item = layered_item(set, style, transform);
+    item.style.visibility = frame::Visibility::published;
     return item;
 }
 

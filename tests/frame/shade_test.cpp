@@ -43,7 +43,7 @@ protected:
 };
 
 TEST_F(Shade, TheShareShownIsOneMinusTheTone) {
-    for (const ToneRule rule : {ToneRule::share, ToneRule::paper}) {
+    for (const ToneRule rule : {ToneRule::share, ToneRule::published}) {
         for (const double cosine : {0.0, 0.2, 0.5, 0.9, 1.0}) {
             for (const double exponent : {0.5, 1.0, 2.0}) {
                 Style style = plain_style();
@@ -92,7 +92,7 @@ TEST_F(Shade, ShareThinsFrontMarksOnly) {
 TEST_F(Shade, DepthAttenuationThinsFrontAndSilhouetteMarks) {
     frame::Camera edge_on = front_camera(300, 300);
     edge_on.view = frame::look_at({0.0, -10.0, 0.0}, glm::dvec3(0.0), {0.0, 0.0, 1.0});
-    for (const ToneRule rule : {ToneRule::share, ToneRule::paper}) {
+    for (const ToneRule rule : {ToneRule::share, ToneRule::published}) {
         Style style = plain_style();
         style.tone_rule = rule;
         style.depth_min = 5.0;
@@ -129,7 +129,7 @@ TEST_F(Shade, DepthIsTheDistanceFromTheEye) {
 }
 
 TEST_F(Shade, ZoomThinsFrontMarksAndScalesRadii) {
-    for (const ToneRule rule : {ToneRule::share, ToneRule::paper}) {
+    for (const ToneRule rule : {ToneRule::share, ToneRule::published}) {
         Style style = plain_style();
         style.tone_rule = rule;
         style.zoom_reference = 240.0; // the camera shows 300 pixels on 2.5 units: 120

@@ -38,7 +38,7 @@ protected:
     Frame frame{runtime};
 };
 
-TEST_F(Visibility, ASheetDoesNotHideItselfAtAnyTilt) {
+TEST_F(Visibility, ALayerDoesNotHideItselfAtAnyTilt) {
     const marks::PointSet set = plane(runtime.memory, 100);
     const std::array items{item_of(set, hiding_style())};
     for (const double tilt : {0.0, 0.3, 0.6, 0.9, 1.2, 1.35}) {
@@ -89,7 +89,7 @@ TEST_F(Visibility, ASphereHidesAnotherOneBehindIt) {
     EXPECT_NEAR(static_cast<double>(frame.info().shown), 23000 * 0.6, 6.0);
 }
 
-TEST_F(Visibility, TheInsideOfAnOpenSheetHidesToo) {
+TEST_F(Visibility, TheInsideOfAnOpenLayerHidesToo) {
     const marks::PointSet set = plane(runtime.memory, 60);
     glm::dmat4 turned(1.0); // shows its back
     turned[0][0] = -1.0;

@@ -12,8 +12,8 @@ using namespace test;
 
 const std::initializer_list<Group> all_groups = {Group::stipple, Group::curvature, Group::combing};
 
-generate::Settings small_paper() {
-    generate::Settings settings = paper(all_groups, 2);
+generate::Settings small_published() {
+    generate::Settings settings = recursion(all_groups, 2);
     settings.seeds.box_resolution = 6;
     settings.group[0].with_curvature = true;
     settings.group[1].budget = 1000;
@@ -31,7 +31,7 @@ void reverse_tasks(void* /*user*/, base::TaskFn task, void* context, std::int64_
 
 TEST(Determinism, SameBitsForAnyThreadCountAndTaskOrder) {
     const Torus torus;
-    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+    for (const generate::Settings& settings : {small_published(), small_blue()}) {
         const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr),
                                    base::InstructionSet::automatic, nullptr, nullptr);
         const PointSet expected = generate::generate(serial, torus, {}, settings, {});
@@ -48,7 +48,7 @@ TEST(Determinism, SameBitsForAnyThreadCountAndTaskOrder) {
 
 TEST(Determinism, TheRandomSeedChangesTheMarks) {
     const Torus torus;
-    for (generate::Settings settings : {small_paper(), small_blue()}) {
+    for (generate::Settings settings : {small_published(), small_blue()}) {
         const PointSet one = make(torus, settings);
         settings.random_seed = 2;
         EXPECT_FALSE(same_bits(one, make(torus, settings)));
@@ -58,7 +58,7 @@ TEST(Determinism, TheRandomSeedChangesTheMarks) {
 TEST(Callbacks, ASerialFunctionRunsOnTheCallersThreadOnly) {
     const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr),
                                 base::InstructionSet::automatic, nullptr, nullptr);
-    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+    for (const generate::Settings& settings : {small_published(), small_blue()}) {
         Torus torus;
         torus.is_concurrent = false;
         const PointSet set = generate::generate(threads, torus, {}, settings, {});
@@ -92,7 +92,7 @@ TEST(Cancel, AtEveryReportOfProgress) {
     const Torus torus;
     const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr),
                                base::InstructionSet::automatic, nullptr, nullptr);
-    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+    for (const generate::Settings& settings : {small_published(), small_blue()}) {
         CancelAt watch;
         {
             base::Operation operation;
@@ -135,10 +135,10 @@ struct FailingAllocator {
 
 TEST(Memory, EveryAllocationMayFail) {
     const Torus torus;
-    generate::Settings tiny_paper = small_paper();
-    tiny_paper.seeds.box_resolution = 3;
-    tiny_paper.group[1].budget = 60;
-    for (const generate::Settings& settings : {tiny_paper, blue({Group::curvature}, 60, 1)}) {
+    generate::Settings tiny_published = small_published();
+    tiny_published.seeds.box_resolution = 3;
+    tiny_published.group[1].budget = 60;
+    for (const generate::Settings& settings : {tiny_published, blue({Group::curvature}, 60, 1)}) {
         FailingAllocator allocator;
         {
             const base::Runtime runtime(FailingAllocator::allocate, FailingAllocator::deallocate, &allocator,
@@ -149,7 +149,7 @@ TEST(Memory, EveryAllocationMayFail) {
         const std::int64_t count = allocator.calls;
         EXPECT_GT(count, 100);
         // The default's arrays grow in many steps of one kind: every fifth is enough.
-        const std::int64_t stride = settings.distribution == Distribution::paper ? 1 : 5;
+        const std::int64_t stride = settings.distribution == Distribution::published ? 1 : 5;
         for (std::int64_t k = 0; k < count; k += stride) {
             allocator.calls = 0;
             allocator.failing = k;
@@ -173,7 +173,7 @@ TEST(Memory, BytesAreThoseOfTheArrays) {
 TEST(Callbacks, AFailureEndsTheCall) {
     const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(3, nullptr, nullptr),
                                 base::InstructionSet::automatic, nullptr, nullptr);
-    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+    for (const generate::Settings& settings : {small_published(), small_blue()}) {
         for (const std::int64_t after : {0, 500, 20000}) {
             std::atomic<std::int64_t> calls{0};
             const AnyField fails(cube(1.0), [&](const glm::dvec3& p) {
@@ -190,7 +190,7 @@ TEST(Callbacks, AFailureEndsTheCall) {
 TEST(Accuracy, FarFromTheOriginFloatsAreStillExact) {
     const glm::dvec3 far(1e6, -2e6, 3e6);
     const Sphere sphere(1.0, far);
-    for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+    for (const generate::Settings& settings : {small_published(), small_blue()}) {
         const PointSet set = make(sphere, settings);
         EXPECT_LT(glm::distance(set.origin, far), 0.1);
         expect_sound(set, sphere, 1e-6);
@@ -201,7 +201,7 @@ TEST(Accuracy, FarFromTheOriginFloatsAreStillExact) {
 TEST(Accuracy, AnyUnitWorks) {
     for (const double unit : {1e-6, 1e5, 1e-30, 1e-20, 1e20, 1e30}) {
         const Torus torus(unit, 0.35 * unit);
-        for (const generate::Settings& settings : {small_paper(), small_blue()}) {
+        for (const generate::Settings& settings : {small_published(), small_blue()}) {
             const PointSet set = make(torus, settings);
             expect_sound(set, torus);
             EXPECT_GT(of(set, Group::stipple).count(), 1000);

@@ -9,9 +9,9 @@ using namespace test;
 std::int64_t level0(const PointSet& set) { return set.group[0].report.level[0].placed; }
 
 TEST(Seeds, BoxHasRCellsAlongItsLongestSideAndCubicOnes) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = recursion({Group::stipple}, 0);
     settings.seeds.source = SeedSource::box;
-    EXPECT_EQ(make(Sphere(), settings).seeds.attempted, 512) << "8^3, the paper's R";
+    EXPECT_EQ(make(Sphere(), settings).seeds.attempted, 512) << "8^3, the recursion's R";
     const PointSet torus = make(Torus(1.0, 0.35), settings);
     EXPECT_EQ(torus.seeds.attempted, 8 * 8 * 3) << "0.7 / (2.7 / 8) is 2.07: three layers";
     expect_sound(torus, Torus(1.0, 0.35));
@@ -22,7 +22,7 @@ TEST(Seeds, BoxHasRCellsAlongItsLongestSideAndCubicOnes) {
 // The centre of the ball is its only critical point, and cells farther from the sphere than their
 // diagonal are dropped.
 TEST(Seeds, BoxDropsAndCountsWhatStraysOrSticks) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = recursion({Group::stipple}, 0);
     settings.seeds.source = SeedSource::box;
     settings.seeds.box_jitter = 0.0;
     settings.seeds.box_resolution = 9; // odd: a cell in the centre
@@ -42,7 +42,7 @@ TEST(Seeds, BoxDropsAndCountsWhatStraysOrSticks) {
 }
 
 TEST(Seeds, JitterMovesByUpToAlphaCells) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = recursion({Group::stipple}, 0);
     settings.seeds.source = SeedSource::box;
     settings.seeds.box_resolution = 16;
     const Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}});
@@ -63,7 +63,7 @@ TEST(Seeds, JitterMovesByUpToAlphaCells) {
 
 // A small surface in a large box: nearly all cells are too far away.
 TEST(Seeds, ASurfaceSmallerThanTheBoxKeepsTheCellsNearIt) {
-    generate::Settings settings = paper({Group::stipple}, 2);
+    generate::Settings settings = recursion({Group::stipple}, 2);
     settings.seeds.source = SeedSource::box;
     const SquareSphere sphere(0.1, 10.0);
     const PointSet set = make(sphere, settings);
@@ -76,7 +76,7 @@ TEST(Seeds, ASurfaceSmallerThanTheBoxKeepsTheCellsNearIt) {
 
 TEST(Seeds, SamplesAreTakenAsTheyAre) {
     const std::vector<double> samples = spiral_seeds(300);
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = recursion({Group::stipple}, 0);
     settings.seeds.source = SeedSource::samples;
     const PointSet set = make(Sphere(), settings, {samples, 0.2});
     ASSERT_EQ(level0(set), 300);
@@ -87,7 +87,7 @@ TEST(Seeds, SamplesAreTakenAsTheyAre) {
 }
 
 TEST(Seeds, StepIsTheMeanEmptyBallDiameter) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = recursion({Group::stipple}, 0);
     const std::vector<double> seeds = six_seeds();
     use_points(settings, seeds);
     EXPECT_NEAR(make(Sphere(), settings).group[0].report.step, std::sqrt(2.0), 1e-12);
@@ -104,7 +104,7 @@ TEST(Seeds, StepIsTheMeanEmptyBallDiameter) {
 }
 
 TEST(Seeds, AutoTakesWellSpreadSamplesOnly) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = recursion({Group::stipple}, 0);
     EXPECT_EQ(make(Sphere(), settings).seed_source, SeedSource::box) << "there are none";
     const std::vector<double> even = spiral_seeds(200);
     EXPECT_EQ(make(Sphere(), settings, {even, 0.2}).seed_source, SeedSource::samples);
@@ -120,7 +120,7 @@ TEST(Seeds, AutoTakesWellSpreadSamplesOnly) {
 }
 
 TEST(Seeds, PointsAreProjectedFromAnywhere) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = recursion({Group::stipple}, 0);
     const std::vector<double> points = {2, 0, 0, 0, 0.2, 0, 0, 0, -3};
     use_points(settings, points);
     const PointSet set = make(Sphere(), settings);
@@ -131,7 +131,7 @@ TEST(Seeds, PointsAreProjectedFromAnywhere) {
 }
 
 TEST(Seeds, BadOnesAreNamed) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = recursion({Group::stipple}, 0);
     settings.seeds.source = SeedSource::points;
     expect_error(Status::invalid_argument, {"seed_points", "empty"}, [&] { (void)make(Sphere(), settings); });
     std::vector<double> points = six_seeds();
@@ -146,8 +146,8 @@ TEST(Seeds, ASetWithoutAnyIsAnError) {
     const AnyField nothing(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {glm::dot(p, p) + 1.0, 2.0 * p, identity(2.0)};
     });
-    for (const Distribution distribution : {Distribution::paper, Distribution::blue_noise}) {
-        generate::Settings settings = paper({Group::stipple}, 1);
+    for (const Distribution distribution : {Distribution::published, Distribution::blue_noise}) {
+        generate::Settings settings = recursion({Group::stipple}, 1);
         settings.distribution = distribution;
         expect_error(Status::not_converged, {"none of", "seed_points"}, [&] { (void)make(nothing, settings); });
     }
@@ -155,7 +155,7 @@ TEST(Seeds, ASetWithoutAnyIsAnError) {
 
 TEST(Patches, AreSquaresOfTwoStepsInTangentPlanes) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::stipple}, 2);
+    generate::Settings settings = recursion({Group::stipple}, 2);
     const std::vector<double> seeds = spiral_seeds(50);
     use_points(settings, seeds);
     std::vector<double> corners(70 * 12, 0.0);

@@ -53,7 +53,7 @@ TEST(Golden, PointSetOfVersion1) {
     const Bytes bytes = golden("sphere_6.points.v1");
     MemoryReader reader = reader_of(bytes);
     const marks::PointSet set = load_point_set(memory, reader);
-    EXPECT_EQ(set.distribution, marks::Distribution::paper);
+    EXPECT_EQ(set.distribution, marks::Distribution::published);
     EXPECT_EQ(set.seed_source, marks::SeedSource::samples);
     EXPECT_EQ(set.group[0].count(), 30);
     EXPECT_EQ(set.group[1].count(), 36);

@@ -13,9 +13,9 @@ using namespace generate;
 using namespace marks;
 using namespace test;
 
-TEST(PaperStipples, SixSeedsAndFourLevelsGive3750) {
+TEST(PublishedStipples, SixSeedsAndFourLevelsGive3750) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::stipple}, 4);
+    generate::Settings settings = recursion({Group::stipple}, 4);
     const std::vector<double> seeds = six_seeds();
     use_points(settings, seeds);
     const PointSet set = make(sphere, settings);
@@ -27,7 +27,7 @@ TEST(PaperStipples, SixSeedsAndFourLevelsGive3750) {
     const std::array<std::int64_t, 5> placed = {6, 24, 120, 600, 3000};
     for (std::size_t level = 0; level < placed.size(); ++level) EXPECT_EQ(report.level[level].placed, placed[level]);
     expect_sound(set, sphere);
-    EXPECT_EQ(set.distribution, Distribution::paper);
+    EXPECT_EQ(set.distribution, Distribution::published);
     EXPECT_EQ(set.seed_source, SeedSource::points);
     // A stipple knows its seed, and every seed has as many.
     std::array<int, 6> of_seed{};
@@ -38,31 +38,31 @@ TEST(PaperStipples, SixSeedsAndFourLevelsGive3750) {
     for (const int count : of_seed) EXPECT_EQ(count, 625);
 }
 
-TEST(PaperCounts, Table1) {
+TEST(PublishedCounts, Table1) {
     const Sphere sphere;
     const std::vector<double> seeds512 = spiral_seeds(512);
     const std::vector<double> seeds4096 = spiral_seeds(4096);
-    generate::Settings settings = paper({Group::stipple}, 3);
+    generate::Settings settings = recursion({Group::stipple}, 3);
     use_points(settings, seeds512);
     EXPECT_EQ(of(make(sphere, settings), Group::stipple).count(), 64000);
     use_points(settings, seeds4096);
     EXPECT_EQ(of(make(sphere, settings), Group::stipple).count(), 512000);
 
-    settings = paper({Group::combing}, 4);
+    settings = recursion({Group::combing}, 4);
     use_points(settings, seeds512);
     const PointSet hatched = make(sphere, settings);
     EXPECT_EQ(of(hatched, Group::combing).count(), 82944);
     EXPECT_EQ(of(hatched, Group::combing).report.strokes, 1024);
     EXPECT_EQ(of(hatched, Group::combing).report.full_count, 82944);
-    settings = paper({Group::curvature}, 3);
+    settings = recursion({Group::curvature}, 3);
     use_points(settings, seeds4096);
     EXPECT_EQ(of(make(sphere, settings), Group::curvature).count(), 221184);
 }
 
 // Hatching from stipples: 6 * 5^2 stipples, two strokes of 3^3 marks each.
-TEST(PaperCounts, StrokesMayStartFromStipples) {
+TEST(PublishedCounts, StrokesMayStartFromStipples) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::combing}, 3);
+    generate::Settings settings = recursion({Group::combing}, 3);
     const std::vector<double> seeds = six_seeds();
     use_points(settings, seeds);
     settings.group[2].published.from_stipples = true;
@@ -80,9 +80,9 @@ TEST(PaperCounts, StrokesMayStartFromStipples) {
 }
 
 // On a plane nothing moves in the projection: every child stands at (i r + j u) rho from its parent.
-TEST(PaperStipples, ChildrenStandAtTheJitteredCorners) {
+TEST(PublishedStipples, ChildrenStandAtTheJitteredCorners) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, cube(1.0));
-    generate::Settings settings = paper({Group::stipple}, 2);
+    generate::Settings settings = recursion({Group::stipple}, 2);
     const std::vector<double> seeds = {0.1, 0.2, 0.0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.3;
@@ -117,9 +117,9 @@ TEST(PaperStipples, ChildrenStandAtTheJitteredCorners) {
     EXPECT_GT(*different.rbegin(), 1.115);
 }
 
-TEST(PaperRanks, AreUniformAndIndependentOfOtherGroups) {
+TEST(PublishedRanks, AreUniformAndIndependentOfOtherGroups) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::stipple}, 4);
+    generate::Settings settings = recursion({Group::stipple}, 4);
     const std::vector<double> seeds = spiral_seeds(40);
     use_points(settings, seeds);
     const PointSet set = make(sphere, settings);
@@ -135,11 +135,11 @@ TEST(PaperRanks, AreUniformAndIndependentOfOtherGroups) {
     EXPECT_FALSE(same_bits(of(make(sphere, settings), Group::stipple).rank, marks.rank));
 }
 
-TEST(PaperBudget, ThinsTheLevelThatExceedsItAndStops) {
+TEST(PublishedBudget, ThinsTheLevelThatExceedsItAndStops) {
     const Sphere sphere;
     const std::vector<double> seeds = spiral_seeds(40);
     for (const Group group : {Group::stipple, Group::curvature, Group::combing}) {
-        generate::Settings settings = paper({group}, 4);
+        generate::Settings settings = recursion({group}, 4);
         use_points(settings, seeds);
         GroupSettings& limited = settings.group[static_cast<std::size_t>(group)];
         const bool stipple = group == Group::stipple;
@@ -170,15 +170,15 @@ TEST(PaperBudget, ThinsTheLevelThatExceedsItAndStops) {
     }
 }
 
-TEST(PaperBudget, CountsBeyondReasonAreRefusedBeforeTheyAreMade) {
-    generate::Settings settings = paper({Group::stipple}, 12);
+TEST(PublishedBudget, CountsBeyondReasonAreRefusedBeforeTheyAreMade) {
+    generate::Settings settings = recursion({Group::stipple}, 12);
     const std::vector<double> seeds = spiral_seeds(100);
     use_points(settings, seeds);
     expect_error(Status::invalid_argument, {"group[0].levels = 12", "24414062500", "budget"},
                  [&] { (void)make(Sphere(), settings); });
     settings.group[0].budget = 1000;
     EXPECT_EQ(of(make(Sphere(), settings), Group::stipple).count(), 1000);
-    settings = paper({Group::combing}, 12);
+    settings = recursion({Group::combing}, 12);
     const std::vector<double> many = spiral_seeds(3000);
     use_points(settings, many);
     expect_error(Status::invalid_argument, {"group[2].levels = 12", "budget"}, [&] { (void)make(Sphere(), settings); });
@@ -186,13 +186,13 @@ TEST(PaperBudget, CountsBeyondReasonAreRefusedBeforeTheyAreMade) {
 
 // A step far too long: children of the tangent plane land all over a small sphere or not at all, and
 // each dropped one is counted; its children are never made.
-TEST(PaperDrops, AreCountedAndHaveNoChildren) {
+TEST(PublishedDrops, AreCountedAndHaveNoChildren) {
     // Inside the unit ball there is no zero to be found beyond x > 0.
     const AnyField half(cube(1.0), [](const glm::dvec3& p) -> Field {
         if (p.x > 0.0) return {std::nan(""), glm::dvec3(0.0), {}};
         return Sphere().at(p);
     });
-    generate::Settings settings = paper({Group::stipple}, 3);
+    generate::Settings settings = recursion({Group::stipple}, 3);
     const std::vector<double> seeds = {-1, 0, 0, -0.6, 0.8, 0, -0.6, 0, 0.8};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.8;
@@ -212,12 +212,12 @@ TEST(PaperDrops, AreCountedAndHaveNoChildren) {
 }
 
 // Two parallel sheets with one end: what would jump from one to the other is dropped as strayed.
-TEST(PaperDrops, StrayedMarksAreDropped) {
+TEST(PublishedDrops, StrayedMarksAreDropped) {
     // A surface that ends: f is a plane's for |x| < 1 and a far plane's beyond.
     const AnyField step(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {p.z - (std::abs(p.x) < 1.0 ? 0.0 : 5.0), {0.0, 0.0, 1.0}, {}};
     });
-    generate::Settings settings = paper({Group::stipple, Group::combing}, 1);
+    generate::Settings settings = recursion({Group::stipple, Group::combing}, 1);
     const std::vector<double> seeds = {0.9, 0, 0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.3;
@@ -229,9 +229,9 @@ TEST(PaperDrops, StrayedMarksAreDropped) {
     EXPECT_EQ(of(set, Group::combing).count(), 2 + 3);
 }
 
-TEST(PaperCurvature, IsFilledWhereWanted) {
+TEST(PublishedCurvature, IsFilledWhereWanted) {
     const Torus torus;
-    generate::Settings settings = paper({Group::stipple, Group::curvature, Group::combing}, 1);
+    generate::Settings settings = recursion({Group::stipple, Group::curvature, Group::combing}, 1);
     PointSet set = make(torus, settings);
     EXPECT_TRUE(of(set, Group::stipple).curvature.empty());
     EXPECT_TRUE(of(set, Group::combing).curvature.empty());

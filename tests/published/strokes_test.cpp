@@ -24,7 +24,7 @@ std::map<std::uint32_t, std::vector<std::int64_t>> strokes_of(const MarkGroup& m
 
 TEST(Strokes, AreEvenRowsWithTheSeedInTheMiddle) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, cube(1.0));
-    generate::Settings settings = paper({Group::combing}, 3);
+    generate::Settings settings = recursion({Group::combing}, 3);
     const std::vector<double> seeds = {0.1, 0.2, 0.0, -0.5, 0.3, 0.0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.27;
@@ -65,7 +65,7 @@ void expect_even_strokes(const PointSet& set, Group group, double spacing, doubl
 
 TEST(Strokes, OrderAndSpacingHoldOnCurvedSurfaces) {
     const Torus torus;
-    generate::Settings settings = paper({Group::curvature}, 3);
+    generate::Settings settings = recursion({Group::curvature}, 3);
     settings.seeds.initial_step = 0.09;
     const PointSet lines = make(torus, settings);
     expect_sound(lines, torus);
@@ -76,7 +76,7 @@ TEST(Strokes, OrderAndSpacingHoldOnCurvedSurfaces) {
 // circle of the normal section leaves it by rho^2 / 2 times its geodesic curvature, sin v / (R + r cos v).
 TEST(Strokes, CurvatureLinesOfATorusAreItsMeridiansAndParallels) {
     const Torus torus(1.0, 0.35);
-    generate::Settings settings = paper({Group::curvature}, 3);
+    generate::Settings settings = recursion({Group::curvature}, 3);
     for (const double step : {0.06, 0.3}) {
         settings.seeds.initial_step = step;
         const PointSet set = make(torus, settings);
@@ -104,7 +104,7 @@ TEST(Strokes, CurvatureLinesOfATorusAreItsMeridiansAndParallels) {
 // where they start, at arc lengths that are exact.
 TEST(Strokes, StepsOnTheOsculatingCircleHaveTheStepsArcLength) {
     const Cylinder cylinder(0.5, 2.0);
-    generate::Settings settings = paper({Group::curvature}, 2);
+    generate::Settings settings = recursion({Group::curvature}, 2);
     const std::vector<double> seeds = {0.5, 0, 0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.6; // an angle of 1.2
@@ -127,7 +127,7 @@ TEST(Strokes, StepsOnTheOsculatingCircleHaveTheStepsArcLength) {
 
 TEST(Strokes, StepsLongerThanAQuarterCircleEndThere) {
     const Cylinder cylinder(0.1, 2.0);
-    generate::Settings settings = paper({Group::curvature}, 1);
+    generate::Settings settings = recursion({Group::curvature}, 1);
     const std::vector<double> seeds = {0.1, 0, 0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.5; // five radians
@@ -142,7 +142,7 @@ TEST(Strokes, StepsLongerThanAQuarterCircleEndThere) {
 // fallback field turns and jumps.
 TEST(Strokes, KeepTheirOwnDirectionWhereCurvatureTellsNone) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::curvature}, 4);
+    generate::Settings settings = recursion({Group::curvature}, 4);
     const std::vector<double> seeds = spiral_seeds(60);
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.5;
@@ -157,7 +157,7 @@ TEST(Strokes, KeepTheirOwnDirectionWhereCurvatureTellsNone) {
 
 TEST(Strokes, CombingFollowsStarksField) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::combing}, 2);
+    generate::Settings settings = recursion({Group::combing}, 2);
     settings.seeds.initial_step = 0.05;
     const PointSet set = make(sphere, settings);
     const MarkGroup& marks = of(set, Group::combing);

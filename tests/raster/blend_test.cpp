@@ -1,4 +1,4 @@
-// Discs into pixels: coverage, blending, paper, against the plain splatter.
+// Discs into pixels: coverage, blending, paper, against the plain reference.
 #include "raster/reference.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ protected:
     }
     void expect_reference(const Style& style, int width, int height) {
         const Picture picture = draw_marks(style, width, height);
-        const auto expected = splat(splats_of(frame.discs()), width, height, style.paper);
+        const auto expected = draw_plainly(reference_discs(frame.discs()), width, height, style.paper);
         EXPECT_LE(largest_difference(picture, expected), 0.51);
     }
 
@@ -93,7 +93,7 @@ TEST_F(Blend, LaterDiscsLieOverEarlierOnes) {
     EXPECT_EQ(draw_marks(half, 40, 40).at(20, 20, 0), 64); // 255 / 4, rounded
 }
 
-TEST_F(Blend, EqualsThePlainSplatter) {
+TEST_F(Blend, EqualsThePlainReference) {
     for (int i = 0; i < 300; ++i) {
         const auto u = base::uniform4(11, static_cast<std::uint64_t>(i), base::Purpose::candidate);
         add_pixel_mark(set, 150.0 * u[0] - 5.0, 110.0 * u[1] - 5.0, 3.0 * u[2]);
@@ -114,7 +114,7 @@ TEST_F(Blend, EqualsThePlainSplatter) {
 }
 
 TEST_F(Blend, TransparentPaperErases) {
-    add_pixel_mark(set, 20.5, 20.5, 5.0); // ink, and far in front of it a sheet that paints over it
+    add_pixel_mark(set, 20.5, 20.5, 5.0); // ink, and far in front of it a layer that paints over it
     for (int x = 0; x < 8; ++x) {
         for (int y = 0; y < 8; ++y) add_pixel_mark(set, 17.0 + x, 17.0 + y, 0.0);
     }

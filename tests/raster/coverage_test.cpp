@@ -40,12 +40,12 @@ Style toned(double tau) {
 class Coverage : public ::testing::Test {
 protected:
     void prepare(const marks::PointSet& set, const Style& style, const frame::Camera& camera) {
-        const std::array items{sheet_item(set, style)};
+        const std::array items{layered_item(set, style)};
         frame.prepare(items, camera);
     }
     // Of the picture's middle.
     double covered(const marks::PointSet& set, const Style& style, double half) {
-        const std::array items{sheet_item(set, style)};
+        const std::array items{layered_item(set, style)};
         return draw(runtime, items, front_camera(size, size, half), size, size).darkness(20, 20, size - 20, size - 20);
     }
     // Area of each mark's ink over that of a full one.
@@ -111,7 +111,7 @@ TEST_F(Coverage, OfATiltedPatchIsTheToneToo) {
         Style style = toned(0.5);
         style.group[0].radius = 1.5F;
         style.light_space = frame::LightSpace::world;
-        const std::array items{sheet_item(set, style)};
+        const std::array items{layered_item(set, style)};
         const frame::Camera camera = camera_from({0.0, -std::sin(tilt), std::cos(tilt)}, size, 0.8);
         const Picture picture = draw(runtime, items, camera, size, size);
         EXPECT_NEAR(picture.darkness(150, 190, 250, 210), 0.5, 0.06) << tilt;

@@ -5,17 +5,18 @@
 
 namespace hrbfnpr::testing {
 
-struct Splat {
+struct ReferenceDisc {
     float x, y, radius;
     glm::vec4 color; // straight
     bool is_paper;
 };
 
 // Straight RGBA in floats, row by row.  The paper is straight, too.
-inline std::vector<glm::dvec4> splat(const std::vector<Splat>& splats, int width, int height, const glm::vec4& paper) {
+inline std::vector<glm::dvec4> draw_plainly(const std::vector<ReferenceDisc>& discs, int width, int height,
+                                            const glm::vec4& paper) {
     const glm::dvec4 clear(glm::dvec3(paper) * static_cast<double>(paper.w), static_cast<double>(paper.w));
     std::vector<glm::dvec4> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), clear);
-    for (const Splat& s : splats) {
+    for (const ReferenceDisc& s : discs) {
         const double radius = std::max(0.5, static_cast<double>(s.radius));
         const double dimmed = static_cast<double>(s.radius) / radius;
         const auto edge = [](double at, int limit) {
@@ -59,10 +60,10 @@ inline double largest_difference(const Picture& picture, const std::vector<glm::
     return largest;
 }
 
-inline std::vector<Splat> splats_of(std::span<const frame::Disc> discs) {
-    std::vector<Splat> splats;
-    for (const frame::Disc& disc : discs) splats.push_back({disc.x, disc.y, disc.radius, disc.color, disc.is_paper});
-    return splats;
+inline std::vector<ReferenceDisc> reference_discs(std::span<const frame::Disc> discs) {
+    std::vector<ReferenceDisc> result;
+    for (const frame::Disc& disc : discs) result.push_back({disc.x, disc.y, disc.radius, disc.color, disc.is_paper});
+    return result;
 }
 
 // Pixels are world units: (x, y) from the top-left corner of a width * height image.

@@ -1,4 +1,4 @@
-// The ink of a sheet must not be washed out by the paper of that same sheet, and what lies behind
+// The ink of a layer must not be washed out by the paper of that same layer, and what lies behind
 // it must be.
 #include "raster/picture.h"
 
@@ -73,7 +73,7 @@ TEST_F(Wash, AScaledMirroredAndTurnedSphereKeepsItsInk) {
     EXPECT_GT(draw(runtime, with, front_camera(400, 400), 400, 400).darkness(), 0.97 * dark);
 }
 
-// A turn about z, so that the marks of two sheets do not lie in the same lattice.
+// A turn about z, so that the marks of two layers do not lie in the same lattice.
 glm::dmat4 turned(double angle, double z) {
     glm::dmat4 m(1.0);
     m[0] = {std::cos(angle), std::sin(angle), 0.0, 0.0};
@@ -82,7 +82,7 @@ glm::dmat4 turned(double angle, double z) {
     return m;
 }
 
-// Ink of one sheet behind the paper of another.
+// Ink of one layer behind the paper of another.
 double darkness_behind(const base::Runtime& runtime, const Style& style, double gap, int side) {
     const marks::PointSet set = plane(runtime.memory, side);
     Style paper_only = style;
@@ -92,7 +92,7 @@ double darkness_behind(const base::Runtime& runtime, const Style& style, double 
     return picture.darkness(50, 50, 250, 250);
 }
 
-TEST_F(Wash, AFrontSheetIsAsOpaqueAsItsLayersWhateverItsDensity) {
+TEST_F(Wash, AFrontLayerIsAsOpaqueAsAskedWhateverItsDensity) {
     for (const int side : {40, 80, 120}) {
         Style style = inked(HiddenLines::attenuate);
         style.attenuation_front = 0.0;

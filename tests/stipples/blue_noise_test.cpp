@@ -56,9 +56,9 @@ TEST(BlueNoise, EveryPrefixIsEven) {
     }
 }
 
-TEST(BlueNoise, TheMeasureOfEvennessTellsThePaperRecursionApart) {
+TEST(BlueNoise, TheMeasureOfEvennessTellsThePublishedRecursionApart) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::stipple}, 3);
+    generate::Settings settings = recursion({Group::stipple}, 3);
     const std::vector<double> seeds = spiral_seeds(64);
     use_points(settings, seeds);
     const Evenness e = evenness(make(sphere, settings), 1.0, sphere_area);

@@ -184,8 +184,8 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
     constexpr double density = 10000.0;
     planes.draw(density);
     layer.draw(density, {});
-    EXPECT_GT(layer.feet().size(), 5000);
-    for (const Foot& foot : layer.feet()) EXPECT_NE(planes.kind()[foot.cell], CellKind::flat);
+    EXPECT_GT(layer.projections().size(), 5000);
+    for (const Projection& projection : layer.projections()) EXPECT_NE(planes.kind()[projection.cell], CellKind::flat);
     EXPECT_NEAR(planes.area() + layer.area(), area, 0.02 * area);
     // Strips along a face, across its rounded ends: as many in each for its area.
     std::array<double, 12> strip{};

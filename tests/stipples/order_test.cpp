@@ -272,7 +272,7 @@ TEST(ProgressiveOrder, EveryPrefixHasNoLowFrequencies) {
     const PointSet set = make(sphere, blue({Group::stipple}, 12000));
     for (const double share : {0.05, 0.15, 0.25, 0.4, 0.6, 0.8, 1.0})
         EXPECT_LT(low_frequencies(set, std::lround(share * 12000), area), 0.10) << share;
-    generate::Settings random = paper({Group::stipple}, 3);
+    generate::Settings random = recursion({Group::stipple}, 3);
     random.group[0].budget = 12000;
     EXPECT_GT(low_frequencies(make(sphere, random), 12000, area), 0.5) << "the measure tells others apart";
 }

@@ -27,9 +27,9 @@ inline base::InView view(const std::vector<double>& numbers, std::uint32_t compo
 }
 
 // Settings with the groups named and the published recursion.
-inline generate::Settings paper(std::initializer_list<Group> groups, std::int32_t levels) {
+inline generate::Settings recursion(std::initializer_list<Group> groups, std::int32_t levels) {
     generate::Settings settings;
-    settings.distribution = Distribution::paper;
+    settings.distribution = Distribution::published;
     for (const Group group : groups) {
         settings.group[static_cast<std::size_t>(group)].wanted = true;
         settings.group[static_cast<std::size_t>(group)].published.levels = levels;
@@ -38,7 +38,7 @@ inline generate::Settings paper(std::initializer_list<Group> groups, std::int32_
 }
 
 inline generate::Settings blue(std::initializer_list<Group> groups, std::int64_t budget, std::int32_t levels = 3) {
-    generate::Settings settings = paper(groups, levels);
+    generate::Settings settings = recursion(groups, levels);
     settings.distribution = Distribution::blue_noise;
     for (GroupSettings& group : settings.group) group.budget = budget;
     return settings;

@@ -22,7 +22,7 @@ constexpr int size = 130;
 class Vertices : public ::testing::Test {
 protected:
     void prepare(const Style& style) {
-        const std::array items{sheets ? sheet_item(set, style, transform) : item_of(set, style, transform)};
+        const std::array items{layers ? layered_item(set, style, transform) : item_of(set, style, transform)};
         frame.prepare(items, front_camera(size, size));
     }
     [[nodiscard]] std::vector<std::byte> write(std::span<const VertexField> fields, std::int64_t stride) const {
@@ -33,7 +33,7 @@ protected:
 
     base::Runtime runtime;
     marks::PointSet set = clustered(runtime, sphere(runtime.memory, 1500));
-    bool sheets = false; // or painted
+    bool layers = false; // or painted
     glm::dmat4 transform{1.0};
     Frame frame{runtime};
 };
@@ -72,7 +72,7 @@ TEST(VertexFieldSize, KnowsWhichTypesAnAttributeCanHave) {
 
 class Both : public Vertices, public ::testing::WithParamInterface<bool> {
 protected:
-    Both() { sheets = GetParam(); }
+    Both() { layers = GetParam(); }
 };
 
 TEST_P(Both, HoldEveryAttributeAtItsOffset) {
@@ -95,7 +95,7 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
                             VertexField{VertexAttribute::is_paper, Scalar::uint8, 86}};
     const std::int64_t stride = 91;
     const std::vector<std::byte> memory = write(fields, stride);
-    ASSERT_GT(frame.discs().size(), sheets ? 300U : 1000U); // ink only, or paper, too
+    ASSERT_GT(frame.discs().size(), layers ? 300U : 1000U); // ink only, or paper, too
     for (std::size_t i = 0; i < frame.discs().size(); ++i) {
         const Disc& disc = frame.discs()[i];
         const std::int64_t at = static_cast<std::int64_t>(i) * stride;
@@ -147,20 +147,20 @@ TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
                                     VertexField{VertexAttribute::color, scalar, 20}};
             const std::int64_t stride = 36;
             const std::vector<std::byte> memory = write(fields, stride);
-            std::vector<Splat> splats;
+            std::vector<ReferenceDisc> reference;
             for (std::int64_t at = 0; at < static_cast<std::int64_t>(memory.size()); at += stride) {
-                Splat s{read<float>(memory, at),
-                        read<float>(memory, at + 4),
-                        read<float>(memory, at + 12),
-                        {},
-                        read<std::uint8_t>(memory, at + 16) != 0};
+                ReferenceDisc s{read<float>(memory, at),
+                                read<float>(memory, at + 4),
+                                read<float>(memory, at + 12),
+                                {},
+                                read<std::uint8_t>(memory, at + 16) != 0};
                 for (int c = 0; c < 4; ++c)
                     s.color[c] = scalar == Scalar::float32
                                      ? read<float>(memory, at + 20 + 4 * c)
                                      : static_cast<float>(read<std::uint8_t>(memory, at + 20 + c)) / 255.0F;
-                splats.push_back(s);
+                reference.push_back(s);
             }
-            const auto expected = splat(splats, size, size, paper);
+            const auto expected = draw_plainly(reference, size, size, paper);
             // Bytes round each disc's opacity, and a dozen discs may lie over each other.
             EXPECT_LE(largest_difference(picture, expected), scalar == Scalar::float32 ? 0.51 : 6.0);
         }
@@ -168,14 +168,14 @@ TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Visibility, Both, ::testing::Bool(),
-                         [](const auto& one) { return one.param ? "sheets" : "painted"; });
+                         [](const auto& one) { return one.param ? "layers" : "painted"; });
 
-TEST_F(Vertices, OfSheetsAreWrittenWithoutAllocationOnceWarm) {
+TEST_F(Vertices, OfLayersAreWrittenWithoutAllocationOnceWarm) {
     CountingAllocator counter;
     const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
                                 base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
     const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
-    const std::array items{sheet_item(ring, Style{})};
+    const std::array items{layered_item(ring, Style{})};
     Frame own(counted);
     const std::array fields{VertexField{VertexAttribute::window, Scalar::float32, 0},
                             VertexField{VertexAttribute::normal, Scalar::float32, 12}};

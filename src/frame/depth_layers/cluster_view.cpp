@@ -135,7 +135,7 @@ ClusterView view_cluster(const marks::Cluster& cluster, const ItemSight& sight, 
     const float radius = cluster.radius * sight.scale * 1.0001F;
     const float w = dot_row(seer.clip[3]);
     const float w_most = w + radius * frustum.w_norm;
-    if (w_most > 0.0F) view.ppe = lens.pixels / (w > 0.0F ? w : w_most);
+    if (w_most > 0.0F) view.pixels_per_unit = lens.pixels / (w > 0.0F ? w : w_most);
     if (!(w - radius * frustum.w_norm > 0.0F)) return view; // some may be behind the camera
     const Sides sides = sight.inside ? Sides{false, true} : sides_of(eye, radius, reach * w_most, frustum);
     view.outside = sides.outside;
@@ -160,7 +160,7 @@ ClusterView view_cluster(const marks::Cluster& cluster, const ItemSight& sight, 
     return view;
 }
 
-float ppe_at(const marks::Cluster& cluster, const ItemSight& sight, const Lens& lens) noexcept {
+float pixels_per_unit_at(const marks::Cluster& cluster, const ItemSight& sight, const Lens& lens) noexcept {
     const float(&row)[4] = sight.seer.clip[3];
     const float w = row[0] * cluster.centre[0] + row[1] * cluster.centre[1] + row[2] * cluster.centre[2] + row[3];
     return w > 0.0F ? lens.pixels / w : 1.0F;

@@ -31,9 +31,9 @@ struct Frustum {
 
 // Bounds that hold for all marks of a cluster.
 struct ClusterView {
-    bool outside = false; // surely
-    bool inside = false;  // surely
-    float ppe = 1.0F;     // at the centre
+    bool outside = false;         // surely
+    bool inside = false;          // surely
+    float pixels_per_unit = 1.0F; // at the centre
     float nu_min = -1.0F;
     float nu_max = 1.0F;
     float lit_min = -1.0F;
@@ -50,7 +50,8 @@ struct ClusterView {
 }
 
 // Pixels per eye unit at the cluster's centre; 1 if that is behind the camera.
-[[nodiscard]] float ppe_at(const marks::Cluster& cluster, const ItemSight& sight, const Lens& lens) noexcept;
+[[nodiscard]] float pixels_per_unit_at(const marks::Cluster& cluster, const ItemSight& sight,
+                                       const Lens& lens) noexcept;
 
 // Normal curvature of the cluster's surface where the normal is n, along the line of sight v; object space.  Positive
 // where convex.

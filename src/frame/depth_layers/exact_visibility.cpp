@@ -1,7 +1,7 @@
 #include "frame/depth_layers/exact_visibility.h"
 
 #include "base/operation.h"
-#include "frame/depth_layers/cover_law.h"
+#include "frame/depth_layers/splat_law.h"
 
 #include <glm/matrix.hpp>
 
@@ -9,9 +9,9 @@ namespace hrbfnpr::frame {
 namespace {
 
 constexpr std::int64_t rays_at_a_time = 16384;
-constexpr std::int32_t most_sheets = 8;
-// A ray starts so many pixels outside of its own sheet; a contour's, where its own sheet is out of the way.
-constexpr double off_sheet = 0.5;
+constexpr std::int32_t most_layers = 8;
+// A ray starts so many pixels outside of its own layer; a contour's, where its own layer is out of the way.
+constexpr double off_layer = 0.5;
 constexpr double off_contour = 3.0;
 
 } // namespace
@@ -22,8 +22,9 @@ void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Ink& ink
     const std::int64_t mark = ink.id - run.first_id;
     const glm::dmat3 to_eye(item.to_eye);
     const glm::dmat3 back = glm::inverse(to_eye);
-    const double pixel = 1.0 / (static_cast<double>(ink.ppe) * std::cbrt(std::abs(glm::determinant(to_eye))));
-    const double off = ink.mark_class == MarkClass::silhouette ? off_contour : off_sheet;
+    const double pixel =
+        1.0 / (static_cast<double>(ink.pixels_per_unit) * std::cbrt(std::abs(glm::determinant(to_eye))));
+    const double off = ink.mark_class == MarkClass::silhouette ? off_contour : off_layer;
     const glm::dvec3 from =
         glm::dvec3(item.place(*run.marks, mark)) + off * pixel * glm::dvec3(marks::vector_at(run.marks->normal, mark));
     const glm::dvec3 centre(scene.lens.centre);
@@ -38,15 +39,15 @@ void ExactVisibility::ask(const base::Runtime& runtime, const Scene& scene, std:
     if (asked_.empty()) return;
     const ItemView& view = scene.items[item];
     surface::RaySettings settings;
-    settings.maximum_hits = most_sheets;
+    settings.maximum_hits = most_layers;
     if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // at the eye
     surface::cast_rays(runtime, *view.model, settings, rays_, hits_, {});
     for (std::int64_t i = 0; i < asked_.size(); ++i) {
         const glm::dvec3 sight = rays_.direction[i] / -view.unit;
         for (std::int32_t hit = 0; hit < hits_.count[i]; ++hit) {
-            const glm::dvec3 n = hits_.normal[i * most_sheets + hit];
+            const glm::dvec3 n = hits_.normal[i * most_layers + hit];
             const double nu = glm::dot(n, sight) / glm::length(sight);
-            inks[asked_[i]].alpha *= sheet_clear(view.style, static_cast<float>(nu));
+            inks[asked_[i]].alpha *= layer_transmittance(view.style, static_cast<float>(nu));
         }
     }
     rays_.origin.clear();

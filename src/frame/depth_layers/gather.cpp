@@ -1,7 +1,7 @@
 #include "frame/depth_layers/gather.h"
 
-#include "frame/depth_layers/cover_law.h"
 #include "frame/depth_layers/gatherer.h"
+#include "frame/depth_layers/splat_law.h"
 
 #include <algorithm>
 
@@ -10,42 +10,42 @@ namespace {
 
 constexpr std::int64_t marks_of_work = 8192;
 
-[[nodiscard]] ClearTable clear_table(const Style& style) noexcept {
-    ClearTable table{};
-    for (std::size_t i = 0; i <= ClearTable::steps; ++i) {
-        const float nu = static_cast<float>(i) / ClearTable::steps;
-        table.front[i] = sheet_clear(style, -nu);
-        table.back[i] = sheet_clear(style, nu);
+[[nodiscard]] TransmittanceTable transmittance_table(const Style& style) noexcept {
+    TransmittanceTable table{};
+    for (std::size_t i = 0; i <= TransmittanceTable::steps; ++i) {
+        const float nu = static_cast<float>(i) / TransmittanceTable::steps;
+        table.front[i] = layer_transmittance(style, -nu);
+        table.back[i] = layer_transmittance(style, nu);
     }
-    table.halo = sheet_clear(style, halo_angle);
+    table.halo = layer_transmittance(style, halo_angle);
     return table;
 }
 
-[[nodiscard]] bool same_sheets(const Style& a, const Style& b) noexcept {
+[[nodiscard]] bool same_layers(const Style& a, const Style& b) noexcept {
     return a.hidden_lines == b.hidden_lines && a.attenuation_front == b.attenuation_front &&
            a.attenuation_back == b.attenuation_back && a.cover_layers == b.cover_layers;
 }
 
 } // namespace
 
-float ItemInk::per_pixel(float ppe) const noexcept {
+float ItemInk::per_pixel(float pixels_per_unit) const noexcept {
     float ink = 0.0F;
     for (std::size_t k = 0; k < terms; ++k) {
         const Term& t = term[k];
-        const float radius = t.pen->front_ink(ppe);
+        const float radius = t.pen->front_ink(pixels_per_unit);
         float area = disc_ink(radius);
         // The discs of a stroke overlap, and make a line.
-        if (t.step > 0.0F) area = std::min(area, 2.0F * radius * t.step * ppe);
+        if (t.step > 0.0F) area = std::min(area, 2.0F * radius * t.step * pixels_per_unit);
         ink += t.marks_per_area * area;
     }
-    return ink / (ppe * ppe);
+    return ink / (pixels_per_unit * pixels_per_unit);
 }
 
 Gather::Gather(const base::Runtime& runtime) noexcept
     : runtime_(runtime), loops_(see_loops(runtime.instruction_set)), sights_(runtime.memory),
-      item_inks_(runtime.memory), clears_(runtime.memory), clear_of_(runtime.memory), work_(runtime.memory),
-      inks_(runtime.memory), covers_(runtime.memory), ink_pieces_(runtime.memory), cover_pieces_(runtime.memory),
-      counts_(runtime.memory), tau_(runtime.memory), tone_calls_(runtime.memory) {}
+      item_inks_(runtime.memory), transmittances_(runtime.memory), transmittance_of_(runtime.memory),
+      work_(runtime.memory), inks_(runtime.memory), splats_(runtime.memory), ink_pieces_(runtime.memory),
+      splat_pieces_(runtime.memory), counts_(runtime.memory), tau_(runtime.memory), tone_calls_(runtime.memory) {}
 
 // first: the first run of the item.
 ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) const noexcept {
@@ -77,13 +77,13 @@ void Gather::set_up(const Scene& scene) {
     frustum_ = frustum_of(scene.lens);
     resize_scratch(sights_, scene.items.size());
     resize_scratch(item_inks_, scene.items.size());
-    resize_scratch(clear_of_, scene.items.size());
-    clears_.clear();
+    resize_scratch(transmittance_of_, scene.items.size());
+    transmittances_.clear();
     for (std::int64_t i = 0; i < scene.items.size(); ++i) {
         sights_[i] = sight_of(scene.items[i], scene.lens, frustum_);
-        if (i == 0 || !same_sheets(scene.items[i].style, scene.items[i - 1].style))
-            clears_.push_back(clear_table(scene.items[i].style));
-        clear_of_[i] = static_cast<std::int32_t>(clears_.size() - 1);
+        if (i == 0 || !same_layers(scene.items[i].style, scene.items[i - 1].style))
+            transmittances_.push_back(transmittance_table(scene.items[i].style));
+        transmittance_of_[i] = static_cast<std::int32_t>(transmittances_.size() - 1);
     }
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
         const std::int32_t item = scene.runs[r].item;
@@ -117,9 +117,9 @@ void Gather::run(Scene& scene) {
     ask_tones(scene);
     const std::int64_t places = scene.place_count();
     resize_scratch(inks_, places);
-    resize_scratch(covers_, places);
+    resize_scratch(splats_, places);
     resize_scratch(ink_pieces_, work_.size());
-    resize_scratch(cover_pieces_, work_.size());
+    resize_scratch(splat_pieces_, work_.size());
     resize_scratch(counts_, work_.size());
     runtime_.parallel.for_each(work_.size(), [&](std::int64_t i) {
         const Work& work = work_[i];
@@ -130,7 +130,7 @@ void Gather::run(Scene& scene) {
             gatherer(run.marks->clusters.cluster[c]);
         }
         ink_pieces_[i] = {work.first_place, gatherer.ink_end()};
-        cover_pieces_[i] = {work.first_place, gatherer.cover_end()};
+        splat_pieces_[i] = {work.first_place, gatherer.splat_end()};
         counts_[i] = gatherer.info();
     });
 }
@@ -156,7 +156,7 @@ void Gather::ask_cluster(const Scene& scene, const Run& run, const marks::Cluste
     Seen seen;
     loops_.see(sight.seer, {blocks, cluster.count}, seen);
     for (std::int64_t i = 0; i < cluster.count; ++i) {
-        if (!(seen.ppe[i] > 0.0F && seen.nu[i] < 0.0F)) continue;
+        if (!(seen.pixels_per_unit[i] > 0.0F && seen.nu[i] < 0.0F)) continue;
         const marks::MarkBlock& m = blocks[i / marks::MarkBlock::size];
         const std::int64_t at = i % marks::MarkBlock::size;
         tone_calls_.add({m.x[at], m.y[at], m.z[at]}, {m.nx[at], m.ny[at], m.nz[at]},
@@ -171,9 +171,9 @@ FrameInfo Gather::info() const noexcept {
 }
 
 std::int64_t Gather::bytes() const noexcept {
-    return sights_.bytes() + item_inks_.bytes() + clears_.bytes() + clear_of_.bytes() + work_.bytes() + inks_.bytes() +
-           covers_.bytes() + ink_pieces_.bytes() + cover_pieces_.bytes() + counts_.bytes() + tau_.bytes() +
-           tone_calls_.bytes();
+    return sights_.bytes() + item_inks_.bytes() + transmittances_.bytes() + transmittance_of_.bytes() + work_.bytes() +
+           inks_.bytes() + splats_.bytes() + ink_pieces_.bytes() + splat_pieces_.bytes() + counts_.bytes() +
+           tau_.bytes() + tone_calls_.bytes();
 }
 
 } // namespace hrbfnpr::frame

@@ -1,4 +1,4 @@
-// The first half of a frame by sheets: from clusters of marks to ink and covers.     [NPAR 6, 6.2]
+// The first half of a frame by layers: from clusters of marks to ink and splats.     [NPAR 6, 6.2]
 #pragma once
 
 #include "base/runtime.h"
@@ -64,11 +64,11 @@ struct ItemInk {
     // ink_for() of these coverages, so that a mark need not take a root.
     std::array<float, needed_steps + 1> needed{};
 
-    [[nodiscard]] float per_pixel(float ppe) const noexcept;
+    [[nodiscard]] float per_pixel(float pixels_per_unit) const noexcept;
 };
 
-// What a sheet lets through, by |nu|.
-struct ClearTable {
+// What a layer lets through, by |nu|.
+struct TransmittanceTable {
     static constexpr std::size_t steps = 256;
     std::array<float, steps + 1> front, back;
     float halo;
@@ -87,10 +87,10 @@ public:
     void run(Scene& scene);
 
     [[nodiscard]] std::span<Ink> inks() noexcept { return inks_.span(); }
-    [[nodiscard]] std::span<const Cover> covers() const noexcept { return covers_.span(); }
+    [[nodiscard]] std::span<const Splat> splats() const noexcept { return splats_.span(); }
     // Where in those arrays there are any.
     [[nodiscard]] std::span<const Piece> ink_pieces() const noexcept { return ink_pieces_.span(); }
-    [[nodiscard]] std::span<const Piece> cover_pieces() const noexcept { return cover_pieces_.span(); }
+    [[nodiscard]] std::span<const Piece> splat_pieces() const noexcept { return splat_pieces_.span(); }
     [[nodiscard]] FrameInfo info() const noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
@@ -115,12 +115,12 @@ private:
     Frustum frustum_;
     base::Array<ItemSight> sights_;
     base::Array<ItemInk> item_inks_;
-    base::Array<ClearTable> clears_;
-    base::Array<std::int32_t> clear_of_; // each item's
+    base::Array<TransmittanceTable> transmittances_;
+    base::Array<std::int32_t> transmittance_of_; // each item's
     base::Array<Work> work_;
     base::Array<Ink> inks_;
-    base::Array<Cover> covers_;
-    base::Array<Piece> ink_pieces_, cover_pieces_;
+    base::Array<Splat> splats_;
+    base::Array<Piece> ink_pieces_, splat_pieces_;
     base::Array<FrameInfo> counts_;
     base::Array<float> tau_; // of the marks whose tone is a callback's, by place
     ToneCalls tone_calls_;

@@ -1,7 +1,7 @@
 #include "frame/depth_layers/gatherer.h"
 
 #include "base/prefetch.h"
-#include "frame/depth_layers/cover_law.h"
+#include "frame/depth_layers/splat_law.h"
 #include "frame/scene/tone.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using marks::MarkBlock;
 constexpr float widest_band = 0.9F;
 // Ink of the front vanishes towards the contour over this much of n . v, where nothing else makes it vanish.
 constexpr float front_fade = 0.08F;
-// Contours are asked for what hides them so many pixels outside of their own sheet.
+// Contours are asked for what hides them so many pixels outside of their own layer.
 constexpr float probe = 3.0F;
 // A halo goes out from marks within this many pixels of the contour.
 constexpr float halo_band = 1.0F;
@@ -33,53 +33,54 @@ constexpr float contour_marks = 3.0F;
 Gatherer::Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t run_number,
                    std::int64_t first_place) noexcept
     : all_(all), scene_(scene), run_(run), item_(scene.item_of(run)), style_(item_.style),
-      sight_(all.sights_[run.item]), item_ink_(all.item_inks_[run.item]), clear_(all.clears_[all.clear_of_[run.item]]),
-      marks_(run.marks->clusters), color_(2U * static_cast<std::uint32_t>(run_number)), judge_(common_judge()),
-      ink_(all.inks_.data() + first_place), cover_(all.covers_.data() + first_place) {}
+      sight_(all.sights_[run.item]), item_ink_(all.item_inks_[run.item]),
+      transmittance_(all.transmittances_[all.transmittance_of_[run.item]]), marks_(run.marks->clusters),
+      color_(2U * static_cast<std::uint32_t>(run_number)), selection_(common_selection()),
+      ink_(all.inks_.data() + first_place), splat_(all.splats_.data() + first_place) {}
 
-Judge Gatherer::common_judge() const noexcept {
-    Judge judge{};
-    judge.by_paper = style_.tone_rule == ToneRule::paper;
-    judge.coverage = style_.tone_curve == ToneCurve::coverage;
-    judge.needed = item_ink_.needed.data();
-    judge.share = style_.group[static_cast<std::size_t>(run_.group)].share;
-    judge.fade = style_.tone_fade;
-    judge.more = 1.0F / (1.0F - 0.5F * judge.fade); // marks that fade in are small
+Selection Gatherer::common_selection() const noexcept {
+    Selection selection{};
+    selection.by_published = style_.tone_rule == ToneRule::published;
+    selection.coverage = style_.tone_curve == ToneCurve::coverage;
+    selection.needed = item_ink_.needed.data();
+    selection.share = style_.group[static_cast<std::size_t>(run_.group)].share;
+    selection.fade = style_.tone_fade;
+    selection.more = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small
     // Coverage counts on foreshortening; else the ink of the front vanishes where it turns away.
-    judge.turn = judge.fade > 0.0F && !judge.coverage && !judge.by_paper ? front_fade : 0.0F;
-    judge.draws_contours = run_.draws_silhouettes;
-    for (int k = 0; k < 3; ++k) judge.eye[k] = sight_.eye[k];
-    judge.width = style_.silhouette_width;
-    return judge;
+    selection.turn = selection.fade > 0.0F && !selection.coverage && !selection.by_published ? front_fade : 0.0F;
+    selection.draws_contours = run_.draws_silhouettes;
+    for (int k = 0; k < 3; ++k) selection.eye[k] = sight_.eye[k];
+    selection.width = style_.silhouette_width;
+    return selection;
 }
 
 // The largest disc that a mark can bring decides whether it can reach the viewport.
-float Gatherer::reach(float ppe) const noexcept {
+float Gatherer::reach(float pixels_per_unit) const noexcept {
     float radius = 0.0F;
-    if (run_.draws_front) radius = run_.pen.front_ink(ppe);
-    if (run_.draws_silhouettes) radius = std::max(radius, run_.pen.silhouette_ink(ppe));
+    if (run_.draws_front) radius = run_.pen.front_ink(pixels_per_unit);
+    if (run_.draws_silhouettes) radius = std::max(radius, run_.pen.silhouette_ink(pixels_per_unit));
     return radius + soft_rim;
 }
 
 Gatherer::Local Gatherer::local_of(const marks::Cluster& cluster) const noexcept {
-    Local local{&cluster, {}, judge_, cover_spacing};
-    const float reach_there = reach(ppe_at(cluster, sight_, scene_.lens));
+    Local local{&cluster, {}, selection_, splat_spacing};
+    const float reach_there = reach(pixels_per_unit_at(cluster, sight_, scene_.lens));
     local.view = view_cluster(cluster, sight_, scene_.lens, all_.frustum_, reach_there);
     const ClusterView& view = local.view;
-    Judge& judge = local.judge;
+    Selection& selection = local.selection;
     const glm::vec4& v = scene_.lens.viewport;
-    judge.left = v.x - reach_there;
-    judge.right = v.x + v.z + reach_there;
-    judge.top = v.y - reach_there;
-    judge.bottom = v.y + v.w + reach_there;
-    judge.all_inside = view.inside;
-    judge.front_ink = run_.draws_front && (run_.sets == 3U || (run_.sets >> cluster.set & 1U) != 0);
-    judge.scale = run_.pen.scale(view.ppe);
-    if (judge.coverage)
+    selection.left = v.x - reach_there;
+    selection.right = v.x + v.z + reach_there;
+    selection.top = v.y - reach_there;
+    selection.bottom = v.y + v.w + reach_there;
+    selection.all_inside = view.inside;
+    selection.front_ink = run_.draws_front && (run_.sets == 3U || (run_.sets >> cluster.set & 1U) != 0);
+    selection.scale = run_.pen.scale(view.pixels_per_unit);
+    if (selection.coverage)
         // Marks that cover less than 0.6 are shown as if they covered that: their dark tones still differ.
-        judge.per_ink = 1.0F / std::max(item_ink_.per_pixel(view.ppe), item_ink_.needed[darkest_step]);
+        selection.per_ink = 1.0F / std::max(item_ink_.per_pixel(view.pixels_per_unit), item_ink_.needed[darkest_step]);
     set_contour(local);
-    judge.most_shown = most_shown(local);
+    selection.most_shown = most_shown(local);
     return local;
 }
 
@@ -87,17 +88,19 @@ Gatherer::Local Gatherer::local_of(const marks::Cluster& cluster) const noexcept
 // sqrt(2 width / curvature) wide on either side.  Groups that come first go first.
 void Gatherer::set_contour(Local& local) const noexcept {
     const marks::Cluster& cluster = *local.cluster;
-    Judge& judge = local.judge;
-    const float ppe = local.view.ppe;
-    judge.pixel_curvature = 1.0F / (sight_.scale * ppe);
-    judge.by_width = style_.silhouette_law == SilhouetteLaw::width && cluster.bend >= 0.0F;
-    judge.band = static_cast<float>(style_.silhouette_threshold);
-    if (!judge.by_width) return;
-    judge.band = std::min(contour_band(1.05F * judge.width, cluster.bend * judge.pixel_curvature), widest_band);
+    Selection& selection = local.selection;
+    const float pixels_per_unit = local.view.pixels_per_unit;
+    selection.pixel_curvature = 1.0F / (sight_.scale * pixels_per_unit);
+    selection.by_width = style_.silhouette_law == SilhouetteLaw::width && cluster.bend >= 0.0F;
+    selection.band = static_cast<float>(style_.silhouette_threshold);
+    if (!selection.by_width) return;
+    selection.band =
+        std::min(contour_band(1.05F * selection.width, cluster.bend * selection.pixel_curvature), widest_band);
     const float area = run_.pen.spacing * run_.pen.spacing;
-    judge.line_slope = contour_marks * ppe * ppe * area / (2.0F * std::sqrt(2.0F * std::max(judge.width, 1e-3F)));
-    judge.line_earlier = run_.earlier_contours * area;
-    for (std::size_t k = 0; k < cluster.shape.size(); ++k) judge.shape[k] = cluster.shape[k];
+    selection.line_slope = contour_marks * pixels_per_unit * pixels_per_unit * area /
+                           (2.0F * std::sqrt(2.0F * std::max(selection.width, 1e-3F)));
+    selection.line_earlier = run_.earlier_contours * area;
+    for (std::size_t k = 0; k < cluster.shape.size(); ++k) selection.shape[k] = cluster.shape[k];
 }
 
 void Gatherer::operator()(const marks::Cluster& cluster) noexcept {
@@ -109,27 +112,28 @@ void Gatherer::operator()(const marks::Cluster& cluster) noexcept {
         return;
     }
     const bool whole = count_whole(local);
-    local.cover_spacing = whole ? cover_spacing : contour_cover_spacing;
-    const std::int64_t covers = covers_of(local);
-    const Judge& judge = local.judge;
-    const bool tone = judge.front_ink && local.view.nu_min < 0.0F;
-    float most = tone ? judge.most_shown : 0.0F;
+    local.splat_spacing = whole ? splat_spacing : contour_splat_spacing;
+    const std::int64_t splats = splats_of(local);
+    const Selection& selection = local.selection;
+    const bool tone = selection.front_ink && local.view.nu_min < 0.0F;
+    float most = tone ? selection.most_shown : 0.0F;
     // Wherever it bends the most, a contour takes the most marks.
-    if (judge.draws_contours && !whole)
-        most = std::max(most, judge.by_width
-                                  ? 1e-4F + 1.01F * judge.line_slope * std::sqrt(cluster.bend * judge.pixel_curvature) -
-                                        judge.line_earlier
-                                  : 1.0F);
+    if (selection.draws_contours && !whole)
+        most = std::max(
+            most, selection.by_width
+                      ? 1e-4F + 1.01F * selection.line_slope * std::sqrt(cluster.bend * selection.pixel_curvature) -
+                            selection.line_earlier
+                      : 1.0F);
     const std::int64_t inks = shown_of(cluster, most);
     if (!whole)
         info_.culled += marks - inks;
     else if (tone)
         info_.dropped_tone += marks - inks;
-    const std::int64_t count = std::max(covers, inks);
+    const std::int64_t count = std::max(splats, inks);
     if (count == 0) return;
     Seen seen;
     all_.loops_.see(sight_.seer, {marks_.block.data() + cluster.block, count}, seen);
-    if (covers > 0) cover(local, seen, covers);
+    if (splats > 0) splat(local, seen, splats);
     if (inks > 0) ink(local, seen, inks, whole);
 }
 
@@ -141,8 +145,8 @@ void Gatherer::expect(std::int64_t cluster) const noexcept {
 // Whether all marks of the cluster are of one class, which is then counted.
 bool Gatherer::count_whole(const Local& local) noexcept {
     if (!local.view.inside) return false;
-    const bool front = local.view.nu_max < -local.judge.band;
-    const bool back = local.view.nu_min > local.judge.band;
+    const bool front = local.view.nu_max < -local.selection.band;
+    const bool back = local.view.nu_min > local.selection.band;
     if (front) info_.front += local.cluster->count;
     if (back) info_.back += local.cluster->count;
     return front || back;
@@ -164,57 +168,58 @@ std::int64_t Gatherer::shown_of(const marks::Cluster& cluster, float shown) cons
     return low;
 }
 
-// A bound on what judge() shows of the front.
+// A bound on what select() shows of the front.
 float Gatherer::most_shown(const Local& local) const noexcept {
-    const Judge& judge = local.judge;
-    if (judge.by_paper || style_.tone == Tone::callback) return 1.0F;
+    const Selection& selection = local.selection;
+    if (selection.by_published || style_.tone == Tone::callback) return 1.0F;
     const float tau =
         style_.tone == Tone::light ? light_tone(local.view.lit_min, static_cast<float>(style_.tone_exponent)) : 0.0F;
     float shown = 1.0F - tau;
-    if (judge.coverage) {
+    if (selection.coverage) {
         const float nu = std::max(-local.view.nu_min, -local.view.nu_max);
         const auto cell = static_cast<std::size_t>(shown * needed_steps);
         const float needed = item_ink_.needed[std::min<std::size_t>(cell + 1, needed_steps)];
-        shown = std::min(1.0F, needed * nu * judge.per_ink);
+        shown = std::min(1.0F, needed * nu * selection.per_ink);
     }
-    return 1.001F * judge.share * judge.more * shown + 1e-5F;
+    return 1.001F * selection.share * selection.more * shown + 1e-5F;
 }
 
-std::int64_t Gatherer::covers_of(const Local& local) const noexcept {
-    if (!run_.covers) return 0;
+std::int64_t Gatherer::splats_of(const Local& local) const noexcept {
+    if (!run_.splats) return 0;
     if (!run_.spread_evenly && run_.group != 0) return local.cluster->count;
-    const float pixels = run_.pen.spacing * local.view.ppe / local.cover_spacing;
+    const float pixels = run_.pen.spacing * local.view.pixels_per_unit / local.splat_spacing;
     if (!(pixels < 1.0F)) return local.cluster->count; // NaN: of a spacing that floats do not hold
     // The first of a cluster are as even as the first of all.
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster->count)));
 }
 
-void Gatherer::cover(const Local& local, const Seen& seen, std::int64_t count) noexcept {
-    const float spacing = run_.group == 0 ? std::max(run_.pen.spacing * local.view.ppe, local.cover_spacing)
-                                          : run_.pen.spacing * local.view.ppe;
+void Gatherer::splat(const Local& local, const Seen& seen, std::int64_t count) noexcept {
+    const float spacing = run_.group == 0 ? std::max(run_.pen.spacing * local.view.pixels_per_unit, local.splat_spacing)
+                                          : run_.pen.spacing * local.view.pixels_per_unit;
     const bool even = run_.spread_evenly && run_.group == 0;
-    const float own_radius = (even ? even_cover : random_cover) * spacing + 0.5F;
+    const float own_radius = (even ? even_splat : random_splat) * spacing + 0.5F;
     const float radius =
         std::min(run_.pen.cover_radius > 0.0F ? run_.pen.cover_radius : own_radius, run_.pen.largest_cover);
     const MarkBlock* const blocks = marks_.block.data() + local.cluster->block;
     for (std::int64_t i = 0; i < count; ++i) {
         const float nu = seen.nu[i];
-        if (!(seen.ppe[i] > 0.0F) || !(std::abs(nu) <= 1.001F) || !(seen.window[i] >= 0.0F && seen.window[i] <= 1.0F))
+        if (!(seen.pixels_per_unit[i] > 0.0F) || !(std::abs(nu) <= 1.001F) ||
+            !(seen.window[i] >= 0.0F && seen.window[i] <= 1.0F))
             continue;
-        Cover& c = *cover_++;
+        Splat& c = *splat_++;
         c.x = seen.x[i];
         c.y = seen.y[i];
         c.radius = radius;
         c.depth = seen.depth[i];
-        c.ppe = seen.ppe[i];
+        c.pixels_per_unit = seen.pixels_per_unit[i];
         const float turn = -seen.along[i] / (std::abs(nu) > 1e-3F ? nu : 1e-3F);
         const float x = seen.side_x[i] * turn;
         const float y = -seen.side_y[i] * turn;
         const float slope = std::sqrt(x * x + y * y);
-        const float shrink = (slope > steepest ? steepest / slope : 1.0F) / c.ppe;
+        const float shrink = (slope > steepest ? steepest / slope : 1.0F) / c.pixels_per_unit;
         c.slope_x = x * shrink;
         c.slope_y = y * shrink;
-        c.clear = clear_.at(nu);
+        c.transmittance = transmittance_.at(nu);
         c.window = seen.window[i];
         set_halo(c, local, seen, i);
         c.id = run_.first_id + blocks[i / MarkBlock::size].mark[i % MarkBlock::size];
@@ -232,12 +237,12 @@ Gatherer::Rim Gatherer::rim_of(const Local& local, std::int64_t i) const noexcep
 }
 
 // A halo goes out from the contour, and may be nowhere in front of its own line, which may run into the depth.
-void Gatherer::set_halo(Cover& c, const Local& local, const Seen& seen, std::int64_t i) const noexcept {
+void Gatherer::set_halo(Splat& c, const Local& local, const Seen& seen, std::int64_t i) const noexcept {
     const float nu = seen.nu[i];
     c.halo = 0.0F;
     if (!(style_.halo_width > 0.0F) || !(std::abs(nu) <= widest_band) || local.cluster->bend < 0.0F) return;
     const Rim rim = rim_of(local, i);
-    const float away = contour_distance(nu, std::abs(rim.curvature) * local.judge.pixel_curvature);
+    const float away = contour_distance(nu, std::abs(rim.curvature) * local.selection.pixel_curvature);
     if (!(away <= halo_band)) return;
     const glm::vec3 along = item_.to_eye * contour_direction(*local.cluster, rim.normal, rim.sight);
     const float across = std::sqrt(along.x * along.x + along.y * along.y);
@@ -245,16 +250,16 @@ void Gatherer::set_halo(Cover& c, const Local& local, const Seen& seen, std::int
     const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
     if (!(std::abs(slope) <= steepest_contour) || !(side > 0.0F)) return; // it ends here
     c.halo = style_.halo_width;
-    c.halo_clear = clear_.halo;
+    c.halo_transmittance = transmittance_.halo;
     c.halo_x = c.x + away * seen.side_x[i] / side;
     c.halo_y = c.y - away * seen.side_y[i] / side;
     // Where a surface bends little, its marks tell little of how far away the contour is: its own line stays before
     // the halo, and so does what is hardly behind.
-    const float pixel_radius = 1.0F / (std::abs(rim.curvature) * local.judge.pixel_curvature);
+    const float pixel_radius = 1.0F / (std::abs(rim.curvature) * local.selection.pixel_curvature);
     const float slack = std::sqrt(2.0F * halo_band * pixel_radius) + std::abs(slope) * c.halo;
-    c.halo_depth = c.depth + to_rim(rim, nu) + slack / c.ppe;
-    c.halo_slope_x = slope * along.x / (across * c.ppe);
-    c.halo_slope_y = -slope * along.y / (across * c.ppe);
+    c.halo_depth = c.depth + to_rim(rim, nu) + slack / c.pixels_per_unit;
+    c.halo_slope_x = slope * along.x / (across * c.pixels_per_unit);
+    c.halo_slope_y = -slope * along.y / (across * c.pixels_per_unit);
 }
 
 // How much farther than the mark its contour is: n . v turns with the curvature along the line of sight.
@@ -281,27 +286,28 @@ const float* Gatherer::depth_tones(const Seen& seen, std::int64_t count, float* 
 void Gatherer::ink(const Local& local, const Seen& seen, std::int64_t count, bool counted) noexcept {
     std::array<float, Seen::most> tau;
     std::array<float, Seen::most> tau_depth;
-    Judged judged;
-    all_.loops_.judge(local.judge, sight_.seer, {marks_.block.data() + local.cluster->block, count}, seen,
-                      taus(local, seen, count, tau.data()), depth_tones(seen, count, tau_depth.data()), judged);
+    Selected selected;
+    all_.loops_.select(local.selection, sight_.seer, {marks_.block.data() + local.cluster->block, count}, seen,
+                       taus(local, seen, count, tau.data()), depth_tones(seen, count, tau_depth.data()), selected);
     if (!counted) {
-        info_.outside += judged.outside;
-        info_.front += judged.fronts;
-        info_.back += judged.backs;
-        info_.silhouette += judged.contours;
+        info_.outside += selected.outside;
+        info_.front += selected.fronts;
+        info_.back += selected.backs;
+        info_.silhouette += selected.contours;
     }
-    info_.dropped_tone += judged.dropped_tone;
-    info_.dropped_zoom += judged.dropped_zoom;
-    info_.dropped_depth += judged.dropped_depth;
-    for (std::int64_t first = 0, word = 0; first < count; first += judged.lanes, ++word) {
-        for (unsigned bits = judged.drawn[word]; bits != 0; bits &= bits - 1) {
+    info_.dropped_tone += selected.dropped_tone;
+    info_.dropped_zoom += selected.dropped_zoom;
+    info_.dropped_depth += selected.dropped_depth;
+    for (std::int64_t first = 0, word = 0; first < count; first += selected.lanes, ++word) {
+        for (unsigned bits = selected.drawn[word]; bits != 0; bits &= bits - 1) {
             const std::int64_t i = first + std::countr_zero(bits);
             const std::int64_t place = local.cluster->block * MarkBlock::size + i;
             // Areas: a mark on its way from the front into the contour's band is as large as the larger of both.
-            const float own = run_.pen.front_ink(seen.ppe[i]) * (marks_.width.empty() ? 1.0F : marks_.width[place]);
-            const float front = own * own * judged.front[i];
-            const float pen = run_.pen.silhouette_ink(seen.ppe[i]);
-            const float line = pen * pen * judged.line[i];
+            const float own =
+                run_.pen.front_ink(seen.pixels_per_unit[i]) * (marks_.width.empty() ? 1.0F : marks_.width[place]);
+            const float front = own * own * selected.front[i];
+            const float pen = run_.pen.silhouette_ink(seen.pixels_per_unit[i]);
+            const float line = pen * pen * selected.line[i];
             put(local, seen, i, std::sqrt(std::max(line, front)), line > 0.0F);
         }
     }
@@ -316,7 +322,7 @@ void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float r
     ink.alpha = 1.0F;
     ink.depth = seen.depth[i];
     ink.window = seen.window[i];
-    ink.ppe = seen.ppe[i];
+    ink.pixels_per_unit = seen.pixels_per_unit[i];
     ink.id = run_.first_id + m.mark[i % MarkBlock::size];
     ink.color = color_ + (contour ? 1U : 0U);
     ink.mark_class = contour ? MarkClass::silhouette : MarkClass::front;
@@ -325,7 +331,7 @@ void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float r
     const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
     const float step = contour && side > 0.0F ? probe * probe_steps / side : 0.0F;
     // A line is where its contour is, not where its marks are around it.
-    if (contour && local.judge.by_width) ink.depth += to_rim(rim_of(local, i), seen.nu[i]);
+    if (contour && local.selection.by_width) ink.depth += to_rim(rim_of(local, i), seen.nu[i]);
     ink.probe_x = static_cast<std::int8_t>(seen.side_x[i] * step);
     ink.probe_y = static_cast<std::int8_t>(-seen.side_y[i] * step);
 }

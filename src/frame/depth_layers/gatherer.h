@@ -7,7 +7,7 @@ namespace hrbfnpr::frame {
 
 class Gatherer {
 public:
-    // first_place: where its inks and covers go.
+    // first_place: where its inks and splats go.
     Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t run_number,
              std::int64_t first_place) noexcept;
 
@@ -16,7 +16,7 @@ public:
     void expect(std::int64_t cluster) const noexcept;
 
     [[nodiscard]] std::int64_t ink_end() const noexcept { return ink_ - all_.inks_.data(); }
-    [[nodiscard]] std::int64_t cover_end() const noexcept { return cover_ - all_.covers_.data(); }
+    [[nodiscard]] std::int64_t splat_end() const noexcept { return splat_ - all_.splats_.data(); }
     [[nodiscard]] const FrameInfo& info() const noexcept { return info_; }
 
 private:
@@ -24,8 +24,8 @@ private:
     struct Local {
         const marks::Cluster* cluster = nullptr;
         ClusterView view;
-        Judge judge;
-        float cover_spacing = 1.0F; // pixels
+        Selection selection;
+        float splat_spacing = 1.0F; // pixels
     };
 
     // A mark near a contour, in object space.
@@ -34,18 +34,18 @@ private:
         float curvature; // along the line of sight
     };
 
-    [[nodiscard]] Judge common_judge() const noexcept;
+    [[nodiscard]] Selection common_selection() const noexcept;
     [[nodiscard]] Local local_of(const marks::Cluster& cluster) const noexcept;
     void set_contour(Local& local) const noexcept;
-    [[nodiscard]] float reach(float ppe) const noexcept;
+    [[nodiscard]] float reach(float pixels_per_unit) const noexcept;
     [[nodiscard]] bool count_whole(const Local& local) noexcept;
     [[nodiscard]] std::int64_t shown_of(const marks::Cluster& cluster, float shown) const noexcept;
     [[nodiscard]] float most_shown(const Local& local) const noexcept;
-    [[nodiscard]] std::int64_t covers_of(const Local& local) const noexcept;
-    void cover(const Local& local, const Seen& seen, std::int64_t count) noexcept;
+    [[nodiscard]] std::int64_t splats_of(const Local& local) const noexcept;
+    void splat(const Local& local, const Seen& seen, std::int64_t count) noexcept;
     [[nodiscard]] Rim rim_of(const Local& local, std::int64_t i) const noexcept;
     [[nodiscard]] float to_rim(const Rim& rim, float nu) const noexcept;
-    void set_halo(Cover& c, const Local& local, const Seen& seen, std::int64_t i) const noexcept;
+    void set_halo(Splat& c, const Local& local, const Seen& seen, std::int64_t i) const noexcept;
     void ink(const Local& local, const Seen& seen, std::int64_t count, bool counted) noexcept;
     [[nodiscard]] const float* taus(const Local& local, const Seen& seen, std::int64_t count,
                                     float* scratch) const noexcept;
@@ -59,13 +59,13 @@ private:
     const Style& style_;
     const ItemSight& sight_;
     const ItemInk& item_ink_;
-    const ClearTable& clear_;
+    const TransmittanceTable& transmittance_;
     const marks::MarkClusters& marks_;
     std::uint32_t color_;
-    Judge judge_; // what is the same for all clusters
+    Selection selection_; // what is the same for all clusters
     FrameInfo info_;
     Ink* ink_;
-    Cover* cover_;
+    Splat* splat_;
 };
 
 } // namespace hrbfnpr::frame

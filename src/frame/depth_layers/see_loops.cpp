@@ -42,7 +42,7 @@ HWY_INLINE void place(const Seer& s, W px, W py, W pz, std::int64_t at, Seen& se
     hn::StoreU(hn::Mul(affine(s.clip[0], px, py, pz), inverse), d, seen.x + at);
     hn::StoreU(hn::Mul(affine(s.clip[1], px, py, pz), inverse), d, seen.y + at);
     hn::StoreU(hn::Mul(affine(s.clip[2], px, py, pz), inverse), d, seen.window + at);
-    hn::StoreU(hn::Mul(hn::Set(d, s.pixels), inverse), d, seen.ppe + at);
+    hn::StoreU(hn::Mul(hn::Set(d, s.pixels), inverse), d, seen.pixels_per_unit + at);
 }
 
 HWY_INLINE W light(const Seer& s, W nx, W ny, W nz) {
@@ -102,7 +102,7 @@ HWY_INLINE W grown(W place, W shown, float fade) {
     return hn::IfThenElseZero(is_shown, hn::Min(hn::Set(d, 1.0F), hn::Div(rest, hn::Mul(hn::Set(d, fade), shown))));
 }
 
-HWY_INLINE M inside(const Judge& j, const Seen& seen, std::int64_t at) {
+HWY_INLINE M inside(const Selection& j, const Seen& seen, std::int64_t at) {
     const F d;
     const auto between = [&](const float* from, float low, float high) HWY_ATTR {
         const W value = hn::LoadU(d, from + at);
@@ -111,11 +111,11 @@ HWY_INLINE M inside(const Judge& j, const Seen& seen, std::int64_t at) {
     // Everything is asked so that a value that is not a number answers "outside".
     return hn::And(hn::And(hn::And(between(seen.x, j.left, j.right), between(seen.y, j.top, j.bottom)),
                            hn::And(between(seen.window, 0.0F, 1.0F), between(seen.nu, -1.001F, 1.001F))),
-                   hn::Gt(hn::LoadU(d, seen.ppe + at), hn::Zero(d)));
+                   hn::Gt(hn::LoadU(d, seen.pixels_per_unit + at), hn::Zero(d)));
 }
 
 // Normal curvature along the line of sight, per pixel.
-HWY_INLINE W radial_curvature(const Judge& j, const Seer& seer, const marks::MarkBlock& m, std::int64_t at) {
+HWY_INLINE W radial_curvature(const Selection& j, const Seer& seer, const marks::MarkBlock& m, std::int64_t at) {
     const F d;
     const W nx = hn::LoadU(d, m.nx + at);
     const W ny = hn::LoadU(d, m.ny + at);
@@ -144,7 +144,7 @@ struct Line {
 };
 
 // Where a mark lies in the contour's band, and which marks its line takes.
-HWY_INLINE Line line_of(const Judge& j, const Seer& seer, const marks::MarkBlock& m, std::int64_t in_block, W nu,
+HWY_INLINE Line line_of(const Selection& j, const Seer& seer, const marks::MarkBlock& m, std::int64_t in_block, W nu,
                         M valid) {
     const F d;
     const W one = hn::Set(d, 1.0F);
@@ -167,7 +167,7 @@ HWY_INLINE Line line_of(const Judge& j, const Seer& seer, const marks::MarkBlock
 }
 
 // The share of the marks that makes up a tone.
-HWY_INLINE W shown_for(const Judge& j, W tau, W nu) {
+HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
     const F d;
     const W one = hn::Set(d, 1.0F);
     W shown = hn::Sub(one, tau);
@@ -188,14 +188,14 @@ HWY_INLINE W shown_for(const Judge& j, W tau, W nu) {
 HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
 
 // Ink of the front, and why there is none.
-HWY_INLINE W front_of(const Judge& j, W nu, W place, W tau, W tau_depth, M front, M counted, Judged& judged) {
+HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M front, M counted, Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);
     const W scale = hn::Set(d, j.scale);
     W by_tone;
     W by_zoom;
     W area;
-    if (j.by_paper) {
+    if (j.by_published) {
         const W rank = hn::Sub(hn::Set(d, 1.0F), place);
         const W one = hn::Set(d, 1.0F);
         by_tone = hn::IfThenElseZero(hn::And(hn::Ge(rank, tau), hn::Lt(rank, hn::Set(d, j.share))), one);
@@ -211,42 +211,42 @@ HWY_INLINE W front_of(const Judge& j, W nu, W place, W tau, W tau_depth, M front
     }
     const M tone = hn::And(counted, hn::Eq(by_tone, zero));
     const M zoom = hn::AndNot(tone, hn::And(counted, hn::Eq(by_zoom, zero)));
-    judged.dropped_tone += count(tone);
-    judged.dropped_zoom += count(zoom);
-    judged.dropped_depth += count(hn::AndNot(hn::Or(tone, zoom), hn::And(counted, hn::Eq(area, zero))));
+    selected.dropped_tone += count(tone);
+    selected.dropped_zoom += count(zoom);
+    selected.dropped_depth += count(hn::AndNot(hn::Or(tone, zoom), hn::And(counted, hn::Eq(area, zero))));
     return hn::IfThenElseZero(front, area);
 }
 
 // undrawn: marks that are not ink of the front either.
-HWY_INLINE W contour_of(const Judge& j, const Line& line, W place, W tau_depth, M undrawn, Judged& judged) {
+HWY_INLINE W contour_of(const Selection& j, const Line& line, W place, W tau_depth, M undrawn, Selected& selected) {
     const F d;
     const W one = hn::Set(d, 1.0F);
     const auto full = [&](W shown)
                           HWY_ATTR { return hn::IfThenElse(hn::Ge(shown, one), one, grown(place, shown, j.fade)); };
     W area = full(hn::Mul(line.shown, tau_depth));
-    if (j.by_paper) area = hn::IfThenElseZero(hn::Lt(hn::Sub(one, place), tau_depth), full(line.shown));
+    if (j.by_published) area = hn::IfThenElseZero(hn::Lt(hn::Sub(one, place), tau_depth), full(line.shown));
     area = hn::IfThenElseZero(line.in, hn::Mul(area, line.share));
     const M dropped = hn::And(hn::And(line.in, undrawn), hn::Eq(area, hn::Zero(d)));
     const M thinned = hn::And(dropped, hn::Eq(full(line.shown), hn::Zero(d)));
-    judged.dropped_tone += count(thinned);
-    judged.dropped_depth += count(hn::AndNot(thinned, dropped));
+    selected.dropped_tone += count(thinned);
+    selected.dropped_depth += count(hn::AndNot(thinned, dropped));
     return area;
 }
 
-void judge(const Judge& j, const Seer& seer, const MarkRange& range, const Seen& seen, const float* taus,
-           const float* tau_depths, Judged& judged) {
+void select(const Selection& j, const Seer& seer, const MarkRange& range, const Seen& seen, const float* taus,
+            const float* tau_depths, Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);
     const W one = hn::Set(d, 1.0F);
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
-    judged.outside = judged.fronts = judged.backs = judged.contours = 0;
-    judged.dropped_tone = judged.dropped_zoom = judged.dropped_depth = 0;
+    selected.outside = selected.fronts = selected.backs = selected.contours = 0;
+    selected.dropped_tone = selected.dropped_zoom = selected.dropped_depth = 0;
     for (std::int64_t at = 0; at < range.count; at += lanes) {
         const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
         const std::int64_t in_block = at % marks::MarkBlock::size;
         const M all = hn::FirstN(d, static_cast<size_t>(range.count - at < lanes ? range.count - at : lanes));
         const M valid = j.all_inside ? all : hn::And(all, inside(j, seen, at));
-        judged.outside += count(hn::AndNot(valid, all));
+        selected.outside += count(hn::AndNot(valid, all));
         const W nu = hn::LoadU(d, seen.nu + at);
         const W place = hn::Sub(one, hn::LoadU(d, m.rank + in_block));
         const W tau_depth = tau_depths == nullptr ? one : hn::LoadU(d, tau_depths + at);
@@ -255,27 +255,28 @@ void judge(const Judge& j, const Seer& seer, const MarkRange& range, const Seen&
         const M own = hn::AndNot(line.in, faces);
         const std::int32_t contours = count(line.in);
         const std::int32_t fronts = count(own);
-        judged.contours += contours;
-        judged.fronts += fronts;
-        judged.backs += count(valid) - contours - fronts;
+        selected.contours += contours;
+        selected.fronts += fronts;
+        selected.backs += count(valid) - contours - fronts;
         W front = zero;
         if (j.front_ink)
             front =
-                front_of(j, nu, place, hn::LoadU(d, taus + at), tau_depth, j.fade > 0.0F ? faces : own, own, judged);
-        const W contour = j.draws_contours ? contour_of(j, line, place, tau_depth, hn::Eq(front, zero), judged) : zero;
-        hn::StoreU(front, d, judged.front + at);
-        hn::StoreU(contour, d, judged.line + at);
+                front_of(j, nu, place, hn::LoadU(d, taus + at), tau_depth, j.fade > 0.0F ? faces : own, own, selected);
+        const W contour =
+            j.draws_contours ? contour_of(j, line, place, tau_depth, hn::Eq(front, zero), selected) : zero;
+        hn::StoreU(front, d, selected.front + at);
+        hn::StoreU(contour, d, selected.line + at);
         const M drawn = hn::Or(hn::Gt(front, zero), hn::Gt(contour, zero));
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, drawn, bits);
-        judged.drawn[at / lanes] = static_cast<std::uint16_t>(bits[0] | bits[1] << 8);
+        selected.drawn[at / lanes] = static_cast<std::uint16_t>(bits[0] | bits[1] << 8);
     }
-    judged.lanes = static_cast<std::int32_t>(lanes);
+    selected.lanes = static_cast<std::int32_t>(lanes);
 }
 
 } // namespace
 
-SeeLoops pick_see_loops() noexcept { return {see, judge}; }
+SeeLoops pick_see_loops() noexcept { return {see, select}; }
 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

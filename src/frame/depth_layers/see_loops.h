@@ -33,7 +33,7 @@ struct Seen {
     float x[most], y[most];           // pixels
     float window[most];               // depth in the camera's convention
     float depth[most];                // eye units along the view
-    float ppe[most];                  // pixels per eye unit; <= 0 or not a number: behind the camera
+    float pixels_per_unit[most];      // pixels per eye unit; <= 0 or not a number: behind the camera
     float nu[most];                   // n . v
     float lit[most];                  // n . l
     float side_x[most], side_y[most]; // of the unit normal, eye space
@@ -42,7 +42,7 @@ struct Seen {
 };
 
 // What decides on the marks of one cluster.
-struct Judge {
+struct Selection {
     // Of the screen, as far out as a disc can reach it; all_inside: every mark surely lies there.
     float left, right, top, bottom;
     bool all_inside;
@@ -50,7 +50,7 @@ struct Judge {
     // Ink of the front.  By share: a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
     // scale tau_depth; by the published rule test by test.
     bool front_ink;
-    bool by_paper;
+    bool by_published;
     bool coverage;       // else needed() is left out, and |nu|
     const float* needed; // of coverages 0, 1 / needed_steps ... 1
     float per_ink, share, more, scale;
@@ -70,7 +70,7 @@ struct Judge {
 };
 inline constexpr int needed_steps = 64;
 
-struct Judged {
+struct Selected {
     float front[Seen::most];         // of a mark's area as ink of the front
     float line[Seen::most];          // as ink of a contour
     std::uint16_t drawn[Seen::most]; // a bit for each mark: either is not 0; so many in one as `lanes`
@@ -82,8 +82,8 @@ struct Judged {
 struct SeeLoops {
     void (*see)(const Seer& seer, const MarkRange& marks, Seen& seen);
     // tau and tau_depth: of each mark; tau_depth may be NULL, all 1.
-    void (*judge)(const Judge& judge, const Seer& seer, const MarkRange& marks, const Seen& seen, const float* tau,
-                  const float* tau_depth, Judged& judged);
+    void (*select)(const Selection& selection, const Seer& seer, const MarkRange& marks, const Seen& seen,
+                   const float* tau, const float* tau_depth, Selected& selected);
 };
 
 [[nodiscard]] SeeLoops see_loops(base::InstructionSet set) noexcept;

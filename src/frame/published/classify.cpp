@@ -8,12 +8,12 @@ namespace {
 using marks::vector_at;
 
 // The largest disc that the mark can paint decides whether it can reach the viewport.
-[[nodiscard]] float reach(const Run& run, float ppe) noexcept {
+[[nodiscard]] float reach(const Run& run, float pixels_per_unit) noexcept {
     float radius = 0.0F;
-    if (run.draws_front) radius = run.pen.front_ink(ppe);
-    if (run.draws_silhouettes) radius = std::max(radius, run.pen.silhouette_ink(ppe));
+    if (run.draws_front) radius = run.pen.front_ink(pixels_per_unit);
+    if (run.draws_silhouettes) radius = std::max(radius, run.pen.silhouette_ink(pixels_per_unit));
     if (run.paints_paper || run.occludes)
-        radius = std::max({radius, run.pen.front_cover(ppe), run.pen.back_cover(ppe)});
+        radius = std::max({radius, run.pen.front_cover(pixels_per_unit), run.pen.back_cover(pixels_per_unit)});
     return radius + 0.5F; // the soft rim
 }
 
@@ -42,17 +42,18 @@ public:
         const glm::vec3 eye = item_.to_eye * item_.place(*run_.marks, mark) + item_.eye_offset;
         const glm::vec4 clip = lens_.window * glm::vec4(eye, 1.0F);
         if (!(clip.w > 0.0F)) return; // behind the camera
-        const float ppe = lens_.pixels / clip.w;
+        const float pixels_per_unit = lens_.pixels / clip.w;
         const glm::vec3 at = glm::vec3(clip) / clip.w;
         const glm::vec3 own_normal = vector_at(run_.marks->normal, mark);
         const glm::vec3 normal = glm::normalize(item_.normal_to_eye * own_normal);
         const float nu = glm::dot(normal, glm::normalize(lens_.sight(eye)));
-        if (!inside(lens_.viewport, at.x, at.y, at.z, reach(run_, ppe)) || !(std::abs(nu) <= 1.001F)) return;
+        if (!inside(lens_.viewport, at.x, at.y, at.z, reach(run_, pixels_per_unit)) || !(std::abs(nu) <= 1.001F))
+            return;
         out_.x[place] = at.x;
         out_.y[place] = at.y;
         out_.window_depth[place] = at.z;
         out_.depth[place] = -eye.z;
-        out_.ppe[place] = ppe;
+        out_.pixels_per_unit[place] = pixels_per_unit;
         out_.nu[place] = nu;
         out_.tau[place] = style_.tone == Tone::light ? lit(own_normal) : 0.0F;
         out_.tau_depth[place] = depth_active_ ? tone_at(eye) : 1.0F;
@@ -121,10 +122,10 @@ private:
     bool front_ink(std::int64_t place, FrameInfo& info) const noexcept {
         const std::int64_t mark = place - run_.first;
         if (!may_be_ink(run_, mark)) return false;
-        const float ppe = marks_.ppe[place];
-        const ToneTerms terms{marks_.tau[place], marks_.tau_depth[place], run_.pen.scale(ppe), share_};
+        const float pixels_per_unit = marks_.pixels_per_unit[place];
+        const ToneTerms terms{marks_.tau[place], marks_.tau_depth[place], run_.pen.scale(pixels_per_unit), share_};
         switch (front_verdict(run_.marks->rank[mark], terms, style_.tone_rule)) {
-        case Verdict::shown: return visible(place, run_.front_ink(mark, ppe), info);
+        case Verdict::shown: return visible(place, run_.front_ink(mark, pixels_per_unit), info);
         case Verdict::tone: ++info.dropped_tone; break;
         case Verdict::zoom: ++info.dropped_zoom; break;
         case Verdict::depth: ++info.dropped_depth; break;
@@ -135,13 +136,13 @@ private:
         if (!run_.draws_silhouettes) return false;
         const float rank = run_.marks->rank[place - run_.first];
         if (silhouette_shown(rank, marks_.tau_depth[place], style_.tone_rule))
-            return visible(place, run_.pen.silhouette_ink(marks_.ppe[place]), info);
+            return visible(place, run_.pen.silhouette_ink(marks_.pixels_per_unit[place]), info);
         ++info.dropped_depth;
         return false;
     }
     bool visible(std::int64_t place, float radius, FrameInfo& info) const noexcept {
         if (visibility_ == nullptr) return true;
-        const float depth = ink_depth(marks_.depth[place], radius, marks_.ppe[place]);
+        const float depth = ink_depth(marks_.depth[place], radius, marks_.pixels_per_unit[place]);
         if (!visibility_->hides(marks_.x[place], marks_.y[place], depth)) return true;
         ++info.dropped_hidden;
         return false;

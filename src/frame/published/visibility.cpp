@@ -42,8 +42,8 @@ void VisibilityMap::collect(const base::Parallel& parallel, const Scene& scene) 
             const MarkClass mark_class = scene.marks.mark_class[i];
             occluders_[i].radius = -1.0F;
             if (!run.occludes || (mark_class != MarkClass::front && mark_class != MarkClass::back)) continue;
-            const float ppe = scene.marks.ppe[i];
-            const float radius = run.pen.front_cover(ppe);
+            const float pixels_per_unit = scene.marks.pixels_per_unit[i];
+            const float radius = run.pen.front_cover(pixels_per_unit);
             occluders_[i] = {(scene.marks.x[i] - left_) * texels_per_pixel_,
                              (scene.marks.y[i] - top_) * texels_per_pixel_, radius * texels_per_pixel_,
                              paper_depth(scene.marks, i, radius)};

@@ -1,4 +1,4 @@
-// Which marks lie behind a nearer sheet: a map of the nearest surface's depth.
+// Which marks lie behind a nearer layer: a map of the nearest surface's depth.
 #pragma once
 
 #include "base/runtime.h"
@@ -8,7 +8,7 @@
 namespace hrbfnpr::frame {
 
 // Takes the discs of front and back marks of the items that hide what is behind them.  They lie
-// behind their own sheet as discs of paper do, so that it does not hide its own ink.
+// behind their own layer as discs of paper do, so that it does not hide its own ink.
 class VisibilityMap {
 public:
     explicit VisibilityMap(base::Memory& memory) noexcept

@@ -18,7 +18,7 @@ namespace hrbfnpr::frame {
     return std::clamp(0.2F * (std::log(nu - 0.05F) + 5.0F) * lambda, 0.0F, 1.0F);
 }
 
-// How many discs of a sheet overlap at a pixel: disc area over the screen area of a mark's piece of
+// How many discs of a layer overlap at a pixel: disc area over the screen area of a mark's piece of
 // surface, which shrinks with |nu|.  radius and spacing in pixels.
 [[nodiscard]] inline float expected_overlap(float radius, float spacing, float nu) noexcept {
     const float piece = spacing * spacing * std::max(std::abs(nu), 0.01F);

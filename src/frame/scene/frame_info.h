@@ -8,7 +8,7 @@ namespace hrbfnpr::frame {
 // Same fields as hrbfnpr_frame_info.  Marks of the groups that a style draws or takes contours from:
 //   marks = outside + front + back + silhouette + culled; of those,
 //   front + silhouette = shown + dropped_... + those whose group or set of directions is not drawn.
-// By sheets, marks of a cluster whose ranks nothing shows are culled before their class is known.
+// By layers, marks of a cluster whose ranks nothing shows are culled before their class is known.
 // A mark is outside if no disc of it could touch the viewport, or it lies before the near or behind
 // the far plane.  A dropped mark counts once, for the first of: share and light (tone), zoom, depth,
 // hidden.  Marks that are not numbers count as outside.

@@ -111,7 +111,7 @@ Pen pen_of(const Style& style, std::size_t group, double spacing, double eye_per
     Pen pen;
     pen.spacing = static_cast<float>(spacing * eye_per_object);
     if (style.zoom_reference > 0.0)
-        pen.zoom_per_ppe = static_cast<float>(static_cast<double>(lens.eye_per_world) / style.zoom_reference);
+        pen.zoom_at_one = static_cast<float>(static_cast<double>(lens.eye_per_world) / style.zoom_reference);
     pen.zoom_exponent = static_cast<float>(style.zoom_exponent);
     pen.ink_radius = style.group[group].radius;
     pen.ink_zoom = style.group[group].radius_zoom;
@@ -163,7 +163,7 @@ void add_runs(Scene& scene, const Item& item, std::int64_t item_index, std::int6
         run.occludes = style.hidden_lines == HiddenLines::hide && static_cast<int>(g) == cover;
         run.spread_evenly = item.set->distribution == marks::Distribution::blue_noise;
         if (run.spread_evenly && g > 0) run.separation = static_cast<float>(marks.report.step * eye_per_object);
-        run.covers = style.hidden_lines != HiddenLines::show && static_cast<int>(g) == cover;
+        run.splats = style.hidden_lines != HiddenLines::show && static_cast<int>(g) == cover;
         run.pen = pen_of(style, g, spacing_of(*item.set, g), eye_per_object, scene.lens);
         run.earlier_contours = earlier;
         if (run.draws_silhouettes) earlier += 1.0F / (run.pen.spacing * run.pen.spacing);
@@ -181,7 +181,7 @@ void Marks::resize(std::int64_t count) {
     y.resize(count);
     window_depth.resize(count);
     depth.resize(count);
-    ppe.resize(count);
+    pixels_per_unit.resize(count);
     nu.resize(count);
     tau.resize(count);
     tau_depth.resize(count);
@@ -190,8 +190,8 @@ void Marks::resize(std::int64_t count) {
 }
 
 std::int64_t Marks::bytes() const noexcept {
-    return x.bytes() + y.bytes() + window_depth.bytes() + depth.bytes() + ppe.bytes() + nu.bytes() + tau.bytes() +
-           tau_depth.bytes() + mark_class.bytes() + role.bytes();
+    return x.bytes() + y.bytes() + window_depth.bytes() + depth.bytes() + pixels_per_unit.bytes() + nu.bytes() +
+           tau.bytes() + tau_depth.bytes() + mark_class.bytes() + role.bytes();
 }
 
 std::int64_t Scene::bytes() const noexcept { return items.bytes() + runs.bytes() + chunks.bytes() + marks.bytes(); }

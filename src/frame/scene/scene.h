@@ -16,10 +16,10 @@ inline constexpr float cover_spacings = 1.5F;
 inline constexpr float smallest_cosine = 0.05F;
 
 // Sizes and opacities of the discs of one group of marks, as functions of the place on the screen.
-// All lengths in pixels; `ppe` is pixels per eye unit at the mark.
+// All lengths in pixels; `pixels_per_unit` is pixels per eye unit at the mark.
 struct Pen {
-    float spacing = 0.0F;      // of the group's marks, eye units
-    float zoom_per_ppe = 0.0F; // 0: no reference, the zoom is 1
+    float spacing = 0.0F;     // of the group's marks, eye units
+    float zoom_at_one = 0.0F; // where a pixel is a unit; 0: no reference, the zoom is 1
     float zoom_exponent = 2.0F;
     float ink_radius = 1.0F, ink_zoom = 0.0F;
     float silhouette_radius = 1.0F, silhouette_zoom = 0.0F;
@@ -29,51 +29,60 @@ struct Pen {
     float lambda_front = 1.0F, lambda_back = 1.0F;
     float largest_cover = 0.0F;
 
-    [[nodiscard]] float zoom(float ppe) const noexcept { return zoom_per_ppe > 0.0F ? ppe * zoom_per_ppe : 1.0F; }
-    [[nodiscard]] float scale(float ppe) const noexcept { return zoom_scale(zoom(ppe), zoom_exponent); }
-    [[nodiscard]] float front_ink(float ppe) const noexcept { return grown(ink_radius, ink_zoom, ppe); }
-    [[nodiscard]] float silhouette_ink(float ppe) const noexcept {
-        return grown(silhouette_radius, silhouette_zoom, ppe);
+    [[nodiscard]] float zoom(float pixels_per_unit) const noexcept {
+        return zoom_at_one > 0.0F ? pixels_per_unit * zoom_at_one : 1.0F;
+    }
+    [[nodiscard]] float scale(float pixels_per_unit) const noexcept {
+        return zoom_scale(zoom(pixels_per_unit), zoom_exponent);
+    }
+    [[nodiscard]] float front_ink(float pixels_per_unit) const noexcept {
+        return grown(ink_radius, ink_zoom, pixels_per_unit);
+    }
+    [[nodiscard]] float silhouette_ink(float pixels_per_unit) const noexcept {
+        return grown(silhouette_radius, silhouette_zoom, pixels_per_unit);
     }
 
-    [[nodiscard]] float front_cover(float ppe) const noexcept {
+    [[nodiscard]] float front_cover(float pixels_per_unit) const noexcept {
         // One pixel at least, so that small drawings are covered as well.
-        const float radius = cover_radius > 0.0F ? cover_radius : std::max(1.0F, cover_spacings * spacing * ppe);
+        const float radius =
+            cover_radius > 0.0F ? cover_radius : std::max(1.0F, cover_spacings * spacing * pixels_per_unit);
         return std::min(radius, largest_cover);
     }
     // The area scales with the zoom.  An automatic cover follows the zoom already, so there it is
     // only the halo that is left to scale.
-    [[nodiscard]] float back_cover(float ppe) const noexcept {
-        const float shrink = std::sqrt(scale(ppe));
+    [[nodiscard]] float back_cover(float pixels_per_unit) const noexcept {
+        const float shrink = std::sqrt(scale(pixels_per_unit));
         if (cover_radius > 0.0F) return std::min((cover_radius + halo) * shrink, largest_cover);
-        return front_cover(ppe) + halo * shrink;
+        return front_cover(pixels_per_unit) + halo * shrink;
     }
 
-    [[nodiscard]] float front_opacity(float nu, float radius, float ppe) const noexcept {
-        return disc_opacity(front_alpha(nu, lambda_front), layers, expected_overlap(radius, spacing * ppe, nu));
+    [[nodiscard]] float front_opacity(float nu, float radius, float pixels_per_unit) const noexcept {
+        return disc_opacity(front_alpha(nu, lambda_front), layers,
+                            expected_overlap(radius, spacing * pixels_per_unit, nu));
     }
-    [[nodiscard]] float back_opacity(float nu, float radius, float ppe) const noexcept {
-        return disc_opacity(back_alpha(nu, lambda_back), layers, expected_overlap(radius, spacing * ppe, nu));
+    [[nodiscard]] float back_opacity(float nu, float radius, float pixels_per_unit) const noexcept {
+        return disc_opacity(back_alpha(nu, lambda_back), layers,
+                            expected_overlap(radius, spacing * pixels_per_unit, nu));
     }
 
 private:
-    [[nodiscard]] float grown(float radius, float exponent, float ppe) const noexcept {
-        return exponent == 0.0F ? radius : radius * std::pow(zoom(ppe), exponent);
+    [[nodiscard]] float grown(float radius, float exponent, float pixels_per_unit) const noexcept {
+        return exponent == 0.0F ? radius : radius * std::pow(zoom(pixels_per_unit), exponent);
     }
 };
 
 // How far behind its mark, in eye units, a front mark's disc of paper is painted, so that it lies
-// behind all ink of its own sheet: within the disc's radius R a sphere of any size that faces the
+// behind all ink of its own layer: within the disc's radius R a sphere of any size that faces the
 // eye under the angle theta falls back by R (1 + sin(theta)) / cos(theta) at most, be it a plane
 // (R tan(theta)) or so small that its contour is just within reach.
-[[nodiscard]] inline float front_push(float radius, float nu, float ppe) noexcept {
+[[nodiscard]] inline float front_push(float radius, float nu, float pixels_per_unit) noexcept {
     const float cosine = std::clamp(std::abs(nu), smallest_cosine, 1.0F);
-    return radius / ppe * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
+    return radius / pixels_per_unit * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
 }
 
-// The ink that a back mark must not cover is that of the contour, where its sheet turns to the
+// The ink that a back mark must not cover is that of the contour, where its layer turns to the
 // front.  That is nearer to the eye, and all that is needed is some slack.
-[[nodiscard]] inline float back_push(float radius, float ppe) noexcept { return radius / ppe; }
+[[nodiscard]] inline float back_push(float radius, float pixels_per_unit) noexcept { return radius / pixels_per_unit; }
 
 // One item's matrices.
 struct ItemView {
@@ -114,13 +123,13 @@ struct Run {
     float earlier_contours = 0.0F; // contour marks per area of the item's runs before this one, eye space
     float separation = 0.0F;       // of strokes, eye units; 0: none is known
     bool spread_evenly = false;    // in a blue-noise order
-    bool covers = false;           // its marks tell where the sheets of its item are
+    bool splats = false;           // its marks tell where the layers of its item are
     Pen pen;
 
     [[nodiscard]] std::int64_t places() const noexcept { return marks->clusters.block.size() * marks::MarkBlock::size; }
     // Radius of the ink of a front mark, by its number in the group.  Contours are not tapered.
-    [[nodiscard]] float front_ink(std::int64_t mark, float ppe) const noexcept {
-        const float radius = pen.front_ink(ppe);
+    [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
+        const float radius = pen.front_ink(pixels_per_unit);
         return marks->width.empty() ? radius : radius * marks->width[mark];
     }
 };
@@ -134,13 +143,13 @@ struct Chunk {
 // One entry for each mark of the runs.
 struct Marks {
     explicit Marks(base::Memory& memory) noexcept
-        : x(memory), y(memory), window_depth(memory), depth(memory), ppe(memory), nu(memory), tau(memory),
+        : x(memory), y(memory), window_depth(memory), depth(memory), pixels_per_unit(memory), nu(memory), tau(memory),
           tau_depth(memory), mark_class(memory), role(memory) {}
 
-    base::Array<float> x, y;         // pixels
-    base::Array<float> window_depth; // in the camera's convention
-    base::Array<float> depth;        // eye units along the view
-    base::Array<float> ppe;          // pixels per eye unit
+    base::Array<float> x, y;            // pixels
+    base::Array<float> window_depth;    // in the camera's convention
+    base::Array<float> depth;           // eye units along the view
+    base::Array<float> pixels_per_unit; // pixels per eye unit
     base::Array<float> nu;
     base::Array<float> tau;
     base::Array<float> tau_depth;
@@ -180,13 +189,16 @@ void add_chunks(Scene& scene);
 
 // Where a disc of paper is painted in the order of painting, eye units along the view.
 [[nodiscard]] inline float paper_depth(const Marks& marks, std::int64_t place, float radius) noexcept {
-    const float ppe = marks.ppe[place];
-    return marks.depth[place] + (marks.mark_class[place] == MarkClass::back ? back_push(radius, ppe)
-                                                                            : front_push(radius, marks.nu[place], ppe));
+    const float pixels_per_unit = marks.pixels_per_unit[place];
+    return marks.depth[place] + (marks.mark_class[place] == MarkClass::back
+                                     ? back_push(radius, pixels_per_unit)
+                                     : front_push(radius, marks.nu[place], pixels_per_unit));
 }
 
 // Where ink is painted in the order of painting, eye units along the view: pulled toward the eye by
-// about its own size, so that it lies over the paper of its own sheet.
-[[nodiscard]] inline float ink_depth(float depth, float radius, float ppe) noexcept { return depth - radius / ppe; }
+// about its own size, so that it lies over the paper of its own layer.
+[[nodiscard]] inline float ink_depth(float depth, float radius, float pixels_per_unit) noexcept {
+    return depth - radius / pixels_per_unit;
+}
 
 } // namespace hrbfnpr::frame

@@ -44,7 +44,7 @@ Preset preset(std::uint32_t number) {
         break;
     case 4: // silhouette
         show(style, 0);
-        // A sheet or two of surface leave hidden contours visible, but pale.
+        // A layer or two of surface leave hidden contours visible, but pale.
         style.attenuation_front = 0.2;
         style.attenuation_back = 0.1;
         break;

@@ -10,11 +10,11 @@
 namespace hrbfnpr::frame {
 
 enum class HiddenLines : std::uint32_t { attenuate = 0, hide = 1, show = 2 };
-enum class Visibility : std::uint32_t { sheets = 0, painted = 1 };
+enum class Visibility : std::uint32_t { depth_layers = 0, published = 1 };
 enum class ToneCurve : std::uint32_t { coverage = 0, linear = 1 };
 enum class SilhouetteLaw : std::uint32_t { width = 0, angle = 1 };
 enum class Tone : std::uint32_t { none = 0, light = 1, callback = 2 };
-enum class ToneRule : std::uint32_t { share = 0, paper = 1 };
+enum class ToneRule : std::uint32_t { share = 0, published = 1 };
 enum class LightSpace : std::uint32_t { world = 0, camera = 1 };
 using ToneFn = std::int32_t (*)(void* user, std::int64_t count, const float* positions, const float* normals,
                                 float* tau);
@@ -36,7 +36,7 @@ struct Style {
     float cover_radius = 0.0F;
     float halo_width = 2.0F;
     float cover_layers = 8.0F;
-    Visibility visibility = Visibility::sheets;
+    Visibility visibility = Visibility::depth_layers;
     Tone tone = Tone::light;
     ToneRule tone_rule = ToneRule::share;
     LightSpace light_space = LightSpace::camera;

@@ -38,7 +38,7 @@ struct ToneTerms {
 // u is the mark's rank.  The reason for a drop is the first of share and light, zoom, depth that
 // drops it when they act one after the other.
 [[nodiscard]] inline Verdict front_verdict(float u, const ToneTerms& t, ToneRule rule) noexcept {
-    if (rule == ToneRule::paper) {
+    if (rule == ToneRule::published) {
         if (!(u >= t.tau && u < t.share)) return Verdict::tone;
         if (!(u < t.scale)) return Verdict::zoom;
         return u < t.tau_depth ? Verdict::shown : Verdict::depth;
@@ -51,7 +51,7 @@ struct ToneTerms {
 }
 
 [[nodiscard]] inline bool silhouette_shown(float u, float tau_depth, ToneRule rule) noexcept {
-    return rule == ToneRule::paper ? u < tau_depth : u >= 1.0F - tau_depth;
+    return rule == ToneRule::published ? u < tau_depth : u >= 1.0F - tau_depth;
 }
 
 } // namespace hrbfnpr::frame

@@ -1,9 +1,9 @@
 #include "output/raster/draw.h"
 
 #include "frame/scene/tile_bins.h"
+#include "output/raster/layer_raster.h"
 #include "output/raster/pixels.h"
 #include "output/raster/rects.h"
-#include "output/raster/sheet_raster.h"
 #include "output/raster/srgb.h"
 
 #include <array>
@@ -33,11 +33,11 @@ struct Tile {
 } // namespace
 
 struct Raster::Impl {
-    explicit Impl(const base::Runtime& host) : runtime(host), bins(host.memory, tile_size), by_sheets(host) {}
+    explicit Impl(const base::Runtime& host) : runtime(host), bins(host.memory, tile_size), by_layers(host) {}
 
     const base::Runtime& runtime;
     TileBins bins;
-    SheetRaster by_sheets;
+    LayerRaster by_layers;
 };
 
 namespace {
@@ -156,8 +156,8 @@ Raster::Raster(const base::Runtime& runtime) : impl_(std::make_unique<Impl>(runt
 Raster::~Raster() = default;
 
 void Raster::draw(const frame::Frame& frame, const Image& image, const DrawSettings& settings) {
-    if (frame.sheet_frame() != nullptr) {
-        impl_->by_sheets.draw(frame, image, settings);
+    if (frame.layer_frame() != nullptr) {
+        impl_->by_layers.draw(frame, image, settings);
         return;
     }
     const Rect rect = drawn_rect(frame.camera().viewport, image);
@@ -175,6 +175,6 @@ void Raster::draw(const frame::Frame& frame, const Image& image, const DrawSetti
     parallel.for_each(impl_->bins.tiles(), Painter(impl_->bins, frame, image, settings, rect));
 }
 
-std::int64_t Raster::scratch_bytes() const noexcept { return impl_->bins.bytes() + impl_->by_sheets.scratch_bytes(); }
+std::int64_t Raster::scratch_bytes() const noexcept { return impl_->bins.bytes() + impl_->by_layers.scratch_bytes(); }
 
 } // namespace hrbfnpr::output

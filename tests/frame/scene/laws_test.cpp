@@ -31,7 +31,7 @@ TEST(BackAlpha, IsTheLogarithm) {
     EXPECT_EQ(back_alpha(1.0F, 4.0F), 1.0F);
 }
 
-TEST(DiscOpacity, MakesASheetAsOpaqueAsItsLayers) {
+TEST(DiscOpacity, MakesALayerAsOpaqueAsAsked) {
     EXPECT_EQ(disc_opacity(0.3F, 0.0F, 7.0F), 0.3F); // as published
     EXPECT_EQ(disc_opacity(1.0F, 8.0F, 7.0F), 1.0F);
     EXPECT_EQ(disc_opacity(0.0F, 8.0F, 7.0F), 0.0F);
@@ -90,15 +90,15 @@ TEST(ShareRule, ThinsOneOrderOfMarks) {
     EXPECT_FALSE(silhouette_shown(0.9999999F, 0.0F, ToneRule::share));
 }
 
-TEST(PaperRule, TestsOneByOne) {
+TEST(PublishedRule, TestsOneByOne) {
     const ToneTerms terms{0.25F, 0.5F, 0.6F, 0.8F};
-    EXPECT_EQ(front_verdict(0.25F, terms, ToneRule::paper), Verdict::shown);
-    EXPECT_EQ(front_verdict(0.24F, terms, ToneRule::paper), Verdict::tone);
-    EXPECT_EQ(front_verdict(0.51F, terms, ToneRule::paper), Verdict::depth);
-    EXPECT_EQ(front_verdict(0.61F, terms, ToneRule::paper), Verdict::zoom);
-    EXPECT_EQ(front_verdict(0.80F, terms, ToneRule::paper), Verdict::tone);
-    EXPECT_TRUE(silhouette_shown(0.24F, 0.25F, ToneRule::paper));
-    EXPECT_FALSE(silhouette_shown(0.25F, 0.25F, ToneRule::paper));
+    EXPECT_EQ(front_verdict(0.25F, terms, ToneRule::published), Verdict::shown);
+    EXPECT_EQ(front_verdict(0.24F, terms, ToneRule::published), Verdict::tone);
+    EXPECT_EQ(front_verdict(0.51F, terms, ToneRule::published), Verdict::depth);
+    EXPECT_EQ(front_verdict(0.61F, terms, ToneRule::published), Verdict::zoom);
+    EXPECT_EQ(front_verdict(0.80F, terms, ToneRule::published), Verdict::tone);
+    EXPECT_TRUE(silhouette_shown(0.24F, 0.25F, ToneRule::published));
+    EXPECT_FALSE(silhouette_shown(0.25F, 0.25F, ToneRule::published));
 }
 
 Pen test_pen() {
@@ -115,7 +115,7 @@ TEST(Pen, FollowsTheZoom) {
     EXPECT_EQ(pen.front_ink(10.0F), 2.0F); // no reference: the zoom is 1
     pen.ink_zoom = 1.0F;
     EXPECT_EQ(pen.front_ink(10.0F), 2.0F);
-    pen.zoom_per_ppe = 1.0F / 40.0F;
+    pen.zoom_at_one = 1.0F / 40.0F;
     EXPECT_FLOAT_EQ(pen.front_ink(10.0F), 0.5F);
     EXPECT_FLOAT_EQ(pen.front_ink(80.0F), 4.0F); // beyond the reference as well
     pen.ink_zoom = 0.5F;
@@ -127,7 +127,7 @@ TEST(Pen, ScalesTheAreaOfBackPaper) {
     pen.cover_radius = 6.0F;
     EXPECT_EQ(pen.front_cover(10.0F), 6.0F);
     EXPECT_EQ(pen.back_cover(10.0F), 8.0F);
-    pen.zoom_per_ppe = 1.0F / 40.0F;
+    pen.zoom_at_one = 1.0F / 40.0F;
     pen.zoom_exponent = 2.0F;
     EXPECT_EQ(pen.front_cover(10.0F), 6.0F);
     EXPECT_FLOAT_EQ(pen.back_cover(10.0F), 2.0F); // area times 1/16

@@ -1,4 +1,4 @@
-#include "stipples/graded.h"
+#include "stipples/density_thinning.h"
 
 #include "marks/marks.h"
 #include "surface/curvature.h"

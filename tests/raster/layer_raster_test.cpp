@@ -1,5 +1,5 @@
-// Ink of frames by sheets into pixels, against a plain splatter in doubles.
-#include "frame/depth_layers/sheet_frame.h"
+// Ink of frames by layers into pixels, against a plain reference in doubles.
+#include "frame/depth_layers/layer_frame.h"
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
 
@@ -67,7 +67,7 @@ struct Wanted {
     const std::vector<float>* host = nullptr; // its depths; larger is farther
 };
 
-std::vector<glm::dvec4> splat_known(std::vector<Known> marks, const Wanted& wanted) {
+std::vector<glm::dvec4> draw_known(std::vector<Known> marks, const Wanted& wanted) {
     std::stable_sort(marks.begin(), marks.end(), [](const Known& a, const Known& b) { return a.depth > b.depth; });
     std::vector<glm::dvec4> pixels(width * height, wanted.blender.in(glm::dvec4(wanted.paper)));
     const auto edge = [](double at, int limit) {
@@ -124,7 +124,7 @@ Style bare_style() {
     return style;
 }
 
-class SheetRaster : public ::testing::Test {
+class LayerRaster : public ::testing::Test {
 protected:
     // Places of every kind: anywhere, at the corners of tiles, on the image's border and beyond it.
     void add_marks(double radius, const glm::dvec4& color, int count, int lane) {
@@ -170,7 +170,7 @@ protected:
         for (std::size_t i = 0; i < sets.size(); ++i) {
             styles[i].paper = paper;
             styles[i].silhouette_ink = styles[i].group[0].ink;
-            items.push_back(sheet_item(sets[i], styles[i]));
+            items.push_back(layered_item(sets[i], styles[i]));
         }
         frame::Camera camera = pixel_camera(width, height);
         camera.depth = convention;
@@ -186,7 +186,7 @@ protected:
             picture.bytes = wanted.under->bytes;
         }
         raster.draw(frame, picture.image(), settings);
-        EXPECT_LE(difference(picture, splat_known(known, wanted)), 0.55)
+        EXPECT_LE(difference(picture, draw_known(known, wanted)), 0.55)
             << what << ", format " << static_cast<int>(format);
     }
 
@@ -200,11 +200,11 @@ protected:
 
 constexpr glm::vec4 papers[] = {{1.0F, 1.0F, 1.0F, 1.0F}, {0.9F, 0.8F, 0.5F, 0.4F}, {0.0F, 0.0F, 0.0F, 0.0F}};
 
-TEST_F(SheetRaster, EqualsThePlainSplatterInOneColour) {
+TEST_F(LayerRaster, EqualsThePlainReferenceInOneColour) {
     add_one_color();
     for (const glm::vec4& paper : papers) {
         prepare(paper);
-        ASSERT_TRUE(frame.sheet_frame()->one_color());
+        ASSERT_TRUE(frame.layer_frame()->one_color());
         for (const Format format : formats) {
             expect_known({paper, {false}, nullptr, nullptr}, format, "encoded");
             expect_known({paper, {true}, nullptr, nullptr}, format, "linear light");
@@ -212,11 +212,11 @@ TEST_F(SheetRaster, EqualsThePlainSplatterInOneColour) {
     }
 }
 
-TEST_F(SheetRaster, EqualsThePlainSplatterInManyColoursFromFarToNear) {
+TEST_F(LayerRaster, EqualsThePlainReferenceInManyColoursFromFarToNear) {
     add_colors();
     for (const glm::vec4& paper : papers) {
         prepare(paper);
-        ASSERT_FALSE(frame.sheet_frame()->one_color());
+        ASSERT_FALSE(frame.layer_frame()->one_color());
         for (const Format format : formats) {
             expect_known({paper, {false}, nullptr, nullptr}, format, "encoded");
             expect_known({paper, {true}, nullptr, nullptr}, format, "linear light");
@@ -224,7 +224,7 @@ TEST_F(SheetRaster, EqualsThePlainSplatterInManyColoursFromFarToNear) {
     }
 }
 
-TEST_F(SheetRaster, LaysTheDrawingOverWhatIsThere) {
+TEST_F(LayerRaster, LaysTheDrawingOverWhatIsThere) {
     add_colors();
     for (const glm::vec4& paper : papers) {
         prepare(paper);
@@ -242,7 +242,7 @@ TEST_F(SheetRaster, LaysTheDrawingOverWhatIsThere) {
     }
 }
 
-TEST_F(SheetRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
+TEST_F(LayerRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
     for (const bool many : {false, true}) {
         sets.clear();
         styles.clear();
@@ -271,14 +271,14 @@ TEST_F(SheetRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
                                    base::Scalar::float32, 1};
             Picture picture(width, height);
             raster.draw(frame, picture.image(), settings);
-            const auto expected = splat_known(known, {papers[1], {false}, nullptr, &ascend});
+            const auto expected = draw_known(known, {papers[1], {false}, nullptr, &ascend});
             EXPECT_LE(difference(picture, expected), 0.55) << static_cast<int>(convention);
         }
     }
 }
 
-TEST_F(SheetRaster, DiscsSplattedPlainlyGiveThePicture) {
-    // A real frame: sheets, halos, tone and contours.
+TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
+    // A real frame: layers, halos, tone and contours.
     const marks::PointSet ball = clustered(runtime, sphere(runtime.memory, 6000, 1.0));
     const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     for (const glm::vec4& paper : papers) {
@@ -292,27 +292,27 @@ TEST_F(SheetRaster, DiscsSplattedPlainlyGiveThePicture) {
             if (many) style.silhouette_ink = {0.9F, 0.2F, 0.1F, 0.8F};
             Style other = style;
             if (many) other.group[0].ink = {0.1F, 0.6F, 0.2F, 0.7F};
-            const std::array items{sheet_item(ball, style), sheet_item(ring, other)};
+            const std::array items{layered_item(ball, style), layered_item(ring, other)};
             frame::Camera camera = front_camera(width, height);
             camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
             frame.prepare(items, camera);
-            EXPECT_EQ(frame.sheet_frame()->one_color(), !many);
+            EXPECT_EQ(frame.layer_frame()->one_color(), !many);
             Picture picture(width, height);
             raster.draw(frame, picture.image(), {});
             const auto discs = frame.discs();
             EXPECT_TRUE(std::any_of(discs.begin(), discs.end(),
                                     [](const frame::Disc& d) { return d.color.w > 0.05F && d.color.w < 0.5F; }));
-            EXPECT_LE(largest_difference(picture, splat(splats_of(discs), width, height, paper)), 0.6);
+            EXPECT_LE(largest_difference(picture, draw_plainly(reference_discs(discs), width, height, paper)), 0.6);
         }
     }
 }
 
 // Ink that touches no tile is in discs(), undimmed, but not in info().shown.
-TEST_F(SheetRaster, DiscsAreThoseThatTheInfoCounts) {
+TEST_F(LayerRaster, DiscsAreThoseThatTheInfoCounts) {
     const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     Style style;
     style.group[0].radius = 1.3F;
-    const std::array items{sheet_item(ring, style)};
+    const std::array items{layered_item(ring, style)};
     for (const double half : {0.6, 0.9, 1.25}) {
         frame::Camera camera = front_camera(width, height, half);
         camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
@@ -321,7 +321,7 @@ TEST_F(SheetRaster, DiscsAreThoseThatTheInfoCounts) {
     }
 }
 
-TEST_F(SheetRaster, SameBitsForAnyThreadCountAndInstructionSet) {
+TEST_F(LayerRaster, SameBitsForAnyThreadCountAndInstructionSet) {
     const auto picture_of = [](int threads, base::InstructionSet set, bool many, bool linear) {
         const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), set, nullptr,
                                   nullptr);
@@ -332,7 +332,7 @@ TEST_F(SheetRaster, SameBitsForAnyThreadCountAndInstructionSet) {
         style.attenuation_front = 0.3;
         style.cover_layers = 2.0F;
         if (many) style.silhouette_ink = {0.9F, 0.2F, 0.1F, 0.8F};
-        const std::array items{sheet_item(ball, style), sheet_item(ring, style)};
+        const std::array items{layered_item(ball, style), layered_item(ring, style)};
         Frame own(other);
         frame::Camera camera = front_camera(333, 222);
         camera.projection = frame::perspective(0.3, 333, 222, 1.0, 30.0, camera.depth);
@@ -355,14 +355,14 @@ TEST_F(SheetRaster, SameBitsForAnyThreadCountAndInstructionSet) {
     }
 }
 
-TEST_F(SheetRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
+TEST_F(LayerRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
     add_colors();
     prepare(papers[0]);
     Picture expected(width, height);
     raster.draw(frame, expected.image(), {});
     for (const glm::ivec2 at : {glm::ivec2(13, 7), glm::ivec2(-20, -31), glm::ivec2(160, 120), glm::ivec2(-500, 0)}) {
         std::vector<frame::Item> items;
-        for (std::size_t i = 0; i < sets.size(); ++i) items.push_back(sheet_item(sets[i], styles[i]));
+        for (std::size_t i = 0; i < sets.size(); ++i) items.push_back(layered_item(sets[i], styles[i]));
         frame::Camera camera = pixel_camera(width, height);
         camera.viewport = {at.x, at.y, width, height};
         frame.prepare(items, camera);
@@ -381,15 +381,15 @@ TEST_F(SheetRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
     }
 }
 
-TEST_F(SheetRaster, AllocatesNothingOnceWarm) {
+TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
     CountingAllocator counter;
     const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
                                 base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
     const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
     Style style;
-    const std::array items{sheet_item(ring, style)};
+    const std::array items{layered_item(ring, style)};
     style.silhouette_ink = {1.0F, 0.0F, 0.0F, 1.0F};
-    const std::array colored{sheet_item(ring, style)};
+    const std::array colored{layered_item(ring, style)};
     Frame own(counted);
     output::Raster own_raster(counted);
     Picture picture(240, 240);

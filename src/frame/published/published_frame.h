@@ -11,9 +11,9 @@
 
 namespace hrbfnpr::frame {
 
-class PaintedFrame {
+class PublishedFrame {
 public:
-    explicit PaintedFrame(const base::Runtime& runtime) noexcept;
+    explicit PublishedFrame(const base::Runtime& runtime) noexcept;
 
     // Fills the scene's marks.  Throws Error{callback, out_of_memory}.
     void run(Scene& scene, const glm::vec4& paper);

@@ -1,9 +1,9 @@
-// A frame by sheets: ink, dimmed by what it is seen through, in tiles.
+// A frame by layers: ink, dimmed by what it is seen through, in tiles.
 #pragma once
 
+#include "frame/depth_layers/depth_layers.h"
 #include "frame/depth_layers/exact_visibility.h"
 #include "frame/depth_layers/gather.h"
-#include "frame/depth_layers/sheets.h"
 #include "frame/scene/disc.h"
 #include "frame/scene/frame_info.h"
 #include "frame/scene/order.h"
@@ -12,20 +12,20 @@
 
 namespace hrbfnpr::frame {
 
-class SheetFrame {
+class LayerFrame {
 public:
-    explicit SheetFrame(const base::Runtime& runtime) noexcept;
+    explicit LayerFrame(const base::Runtime& runtime) noexcept;
 
     // Throws Error{callback, out_of_memory}.
     void run(Scene& scene);
 
     // With alpha 0: not drawn.
     [[nodiscard]] std::span<const Ink> inks() const noexcept { return inks_; }
-    [[nodiscard]] std::span<const Cover> covers() const noexcept { return gather_.covers(); }
-    // Of the inks and of the covers, over the viewport; first_pixel is their top-left corner.
+    [[nodiscard]] std::span<const Splat> splats() const noexcept { return gather_.splats(); }
+    // Of the inks and of the splats, over the viewport; first_pixel is their top-left corner.
     [[nodiscard]] const TileBins& ink_bins() const noexcept { return ink_bins_; }
-    [[nodiscard]] const TileBins& cover_bins() const noexcept { return sheets_.bins(); }
-    [[nodiscard]] bool has_sheets() const noexcept { return has_sheets_; }
+    [[nodiscard]] const TileBins& splat_bins() const noexcept { return layers_.bins(); }
+    [[nodiscard]] bool has_layers() const noexcept { return has_layers_; }
     [[nodiscard]] glm::ivec2 first_pixel() const noexcept { return first_pixel_; }
     [[nodiscard]] std::uint32_t colors() const noexcept { return static_cast<std::uint32_t>(colors_.size()); }
     // Straight RGBA of an ink's color.
@@ -50,7 +50,7 @@ private:
 
     const base::Runtime& runtime_;
     Gather gather_;
-    Sheets sheets_;
+    DepthLayers layers_;
     ExactVisibility exact_;
     TileBins ink_bins_;
     std::span<Ink> inks_;
@@ -64,7 +64,7 @@ private:
     glm::ivec2 first_pixel_{0};
     glm::vec4 ink_color_{0.0F}; // if there is but one
     bool one_color_ = true;
-    bool has_sheets_ = false;
+    bool has_layers_ = false;
 };
 
 } // namespace hrbfnpr::frame

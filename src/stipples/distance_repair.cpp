@@ -1,4 +1,4 @@
-#include "stipples/crowds.h"
+#include "stipples/distance_repair.h"
 
 #include "geometry/point_grid.h"
 #include "stipples/progressive_order.h"
@@ -60,22 +60,22 @@ private:
 };
 
 // Two marks that are nearer than all others.
-struct Crowd {
+struct TooNear {
     std::int64_t later, earlier;
-    [[nodiscard]] bool operator<(const Crowd& other) const noexcept {
+    [[nodiscard]] bool operator<(const TooNear& other) const noexcept {
         return later != other.later ? later < other.later : earlier < other.earlier;
     }
 };
 
-// Finds the crowds that a mark has wandered into.  The later of two says how far they must be apart, so marks are
-// looked at in parts, in each of which that is much the same distance.
-class Crowds {
+// Finds the pairs that came too near because a mark has wandered.  The later of two says how far they must be apart,
+// so marks are looked at in parts, in each of which that is much the same distance.
+class DistanceRepair {
 public:
-    Crowds(const marks::Site& site, const EvenMarks& marks, const base::Array<std::int64_t>& wandered)
+    DistanceRepair(const marks::Site& site, const EvenMarks& marks, const base::Array<std::int64_t>& wandered)
         : site_(site), marks_(marks), wandered_(wandered), near_(site.memory()), found_(site.memory()) {}
 
     // In ascending order.
-    base::Array<Crowd> find() {
+    base::Array<TooNear> find() {
         const std::int64_t count = marks_.position.size();
         for (std::int64_t begin = 0, end = 1; begin < count; begin = end, end = std::min(4 * end, count))
             look_through(begin, end);
@@ -100,14 +100,14 @@ private:
             for (std::int64_t j = from; j < to; ++j) {
                 near_[j] = 0;
                 if (!near.maybe(marks_.position[j])) continue;
-                visit(grid, begin, j, [&](const Crowd&) { near_[j] = 1; });
+                visit(grid, begin, j, [&](const TooNear&) { near_[j] = 1; });
             }
         });
         for (std::int64_t j = 0; j < end; ++j)
-            if (near_[j] != 0) visit(grid, begin, j, [&](const Crowd& crowd) { found_.push_back(crowd); });
+            if (near_[j] != 0) visit(grid, begin, j, [&](const TooNear& pair) { found_.push_back(pair); });
     }
 
-    // The crowds of mark j and one that wandered, of which the later one is not before `begin`.
+    // The pairs of mark j and one that wandered that are too near, of which the later one is not before `begin`.
     template <class Visit>
     void visit(const geometry::PointGrid& grid, std::int64_t begin, std::int64_t j, Visit&& visit) const {
         grid.around(marks_.position[j], [&](std::int64_t at) {
@@ -116,7 +116,7 @@ private:
             if (i == j || later < begin) return;
             const glm::dvec3 between = marks_.position[i] - marks_.position[j];
             if (glm::dot(between, between) >= apart(later) * apart(later)) return;
-            if (glm::dot(marks_.normal[i], marks_.normal[j]) >= 0.0) visit(Crowd{later, std::min(i, j)});
+            if (glm::dot(marks_.normal[i], marks_.normal[j]) >= 0.0) visit(TooNear{later, std::min(i, j)});
         });
     }
 
@@ -124,16 +124,16 @@ private:
     const EvenMarks& marks_;
     const base::Array<std::int64_t>& wandered_;
     base::Array<std::uint8_t> near_;
-    base::Array<Crowd> found_;
+    base::Array<TooNear> found_;
 };
 
 } // namespace
 
-void keep_apart(const marks::Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks,
-                marks::LevelReport& report) {
+void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks,
+                      marks::LevelReport& report) {
     base::Array<std::uint8_t> dropped(site.memory(), marks.position.size());
-    for (const Crowd& crowd : Crowds(site, marks, wandered).find())
-        if (dropped[crowd.earlier] == 0) dropped[crowd.later] = 1;
+    for (const TooNear& pair : DistanceRepair(site, marks, wandered).find())
+        if (dropped[pair.earlier] == 0) dropped[pair.later] = 1;
     std::int64_t kept = std::find(dropped.begin(), dropped.end(), std::uint8_t{1}) - dropped.begin();
     for (std::int64_t i = kept; i < dropped.size(); ++i) {
         if (dropped[i] != 0) continue;

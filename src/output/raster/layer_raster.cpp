@@ -1,4 +1,4 @@
-#include "output/raster/sheet_raster.h"
+#include "output/raster/layer_raster.h"
 
 #include "output/raster/pixels.h"
 #include "output/raster/rects.h"
@@ -11,44 +11,44 @@
 namespace hrbfnpr::output {
 namespace {
 
-using frame::Cover;
 using frame::Ink;
-using frame::SheetFrame;
+using frame::LayerFrame;
+using frame::Splat;
 
-constexpr std::int32_t side = frame::Sheets::tile_size;
+constexpr std::int32_t side = frame::DepthLayers::tile_size;
 constexpr std::int32_t stride = side + 16; // vectors may run over a row's end
 constexpr std::int64_t plane = std::int64_t{stride} * side;
-enum Plane : std::int64_t { clear, red, green, blue, host, planes };
+enum Plane : std::int64_t { transmittance, red, green, blue, host, planes };
 
 // Everything that a tile's task reads.
 class Painter {
 public:
-    Painter(const frame::Frame& frame, const SheetFrame& sheets, const Image& image, const DrawSettings& settings,
-            const SplatLoops& loops, float* scratch, const float* colors, const Rect& drawn) noexcept
-        : sheets_(sheets), convention_(frame.camera().depth), image_(image), settings_(settings), loops_(loops),
+    Painter(const frame::Frame& frame, const LayerFrame& layers, const Image& image, const DrawSettings& settings,
+            const DiscLoops& loops, float* scratch, const float* colors, const Rect& drawn) noexcept
+        : layers_(layers), convention_(frame.camera().depth), image_(image), settings_(settings), loops_(loops),
           scratch_(scratch), colors_(colors), drawn_(drawn), paper_(in_light(premultiplied(frame.paper()))),
           outputs_(settings.depth || settings.id || settings.mark_class),
           // One colour, and nothing but the drawing: a pixel is a function of what is left of the paper.
-          simple_(sheets.one_color() && !settings.over && !settings.linear_light) {}
+          simple_(layers.one_color() && !settings.over && !settings.linear_light) {}
 
     void operator()(std::int64_t tile) const {
-        const frame::TileBins& bins = sheets_.ink_bins();
-        const glm::ivec2 first = sheets_.first_pixel() + glm::ivec2(static_cast<int>(tile % bins.columns()) * side,
+        const frame::TileBins& bins = layers_.ink_bins();
+        const glm::ivec2 first = layers_.first_pixel() + glm::ivec2(static_cast<int>(tile % bins.columns()) * side,
                                                                     static_cast<int>(tile / bins.columns()) * side);
         const Rect rect = {std::max(first.x, drawn_.left), std::max(first.y, drawn_.top),
                            std::min(first.x + side, drawn_.right), std::min(first.y + side, drawn_.bottom)};
         if (rect.empty()) return;
-        const SplatTile target = prepare(rect, first);
-        const bool one = sheets_.one_color();
+        const DiscTile target = prepare(rect, first);
+        const bool one = layers_.one_color();
         const float toward = convention_ == frame::DepthConvention::reversed ? -1.0F : 1.0F;
         bins.for_spans(
             tile,
             [&](std::span<const std::uint32_t> numbers) {
-                loops_.splat(target, {sheets_.inks().data(), numbers.data(), static_cast<std::int64_t>(numbers.size()),
-                                      static_cast<float>(first.x), static_cast<float>(first.y), colors_,
-                                      sheets_.ink_color().w, toward});
+                loops_.draw(target, {layers_.inks().data(), numbers.data(), static_cast<std::int64_t>(numbers.size()),
+                                     static_cast<float>(first.x), static_cast<float>(first.y), colors_,
+                                     layers_.ink_color().w, toward});
             },
-            [&](std::uint32_t a, std::uint32_t b) { return one ? a < b : sheets_.before(a, b); });
+            [&](std::uint32_t a, std::uint32_t b) { return one ? a < b : layers_.before(a, b); });
         for (std::int32_t y = rect.top; y < rect.bottom; ++y) store_row(rect, first, y);
         if (outputs_) store_outputs(tile, rect);
     }
@@ -61,10 +61,10 @@ private:
     [[nodiscard]] glm::vec4 in_light(const glm::vec4& color) const noexcept {
         return settings_.linear_light ? to_linear(color) : color;
     }
-    [[nodiscard]] SplatTile prepare(const Rect& rect, const glm::ivec2& first) const noexcept {
-        SplatTile tile{side, side, stride, scratch_, {}, nullptr};
-        std::fill_n(scratch_ + clear * plane, plane, 1.0F);
-        if (!sheets_.one_color()) {
+    [[nodiscard]] DiscTile prepare(const Rect& rect, const glm::ivec2& first) const noexcept {
+        DiscTile tile{side, side, stride, scratch_, {}, nullptr};
+        std::fill_n(scratch_ + transmittance * plane, plane, 1.0F);
+        if (!layers_.one_color()) {
             for (int c = 0; c < 3; ++c) {
                 tile.color[c] = scratch_ + (red + c) * plane;
                 std::fill_n(tile.color[c], plane, 0.0F);
@@ -111,12 +111,12 @@ private:
     }
 
     // The colour of all inks, opaque: their alpha is in what they leave of the paper.
-    [[nodiscard]] glm::vec4 one_ink() const noexcept { return in_light({glm::vec3(sheets_.ink_color()), 1.0F}); }
+    [[nodiscard]] glm::vec4 one_ink() const noexcept { return in_light({glm::vec3(layers_.ink_color()), 1.0F}); }
 
     void store_one(std::byte* pixel, std::int64_t at) const noexcept {
         const float left = scratch_[at];
         glm::vec4 color = paper_ * left;
-        if (sheets_.one_color())
+        if (layers_.one_color())
             color += one_ink() * (1.0F - left);
         else
             color += glm::vec4(scratch_[red * plane + at], scratch_[green * plane + at], scratch_[blue * plane + at],
@@ -125,7 +125,7 @@ private:
         store_pixel(pixel, settings_.linear_light ? from_linear(color) : color, image_.format);
     }
 
-    // What is nearest at a pixel's centre: a sheet, or ink, which lies a little nearer than its sheet.
+    // What is nearest at a pixel's centre: a layer, or ink, which lies a little nearer than its layer.
     struct Nearest {
         float depth; // eye units
         float window;
@@ -152,21 +152,21 @@ private:
                         nearest = what;
                 }
             };
-            note_covers(tile, note);
+            note_splats(tile, note);
             note_inks(tile, note);
             store_output_row(rect, y, row);
         }
     }
 
     template <class Note>
-    void note_covers(std::int64_t tile, const Note& note) const {
-        if (!sheets_.has_sheets()) return;
-        const Cover* const covers = sheets_.covers().data();
-        sheets_.cover_bins().for_tile(tile, [&](std::uint32_t i) {
-            const Cover& c = covers[i];
+    void note_splats(std::int64_t tile, const Note& note) const {
+        if (!layers_.has_layers()) return;
+        const Splat* const splats = layers_.splats().data();
+        layers_.splat_bins().for_tile(tile, [&](std::uint32_t i) {
+            const Splat& c = splats[i];
             const frame::MarkClass side_of = c.faces_back ? frame::MarkClass::back : frame::MarkClass::front;
             note(c.x, c.y, c.radius, {c.depth, c.window, c.id, side_of}, [&](float dx, float dy) {
-                const float fall = (dx * c.slope_x + dy * c.slope_y) * c.ppe;
+                const float fall = (dx * c.slope_x + dy * c.slope_y) * c.pixels_per_unit;
                 return dx * dx + dy * dy + fall * fall <= c.radius * c.radius;
             });
         });
@@ -174,12 +174,13 @@ private:
 
     template <class Note>
     void note_inks(std::int64_t tile, const Note& note) const {
-        const Ink* const inks = sheets_.inks().data();
-        sheets_.ink_bins().for_tile(tile, [&](std::uint32_t i) {
+        const Ink* const inks = layers_.inks().data();
+        layers_.ink_bins().for_tile(tile, [&](std::uint32_t i) {
             const Ink& ink = inks[i];
             if (!(ink.alpha > 0.0F)) return;
             const float radius = std::max(ink.radius, frame::smallest_radius);
-            note(ink.x, ink.y, radius, {ink.depth - 2.0F * radius / ink.ppe, ink.window, ink.id, ink.mark_class},
+            note(ink.x, ink.y, radius,
+                 {ink.depth - 2.0F * radius / ink.pixels_per_unit, ink.window, ink.id, ink.mark_class},
                  [&](float dx, float dy) { return dx * dx + dy * dy <= radius * radius; });
         });
     }
@@ -200,11 +201,11 @@ private:
         return frame::nearer(own, window, convention_);
     }
 
-    const SheetFrame& sheets_;
+    const LayerFrame& layers_;
     frame::DepthConvention convention_;
     const Image& image_;
     const DrawSettings& settings_;
-    const SplatLoops& loops_;
+    const DiscLoops& loops_;
     float* scratch_;
     const float* colors_; // as in InkList
     Rect drawn_;
@@ -214,13 +215,13 @@ private:
 
 } // namespace
 
-void SheetRaster::draw(const frame::Frame& frame, const Image& image, const DrawSettings& settings) {
-    const SheetFrame& sheets = *frame.sheet_frame();
+void LayerRaster::draw(const frame::Frame& frame, const Image& image, const DrawSettings& settings) {
+    const LayerFrame& layers = *frame.layer_frame();
     const Rect drawn = drawn_rect(frame.camera().viewport, image);
     if (drawn.empty()) return;
     colors_.clear();
-    for (std::uint32_t color = 0; color < sheets.colors(); ++color) {
-        const glm::vec4 ink = sheets.color(color);
+    for (std::uint32_t color = 0; color < layers.colors(); ++color) {
+        const glm::vec4 ink = layers.color(color);
         const glm::vec4 opaque(glm::vec3(ink), 1.0F);
         const glm::vec4 light = settings.linear_light ? to_linear(opaque) : opaque;
         for (const float value : {light.x, light.y, light.z, ink.w}) colors_.push_back(value);
@@ -229,9 +230,9 @@ void SheetRaster::draw(const frame::Frame& frame, const Image& image, const Draw
     frame::resize_scratch(planes_, lanes * planes * plane);
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(lanes, [&](std::int64_t lane) {
-        const Painter paint(frame, sheets, image, settings, loops_, planes_.data() + lane * planes * plane,
+        const Painter paint(frame, layers, image, settings, loops_, planes_.data() + lane * planes * plane,
                             colors_.data(), drawn);
-        for (std::int64_t tile = next++; tile < sheets.ink_bins().tiles(); tile = next++) paint(tile);
+        for (std::int64_t tile = next++; tile < layers.ink_bins().tiles(); tile = next++) paint(tile);
     });
 }
 

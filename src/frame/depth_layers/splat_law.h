@@ -1,4 +1,4 @@
-// How opaque a sheet of surface is, and how far apart the marks are that it is found from.     [NPAR 6.1]
+// How opaque a layer of surface is, and how far apart the marks are that it is found from.     [NPAR 6.1]
 #pragma once
 
 #include "frame/scene/attenuation.h"
@@ -6,11 +6,11 @@
 
 namespace hrbfnpr::frame {
 
-// A halo is as dark as a sheet that turns away by this n . v.
+// A halo is as dark as a layer that turns away by this n . v.
 inline constexpr float halo_angle = 0.25F;
 
-// What a sheet of this item lets through of what lies behind.
-[[nodiscard]] inline float sheet_clear(const Style& style, float nu) noexcept {
+// What a layer of this item lets through of what lies behind.
+[[nodiscard]] inline float layer_transmittance(const Style& style, float nu) noexcept {
     if (style.hidden_lines == HiddenLines::show) return 1.0F;
     if (style.hidden_lines == HiddenLines::hide) return 0.0F;
     const float alpha = nu > 0.0F ? back_alpha(nu, static_cast<float>(style.attenuation_back))
@@ -18,11 +18,11 @@ inline constexpr float halo_angle = 0.25F;
     return style.cover_layers > 0.0F ? std::pow(1.0F - alpha, style.cover_layers) : 1.0F - alpha;
 }
 
-// Pixels between the marks that stand for a sheet where there are enough of them, and near its contour.
-inline constexpr float cover_spacing = 6.0F;
-inline constexpr float contour_cover_spacing = 4.0F;
+// Pixels between the marks that stand for a layer where there are enough of them, and near its contour.
+inline constexpr float splat_spacing = 6.0F;
+inline constexpr float contour_splat_spacing = 4.0F;
 // Their discs' radius, in spacings, without half a pixel: a blue-noise order leaves no place farther than 0.8 from a
 // mark; marks at random leave one place in two thousand.
-inline constexpr float even_cover = 0.85F;
-inline constexpr float random_cover = 1.6F;
+inline constexpr float even_splat = 0.85F;
+inline constexpr float random_splat = 1.6F;
 } // namespace hrbfnpr::frame

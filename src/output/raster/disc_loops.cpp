@@ -1,8 +1,8 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "output/raster/splat_loops.cpp"
+#define HWY_TARGET_INCLUDE "output/raster/disc_loops.cpp"
 #include "base/simd.h"
 
-#include "output/raster/splat_loops.h"
+#include "output/raster/disc_loops.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::output::HWY_NAMESPACE {
@@ -19,7 +19,7 @@ HWY_INLINE std::int32_t clamped(float at, std::int32_t limit) {
 }
 
 // A disc in pixels of the tile.
-struct SplatDisc {
+struct InkDisc {
     float x, y, radius, alpha, depth;
 };
 
@@ -30,7 +30,7 @@ HWY_INLINE W coverage(W squared, W outer) {
 }
 
 template <class Blend>
-HWY_INLINE void for_pixels(const SplatTile& t, const SplatDisc& disc, Blend&& blend) {
+HWY_INLINE void for_pixels(const DiscTile& t, const InkDisc& disc, Blend&& blend) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const float radius = disc.radius > frame::smallest_radius ? disc.radius : frame::smallest_radius;
@@ -55,26 +55,26 @@ HWY_INLINE void for_pixels(const SplatTile& t, const SplatDisc& disc, Blend&& bl
 }
 
 // What lies behind the host's picture is not covered.
-HWY_INLINE W before_host(const SplatTile& t, const SplatDisc& disc, std::int32_t at, W cover) {
+HWY_INLINE W before_host(const DiscTile& t, const InkDisc& disc, std::int32_t at, W cover) {
     const F d;
     if (t.host == nullptr) return cover;
     return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.host + at), hn::Set(d, disc.depth)), cover);
 }
 
-HWY_INLINE void splat_one(const SplatTile& t, const SplatDisc& disc) {
+HWY_INLINE void draw_one(const DiscTile& t, const InkDisc& disc) {
     const F d;
     for_pixels(t, disc, [&](std::int32_t at, W cover) HWY_ATTR {
         const W left = hn::Sub(hn::Set(d, 1.0F), before_host(t, disc, at, cover));
-        hn::StoreU(hn::Mul(hn::LoadU(d, t.clear + at), left), d, t.clear + at);
+        hn::StoreU(hn::Mul(hn::LoadU(d, t.transmittance + at), left), d, t.transmittance + at);
     });
 }
 
-HWY_INLINE void splat_colored(const SplatTile& t, const SplatDisc& disc, const float* color) {
+HWY_INLINE void draw_colored(const DiscTile& t, const InkDisc& disc, const float* color) {
     const F d;
     for_pixels(t, disc, [&](std::int32_t at, W all) HWY_ATTR {
         const W cover = before_host(t, disc, at, all);
         const W left = hn::Sub(hn::Set(d, 1.0F), cover);
-        hn::StoreU(hn::Mul(hn::LoadU(d, t.clear + at), left), d, t.clear + at);
+        hn::StoreU(hn::Mul(hn::LoadU(d, t.transmittance + at), left), d, t.transmittance + at);
         for (int c = 0; c < 3; ++c) {
             const W own = hn::Mul(hn::Set(d, color[c]), cover);
             hn::StoreU(hn::Add(hn::Mul(hn::LoadU(d, t.color[c] + at), left), own), d, t.color[c] + at);
@@ -82,30 +82,30 @@ HWY_INLINE void splat_colored(const SplatTile& t, const SplatDisc& disc, const f
     });
 }
 
-void splat(const SplatTile& t, const InkList& list) {
+void draw(const DiscTile& t, const InkList& list) {
     for (std::int64_t i = 0; i < list.count; ++i) {
         const frame::Ink& ink = list.inks[list.numbers[i]];
         if (!(ink.alpha > 0.0F)) continue;
-        SplatDisc disc = {ink.x - list.left, ink.y - list.top, ink.radius, ink.alpha * list.one_alpha,
-                          ink.window * list.toward};
+        InkDisc disc = {ink.x - list.left, ink.y - list.top, ink.radius, ink.alpha * list.one_alpha,
+                        ink.window * list.toward};
         if (t.color[0] == nullptr) {
-            splat_one(t, disc);
+            draw_one(t, disc);
             continue;
         }
         const float* const color = list.colors + 4 * std::int64_t{ink.color};
         disc.alpha = ink.alpha * color[3];
-        splat_colored(t, disc, color);
+        draw_colored(t, disc, color);
     }
 }
 
-void store(const RowColors& colors, const float* clear, std::int64_t count, std::uint32_t* pixels) {
+void store(const RowColors& colors, const float* transmittance, std::int64_t count, std::uint32_t* pixels) {
     const hn::ScalableTag<float> d;
     const hn::RebindToSigned<decltype(d)> integer;
     const hn::RebindToUnsigned<decltype(d)> word;
     const auto one = hn::Set(d, 1.0F);
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for (std::int64_t at = 0; at < count; at += lanes) {
-        const auto left = hn::LoadU(d, clear + at);
+        const auto left = hn::LoadU(d, transmittance + at);
         const auto inked = hn::Sub(one, left);
         auto scale = hn::Set(d, 255.0F);
         const auto channel = [&](int c) HWY_ATTR {
@@ -128,7 +128,7 @@ void store(const RowColors& colors, const float* clear, std::int64_t count, std:
 
 } // namespace
 
-SplatLoops pick_splat_loops() noexcept { return {splat, store}; }
+DiscLoops pick_disc_loops() noexcept { return {draw, store}; }
 
 } // namespace hrbfnpr::output::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -136,7 +136,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hrbfnpr::output {
 
-SplatLoops splat_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_splat_loops)(); }
+DiscLoops disc_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_disc_loops)(); }
 
 } // namespace hrbfnpr::output
 #endif

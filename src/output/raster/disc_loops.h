@@ -9,9 +9,9 @@
 namespace hrbfnpr::output {
 
 // Rows of `stride` floats, one for each pixel.
-struct SplatTile {
+struct DiscTile {
     std::int32_t width, height, stride; // stride >= width + 8
-    float* clear;                       // what is left of the paper
+    float* transmittance;               // what is left of the paper
     float* color[3];                    // what the inks add to it, premultiplied; NULL: all inks have one colour
     const float* host;                  // depth of the host's picture, falling towards the eye; or NULL
 };
@@ -27,18 +27,18 @@ struct InkList {
     float toward;        // -1: the host's depth rises towards the eye; 1
 };
 
-// Four channels of a row, each alpha * clear + beta * (1 - clear), as bytes.
+// Four channels of a row, each alpha * transmittance + beta * (1 - transmittance), as bytes.
 struct RowColors {
     float paper[4]; // premultiplied, in the order of the bytes
     float ink[4];
     bool straight; // divide by the last one
 };
 
-struct SplatLoops {
-    void (*splat)(const SplatTile& tile, const InkList& list);
-    void (*store)(const RowColors& colors, const float* clear, std::int64_t count, std::uint32_t* pixels);
+struct DiscLoops {
+    void (*draw)(const DiscTile& tile, const InkList& list);
+    void (*store)(const RowColors& colors, const float* transmittance, std::int64_t count, std::uint32_t* pixels);
 };
 
-[[nodiscard]] SplatLoops splat_loops(base::InstructionSet set) noexcept;
+[[nodiscard]] DiscLoops disc_loops(base::InstructionSet set) noexcept;
 
 } // namespace hrbfnpr::output

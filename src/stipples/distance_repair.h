@@ -8,7 +8,7 @@ namespace hrbfnpr::stipples {
 // Where the surface bends within the spacing of marks, they may come to rest beside each other.  Of two that are nearer
 // than all others the later one is dropped, and counted as strayed.  `wandered`: marks, in ascending order, that are
 // not where they were chosen.
-void keep_apart(const marks::Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks,
-                marks::LevelReport& report);
+void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks,
+                      marks::LevelReport& report);
 
 } // namespace hrbfnpr::stipples

@@ -1,4 +1,4 @@
-#include "frame/depth_layers/sheet_frame.h"
+#include "frame/depth_layers/layer_frame.h"
 
 #include "base/clock.h"
 #include "frame/scene/scratch.h"
@@ -13,12 +13,12 @@ constexpr std::int64_t disc_grain = 4096;
 
 } // namespace
 
-SheetFrame::SheetFrame(const base::Runtime& runtime) noexcept
-    : runtime_(runtime), gather_(runtime), sheets_(runtime), exact_(runtime.memory),
-      ink_bins_(runtime.memory, Sheets::tile_size), colors_(runtime.memory), order_(runtime.memory),
+LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
+    : runtime_(runtime), gather_(runtime), layers_(runtime), exact_(runtime.memory),
+      ink_bins_(runtime.memory, DepthLayers::tile_size), colors_(runtime.memory), order_(runtime.memory),
       keys_(runtime.memory), discs_(runtime.memory) {}
 
-void SheetFrame::run(Scene& scene) {
+void LayerFrame::run(Scene& scene) {
     base::Stopwatch watch;
     const bool wants_discs = std::exchange(has_discs_, false);
     take_colors(scene);
@@ -34,8 +34,8 @@ void SheetFrame::run(Scene& scene) {
     watch.restart();
     std::int64_t inks = 0;
     for (const Piece& piece : gather_.ink_pieces()) inks += piece.end - piece.begin;
-    has_sheets_ = std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& run) { return run.covers; });
-    info_.shown = has_sheets_ ? sheets_.attenuate(gather_, inks_, ink_bins_, first_pixel_.x, first_pixel_.y) : inks;
+    has_layers_ = std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& run) { return run.splats; });
+    info_.shown = has_layers_ ? layers_.attenuate(gather_, inks_, ink_bins_, first_pixel_.x, first_pixel_.y) : inks;
     if (std::any_of(scene.items.begin(), scene.items.end(), [](const ItemView& i) { return i.model != nullptr; }))
         info_.shown -= exact_.attenuate(runtime_, scene, inks_, gather_.ink_pieces());
     info_.dropped_hidden = inks - info_.shown;
@@ -46,7 +46,7 @@ void SheetFrame::run(Scene& scene) {
     info_.nanoseconds_sort += watch.nanoseconds();
 }
 
-void SheetFrame::take_colors(const Scene& scene) {
+void LayerFrame::take_colors(const Scene& scene) {
     colors_.clear();
     one_color_ = true;
     bool first = true;
@@ -63,7 +63,7 @@ void SheetFrame::take_colors(const Scene& scene) {
     }
 }
 
-void SheetFrame::bin(const Scene& scene) {
+void LayerFrame::bin(const Scene& scene) {
     const glm::vec4& v = scene.lens.viewport;
     first_pixel_ = glm::ivec2(std::floor(v.x), std::floor(v.y));
     const auto left = static_cast<float>(first_pixel_.x);
@@ -82,18 +82,18 @@ void SheetFrame::bin(const Scene& scene) {
     if (!one_color_) ink_bins_.order(runtime_.parallel, [&](std::uint32_t a, std::uint32_t b) { return before(a, b); });
 }
 
-bool SheetFrame::before(std::uint32_t a, std::uint32_t b) const noexcept {
+bool LayerFrame::before(std::uint32_t a, std::uint32_t b) const noexcept {
     return inks_[a].depth != inks_[b].depth ? inks_[a].depth > inks_[b].depth : a < b;
 }
 
 // Serially: a host's job runner must not be called under the lock, as its threads may come here meanwhile.
-std::span<const Disc> SheetFrame::discs() const {
+std::span<const Disc> LayerFrame::discs() const {
     const std::scoped_lock lock(making_);
     if (!has_discs_) make_discs(base::Parallel());
     return std::as_const(discs_).span();
 }
 
-void SheetFrame::make_discs(const base::Parallel& parallel) const {
+void LayerFrame::make_discs(const base::Parallel& parallel) const {
     keys_.clear();
     keys_.reserve(info_.shown);
     for (const Piece& piece : gather_.ink_pieces()) {
@@ -115,8 +115,8 @@ void SheetFrame::make_discs(const base::Parallel& parallel) const {
     has_discs_ = true;
 }
 
-std::int64_t SheetFrame::bytes() const noexcept {
-    return gather_.bytes() + sheets_.bytes() + exact_.bytes() + ink_bins_.bytes() + colors_.bytes() + order_.bytes() +
+std::int64_t LayerFrame::bytes() const noexcept {
+    return gather_.bytes() + layers_.bytes() + exact_.bytes() + ink_bins_.bytes() + colors_.bytes() + order_.bytes() +
            keys_.bytes() + discs_.bytes();
 }
 

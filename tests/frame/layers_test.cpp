@@ -1,5 +1,5 @@
-// What sheets of surface hide and dim, against lines of sight through known solids.
-#include "frame/depth_layers/cover_law.h"
+// What layers of surface hide and dim, against lines of sight through known solids.
+#include "frame/depth_layers/splat_law.h"
 #include "frame/line_of_sight.h"
 
 #include <gtest/gtest.h>
@@ -14,14 +14,14 @@ using frame::Frame;
 using frame::HiddenLines;
 using frame::Style;
 
-class SheetsTest : public ::testing::Test {
+class LayersTest : public ::testing::Test {
 protected:
     const frame::FrameInfo& prepare(std::span<const frame::Item> items, const frame::Camera& camera) {
         frame.prepare(items, camera);
         return frame.info();
     }
     std::vector<float> seen(const marks::PointSet& set, const Style& style, const frame::Camera& camera) {
-        const std::array items{sheet_item(set, style)};
+        const std::array items{layered_item(set, style)};
         prepare(items, camera);
         return seen_share(frame, set.group[0].count());
     }
@@ -32,12 +32,12 @@ protected:
 
 constexpr HiddenLines hiding[] = {HiddenLines::attenuate, HiddenLines::hide};
 
-TEST_F(SheetsTest, ASphereNeverDimsItsOwnFront) {
+TEST_F(LayersTest, ASphereNeverDimsItsOwnFront) {
     for (const int count : {3000, 20000, 100000}) {
         const marks::PointSet set = clustered(runtime, sphere(runtime.memory, count));
         for (const HiddenLines hidden : hiding) {
             for (const double half : {0.6, 1.25, 6.0}) {
-                const std::array items{sheet_item(set, all_front(hidden))};
+                const std::array items{layered_item(set, all_front(hidden))};
                 const frame::FrameInfo& info = prepare(items, front_camera(500, 500, half));
                 EXPECT_EQ(info.dropped_hidden, 0) << count << " " << half;
                 EXPECT_EQ(info.shown, info.front);
@@ -53,11 +53,11 @@ TEST_F(SheetsTest, ASphereNeverDimsItsOwnFront) {
     }
 }
 
-// With 100 marks on 400 pixels, discs of sheets stand out of their own surface by more than the gap that is left to it.
-TEST_F(SheetsTest, ASparseSphereNeverDimsItsOwnFront) {
+// With 100 marks on 400 pixels, discs of layers stand out of their own surface by more than the gap that is left to it.
+TEST_F(LayersTest, ASparseSphereNeverDimsItsOwnFront) {
     for (const int count : {100, 300}) {
         const marks::PointSet set = clustered(runtime, sphere(runtime.memory, count));
-        const std::array items{sheet_item(set, all_front(HiddenLines::attenuate))};
+        const std::array items{layered_item(set, all_front(HiddenLines::attenuate))};
         frame::Camera camera = front_camera(500, 500);
         camera.view = frame::look_at({0.3, 1.0, 5.0}, glm::dvec3(0.0), {0, 1, 0});
         camera.projection = frame::perspective(0.5, 500, 500, 0.1, 20.0, camera.depth);
@@ -67,24 +67,24 @@ TEST_F(SheetsTest, ASparseSphereNeverDimsItsOwnFront) {
 }
 
 // Front marks within the contour's band, which are drawn if they fade.
-TEST_F(SheetsTest, AHaloLeavesItsOwnFrontAlone) {
+TEST_F(LayersTest, AHaloLeavesItsOwnFrontAlone) {
     const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 100000));
     Style style = all_front(HiddenLines::hide);
     style.tone_fade = 0.25F;
     style.halo_width = 0.0F;
-    const std::array without{sheet_item(set, style)};
+    const std::array without{layered_item(set, style)};
     const std::int64_t all = prepare(without, front_camera(500, 500)).shown;
     style.halo_width = 2.0F;
-    const std::array with{sheet_item(set, style)};
+    const std::array with{layered_item(set, style)};
     EXPECT_GE(prepare(with, front_camera(500, 500)).shown, all - all / 1000);
 }
 
-TEST_F(SheetsTest, APlaneNeverDimsItselfAtAnyTilt) {
+TEST_F(LayersTest, APlaneNeverDimsItselfAtAnyTilt) {
     const marks::PointSet set = clustered(runtime, plane(runtime.memory, 100));
     for (const HiddenLines hidden : hiding) {
         for (const double tilt : {0.0, 0.3, 0.6, 0.9, 1.2, 1.35, 1.45, 1.5}) {
             const frame::Camera camera = camera_from({0.0, -std::sin(tilt), std::cos(tilt)}, 400, 1.25);
-            const std::array items{sheet_item(set, all_front(hidden))};
+            const std::array items{layered_item(set, all_front(hidden))};
             EXPECT_EQ(prepare(items, camera).front, 10000) << tilt;
             EXPECT_EQ(frame.info().shown, 10000) << tilt;
             for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.color.w, 1.0F) << tilt;
@@ -118,7 +118,7 @@ Agreement agreement(const marks::PointSet& set, const Solid& solid, const std::v
     return result;
 }
 
-TEST_F(SheetsTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
+TEST_F(LayersTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
     int hidden = 0;
     for (const int rings : {90, 200}) {
         const marks::PointSet set = clustered(runtime, torus(runtime.memory, rings));
@@ -128,14 +128,14 @@ TEST_F(SheetsTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
             for (const double half : {1.6, 0.8}) {
                 const double pixel = 2.0 * half / 500.0;
                 const Style style = all_front(HiddenLines::hide);
-                // Marks stand for a sheet up to a spacing beyond the last of them.
+                // Marks stand for a layer up to a spacing beyond the last of them.
                 const double band = (2.0 + 2.0) * pixel + set.spacing;
                 const std::vector<float> share = seen(set, style, camera_from(toward, 500, half));
                 Agreement found = agreement(set, ring(), share, unit, band);
                 if (half < 1.5) { // not all of it is inside the picture
                     found.lost = 0;
                 }
-                // Covers of marks at random leave gaps, and reach a little too far: one in ten thousand.
+                // Splats of marks at random leave gaps, and reach a little too far: one in ten thousand.
                 EXPECT_LE(found.lost, 3) << rings << " " << tilt << " " << half << " of " << found.seen;
                 EXPECT_EQ(found.dimmed, 0) << rings << " " << tilt << " " << half << " of " << found.seen;
                 EXPECT_EQ(found.leaked, 0) << rings << " " << tilt << " " << half << " of " << found.hidden;
@@ -150,13 +150,13 @@ TEST_F(SheetsTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
     EXPECT_GT(hidden, 5000);
 }
 
-TEST_F(SheetsTest, NearTheContourThatHidesThemFewMarksAreTakenWrongly) {
+TEST_F(LayersTest, NearTheContourThatHidesThemFewMarksAreTakenWrongly) {
     // All marks whose fate is not sure above: within a band of 2 px and the halo they may go either way, but beyond
     // it they may not.
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 300));
     const double pixel = 3.2 / 600.0;
     std::int64_t wrong = 0;
-    std::int64_t judged = 0;
+    std::int64_t selected = 0;
     for (const double tilt : {0.9, 1.1, 1.3}) {
         const glm::dvec3 toward = glm::normalize(glm::dvec3(0.0, -std::sin(tilt), std::cos(tilt)));
         const Style style = all_front(HiddenLines::hide);
@@ -164,13 +164,13 @@ TEST_F(SheetsTest, NearTheContourThatHidesThemFewMarksAreTakenWrongly) {
         const Agreement found =
             agreement(set, ring(), share, toward, (2.0 + static_cast<double>(style.halo_width)) * pixel);
         wrong += found.lost + found.dimmed + found.leaked;
-        judged += found.seen + found.hidden;
+        selected += found.seen + found.hidden;
     }
-    EXPECT_GT(judged, 50000);
-    EXPECT_LE(static_cast<double>(wrong), 2e-4 * static_cast<double>(judged)) << wrong;
+    EXPECT_GT(selected, 50000);
+    EXPECT_LE(static_cast<double>(wrong), 2e-4 * static_cast<double>(selected)) << wrong;
 }
 
-TEST_F(SheetsTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
+TEST_F(LayersTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
     // With contours: those on the far side of the hole, and around the cusps, must not shine through.
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 260));
     Style style = all_front(HiddenLines::hide);
@@ -195,7 +195,7 @@ TEST_F(SheetsTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
     }
 }
 
-TEST_F(SheetsTest, ABallInFrontDimsByTheLawsOfBothItsSheets) {
+TEST_F(LayersTest, ABallInFrontDimsByTheLawsOfBothItsLayers) {
     const double radius = 0.8;
     const marks::PointSet front = clustered(runtime, sphere(runtime.memory, 30000, radius));
     const marks::PointSet behind = clustered(runtime, plane(runtime.memory, 120));
@@ -203,12 +203,12 @@ TEST_F(SheetsTest, ABallInFrontDimsByTheLawsOfBothItsSheets) {
     style.attenuation_front = 0.5;
     style.attenuation_back = 0.3;
     style.cover_layers = 2.0F;
-    const std::array items{sheet_item(behind, style, shifted({0.0, 0.0, -3.0})), sheet_item(front, style)};
+    const std::array items{layered_item(behind, style, shifted({0.0, 0.0, -3.0})), layered_item(front, style)};
     prepare(items, front_camera(800, 800, 1.0));
     const double pixel = 2.0 / 800.0;
     const std::vector<float> share = seen_share(frame, 14400 + 30000);
     double worst = 0.0;
-    int judged = 0;
+    int selected = 0;
     for (std::int64_t i = 0; i < 14400; ++i) {
         const Mark mark = mark_of(behind, i);
         const double off = std::hypot(mark.position.x, mark.position.y);
@@ -217,12 +217,12 @@ TEST_F(SheetsTest, ABallInFrontDimsByTheLawsOfBothItsSheets) {
             ASSERT_EQ(drawn, 1.0F) << off;
         } else if (off < 0.8 * radius) {
             const auto nu = static_cast<float>(std::sqrt(1.0 - off * off / (radius * radius)));
-            const float law = sheet_clear(style, -nu) * sheet_clear(style, nu);
+            const float law = layer_transmittance(style, -nu) * layer_transmittance(style, nu);
             worst = std::max(worst, static_cast<double>(std::abs(drawn - law)));
-            ++judged;
+            ++selected;
         }
     }
-    EXPECT_GT(judged, 3000);
+    EXPECT_GT(selected, 3000);
     EXPECT_LT(worst, 0.03);
     for (std::int64_t i = 14400; i < 44400; ++i) {
         const float drawn = share[static_cast<std::size_t>(i) + 1];
@@ -236,16 +236,16 @@ struct Front {
     bool faces_away;
 };
 
-TEST_F(SheetsTest, OpenSheetsOneBehindTheOtherDimExactly) {
+TEST_F(LayersTest, OpenLayersOneBehindTheOtherDimExactly) {
     const marks::PointSet set = clustered(runtime, plane(runtime.memory, 60));
     Style style = all_front(HiddenLines::attenuate);
     style.attenuation_front = 0.4;
     style.attenuation_back = 0.3;
     style.cover_layers = 1.0F;
-    const float front = sheet_clear(style, -1.0F);
-    const float back = sheet_clear(style, 1.0F);
+    const float front = layer_transmittance(style, -1.0F);
+    const float back = layer_transmittance(style, 1.0F);
     struct Case {
-        std::vector<Front> sheets;
+        std::vector<Front> layers;
         float clear;
     };
     // 100 pixels a unit.
@@ -261,29 +261,30 @@ TEST_F(SheetsTest, OpenSheetsOneBehindTheOtherDimExactly) {
                           {{{0.6, true}, {1.2, false}, {1.8, true}, {2.4, false}}, back * front * back * front},
                           {{{-0.6, false}, {-1.2, true}}, 1.0F}}; // behind it
     for (const Case& c : cases) {
-        std::vector<frame::Item> items{sheet_item(set, style)};
+        std::vector<frame::Item> items{layered_item(set, style)};
         Style blank = style;
         blank.group[0].share = 0.0F;
         blank.group[0].shown = true;
-        for (const Front& f : c.sheets) {
+        for (const Front& f : c.layers) {
             glm::dmat4 m = shifted({0.0, 0.0, f.z});
             if (f.faces_away) { // turned about y
                 m[0][0] = -1.0;
                 m[2][2] = -1.0;
             }
-            items.push_back(sheet_item(set, blank, m));
+            items.push_back(layered_item(set, blank, m));
         }
         prepare(items, front_camera(250, 250));
         const std::vector<float> share = seen_share(frame, 3600 * static_cast<std::int64_t>(items.size()));
-        for (std::size_t id = 1; id <= 3600; ++id) ASSERT_NEAR(share[id], c.clear, 2e-6F) << c.sheets.size();
+        for (std::size_t id = 1; id <= 3600; ++id) ASSERT_NEAR(share[id], c.clear, 2e-6F) << c.layers.size();
     }
 }
 
-TEST_F(SheetsTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
+TEST_F(LayersTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
     const marks::PointSet big = clustered(runtime, sphere(runtime.memory, 20000));
     const marks::PointSet small = clustered(runtime, sphere(runtime.memory, 3000, 0.5));
     const auto drawn_of_small = [&](HiddenLines hidden, const glm::dvec3& at) {
-        const std::array items{sheet_item(big, all_front(hidden)), sheet_item(small, all_front(hidden), shifted(at))};
+        const std::array items{layered_item(big, all_front(hidden)),
+                               layered_item(small, all_front(hidden), shifted(at))};
         prepare(items, front_camera(500, 500));
         std::int64_t count = 0;
         for (const Disc& disc : frame.discs()) {
@@ -301,7 +302,7 @@ TEST_F(SheetsTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
     EXPECT_EQ(drawn_of_small(HiddenLines::hide, {0.2, 0.0, 2.0}), all);
 }
 
-TEST_F(SheetsTest, AHaloIsAsWideAsAskedAtAnyZoom) {
+TEST_F(LayersTest, AHaloIsAsWideAsAskedAtAnyZoom) {
     const marks::PointSet disc = clustered(runtime, sphere(runtime.memory, 60000, 0.5));
     const marks::PointSet wall = clustered(runtime, plane(runtime.memory, 700));
     for (const HiddenLines hidden : hiding) {
@@ -310,7 +311,7 @@ TEST_F(SheetsTest, AHaloIsAsWideAsAskedAtAnyZoom) {
                 Style style = all_front(hidden);
                 style.halo_width = halo;
                 if (halo == 0.0F && hidden != HiddenLines::hide) continue; // clear where it turns away, by the law
-                const std::array items{sheet_item(wall, style, shifted({0.0, 0.0, -2.0})), sheet_item(disc, style)};
+                const std::array items{layered_item(wall, style, shifted({0.0, 0.0, -2.0})), layered_item(disc, style)};
                 prepare(items, front_camera(600, 600, half));
                 const double rim = 0.5 * 300.0 / half;
                 // The nearest ink of the wall in each of 90 directions.
@@ -331,7 +332,7 @@ TEST_F(SheetsTest, AHaloIsAsWideAsAskedAtAnyZoom) {
     }
 }
 
-TEST_F(SheetsTest, InstancesEqualTwoSets) {
+TEST_F(LayersTest, InstancesEqualTwoSets) {
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 80));
     const marks::PointSet same = clustered(runtime, torus(runtime.memory, 80));
     Style first;
@@ -345,8 +346,8 @@ TEST_F(SheetsTest, InstancesEqualTwoSets) {
     transform[0] = {0.0, 0.7, 0.0, 0.0};
     transform[1] = {0.0, 0.0, 0.7, 0.0};
     transform[2] = {0.7, 0.0, 0.0, 0.0};
-    const std::array instances{sheet_item(set, first), sheet_item(set, second, transform)};
-    const std::array sets{sheet_item(set, first), sheet_item(same, second, transform)};
+    const std::array instances{layered_item(set, first), layered_item(set, second, transform)};
+    const std::array sets{layered_item(set, first), layered_item(same, second, transform)};
     prepare(instances, front_camera(500, 500, 1.8));
     const std::vector<Disc> discs(frame.discs().begin(), frame.discs().end());
     prepare(sets, front_camera(500, 500, 1.8));
@@ -363,10 +364,10 @@ TEST_F(SheetsTest, InstancesEqualTwoSets) {
     EXPECT_TRUE(both[0] && both[1]);
 }
 
-TEST_F(SheetsTest, StylesOfOneFrameHaveOneVisibility) {
+TEST_F(LayersTest, StylesOfOneFrameHaveOneVisibility) {
     const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 100));
     for (const bool painted_first : {false, true}) {
-        std::array items{sheet_item(set, Style{}), sheet_item(set, Style{}), item_of(set, Style{})};
+        std::array items{layered_item(set, Style{}), layered_item(set, Style{}), item_of(set, Style{})};
         if (painted_first) std::swap(items[0], items[2]);
         try {
             frame.prepare(items, front_camera(100, 100));

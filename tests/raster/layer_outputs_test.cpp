@@ -1,4 +1,4 @@
-// Depth, id and class outputs of frames by sheets, against a sphere.
+// Depth, id and class outputs of frames by layers, against a sphere.
 #include "frame/line_of_sight.h"
 #include "raster/picture.h"
 
@@ -23,9 +23,9 @@ base::OutView out_view(std::vector<T>& values, base::Scalar scalar) {
             std::int64_t{sizeof(T)}, scalar, 1};
 }
 
-class SheetOutputs : public ::testing::TestWithParam<DepthConvention> {
+class LayerOutputs : public ::testing::TestWithParam<DepthConvention> {
 protected:
-    SheetOutputs() {
+    LayerOutputs() {
         camera.depth = GetParam();
         camera.projection = frame::orthographic(2.0 * half, size, size, 1.0, 21.0, camera.depth);
         settings.depth = out_view(depth, base::Scalar::float32);
@@ -33,7 +33,7 @@ protected:
         settings.mark_class = out_view(mark_class, base::Scalar::uint8);
     }
     void draw(const Style& style, const glm::dmat4& transform = glm::dmat4(1.0)) {
-        const std::array items{sheet_item(set, style, transform)};
+        const std::array items{layered_item(set, style, transform)};
         frame.prepare(items, camera);
         Picture picture(size, size);
         output::Raster(runtime).draw(frame, picture.image(), settings);
@@ -54,9 +54,9 @@ protected:
     DrawSettings settings;
 };
 
-TEST_P(SheetOutputs, TellTheNearestSheetAndItsMark) {
+TEST_P(LayerOutputs, TellTheNearestLayerAndItsMark) {
     draw(all_front(frame::HiddenLines::hide));
-    const double reach = 10.5 * pixel; // of a cover
+    const double reach = 10.5 * pixel; // of a splat
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             const auto i = static_cast<std::size_t>(y * size + x);
@@ -80,7 +80,7 @@ TEST_P(SheetOutputs, TellTheNearestSheetAndItsMark) {
     }
 }
 
-TEST_P(SheetOutputs, TellAnInnerSideAndAContour) {
+TEST_P(LayerOutputs, TellAnInnerSideAndAContour) {
     // The near half is taken away: the far half's inner side is seen.
     marks::PointSet bowl(runtime.memory);
     for (int i = 0; i < 40000; ++i) {
@@ -104,10 +104,10 @@ TEST_P(SheetOutputs, TellAnInnerSideAndAContour) {
     for (int k = 0; k < 100; ++k)
         contour += mark_class[at(0.995 * std::cos(0.0628 * k), 0.995 * std::sin(0.0628 * k))] ==
                    static_cast<std::uint8_t>(MarkClass::silhouette);
-    EXPECT_GT(contour, 30); // the rest is that of covers that reach over it
+    EXPECT_GT(contour, 30); // the rest is that of splats that reach over it
 }
 
-TEST_P(SheetOutputs, LeaveOutWhatTheHostHides) {
+TEST_P(LayerOutputs, LeaveOutWhatTheHostHides) {
     std::vector<float> host(size * size);
     for (int i = 0; i < size * size; ++i) { // a wall through the sphere's middle, on the left
         const double window = i % size < size / 2 ? 8.5 / 20.0 : 1.0;
@@ -128,7 +128,7 @@ TEST_P(SheetOutputs, LeaveOutWhatTheHostHides) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Conventions, SheetOutputs,
+INSTANTIATE_TEST_SUITE_P(Conventions, LayerOutputs,
                          ::testing::Values(DepthConvention::negative_one_to_one, DepthConvention::zero_to_one,
                                            DepthConvention::reversed),
                          [](const auto& one) { return "number_" + std::to_string(static_cast<int>(one.param)); });

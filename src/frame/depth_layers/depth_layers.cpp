@@ -1,6 +1,6 @@
-#include "frame/depth_layers/sheets.h"
+#include "frame/depth_layers/depth_layers.h"
 
-#include "frame/depth_layers/cover_law.h"
+#include "frame/depth_layers/splat_law.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,91 +10,91 @@ namespace hrbfnpr::frame {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::infinity();
-// A contour lies behind a sheet that is nearer by so many pixels: where it is asked, its own sheet is not, but the
+// A contour lies behind a layer that is nearer by so many pixels: where it is asked, its own layer is not, but the
 // discs of that may be.
 constexpr float contour_gap = 4.0F;
 // A halo's contour is nearer than what it cuts by so many pixels.
 constexpr float halo_gap = 4.0F;
-// Ink lies behind another sheet that faces like its own by so many radii of the covers.
+// Ink lies behind another layer that faces like its own by so many radii of the splats.
 constexpr float own_gap = 5.0F;
 
-[[nodiscard]] CoverList list_of(std::span<const Cover> covers, std::span<const std::uint32_t> numbers,
+[[nodiscard]] SplatList list_of(std::span<const Splat> splats, std::span<const std::uint32_t> numbers,
                                 const glm::vec2& corner) noexcept {
-    return {covers.data(), numbers.data(), static_cast<std::int64_t>(numbers.size()), corner.x, corner.y,
+    return {splats.data(), numbers.data(), static_cast<std::int64_t>(numbers.size()), corner.x, corner.y,
             -nothing,      nothing};
 }
 
 // What a mark is seen through.
 struct Dimmed {
-    float clear = 1.0F;
-    // Other sheets may lie between the ink and here; nothing: none can.
+    float transmittance = 1.0F;
+    // Other layers may lie between the ink and here; nothing: none can.
     float more_behind = nothing;
 };
 
-// By the nearest sheets and the halo, or by the next ones, at (x, y) pixels of the planes, clamped to them.
-Dimmed dim(const SheetPlanes& p, const Ink& ink, float x, float y, bool next) noexcept {
+// By the nearest layers and the halo, or by the next ones, at (x, y) pixels of the planes, clamped to them.
+Dimmed dim(const LayerPlanes& p, const Ink& ink, float x, float y, bool next) noexcept {
     const auto pixel = [&](float px, float py) {
         const auto column = static_cast<std::int32_t>(std::clamp(px, 0.0F, static_cast<float>(p.width - 1)));
         const auto row = static_cast<std::int32_t>(std::clamp(py, 0.0F, static_cast<float>(p.height - 1)));
         return row * p.stride + column;
     };
     Dimmed result;
-    if (const std::int32_t at = pixel(x, y); !next && p.halo[at] + halo_gap / ink.ppe < ink.depth)
-        result.clear = p.halo_clear[at];
+    if (const std::int32_t at = pixel(x, y); !next && p.halo[at] + halo_gap / ink.pixels_per_unit < ink.depth)
+        result.transmittance = p.halo_transmittance[at];
     if ((ink.flags & ink_is_exact) != 0) return result;
     const std::int32_t at =
         pixel(x + static_cast<float>(ink.probe_x) / probe_steps, y + static_cast<float>(ink.probe_y) / probe_steps);
     const bool contour = ink.mark_class == MarkClass::silhouette;
-    const float other = (contour ? contour_gap : side_gap) / ink.ppe;
-    const float own = contour ? other : own_gap * p.largest_cover / ink.ppe;
-    const std::int64_t first = next ? std::int64_t{SheetPlanes::next_front} : std::int64_t{SheetPlanes::front};
+    const float other = (contour ? contour_gap : side_gap) / ink.pixels_per_unit;
+    const float own = contour ? other : own_gap * p.largest_splat / ink.pixels_per_unit;
+    const std::int64_t first = next ? std::int64_t{LayerPlanes::next_front} : std::int64_t{LayerPlanes::front};
     const float front = p.depth[first][at];
     const float back = p.depth[first + 1][at];
     const bool faces_back = (ink.flags & ink_faces_back) != 0;
     const bool behind_back = back + (faces_back ? own : other) < ink.depth;
     const bool behind_front = front + (faces_back ? other : own) < ink.depth || (behind_back && front < back);
-    if (behind_front) result.clear *= p.clear[first][at];
-    if (behind_back) result.clear *= p.clear[first + 1][at];
-    // In solids, a sheet that faces away lies between two that face the eye.
+    if (behind_front) result.transmittance *= p.transmittance[first][at];
+    if (behind_back) result.transmittance *= p.transmittance[first + 1][at];
+    // In solids, a layer that faces away lies between two that face the eye.
     if (behind_back || (behind_front && back == nothing)) result.more_behind = std::min(front, back);
     return result;
 }
 
 } // namespace
 
-SheetPlanes Sheets::planes_of(std::int64_t lane) noexcept {
+LayerPlanes DepthLayers::planes_of(std::int64_t lane) noexcept {
     float* at = planes_.data() + lane * planes_of_one * plane;
-    SheetPlanes planes{side, side, stride, {}, {}, nullptr, nullptr, 0.0F};
+    LayerPlanes planes{side, side, stride, {}, {}, nullptr, nullptr, 0.0F};
     const auto next = [&] { return std::exchange(at, at + plane); };
     for (float*& depth : planes.depth) depth = next();
     planes.halo = next();
-    for (float*& clear : planes.clear) clear = next();
-    planes.halo_clear = next();
+    for (float*& transmittance : planes.transmittance) transmittance = next();
+    planes.halo_transmittance = next();
     return planes;
 }
 
-void Sheets::lay_tile(SheetPlanes& planes, std::span<const Cover> covers, std::int64_t tile,
-                      const glm::vec2& corner) const noexcept {
-    for (float* const depth : {planes.depth[SheetPlanes::front], planes.depth[SheetPlanes::back], planes.halo})
+void DepthLayers::lay_tile(LayerPlanes& planes, std::span<const Splat> splats, std::int64_t tile,
+                           const glm::vec2& corner) const noexcept {
+    for (float* const depth : {planes.depth[LayerPlanes::front], planes.depth[LayerPlanes::back], planes.halo})
         std::fill_n(depth, plane, nothing);
-    planes.largest_cover = 0.0F;
+    planes.largest_splat = 0.0F;
     bins_.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
         for (const std::uint32_t number : numbers)
-            planes.largest_cover = std::max(planes.largest_cover, covers[number].radius);
-        const CoverList list = list_of(covers, numbers, corner);
+            planes.largest_splat = std::max(planes.largest_splat, splats[number].radius);
+        const SplatList list = list_of(splats, numbers, corner);
         loops_.lay(planes, list);
         loops_.lay_halos(planes, list);
     });
 }
 
-std::int64_t Sheets::attenuate(const Gather& gather, std::span<Ink> inks, TileBins& ink_bins, std::int32_t left,
-                               std::int32_t top) {
-    const std::span<const Cover> covers = gather.covers();
+std::int64_t DepthLayers::attenuate(const Gather& gather, std::span<Ink> inks, TileBins& ink_bins, std::int32_t left,
+                                    std::int32_t top) {
+    const std::span<const Splat> splats = gather.splats();
     const auto x0 = static_cast<float>(left);
     const auto y0 = static_cast<float>(top);
-    bins_.build(runtime_.parallel, ink_bins.columns() * tile_size, ink_bins.rows() * tile_size, gather.cover_pieces(),
+    bins_.build(runtime_.parallel, ink_bins.columns() * tile_size, ink_bins.rows() * tile_size, gather.splat_pieces(),
                 [&](std::int64_t i, TileBins::Footprint& print) {
-                    const Cover& c = covers[static_cast<std::size_t>(i)];
+                    const Splat& c = splats[static_cast<std::size_t>(i)];
                     print = {c.x - x0, c.y - y0, std::max(c.radius, c.halo) + static_cast<float>(apron) + 1.0F};
                     return true;
                 });
@@ -103,19 +103,20 @@ std::int64_t Sheets::attenuate(const Gather& gather, std::span<Ink> inks, TileBi
     resize_scratch(seen_, ink_bins.tiles());
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(lanes, [&](std::int64_t lane) {
-        SheetPlanes planes = planes_of(lane);
+        LayerPlanes planes = planes_of(lane);
         for (std::int64_t tile = next++; tile < ink_bins.tiles(); tile = next++)
-            seen_[tile] = dim_tile(planes, covers, inks, ink_bins, tile, glm::vec2(x0, y0));
+            seen_[tile] = dim_tile(planes, splats, inks, ink_bins, tile, glm::vec2(x0, y0));
     });
     std::int64_t seen = 0;
     for (const std::int64_t count : seen_) seen += count;
     return seen;
 }
 
-// The inks whose centres lie in the tile: first through the nearest sheets, then, if any ink is still seen behind
+// The inks whose centres lie in the tile: first through the nearest layers, then, if any ink is still seen behind
 // those, through the next.
-std::int64_t Sheets::dim_tile(SheetPlanes& planes, std::span<const Cover> covers, std::span<Ink> inks,
-                              const TileBins& ink_bins, std::int64_t tile, const glm::vec2& origin) const noexcept {
+std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, std::span<const Splat> splats, std::span<Ink> inks,
+                                   const TileBins& ink_bins, std::int64_t tile,
+                                   const glm::vec2& origin) const noexcept {
     const std::int64_t column = tile % ink_bins.columns();
     const std::int64_t row = tile / ink_bins.columns();
     const glm::vec2 corner =
@@ -131,27 +132,27 @@ std::int64_t Sheets::dim_tile(SheetPlanes& planes, std::span<const Cover> covers
     float nearest = nothing;
     float farthest = -nothing;
     for_own([&](Ink& ink) {
-        if (!laid) lay_tile(planes, covers, tile, corner);
+        if (!laid) lay_tile(planes, splats, tile, corner);
         laid = true;
         const Dimmed dimmed = dim(planes, ink, ink.x - corner.x, ink.y - corner.y, false);
-        ink.alpha = dimmed.clear < faintest_ink ? 0.0F : dimmed.clear;
+        ink.alpha = dimmed.transmittance < faintest_ink ? 0.0F : dimmed.transmittance;
         seen += ink.alpha > 0.0F;
         if (!(ink.alpha > 0.0F) || dimmed.more_behind == nothing) return;
         nearest = std::min(nearest, dimmed.more_behind);
         farthest = std::max(farthest, ink.depth);
     });
     if (nearest == nothing) return seen;
-    for (float* const depth : {planes.depth[SheetPlanes::next_front], planes.depth[SheetPlanes::next_back]})
+    for (float* const depth : {planes.depth[LayerPlanes::next_front], planes.depth[LayerPlanes::next_back]})
         std::fill_n(depth, plane, nothing);
     bins_.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
-        CoverList list = list_of(covers, numbers, corner);
+        SplatList list = list_of(splats, numbers, corner);
         list.nearest = nearest;
         list.farthest = farthest;
         loops_.lay_next(planes, list);
     });
     seen = 0;
     for_own([&](Ink& ink) {
-        if (ink.alpha > 0.0F) ink.alpha *= dim(planes, ink, ink.x - corner.x, ink.y - corner.y, true).clear;
+        if (ink.alpha > 0.0F) ink.alpha *= dim(planes, ink, ink.x - corner.x, ink.y - corner.y, true).transmittance;
         if (ink.alpha < faintest_ink) ink.alpha = 0.0F;
         seen += ink.alpha > 0.0F;
     });

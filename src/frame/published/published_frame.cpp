@@ -1,4 +1,4 @@
-#include "frame/published/painted_frame.h"
+#include "frame/published/published_frame.h"
 
 #include "base/clock.h"
 #include "frame/scene/scratch.h"
@@ -12,11 +12,11 @@ constexpr std::int64_t disc_grain = 4096;
 
 } // namespace
 
-PaintedFrame::PaintedFrame(const base::Runtime& runtime) noexcept
+PublishedFrame::PublishedFrame(const base::Runtime& runtime) noexcept
     : runtime_(runtime), tone_calls_(runtime.memory), visibility_(runtime.memory), order_(runtime.memory),
       counts_(runtime.memory), first_key_(runtime.memory), keys_(runtime.memory), discs_(runtime.memory) {}
 
-void PaintedFrame::run(Scene& scene, const glm::vec4& paper) {
+void PublishedFrame::run(Scene& scene, const glm::vec4& paper) {
     const base::Parallel& parallel = runtime_.parallel;
     base::Stopwatch watch;
     add_chunks(scene);
@@ -43,35 +43,36 @@ void PaintedFrame::run(Scene& scene, const glm::vec4& paper) {
     info_.nanoseconds_sort = watch.nanoseconds();
 }
 
-bool PaintedFrame::hides(const Scene& scene) noexcept {
+bool PublishedFrame::hides(const Scene& scene) noexcept {
     return std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& run) { return run.occludes; });
 }
 
-float PaintedFrame::ink_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept {
-    const float ppe = scene.marks.ppe[place];
-    return scene.marks.mark_class[place] == MarkClass::silhouette ? run.pen.silhouette_ink(ppe)
-                                                                  : run.front_ink(place - run.first, ppe);
+float PublishedFrame::ink_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept {
+    const float pixels_per_unit = scene.marks.pixels_per_unit[place];
+    return scene.marks.mark_class[place] == MarkClass::silhouette ? run.pen.silhouette_ink(pixels_per_unit)
+                                                                  : run.front_ink(place - run.first, pixels_per_unit);
 }
 
-float PaintedFrame::cover_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept {
-    const float ppe = scene.marks.ppe[place];
-    return scene.marks.mark_class[place] == MarkClass::back ? run.pen.back_cover(ppe) : run.pen.front_cover(ppe);
+float PublishedFrame::cover_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept {
+    const float pixels_per_unit = scene.marks.pixels_per_unit[place];
+    return scene.marks.mark_class[place] == MarkClass::back ? run.pen.back_cover(pixels_per_unit)
+                                                            : run.pen.front_cover(pixels_per_unit);
 }
 
-std::uint64_t PaintedFrame::ink_key(const Scene& scene, const Run& run, std::int64_t place) noexcept {
+std::uint64_t PublishedFrame::ink_key(const Scene& scene, const Run& run, std::int64_t place) noexcept {
     const Marks& m = scene.marks;
-    const float depth = ink_depth(m.depth[place], ink_radius(scene, run, place), m.ppe[place]);
+    const float depth = ink_depth(m.depth[place], ink_radius(scene, run, place), m.pixels_per_unit[place]);
     return far_first_key(depth, static_cast<std::uint32_t>(place) << 1U);
 }
 
-std::uint64_t PaintedFrame::paper_key(const Scene& scene, const Run& run, std::int64_t place) noexcept {
+std::uint64_t PublishedFrame::paper_key(const Scene& scene, const Run& run, std::int64_t place) noexcept {
     const Marks& m = scene.marks;
     return far_first_key(paper_depth(m, place, cover_radius(scene, run, place)),
                          static_cast<std::uint32_t>(place) << 1U | 1U);
 }
 
 // A key for each disc, in the order of the marks.
-void PaintedFrame::emit_keys(const Scene& scene) {
+void PublishedFrame::emit_keys(const Scene& scene) {
     resize_scratch(first_key_, counts_.size());
     std::int64_t total = 0;
     for (std::int64_t c = 0; c < counts_.size(); ++c) {
@@ -91,7 +92,7 @@ void PaintedFrame::emit_keys(const Scene& scene) {
     });
 }
 
-void PaintedFrame::build_discs(const Scene& scene, const glm::vec4& paper) {
+void PublishedFrame::build_discs(const Scene& scene, const glm::vec4& paper) {
     resize_scratch(discs_, keys_.size());
     runtime_.parallel.for_chunks(keys_.size(), disc_grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
@@ -105,8 +106,8 @@ void PaintedFrame::build_discs(const Scene& scene, const glm::vec4& paper) {
     });
 }
 
-Disc PaintedFrame::disc_of(const Scene& scene, const glm::vec4& paper, const Run& run, std::int64_t place,
-                           bool is_paper) noexcept {
+Disc PublishedFrame::disc_of(const Scene& scene, const glm::vec4& paper, const Run& run, std::int64_t place,
+                             bool is_paper) noexcept {
     const Marks& m = scene.marks;
     const Style& style = scene.item_of(run).style;
     Disc disc;
@@ -124,13 +125,13 @@ Disc PaintedFrame::disc_of(const Scene& scene, const glm::vec4& paper, const Run
     }
     disc.radius = cover_radius(scene, run, place);
     const float opacity = disc.mark_class == MarkClass::back
-                              ? run.pen.back_opacity(m.nu[place], disc.radius, m.ppe[place])
-                              : run.pen.front_opacity(m.nu[place], disc.radius, m.ppe[place]);
+                              ? run.pen.back_opacity(m.nu[place], disc.radius, m.pixels_per_unit[place])
+                              : run.pen.front_opacity(m.nu[place], disc.radius, m.pixels_per_unit[place]);
     disc.color = glm::vec4(glm::vec3(paper), opacity);
     return disc;
 }
 
-std::int64_t PaintedFrame::bytes() const noexcept {
+std::int64_t PublishedFrame::bytes() const noexcept {
     return tone_calls_.bytes() + visibility_.bytes() + order_.bytes() + counts_.bytes() + first_key_.bytes() +
            keys_.bytes() + discs_.bytes();
 }

@@ -1,16 +1,16 @@
-// The rasteriser of frames by sheets: ink into the caller's pixels, in tiles.
+// The rasteriser of frames by layers: ink into the caller's pixels, in tiles.
 #pragma once
 
-#include "frame/depth_layers/sheet_frame.h"
+#include "frame/depth_layers/layer_frame.h"
+#include "output/raster/disc_loops.h"
 #include "output/raster/draw.h"
-#include "output/raster/splat_loops.h"
 
 namespace hrbfnpr::output {
 
-class SheetRaster {
+class LayerRaster {
 public:
-    explicit SheetRaster(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), loops_(splat_loops(runtime.instruction_set)), planes_(runtime.memory),
+    explicit LayerRaster(const base::Runtime& runtime) noexcept
+        : runtime_(runtime), loops_(disc_loops(runtime.instruction_set)), planes_(runtime.memory),
           colors_(runtime.memory) {}
 
     void draw(const frame::Frame& frame, const Image& image, const DrawSettings& settings);
@@ -18,7 +18,7 @@ public:
 
 private:
     const base::Runtime& runtime_;
-    SplatLoops loops_;
+    DiscLoops loops_;
     base::Array<float> planes_; // of each lane of work
     base::Array<float> colors_; // as in InkList
 };

@@ -1,30 +1,30 @@
-// The second half of a frame by sheets: what each mark of ink is seen through.        [NPAR 6.1]
+// The second half of a frame by layers: what each mark of ink is seen through.        [NPAR 6.1]
 //
-// Marks that cover give, for each pixel of a tile, the two nearest sheets on either side.  A mark
-// that faces the eye is never hidden by its own sheet, nor by one that faces the eye like it
+// Splats give, for each pixel of a tile, the two nearest layers on either side.  A mark
+// that faces the eye is never hidden by its own layer, nor by one that faces the eye like it
 // unless one that faces away lies between: solids have both, in turn.
 #pragma once
 
 #include "base/runtime.h"
 #include "frame/depth_layers/gather.h"
-#include "frame/depth_layers/sheet_loops.h"
+#include "frame/depth_layers/layer_loops.h"
 
 namespace hrbfnpr::frame {
 
-class Sheets {
+class DepthLayers {
 public:
     static constexpr std::int32_t tile_size = 64;
 
-    explicit Sheets(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), loops_(sheet_loops(runtime.instruction_set)), bins_(runtime.memory, tile_size),
+    explicit DepthLayers(const base::Runtime& runtime) noexcept
+        : runtime_(runtime), loops_(layer_loops(runtime.instruction_set)), bins_(runtime.memory, tile_size),
           planes_(runtime.memory), seen_(runtime.memory) {}
 
-    // Lays the sheets that `covers` stand for over a picture of width x height pixels whose first is (left, top), and
+    // Lays the layers that `splats` stand for over a picture of width x height pixels whose first is (left, top), and
     // sets the alpha of each ink.  Returns how many are drawn.
     std::int64_t attenuate(const Gather& gather, std::span<Ink> inks, TileBins& ink_bins, std::int32_t left,
                            std::int32_t top);
 
-    [[nodiscard]] const TileBins& bins() const noexcept { return bins_; } // of the covers
+    [[nodiscard]] const TileBins& bins() const noexcept { return bins_; } // of the splats
     [[nodiscard]] std::int64_t bytes() const noexcept { return bins_.bytes() + planes_.bytes() + seen_.bytes(); }
 
 private:
@@ -32,17 +32,17 @@ private:
     static constexpr std::int32_t side = tile_size + 2 * apron;
     static constexpr std::int32_t stride = side + 16;
     static constexpr std::int64_t plane = std::int64_t{stride} * side;
-    static constexpr std::int64_t planes_of_one = 2 * SheetPlanes::sheets + 2;
+    static constexpr std::int64_t planes_of_one = 2 * LayerPlanes::layers + 2;
 
-    [[nodiscard]] SheetPlanes planes_of(std::int64_t lane) noexcept;
-    void lay_tile(SheetPlanes& planes, std::span<const Cover> covers, std::int64_t tile,
+    [[nodiscard]] LayerPlanes planes_of(std::int64_t lane) noexcept;
+    void lay_tile(LayerPlanes& planes, std::span<const Splat> splats, std::int64_t tile,
                   const glm::vec2& corner) const noexcept;
-    [[nodiscard]] std::int64_t dim_tile(SheetPlanes& planes, std::span<const Cover> covers, std::span<Ink> inks,
+    [[nodiscard]] std::int64_t dim_tile(LayerPlanes& planes, std::span<const Splat> splats, std::span<Ink> inks,
                                         const TileBins& ink_bins, std::int64_t tile,
                                         const glm::vec2& origin) const noexcept;
 
     const base::Runtime& runtime_;
-    SheetLoops loops_;
+    LayerLoops loops_;
     TileBins bins_;
     base::Array<float> planes_; // of each lane of work
     base::Array<std::int64_t> seen_;
