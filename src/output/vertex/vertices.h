@@ -1,15 +1,17 @@
-// Vertex arrays in any layout: the discs of a frame for a host that draws them itself.
+// Vertex arrays in any layout: a drawing's dots and strokes for a host that draws them itself.
 #pragma once
 
 #include "base/runtime.h"
 #include "base/view.h"
-#include "frame/frame.h"
+#include "drawing/drawing.h"
+#include "drawing/far_to_near.h"
+#include "output/vertex/primitive.h"
 
 #include <span>
 
 namespace hrbfnpr::output {
 
-// Same numbers as HRBFNPR_VERTEX_...
+// Same numbers as HRBFNPR_VERTEX_ATTRIBUTE_...
 enum class VertexAttribute : std::uint32_t {
     position = 0,
     window = 1,
@@ -19,8 +21,11 @@ enum class VertexAttribute : std::uint32_t {
     direction = 5,
     id = 6,
     mark_class = 7,
-    is_paper = 8
+    is_paper = 8,
+    layer = 9,
+    length = 10
 };
+inline constexpr std::uint32_t last_attribute = 10;
 
 struct VertexField {
     VertexAttribute attribute;
@@ -31,8 +36,26 @@ struct VertexField {
 // Bytes that a field takes; 0 if the attribute cannot have that type.
 [[nodiscard]] std::int64_t size_of(const VertexField& field) noexcept;
 
-// destination has room for discs().size() vertices of `stride` bytes; fields were checked by the boundary.
-void write_vertices(const base::Runtime& runtime, const frame::Frame& frame, std::span<const VertexField> fields,
-                    std::int64_t stride, std::byte* destination);
+struct VertexBound {
+    std::int64_t vertices, indices;
+};
+[[nodiscard]] VertexBound vertex_bound(const drawing::Drawing& drawing, Primitive primitive) noexcept;
+
+struct VertexLayout {
+    Primitive primitive;
+    std::span<const VertexField> fields; // checked by the boundary
+    std::int64_t stride;
+};
+
+struct VertexScratch {
+    explicit VertexScratch(const base::Runtime& runtime) noexcept : order(runtime.memory), keys(runtime.memory) {}
+
+    drawing::FarToNear order;
+    base::Array<std::uint64_t> keys;
+};
+
+// There is room for what vertex_bound() says; indices may be NULL.
+void write_vertices(const base::Runtime& runtime, const drawing::Drawing& drawing, VertexScratch& scratch,
+                    const VertexLayout& layout, std::byte* vertices, std::uint32_t* indices);
 
 } // namespace hrbfnpr::output

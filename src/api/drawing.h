@@ -1,0 +1,20 @@
+// A drawing as a handle: the value, and the point sets that it reads.
+#pragma once
+
+#include "api/handles.h"
+#include "api/point_set.h"
+#include "drawing/drawing.h"
+
+struct hrbfnpr_drawing : hrbfnpr::api::Child {
+    explicit hrbfnpr_drawing(hrbfnpr_context& context)
+        : Child(context), drawing(context.runtime.memory), sets(context.runtime.memory) {}
+    ~hrbfnpr_drawing() { let_go(); }
+
+    void let_go() noexcept {
+        for (const hrbfnpr_point_set* set : sets) hrbfnpr::api::release_handle(set);
+        sets.clear();
+    }
+
+    hrbfnpr::drawing::Drawing drawing;
+    hrbfnpr::base::Array<const hrbfnpr_point_set*> sets; // a reference to each
+};

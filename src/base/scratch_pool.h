@@ -1,0 +1,72 @@
+// Scratch memory for calls that take a const handle: each call takes a piece of its own, and gives it back to be
+// used again, so that nothing is allocated once warm.
+#pragma once
+
+#include "base/runtime.h"
+
+#include <mutex>
+#include <new>
+#include <utility>
+
+namespace hrbfnpr::base {
+
+// As many T, each made from the Runtime, as there were ever calls at the same time.
+template <class T>
+class ScratchPool {
+    struct Node {
+        explicit Node(const Runtime& runtime) : value(runtime) {}
+        T value;
+        Node* next = nullptr;
+    };
+
+public:
+    explicit ScratchPool(const Runtime& runtime) noexcept : runtime_(runtime) {}
+    ScratchPool(const ScratchPool&) = delete;
+    ScratchPool& operator=(const ScratchPool&) = delete;
+    ~ScratchPool() {
+        while (idle_ != nullptr) {
+            Node* const node = std::exchange(idle_, idle_->next);
+            node->~Node();
+            runtime_.memory.deallocate(node, sizeof(Node));
+        }
+    }
+
+    class Lease {
+    public:
+        explicit Lease(ScratchPool& pool) : pool_(pool), node_(pool.take()) {}
+        Lease(const Lease&) = delete;
+        Lease& operator=(const Lease&) = delete;
+        ~Lease() { pool_.give_back(node_); }
+        [[nodiscard]] T& operator*() const noexcept { return node_->value; }
+        [[nodiscard]] T* operator->() const noexcept { return &node_->value; }
+
+    private:
+        ScratchPool& pool_;
+        Node* node_;
+    };
+
+private:
+    [[nodiscard]] Node* take() {
+        {
+            const std::scoped_lock lock(mutex_);
+            if (idle_ != nullptr) return std::exchange(idle_, idle_->next);
+        }
+        void* const place = runtime_.memory.allocate(sizeof(Node));
+        try {
+            return new (place) Node(runtime_);
+        } catch (...) {
+            runtime_.memory.deallocate(place, sizeof(Node));
+            throw;
+        }
+    }
+    void give_back(Node* node) noexcept {
+        const std::scoped_lock lock(mutex_);
+        node->next = std::exchange(idle_, node);
+    }
+
+    const Runtime& runtime_;
+    std::mutex mutex_;
+    Node* idle_ = nullptr;
+};
+
+} // namespace hrbfnpr::base
