@@ -8,8 +8,6 @@
 namespace hrbfnpr::drawing {
 namespace {
 
-constexpr std::int32_t tile_size = 64;
-
 [[nodiscard]] glm::vec3 unit_or_zero(const glm::vec3& v) noexcept {
     const float length = glm::length(v);
     return length > 0.0F ? v / length : glm::vec3(0.0F);

@@ -91,7 +91,8 @@ struct Drawing {
     std::int64_t dot_count = 0;    // of ink that is drawn
     base::Array<Stroke> strokes;   // far to near
     base::Array<StrokePoint> points;
-    base::Array<Splat> splats; // what depth layers were found from; empty: nothing hides anything
+    base::Array<Splat> splats; // what depth layers were found from
+    bool has_splats = false;   // else nothing hides anything
     base::Array<Piece> splat_pieces;
 
     // By place, over the viewport; `first_pixel` is their top-left corner.  Of transmittance only.
@@ -106,7 +107,6 @@ struct Drawing {
 
     void clear() noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept;
-    [[nodiscard]] bool has_splats() const noexcept { return !splats.empty(); }
 
     // Whether dot a is painted before dot b.
     [[nodiscard]] bool before(std::uint32_t a, std::uint32_t b) const noexcept {

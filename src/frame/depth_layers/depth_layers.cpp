@@ -32,7 +32,7 @@ struct Dimmed {
 };
 
 // By the nearest layers and the halo, or by the next ones, at (x, y) pixels of the planes, clamped to them.
-Dimmed dim(const LayerPlanes& p, const Ink& ink, float x, float y, bool next) noexcept {
+Dimmed dim(const LayerPlanes& p, const Dot& ink, float x, float y, bool next) noexcept {
     const auto pixel = [&](float px, float py) {
         const auto column = static_cast<std::int32_t>(std::clamp(px, 0.0F, static_cast<float>(p.width - 1)));
         const auto row = static_cast<std::int32_t>(std::clamp(py, 0.0F, static_cast<float>(p.height - 1)));
@@ -41,7 +41,7 @@ Dimmed dim(const LayerPlanes& p, const Ink& ink, float x, float y, bool next) no
     Dimmed result;
     if (const std::int32_t at = pixel(x, y); !next && p.halo[at] + halo_gap / ink.pixels_per_unit < ink.depth)
         result.transmittance = p.halo_transmittance[at];
-    if ((ink.flags & ink_is_exact) != 0) return result;
+    if ((ink.flags & dot_is_exact) != 0) return result;
     const std::int32_t at =
         pixel(x + static_cast<float>(ink.probe_x) / probe_steps, y + static_cast<float>(ink.probe_y) / probe_steps);
     const bool contour = ink.mark_class == MarkClass::silhouette;
@@ -50,7 +50,7 @@ Dimmed dim(const LayerPlanes& p, const Ink& ink, float x, float y, bool next) no
     const std::int64_t first = next ? std::int64_t{LayerPlanes::next_front} : std::int64_t{LayerPlanes::front};
     const float front = p.depth[first][at];
     const float back = p.depth[first + 1][at];
-    const bool faces_back = (ink.flags & ink_faces_back) != 0;
+    const bool faces_back = (ink.flags & dot_faces_back) != 0;
     const bool behind_back = back + (faces_back ? own : other) < ink.depth;
     const bool behind_front = front + (faces_back ? other : own) < ink.depth || (behind_back && front < back);
     if (behind_front) result.transmittance *= p.transmittance[first][at];
@@ -73,12 +73,13 @@ LayerPlanes DepthLayers::planes_of(std::int64_t lane) noexcept {
     return planes;
 }
 
-void DepthLayers::lay_tile(LayerPlanes& planes, std::span<const Splat> splats, std::int64_t tile,
+void DepthLayers::lay_tile(LayerPlanes& planes, const drawing::Drawing& drawing, std::int64_t tile,
                            const glm::vec2& corner) const noexcept {
     for (float* const depth : {planes.depth[LayerPlanes::front], planes.depth[LayerPlanes::back], planes.halo})
         std::fill_n(depth, plane, nothing);
     planes.largest_splat = 0.0F;
-    bins_.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
+    const std::span<const Splat> splats = drawing.splats.span();
+    drawing.splat_tiles.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
         for (const std::uint32_t number : numbers)
             planes.largest_splat = std::max(planes.largest_splat, splats[number].radius);
         const SplatList list = list_of(splats, numbers, corner);
@@ -87,25 +88,24 @@ void DepthLayers::lay_tile(LayerPlanes& planes, std::span<const Splat> splats, s
     });
 }
 
-std::int64_t DepthLayers::attenuate(const Gather& gather, std::span<Ink> inks, TileBins& ink_bins, std::int32_t left,
-                                    std::int32_t top) {
-    const std::span<const Splat> splats = gather.splats();
-    const auto x0 = static_cast<float>(left);
-    const auto y0 = static_cast<float>(top);
-    bins_.build(runtime_.parallel, ink_bins.columns() * tile_size, ink_bins.rows() * tile_size, gather.splat_pieces(),
-                [&](std::int64_t i, TileBins::Footprint& print) {
-                    const Splat& c = splats[static_cast<std::size_t>(i)];
-                    print = {c.x - x0, c.y - y0, std::max(c.radius, c.halo) + static_cast<float>(apron) + 1.0F};
-                    return true;
-                });
-    const std::int64_t lanes = std::max(1, runtime_.parallel.threads());
-    resize_scratch(planes_, lanes * planes_of_one * plane);
-    resize_scratch(seen_, ink_bins.tiles());
+std::int64_t DepthLayers::attenuate(drawing::Drawing& drawing) {
+    const drawing::Tiles& tiles = drawing.dot_tiles;
+    const glm::vec2 origin(drawing.first_pixel);
+    drawing.splat_tiles.build(
+        runtime_.parallel, tiles.columns() * tile_size, tiles.rows() * tile_size, drawing.splat_pieces.span(),
+        [&](std::int64_t i, drawing::Tiles::Footprint& print) {
+            const Splat& c = drawing.splats[i];
+            print = {c.x - origin.x, c.y - origin.y, std::max(c.radius, c.halo) + static_cast<float>(apron) + 1.0F};
+            return true;
+        });
+    const std::int64_t workers = std::max(1, runtime_.parallel.threads());
+    base::resize_scratch(planes_, workers * planes_of_one * plane);
+    base::resize_scratch(seen_, tiles.tiles());
     std::atomic<std::int64_t> next{0};
-    runtime_.parallel.for_each(lanes, [&](std::int64_t lane) {
-        LayerPlanes planes = planes_of(lane);
-        for (std::int64_t tile = next++; tile < ink_bins.tiles(); tile = next++)
-            seen_[tile] = dim_tile(planes, splats, inks, ink_bins, tile, glm::vec2(x0, y0));
+    runtime_.parallel.for_each(workers, [&](std::int64_t worker) {
+        LayerPlanes planes = planes_of(worker);
+        for (std::int64_t tile = next++; tile < tiles.tiles(); tile = next++)
+            seen_[tile] = dim_tile(planes, drawing, tile);
     });
     std::int64_t seen = 0;
     for (const std::int64_t count : seen_) seen += count;
@@ -114,47 +114,48 @@ std::int64_t DepthLayers::attenuate(const Gather& gather, std::span<Ink> inks, T
 
 // The inks whose centres lie in the tile: first through the nearest layers, then, if any ink is still seen behind
 // those, through the next.
-std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, std::span<const Splat> splats, std::span<Ink> inks,
-                                   const TileBins& ink_bins, std::int64_t tile,
-                                   const glm::vec2& origin) const noexcept {
-    const std::int64_t column = tile % ink_bins.columns();
-    const std::int64_t row = tile / ink_bins.columns();
+std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, drawing::Drawing& drawing, std::int64_t tile) const noexcept {
+    const drawing::Tiles& tiles = drawing.dot_tiles;
+    const glm::vec2 origin(drawing.first_pixel);
+    const std::int64_t column = tile % tiles.columns();
+    const std::int64_t row = tile / tiles.columns();
     const glm::vec2 corner =
         origin + glm::vec2(static_cast<float>(column * tile_size - apron), static_cast<float>(row * tile_size - apron));
-    const TileBins::Extent own = ink_bins.own_extent(tile);
+    const drawing::Tiles::Extent own = tiles.own_extent(tile);
     const auto for_own = [&](auto&& f) {
-        ink_bins.for_tile(tile, [&](std::uint32_t i) {
-            if (own.holds(inks[i].x - origin.x, inks[i].y - origin.y)) f(inks[i]);
+        tiles.for_tile(tile, [&](std::uint32_t i) {
+            Dot& ink = drawing.dots[i];
+            if (own.holds(ink.x - origin.x, ink.y - origin.y)) f(ink);
         });
     };
     std::int64_t seen = 0;
     bool laid = false;
     float nearest = nothing;
     float farthest = -nothing;
-    for_own([&](Ink& ink) {
-        if (!laid) lay_tile(planes, splats, tile, corner);
+    for_own([&](Dot& ink) {
+        if (!laid) lay_tile(planes, drawing, tile, corner);
         laid = true;
         const Dimmed dimmed = dim(planes, ink, ink.x - corner.x, ink.y - corner.y, false);
-        ink.alpha = dimmed.transmittance < faintest_ink ? 0.0F : dimmed.transmittance;
-        seen += ink.alpha > 0.0F;
-        if (!(ink.alpha > 0.0F) || dimmed.more_behind == nothing) return;
+        ink.opacity = dimmed.transmittance < faintest_ink ? 0.0F : dimmed.transmittance;
+        seen += ink.opacity > 0.0F;
+        if (!(ink.opacity > 0.0F) || dimmed.more_behind == nothing) return;
         nearest = std::min(nearest, dimmed.more_behind);
         farthest = std::max(farthest, ink.depth);
     });
     if (nearest == nothing) return seen;
     for (float* const depth : {planes.depth[LayerPlanes::next_front], planes.depth[LayerPlanes::next_back]})
         std::fill_n(depth, plane, nothing);
-    bins_.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
-        SplatList list = list_of(splats, numbers, corner);
+    drawing.splat_tiles.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
+        SplatList list = list_of(drawing.splats.span(), numbers, corner);
         list.nearest = nearest;
         list.farthest = farthest;
         loops_.lay_next(planes, list);
     });
     seen = 0;
-    for_own([&](Ink& ink) {
-        if (ink.alpha > 0.0F) ink.alpha *= dim(planes, ink, ink.x - corner.x, ink.y - corner.y, true).transmittance;
-        if (ink.alpha < faintest_ink) ink.alpha = 0.0F;
-        seen += ink.alpha > 0.0F;
+    for_own([&](Dot& ink) {
+        if (ink.opacity > 0.0F) ink.opacity *= dim(planes, ink, ink.x - corner.x, ink.y - corner.y, true).transmittance;
+        if (ink.opacity < faintest_ink) ink.opacity = 0.0F;
+        seen += ink.opacity > 0.0F;
     });
     return seen;
 }

@@ -13,21 +13,17 @@ namespace hrbfnpr::frame {
 
 class DepthLayers {
 public:
-    static constexpr std::int32_t tile_size = 64;
-
     explicit DepthLayers(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), loops_(layer_loops(runtime.instruction_set)), bins_(runtime.memory, tile_size),
-          planes_(runtime.memory), seen_(runtime.memory) {}
+        : runtime_(runtime), loops_(layer_loops(runtime.instruction_set)), planes_(runtime.memory), seen_(runtime.memory) {}
 
-    // Lays the layers that `splats` stand for over a picture of width x height pixels whose first is (left, top), and
-    // sets the alpha of each ink.  Returns how many are drawn.
-    std::int64_t attenuate(const Gather& gather, std::span<Ink> inks, TileBins& ink_bins, std::int32_t left,
-                           std::int32_t top);
+    // Bins the drawing's splats, and sets the opacity of each of its dots by what the depth layers that they stand for
+    // let through.  The dots stand in tiles already.  Returns how many are drawn.
+    std::int64_t attenuate(drawing::Drawing& drawing);
 
-    [[nodiscard]] const TileBins& bins() const noexcept { return bins_; } // of the splats
-    [[nodiscard]] std::int64_t bytes() const noexcept { return bins_.bytes() + planes_.bytes() + seen_.bytes(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return planes_.bytes() + seen_.bytes(); }
 
 private:
+    static constexpr std::int32_t tile_size = drawing::tile_size;
     static constexpr std::int32_t apron = 4; // pixels around a tile, for probes
     static constexpr std::int32_t side = tile_size + 2 * apron;
     static constexpr std::int32_t stride = side + 16;
@@ -35,15 +31,13 @@ private:
     static constexpr std::int64_t planes_of_one = 2 * LayerPlanes::layers + 2;
 
     [[nodiscard]] LayerPlanes planes_of(std::int64_t lane) noexcept;
-    void lay_tile(LayerPlanes& planes, std::span<const Splat> splats, std::int64_t tile,
+    void lay_tile(LayerPlanes& planes, const drawing::Drawing& drawing, std::int64_t tile,
                   const glm::vec2& corner) const noexcept;
-    [[nodiscard]] std::int64_t dim_tile(LayerPlanes& planes, std::span<const Splat> splats, std::span<Ink> inks,
-                                        const TileBins& ink_bins, std::int64_t tile,
-                                        const glm::vec2& origin) const noexcept;
+    [[nodiscard]] std::int64_t dim_tile(LayerPlanes& planes, drawing::Drawing& drawing,
+                                        std::int64_t tile) const noexcept;
 
     const base::Runtime& runtime_;
     LayerLoops loops_;
-    TileBins bins_;
     base::Array<float> planes_; // of each lane of work
     base::Array<std::int64_t> seen_;
 };

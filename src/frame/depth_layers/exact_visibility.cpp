@@ -17,7 +17,7 @@ constexpr double off_contour = 3.0;
 } // namespace
 
 // From the mark to the eye, in the model's space.
-void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Ink& ink) {
+void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Dot& ink) {
     const ItemView& item = scene.item_of(run);
     const std::int64_t mark = ink.id - run.first_id;
     const glm::dmat3 to_eye(item.to_eye);
@@ -26,7 +26,7 @@ void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Ink& ink
         1.0 / (static_cast<double>(ink.pixels_per_unit) * std::cbrt(std::abs(glm::determinant(to_eye))));
     const double off = ink.mark_class == MarkClass::silhouette ? off_contour : off_layer;
     const glm::dvec3 from =
-        glm::dvec3(item.place(*run.marks, mark)) + off * pixel * glm::dvec3(marks::vector_at(run.marks->normal, mark));
+        glm::dvec3(run.place_of(mark, item.unit)) + off * pixel * glm::dvec3(run.normal_of(mark));
     const glm::dvec3 centre(scene.lens.centre);
     const bool parallel = scene.lens.centre.w == 0.0F;
     // The direction's length does not matter where lines of sight are parallel: rays end with the model's bounds.
@@ -35,7 +35,7 @@ void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Ink& ink
     rays_.direction.push_back(item.unit * (to - from));
 }
 
-void ExactVisibility::ask(const base::Runtime& runtime, const Scene& scene, std::int32_t item, std::span<Ink> inks) {
+void ExactVisibility::ask(const base::Runtime& runtime, const Scene& scene, std::int32_t item, std::span<Dot> inks) {
     if (asked_.empty()) return;
     const ItemView& view = scene.items[item];
     surface::RaySettings settings;
@@ -47,7 +47,7 @@ void ExactVisibility::ask(const base::Runtime& runtime, const Scene& scene, std:
         for (std::int32_t hit = 0; hit < hits_.count[i]; ++hit) {
             const glm::dvec3 n = hits_.normal[i * most_layers + hit];
             const double nu = glm::dot(n, sight) / glm::length(sight);
-            inks[asked_[i]].alpha *= layer_transmittance(view.style, static_cast<float>(nu));
+            inks[asked_[i]].opacity *= layer_transmittance(view.style, static_cast<float>(nu));
         }
     }
     rays_.origin.clear();
@@ -55,7 +55,7 @@ void ExactVisibility::ask(const base::Runtime& runtime, const Scene& scene, std:
     asked_.clear();
 }
 
-std::int64_t ExactVisibility::attenuate(const base::Runtime& runtime, const Scene& scene, std::span<Ink> inks,
+std::int64_t ExactVisibility::attenuate(const base::Runtime& runtime, const Scene& scene, std::span<Dot> inks,
                                         std::span<const Piece> pieces) {
     rays_.origin.clear(); // what a failed frame left
     rays_.direction.clear();
@@ -64,11 +64,11 @@ std::int64_t ExactVisibility::attenuate(const base::Runtime& runtime, const Scen
     std::int32_t item = -1;
     for (const Piece& piece : pieces) {
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
-            const Ink& ink = inks[static_cast<std::size_t>(i)];
-            const Run& run = scene.runs[ink.color / 2];
+            const Dot& ink = inks[static_cast<std::size_t>(i)];
+            const Run& run = scene.runs[ink.layer / 2];
             if (run.item != item || asked_.size() == rays_at_a_time) ask(runtime, scene, item, inks);
             item = run.item;
-            if (scene.item_of(run).model == nullptr || !(ink.alpha > 0.0F)) continue;
+            if (scene.item_of(run).model == nullptr || !(ink.opacity > 0.0F)) continue;
             add_ray(scene, run, ink);
             asked_.push_back(static_cast<std::uint32_t>(i));
         }
@@ -76,10 +76,10 @@ std::int64_t ExactVisibility::attenuate(const base::Runtime& runtime, const Scen
     ask(runtime, scene, item, inks);
     for (const Piece& piece : pieces) {
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
-            Ink& ink = inks[static_cast<std::size_t>(i)];
-            if (scene.item_of(scene.runs[ink.color / 2]).model == nullptr || !(ink.alpha > 0.0F)) continue;
-            if (ink.alpha >= faintest_ink) continue;
-            ink.alpha = 0.0F;
+            Dot& ink = inks[static_cast<std::size_t>(i)];
+            if (scene.item_of(scene.runs[ink.layer / 2]).model == nullptr || !(ink.opacity > 0.0F)) continue;
+            if (ink.opacity >= faintest_ink) continue;
+            ink.opacity = 0.0F;
             ++hidden;
         }
     }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/runtime.h"
-#include "frame/depth_layers/ink.h"
+#include "drawing/drawing.h"
 #include "frame/scene/scene.h"
-#include "frame/scene/tile_bins.h"
+#include "drawing/tiles.h"
 #include "surface/cast_rays.h"
 
 namespace hrbfnpr::frame {
@@ -15,7 +15,7 @@ public:
 
     // Multiplies the alpha of the inks of items that have a model.  Returns how many are no longer seen.
     // Throws Error{callback, out_of_memory}.
-    std::int64_t attenuate(const base::Runtime& runtime, const Scene& scene, std::span<Ink> inks,
+    std::int64_t attenuate(const base::Runtime& runtime, const Scene& scene, std::span<Dot> inks,
                            std::span<const Piece> pieces);
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
@@ -24,8 +24,8 @@ public:
     }
 
 private:
-    void ask(const base::Runtime& runtime, const Scene& scene, std::int32_t item, std::span<Ink> inks);
-    void add_ray(const Scene& scene, const Run& run, const Ink& ink);
+    void ask(const base::Runtime& runtime, const Scene& scene, std::int32_t item, std::span<Dot> inks);
+    void add_ray(const Scene& scene, const Run& run, const Dot& ink);
 
     surface::Rays rays_;
     surface::RayHits hits_;

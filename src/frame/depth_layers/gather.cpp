@@ -23,15 +23,15 @@ constexpr std::int64_t marks_of_work = 8192;
 
 [[nodiscard]] bool same_layers(const Style& a, const Style& b) noexcept {
     return a.hidden_lines == b.hidden_lines && a.attenuation_front == b.attenuation_front &&
-           a.attenuation_back == b.attenuation_back && a.cover_layers == b.cover_layers;
+           a.attenuation_back == b.attenuation_back && a.splat_overlap == b.splat_overlap;
 }
 
 } // namespace
 
-float ItemInk::per_pixel(float pixels_per_unit) const noexcept {
+float Gather::ink_per_pixel(const ItemInk& item, float pixels_per_unit) const noexcept {
     float ink = 0.0F;
-    for (std::size_t k = 0; k < terms; ++k) {
-        const Term& t = term[k];
+    for (std::int64_t k = item.first; k < item.end; ++k) {
+        const ItemInk::Term& t = terms_[k];
         const float radius = t.pen->front_ink(pixels_per_unit);
         float area = disc_ink(radius);
         // The discs of a stroke overlap, and make a line.
@@ -43,31 +43,31 @@ float ItemInk::per_pixel(float pixels_per_unit) const noexcept {
 
 Gather::Gather(const base::Runtime& runtime) noexcept
     : runtime_(runtime), loops_(see_loops(runtime.instruction_set)), sights_(runtime.memory),
-      item_inks_(runtime.memory), transmittances_(runtime.memory), transmittance_of_(runtime.memory),
-      work_(runtime.memory), inks_(runtime.memory), splats_(runtime.memory), ink_pieces_(runtime.memory),
-      splat_pieces_(runtime.memory), counts_(runtime.memory), tau_(runtime.memory), tone_calls_(runtime.memory) {}
+      item_inks_(runtime.memory), terms_(runtime.memory), transmittances_(runtime.memory), transmittance_of_(runtime.memory),
+      work_(runtime.memory), counts_(runtime.memory), tau_(runtime.memory), tone_calls_(runtime.memory) {}
 
 // first: the first run of the item.
-ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) const noexcept {
+ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) {
     ItemInk ink;
+    ink.first = terms_.size();
     bool apart = true;
     float lines = 0.0F;
     for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
         const Run& run = scene.runs[r];
         if (!run.draws_front) continue;
-        const float sets = run.sets == 3U ? 1.0F : 0.5F;
-        const Style& style = scene.item_of(run).style;
-        ItemInk::Term& term = ink.term[ink.terms++];
+        const float directions = run.directions == 3U ? 1.0F : 0.5F;
+        ItemInk::Term term;
         term.pen = &run.pen;
-        term.marks_per_area =
-            sets * style.group[static_cast<std::size_t>(run.group)].share / (run.pen.spacing * run.pen.spacing);
-        // A set has half of the marks, in lines a separation apart.
+        term.marks_per_area = directions * run.style->share / (run.pen.spacing * run.pen.spacing);
+        // A direction has half of the marks, in lines a separation apart.
         if (run.separation > 0.0F) term.step = 2.0F * run.pen.spacing * run.pen.spacing / run.separation;
-        if (run.group > 0) lines += run.sets == 3U ? 2.0F : 1.0F;
+        if (!run.scattered) lines += run.directions == 3U ? 2.0F : 1.0F;
+        terms_.push_back(term);
         apart = apart && run.spread_evenly;
     }
+    ink.end = terms_.size();
     const Overlap overlap = !apart ? Overlap::random : lines > 0.0F ? Overlap::lines : Overlap::blue_noise;
-    const float layers = lines + (ink.terms > 1 ? 1.0F : 0.0F);
+    const float layers = lines + (ink.end - ink.first > 1 ? 1.0F : 0.0F);
     for (std::size_t i = 0; i < ink.needed.size(); ++i)
         ink.needed[i] = ink_for(static_cast<float>(i) / needed_steps, overlap, layers);
     return ink;
@@ -75,9 +75,10 @@ ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) const noexcept {
 
 void Gather::set_up(const Scene& scene) {
     frustum_ = frustum_of(scene.lens);
-    resize_scratch(sights_, scene.items.size());
-    resize_scratch(item_inks_, scene.items.size());
-    resize_scratch(transmittance_of_, scene.items.size());
+    base::resize_scratch(sights_, scene.items.size());
+    base::resize_scratch(item_inks_, scene.items.size());
+    terms_.clear();
+    base::resize_scratch(transmittance_of_, scene.items.size());
     transmittances_.clear();
     for (std::int64_t i = 0; i < scene.items.size(); ++i) {
         sights_[i] = sight_of(scene.items[i], scene.lens, frustum_);
@@ -95,7 +96,7 @@ void Gather::add_pieces(const Scene& scene) {
     work_.clear();
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
         const Run& run = scene.runs[r];
-        const base::Array<marks::Cluster>& clusters = run.marks->clusters.cluster;
+        const base::Array<marks::Cluster>& clusters = run.clusters->cluster;
         Work work{static_cast<std::int32_t>(r), 0, 0, run.first_place};
         std::int64_t marks = 0;
         for (std::int64_t c = 0; c < clusters.size(); ++c) {
@@ -111,26 +112,27 @@ void Gather::add_pieces(const Scene& scene) {
     }
 }
 
-void Gather::run(Scene& scene) {
+void Gather::run(Scene& scene, drawing::Drawing& drawing) {
     set_up(scene);
     add_pieces(scene);
     ask_tones(scene);
     const std::int64_t places = scene.place_count();
-    resize_scratch(inks_, places);
-    resize_scratch(splats_, places);
-    resize_scratch(ink_pieces_, work_.size());
-    resize_scratch(splat_pieces_, work_.size());
-    resize_scratch(counts_, work_.size());
+    base::resize_scratch(drawing.dots, places);
+    base::resize_scratch(drawing.splats, places);
+    base::resize_scratch(drawing.dot_pieces, work_.size());
+    base::resize_scratch(drawing.splat_pieces, work_.size());
+    base::resize_scratch(counts_, work_.size());
     runtime_.parallel.for_each(work_.size(), [&](std::int64_t i) {
         const Work& work = work_[i];
         const Run& run = scene.runs[work.run];
-        Gatherer gatherer(*this, scene, run, work.run, work.first_place);
+        Gatherer gatherer(*this, scene, run, work.run, drawing.dots.data() + work.first_place,
+                          drawing.splats.data() + work.first_place);
         for (std::int64_t c = work.begin; c < work.end; ++c) {
             gatherer.expect(c + 4);
-            gatherer(run.marks->clusters.cluster[c]);
+            gatherer(run.clusters->cluster[c]);
         }
-        ink_pieces_[i] = {work.first_place, gatherer.ink_end()};
-        splat_pieces_[i] = {work.first_place, gatherer.splat_end()};
+        drawing.dot_pieces[i] = {work.first_place, gatherer.dots_end() - drawing.dots.data()};
+        drawing.splat_pieces[i] = {work.first_place, gatherer.splats_end() - drawing.splats.data()};
         counts_[i] = gatherer.info();
     });
 }
@@ -138,21 +140,21 @@ void Gather::run(Scene& scene) {
 void Gather::ask_tones(Scene& scene) {
     const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
     if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
-    resize_scratch(tau_, scene.place_count());
+    base::resize_scratch(tau_, scene.place_count());
     for (const Run& run : scene.runs) {
         if (!asks(run) || !run.draws_front) continue;
         tone_calls_.begin(scene.item_of(run), tau_);
-        for (const marks::Cluster& cluster : run.marks->clusters.cluster) ask_cluster(scene, run, cluster);
+        for (const marks::Cluster& cluster : run.clusters->cluster) ask_cluster(scene, run, cluster);
         tone_calls_.end();
     }
 }
 
 void Gather::ask_cluster(const Scene& scene, const Run& run, const marks::Cluster& cluster) {
-    if (run.sets != 3U && (run.sets >> cluster.set & 1U) == 0) return;
+    if (run.directions != 3U && (run.directions >> cluster.set & 1U) == 0) return;
     const ItemSight& sight = sights_[run.item];
     const ClusterView view = view_cluster(cluster, sight, scene.lens, frustum_, scene.lens.diagonal);
     if (view.outside || view.nu_min > 0.0F) return;
-    const marks::MarkBlock* const blocks = run.marks->clusters.block.data() + cluster.block;
+    const marks::MarkBlock* const blocks = run.clusters->block.data() + cluster.block;
     Seen seen;
     loops_.see(sight.seer, {blocks, cluster.count}, seen);
     for (std::int64_t i = 0; i < cluster.count; ++i) {
@@ -164,15 +166,15 @@ void Gather::ask_cluster(const Scene& scene, const Run& run, const marks::Cluste
     }
 }
 
-FrameInfo Gather::info() const noexcept {
-    FrameInfo info;
-    for (const FrameInfo& work : counts_) info += work;
+Counts Gather::info() const noexcept {
+    Counts info;
+    for (const Counts& work : counts_) info += work;
     return info;
 }
 
 std::int64_t Gather::bytes() const noexcept {
-    return sights_.bytes() + item_inks_.bytes() + transmittances_.bytes() + transmittance_of_.bytes() + work_.bytes() +
-           inks_.bytes() + splats_.bytes() + ink_pieces_.bytes() + splat_pieces_.bytes() + counts_.bytes() +
+    return sights_.bytes() + item_inks_.bytes() + terms_.bytes() + transmittances_.bytes() + transmittance_of_.bytes() + work_.bytes() +
+           counts_.bytes() +
            tau_.bytes() + tone_calls_.bytes();
 }
 

@@ -3,9 +3,9 @@
 
 #include "base/runtime.h"
 #include "frame/depth_layers/cluster_view.h"
-#include "frame/depth_layers/ink.h"
-#include "frame/scene/frame_info.h"
-#include "frame/scene/tile_bins.h"
+#include "drawing/drawing.h"
+#include "drawing/tiles.h"
+#include "drawing/tiles.h"
 #include "frame/scene/tone_calls.h"
 
 #include <algorithm>
@@ -36,14 +36,18 @@ inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.125
     return pi * (drawn * drawn + 1.0F / 12.0F) * dimmed * dimmed;
 }
 
+[[nodiscard]] inline float root(float x, float n) noexcept {
+    return n == 2.0F ? std::sqrt(x) : n == 3.0F ? std::cbrt(x) : std::pow(x, 1.0F / n);
+}
+
 // How much ink a tone takes: from coverage to ink per area, discs that overlap counted twice.
-// coverage in [0, 1]; at 1 the result is large.  layers: 1, 2 or 3.
+// coverage in [0, 1]; at 1 the result is large.  layers: how many lie over each other, of lines.
 [[nodiscard]] inline float ink_for(float coverage, Overlap overlap, float layers) noexcept {
     const float left = std::max(1.0F - coverage, 1e-4F);
     switch (overlap) {
     case Overlap::random: return -std::log(left);
     case Overlap::lines:
-        return layers == 1.0F ? coverage : layers * (1.0F - (layers == 2.0F ? std::sqrt(left) : std::cbrt(left)));
+        return layers == 1.0F ? coverage : layers * (1.0F - root(left, layers));
     case Overlap::blue_noise: break;
     }
     const float at = std::clamp(coverage, 0.0F, 1.0F) * 16.0F;
@@ -59,12 +63,10 @@ struct ItemInk {
         float marks_per_area = 0.0F; // in eye space
         float step = 0.0F;           // between the marks of a stroke, eye units; 0: no strokes
     };
-    std::array<Term, 3> term;
-    std::size_t terms = 0;
+    std::int64_t first = 0, end = 0; // of its terms
     // ink_for() of these coverages, so that a mark need not take a root.
     std::array<float, needed_steps + 1> needed{};
 
-    [[nodiscard]] float per_pixel(float pixels_per_unit) const noexcept;
 };
 
 // What a layer lets through, by |nu|.
@@ -84,14 +86,10 @@ public:
     explicit Gather(const base::Runtime& runtime) noexcept;
 
     // Throws Error{callback, out_of_memory}.
-    void run(Scene& scene);
+    // Fills the dots and splats of `drawing`.
+    void run(Scene& scene, drawing::Drawing& drawing);
 
-    [[nodiscard]] std::span<Ink> inks() noexcept { return inks_.span(); }
-    [[nodiscard]] std::span<const Splat> splats() const noexcept { return splats_.span(); }
-    // Where in those arrays there are any.
-    [[nodiscard]] std::span<const Piece> ink_pieces() const noexcept { return ink_pieces_.span(); }
-    [[nodiscard]] std::span<const Piece> splat_pieces() const noexcept { return splat_pieces_.span(); }
-    [[nodiscard]] FrameInfo info() const noexcept;
+    [[nodiscard]] Counts info() const noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
@@ -99,7 +97,8 @@ private:
 
     void set_up(const Scene& scene);
     void add_pieces(const Scene& scene);
-    [[nodiscard]] ItemInk ink_of(const Scene& scene, std::int64_t first) const noexcept;
+    [[nodiscard]] ItemInk ink_of(const Scene& scene, std::int64_t first);
+    [[nodiscard]] float ink_per_pixel(const ItemInk& item, float pixels_per_unit) const noexcept;
     void ask_tones(Scene& scene);
     void ask_cluster(const Scene& scene, const Run& run, const marks::Cluster& cluster);
 
@@ -115,13 +114,11 @@ private:
     Frustum frustum_;
     base::Array<ItemSight> sights_;
     base::Array<ItemInk> item_inks_;
+    base::Array<ItemInk::Term> terms_; // of all items
     base::Array<TransmittanceTable> transmittances_;
     base::Array<std::int32_t> transmittance_of_; // each item's
     base::Array<Work> work_;
-    base::Array<Ink> inks_;
-    base::Array<Splat> splats_;
-    base::Array<Piece> ink_pieces_, splat_pieces_;
-    base::Array<FrameInfo> counts_;
+    base::Array<Counts> counts_;
     base::Array<float> tau_; // of the marks whose tone is a callback's, by place
     ToneCalls tone_calls_;
 };

@@ -17,7 +17,7 @@ using marks::MarkBlock;
 
 // Marks farther round the contour than this are none of its, whatever the curvature.
 constexpr float widest_band = 0.9F;
-// Ink of the front vanishes towards the contour over this much of n . v, where nothing else makes it vanish.
+// Dot of the front vanishes towards the contour over this much of n . v, where nothing else makes it vanish.
 constexpr float front_fade = 0.08F;
 // Contours are asked for what hides them so many pixels outside of their own layer.
 constexpr float probe = 3.0F;
@@ -30,20 +30,20 @@ constexpr float contour_marks = 3.0F;
 
 } // namespace
 
-Gatherer::Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t run_number,
-                   std::int64_t first_place) noexcept
+Gatherer::Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t run_number, Dot* inks,
+                   Splat* splats) noexcept
     : all_(all), scene_(scene), run_(run), item_(scene.item_of(run)), style_(item_.style),
       sight_(all.sights_[run.item]), item_ink_(all.item_inks_[run.item]),
-      transmittance_(all.transmittances_[all.transmittance_of_[run.item]]), marks_(run.marks->clusters),
-      color_(2U * static_cast<std::uint32_t>(run_number)), selection_(common_selection()),
-      ink_(all.inks_.data() + first_place), splat_(all.splats_.data() + first_place) {}
+      transmittance_(all.transmittances_[all.transmittance_of_[run.item]]), marks_(*run.clusters),
+      layer_(2U * static_cast<std::uint32_t>(run_number)), selection_(common_selection()),
+      ink_(inks), splat_(splats) {}
 
 Selection Gatherer::common_selection() const noexcept {
     Selection selection{};
     selection.by_published = style_.tone_rule == ToneRule::published;
     selection.coverage = style_.tone_curve == ToneCurve::coverage;
     selection.needed = item_ink_.needed.data();
-    selection.share = style_.group[static_cast<std::size_t>(run_.group)].share;
+    selection.share = run_.style->share;
     selection.fade = style_.tone_fade;
     selection.more = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small
     // Coverage counts on foreshortening; else the ink of the front vanishes where it turns away.
@@ -74,11 +74,11 @@ Gatherer::Local Gatherer::local_of(const marks::Cluster& cluster) const noexcept
     selection.top = v.y - reach_there;
     selection.bottom = v.y + v.w + reach_there;
     selection.all_inside = view.inside;
-    selection.front_ink = run_.draws_front && (run_.sets == 3U || (run_.sets >> cluster.set & 1U) != 0);
+    selection.front_ink = run_.draws_front && (run_.directions == 3U || (run_.directions >> cluster.set & 1U) != 0);
     selection.scale = run_.pen.scale(view.pixels_per_unit);
     if (selection.coverage)
         // Marks that cover less than 0.6 are shown as if they covered that: their dark tones still differ.
-        selection.per_ink = 1.0F / std::max(item_ink_.per_pixel(view.pixels_per_unit), item_ink_.needed[darkest_step]);
+        selection.per_ink = 1.0F / std::max(all_.ink_per_pixel(item_ink_, view.pixels_per_unit), item_ink_.needed[darkest_step]);
     set_contour(local);
     selection.most_shown = most_shown(local);
     return local;
@@ -186,7 +186,7 @@ float Gatherer::most_shown(const Local& local) const noexcept {
 
 std::int64_t Gatherer::splats_of(const Local& local) const noexcept {
     if (!run_.splats) return 0;
-    if (!run_.spread_evenly && run_.group != 0) return local.cluster->count;
+    if (!run_.spread_evenly && !run_.scattered) return local.cluster->count;
     const float pixels = run_.pen.spacing * local.view.pixels_per_unit / local.splat_spacing;
     if (!(pixels < 1.0F)) return local.cluster->count; // NaN: of a spacing that floats do not hold
     // The first of a cluster are as even as the first of all.
@@ -194,12 +194,12 @@ std::int64_t Gatherer::splats_of(const Local& local) const noexcept {
 }
 
 void Gatherer::splat(const Local& local, const Seen& seen, std::int64_t count) noexcept {
-    const float spacing = run_.group == 0 ? std::max(run_.pen.spacing * local.view.pixels_per_unit, local.splat_spacing)
+    const float spacing = run_.scattered ? std::max(run_.pen.spacing * local.view.pixels_per_unit, local.splat_spacing)
                                           : run_.pen.spacing * local.view.pixels_per_unit;
-    const bool even = run_.spread_evenly && run_.group == 0;
+    const bool even = run_.spread_evenly && run_.scattered;
     const float own_radius = (even ? even_splat : random_splat) * spacing + 0.5F;
     const float radius =
-        std::min(run_.pen.cover_radius > 0.0F ? run_.pen.cover_radius : own_radius, run_.pen.largest_cover);
+        std::min(run_.pen.splat_radius > 0.0F ? run_.pen.splat_radius : own_radius, run_.pen.largest_splat);
     const MarkBlock* const blocks = marks_.block.data() + local.cluster->block;
     for (std::int64_t i = 0; i < count; ++i) {
         const float nu = seen.nu[i];
@@ -315,19 +315,19 @@ void Gatherer::ink(const Local& local, const Seen& seen, std::int64_t count, boo
 
 void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float radius, bool contour) noexcept {
     const MarkBlock& m = marks_.block[local.cluster->block + i / MarkBlock::size];
-    Ink& ink = *ink_++;
+    Dot& ink = *ink_++;
     ink.x = seen.x[i];
     ink.y = seen.y[i];
     ink.radius = radius;
-    ink.alpha = 1.0F;
+    ink.opacity = 1.0F;
     ink.depth = seen.depth[i];
     ink.window = seen.window[i];
     ink.pixels_per_unit = seen.pixels_per_unit[i];
     ink.id = run_.first_id + m.mark[i % MarkBlock::size];
-    ink.color = color_ + (contour ? 1U : 0U);
+    ink.layer = layer_ + (contour ? 1U : 0U);
     ink.mark_class = contour ? MarkClass::silhouette : MarkClass::front;
-    ink.flags = static_cast<std::uint8_t>((seen.nu[i] > 0.0F ? ink_faces_back : 0) |
-                                          (item_.model != nullptr ? ink_is_exact : 0));
+    ink.flags = static_cast<std::uint8_t>((seen.nu[i] > 0.0F ? dot_faces_back : 0) |
+                                          (item_.model != nullptr ? dot_is_exact : 0));
     const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
     const float step = contour && side > 0.0F ? probe * probe_steps / side : 0.0F;
     // A line is where its contour is, not where its marks are around it.

@@ -7,17 +7,17 @@ namespace hrbfnpr::frame {
 
 class Gatherer {
 public:
-    // first_place: where its inks and splats go.
-    Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t run_number,
-             std::int64_t first_place) noexcept;
+    // inks, splats: where its own go.
+    Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t run_number, Dot* inks,
+             Splat* splats) noexcept;
 
     void operator()(const marks::Cluster& cluster) noexcept;
     // This cluster comes soon.
     void expect(std::int64_t cluster) const noexcept;
 
-    [[nodiscard]] std::int64_t ink_end() const noexcept { return ink_ - all_.inks_.data(); }
-    [[nodiscard]] std::int64_t splat_end() const noexcept { return splat_ - all_.splats_.data(); }
-    [[nodiscard]] const FrameInfo& info() const noexcept { return info_; }
+    [[nodiscard]] const Dot* dots_end() const noexcept { return ink_; }
+    [[nodiscard]] const Splat* splats_end() const noexcept { return splat_; }
+    [[nodiscard]] const Counts& info() const noexcept { return info_; }
 
 private:
     // What is the same for all marks of a cluster.
@@ -61,10 +61,10 @@ private:
     const ItemInk& item_ink_;
     const TransmittanceTable& transmittance_;
     const marks::MarkClusters& marks_;
-    std::uint32_t color_;
+    std::uint32_t layer_;
     Selection selection_; // what is the same for all clusters
-    FrameInfo info_;
-    Ink* ink_;
+    Counts info_;
+    Dot* ink_;
     Splat* splat_;
 };
 

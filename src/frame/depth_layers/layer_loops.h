@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/instruction_set.h"
-#include "frame/depth_layers/ink.h"
+#include "drawing/drawing.h"
 
 #include <cstdint>
 

@@ -187,7 +187,7 @@ HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
 
 HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
 
-// Ink of the front, and why there is none.
+// Dot of the front, and why there is none.
 HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M front, M counted, Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);

@@ -47,7 +47,7 @@ struct Selection {
     float left, right, top, bottom;
     bool all_inside;
 
-    // Ink of the front.  By share: a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
+    // Dot of the front.  By share: a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
     // scale tau_depth; by the published rule test by test.
     bool front_ink;
     bool by_published;

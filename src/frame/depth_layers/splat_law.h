@@ -15,7 +15,7 @@ inline constexpr float halo_angle = 0.25F;
     if (style.hidden_lines == HiddenLines::hide) return 0.0F;
     const float alpha = nu > 0.0F ? back_alpha(nu, static_cast<float>(style.attenuation_back))
                                   : front_alpha(nu, static_cast<float>(style.attenuation_front));
-    return style.cover_layers > 0.0F ? std::pow(1.0F - alpha, style.cover_layers) : 1.0F - alpha;
+    return style.splat_overlap > 0.0F ? std::pow(1.0F - alpha, style.splat_overlap) : 1.0F - alpha;
 }
 
 // Pixels between the marks that stand for a layer where there are enough of them, and near its contour.

@@ -5,15 +5,13 @@
 namespace hrbfnpr::frame {
 namespace {
 
-using marks::vector_at;
-
 // The largest disc that the mark can paint decides whether it can reach the viewport.
 [[nodiscard]] float reach(const Run& run, float pixels_per_unit) noexcept {
     float radius = 0.0F;
     if (run.draws_front) radius = run.pen.front_ink(pixels_per_unit);
     if (run.draws_silhouettes) radius = std::max(radius, run.pen.silhouette_ink(pixels_per_unit));
     if (run.paints_paper || run.occludes)
-        radius = std::max({radius, run.pen.front_cover(pixels_per_unit), run.pen.back_cover(pixels_per_unit)});
+        radius = std::max({radius, run.pen.front_splat(pixels_per_unit), run.pen.back_splat(pixels_per_unit)});
     return radius + 0.5F; // the soft rim
 }
 
@@ -39,12 +37,12 @@ public:
     void operator()(std::int64_t place) const noexcept {
         const std::int64_t mark = place - run_.first;
         out_.mark_class[place] = MarkClass::none;
-        const glm::vec3 eye = item_.to_eye * item_.place(*run_.marks, mark) + item_.eye_offset;
+        const glm::vec3 eye = item_.to_eye * run_.place_of(mark, item_.unit) + item_.eye_offset;
         const glm::vec4 clip = lens_.window * glm::vec4(eye, 1.0F);
         if (!(clip.w > 0.0F)) return; // behind the camera
         const float pixels_per_unit = lens_.pixels / clip.w;
         const glm::vec3 at = glm::vec3(clip) / clip.w;
-        const glm::vec3 own_normal = vector_at(run_.marks->normal, mark);
+        const glm::vec3 own_normal = run_.normal_of(mark);
         const glm::vec3 normal = glm::normalize(item_.normal_to_eye * own_normal);
         const float nu = glm::dot(normal, glm::normalize(lens_.sight(eye)));
         if (!inside(lens_.viewport, at.x, at.y, at.z, reach(run_, pixels_per_unit)) || !(std::abs(nu) <= 1.001F))
@@ -80,22 +78,22 @@ private:
     bool depth_active_;
 };
 
-[[nodiscard]] bool in_sets(const Run& run, std::int64_t mark) noexcept {
-    return run.sets == 3U || (run.sets >> (run.marks->stroke[2 * mark] & 1U) & 1U) != 0;
+[[nodiscard]] bool in_directions(const Run& run, std::int64_t mark) noexcept {
+    return run.directions == 3U || (run.directions >> (run.marks->stroke[2 * mark] & 1U) & 1U) != 0;
 }
 
 // Whether a front mark would be ink but for tone, depth, zoom and visibility.
 [[nodiscard]] bool may_be_ink(const Run& run, std::int64_t mark) noexcept {
-    return run.draws_front && in_sets(run, mark);
+    return run.draws_front && in_directions(run, mark);
 }
 
 class Decider {
 public:
     Decider(Scene& scene, const Chunk& chunk, const VisibilityMap* visibility) noexcept
         : run_(scene.runs[chunk.run]), style_(scene.item_of(run_).style), marks_(scene.marks), visibility_(visibility),
-          share_(style_.group[static_cast<std::size_t>(run_.group)].share) {}
+          share_(run_.style->share) {}
 
-    void operator()(std::int64_t place, FrameInfo& info) const noexcept {
+    void operator()(std::int64_t place, Counts& info) const noexcept {
         const MarkClass mark_class = marks_.mark_class[place];
         std::uint8_t role = 0;
         switch (mark_class) {
@@ -112,14 +110,14 @@ public:
         }
         if (role == role_ink) ++info.shown;
         if (paper(place, mark_class)) {
-            ++info.painted;
+            ++info.splats;
             role |= role_paper;
         }
         marks_.role[place] = role;
     }
 
 private:
-    bool front_ink(std::int64_t place, FrameInfo& info) const noexcept {
+    bool front_ink(std::int64_t place, Counts& info) const noexcept {
         const std::int64_t mark = place - run_.first;
         if (!may_be_ink(run_, mark)) return false;
         const float pixels_per_unit = marks_.pixels_per_unit[place];
@@ -132,7 +130,7 @@ private:
         }
         return false;
     }
-    bool silhouette_ink(std::int64_t place, FrameInfo& info) const noexcept {
+    bool silhouette_ink(std::int64_t place, Counts& info) const noexcept {
         if (!run_.draws_silhouettes) return false;
         const float rank = run_.marks->rank[place - run_.first];
         if (silhouette_shown(rank, marks_.tau_depth[place], style_.tone_rule))
@@ -140,7 +138,7 @@ private:
         ++info.dropped_depth;
         return false;
     }
-    bool visible(std::int64_t place, float radius, FrameInfo& info) const noexcept {
+    bool visible(std::int64_t place, float radius, Counts& info) const noexcept {
         if (visibility_ == nullptr) return true;
         const float depth = ink_depth(marks_.depth[place], radius, marks_.pixels_per_unit[place]);
         if (!visibility_->hides(marks_.x[place], marks_.y[place], depth)) return true;
@@ -177,20 +175,20 @@ void ask_tones(Scene& scene, ToneCalls& calls) {
         calls.begin(item, scene.marks.tau);
         for (std::int64_t i = 0; i < run.count; ++i) {
             if (scene.marks.mark_class[run.first + i] == MarkClass::front && may_be_ink(run, i))
-                calls.add(vector_at(run.marks->position, i), vector_at(run.marks->normal, i), run.first + i);
+                calls.add(run.place_of(i, item.unit), run.normal_of(i), run.first + i);
         }
         calls.end();
     }
 }
 
 void decide(const base::Parallel& parallel, Scene& scene, const VisibilityMap* visibility,
-            base::Array<FrameInfo>& counts) {
+            base::Array<Counts>& counts) {
     counts.clear();
     counts.resize(scene.chunks.size());
     parallel.for_each(scene.chunks.size(), [&](std::int64_t c) {
         const Chunk& chunk = scene.chunks[c];
         const Decider one(scene, chunk, visibility);
-        FrameInfo info;
+        Counts info;
         info.marks = chunk.end - chunk.begin;
         for (std::int64_t i = chunk.begin; i < chunk.end; ++i) one(i, info);
         counts[c] = info;

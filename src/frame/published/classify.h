@@ -3,7 +3,7 @@
 
 #include "base/runtime.h"
 #include "frame/published/visibility.h"
-#include "frame/scene/frame_info.h"
+#include "drawing/drawing.h"
 #include "frame/scene/scene.h"
 #include "frame/scene/tone_calls.h"
 
@@ -17,6 +17,6 @@ void ask_tones(Scene& scene, ToneCalls& calls);
 
 // Fills `role` from tone, depth, zoom and, if not null, visibility.  counts: one for each chunk.
 void decide(const base::Parallel& parallel, Scene& scene, const VisibilityMap* visibility,
-            base::Array<FrameInfo>& counts);
+            base::Array<Counts>& counts);
 
 } // namespace hrbfnpr::frame

@@ -24,17 +24,17 @@ void VisibilityMap::build(const base::Parallel& parallel, const Scene& scene) {
     height_ = static_cast<std::int32_t>(std::ceil(viewport.w * texels_per_pixel_));
     collect(parallel, scene);
     const std::array all = {Piece{0, occluders_.size()}};
-    bins_.build(parallel, width_, height_, all, [this](std::int64_t i, TileBins::Footprint& print) {
+    bins_.build(parallel, width_, height_, all, [this](std::int64_t i, drawing::Tiles::Footprint& print) {
         const Occluder& disc = occluders_[i];
         print = {disc.x, disc.y, disc.radius};
         return disc.radius >= 0.0F;
     });
-    resize_scratch(depth_, std::int64_t{width_} * height_);
+    base::resize_scratch(depth_, std::int64_t{width_} * height_);
     parallel.for_each(bins_.tiles(), [this](std::int64_t tile) { fill_tile(tile); });
 }
 
 void VisibilityMap::collect(const base::Parallel& parallel, const Scene& scene) {
-    resize_scratch(occluders_, scene.marks.x.size());
+    base::resize_scratch(occluders_, scene.marks.x.size());
     parallel.for_each(scene.chunks.size(), [&](std::int64_t c) {
         const Chunk& chunk = scene.chunks[c];
         const Run& run = scene.runs[chunk.run];
@@ -43,7 +43,7 @@ void VisibilityMap::collect(const base::Parallel& parallel, const Scene& scene) 
             occluders_[i].radius = -1.0F;
             if (!run.occludes || (mark_class != MarkClass::front && mark_class != MarkClass::back)) continue;
             const float pixels_per_unit = scene.marks.pixels_per_unit[i];
-            const float radius = run.pen.front_cover(pixels_per_unit);
+            const float radius = run.pen.front_splat(pixels_per_unit);
             occluders_[i] = {(scene.marks.x[i] - left_) * texels_per_pixel_,
                              (scene.marks.y[i] - top_) * texels_per_pixel_, radius * texels_per_pixel_,
                              paper_depth(scene.marks, i, radius)};

@@ -3,7 +3,7 @@
 
 #include "base/runtime.h"
 #include "frame/scene/scene.h"
-#include "frame/scene/tile_bins.h"
+#include "drawing/tiles.h"
 
 namespace hrbfnpr::frame {
 
@@ -34,7 +34,7 @@ private:
     float left_ = 0.0F, top_ = 0.0F; // of the viewport
     float texels_per_pixel_ = 1.0F;
     std::int32_t width_ = 0, height_ = 0;
-    TileBins bins_;
+    drawing::Tiles bins_;
     base::Array<float> depth_;
     base::Array<Occluder> occluders_; // one for each mark; radius < 0 = none
 };

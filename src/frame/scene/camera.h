@@ -2,14 +2,14 @@
 #pragma once
 
 #include "base/view.h"
+#include "drawing/window.h"
 #include "geometry/vec.h"
 
 #include <cstdint>
 
 namespace hrbfnpr::frame {
 
-// Same numbers as HRBFNPR_DEPTH_...
-enum class DepthConvention : std::uint32_t { negative_one_to_one = 0, zero_to_one = 1, reversed = 2 };
+using drawing::DepthConvention;
 
 struct Camera {
     DepthConvention depth = DepthConvention::negative_one_to_one;
@@ -17,15 +17,6 @@ struct Camera {
     glm::dmat4 projection{1.0};
     glm::dvec4 viewport{0.0}; // x, y of the top-left corner, width, height, pixels
 };
-
-// Window depth of the far plane: where nothing is.
-[[nodiscard]] constexpr float far_depth(DepthConvention depth) noexcept {
-    return depth == DepthConvention::reversed ? 0.0F : 1.0F;
-}
-// Whether window depth a lies in front of b.  False if one of them is not a number.
-[[nodiscard]] constexpr bool nearer(float a, float b, DepthConvention depth) noexcept {
-    return depth == DepthConvention::reversed ? a > b : a < b;
-}
 
 // All throw Error{invalid_argument} naming the argument.
 [[nodiscard]] glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);

@@ -1,10 +1,12 @@
 #include "frame/scene/scene.h"
 
+#include "frame/scene/pose.h"
 #include "geometry/unit.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -84,94 +86,153 @@ ItemView view_of(const Item& item, const Camera& camera) {
     return view;
 }
 
-// Which group's marks paint the paper of an item.  Stipples are spread the most evenly, so they do
+// Whether it may tell where the surface is: strokes of the caller's may be few and anywhere.
+bool is_surface(const marks::Layer& layer) noexcept { return !(layer.kind == marks::Kind::own && layer.has_strokes()); }
+
+bool is_used(const LayerStyle& style) noexcept { return style.shown || style.contours; }
+
+// Which layer's marks are the splats of an item; -1: none's.  Stipples are spread the most evenly, so theirs are
 // unless they are few.
-int cover_group(const marks::PointSet& set, std::uint32_t used) {
-    int largest = -1;
-    for (int g = 0; g < marks::group_count; ++g) {
-        const auto i = static_cast<std::size_t>(g);
-        if ((used >> i & 1U) == 0 || set.group[i].count() == 0) continue;
-        if (largest < 0 || set.group[i].count() > set.group[static_cast<std::size_t>(largest)].count()) largest = g;
+std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
+    std::int64_t largest = -1;
+    std::int64_t stipples = -1;
+    for (const bool surface : {true, false}) {
+        if (largest >= 0) break;
+        for (std::int64_t i = 0; i < set.layers.size(); ++i) {
+            const marks::Layer& layer = set.layers[i];
+            if (!is_used(style.of(layer)) || layer.count() == 0 || is_surface(layer) != surface) continue;
+            if (largest < 0 || layer.count() > set.layers[largest].count()) largest = i;
+            if (layer.kind == marks::Kind::stipples &&
+                (stipples < 0 || layer.count() > set.layers[stipples].count()))
+                stipples = i;
+        }
     }
-    if ((used & 1U) != 0 && largest > 0 &&
-        4 * set.group[0].count() >= set.group[static_cast<std::size_t>(largest)].count())
-        return 0;
-    return largest;
+    const bool enough = stipples >= 0 && 4 * set.layers[stipples].count() >= set.layers[largest].count();
+    return enough ? stipples : largest;
 }
 
-// The size of a mark's piece of surface: known for the largest group, in others by their number.
-double spacing_of(const marks::PointSet& set, std::size_t group) {
-    std::int64_t largest = 0;
-    for (const marks::MarkGroup& g : set.group) largest = std::max(largest, g.count());
-    const double ratio = static_cast<double>(largest) / static_cast<double>(set.group[group].count());
+// The size of a mark's piece of surface: known for the largest layer, in others by their number.
+double spacing_of(const marks::PointSet& set, const marks::Layer& layer) {
+    const double ratio = static_cast<double>(set.largest()) / static_cast<double>(layer.count());
     return set.spacing * std::sqrt(ratio);
 }
 
-Pen pen_of(const Style& style, std::size_t group, double spacing, double eye_per_object, const Lens& lens) {
+Pen pen_of(const Style& style, const LayerStyle& layer, double spacing, double eye_per_object, const Lens& lens) {
     Pen pen;
     pen.spacing = static_cast<float>(spacing * eye_per_object);
     if (style.zoom_reference > 0.0)
         pen.zoom_at_one = static_cast<float>(static_cast<double>(lens.eye_per_world) / style.zoom_reference);
     pen.zoom_exponent = static_cast<float>(style.zoom_exponent);
-    pen.ink_radius = style.group[group].radius;
-    pen.ink_zoom = style.group[group].radius_zoom;
+    pen.ink_radius = layer.radius;
+    pen.ink_zoom = layer.radius_zoom;
     pen.silhouette_radius = style.silhouette_radius;
     pen.silhouette_zoom = style.silhouette_radius_zoom;
-    pen.cover_radius = style.cover_radius;
+    pen.splat_radius = style.splat_radius;
     pen.halo = style.halo_width;
-    pen.layers = style.cover_layers;
+    pen.overlap = style.splat_overlap;
     pen.lambda_front = static_cast<float>(style.attenuation_front);
     pen.lambda_back = static_cast<float>(style.attenuation_back);
-    pen.largest_cover = lens.diagonal;
+    pen.largest_splat = lens.diagonal;
     return pen;
 }
 
-std::uint32_t used_groups(const Style& style) {
-    std::uint32_t used = style.silhouette_groups & 7U;
-    for (std::size_t g = 0; g < style.group.size(); ++g) {
-        if (style.group[g].shown) used |= 1U << g;
-    }
-    return used;
-}
+glm::vec4 color(const std::array<float, 4>& c) noexcept { return {c[0], c[1], c[2], c[3]}; }
 
-void add_runs(Scene& scene, const Item& item, std::int64_t item_index, std::int64_t& ids) {
-    const Style& style = item.style;
-    const std::uint32_t used = used_groups(style);
-    const int cover = cover_group(*item.set, used);
-    const double eye_per_object = mean_scale(item.transform) * static_cast<double>(scene.lens.eye_per_world);
-    float earlier = 0.0F;
-    for (std::size_t g = 0; g < style.group.size(); ++g) {
-        const marks::MarkGroup& marks = item.set->group[g];
-        const std::int64_t first_id = ids + 1;
-        ids += marks.count();
-        if ((used >> g & 1U) == 0 || marks.count() == 0) continue;
+// The runs of one item, and what the drawing knows of its layers.
+class RunMaker {
+public:
+    RunMaker(Scene& scene, const Item& item, std::int32_t number, drawing::Drawing& drawing) noexcept
+        : scene_(scene), item_(item), style_(item.style), number_(number), drawing_(drawing),
+          splats_(splat_layer(*item.set, item.style)),
+          eye_per_object_(mean_scale(item.transform) * static_cast<double>(scene.lens.eye_per_world)) {}
+
+    void operator()() {
+        for (std::int64_t i = 0; i < item_.set->layers.size(); ++i) {
+            const marks::Layer& layer = item_.set->layers[i];
+            note(i, layer);
+            if (is_used(style_.of(layer)) && layer.count() > 0) add(i, layer, style_.of(layer));
+        }
+    }
+
+private:
+    // Ids count the marks of all layers.
+    void note(std::int64_t number, const marks::Layer& layer) {
+        const std::int64_t before =
+            drawing_.runs.empty() ? 0 : drawing_.runs.back().first_id - 1 + drawing_.runs.back().count;
+        if (before + layer.count() > most_marks)
+            fail(Status::invalid_argument,
+                 "items[%lld].point_set brings the drawing to %lld marks; the most are %lld",
+                 static_cast<long long>(number_), static_cast<long long>(before + layer.count()),
+                 static_cast<long long>(most_marks));
+        drawing::Run run;
+        run.item = number_;
+        run.layer = static_cast<std::int32_t>(number);
+        run.count = layer.count();
+        run.first_id = static_cast<std::uint32_t>(before + 1);
+        drawing_.runs.push_back(run);
+    }
+
+    void add(std::int64_t number, const marks::Layer& marks, const LayerStyle& style) {
         Run run;
         run.marks = &marks;
-        run.item = static_cast<std::int32_t>(item_index);
-        run.group = static_cast<std::int32_t>(g);
-        run.first = scene.runs.empty() ? 0 : scene.runs.back().first + scene.runs.back().count;
+        run.style = &style;
+        run.position = marks.position.data();
+        run.normal = marks.normal.data();
+        run.clusters = &marks.clusters;
+        run.item = number_;
+        run.layer = static_cast<std::int32_t>(number);
+        run.first = scene_.runs.empty() ? 0 : scene_.runs.back().first + scene_.runs.back().count;
         run.count = marks.count();
-        run.first_place = scene.place_count();
-        run.first_id = static_cast<std::uint32_t>(first_id);
-        // A stipple belongs to no set of directions.
-        run.sets = g == 0 ? 3U : style.group[g].sets;
-        run.draws_front = style.group[g].shown && style.group[g].share > 0.0F && run.sets != 0;
-        run.draws_silhouettes = (style.silhouette_groups >> g & 1U) != 0;
-        // With layers, one evenly spread group is as opaque as all; as published, every mark counts.
-        const bool covers = static_cast<int>(g) == cover || !(style.cover_layers > 0.0F);
-        run.paints_paper = style.hidden_lines == HiddenLines::attenuate && covers;
-        run.occludes = style.hidden_lines == HiddenLines::hide && static_cast<int>(g) == cover;
-        run.spread_evenly = item.set->distribution == marks::Distribution::blue_noise;
-        if (run.spread_evenly && g > 0) run.separation = static_cast<float>(marks.report.step * eye_per_object);
-        run.splats = style.hidden_lines != HiddenLines::show && static_cast<int>(g) == cover;
-        run.pen = pen_of(style, g, spacing_of(*item.set, g), eye_per_object, scene.lens);
-        run.earlier_contours = earlier;
-        if (run.draws_silhouettes) earlier += 1.0F / (run.pen.spacing * run.pen.spacing);
-        scene.runs.push_back(run);
+        run.first_id = drawing_.runs.back().first_id;
+        run.scattered = !marks.has_strokes();
+        // A stipple belongs to no direction.
+        run.directions = run.scattered ? 3U : style.directions;
+        run.draws_front = style.shown && style.share > 0.0F && run.directions != 0;
+        run.draws_silhouettes = style.contours;
+        const bool splats = number == splats_;
+        // With a given overlap, one evenly spread layer is as opaque as all; as published, every mark counts.
+        run.paints_paper =
+            style_.hidden_lines == HiddenLines::attenuate && (splats || !(style_.splat_overlap > 0.0F));
+        run.occludes = style_.hidden_lines == HiddenLines::hide && splats;
+        run.splats = style_.hidden_lines != HiddenLines::show && splats;
+        run.spread_evenly = marks.progressive;
+        if (run.spread_evenly && !run.scattered)
+            run.separation = static_cast<float>(marks.report.step * eye_per_object_);
+        run.as_strokes = style.shape == Shape::strokes && !run.scattered && run.draws_front;
+        if (run.as_strokes) run.first_joined = std::exchange(scene_.joined, scene_.joined + run.count);
+        run.pen = pen_of(style_, style, spacing_of(*item_.set, marks), eye_per_object_, scene_.lens);
+        run.earlier_contours = earlier_;
+        if (run.draws_silhouettes) earlier_ += 1.0F / (run.pen.spacing * run.pen.spacing);
+        scene_.runs.push_back(run);
+        add_layer(run, drawing::MarkClass::front, color(style.ink));
+        add_layer(run, drawing::MarkClass::silhouette, style_.silhouette_ink);
     }
-    if (ids > most_marks)
-        fail(Status::invalid_argument, "items[%lld].point_set brings the frame to %lld marks; the most are %lld",
-             static_cast<long long>(item_index), static_cast<long long>(ids), static_cast<long long>(most_marks));
+
+    void add_layer(const Run& run, drawing::MarkClass mark_class, const glm::vec4& ink) {
+        const bool strokes = run.as_strokes && mark_class == drawing::MarkClass::front;
+        drawing_.layers.push_back({run.item, run.layer, mark_class, strokes, ink});
+    }
+
+    Scene& scene_;
+    const Item& item_;
+    const Style& style_;
+    std::int32_t number_;
+    drawing::Drawing& drawing_;
+    std::int64_t splats_;
+    double eye_per_object_;
+    float earlier_ = 0.0F;
+};
+
+void check_common(std::span<const Item> items, std::int64_t index) {
+    const Style& style = items[static_cast<std::size_t>(index)].style;
+    if (style.paper != items[0].style.paper)
+        fail(Status::invalid_argument,
+             "items[%lld].style.paper differs from that of items[0]; all styles of a drawing need the same paper",
+             static_cast<long long>(index));
+    if (style.visibility != items[0].style.visibility)
+        fail(Status::invalid_argument,
+             "items[%lld].style.visibility differs from that of items[0]; all styles of a drawing need the same",
+             static_cast<long long>(index));
 }
 
 } // namespace
@@ -196,27 +257,28 @@ std::int64_t Marks::bytes() const noexcept {
 
 std::int64_t Scene::bytes() const noexcept { return items.bytes() + runs.bytes() + chunks.bytes() + marks.bytes(); }
 
-void set_up(Scene& scene, std::span<const Item> items, const Camera& given) {
+void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing) {
     check(given);
     const Camera camera = in_unit(given, geometry::unit_for(reach_of(items, given)));
     scene.lens = make_lens(camera);
     scene.items.clear();
     scene.runs.clear();
-    std::int64_t ids = 0;
+    scene.joined = 0;
+    drawing.clear();
+    drawing.window = {given.viewport, given.depth};
+    drawing.paper = items.empty() ? Style{}.paper : items[0].style.paper;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const auto index = static_cast<std::int64_t>(i);
         check_transform(items[i].transform, index);
-        if (items[i].style.paper != items[0].style.paper)
-            fail(Status::invalid_argument,
-                 "items[%lld].style.paper differs from that of items[0]; all styles of a frame need the same paper",
-                 static_cast<long long>(index));
-        if (items[i].style.visibility != items[0].style.visibility)
-            fail(Status::invalid_argument,
-                 "items[%lld].style.visibility differs from that of items[0]; all styles of a frame need the same",
-                 static_cast<long long>(index));
+        check_common(items, index);
         scene.items.push_back(view_of(items[i], camera));
-        add_runs(scene, items[i], index, ids);
+        const ItemView& view = scene.items.back();
+        drawing.items.push_back({items[i].set, view.unit, view.to_world, view.normal_to_world});
+        RunMaker(scene, items[i], static_cast<std::int32_t>(i), drawing)();
     }
+    pose(scene, items, drawing);
+    std::int64_t places = 0;
+    for (Run& run : scene.runs) run.first_place = std::exchange(places, places + run.places());
 }
 
 void add_chunks(Scene& scene) {

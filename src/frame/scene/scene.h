@@ -1,17 +1,31 @@
 // Inside of a frame: the items seen through the camera, and what is known of each mark.
 #pragma once
 
+#include "drawing/drawing.h"
 #include "base/memory.h"
 #include "frame/scene/attenuation.h"
 #include "frame/scene/item.h"
 #include "frame/scene/lens.h"
-#include "frame/scene/mark_class.h"
+#include "drawing/mark_class.h"
 #include "frame/scene/tone.h"
 
 namespace hrbfnpr::frame {
 
-// A cover this many spacings wide leaves no gaps between evenly spread marks.
-inline constexpr float cover_spacings = 1.5F;
+using drawing::Counts;
+using drawing::Dot;
+using drawing::dot_faces_back;
+using drawing::dot_is_exact;
+using drawing::dot_is_paper;
+using drawing::faintest_ink;
+using drawing::MarkClass;
+using drawing::Piece;
+using drawing::probe_steps;
+using drawing::smallest_radius;
+using drawing::soft_rim;
+using drawing::Splat;
+
+// Splats this many spacings wide leaves no gaps between evenly spread marks.
+inline constexpr float splat_spacings = 1.5F;
 // Nearer to the contour than this discs are not pushed any farther.
 inline constexpr float smallest_cosine = 0.05F;
 
@@ -23,11 +37,11 @@ struct Pen {
     float zoom_exponent = 2.0F;
     float ink_radius = 1.0F, ink_zoom = 0.0F;
     float silhouette_radius = 1.0F, silhouette_zoom = 0.0F;
-    float cover_radius = 0.0F; // 0: from the spacing
+    float splat_radius = 0.0F; // 0: from the spacing
     float halo = 0.0F;
-    float layers = 0.0F;
+    float overlap = 0.0F; // of splats: hrbfnpr_style.splat_overlap
     float lambda_front = 1.0F, lambda_back = 1.0F;
-    float largest_cover = 0.0F;
+    float largest_splat = 0.0F;
 
     [[nodiscard]] float zoom(float pixels_per_unit) const noexcept {
         return zoom_at_one > 0.0F ? pixels_per_unit * zoom_at_one : 1.0F;
@@ -42,26 +56,26 @@ struct Pen {
         return grown(silhouette_radius, silhouette_zoom, pixels_per_unit);
     }
 
-    [[nodiscard]] float front_cover(float pixels_per_unit) const noexcept {
+    [[nodiscard]] float front_splat(float pixels_per_unit) const noexcept {
         // One pixel at least, so that small drawings are covered as well.
         const float radius =
-            cover_radius > 0.0F ? cover_radius : std::max(1.0F, cover_spacings * spacing * pixels_per_unit);
-        return std::min(radius, largest_cover);
+            splat_radius > 0.0F ? splat_radius : std::max(1.0F, splat_spacings * spacing * pixels_per_unit);
+        return std::min(radius, largest_splat);
     }
-    // The area scales with the zoom.  An automatic cover follows the zoom already, so there it is
+    // The area scales with the zoom.  An automatic splat follows the zoom already, so there it is
     // only the halo that is left to scale.
-    [[nodiscard]] float back_cover(float pixels_per_unit) const noexcept {
+    [[nodiscard]] float back_splat(float pixels_per_unit) const noexcept {
         const float shrink = std::sqrt(scale(pixels_per_unit));
-        if (cover_radius > 0.0F) return std::min((cover_radius + halo) * shrink, largest_cover);
-        return front_cover(pixels_per_unit) + halo * shrink;
+        if (splat_radius > 0.0F) return std::min((splat_radius + halo) * shrink, largest_splat);
+        return front_splat(pixels_per_unit) + halo * shrink;
     }
 
     [[nodiscard]] float front_opacity(float nu, float radius, float pixels_per_unit) const noexcept {
-        return disc_opacity(front_alpha(nu, lambda_front), layers,
+        return disc_opacity(front_alpha(nu, lambda_front), overlap,
                             expected_overlap(radius, spacing * pixels_per_unit, nu));
     }
     [[nodiscard]] float back_opacity(float nu, float radius, float pixels_per_unit) const noexcept {
-        return disc_opacity(back_alpha(nu, lambda_back), layers,
+        return disc_opacity(back_alpha(nu, lambda_back), overlap,
                             expected_overlap(radius, spacing * pixels_per_unit, nu));
     }
 
@@ -100,34 +114,48 @@ struct ItemView {
     glm::dmat4 to_world{1.0};        // of positions relative to the set's origin
     glm::mat3 normal_to_world{1.0F};
 
-    // Of a mark by its number in the group, relative to the set's origin.
-    [[nodiscard]] glm::vec3 place(const marks::MarkGroup& marks, std::int64_t mark) const noexcept {
-        return glm::vec3(glm::dvec3(marks::vector_at(marks.position, mark)) / unit);
-    }
 };
 
-// The marks of one group of one item that take part in the frame.
+// The marks of one layer of one item that take part in the drawing.
 struct Run {
-    const marks::MarkGroup* marks = nullptr;
+    const marks::Layer* marks = nullptr;
+    const LayerStyle* style = nullptr;
+    // Three of each mark, relative to the set's origin: those of the layer, or of the item's pose.
+    const float* position = nullptr;
+    const float* normal = nullptr;
+    const marks::MarkClusters* clusters = nullptr; // the layer's, or the pose's
     std::int32_t item = 0;
-    std::int32_t group = 0;
+    std::int32_t layer = 0; // of the item's set
     std::int64_t first = 0; // place of its first mark in the arrays below
     std::int64_t count = 0;
     std::int64_t first_place = 0; // of its clusters' blocks, one after the other
     std::uint32_t first_id = 0;
-    std::uint32_t sets = 3; // of front ink
+    std::uint32_t directions = 3; // of front ink
     bool draws_front = false;
     bool draws_silhouettes = false;
     bool paints_paper = false;     // HIDDEN_LINES_ATTENUATE
     bool occludes = false;         // HIDDEN_LINES_HIDE
     float earlier_contours = 0.0F; // contour marks per area of the item's runs before this one, eye space
     float separation = 0.0F;       // of strokes, eye units; 0: none is known
+    std::int64_t first_joined = 0; // of those that are drawn as strokes: place of the first mark among all such
+    bool as_strokes = false;       // marks that follow each other become lines
+    bool scattered = true;         // its marks form no strokes
     bool spread_evenly = false;    // in a blue-noise order
     bool splats = false;           // its marks tell where the layers of its item are
     Pen pen;
 
-    [[nodiscard]] std::int64_t places() const noexcept { return marks->clusters.block.size() * marks::MarkBlock::size; }
-    // Radius of the ink of a front mark, by its number in the group.  Contours are not tapered.
+    [[nodiscard]] std::int64_t places() const noexcept { return clusters->block.size() * marks::MarkBlock::size; }
+    [[nodiscard]] glm::vec3 position_of(std::int64_t mark) const noexcept {
+        return {position[3 * mark], position[3 * mark + 1], position[3 * mark + 2]};
+    }
+    [[nodiscard]] glm::vec3 normal_of(std::int64_t mark) const noexcept {
+        return {normal[3 * mark], normal[3 * mark + 1], normal[3 * mark + 2]};
+    }
+    // In the item's unit.
+    [[nodiscard]] glm::vec3 place_of(std::int64_t mark, double unit) const noexcept {
+        return glm::vec3(glm::dvec3(position_of(mark)) / unit);
+    }
+    // Radius of the ink of a front mark, by its number in the layer.  Contours are not tapered.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
         const float radius = pen.front_ink(pixels_per_unit);
         return marks->width.empty() ? radius : radius * marks->width[mark];
@@ -164,13 +192,16 @@ inline constexpr std::uint8_t role_ink = 1;
 inline constexpr std::uint8_t role_paper = 2;
 
 struct Scene {
-    explicit Scene(base::Memory& memory) noexcept : items(memory), runs(memory), chunks(memory), marks(memory) {}
+    explicit Scene(base::Memory& memory) noexcept
+        : items(memory), runs(memory), chunks(memory), marks(memory), posed(memory) {}
 
     Lens lens;
     base::Array<ItemView> items;
     base::Array<Run> runs;
     base::Array<Chunk> chunks;
     Marks marks;
+    std::int64_t joined = 0; // marks of runs that are drawn as strokes
+    base::List<marks::MarkClusters> posed; // of layers whose marks have moved
 
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
     [[nodiscard]] std::int64_t mark_count() const noexcept {
@@ -182,8 +213,9 @@ struct Scene {
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
 
-// Fills lens, items and runs.  Throws Error{invalid_argument}.
-void set_up(Scene& scene, std::span<const Item> items, const Camera& camera);
+// Fills lens, items and runs, and of the drawing its window, paper, layers, items, runs and poses.
+// Throws Error{invalid_argument}.
+void set_up(Scene& scene, std::span<const Item> items, const Camera& camera, drawing::Drawing& drawing);
 // Fills chunks, and makes room for the marks.
 void add_chunks(Scene& scene);
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "geometry/vec.h"
+#include "marks/point_set.h"
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace hrbfnpr::frame {
 
@@ -19,13 +21,21 @@ enum class LightSpace : std::uint32_t { world = 0, camera = 1 };
 using ToneFn = std::int32_t (*)(void* user, std::int64_t count, const float* positions, const float* normals,
                                 float* tau);
 
-struct GroupStyle {
+enum class Shape : std::uint32_t { dots = 0, strokes = 1 };
+
+struct LayerStyle {
+    marks::Kind kind = marks::Kind::any; // the layers that this is for
+    const char* name = nullptr;          // ... and are called so; NULL: any name
     bool shown = true;
-    std::uint32_t sets = 3;
+    bool contours = true;
+    std::uint32_t directions = 3;
+    Shape shape = Shape::dots;
     float share = 1.0F;
     float radius = 1.0F;
     float radius_zoom = 0.0F;
-    glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
+    std::array<float, 4> ink{0.0F, 0.0F, 0.0F, 1.0F};
+
+    [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept;
 };
 
 struct Style {
@@ -33,14 +43,13 @@ struct Style {
     double silhouette_threshold = 0.2;
     double attenuation_front = 1.0;
     double attenuation_back = 1.0;
-    float cover_radius = 0.0F;
+    float splat_radius = 0.0F;
     float halo_width = 2.0F;
-    float cover_layers = 8.0F;
+    float splat_overlap = 8.0F;
     Visibility visibility = Visibility::depth_layers;
     Tone tone = Tone::light;
     ToneRule tone_rule = ToneRule::share;
     LightSpace light_space = LightSpace::camera;
-    std::uint32_t silhouette_groups = 7;
     ToneCurve tone_curve = ToneCurve::coverage;
     SilhouetteLaw silhouette_law = SilhouetteLaw::width;
     float tone_fade = 0.25F;
@@ -57,17 +66,20 @@ struct Style {
     glm::vec4 silhouette_ink{0.0F, 0.0F, 0.0F, 1.0F};
     float silhouette_radius = 1.0F;
     float silhouette_radius_zoom = 0.0F;
-    std::array<GroupStyle, 3> group;
+    std::span<const LayerStyle> layers; // whoever made it keeps them
+
+    // That of the first element for it, or defaults.
+    [[nodiscard]] const LayerStyle& of(const marks::Layer& layer) const noexcept;
 };
 
-// The named styles.  `needed_groups`: bit (1 << group) for each group of marks that it draws.
+// The named styles.
 struct Preset {
     const char* name;
-    std::uint32_t needed_groups;
-    Style style;
+    std::span<const marks::Kind> drawn; // the kinds of layers that it draws
+    Style style;                        // its layers are constants
 };
 inline constexpr std::uint32_t preset_count = 8;
-[[nodiscard]] Preset preset(std::uint32_t number); // number < preset_count
+[[nodiscard]] Preset preset(std::uint32_t number) noexcept; // number < preset_count
 [[nodiscard]] const char* preset_name(std::uint32_t number) noexcept;
 
 } // namespace hrbfnpr::frame

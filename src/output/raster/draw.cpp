@@ -1,6 +1,6 @@
 #include "output/raster/draw.h"
 
-#include "frame/scene/tile_bins.h"
+#include "drawing/tiles.h"
 #include "output/raster/layer_raster.h"
 #include "output/raster/pixels.h"
 #include "output/raster/rects.h"
@@ -13,7 +13,7 @@ namespace hrbfnpr::output {
 namespace {
 
 using frame::Disc;
-using frame::TileBins;
+using drawing::Tiles;
 
 constexpr std::int32_t tile_size = 32; // a tile of float RGBA fits the first-level cache
 
@@ -36,7 +36,7 @@ struct Raster::Impl {
     explicit Impl(const base::Runtime& host) : runtime(host), bins(host.memory, tile_size), by_layers(host) {}
 
     const base::Runtime& runtime;
-    TileBins bins;
+    drawing::Tiles bins;
     LayerRaster by_layers;
 };
 
@@ -45,7 +45,7 @@ namespace {
 // Everything that a tile's task reads.
 class Painter {
 public:
-    Painter(const TileBins& bins, const frame::Frame& frame, const Image& image, const DrawSettings& settings,
+    Painter(const drawing::Tiles& bins, const frame::Frame& frame, const Image& image, const DrawSettings& settings,
             const Rect& rect) noexcept
         : bins_(bins), discs_(frame.discs()), convention_(frame.camera().depth),
           paper_(in_light(premultiplied(frame.paper()), settings)), image_(image), settings_(settings), rect_(rect),
@@ -140,7 +140,7 @@ private:
         }
     }
 
-    const TileBins& bins_;
+    const drawing::Tiles& bins_;
     std::span<const Disc> discs_;
     frame::DepthConvention convention_;
     glm::vec4 paper_; // premultiplied
@@ -166,7 +166,7 @@ void Raster::draw(const frame::Frame& frame, const Image& image, const DrawSetti
     const std::span<const Disc> discs = frame.discs();
     const std::array all = {frame::Piece{0, static_cast<std::int64_t>(discs.size())}};
     impl_->bins.build(parallel, rect.right - rect.left, rect.bottom - rect.top, all,
-                      [&](std::int64_t i, TileBins::Footprint& print) {
+                      [&](std::int64_t i, drawing::Tiles::Footprint& print) {
                           const Disc& disc = discs[static_cast<std::size_t>(i)];
                           print = {disc.x - static_cast<float>(rect.left), disc.y - static_cast<float>(rect.top),
                                    std::max(disc.radius, frame::smallest_radius) + 0.5F};

@@ -32,7 +32,7 @@ public:
           simple_(layers.one_color() && !settings.over && !settings.linear_light) {}
 
     void operator()(std::int64_t tile) const {
-        const frame::TileBins& bins = layers_.ink_bins();
+        const drawing::Tiles& bins = layers_.ink_bins();
         const glm::ivec2 first = layers_.first_pixel() + glm::ivec2(static_cast<int>(tile % bins.columns()) * side,
                                                                     static_cast<int>(tile / bins.columns()) * side);
         const Rect rect = {std::max(first.x, drawn_.left), std::max(first.y, drawn_.top),
@@ -227,7 +227,7 @@ void LayerRaster::draw(const frame::Frame& frame, const Image& image, const Draw
         for (const float value : {light.x, light.y, light.z, ink.w}) colors_.push_back(value);
     }
     const std::int64_t lanes = std::max(1, runtime_.parallel.threads());
-    frame::resize_scratch(planes_, lanes * planes * plane);
+    base::resize_scratch(planes_, lanes * planes * plane);
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(lanes, [&](std::int64_t lane) {
         const Painter paint(frame, layers, image, settings, loops_, planes_.data() + lane * planes * plane,

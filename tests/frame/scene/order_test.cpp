@@ -1,7 +1,7 @@
 // Orders by depth, and tiles.
 #include "base/random.h"
-#include "frame/scene/order.h"
-#include "frame/scene/tile_bins.h"
+#include "drawing/far_to_near.h"
+#include "drawing/tiles.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace hrbfnpr::testing {
 namespace {
 
 using frame::FarToNear;
-using frame::TileBins;
+using drawing::Tiles;
 
 TEST(FarFirstKey, RisesAsDepthFalls) {
     const float depths[] = {
@@ -46,8 +46,8 @@ TEST(FarToNearSort, IsAStableSort) {
     }
 }
 
-std::vector<TileBins::Footprint> random_discs(std::int64_t count) {
-    std::vector<TileBins::Footprint> discs;
+std::vector<drawing::Tiles::Footprint> random_discs(std::int64_t count) {
+    std::vector<drawing::Tiles::Footprint> discs;
     for (std::int64_t i = 0; i < count; ++i) {
         const auto u = base::uniform4(5, static_cast<std::uint64_t>(i), base::Purpose::candidate);
         const double radius = i % 50 == 0 ? 400.0 * u[2] : 20.0 * u[2]; // some over very many tiles
@@ -57,11 +57,11 @@ std::vector<TileBins::Footprint> random_discs(std::int64_t count) {
     return discs;
 }
 
-TEST(TileBins, HoldEveryDiscThatTouchesATileInOrder) {
+TEST(drawing::Tiles, HoldEveryDiscThatTouchesATileInOrder) {
     base::Memory memory;
     const std::int32_t width = 1000;
     const std::int32_t height = 700;
-    const std::vector<TileBins::Footprint> discs = random_discs(20000);
+    const std::vector<drawing::Tiles::Footprint> discs = random_discs(20000);
     // Pieces with gaps, and empty ones.
     const std::array<frame::Piece, 5> pieces{{{0, 0}, {10, 9000}, {9000, 9000}, {9001, 19000}, {19990, 20000}}};
     const auto taken = [&](std::size_t i) {
@@ -70,9 +70,9 @@ TEST(TileBins, HoldEveryDiscThatTouchesATileInOrder) {
                                          [&](const frame::Piece& p) { return p.begin <= at && at < p.end; });
     };
     for (const int threads : {1, 2, 7}) {
-        TileBins bins(memory, 32);
+        drawing::Tiles bins(memory, 32);
         bins.build(base::Parallel(threads, nullptr, nullptr), width, height, pieces,
-                   [&](std::int64_t i, TileBins::Footprint& print) {
+                   [&](std::int64_t i, drawing::Tiles::Footprint& print) {
                        print = discs[static_cast<std::size_t>(i)];
                        return i % 3 != 0;
                    });
@@ -84,7 +84,7 @@ TEST(TileBins, HoldEveryDiscThatTouchesATileInOrder) {
             const auto tile_side = static_cast<float>(bins.tile_size());
             std::vector<std::uint32_t> expected;
             for (std::size_t i = 0; i < discs.size(); ++i) {
-                const TileBins::Footprint& d = discs[i];
+                const drawing::Tiles::Footprint& d = discs[i];
                 if (taken(i) && d.x + d.radius >= left && d.x - d.radius < left + tile_side && d.y + d.radius >= top &&
                     d.y - d.radius < top + tile_side)
                     expected.push_back(static_cast<std::uint32_t>(i));
@@ -96,11 +96,11 @@ TEST(TileBins, HoldEveryDiscThatTouchesATileInOrder) {
     }
 }
 
-TEST(TileBins, BearStrangeFootprints) {
+TEST(drawing::Tiles, BearStrangeFootprints) {
     base::Memory memory;
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    const TileBins::Footprint discs[] = {{nan, 1, 1},
+    const drawing::Tiles::Footprint discs[] = {{nan, 1, 1},
                                          {1, nan, 1},
                                          {1, 1, nan},
                                          {1, 1, -1},
@@ -111,9 +111,9 @@ TEST(TileBins, BearStrangeFootprints) {
                                          {1, 1, 1e30F},
                                          {infinity, 1, 1},
                                          {infinity, 1, infinity}};
-    TileBins bins(memory, 32);
+    drawing::Tiles bins(memory, 32);
     const std::array pieces{frame::Piece{0, std::size(discs)}};
-    bins.build(base::Parallel(), 64, 32, pieces, [&](std::int64_t i, TileBins::Footprint& print) {
+    bins.build(base::Parallel(), 64, 32, pieces, [&](std::int64_t i, drawing::Tiles::Footprint& print) {
         print = discs[i];
         return true;
     });

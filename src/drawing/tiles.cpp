@@ -1,10 +1,10 @@
-#include "frame/scene/tile_bins.h"
+#include "drawing/tiles.h"
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::drawing {
 
-void TileBins::number(std::span<const Piece> pieces) {
-    resize_scratch(pieces_, static_cast<std::int64_t>(pieces.size()));
-    resize_scratch(starts_, static_cast<std::int64_t>(pieces.size()) + 1);
+void Tiles::number(std::span<const Piece> pieces) {
+    base::resize_scratch(pieces_, static_cast<std::int64_t>(pieces.size()));
+    base::resize_scratch(starts_, static_cast<std::int64_t>(pieces.size()) + 1);
     total_ = 0;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         pieces_[static_cast<std::int64_t>(p)] = pieces[p];
@@ -14,10 +14,10 @@ void TileBins::number(std::span<const Piece> pieces) {
     starts_[pieces_.size()] = total_;
 }
 
-void TileBins::distribute(const base::Parallel& parallel) {
+void Tiles::distribute(const base::Parallel& parallel) {
     // From counts to the place of each part's first entry, relative to its tile's.
     const std::int64_t parts = (total_ + grain_ - 1) / grain_;
-    resize_scratch(offsets_, tiles() + 1);
+    base::resize_scratch(offsets_, tiles() + 1);
     std::int64_t total = 0;
     for (std::int64_t tile = 0; tile < tiles(); ++tile) {
         offsets_[tile] = total;
@@ -28,7 +28,7 @@ void TileBins::distribute(const base::Parallel& parallel) {
         }
     }
     offsets_[tiles()] = total;
-    resize_scratch(entries_, total);
+    base::resize_scratch(entries_, total);
     parallel.for_chunks(total_, grain_, [&](std::int64_t begin, std::int64_t end) {
         std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
         for_each_disc(begin, end, [&](std::int64_t number, std::int64_t disc) {
@@ -39,11 +39,11 @@ void TileBins::distribute(const base::Parallel& parallel) {
     });
 }
 
-void TileBins::list_large() {
+void Tiles::list_large() {
     for_each_disc(0, total_, [&](std::int64_t number, std::int64_t disc) {
         if (rects_[number].tiles() > most_tiles_of_one)
             large_.push_back({static_cast<std::uint32_t>(disc), rects_[number]});
     });
 }
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::drawing

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::drawing {
 
 // A 64-bit key: depth in the upper half, ascending from far to near; what it stands for in the lower.
 [[nodiscard]] inline std::uint64_t far_first_key(float depth, std::uint32_t what) noexcept {
@@ -32,4 +32,4 @@ private:
     base::Array<std::int64_t> histogram_; // chunk by chunk, for each digit
 };
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::drawing

@@ -1,10 +1,10 @@
-#include "frame/scene/order.h"
+#include "drawing/far_to_near.h"
 
-#include "frame/scene/scratch.h"
+#include "base/scratch.h"
 
 #include <utility>
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::drawing {
 namespace {
 
 constexpr std::int64_t grain = 16384;
@@ -18,7 +18,7 @@ constexpr std::int64_t digits = std::int64_t{1} << digit_bits;
 } // namespace
 
 void FarToNear::sort(const base::Parallel& parallel, base::Array<std::uint64_t>& keys) {
-    resize_scratch(other_, keys.size());
+    base::resize_scratch(other_, keys.size());
     for (unsigned shift = 32; shift < 64; shift += digit_bits) {
         if (pass(parallel, keys, other_, shift)) std::swap(keys, other_);
     }
@@ -29,7 +29,7 @@ bool FarToNear::pass(const base::Parallel& parallel, const base::Array<std::uint
                      base::Array<std::uint64_t>& to, unsigned shift) {
     const std::int64_t count = from.size();
     const std::int64_t chunks = (count + grain - 1) / grain;
-    resize_scratch(histogram_, chunks * digits);
+    base::resize_scratch(histogram_, chunks * digits);
     parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
         std::int64_t* const own = histogram_.data() + begin / grain * digits;
         std::fill(own, own + digits, std::int64_t{0});
@@ -49,4 +49,4 @@ bool FarToNear::pass(const base::Parallel& parallel, const base::Array<std::uint
     return true;
 }
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::drawing

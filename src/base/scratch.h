@@ -1,9 +1,9 @@
-// Arrays that are kept from frame to frame.
+// Arrays that are kept from call to call.
 #pragma once
 
 #include "base/memory.h"
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::base {
 
 // Resizes to `count` elements whose values do not matter.  Grows by a quarter more than asked, so
 // that a moving camera soon allocates nothing.
@@ -16,4 +16,4 @@ void resize_scratch(base::Array<T>& array, std::int64_t count) {
     array.resize(count);
 }
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::base

@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "frame/scene/scratch.h"
+#include "base/scratch.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,23 +13,26 @@
 #include <limits>
 #include <span>
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::drawing {
 
 // Consecutive elements of an array that has gaps.
 struct Piece {
     std::int64_t begin = 0, end = 0;
 };
 
+// The side of a tile, pixels.
+inline constexpr std::int32_t tile_size = 64;
+
 // The same bins for any thread count: counted and filled in parts of the discs.  Discs over
 // very many tiles stand in one list that every tile looks through, so that memory is bounded.
-class TileBins {
+class Tiles {
 public:
     // A round footprint in pixels of the binned picture.
     struct Footprint {
         float x, y, radius;
     };
 
-    TileBins(base::Memory& memory, std::int32_t tile_size) noexcept
+    Tiles(base::Memory& memory, std::int32_t tile_size) noexcept
         : tile_size_(tile_size), rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory),
           pieces_(memory), starts_(memory) {}
 
@@ -41,11 +44,11 @@ public:
         columns_ = (width + tile_size_ - 1) / tile_size_;
         rows_ = (height + tile_size_ - 1) / tile_size_;
         number(pieces);
-        resize_scratch(rects_, total_);
+        base::resize_scratch(rects_, total_);
         // At most 16 parts: each keeps a count for each tile.
         grain_ = std::max(least_grain, (total_ + 15) / 16);
         const std::int64_t parts = (total_ + grain_ - 1) / grain_;
-        resize_scratch(counts_, parts * tiles());
+        base::resize_scratch(counts_, parts * tiles());
         std::atomic<bool> any_large{false};
         parallel.for_chunks(total_, grain_, [&](std::int64_t begin, std::int64_t end) {
             std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
@@ -197,4 +200,4 @@ private:
     base::Array<std::int64_t> starts_; // number of each piece's first disc, and the end
 };
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::drawing

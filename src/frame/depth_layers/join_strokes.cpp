@@ -1,0 +1,99 @@
+#include "frame/depth_layers/join_strokes.h"
+
+#include "base/scratch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::frame {
+
+using drawing::Stroke;
+using drawing::StrokePoint;
+
+void StrokeJoiner::run(const Scene& scene, drawing::Drawing& drawing) {
+    found_.clear();
+    std::int64_t marks = 0;
+    for (const Run& run : scene.runs)
+        if (run.as_strokes) marks += run.count;
+    if (marks == 0) return;
+    base::resize_scratch(dot_of_, marks);
+    std::fill(dot_of_.begin(), dot_of_.end(), -1);
+    for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
+        const Run& run = scene.runs[r];
+        if (!run.as_strokes) continue;
+        note_dots(run, static_cast<std::uint32_t>(2 * r), drawing);
+        find_lines(run, static_cast<std::int32_t>(r), drawing);
+    }
+    keys_.clear();
+    for (std::int64_t i = 0; i < found_.size(); ++i)
+        keys_.push_back(drawing::far_first_key(found_[i].depth, static_cast<std::uint32_t>(i)));
+    order_.sort(runtime_.parallel, keys_);
+    for (const std::uint64_t key : keys_) put(scene, found_[static_cast<std::uint32_t>(key)], drawing);
+    bin(drawing);
+}
+
+void StrokeJoiner::note_dots(const Run& run, std::uint32_t layer, const drawing::Drawing& drawing) {
+    for (const Piece& piece : drawing.dot_pieces) {
+        if (piece.begin < run.first_place || piece.begin >= run.first_place + run.places()) continue;
+        for (std::int64_t i = piece.begin; i < piece.end; ++i) {
+            const Dot& dot = drawing.dots[i];
+            if (dot.layer == layer && dot.opacity > 0.0F) dot_of_[run.first_joined + (dot.id - run.first_id)] = i;
+        }
+    }
+}
+
+void StrokeJoiner::find_lines(const Run& run, std::int32_t number, const drawing::Drawing& drawing) {
+    const marks::Layer& layer = *run.marks;
+    const auto shown = [&](std::int64_t at) { return dot_of_[run.first_joined + layer.mark_of(at)]; };
+    for (std::int64_t s = 0; s < layer.strokes(); ++s) {
+        const std::int64_t end = layer.stroke_first[s + 1];
+        std::int64_t stop = 0;
+        for (std::int64_t i = layer.stroke_first[s]; i < end; i = std::max(stop, i + 1)) {
+            stop = i;
+            while (stop < end && shown(stop) >= 0) ++stop;
+            if (stop - i > 1) found_.push_back({number, drawing.dots[shown((i + stop) / 2)].depth, i, stop});
+        }
+    }
+}
+
+void StrokeJoiner::put(const Scene& scene, const Found& line, drawing::Drawing& drawing) {
+    const Run& run = scene.runs[line.run];
+    Stroke stroke;
+    stroke.first = drawing.points.size();
+    stroke.count = static_cast<std::int32_t>(line.end - line.begin);
+    stroke.layer = 2U * static_cast<std::uint32_t>(line.run);
+    stroke.depth = line.depth;
+    float length = 0.0F;
+    for (std::int64_t i = line.begin; i < line.end; ++i) {
+        Dot& dot = drawing.dots[dot_of_[run.first_joined + run.marks->mark_of(i)]];
+        if (i > line.begin) {
+            const StrokePoint& last = drawing.points.back();
+            length += std::hypot(dot.x - last.x, dot.y - last.y);
+        }
+        drawing.points.push_back({dot.x, dot.y, dot.radius, dot.opacity, dot.depth, dot.window, length, dot.id});
+        dot.opacity = 0.0F;
+        --drawing.dot_count;
+    }
+    drawing.strokes.push_back(stroke);
+}
+
+// By segments: a segment's number is that of its first point.
+void StrokeJoiner::bin(drawing::Drawing& drawing) {
+    const drawing::Tiles& like = drawing.dot_tiles;
+    const std::array all = {Piece{0, drawing.points.size()}};
+    const glm::vec2 origin(drawing.first_pixel);
+    drawing.segment_tiles.build(runtime_.parallel, like.columns() * drawing::tile_size,
+                                like.rows() * drawing::tile_size, all,
+                                [&](std::int64_t i, drawing::Tiles::Footprint& print) {
+                                    if (i + 1 >= drawing.points.size()) return false;
+                                    const StrokePoint& a = drawing.points[i];
+                                    const StrokePoint& b = drawing.points[i + 1];
+                                    if (!(b.length > 0.0F)) return false; // the next stroke begins
+                                    const float reach = 0.5F * std::hypot(b.x - a.x, b.y - a.y);
+                                    print = {0.5F * (a.x + b.x) - origin.x, 0.5F * (a.y + b.y) - origin.y,
+                                             reach + std::max({a.radius, b.radius, smallest_radius}) + soft_rim};
+                                    return true;
+                                });
+}
+
+} // namespace hrbfnpr::frame

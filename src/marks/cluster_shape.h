@@ -1,0 +1,86 @@
+// What a cluster is known to be: where its marks lie, how they face, how the surface bends there.
+#pragma once
+
+#include "geometry/vec.h"
+#include "marks/mark_clusters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace hrbfnpr::marks {
+
+// How the normals turn along the surface, dn/dp; bend < 0: not known.
+struct Turn {
+    glm::dmat3 shape{0.0};
+    double bend = -1.0;
+};
+
+// Fewer marks do not tell it.
+inline constexpr std::int64_t fewest_to_fit = 12;
+
+// Sums over marks that the turn of their normals follows from.
+class TurnFit {
+public:
+    TurnFit(const glm::dvec3& middle, const glm::dvec3& normal) noexcept : middle_(middle), normal_(normal) {}
+
+    void add(const glm::dvec3& place, const glm::dvec3& normal) noexcept {
+        const glm::dvec3 p = place - middle_;
+        const glm::dvec3 n = normal - normal_;
+        spread_ += glm::outerProduct(p, p);
+        mixed_ += glm::outerProduct(n, p);
+    }
+    // The linear map that takes the marks' offsets from their mean to the normals', in the sense of least squares.
+    [[nodiscard]] Turn turn() const noexcept;
+
+private:
+    glm::dvec3 middle_, normal_; // means
+    glm::dmat3 spread_{0.0}, mixed_{0.0};
+};
+
+// place(i), normal(i) of marks begin .. end - 1.
+template <class Place, class Normal>
+[[nodiscard]] Turn fit_turn(std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
+    glm::dvec3 middle(0.0);
+    glm::dvec3 mean(0.0);
+    for (std::int64_t i = begin; i < end; ++i) {
+        middle += place(i);
+        mean += normal(i);
+    }
+    const auto count = static_cast<double>(end - begin);
+    TurnFit fit(middle / count, mean / count);
+    for (std::int64_t i = begin; i < end; ++i) fit.add(place(i), normal(i));
+    return fit.turn();
+}
+
+void set_turn(Cluster& cluster, const Turn& turn) noexcept;
+
+// Ball and cone around marks begin .. end - 1; both are a little larger than the truth, so that floats hold them.
+template <class Place, class Normal>
+void set_extent(Cluster& cluster, std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
+    geometry::Bounds bounds;
+    glm::dvec3 sum(0.0);
+    for (std::int64_t i = begin; i < end; ++i) {
+        bounds.extend(place(i));
+        sum += normal(i);
+    }
+    const glm::dvec3 centre = bounds.centre();
+    const glm::dvec3 axis = glm::normalize(sum);
+    double radius = 0.0;
+    double cosine = 1.0;
+    for (std::int64_t i = begin; i < end; ++i) {
+        radius = std::max(radius, glm::length(place(i) - centre));
+        cosine = std::min(cosine, glm::dot(axis, normal(i)));
+    }
+    for (int k = 0; k < 3; ++k) {
+        cluster.centre[static_cast<std::size_t>(k)] = static_cast<float>(centre[k]);
+        cluster.axis[static_cast<std::size_t>(k)] = static_cast<float>(axis[k]);
+    }
+    cluster.radius = static_cast<float>(radius * 1.00001);
+    const double cone = std::acos(std::clamp(cosine, -1.0, 1.0)) + 1e-3;
+    cluster.cone_cosine = static_cast<float>(std::cos(cone));
+    cluster.cone_sine = static_cast<float>(std::sin(cone));
+}
+
+} // namespace hrbfnpr::marks
