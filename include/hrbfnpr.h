@@ -46,13 +46,18 @@
  *   with the same status; `_init` of NULL is INVALID_ARGUMENT.
  *   Fields named `reserved` must be zero.
  *
+ * Lists.  A list of structs is a pointer, a count and a stride: bytes from one
+ *   element to the next, 0 = the first one's struct_size.  Each element is a
+ *   descriptor with a struct_size of its own.  Lists have no largest length
+ *   but the one that a message names.
+ *
  * Failure.  Calls that can fail return a status and take, last, a nullable
  *   hrbfnpr_error.  A failed call leaves caller's arrays and output structs
  *   untouched, sets `*out_handle` to NULL, and says in the message which
  *   argument was wrong, how, and what would be right.  No C++ exception, no
  *   abort and no signal leaves the library; it prints nothing.  One
  *   exception is stated: a CANCELLED or failed batch call (evaluate, project,
- *   curvature, cast_rays, contains) may already have written a part of its output arrays.
+ *   curvature, cast_rays, contains) may already have written a part of its arrays.
  *
  * Arrays.  Strides are in bytes and may be negative or larger than the
  *   element; 0 means packed.  Elements need no alignment beyond one byte.
@@ -119,7 +124,7 @@ enum {
     HRBFNPR_VERSION_MAJOR = 0,
     HRBFNPR_VERSION_MINOR = 1,
     HRBFNPR_VERSION_PATCH = 0,
-    HRBFNPR_ABI_VERSION = 0
+    HRBFNPR_ABI_VERSION = 1
 };
 
 /* The library's version as major * 10000 + minor * 100 + patch. */
@@ -213,12 +218,16 @@ typedef struct hrbfnpr_array_out {
     uint32_t components;
 } hrbfnpr_array_out;
 
-/* Byte order in memory; 8 bits a channel.  PREMULTIPLIED: colour times alpha. */
+/* Channels in the order of memory, 8 bits each, or floats.  PREMULTIPLIED:
+ * colour times alpha.  Colours are sRGB-encoded. */
 enum {
     HRBFNPR_FORMAT_RGBA8 = 1,
     HRBFNPR_FORMAT_BGRA8 = 2,
     HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED = 3,
-    HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4
+    HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4,
+    HRBFNPR_FORMAT_RGBA32F = 5,               /* FLOAT32 in [0,1], aligned to 4 bytes */
+    HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED = 6,
+    HRBFNPR_FORMAT_COVERAGE8 = 7              /* one byte: how much of the pixel ink covers, whatever its colour */
 };
 
 /* An image of the caller's.  `pixels` is the top-left pixel, whatever the sign
@@ -229,7 +238,7 @@ typedef struct hrbfnpr_image {
     int32_t width;   /* pixels, 1 .. 32768 */
     int32_t height;
     void* pixels;
-    int64_t row_stride; /* bytes from a row to the one below; 0 = packed; |row_stride| >= 4 * width */
+    int64_t row_stride; /* bytes from a row to the one below; 0 = packed; |row_stride| >= a row's bytes */
 } hrbfnpr_image;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_image_init(hrbfnpr_image* image, uint32_t struct_size);
@@ -290,13 +299,15 @@ typedef struct hrbfnpr_context_desc {
     uint32_t abi_version;  /* _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
     int32_t thread_count;  /* 0 = all processors (default), 1 = serial; at most 256 are used */
     uint32_t flags;        /* must be 0 */
-    uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
     uint32_t thread_backend;          /* HRBFNPR_THREAD_BACKEND_...; AUTO */
+    uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
     hrbfnpr_allocate_fn allocate;     /* both or none; none = aligned operator new */
     hrbfnpr_deallocate_fn deallocate;
     void* allocator_user;
     hrbfnpr_log_fn log; /* may be NULL */
     void* log_user;
+    int32_t log_level;  /* HRBFNPR_LOG_...: less than this is not reported; DEBUG */
+    uint32_t reserved;
     hrbfnpr_run_tasks_fn run_tasks; /* may be NULL; only with thread_backend AUTO or RUN_TASKS */
     void* run_tasks_user;
 } hrbfnpr_context_desc;
@@ -344,7 +355,8 @@ typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
 HRBFNPR_API hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context,
                                                     hrbfnpr_operation** out_operation,
                                                     hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation);
+HRBFNPR_API void hrbfnpr_operation_retain(hrbfnpr_operation* operation);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation); /* any thread; NULL is ignored */
 /* Any thread, any time, more than once; NULL is ignored. */
 HRBFNPR_API void hrbfnpr_operation_cancel(hrbfnpr_operation* operation);
 /* 1 after a cancel, else 0.  Any thread. */
@@ -460,24 +472,22 @@ typedef struct hrbfnpr_fit_desc {
     double kernel_radius;    /* sigma or rho, in units of the points; 0 = from the sample spacing */
     int32_t polynomial_degree; /* -1 (none) .. 3; 1.  TRIHARMONIC is well-posed from 1 on
                                   (Duchon 1977); below that a pivoted LU is tried. */
-    uint32_t solver;         /* HRBFNPR_SOLVER_...; AUTO */
+    uint32_t regularization_mode; /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
     double regularization;   /* >= 0; 0 interpolates.  Added to the diagonal of the system in
                                 coordinates whose diagonal is 1: larger is smoother */
+    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
+    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
     double tolerance;        /* > 0: samples are chosen as centres until all lie this near to the
                                 surface, in units of the points; 0: no such end */
     int64_t maximum_centres; /* > 0: no more samples than this are chosen as centres; 0: no limit.
                                 With tolerance 0, too, every sample is a centre */
-    int32_t iteration_limit; /* steps of iterative refinement after a direct solve; 2 */
-    uint32_t reserved;
-    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
-    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
-    uint32_t regularization_mode;       /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
+    uint32_t solver;          /* HRBFNPR_SOLVER_...; AUTO */
+    int32_t refinement_steps; /* of iterative refinement after a DIRECT solve, 0 .. 20; 2 */
+    double solver_tolerance;  /* relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and
+                                 fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
+    int32_t iteration_limit;  /* most iterations of ITERATIVE; 200 */
     uint32_t preconditioner_neighbours; /* of ITERATIVE, 1 .. 48: more are fewer iterations and more setup;
                                            0 = 16 to 32 as samples are many (GAUSSIAN 40) */
-    double solver_tolerance;   /* relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and
-                                  fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
-    int32_t solver_iterations; /* most iterations of ITERATIVE; 0 = 200 */
-    uint32_t reserved2;
 } hrbfnpr_fit_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
@@ -621,14 +631,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, co
 
 enum {
     HRBFNPR_PROJECTION_CONVERGED = 0,
-    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* iteration limit, or no step lowers f^2 */
+    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* evaluation limit, or no step lowers f^2 */
     HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, /* stuck at a critical point off the surface */
     HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient was not finite, or the latter above 1e150 */
 };
 
 typedef struct hrbfnpr_project_desc {
     uint32_t struct_size;
-    int32_t iteration_limit; /* evaluations per point, 1 .. 1000; 50 */
+    int32_t evaluation_limit; /* of f at each point, 1 .. 1000; 50 */
     double tolerance;        /* stop when |f| / |grad f| <= tolerance * diagonal; 1e-9 */
     double armijo_slope;     /* sigma in (0, 0.5); 1e-4 */
     double armijo_factor;    /* beta in (0, 1); 0.5 */
@@ -636,46 +646,63 @@ typedef struct hrbfnpr_project_desc {
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size);
 
+/* Where _project puts its results: arrays of the caller's, each of n elements,
+ * or not given (all zero). */
+typedef struct hrbfnpr_projection {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out position; /* n x 3, FLOAT32 or FLOAT64; may be the points themselves */
+    hrbfnpr_array_out normal;   /* n x 3, FLOAT32 or FLOAT64: the unit gradient */
+    hrbfnpr_array_out status;   /* n x 1, UINT8 or UINT32: HRBFNPR_PROJECTION_... */
+    int64_t converged;          /* written: how many points converged */
+} hrbfnpr_projection;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_projection_init(hrbfnpr_projection* projection, uint32_t struct_size);
+
 /* Projects n points on the surface by steepest descent on f^2 with Armijo's
  * rule, first step f^2's Newton step along the gradient [NPAR 4.2].
- * desc may be NULL.  position and normal (the unit gradient): n x 3, FLOAT32
- * or FLOAT64, or NULL; status: n x 1, UINT8 or UINT32 (HRBFNPR_PROJECTION_...),
- * or NULL; converged (nullable) gets the number that converged.
- * A point that fails keeps its last iterate.  position may be points itself. */
+ * points: n x 3, FLOAT32 or FLOAT64.  desc may be NULL.
+ * A point that fails keeps its last iterate. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                                 const hrbfnpr_project_desc* desc,
-                                                 const hrbfnpr_array_out* position,
-                                                 const hrbfnpr_array_out* normal,
-                                                 const hrbfnpr_array_out* status, int64_t* converged,
+                                                 const hrbfnpr_project_desc* desc, hrbfnpr_projection* projection,
                                                  hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+/* Where _curvature puts its results: arrays of the caller's, each of n
+ * elements, FLOAT32 or FLOAT64, or not given (all zero). */
+typedef struct hrbfnpr_curvature {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out k1; /* n x 1: the larger principal curvature */
+    hrbfnpr_array_out k2; /* n x 1 */
+    hrbfnpr_array_out d1; /* n x 3: their directions, unit, orthogonal, tangent, of arbitrary sign */
+    hrbfnpr_array_out d2;
+    hrbfnpr_array_out confidence; /* n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), in [0,1] */
+} hrbfnpr_curvature;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t struct_size);
 
 /* Principal curvatures and directions of the level set through each of n
  * points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
  * G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
  * from its normal (a sphere with outward normals) has negative curvature,
- * -1/radius.  d1, d2: unit, orthogonal, tangent, of arbitrary sign.
- * confidence = (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal) clamped to [0,1]:
- * 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
- * k1, k2, confidence: n x 1; d1, d2: n x 3; FLOAT32 or FLOAT64; each or NULL.
- * Where the gradient vanishes all of them are 0. */
+ * -1/radius.  The confidence is 0 at umbilics and on planes, where d1 and d2
+ * fall back to a smooth field.  Where the gradient vanishes all are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                                   const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2,
-                                                   const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
-                                                   const hrbfnpr_array_out* confidence,
-                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
+                                                   hrbfnpr_curvature* curvature, hrbfnpr_operation* operation,
+                                                   hrbfnpr_error* error);
 
 enum {
     HRBFNPR_RAY_HIT = 0,             /* one hit or more */
     HRBFNPR_RAY_MISS = 1,            /* none */
     HRBFNPR_RAY_TRUNCATED = 2,       /* maximum_hits of 2 or more, and there is a further one */
-    HRBFNPR_RAY_ITERATION_LIMIT = 3, /* given up on; what was found before is kept */
+    HRBFNPR_RAY_EVALUATION_LIMIT = 3, /* given up on; what was found before is kept */
     HRBFNPR_RAY_NOT_FINITE = 4       /* f or its gradient was not finite; what was found before is kept */
 };
 
 typedef struct hrbfnpr_cast_desc {
     uint32_t struct_size;
     int32_t maximum_hits;    /* to find on a ray, 1 .. 256; 1: the first */
-    int32_t iteration_limit; /* evaluations per ray, 1 .. 1000000; 20000 */
+    int32_t evaluation_limit; /* of f on each ray, 1 .. 1000000; 20000 */
     uint32_t reserved;
     double t_min;            /* where a ray begins and ends, in lengths of its direction: t_min finite, 0 */
     double t_max;            /* not below t_min; infinity */
@@ -685,6 +712,24 @@ typedef struct hrbfnpr_cast_desc {
 } hrbfnpr_cast_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
+
+/* Where _cast_rays puts its results: arrays of the caller's, each of n
+ * elements, or not given (all zero).  h = maximum_hits; of each ray its hits
+ * in order. */
+typedef struct hrbfnpr_ray_hits {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out count;    /* n x 1, UINT32: how many were found, 0 .. h */
+    hrbfnpr_array_out t;        /* n x h, FLOAT32 or FLOAT64; infinity after the last */
+    hrbfnpr_array_out position; /* n x 3h, FLOAT32 or FLOAT64: x y z of the first hit, then of the second ...; 0
+                                   after the last.  From far origins it is more exact than t, which is rounded */
+    hrbfnpr_array_out normal;   /* n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last */
+    hrbfnpr_array_out entering; /* n x h, UINT8: 1 where f goes from + to - along the ray, else 0 */
+    hrbfnpr_array_out status;   /* n x 1, UINT8 or UINT32: HRBFNPR_RAY_... */
+    int64_t hit_rays;           /* written: how many rays have a hit */
+} hrbfnpr_ray_hits;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_t struct_size);
 
 /* Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
  * steps that it cannot lie within [Hart 1996, "Sphere tracing"].
@@ -704,26 +749,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint3
  * origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
  *            length but zero, and not so short that the t of a hit is infinite.
  *            Rays may start inside.
- * With h = maximum_hits, for each ray its hits in order; each array or NULL:
- * hits:      n x 1, UINT32: how many were found, 0 .. h.
- * t:         n x h; infinity after the last.
- * position, normal (the unit gradient): n x 3h, x y z of the first hit, then of
- *            the second ...; 0 after the last.  t, position and normal FLOAT32
- *            or FLOAT64.  From far origins position is the exacter one: t is
- *            rounded.
- * entering:  n x h, UINT8: 1 where f goes from + to - along the ray, else 0.
- * status:    n x 1, UINT8 or UINT32 (HRBFNPR_RAY_...).
- * hit_rays (nullable) gets the number of rays with a hit.
  * desc may be NULL.  A ray that starts on the surface may or may not meet it
  * there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
  * numbers of directions and origins that differ, and fields out of their range
  * are INVALID_ARGUMENT. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(
-    const hrbfnpr_model* model, const hrbfnpr_array* origins, const hrbfnpr_array* directions,
-    const hrbfnpr_cast_desc* desc, const hrbfnpr_array_out* hits, const hrbfnpr_array_out* t,
-    const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal, const hrbfnpr_array_out* entering,
-    const hrbfnpr_array_out* status, int64_t* hit_rays, hrbfnpr_operation* operation,
-    hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
+                                                   const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc,
+                                                   hrbfnpr_ray_hits* hits, hrbfnpr_operation* operation,
+                                                   hrbfnpr_error* error);
 
 /* The bound that _cast_rays takes where none is given: the largest |grad f| at
  * 24^3 points of the search box, times 1.5.  An estimate, and no proof.  A
@@ -760,18 +793,25 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, c
 
 /*
  * ==========================================================================
- * 7  POINT SET: marks on a surface, immutable            [NPAR 4.2, 5]
+ * 7  POINT SET: layers of marks on a surface, immutable   [NPAR 4.2, 5]
  * ==========================================================================
+ *
+ * A point set is a list of layers.  A layer is a list of marks of one kind,
+ * made in one way and drawn in one style; its number is its place in the
+ * list, from 0.  The marks of some layers form strokes.
  */
 
 typedef struct hrbfnpr_point_set hrbfnpr_point_set;
 
-/* The three groups of marks [NPAR 5]. */
+/* What the marks of a layer are.  More kinds may come: treat one that is not
+ * in this list like OWN. */
 enum {
-    HRBFNPR_GROUP_STIPPLE = 0,   /* scattered marks */
-    HRBFNPR_GROUP_CURVATURE = 1, /* strokes along d1 (set 0) and d2 (set 1) */
-    HRBFNPR_GROUP_COMBING = 2,   /* strokes along Stark's two directions, r (set 0), u (set 1) */
-    HRBFNPR_GROUP_COUNT = 3
+    HRBFNPR_LAYER_KIND_ANY = 0,       /* in styles only: layers of every kind */
+    HRBFNPR_LAYER_KIND_STIPPLES = 1,  /* scattered marks */
+    HRBFNPR_LAYER_KIND_PRINCIPAL = 2, /* strokes along the principal directions, d1 (the first) and d2 (the second) */
+    HRBFNPR_LAYER_KIND_COMBING = 3,   /* strokes along Stark's two directions, r (the first), u (the second) [NPAR 5.3] */
+    HRBFNPR_LAYER_KIND_FIELD = 4,     /* strokes along the caller's field of directions, and across it */
+    HRBFNPR_LAYER_KIND_OWN = 5        /* the caller's marks or strokes */
 };
 
 enum {
@@ -785,20 +825,20 @@ enum {
     HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0,
     /* The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
      * drawn independently at random [NPAR 5, 6.2]. */
-    HRBFNPR_DISTRIBUTION_PAPER = 1
+    HRBFNPR_DISTRIBUTION_PUBLISHED = 1
 };
 
 /* What the strokes of BLUE_NOISE follow: directions as measured where they are
  * sure, and the smoothest field between them where they are not (umbilics, flat
  * parts, borders of the combing field's regions). */
 enum {
-    /* Each set has a field of its own.  The sets are kept apart everywhere, and
+    /* Each direction has a field of its own.  The strokes of both are kept apart everywhere, and
      * where two principal directions change places a stroke turns with its own. */
-    HRBFNPR_STROKE_FIELD_LINE = 0,
+    HRBFNPR_SYMMETRY_LINE = 0,
     /* One field of crosses, which does not tell one direction from the other:
      * strokes go straight on where these change places, and a stroke belongs to
-     * the set that it follows for most of its length. */
-    HRBFNPR_STROKE_FIELD_CROSS = 1
+     * the direction that it follows for most of its length. */
+    HRBFNPR_SYMMETRY_CROSS = 1
 };
 
 enum {
@@ -808,28 +848,10 @@ enum {
     HRBFNPR_SEED_POINTS = 3   /* seed_points, projected */
 };
 
+/* Where the strokes of PUBLISHED start. */
 enum {
-    HRBFNPR_GROUP_SEED_SEEDS = 0,   /* a group starts from the seeds */
-    HRBFNPR_GROUP_SEED_STIPPLES = 1 /* ... from the stipples up to level seed_level */
-};
-
-/* How one group grows. */
-typedef struct hrbfnpr_group_desc {
-    int32_t levels;      /* refinement steps, 0 .. 12; stipples 4, strokes 3.  PAPER only; a stroke
-                            of it has 3^levels marks */
-    uint32_t seeds;      /* HRBFNPR_GROUP_SEED_...; PAPER only, not for STIPPLE */
-    int32_t seed_level;  /* with _STIPPLES: the last stippling level used; 0 */
-    uint32_t reserved;
-    int64_t budget;      /* the most marks, of both sets of strokes together, of BLUE_NOISE at
-                            most 100000000 (some 300 bytes each while they are made); 0 = no limit for
-                            PAPER and for strokes with a stroke_separation, else 40000.  PAPER
-                            thins the level that exceeds it at random and stops there;
-                            BLUE_NOISE leaves out the last strokes of the order */
-} hrbfnpr_group_desc;
-
-enum {
-    HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES = 1, /* fill CURVATURE for stipples too */
-    HRBFNPR_GENERATE_CURVATURE_OF_COMBING = 2   /* ... and for combing marks */
+    HRBFNPR_STROKE_START_SEEDS = 0,   /* from the seeds */
+    HRBFNPR_STROKE_START_STIPPLES = 1 /* from the stipples up to level start_level */
 };
 
 enum {
@@ -848,76 +870,103 @@ enum {
 typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions,
                                       const double* normals, double* density);
 
+/* A field of directions on the surface: fills directions (count x 3) from
+ * absolute positions and unit normals (count x 3 each).  A direction is taken
+ * into the tangent plane, its sign and length count nothing; where there is
+ * none it may be 0, 0, 0, and the strokes follow the smoothest field between
+ * those that there are.  NaN or infinity is CALLBACK.  Called with some
+ * thousand places at a time, on the thread that called _generate.  Non-zero
+ * fails it with CALLBACK. */
+typedef int32_t (*hrbfnpr_direction_fn)(void* user, int64_t count, const double* positions,
+                                        const double* normals, double* directions);
+
 enum {
-    HRBFNPR_ORDER_SEPARATE = 0, /* the ranks of each layer of marks cover all tones */
-    HRBFNPR_ORDER_LAYERED = 1   /* one layer of those that are made after the other, in the order of
-                                   HRBFNPR_LAYER_..., each over an equal part of the tones: cross-hatching
-                                   builds up from light to dark */
+    HRBFNPR_TONE_RANGES_FULL = 0,   /* each layer's ranks cover all tones */
+    HRBFNPR_TONE_RANGES_IN_TURN = 1 /* one after the other in the order of the list, the first direction of a layer
+                                       of strokes before the second, each over an equal part of the tones:
+                                       cross-hatching builds up from light to dark */
 };
 
-/* Layers of marks that hold ranks of their own. */
 enum {
-    HRBFNPR_LAYER_STIPPLE = 0,
-    HRBFNPR_LAYER_CURVATURE_FIRST = 1,
-    HRBFNPR_LAYER_CURVATURE_SECOND = 2,
-    HRBFNPR_LAYER_COMBING_FIRST = 3,
-    HRBFNPR_LAYER_COMBING_SECOND = 4,
-    HRBFNPR_LAYER_COUNT = 5
+    HRBFNPR_LAYER_WITH_CURVATURE = 1 /* fill the attribute CURVATURE; PRINCIPAL always does */
 };
 
-/* The darkness 1 - tau at which the first mark of a layer is shown, and that
- * at which all are: rank u becomes 1 - begin - (1 - u) (end - begin).
- * 0 <= begin < end <= 1, or both 0: as `order` says. */
-typedef struct hrbfnpr_layer {
-    float begin;
-    float end;
-} hrbfnpr_layer;
-
-typedef struct hrbfnpr_generate_desc {
+/* How one layer is made.
+ *
+ * The darkness 1 - tau at which the first mark of the layer is shown is
+ * tone_begin, that at which all are tone_end: rank u becomes 1 - begin -
+ * (1 - u) (end - begin), 0 <= begin < end <= 1.  Both 0: as
+ * hrbfnpr_generate_desc.tone_ranges says. */
+typedef struct hrbfnpr_layer_desc {
     uint32_t struct_size;
-    uint32_t groups;         /* bit (1 << HRBFNPR_GROUP_...) each; 1 (stipples only) */
-    uint32_t distribution;   /* HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
-    uint32_t seed_source;    /* HRBFNPR_SEED_...; AUTO */
-    uint32_t flags;          /* HRBFNPR_GENERATE_...; 0 */
-    uint32_t box_resolution; /* R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
-    double box_jitter;       /* alpha: in cell sides, 0 .. 0.5; 0.25 */
-    double initial_step;     /* rho_0; 0 = voxel diameter for BOX, mean empty-ball diameter of the
-                                seeds for others [NPAR 5.1].  PAPER only */
-    double projection_tolerance; /* as in hrbfnpr_project_desc; 1e-7 */
-    uint64_t random_seed;    /* any number; 1 */
-    hrbfnpr_array seed_points; /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
-    hrbfnpr_group_desc group[3];
-    /* Strokes of BLUE_NOISE, in object units; separation and step 0, or 1e-12 .. 1e9 diagonals (so is
-     * initial_step); ignored for PAPER. */
-    double stroke_separation; /* mean distance of neighbouring strokes of one set; 0 = such that all
-                                 strokes have as many marks as the group's budget */
-    double stroke_step;       /* distance of the marks of a stroke; 0 = a fifth of the separation */
-    double stroke_length;     /* at most; 0 = no limit.  Strokes end where they come nearer to
-                                 another than about two thirds of the separation, leave the surface's
-                                 samples, or meet a singular point of the field; a closed one ends
-                                 at its start */
-    uint32_t stroke_field;    /* HRBFNPR_STROKE_FIELD_...; CROSS */
+    uint32_t kind;       /* HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING or FIELD; STIPPLES */
+    const char* name;    /* UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field" */
+    int64_t budget;      /* the most marks, of both directions together; at most 100000000 for BLUE_NOISE; 40000.
+                            0 = no limit, for PUBLISHED and for strokes with a separation.  PUBLISHED thins the
+                            level that exceeds it at random and stops there; BLUE_NOISE leaves out the last
+                            strokes of the order.  Not used with a shared_budget */
+    float tone_begin;    /* of stipples, and of strokes of the first direction; 0 and 0 */
+    float tone_end;
+    float second_tone_begin; /* of strokes of the second direction; 0 and 0 */
+    float second_tone_end;
+    uint32_t flags;      /* HRBFNPR_LAYER_WITH_...; 0 */
+
     /* Stipples of BLUE_NOISE, which keep their evenness: a mark is left out where its place in the
-     * uniform order, divided by the density, is too high.  Ignored for PAPER. */
+     * uniform order, divided by the density, is too high. */
     uint32_t density;        /* HRBFNPR_DENSITY_...; UNIFORM */
     double density_strength; /* of CURVATURE, 0 .. 1; 0.5 */
     hrbfnpr_density_fn density_function; /* for CALLBACK.  Where its mean is below 1/16 of 1, fewer
                                             marks than the budget are made */
     void* density_user;
-    /* Ranks of all layers, for every distribution. */
-    uint32_t order;          /* HRBFNPR_ORDER_...; SEPARATE */
-    uint32_t reserved2;
-    int64_t shared_budget;   /* the most marks of all groups together: each layer gets its part of the
-                                tones; 0 = each group has its own.  Not with budgets of groups */
-    hrbfnpr_layer layer[5];  /* HRBFNPR_LAYER_...; all 0 */
+
+    /* Strokes of BLUE_NOISE, lengths in object units; separation and step 0, or 1e-12 .. 1e9 diagonals. */
+    double separation;       /* mean distance of neighbouring strokes of one direction; 0 = such that all strokes
+                                together have as many marks as the budget */
+    double step;             /* distance of the marks of a stroke; 0 = a fifth of the separation */
+    double length;           /* of a stroke at most; 0 = no limit.  Strokes end where they come nearer to
+                                another than about two thirds of the separation, leave the surface's
+                                samples, or meet a singular point of the field; a closed one ends
+                                at its start */
+    hrbfnpr_direction_fn direction_function; /* for FIELD */
+    void* direction_user;
+    uint32_t symmetry;       /* HRBFNPR_SYMMETRY_...; CROSS */
+
+    /* PUBLISHED. */
+    uint32_t start;      /* HRBFNPR_STROKE_START_...; SEEDS.  Not for STIPPLES */
+    int32_t start_level; /* with STROKE_START_STIPPLES: the last stippling level used; 0 */
+    int32_t levels;      /* refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have
+                            3^levels marks; -1 */
+} hrbfnpr_layer_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
+
+typedef struct hrbfnpr_generate_desc {
+    uint32_t struct_size;
+    uint32_t distribution;   /* HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
+    const hrbfnpr_layer_desc* layers; /* a list; NULL and 0 = one layer of stipples */
+    int64_t layer_count;
+    int64_t layer_stride;
+    int64_t shared_budget;   /* the most marks of all layers together: each gets its part of the
+                                tones; 0 = each layer has its own budget */
+    uint32_t tone_ranges;    /* HRBFNPR_TONE_RANGES_...; FULL */
+    uint32_t seed_source;    /* HRBFNPR_SEED_...; AUTO */
+    hrbfnpr_array seed_points; /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
+    double box_jitter;       /* alpha: in cell sides, 0 .. 0.5; 0.25 */
+    uint32_t box_resolution; /* R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
+    uint32_t reserved;
+    double initial_step;     /* rho_0, 0 or 1e-12 .. 1e9 diagonals; 0 = voxel diameter for BOX, mean empty-ball
+                                diameter of the seeds for others [NPAR 5.1].  PUBLISHED only */
+    double projection_tolerance; /* as in hrbfnpr_project_desc; 1e-7 */
+    uint64_t random_seed;    /* any number; 1 */
 } hrbfnpr_generate_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint32_t struct_size);
 
 /* Places marks on the surface.  desc may be NULL, operation may be NULL.
- * Marks whose projection fails or strays are dropped and counted in the info;
- * a set whose seeds are all dropped is an error (NOT_CONVERGED), and so is one
- * whose marks are, or that no stroke of a given separation or step fits into.
+ * Marks whose projection fails or strays are dropped and counted
+ * (hrbfnpr_placement_info); a set whose seeds are all dropped is an error
+ * (NOT_CONVERGED), and so is one whose marks are, or that no stroke of a given
+ * separation or step fits into.
  *
  * Sizes.  Marks are float: the diagonal of the model's bounds must be 1e-33 ..
  * 1e33, in whatever unit.  Beyond 1e-9 .. 1e9 the marks of a model that is
@@ -933,113 +982,145 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, 
                                                       hrbfnpr_point_set** out_point_set,
                                                       hrbfnpr_error* error);
 
-/* What is known of each mark, per group. */
+/* What is known of each mark of a layer, and of each of its S strokes. */
 enum {
-    HRBFNPR_ATTRIBUTE_POSITION = 0,  /* FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin */
-    HRBFNPR_ATTRIBUTE_NORMAL = 1,    /* FLOAT32 x 3, unit, outward */
-    HRBFNPR_ATTRIBUTE_DIRECTION = 2, /* FLOAT32 x 3, unit, tangent: along the stroke; for a stipple
-                                        the u of its basis [NPAR 5.2] */
-    HRBFNPR_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
-    HRBFNPR_ATTRIBUTE_RANK = 4,      /* FLOAT32: the u of [NPAR 6.2], uniform in [0,1): a mark is
-                                        shown where u >= tau.  BLUE_NOISE: all marks of a stroke
-                                        have the same, and a share of the ranks is that share of
-                                        each set's marks */
-    HRBFNPR_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed it, 0 = a seed.
-                                        BLUE_NOISE strokes: the pass; each one halves the distance
-                                        that strokes keep */
-    HRBFNPR_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: stroke (2 * number + set), and the mark's place
-                                        along it.  PAPER: the number is the seed's, places are
-                                        0 .. 3^levels - 1, the seed in the middle.  BLUE_NOISE: 0 ..
-                                        n - 1 from end to end; strokes lie one after the other in the
-                                        arrays.  For a stipple its seed and 0 */
-    HRBFNPR_ATTRIBUTE_WIDTH = 7,     /* FLOAT32, relative, in (0,1]: 1 in the middle of a stroke,
-                                        less towards its tapered ends.  The ink of front marks has
-                                        this much of the style's radius.  Count 0 = all 1: stipples,
-                                        PAPER */
-    HRBFNPR_ATTRIBUTE_COUNT = 8
+    HRBFNPR_MARK_ATTRIBUTE_POSITION = 0,  /* FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin */
+    HRBFNPR_MARK_ATTRIBUTE_NORMAL = 1,    /* FLOAT32 x 3, unit, outward */
+    HRBFNPR_MARK_ATTRIBUTE_DIRECTION = 2, /* FLOAT32 x 3, unit, tangent: along the stroke; for a mark of none
+                                             the u of its basis [NPAR 5.2] */
+    HRBFNPR_MARK_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
+    HRBFNPR_MARK_ATTRIBUTE_RANK = 4,      /* FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is
+                                             shown where u >= tau.  All marks of a stroke of BLUE_NOISE
+                                             have the same, and a share of the ranks is that share of
+                                             each direction's marks */
+    HRBFNPR_MARK_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed it, 0 = a seed.
+                                             BLUE_NOISE strokes: the pass; each one halves the distance
+                                             that strokes keep */
+    HRBFNPR_MARK_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the
+                                             mark's place along it.  PUBLISHED: the number is the seed's, places are
+                                             0 .. 3^levels - 1, the seed in the middle.  Else 0 .. n - 1 from end
+                                             to end.  For a mark of no stroke: 2 * its number (PUBLISHED: its
+                                             seed's), and 0 */
+    HRBFNPR_MARK_ATTRIBUTE_WIDTH = 7,     /* FLOAT32, relative, in (0,1]: 1 in the middle of a stroke,
+                                             less towards its tapered ends.  The ink of front marks has
+                                             this much of the style's radius.  Count 0 = all 1 */
+    HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST = 8, /* UINT32, S + 1 elements: stroke s has the marks
+                                                order[first[s]] .. order[first[s + 1] - 1] from end to end, order
+                                                being STROKE_ORDER.  Count 0 = a layer without strokes */
+    HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER = 9  /* UINT32: numbers of marks, stroke by stroke.  Count 0 = the marks
+                                                stand stroke by stroke already: every layer but those of PUBLISHED */
 };
 
-/* A group of ready-made marks.  position and normal are needed; the others may
- * be left empty: direction = stipple basis, rank = random, level = 0, stroke =
- * one for each mark, curvature = absent, width = 1 (else in (0,1]).  Types and components as in the list
- * above, FLOAT64 accepted for FLOAT32. */
-typedef struct hrbfnpr_group_arrays {
-    hrbfnpr_array position; /* absolute, not relative to an origin */
-    hrbfnpr_array normal;
-    hrbfnpr_array direction;
-    hrbfnpr_array curvature;
-    hrbfnpr_array rank;
-    hrbfnpr_array level;
-    hrbfnpr_array stroke;
-    hrbfnpr_array width;
-} hrbfnpr_group_arrays;
+/* A layer of ready-made marks.  Types and components as in the list above,
+ * FLOAT64 accepted for FLOAT32.  position and normal are needed, the others
+ * may be left empty. */
+typedef struct hrbfnpr_layer_arrays {
+    uint32_t struct_size;
+    uint32_t kind;              /* HRBFNPR_LAYER_KIND_... but ANY; OWN */
+    const char* name;           /* UTF-8, 1 .. 63 bytes, copied; NULL = as in hrbfnpr_layer_desc, "own" for OWN */
+    hrbfnpr_array position;     /* absolute, not relative to an origin */
+    hrbfnpr_array normal;       /* unit, outward */
+    hrbfnpr_array stroke_first; /* UINT32, S + 1 elements, rising from 0 to the number of marks: stroke s has the
+                                   marks first[s] .. first[s + 1] - 1 from end to end.  Empty = no strokes */
+    hrbfnpr_array stroke_direction; /* UINT8, S elements: 0 the first direction, 1 the second.  Empty = 0 */
+    hrbfnpr_array direction;    /* empty = along the stroke; of a mark of none its basis */
+    hrbfnpr_array curvature;    /* empty = not known */
+    hrbfnpr_array rank;         /* empty = random, the same for all marks of a stroke */
+    hrbfnpr_array level;        /* empty = 0 */
+    hrbfnpr_array width;        /* in (0,1]; empty = 1 */
+} hrbfnpr_layer_arrays;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_layer_arrays_init(hrbfnpr_layer_arrays* arrays, uint32_t struct_size);
 
 typedef struct hrbfnpr_point_set_desc {
     uint32_t struct_size;
     uint32_t reserved;
+    const hrbfnpr_point_set* base; /* its layers come first; NULL = none.  Copied */
+    const hrbfnpr_layer_arrays* layers; /* a list: the layers that follow */
+    int64_t layer_count;
+    int64_t layer_stride;
     uint64_t random_seed; /* for ranks that are not given; 1 */
-    hrbfnpr_group_arrays group[3];
 } hrbfnpr_point_set_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_t struct_size);
-/* Marks from the caller's arrays (copied).  They are 1e-33 .. 1e33 across, or at
- * one place.  Errors: INVALID_ARGUMENT naming the array and the index,
+/* A set of the caller's marks, or of another set's layers and the caller's.
+ * They are 1e-33 .. 1e33 across, or at one place.  A set with a base keeps its
+ * origin, spacing and distribution.
+ * Errors: INVALID_ARGUMENT naming the layer, the array and the index,
  * OUT_OF_MEMORY. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_create_from_arrays(hrbfnpr_context* context,
-                                                                const hrbfnpr_point_set_desc* desc,
-                                                                hrbfnpr_point_set** out_point_set,
-                                                                hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_create(hrbfnpr_context* context, const hrbfnpr_point_set_desc* desc,
+                                                    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 
-HRBFNPR_API void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);  /* any thread */
-HRBFNPR_API void hrbfnpr_point_set_release(const hrbfnpr_point_set* set); /* any thread */
-
-/* What became of one level's candidates: attempted = placed + all dropped. */
-typedef struct hrbfnpr_level_info {
-    int64_t attempted;
-    int64_t placed;
-    int64_t dropped_not_converged; /* projection ended short of the tolerance */
-    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step; or cut
-                                      off the rest of its stroke by one that was dropped */
-    int64_t dropped_degenerate;    /* zero gradient or not finite */
-    int64_t dropped_budget;        /* over the group's budget */
-} hrbfnpr_level_info;
-
-typedef struct hrbfnpr_group_info {
-    int64_t count;         /* marks in the group */
-    int64_t strokes;       /* strokes in the group; 0 for stipples */
-    int64_t full_count;    /* what the counts would be if nothing had been dropped (PAPER), or had
-                              been left out for the budget (BLUE_NOISE strokes) */
-    int32_t levels;        /* refinement steps taken; BLUE_NOISE strokes: the last pass */
-    uint32_t reserved;
-    double step;           /* initial step rho_0 used; BLUE_NOISE strokes: the separation */
-    double seconds;
-    hrbfnpr_level_info level[13];
-} hrbfnpr_group_info;
+HRBFNPR_API void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_point_set_release(const hrbfnpr_point_set* set); /* any thread; NULL is ignored */
 
 typedef struct hrbfnpr_point_set_info {
     uint32_t struct_size;
     uint32_t distribution;
     uint32_t seed_source;   /* the one used */
     uint32_t reserved;
+    int64_t layers;         /* how many */
+    int64_t marks;          /* in all layers */
     double origin[3];       /* add to POSITION */
     double bounds_min[3];   /* of all marks, absolute */
     double bounds_max[3];
-    double spacing;         /* sqrt(area per mark) of the largest group, estimated: what a frame
+    double spacing;         /* sqrt(area per mark) of the largest layer, estimated: what a frame
                                uses as the size of a mark's piece of surface */
     double seconds_seeds;
     double seconds_total;
     int64_t bytes;          /* kept by the set */
-    hrbfnpr_level_info seeds;
-    hrbfnpr_group_info group[3];
 } hrbfnpr_point_set_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_info_init(hrbfnpr_point_set_info* info, uint32_t struct_size);
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set,
                                                       hrbfnpr_point_set_info* info, hrbfnpr_error* error);
 
-/* A zero-copy view of one attribute of one group, valid while the set lives.
- * An empty group, or CURVATURE or WIDTH where there is none, gives count 0. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, uint32_t group,
+typedef struct hrbfnpr_layer_info {
+    uint32_t struct_size;
+    uint32_t kind;         /* HRBFNPR_LAYER_KIND_... */
+    char name[64];         /* UTF-8, always terminated */
+    int64_t marks;
+    int64_t strokes;       /* 0: its marks form none */
+    int64_t full_count;    /* what `marks` would be if nothing had been dropped (PUBLISHED), or had
+                              been left out for the budget (BLUE_NOISE strokes) */
+    int32_t levels;        /* refinement steps taken; BLUE_NOISE strokes: the last pass */
+    uint32_t reserved;
+    double step;           /* initial step rho_0 used; BLUE_NOISE strokes: the separation */
+    double seconds;
+} hrbfnpr_layer_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint32_t struct_size);
+/* layer: 0 .. hrbfnpr_point_set_info.layers - 1. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_layer_info(const hrbfnpr_point_set* set, int64_t layer,
+                                                            hrbfnpr_layer_info* info, hrbfnpr_error* error);
+
+/* What became of candidates for marks: attempted = placed + all dropped. */
+typedef struct hrbfnpr_placement_info {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t attempted;
+    int64_t placed;
+    int64_t dropped_not_converged; /* projection ended short of the tolerance */
+    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step; or cut
+                                      off the rest of its stroke by one that was dropped */
+    int64_t dropped_degenerate;    /* zero gradient or not finite */
+    int64_t dropped_budget;        /* over the layer's budget */
+} hrbfnpr_placement_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint32_t struct_size);
+/* Of the seeds. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_seed_placement(const hrbfnpr_point_set* set,
+                                                                hrbfnpr_placement_info* info,
+                                                                hrbfnpr_error* error);
+/* Of one level of one layer; level: 0 .. hrbfnpr_layer_info.levels. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_set* set, int64_t layer,
+                                                           int32_t level, hrbfnpr_placement_info* info,
+                                                           hrbfnpr_error* error);
+
+/* A zero-copy view of one attribute (HRBFNPR_MARK_ATTRIBUTE_...) of one layer,
+ * valid while the set lives.  An empty layer, or an attribute that it has not,
+ * gives count 0. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, int64_t layer,
                                                   uint32_t attribute, hrbfnpr_array* out_view,
                                                   hrbfnpr_error* error);
 
@@ -1090,7 +1171,7 @@ typedef struct hrbfnpr_camera {
     double viewport[4];        /* x, y of the top-left corner, width, height, in pixels */
 } hrbfnpr_camera;
 
-/* Identity matrices, viewport 0 x 0 (which _prepare refuses). */
+/* Identity matrices, viewport 0 x 0 (which _draw refuses). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_init(hrbfnpr_camera* camera, uint32_t struct_size);
 /* Sets `view`: from eye towards target, up roughly along `up`; 3 doubles each.
  * INVALID_ARGUMENT if eye = target or up is parallel to the view. */
@@ -1126,18 +1207,18 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, con
                                                      double margin, hrbfnpr_error* error);
 
 enum {
-    HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, /* painted over by paper, layer by layer [NPAR 6.1] */
-    HRBFNPR_HIDDEN_LINES_HIDE = 1,      /* marks behind a nearer sheet are not drawn */
-    HRBFNPR_HIDDEN_LINES_SHOW = 2       /* nothing is painted over (lambda = 0) */
+    HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, /* seen faintly through the surface in front [NPAR 6.1] */
+    HRBFNPR_HIDDEN_LINES_HIDE = 1,      /* marks behind a nearer depth layer are not drawn */
+    HRBFNPR_HIDDEN_LINES_SHOW = 2       /* as if nothing were in front (lambda = 0) */
 };
 
 enum {
-    /* Each mark of ink is seen through the sheets of surface in front of it, which are found
-     * from the marks: its opacity is multiplied by what they let through.  A sheet never dims its
+    /* Each mark of ink is seen through the depth layers of surface in front of it, which are found
+     * from the marks: its opacity is multiplied by their transmittance.  A depth layer never dims its
      * own ink, and the picture does not depend on the number of marks. */
-    HRBFNPR_VISIBILITY_SHEETS = 0,
+    HRBFNPR_VISIBILITY_DEPTH_LAYERS = 0,
     /* As published: marks paint discs of paper and of ink, from far to near [NPAR 6.1]. */
-    HRBFNPR_VISIBILITY_PAINTED = 1
+    HRBFNPR_VISIBILITY_PUBLISHED = 1
 };
 
 enum {
@@ -1167,166 +1248,197 @@ enum {
      * one and the same order of marks, so that a blue-noise order stays one. */
     HRBFNPR_TONE_RULE_SHARE = 0,
     /* As published, test by test: u >= tau, u < tau_d, u < scale, u < share. */
-    HRBFNPR_TONE_RULE_PAPER = 1
+    HRBFNPR_TONE_RULE_PUBLISHED = 1
 };
 
 enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
 
 /* Any illumination model: fills tau (count, 1 = light, 0 = dark; clamped to
  * [0,1], NaN is CALLBACK) from world positions and unit normals (count x 3
- * each).  Runs on the thread that called _prepare.  Non-zero fails it. */
+ * each).  Runs on the thread that called _draw.  Non-zero fails it. */
 typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions,
                                    const float* normals, float* tau);
 
-/* One group's ink.  Colours are straight RGBA in [0,1], sRGB-encoded. */
-typedef struct hrbfnpr_group_style {
-    uint32_t shown; /* 1 or 0: whether front marks of the group are drawn */
-    uint32_t sets;  /* bit 0: first directions, bit 1: second; 3 */
-    float share;    /* 0 .. 1: share of the group's marks that is used at all; 1 */
-    float radius;   /* of a mark, pixels, > 0 */
-    float radius_zoom; /* 0: radius is in pixels at any zoom; 1: grows with the zoom; between */
-    float ink[4];
-} hrbfnpr_group_style;
+/* How the front marks of a layer of strokes are drawn. */
+enum {
+    HRBFNPR_SHAPE_DOTS = 0,   /* each mark is a dot */
+    HRBFNPR_SHAPE_STROKES = 1 /* marks that follow each other along a stroke, and are shown, are one line whose width
+                                 and opacity are theirs; a single one is a dot.  Layers without strokes are dots;
+                                 so is everything with VISIBILITY_PUBLISHED */
+};
+
+/* How layers are drawn.  Colours are straight RGBA in [0,1], sRGB-encoded. */
+typedef struct hrbfnpr_layer_style {
+    uint32_t struct_size;
+    uint32_t kind;      /* the layers that this is for: HRBFNPR_LAYER_KIND_...; ANY */
+    const char* name;   /* ... and are called so; NULL = any name.  Read during _draw only */
+    uint32_t shown;     /* 1 or 0: whether front marks are drawn; 1 */
+    uint32_t contours;  /* 1 or 0: whether marks near a contour draw it; 1 */
+    uint32_t directions; /* of strokes: bit 0 the first direction, bit 1 the second; 3 */
+    uint32_t shape;     /* HRBFNPR_SHAPE_...; DOTS */
+    float share;        /* 0 .. 1: share of the layer's marks that is used at all; 1 */
+    float radius;       /* of a mark, half the width of a stroke, pixels, > 0; 1 */
+    float radius_zoom;  /* 0: radius is in pixels at any zoom; 1: grows with the zoom; between; 0 */
+    uint32_t reserved;
+    float ink[4];       /* black */
+} hrbfnpr_layer_style;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
 
 typedef struct hrbfnpr_style {
     uint32_t struct_size;
-    uint32_t hidden_lines;       /* HRBFNPR_HIDDEN_LINES_...; ATTENUATE */
-    double silhouette_threshold; /* delta in (0,1): front n.v < -delta, back n.v > delta, else
-                                    silhouette, v from the camera to the mark [NPAR 6]; 0.2.  With
-                                    SILHOUETTE_LAW_WIDTH only where the curvature is not known */
-    double attenuation_front;    /* lambda of alpha_f = nu^2 lambda; 1 */
-    double attenuation_back;     /* lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1 */
-    float cover_radius;          /* of the paper that front marks paint, pixels; 0 = from the
-                                    marks' spacing on the screen */
-    float halo_width;            /* SHEETS: how far beyond its contour a surface hides what lies
-                                    behind, pixels at any zoom.  PAINTED: how much wider the paper of
-                                    back marks is, pixels; 2 */
-    float cover_layers;          /* n > 0: a sheet is as opaque as n overlapping marks of opacity alpha,
-                                    1 - (1 - alpha)^n, whatever the marks' density and the zoom; 0: each
-                                    mark paints with alpha itself, as published; 8 */
-    uint32_t visibility;         /* HRBFNPR_VISIBILITY_...; SHEETS.  One for all styles of a frame */
     uint32_t tone;               /* HRBFNPR_TONE_...; LIGHT */
+    float paper[4];              /* straight RGBA; alpha 0 = transparent; white.  One for all styles of a drawing */
+    const hrbfnpr_layer_style* layers; /* a list: a layer of marks takes the first that is for it, or the
+                                          defaults of _layer_style_init; NULL and 0 */
+    int64_t layer_count;
+    int64_t layer_stride;
+
+    /* Tone. */
     uint32_t tone_rule;          /* HRBFNPR_TONE_RULE_...; SHARE */
-    uint32_t light_space;        /* HRBFNPR_LIGHT_...; CAMERA */
-    uint32_t silhouette_groups;  /* groups whose silhouette marks are drawn, bit (1 << group); 7 */
+    uint32_t tone_curve;         /* HRBFNPR_TONE_CURVE_...; COVERAGE.  For TONE_RULE_SHARE */
     double light[3];             /* towards the light, normalised on use; (-0.4, 0.6, 0.7) */
     double tone_exponent;        /* lambda of the tone law, > 0; 1 */
     hrbfnpr_tone_fn tone_function; /* for CALLBACK */
     void* tone_user;
-    double depth_min;  /* distance from the camera where depth attenuation starts, > 0 */
-    double depth_max;  /* ... and where nothing is shown any more; 0 and 0 = off (default) */
+    uint32_t light_space;        /* HRBFNPR_LIGHT_...; CAMERA */
+    float tone_fade;             /* 0 .. 1, DEPTH_LAYERS: a mark grows from nothing to its full area over this
+                                    share of the marks shown, instead of popping; 0 = it pops; 0.25 */
+
+    /* Contours. */
+    uint32_t silhouette_law;     /* HRBFNPR_SILHOUETTE_LAW_...; WIDTH.  For DEPTH_LAYERS; PUBLISHED is ANGLE */
+    float silhouette_width;      /* of WIDTH: pixels on either side of the contour; 1 */
+    double silhouette_threshold; /* delta in (0,1): front n.v < -delta, back n.v > delta, else
+                                    silhouette, v from the camera to the mark [NPAR 6]; 0.2.  With
+                                    SILHOUETTE_LAW_WIDTH only where the curvature is not known */
+    float silhouette_radius;     /* of a mark, pixels; 1 */
+    float silhouette_radius_zoom; /* as radius_zoom; 0 */
+    float silhouette_ink[4];     /* black */
+
+    /* Hidden lines. */
+    uint32_t visibility;         /* HRBFNPR_VISIBILITY_...; DEPTH_LAYERS.  One for all styles of a drawing */
+    uint32_t hidden_lines;       /* HRBFNPR_HIDDEN_LINES_...; ATTENUATE */
+    double attenuation_front;    /* lambda of alpha_f = nu^2 lambda; 1 */
+    double attenuation_back;     /* lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1 */
+    float splat_radius;          /* of the piece of surface that a mark stands for, pixels; 0 = from the
+                                    marks' spacing on the screen */
+    float splat_overlap;         /* n > 0: a depth layer is as opaque as n overlapping splats of opacity alpha,
+                                    1 - (1 - alpha)^n, whatever the marks' density and the zoom; 0: each
+                                    mark paints with alpha itself, as published; 8 */
+    float halo_width;            /* DEPTH_LAYERS: how far beyond its contour a surface hides what lies
+                                    behind, pixels at any zoom.  PUBLISHED: how much wider the paper of
+                                    back marks is, pixels; 2 */
+    uint32_t reserved;
+
+    /* Distance and zoom. */
+    double depth_min;      /* distance from the camera where depth attenuation starts, > 0 */
+    double depth_max;      /* ... and where nothing is shown any more; 0 and 0 = off (default) */
     double zoom_reference; /* pixels per world unit at which marks are shown in full; 0 = off.
                               Below it the chance to be shown is scale = zoom^zoom_exponent,
                               exponential in the zoom level ln zoom; the area of the paper
                               of back marks scales alike [NPAR 6.2] */
     double zoom_exponent;  /* >= 0; 2 keeps the ink per area */
-    float paper[4];        /* straight RGBA; alpha 0 = transparent; white */
-    float silhouette_ink[4];
-    float silhouette_radius;      /* pixels; 1 */
-    float silhouette_radius_zoom; /* as radius_zoom; 0 */
-    hrbfnpr_group_style group[3];
-    uint32_t tone_curve;         /* HRBFNPR_TONE_CURVE_...; COVERAGE.  For TONE_RULE_SHARE */
-    uint32_t silhouette_law;     /* HRBFNPR_SILHOUETTE_LAW_...; WIDTH.  For SHEETS; PAINTED is ANGLE */
-    float tone_fade;             /* 0 .. 1, SHEETS: a mark grows from nothing to its full area over this
-                                    share of the marks shown, instead of popping; 0 = it pops; 0.25 */
-    float silhouette_width;      /* of WIDTH: pixels on either side of the contour; 1 */
 } hrbfnpr_style;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 
-/* Named styles.  Each is a full set of fields that a caller goes on changing.
- * generate_groups: which groups of marks the style needs, as for
- * hrbfnpr_generate_desc.groups. */
+/* Named styles. */
 enum {
-    HRBFNPR_STYLE_STIPPLE = 0,             /* stipples by light, no contours */
-    HRBFNPR_STYLE_HATCH = 1,               /* second principal direction by light, contours */
-    HRBFNPR_STYLE_CROSS_HATCH = 2,         /* both principal directions by light, contours */
-    HRBFNPR_STYLE_COMBING = 3,             /* combing strokes by light, contours */
-    HRBFNPR_STYLE_SILHOUETTE = 4,          /* contours only, hidden ones attenuated */
-    HRBFNPR_STYLE_CONTOUR_AND_STIPPLE = 5, /* contours and stipples */
-    HRBFNPR_STYLE_XRAY = 6,                /* contours only, hidden ones shown */
-    HRBFNPR_STYLE_FULL = 7,                /* stipples, cross hatching, contours and halo: Figure 1 (e) */
-    HRBFNPR_STYLE_COUNT = 8
+    HRBFNPR_PRESET_STIPPLE = 0,             /* stipples by light, no contours */
+    HRBFNPR_PRESET_HATCH = 1,               /* second principal direction by light, contours */
+    HRBFNPR_PRESET_CROSS_HATCH = 2,         /* both principal directions by light, contours */
+    HRBFNPR_PRESET_COMBING = 3,             /* combing strokes by light, contours */
+    HRBFNPR_PRESET_SILHOUETTE = 4,          /* contours only, hidden ones attenuated */
+    HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, /* contours and stipples */
+    HRBFNPR_PRESET_XRAY = 6,                /* contours only, hidden ones shown */
+    HRBFNPR_PRESET_FULL = 7                 /* stipples, cross hatching, contours and halo: Figure 1 (e) */
 };
 
+/* A full set of fields that a caller goes on changing.  style->layers points to
+ * constants of the library: copy an element to change it. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size,
-                                                     uint32_t preset, uint32_t* generate_groups,
-                                                     hrbfnpr_error* error);
-/* "stipple", "hatch", "cross-hatch", ...; NULL for a number out of range. */
-HRBFNPR_API const char* hrbfnpr_style_preset_name(uint32_t preset);
+                                                     uint32_t preset, hrbfnpr_error* error);
+/* The layers that a preset draws, with defaults: a list of constants for
+ * hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
+ * NULL and 0 for a number that is no preset's. */
+HRBFNPR_API const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
+/* "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:
+ * presets are numbered from 0 without gaps. */
+HRBFNPR_API const char* hrbfnpr_preset_name(uint32_t preset);
 
 /*
  * ==========================================================================
- * 9  RENDERER: scratch of one thread                     [NPAR 6]
+ * 9  RENDERER: from items and a camera to a drawing        [NPAR 6]
  * ==========================================================================
+ *
+ * A renderer is the scratch of one thread.  It keeps a few of its last drawings
+ * and makes the next one in the memory of one that nobody else holds: a program
+ * that releases each drawing before it asks for the next but one allocates
+ * nothing once warm.
  */
 
 typedef struct hrbfnpr_renderer hrbfnpr_renderer;
+typedef struct hrbfnpr_drawing hrbfnpr_drawing;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer,
                                                    hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
+HRBFNPR_API void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer); /* any thread; NULL is ignored */
 
-/* One thing to draw.  Everything it points to is read during _prepare only,
- * but the point set is retained until the next _prepare or release. */
+/* Where the marks of one layer are in this drawing: of an animated surface. */
+typedef struct hrbfnpr_layer_pose {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t layer;           /* of the item's point set */
+    hrbfnpr_array position;  /* n x 3, FLOAT32 or FLOAT64, absolute, in the order of the layer's n marks */
+    hrbfnpr_array normal;    /* n x 3, FLOAT32 or FLOAT64, unit, outward */
+    hrbfnpr_array direction; /* n x 3, FLOAT32 or FLOAT64, unit; empty = those of the set */
+} hrbfnpr_layer_pose;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size);
+
+/* One thing to draw.  Everything it points to is read during _draw only, but
+ * the drawing retains the point set. */
 typedef struct hrbfnpr_item {
     uint32_t struct_size;
     uint32_t reserved;
     const hrbfnpr_point_set* point_set;
     const hrbfnpr_style* style; /* NULL = default style */
-    double transform[16];       /* object to world, column-major, affine, invertible */
-    const hrbfnpr_model* model; /* NULL, or the surface that the marks lie on: with SHEETS, what
+    const hrbfnpr_model* model; /* NULL, or the surface that the marks lie on: with DEPTH_LAYERS, what
                                    hides a mark is then found by casting a ray from it to the
-                                   eye, exact but slow (tens of microseconds a mark drawn) */
+                                   eye, exact but slow */
+    double transform[16];       /* object to world, column-major, affine, invertible */
+    const hrbfnpr_layer_pose* poses; /* a list: layers whose marks have moved; NULL and 0 */
+    int64_t pose_count;
+    int64_t pose_stride;
 } hrbfnpr_item;
 
 /* NULL pointers and the identity transform. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
 
-/* What a frame did. */
-typedef struct hrbfnpr_frame_info {
-    uint32_t struct_size;
-    uint32_t reserved;
-    int64_t marks;       /* in all items, of the groups that the styles use: outside + front + back +
-                            silhouette + culled */
-    int64_t outside;     /* outside the frustum */
-    int64_t front;       /* of those inside: by class */
-    int64_t back;
-    int64_t silhouette;
-    int64_t shown;         /* drawn as ink */
-    int64_t dropped_tone;  /* front marks not shown because of light or share, and contour marks that a
-                              line of even density does not need */
-    int64_t dropped_depth; /* front and silhouette marks not shown because of depth attenuation */
-    int64_t dropped_zoom;  /* front marks not shown because of tone scaling */
-    int64_t dropped_hidden; /* marks not drawn because nothing of them is seen through what is in front */
-    int64_t painted;       /* PAINTED: discs of paper; SHEETS: marks that sheets were found from */
-    int64_t nanoseconds_classify; /* transform, classify, tone */
-    int64_t nanoseconds_visibility;
-    int64_t nanoseconds_sort;
-    int64_t nanoseconds_draw; /* the last _draw_image; 0 in _prepare's own info */
-    int64_t scratch_bytes;
-    int64_t culled;        /* SHEETS: marks that are of no class, since no tone or contour could show
-                              them: they were not looked at one by one */
-} hrbfnpr_frame_info;
+/* Classifies, shades and orders the marks of a list of items for one camera.
+ * Styles of one drawing must have the same paper and visibility.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CALLBACK. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
+                                                 int64_t item_count, int64_t item_stride,
+                                                 const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing,
+                                                 hrbfnpr_error* error);
 
-HRBFNPR_API hrbfnpr_status hrbfnpr_frame_info_init(hrbfnpr_frame_info* info, uint32_t struct_size);
+/*
+ * ==========================================================================
+ * 10  DRAWING: a picture as a value, immutable
+ * ==========================================================================
+ *
+ * A drawing is dots and strokes in window coordinates, in layers of one ink and
+ * one class each.  A mark's id is 1 + its running number, counted over items
+ * and layers in order.  All that reads a drawing may run on several threads at
+ * the same time.
+ */
 
-/* Classifies, shades and orders the marks of `item_count` items (items are
- * `item_stride` bytes apart, 0 = packed by the first one's struct_size) for
- * one camera.  info may be NULL.  Styles of one frame must have the same
- * paper; INVALID_ARGUMENT otherwise. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_prepare(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
-                                                    int64_t item_count, int64_t item_stride,
-                                                    const hrbfnpr_camera* camera,
-                                                    hrbfnpr_frame_info* info, hrbfnpr_error* error);
+HRBFNPR_API void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_drawing_release(const hrbfnpr_drawing* drawing); /* any thread; NULL is ignored */
 
-enum {
-    HRBFNPR_DRAW_OVER = 1, /* lay the drawing over the image's contents instead of replacing them
-                              inside the viewport; wants a style with transparent paper */
-    HRBFNPR_DRAW_LINEAR_LIGHT = 2 /* blend in linear light (sRGB decoded), not in encoded values */
-};
-
-/* Class of what is nearest at a pixel, in class outputs and vertices. */
+/* What a mark is for the camera. */
 enum {
     HRBFNPR_CLASS_NONE = 0,
     HRBFNPR_CLASS_FRONT = 1,
@@ -1334,79 +1446,203 @@ enum {
     HRBFNPR_CLASS_SILHOUETTE = 3
 };
 
-/* Optional inputs and outputs of _draw_image: width * height elements of one
- * component each, row by row from the top-left pixel of the image, stride
- * between elements as in every array.  Data NULL and count 0 = not wanted. */
-typedef struct hrbfnpr_draw_desc {
+typedef struct hrbfnpr_drawing_info {
     uint32_t struct_size;
-    uint32_t flags;           /* HRBFNPR_DRAW_...; 0 */
-    hrbfnpr_array host_depth; /* FLOAT32, camera's convention: marks behind it are not drawn */
+    uint32_t reserved;
+    int64_t items;
+    int64_t layers;        /* for hrbfnpr_drawing_get_layer_info */
+    int64_t dots;          /* of ink */
+    int64_t strokes;
+    int64_t stroke_points; /* of all strokes */
+    int64_t marks;       /* in all items, of the layers that the styles use: outside + front + back +
+                            silhouette + culled */
+    int64_t outside;     /* outside the frustum */
+    int64_t front;       /* of those inside: by class */
+    int64_t back;
+    int64_t silhouette;
+    int64_t culled;        /* DEPTH_LAYERS: marks that are of no class, since no tone or contour could show
+                              them: they were not looked at one by one */
+    int64_t shown;         /* drawn as ink */
+    int64_t dropped_tone;  /* front marks not shown because of light or share, and contour marks that a
+                              line of even density does not need */
+    int64_t dropped_depth; /* front and silhouette marks not shown because of depth attenuation */
+    int64_t dropped_zoom;  /* front marks not shown because of tone scaling */
+    int64_t dropped_hidden; /* marks not drawn because nothing of them is seen through what is in front */
+    int64_t splats;        /* PUBLISHED: discs of paper; DEPTH_LAYERS: marks that depth layers were found from */
+    int64_t nanoseconds_classify; /* transform, classify, tone */
+    int64_t nanoseconds_visibility;
+    int64_t nanoseconds_sort;
+    int64_t bytes;         /* kept by the drawing */
+    int64_t scratch_bytes; /* kept by its renderer, drawings left out */
+} hrbfnpr_drawing_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
+                                                    hrbfnpr_error* error);
+
+/* A layer of a drawing: ink of one layer of marks, of the front or of contours. */
+typedef struct hrbfnpr_drawing_layer_info {
+    uint32_t struct_size;
+    uint32_t mark_class; /* HRBFNPR_CLASS_FRONT or SILHOUETTE */
+    int64_t item;
+    int64_t layer;       /* of the item's point set */
+    uint32_t kind;       /* HRBFNPR_LAYER_KIND_... */
+    uint32_t shape;      /* HRBFNPR_SHAPE_... */
+    char name[64];
+    float ink[4];        /* straight RGBA */
+    int64_t dots;
+    int64_t strokes;
+} hrbfnpr_drawing_layer_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_layer_info_init(hrbfnpr_drawing_layer_info* info, uint32_t struct_size);
+/* number: 0 .. hrbfnpr_drawing_info.layers - 1. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_get_layer_info(const hrbfnpr_drawing* drawing, int64_t number,
+                                                          hrbfnpr_drawing_layer_info* info, hrbfnpr_error* error);
+
+/* ---- As an image ---------------------------------------------------------- */
+
+enum {
+    HRBFNPR_RASTER_OVER = 1, /* lay the drawing over the image's contents instead of replacing them
+                                inside the viewport; wants a style with transparent paper */
+    HRBFNPR_RASTER_LINEAR_LIGHT = 2 /* blend in linear light (sRGB decoded), not in encoded values */
+};
+
+/* Optional inputs and outputs: width * height elements of one component each,
+ * row by row from the top-left pixel of the image, stride between elements as
+ * in every array.  Data NULL and count 0 = not wanted. */
+typedef struct hrbfnpr_raster_desc {
+    uint32_t struct_size;
+    uint32_t flags;           /* HRBFNPR_RASTER_...; 0 */
+    hrbfnpr_array host_depth; /* FLOAT32, camera's convention: ink behind it is not drawn */
     hrbfnpr_array_out depth;  /* FLOAT32, camera's convention: the nearest surface, the far plane
                                  where there is none */
-    hrbfnpr_array_out id;     /* UINT32: 1 + running number of the nearest drawn mark, counted over
-                                 items and groups in order; 0 = none */
-    hrbfnpr_array_out class_; /* UINT8 or UINT32: HRBFNPR_CLASS_... of that mark */
-} hrbfnpr_draw_desc;
+    hrbfnpr_array_out id;     /* UINT32: id of the nearest drawn mark; 0 = none */
+    hrbfnpr_array_out mark_class; /* UINT8 or UINT32: HRBFNPR_CLASS_... of that mark */
+} hrbfnpr_raster_desc;
 
-HRBFNPR_API hrbfnpr_status hrbfnpr_draw_desc_init(hrbfnpr_draw_desc* desc, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_raster_desc_init(hrbfnpr_raster_desc* desc, uint32_t struct_size);
 
-/* Draws the prepared frame.  The viewport (clipped to the image) is filled
- * with paper and marks far to near; pixels outside it are not touched.
- * desc may be NULL.  May be called again, also with other images.
- * INVALID_ARGUMENT before the first _prepare. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw_image(hrbfnpr_renderer* renderer, const hrbfnpr_image* image,
-                                                       const hrbfnpr_draw_desc* desc, hrbfnpr_error* error);
+/* Draws into an image.  The viewport (clipped to the image) is filled with
+ * paper and ink; pixels outside it are not touched.  desc may be NULL. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_rasterize(const hrbfnpr_drawing* drawing, const hrbfnpr_image* image,
+                                                     const hrbfnpr_raster_desc* desc, hrbfnpr_error* error);
 
-/* Info of the last _prepare and _draw_image. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_get_info(const hrbfnpr_renderer* renderer,
-                                                     hrbfnpr_frame_info* info, hrbfnpr_error* error);
+/* ---- As vertices ---------------------------------------------------------- */
+
+enum {
+    HRBFNPR_PRIMITIVE_POINTS = 1,         /* the dots: one vertex each */
+    HRBFNPR_PRIMITIVE_LINE_STRIPS = 2,    /* the strokes: one vertex for each of their points */
+    HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS = 3 /* the strokes: two for each point, on their left and right side */
+};
+
+/* Ends a strip in an array of indices. */
+enum { HRBFNPR_INDEX_RESTART = -1 };
 
 /* What a vertex can carry, and the types it can have. */
 enum {
-    HRBFNPR_VERTEX_POSITION = 0,  /* world, FLOAT32 x 3 */
-    HRBFNPR_VERTEX_WINDOW = 1,    /* pixel x, pixel y, depth; FLOAT32 x 3 */
-    HRBFNPR_VERTEX_RADIUS = 2,    /* pixels; FLOAT32 */
-    HRBFNPR_VERTEX_COLOR = 3,     /* straight RGBA; FLOAT32 x 4, or UINT8 x 4 */
-    HRBFNPR_VERTEX_NORMAL = 4,    /* world, unit; FLOAT32 x 3 */
-    HRBFNPR_VERTEX_DIRECTION = 5, /* world, unit; FLOAT32 x 3 */
-    HRBFNPR_VERTEX_ID = 6,        /* as in hrbfnpr_draw_desc; UINT32 */
-    HRBFNPR_VERTEX_CLASS = 7,     /* HRBFNPR_CLASS_...; UINT8 or UINT32 */
-    HRBFNPR_VERTEX_IS_PAPER = 8,  /* 1 = a disc of paper, 0 = ink; UINT8 or UINT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_COUNT = 9
+    HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0,  /* world, FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_WINDOW = 1,    /* pixel x, pixel y, depth; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_RADIUS = 2,    /* pixels; FLOAT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_COLOR = 3,     /* straight RGBA; FLOAT32 x 4, or UINT8 x 4 */
+    HRBFNPR_VERTEX_ATTRIBUTE_NORMAL = 4,    /* world, unit; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION = 5, /* world, unit; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_ID = 6,        /* of the mark; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_CLASS = 7,     /* HRBFNPR_CLASS_...; UINT8 or UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER = 8,  /* 1 = a disc of paper, 0 = ink; UINT8 or UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_LAYER = 9,     /* of the drawing; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_LENGTH = 10    /* along its stroke, pixels from its first point; 0 for a dot; FLOAT32 */
 };
 
 typedef struct hrbfnpr_vertex_attribute {
-    uint32_t attribute; /* HRBFNPR_VERTEX_... */
+    uint32_t struct_size;
+    uint32_t attribute; /* HRBFNPR_VERTEX_ATTRIBUTE_... */
     uint32_t scalar;    /* HRBFNPR_SCALAR_... */
     uint32_t offset;    /* bytes from the start of the vertex */
-    uint32_t reserved;
 } hrbfnpr_vertex_attribute;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_vertex_attribute_init(hrbfnpr_vertex_attribute* attribute, uint32_t struct_size);
 
 typedef struct hrbfnpr_vertex_layout {
     uint32_t struct_size;
-    uint32_t attribute_count; /* 1 .. 16 */
+    uint32_t primitive;       /* HRBFNPR_PRIMITIVE_...; POINTS */
+    const hrbfnpr_vertex_attribute* attributes; /* a list, 1 and more */
+    int64_t attribute_count;
+    int64_t attribute_stride;
     int64_t stride;           /* bytes of a vertex; 0 = up to the end of its last attribute */
-    hrbfnpr_vertex_attribute attributes[16];
 } hrbfnpr_vertex_layout;
 
-/* No attributes. */
+/* Points, and no attributes. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint32_t struct_size);
 
-/* How many vertices the prepared frame has.  This, _write_vertices and _get_info
- * may run on several threads at the same time, as all that take a const handle. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_vertex_bound(const hrbfnpr_renderer* renderer, int64_t* count,
-                                                         hrbfnpr_error* error);
+/* How many vertices and indices a primitive has; each may be NULL. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_vertex_bound(const hrbfnpr_drawing* drawing, uint32_t primitive,
+                                                        int64_t* vertices, int64_t* indices, hrbfnpr_error* error);
 
-/* Writes the prepared frame as points, far to near: discs of paper and of ink.
- * A host that paints them in this order as round anti-aliased points with
- * ordinary "source over" blending gets the picture of _draw_image (without
- * its host_depth).  With transparent paper, the discs of paper must erase:
- * destination times (1 - alpha).  `capacity` is in vertices; *count gets the number written,
- * or needed with BUFFER_TOO_SMALL. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_write_vertices(const hrbfnpr_renderer* renderer,
-                                                           const hrbfnpr_vertex_layout* layout,
-                                                           void* destination, int64_t capacity,
-                                                           int64_t* count, hrbfnpr_error* error);
+/* Writes the drawing's dots or strokes, far to near.
+ *
+ * POINTS: discs of paper and of ink.  A host that paints them in this order as
+ * round anti-aliased points with ordinary "source over" blending gets the
+ * dots of _rasterize (without its host_depth).  With transparent paper, the
+ * discs of paper must erase: destination times (1 - alpha).
+ * Strips: `indices` (UINT32, nullable) lists the vertices of one stroke after
+ * the other, each ended by HRBFNPR_INDEX_RESTART (0xFFFFFFFF); of points it is
+ * 0, 1, 2 ...
+ * Capacities are in vertices and in indices; *vertex_count and *index_count
+ * (nullable) get the numbers written, or needed with BUFFER_TOO_SMALL. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_write_vertices(const hrbfnpr_drawing* drawing,
+                                                          const hrbfnpr_vertex_layout* layout, void* vertices,
+                                                          int64_t vertex_capacity, int64_t* vertex_count,
+                                                          uint32_t* indices, int64_t index_capacity,
+                                                          int64_t* index_count, hrbfnpr_error* error);
+
+/* ---- As numbers for the marks of a set ------------------------------------- */
+
+/* How each mark of a layer is drawn, in the set's own order: a host keeps the
+ * set's arrays on the graphics card and uploads only these.  Arrays of the
+ * caller's, each of as many elements as the layer has marks, or not given. */
+typedef struct hrbfnpr_mark_results {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out shown;   /* UINT8: the class that it is drawn as, HRBFNPR_CLASS_FRONT or SILHOUETTE; NONE = it
+                                  is not drawn */
+    hrbfnpr_array_out radius;  /* FLOAT32, pixels; 0 = not drawn */
+    hrbfnpr_array_out opacity; /* FLOAT32: the ink's alpha times what is let through; 0 = not drawn */
+} hrbfnpr_mark_results;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_mark_results_init(hrbfnpr_mark_results* results, uint32_t struct_size);
+/* Of one layer of one item's point set; also of a layer that is not drawn. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_mark_results(const hrbfnpr_drawing* drawing, int64_t item,
+                                                        int64_t layer, hrbfnpr_mark_results* results,
+                                                        hrbfnpr_error* error);
+
+/* Which marks of a layer are drawn: numbers of marks, UINT32.
+ * POINTS: those that are shown, far to near.  LINE_STRIPS: along strokes, a run
+ * of shown marks each, ended by HRBFNPR_INDEX_RESTART.  TRIANGLE_STRIPS: the
+ * same, 2 * number and 2 * number + 1 for each mark.
+ * mark_class: HRBFNPR_CLASS_FRONT or SILHOUETTE.  *count gets the number written, or needed
+ * with BUFFER_TOO_SMALL; indices may be NULL when capacity is 0. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_write_mark_indices(const hrbfnpr_drawing* drawing, int64_t item,
+                                                              int64_t layer, uint32_t mark_class,
+                                                              uint32_t primitive, uint32_t* indices,
+                                                              int64_t capacity, int64_t* count,
+                                                              hrbfnpr_error* error);
+
+/* ---- Picking --------------------------------------------------------------- */
+
+typedef struct hrbfnpr_mark_identity {
+    uint32_t struct_size;
+    uint32_t id;
+    int64_t item;
+    int64_t layer;  /* of the item's point set */
+    int64_t mark;   /* of the layer */
+    int64_t stroke; /* of the layer; -1 = of none */
+    int64_t place;  /* along the stroke */
+} hrbfnpr_mark_identity;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint32_t struct_size);
+/* What an id stands for.  INVALID_ARGUMENT for one that is no mark's. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawing, uint32_t id,
+                                                    hrbfnpr_mark_identity* identity, hrbfnpr_error* error);
 
 #ifdef __cplusplus
 }

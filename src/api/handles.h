@@ -2,6 +2,7 @@
 // handles can be released in any order.
 #pragma once
 
+#include "api/readers.h"
 #include "base/runtime.h"
 
 #include <hrbfnpr.h>
@@ -25,6 +26,9 @@ public:
         return references_.fetch_sub(1, std::memory_order_acq_rel) == 1;
     }
 
+    // Nobody else can add one to it meanwhile: the caller holds it.
+    [[nodiscard]] bool has_one_reference() const noexcept { return references_.load(std::memory_order_acquire) == 1; }
+
 protected:
     ~Counted() = default;
 
@@ -42,6 +46,7 @@ struct hrbfnpr_context : hrbfnpr::api::Counted {
     hrbfnpr::base::DeallocateFn deallocate;
     void* allocator_user;
     hrbfnpr::base::Runtime runtime;
+    mutable hrbfnpr::api::Readers readers{runtime};
 };
 
 namespace hrbfnpr::api {

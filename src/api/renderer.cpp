@@ -9,6 +9,8 @@
 #include "api/style.h"
 #include "api/views.h"
 
+#include <cstdio>
+
 using namespace hrbfnpr;
 
 namespace hrbfnpr::api {
@@ -28,51 +30,164 @@ hrbfnpr_layer_pose defaults() noexcept {
 namespace {
 
 constexpr std::int64_t most_items = 1000000;
+constexpr std::int64_t most_poses = 65536;
 // Drawings that a renderer keeps to be filled again: one that is shown, one that is being made, and some in between.
 constexpr std::int64_t most_kept = 4;
 
 using Items = List<hrbfnpr_item>;
 
-hrbfnpr_item item_at(const Items& items, std::int64_t i) {
-    const ElementName name = items.name(i);
-    const hrbfnpr_item item = items[i];
-    Checks(name.text).zero("reserved", item.reserved);
-    Checks(name.text).given("point_set", item.point_set != nullptr);
-    return item;
-}
-
 // Reads and checks everything before any drawing is touched.
-void read_items(hrbfnpr_renderer& renderer, const Items& items) {
-    renderer.styles.clear();
-    renderer.poses.clear();
-    renderer.items.clear();
-    for (std::int64_t i = 0; i < items.count(); ++i) {
-        const hrbfnpr_item item = item_at(items, i);
-        frame::Item to;
-        to.set = &item.point_set->set;
-        to.model = item.model != nullptr ? &item.model->implicit() : nullptr;
-        to.transform = to_matrix(item.transform);
-        renderer.styles.push_back(style_of(item, items.name(i).text));
-        read_poses(renderer, item, items.name(i).text);
-        renderer.items.push_back(to);
-    }
-}
+class ItemReader {
+public:
+    ItemReader(hrbfnpr_renderer& renderer, const Items& items) noexcept : renderer_(renderer), items_(items) {}
 
-// A drawing that only the renderer holds, or a new one.
+    void operator()() {
+        renderer_.items.clear();
+        renderer_.layer_styles.clear();
+        renderer_.poses.clear();
+        for (std::int64_t i = 0; i < items_.count(); ++i) read(items_[i], items_.name(i).text);
+        // The arrays do not move any more.
+        std::size_t style = 0;
+        std::size_t pose = 0;
+        for (std::int64_t i = 0; i < items_.count(); ++i) {
+            const hrbfnpr_item given = items_[i];
+            frame::Item& item = renderer_.items[i];
+            const auto layers = given.style == nullptr ? 0 : read_struct(given.style, "style").layer_count;
+            item.style.layers =
+                std::as_const(renderer_.layer_styles).span().subspan(style, static_cast<std::size_t>(layers));
+            item.poses =
+                std::as_const(renderer_.poses).span().subspan(pose, static_cast<std::size_t>(given.pose_count));
+            style += item.style.layers.size();
+            pose += item.poses.size();
+        }
+    }
+
+private:
+    void read(const hrbfnpr_item& given, const char* name) {
+        const Checks checks(name);
+        checks.zero("reserved", given.reserved);
+        checks.given("point_set", given.point_set != nullptr);
+        if (given.model != nullptr && given.pose_count > 0)
+            fail(Status::invalid_argument, "%s.model is given, and so are poses: marks that have moved lie on no model",
+                 name);
+        frame::Item item;
+        item.set = &given.point_set->set;
+        item.model = given.model != nullptr ? &given.model->implicit() : nullptr;
+        item.transform = to_matrix(given.transform);
+        char part[64];
+        std::snprintf(part, sizeof part, "%s.style", name);
+        if (given.style != nullptr)
+            item.style = checked_style(read_struct(given.style, part), part, renderer_.layer_styles);
+        std::snprintf(part, sizeof part, "%s.poses", name);
+        read_poses(given, part);
+        renderer_.items.push_back(item);
+    }
+
+    void read_poses(const hrbfnpr_item& item, const char* name) {
+        const List<hrbfnpr_layer_pose> list(item.poses, item.pose_count, item.pose_stride, most_poses, name);
+        for (std::int64_t i = 0; i < list.count(); ++i) {
+            const hrbfnpr_layer_pose given = list[i];
+            const ElementName element = list.name(i);
+            Checks(element.text).zero("reserved", given.reserved);
+            const marks::PointSet& set = item.point_set->set;
+            if (given.layer < 0 || given.layer >= set.layers.size())
+                fail(Status::invalid_argument, "%s.layer is %lld; the item's point set has %lld layers", element.text,
+                     static_cast<long long>(given.layer), static_cast<long long>(set.layers.size()));
+            const std::int64_t marks = set.layers[given.layer].count();
+            const auto view = [&](const hrbfnpr_array& array, const char* field) {
+                char part[128];
+                std::snprintf(part, sizeof part, "%s.%s", element.text, field);
+                return in_view(array, part, points_type, marks);
+            };
+            frame::Pose pose{given.layer, view(given.position, "position"), view(given.normal, "normal"),
+                             view(given.direction, "direction")};
+            if (marks > 0 && (pose.position.empty() || pose.normal.empty()))
+                fail(Status::invalid_argument, "%s.position and normal are needed", element.text);
+            renderer_.poses.push_back(pose);
+        }
+    }
+
+    hrbfnpr_renderer& renderer_;
+    const Items& items_;
+};
+
+// A drawing that nobody else holds, or a new one; with a reference for the caller.
 hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
     for (hrbfnpr_drawing* drawing : renderer.drawings) {
         if (!drawing->has_one_reference()) continue;
         drawing->add_reference();
         return drawing;
     }
+    const bool keep = renderer.drawings.size() < most_kept;
+    if (keep) renderer.drawings.reserve(most_kept);
     auto* const drawing = make_handle<hrbfnpr_drawing>(renderer.context());
-    if (renderer.drawings.size() < most_kept) {
-        const Hold<hrbfnpr_drawing> hold(drawing);
+    if (keep) {
         renderer.drawings.push_back(drawing);
         drawing->add_reference();
     }
     return drawing;
 }
 
+// Of what the last drawing in its memory held, the sets are let go last: they may be the same.
+void fill(hrbfnpr_renderer& renderer, const Items& items, const frame::Camera& camera, hrbfnpr_drawing& drawing) {
+    drawing.coming.clear();
+    for (std::int64_t i = 0; i < items.count(); ++i) {
+        drawing.coming.push_back(items[i].point_set);
+        items[i].point_set->add_reference();
+    }
+    drawing.let_go();
+    std::swap(drawing.sets, drawing.coming);
+    renderer.frame.draw(renderer.items.span(), camera, drawing.drawing);
+    drawing.drawing.counts.scratch_bytes +=
+        renderer.items.bytes() + renderer.layer_styles.bytes() + renderer.poses.bytes();
+}
+
+hrbfnpr_drawing* draw(hrbfnpr_renderer& renderer, const Items& items, const hrbfnpr_camera* camera) {
+    ItemReader(renderer, items)();
+    const frame::Camera view = to_camera(read_struct(camera, "camera"));
+    hrbfnpr_drawing* const drawing = idle_drawing(renderer);
+    try {
+        fill(renderer, items, view, *drawing);
+    } catch (...) {
+        drawing->drawing.clear();
+        release_handle(drawing);
+        throw;
+    }
+    return drawing;
+}
+
 } // namespace
 } // namespace hrbfnpr::api
+
+extern "C" {
+
+hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer,
+                                       hrbfnpr_error* error) {
+    return api::guarded_create(out_renderer, "out_renderer", error,
+                               [&] { return api::make_handle<hrbfnpr_renderer>(api::deref(context, "context")); });
+}
+
+void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer) {
+    if (renderer != nullptr) renderer->add_reference();
+}
+
+void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer) { api::release_handle(renderer); }
+
+hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size) {
+    return api::init_struct(item, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size) {
+    return api::init_struct(pose, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t item_count,
+                                     int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing,
+                                     hrbfnpr_error* error) {
+    return api::guarded_create(out_drawing, "out_drawing", error, [&] {
+        auto& handle = api::deref(renderer, "renderer");
+        return api::draw(handle, {items, item_count, item_stride, api::most_items, "items"}, camera);
+    });
+}
+
+} // extern "C"

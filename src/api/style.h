@@ -2,16 +2,16 @@
 #pragma once
 
 #include "api/descriptor.h"
+#include "base/memory.h"
 #include "frame/scene/style.h"
 
 #include <hrbfnpr.h>
 
 namespace hrbfnpr::api {
 
-template <>
-hrbfnpr_style defaults() noexcept;
-
-// Checks every field; `owner` names the struct in messages, such as "items[2].style".
-[[nodiscard]] frame::Style checked_style(const hrbfnpr_style& style, const char* owner);
+// Checks every field; `owner` names the struct in messages, such as "items[2].style".  The style's layers are added
+// to `layers`; its own span of them is left empty, as the array may still move.
+[[nodiscard]] frame::Style checked_style(const hrbfnpr_style& style, const char* owner,
+                                         base::Array<frame::LayerStyle>& layers);
 
 } // namespace hrbfnpr::api

@@ -48,8 +48,9 @@ struct StrokePoint {
     float opacity; // times that of the layer's ink
     float depth;   // eye units along the view
     float window;  // depth in the camera's convention
-    float length;  // along the stroke from its first point, pixels
-    std::uint32_t id; // of the mark
+    float pixels_per_unit; // of eye space
+    float length;          // along the stroke from its first point, pixels
+    std::uint32_t id;      // of the mark
 };
 
 } // namespace hrbfnpr::drawing

@@ -216,7 +216,7 @@ void Gatherer::splat(const Local& local, const Seen& seen, std::int64_t count) n
         const float x = seen.side_x[i] * turn;
         const float y = -seen.side_y[i] * turn;
         const float slope = std::sqrt(x * x + y * y);
-        const float shrink = (slope > steepest ? steepest / slope : 1.0F) / c.pixels_per_unit;
+        const float shrink = (slope > drawing::steepest ? drawing::steepest / slope : 1.0F) / c.pixels_per_unit;
         c.slope_x = x * shrink;
         c.slope_y = y * shrink;
         c.transmittance = transmittance_.at(nu);
@@ -224,7 +224,7 @@ void Gatherer::splat(const Local& local, const Seen& seen, std::int64_t count) n
         set_halo(c, local, seen, i);
         c.id = run_.first_id + blocks[i / MarkBlock::size].mark[i % MarkBlock::size];
         c.faces_back = nu > 0.0F;
-        ++info_.painted;
+        ++info_.splats;
     }
 }
 

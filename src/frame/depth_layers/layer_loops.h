@@ -2,11 +2,14 @@
 #pragma once
 
 #include "base/instruction_set.h"
-#include "drawing/drawing.h"
+#include "drawing/splat.h"
 
 #include <cstdint>
 
 namespace hrbfnpr::frame {
+
+using drawing::Splat;
+
 
 // Rows of `stride` floats, one for each pixel.  Of a line of sight: the nearest layer that faces the eye, the nearest
 // that faces away, and the ones after them; depth and what they let through.

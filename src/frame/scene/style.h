@@ -75,8 +75,7 @@ struct Style {
 // The named styles.
 struct Preset {
     const char* name;
-    std::span<const marks::Kind> drawn; // the kinds of layers that it draws
-    Style style;                        // its layers are constants
+    Style style; // its layers are constants
 };
 inline constexpr std::uint32_t preset_count = 8;
 [[nodiscard]] Preset preset(std::uint32_t number) noexcept; // number < preset_count

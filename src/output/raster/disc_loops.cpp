@@ -33,9 +33,9 @@ template <class Blend>
 HWY_INLINE void for_pixels(const DiscTile& t, const InkDisc& disc, Blend&& blend) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
-    const float radius = disc.radius > frame::smallest_radius ? disc.radius : frame::smallest_radius;
+    const float radius = disc.radius > drawing::smallest_radius ? disc.radius : drawing::smallest_radius;
     const float dimmed = disc.radius / radius;
-    const float rim = radius + frame::soft_rim;
+    const float rim = radius + drawing::soft_rim;
     const W alpha = hn::Set(d, disc.alpha * dimmed * dimmed);
     const W outer = hn::Set(d, rim);
     const std::int32_t left = clamped(disc.x - rim, t.width);
@@ -84,16 +84,16 @@ HWY_INLINE void draw_colored(const DiscTile& t, const InkDisc& disc, const float
 
 void draw(const DiscTile& t, const InkList& list) {
     for (std::int64_t i = 0; i < list.count; ++i) {
-        const frame::Ink& ink = list.inks[list.numbers[i]];
-        if (!(ink.alpha > 0.0F)) continue;
-        InkDisc disc = {ink.x - list.left, ink.y - list.top, ink.radius, ink.alpha * list.one_alpha,
+        const drawing::Dot& ink = list.inks[list.numbers[i]];
+        if (!(ink.opacity > 0.0F)) continue;
+        InkDisc disc = {ink.x - list.left, ink.y - list.top, ink.radius, ink.opacity * list.one_alpha,
                         ink.window * list.toward};
         if (t.color[0] == nullptr) {
             draw_one(t, disc);
             continue;
         }
-        const float* const color = list.colors + 4 * std::int64_t{ink.color};
-        disc.alpha = ink.alpha * color[3];
+        const float* const color = list.colors + 4 * std::int64_t{ink.layer};
+        disc.alpha = ink.opacity * color[3];
         draw_colored(t, disc, color);
     }
 }

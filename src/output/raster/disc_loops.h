@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/instruction_set.h"
-#include "frame/depth_layers/ink.h"
+#include "drawing/dot.h"
 
 #include <cstdint>
 
@@ -18,11 +18,11 @@ struct DiscTile {
 
 // Inks by their numbers; (left, top) is the tile's first pixel.
 struct InkList {
-    const frame::Ink* inks;
+    const drawing::Dot* inks;
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
-    const float* colors; // four of each number of a colour: RGB, and an alpha that multiplies the ink's
+    const float* colors; // four of each layer: RGB, and an alpha that multiplies the ink's
     float one_alpha;     // of all, if there is one colour
     float toward;        // -1: the host's depth rises towards the eye; 1
 };

@@ -1,7 +1,8 @@
 // Which pixels are drawn.
 #pragma once
 
-#include "output/raster/draw.h"
+#include "geometry/vec.h"
+#include "output/raster/settings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -34,7 +34,7 @@ HWY_INLINE End end_of(const SegmentList& list, const drawing::StrokePoint& p) {
     return {p.x - list.left, p.y - list.top, radius, p.opacity * p.radius / radius, p.window * list.toward};
 }
 
-HWY_INLINE Box box_of(const DotTile& t, const End& a, const End& b) {
+HWY_INLINE Box box_of(const DiscTile& t, const End& a, const End& b) {
     const float rim = most(a.radius, b.radius) + drawing::soft_rim;
     return {clamped(least(a.x, b.x) - rim, t.width), clamped(least(a.y, b.y) - rim, t.height),
             clamped(most(a.x, b.x) + rim + 1.0F, t.width), clamped(most(a.y, b.y) + rim + 1.0F, t.height)};
@@ -42,7 +42,7 @@ HWY_INLINE Box box_of(const DotTile& t, const End& a, const End& b) {
 
 // The nearest place on the segment decides on half width and opacity; the part of a pixel that is covered is taken
 // as how far the rim lies beyond the pixel's centre.
-HWY_INLINE void cover_segment(const DotTile& t, const End& a, const End& b, const Box& box, float* cover) {
+HWY_INLINE void cover_segment(const DiscTile& t, const End& a, const End& b, const Box& box, float* cover) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const W zero = hn::Zero(d);
@@ -76,7 +76,7 @@ HWY_INLINE void cover_segment(const DotTile& t, const End& a, const End& b, cons
     }
 }
 
-HWY_INLINE void blend(const DotTile& t, const Box& box, const float* color, float* cover) {
+HWY_INLINE void blend(const DiscTile& t, const Box& box, const float* color, float* cover) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const W alpha = hn::Set(d, color[3]);
@@ -86,7 +86,7 @@ HWY_INLINE void blend(const DotTile& t, const Box& box, const float* color, floa
             const W ink = hn::Mul(hn::LoadU(d, cover + at), alpha);
             const W left = hn::Sub(hn::Set(d, 1.0F), ink);
             hn::StoreU(hn::Zero(d), d, cover + at);
-            hn::StoreU(hn::Mul(hn::LoadU(d, t.clear + at), left), d, t.clear + at);
+            hn::StoreU(hn::Mul(hn::LoadU(d, t.transmittance + at), left), d, t.transmittance + at);
             if (t.color[0] == nullptr) continue;
             for (int c = 0; c < 3; ++c)
                 hn::StoreU(hn::Add(hn::Mul(hn::LoadU(d, t.color[c] + at), left), hn::Mul(hn::Set(d, color[c]), ink)), d,
@@ -95,7 +95,7 @@ HWY_INLINE void blend(const DotTile& t, const Box& box, const float* color, floa
     }
 }
 
-void lay(const DotTile& t, const SegmentList& list, float* cover) {
+void lay(const DiscTile& t, const SegmentList& list, float* cover) {
     Box all{t.width, t.height, 0, 0};
     for (std::int64_t i = 0; i < list.count; ++i) {
         const drawing::StrokePoint* const p = list.points + list.numbers[i];

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/instruction_set.h"
-#include "output/raster/dot_loops.h"
+#include "output/raster/disc_loops.h"
 
 #include <cstdint>
 
@@ -15,13 +15,13 @@ struct SegmentList {
     std::int64_t count;
     float left, top;    // the tile's first pixel
     const float* color; // RGB of the ink, and its alpha; the RGB is not read where the tile has no colour
-    float toward;       // as in DotList
+    float toward;       // as in InkList
 };
 
 struct StrokeLoops {
     // Lays the union of the segments over the tile: where they overlap, the stroke is no darker.  `cover` is a plane
     // of the tile's stride that is zero, and is zero again afterwards.
-    void (*lay)(const DotTile& tile, const SegmentList& list, float* cover);
+    void (*lay)(const DiscTile& tile, const SegmentList& list, float* cover);
 };
 
 [[nodiscard]] StrokeLoops stroke_loops(base::InstructionSet set) noexcept;

@@ -1,7 +1,5 @@
-#include "output/raster/draw.h"
+#include "output/raster/published_raster.h"
 
-#include "drawing/tiles.h"
-#include "output/raster/layer_raster.h"
 #include "output/raster/pixels.h"
 #include "output/raster/rects.h"
 #include "output/raster/srgb.h"
@@ -12,8 +10,7 @@
 namespace hrbfnpr::output {
 namespace {
 
-using frame::Disc;
-using drawing::Tiles;
+using drawing::Dot;
 
 constexpr std::int32_t tile_size = 32; // a tile of float RGBA fits the first-level cache
 
@@ -30,25 +27,14 @@ struct Tile {
     return static_cast<std::size_t>(y) * tile_size + static_cast<std::size_t>(x);
 }
 
-} // namespace
-
-struct Raster::Impl {
-    explicit Impl(const base::Runtime& host) : runtime(host), bins(host.memory, tile_size), by_layers(host) {}
-
-    const base::Runtime& runtime;
-    drawing::Tiles bins;
-    LayerRaster by_layers;
-};
-
-namespace {
-
 // Everything that a tile's task reads.
 class Painter {
 public:
-    Painter(const drawing::Tiles& bins, const frame::Frame& frame, const Image& image, const DrawSettings& settings,
-            const Rect& rect) noexcept
-        : bins_(bins), discs_(frame.discs()), convention_(frame.camera().depth),
-          paper_(in_light(premultiplied(frame.paper()), settings)), image_(image), settings_(settings), rect_(rect),
+    Painter(const drawing::Tiles& bins, const drawing::Drawing& drawing, const Image& image,
+            const DrawSettings& settings, const Rect& rect) noexcept
+        : bins_(bins), drawing_(drawing), convention_(drawing.window.depth), coverage_(image.format == Format::coverage8),
+          paper_(coverage_ ? glm::vec4(0.0F) : in_light(premultiplied(drawing.paper), settings)), image_(image),
+          settings_(settings), rect_(rect),
           wants_outputs_(settings.depth || settings.id || settings.mark_class) {}
 
     void operator()(std::int64_t index) const {
@@ -59,7 +45,7 @@ public:
         tile.rect.bottom = std::min(tile.rect.top + tile_size, rect_.bottom);
         tile.color.fill(paper_);
         if (wants_outputs_) {
-            tile.nearest.fill(frame::far_depth(convention_));
+            tile.nearest.fill(drawing::far_depth(convention_));
             tile.top.fill(0);
         }
         bins_.for_tile(index, [&](std::uint32_t i) { paint(tile, i); });
@@ -75,12 +61,14 @@ private:
     }
 
     void paint(Tile& tile, std::uint32_t index) const {
-        const Disc& disc = discs_[index];
+        const Dot& disc = drawing_.dots[index];
+        const bool is_paper = (disc.flags & drawing::dot_is_paper) != 0;
+        const glm::vec4 ink = is_paper ? glm::vec4(glm::vec3(0.0F), 1.0F) : drawing_.layers[disc.layer].ink;
         // A disc below half a pixel keeps its ink by getting paler instead of smaller.
-        const float radius = std::max(disc.radius, frame::smallest_radius);
+        const float radius = std::max(disc.radius, drawing::smallest_radius);
         const float dimmed = disc.radius / radius;
-        const float alpha = disc.color.w * dimmed * dimmed;
-        const glm::vec4 source = disc.is_paper ? paper_ : in_light(glm::vec4(glm::vec3(disc.color), 1.0F), settings_);
+        const float alpha = ink.w * disc.opacity * dimmed * dimmed;
+        const glm::vec4 source = is_paper ? paper_ : in_light(glm::vec4(glm::vec3(ink), 1.0F), settings_);
         const float outer = radius + 0.5F;
         const float outer_squared = outer * outer;
         const float inner = radius - 0.5F;
@@ -101,29 +89,28 @@ private:
                 glm::vec4& color = tile.color[cell(x - tile.rect.left, y - tile.rect.top)];
                 color += (source - color) * (alpha * coverage);
                 if (wants_outputs_ && squared <= radius * radius)
-                    note(tile, cell(x - tile.rect.left, y - tile.rect.top), index, disc.depth);
+                    note(tile, cell(x - tile.rect.left, y - tile.rect.top), index, disc.window);
             }
         }
     }
 
     void note(Tile& tile, std::size_t at, std::uint32_t index, float depth) const noexcept {
         tile.top[at] = index + 1;
-        if (frame::nearer(depth, tile.nearest[at], convention_)) tile.nearest[at] = depth;
+        if (drawing::nearer(depth, tile.nearest[at], convention_)) tile.nearest[at] = depth;
     }
 
-    [[nodiscard]] bool behind_host(const Disc& disc, std::int32_t x, std::int32_t y) const noexcept {
+    [[nodiscard]] bool behind_host(const Dot& disc, std::int32_t x, std::int32_t y) const noexcept {
         if (settings_.host_depth.empty()) return false;
         const auto host = static_cast<float>(settings_.host_depth.get(std::int64_t{y} * image_.width + x, 0));
-        return frame::nearer(host, disc.depth, convention_);
+        return drawing::nearer(host, disc.window, convention_);
     }
 
     void store_row(const Tile& tile, std::int32_t y) const noexcept {
-        std::byte* row = image_.pixels + y * image_.row_stride;
         for (std::int32_t x = tile.rect.left; x < tile.rect.right; ++x) {
-            std::byte* const pixel = row + std::int64_t{4} * x;
+            std::byte* const pixel = image_.pixel(x, y);
             glm::vec4 color = tile.color[cell(x - tile.rect.left, y - tile.rect.top)];
             if (settings_.over) color += in_light(load_pixel(pixel, image_.format), settings_) * (1.0F - color.w);
-            store_pixel(pixel, settings_.linear_light ? from_linear(color) : color, image_.format);
+            store_pixel(pixel, settings_.linear_light && !coverage_ ? from_linear(color) : color, image_.format);
         }
     }
 
@@ -132,8 +119,8 @@ private:
             const std::size_t at = cell(x - tile.rect.left, y - tile.rect.top);
             const std::int64_t element = std::int64_t{y} * image_.width + x;
             const std::uint32_t top = tile.top[at];
-            const Disc nothing;
-            const Disc& disc = top == 0 ? nothing : discs_[top - 1];
+            const Dot nothing{};
+            const Dot& disc = top == 0 ? nothing : drawing_.dots[top - 1];
             if (settings_.depth) settings_.depth.set(element, 0, static_cast<double>(tile.nearest[at]));
             if (settings_.id) settings_.id.set(element, 0, static_cast<double>(disc.id));
             if (settings_.mark_class) settings_.mark_class.set(element, 0, static_cast<double>(disc.mark_class));
@@ -141,8 +128,9 @@ private:
     }
 
     const drawing::Tiles& bins_;
-    std::span<const Disc> discs_;
-    frame::DepthConvention convention_;
+    const drawing::Drawing& drawing_;
+    drawing::DepthConvention convention_;
+    bool coverage_;   // only how much ink there is counts
     glm::vec4 paper_; // premultiplied
     const Image& image_;
     const DrawSettings& settings_;
@@ -152,29 +140,20 @@ private:
 
 } // namespace
 
-Raster::Raster(const base::Runtime& runtime) : impl_(std::make_unique<Impl>(runtime)) {}
-Raster::~Raster() = default;
+PublishedRaster::PublishedRaster(const base::Runtime& runtime) noexcept
+    : runtime_(runtime), tiles_(runtime.memory, tile_size) {}
 
-void Raster::draw(const frame::Frame& frame, const Image& image, const DrawSettings& settings) {
-    if (frame.layer_frame() != nullptr) {
-        impl_->by_layers.draw(frame, image, settings);
-        return;
-    }
-    const Rect rect = drawn_rect(frame.camera().viewport, image);
+void PublishedRaster::draw(const drawing::Drawing& drawing, const Image& image, const DrawSettings& settings) {
+    const Rect rect = drawn_rect(drawing.window.viewport, image);
     if (rect.empty()) return;
-    const base::Parallel& parallel = impl_->runtime.parallel;
-    const std::span<const Disc> discs = frame.discs();
-    const std::array all = {frame::Piece{0, static_cast<std::int64_t>(discs.size())}};
-    impl_->bins.build(parallel, rect.right - rect.left, rect.bottom - rect.top, all,
-                      [&](std::int64_t i, drawing::Tiles::Footprint& print) {
-                          const Disc& disc = discs[static_cast<std::size_t>(i)];
-                          print = {disc.x - static_cast<float>(rect.left), disc.y - static_cast<float>(rect.top),
-                                   std::max(disc.radius, frame::smallest_radius) + 0.5F};
-                          return true;
-                      });
-    parallel.for_each(impl_->bins.tiles(), Painter(impl_->bins, frame, image, settings, rect));
+    tiles_.build(runtime_.parallel, rect.right - rect.left, rect.bottom - rect.top, drawing.dot_pieces.span(),
+                 [&](std::int64_t i, drawing::Tiles::Footprint& print) {
+                     const Dot& disc = drawing.dots[i];
+                     print = {disc.x - static_cast<float>(rect.left), disc.y - static_cast<float>(rect.top),
+                              std::max(disc.radius, drawing::smallest_radius) + 0.5F};
+                     return true;
+                 });
+    runtime_.parallel.for_each(tiles_.tiles(), Painter(tiles_, drawing, image, settings, rect));
 }
-
-std::int64_t Raster::scratch_bytes() const noexcept { return impl_->bins.bytes() + impl_->by_layers.scratch_bytes(); }
 
 } // namespace hrbfnpr::output
