@@ -119,7 +119,7 @@ enum {
     HRBFNPR_VERSION_MAJOR = 0,
     HRBFNPR_VERSION_MINOR = 1,
     HRBFNPR_VERSION_PATCH = 0,
-    HRBFNPR_ABI_VERSION = 0
+    HRBFNPR_ABI_VERSION = 1
 };
 
 /* The library's version as major * 10000 + minor * 100 + patch. */
@@ -760,18 +760,25 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, c
 
 /*
  * ==========================================================================
- * 7  POINT SET: marks on a surface, immutable            [NPAR 4.2, 5]
+ * 7  POINT SET: layers of marks on a surface, immutable   [NPAR 4.2, 5]
  * ==========================================================================
+ *
+ * A point set is a list of layers.  A layer is a list of marks of one kind,
+ * made in one way and drawn in one style; its number is its place in the
+ * list, from 0.  The marks of some layers form strokes.
  */
 
 typedef struct hrbfnpr_point_set hrbfnpr_point_set;
 
-/* The three groups of marks [NPAR 5]. */
+/* What the marks of a layer are.  More kinds may come: treat one that is not
+ * in this list like OWN. */
 enum {
-    HRBFNPR_GROUP_STIPPLE = 0,   /* scattered marks */
-    HRBFNPR_GROUP_CURVATURE = 1, /* strokes along d1 (set 0) and d2 (set 1) */
-    HRBFNPR_GROUP_COMBING = 2,   /* strokes along Stark's two directions, r (set 0), u (set 1) */
-    HRBFNPR_GROUP_COUNT = 3
+    HRBFNPR_LAYER_KIND_ANY = 0,       /* in styles only: layers of every kind */
+    HRBFNPR_LAYER_KIND_STIPPLES = 1,  /* scattered marks */
+    HRBFNPR_LAYER_KIND_PRINCIPAL = 2, /* strokes along the principal directions, d1 (the first) and d2 (the second) */
+    HRBFNPR_LAYER_KIND_COMBING = 3,   /* strokes along Stark's two directions, r (the first), u (the second) [NPAR 5.3] */
+    HRBFNPR_LAYER_KIND_FIELD = 4,     /* strokes along the caller's field of directions, and across it */
+    HRBFNPR_LAYER_KIND_OWN = 5        /* the caller's marks or strokes */
 };
 
 enum {
@@ -785,20 +792,20 @@ enum {
     HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0,
     /* The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
      * drawn independently at random [NPAR 5, 6.2]. */
-    HRBFNPR_DISTRIBUTION_PAPER = 1
+    HRBFNPR_DISTRIBUTION_PUBLISHED = 1
 };
 
 /* What the strokes of BLUE_NOISE follow: directions as measured where they are
  * sure, and the smoothest field between them where they are not (umbilics, flat
  * parts, borders of the combing field's regions). */
 enum {
-    /* Each set has a field of its own.  The sets are kept apart everywhere, and
+    /* Each direction has a field of its own.  The strokes of both are kept apart everywhere, and
      * where two principal directions change places a stroke turns with its own. */
-    HRBFNPR_STROKE_FIELD_LINE = 0,
+    HRBFNPR_SYMMETRY_LINE = 0,
     /* One field of crosses, which does not tell one direction from the other:
      * strokes go straight on where these change places, and a stroke belongs to
-     * the set that it follows for most of its length. */
-    HRBFNPR_STROKE_FIELD_CROSS = 1
+     * the direction that it follows for most of its length. */
+    HRBFNPR_SYMMETRY_CROSS = 1
 };
 
 enum {
@@ -808,28 +815,10 @@ enum {
     HRBFNPR_SEED_POINTS = 3   /* seed_points, projected */
 };
 
+/* Where the strokes of PUBLISHED start. */
 enum {
-    HRBFNPR_GROUP_SEED_SEEDS = 0,   /* a group starts from the seeds */
-    HRBFNPR_GROUP_SEED_STIPPLES = 1 /* ... from the stipples up to level seed_level */
-};
-
-/* How one group grows. */
-typedef struct hrbfnpr_group_desc {
-    int32_t levels;      /* refinement steps, 0 .. 12; stipples 4, strokes 3.  PAPER only; a stroke
-                            of it has 3^levels marks */
-    uint32_t seeds;      /* HRBFNPR_GROUP_SEED_...; PAPER only, not for STIPPLE */
-    int32_t seed_level;  /* with _STIPPLES: the last stippling level used; 0 */
-    uint32_t reserved;
-    int64_t budget;      /* the most marks, of both sets of strokes together, of BLUE_NOISE at
-                            most 100000000 (some 300 bytes each while they are made); 0 = no limit for
-                            PAPER and for strokes with a stroke_separation, else 40000.  PAPER
-                            thins the level that exceeds it at random and stops there;
-                            BLUE_NOISE leaves out the last strokes of the order */
-} hrbfnpr_group_desc;
-
-enum {
-    HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES = 1, /* fill CURVATURE for stipples too */
-    HRBFNPR_GENERATE_CURVATURE_OF_COMBING = 2   /* ... and for combing marks */
+    HRBFNPR_STROKE_START_SEEDS = 0,   /* from the seeds */
+    HRBFNPR_STROKE_START_STIPPLES = 1 /* from the stipples up to level start_level */
 };
 
 enum {
@@ -848,76 +837,103 @@ enum {
 typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions,
                                       const double* normals, double* density);
 
+/* A field of directions on the surface: fills directions (count x 3) from
+ * absolute positions and unit normals (count x 3 each).  A direction is taken
+ * into the tangent plane, its sign and length count nothing; where there is
+ * none it may be 0, 0, 0, and the strokes follow the smoothest field between
+ * those that there are.  NaN or infinity is CALLBACK.  Called with some
+ * thousand places at a time, on the thread that called _generate.  Non-zero
+ * fails it with CALLBACK. */
+typedef int32_t (*hrbfnpr_direction_fn)(void* user, int64_t count, const double* positions,
+                                        const double* normals, double* directions);
+
 enum {
-    HRBFNPR_ORDER_SEPARATE = 0, /* the ranks of each layer of marks cover all tones */
-    HRBFNPR_ORDER_LAYERED = 1   /* one layer of those that are made after the other, in the order of
-                                   HRBFNPR_LAYER_..., each over an equal part of the tones: cross-hatching
-                                   builds up from light to dark */
+    HRBFNPR_TONE_RANGES_FULL = 0,   /* each layer's ranks cover all tones */
+    HRBFNPR_TONE_RANGES_IN_TURN = 1 /* one after the other in the order of the list, the first direction of a layer
+                                       of strokes before the second, each over an equal part of the tones:
+                                       cross-hatching builds up from light to dark */
 };
 
-/* Layers of marks that hold ranks of their own. */
 enum {
-    HRBFNPR_LAYER_STIPPLE = 0,
-    HRBFNPR_LAYER_CURVATURE_FIRST = 1,
-    HRBFNPR_LAYER_CURVATURE_SECOND = 2,
-    HRBFNPR_LAYER_COMBING_FIRST = 3,
-    HRBFNPR_LAYER_COMBING_SECOND = 4,
-    HRBFNPR_LAYER_COUNT = 5
+    HRBFNPR_LAYER_WITH_CURVATURE = 1 /* fill the attribute CURVATURE; PRINCIPAL always does */
 };
 
-/* The darkness 1 - tau at which the first mark of a layer is shown, and that
- * at which all are: rank u becomes 1 - begin - (1 - u) (end - begin).
- * 0 <= begin < end <= 1, or both 0: as `order` says. */
-typedef struct hrbfnpr_layer {
-    float begin;
-    float end;
-} hrbfnpr_layer;
-
-typedef struct hrbfnpr_generate_desc {
+/* How one layer is made.
+ *
+ * The darkness 1 - tau at which the first mark of the layer is shown is
+ * tone_begin, that at which all are tone_end: rank u becomes 1 - begin -
+ * (1 - u) (end - begin), 0 <= begin < end <= 1.  Both 0: as
+ * hrbfnpr_generate_desc.tone_ranges says. */
+typedef struct hrbfnpr_layer_desc {
     uint32_t struct_size;
-    uint32_t groups;         /* bit (1 << HRBFNPR_GROUP_...) each; 1 (stipples only) */
-    uint32_t distribution;   /* HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
-    uint32_t seed_source;    /* HRBFNPR_SEED_...; AUTO */
-    uint32_t flags;          /* HRBFNPR_GENERATE_...; 0 */
-    uint32_t box_resolution; /* R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
-    double box_jitter;       /* alpha: in cell sides, 0 .. 0.5; 0.25 */
-    double initial_step;     /* rho_0; 0 = voxel diameter for BOX, mean empty-ball diameter of the
-                                seeds for others [NPAR 5.1].  PAPER only */
-    double projection_tolerance; /* as in hrbfnpr_project_desc; 1e-7 */
-    uint64_t random_seed;    /* any number; 1 */
-    hrbfnpr_array seed_points; /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
-    hrbfnpr_group_desc group[3];
-    /* Strokes of BLUE_NOISE, in object units; separation and step 0, or 1e-12 .. 1e9 diagonals (so is
-     * initial_step); ignored for PAPER. */
-    double stroke_separation; /* mean distance of neighbouring strokes of one set; 0 = such that all
-                                 strokes have as many marks as the group's budget */
-    double stroke_step;       /* distance of the marks of a stroke; 0 = a fifth of the separation */
-    double stroke_length;     /* at most; 0 = no limit.  Strokes end where they come nearer to
-                                 another than about two thirds of the separation, leave the surface's
-                                 samples, or meet a singular point of the field; a closed one ends
-                                 at its start */
-    uint32_t stroke_field;    /* HRBFNPR_STROKE_FIELD_...; CROSS */
+    uint32_t kind;       /* HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING or FIELD; STIPPLES */
+    const char* name;    /* UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field" */
+    int64_t budget;      /* the most marks, of both directions together; at most 100000000 for BLUE_NOISE; 40000.
+                            0 = no limit, for PUBLISHED and for strokes with a separation.  PUBLISHED thins the
+                            level that exceeds it at random and stops there; BLUE_NOISE leaves out the last
+                            strokes of the order.  Not used with a shared_budget */
+    float tone_begin;    /* of stipples, and of strokes of the first direction; 0 and 0 */
+    float tone_end;
+    float second_tone_begin; /* of strokes of the second direction; 0 and 0 */
+    float second_tone_end;
+    uint32_t flags;      /* HRBFNPR_LAYER_WITH_...; 0 */
+
     /* Stipples of BLUE_NOISE, which keep their evenness: a mark is left out where its place in the
-     * uniform order, divided by the density, is too high.  Ignored for PAPER. */
+     * uniform order, divided by the density, is too high. */
     uint32_t density;        /* HRBFNPR_DENSITY_...; UNIFORM */
     double density_strength; /* of CURVATURE, 0 .. 1; 0.5 */
     hrbfnpr_density_fn density_function; /* for CALLBACK.  Where its mean is below 1/16 of 1, fewer
                                             marks than the budget are made */
     void* density_user;
-    /* Ranks of all layers, for every distribution. */
-    uint32_t order;          /* HRBFNPR_ORDER_...; SEPARATE */
-    uint32_t reserved2;
-    int64_t shared_budget;   /* the most marks of all groups together: each layer gets its part of the
-                                tones; 0 = each group has its own.  Not with budgets of groups */
-    hrbfnpr_layer layer[5];  /* HRBFNPR_LAYER_...; all 0 */
+
+    /* Strokes of BLUE_NOISE, lengths in object units; separation and step 0, or 1e-12 .. 1e9 diagonals. */
+    double separation;       /* mean distance of neighbouring strokes of one direction; 0 = such that all strokes
+                                together have as many marks as the budget */
+    double step;             /* distance of the marks of a stroke; 0 = a fifth of the separation */
+    double length;           /* of a stroke at most; 0 = no limit.  Strokes end where they come nearer to
+                                another than about two thirds of the separation, leave the surface's
+                                samples, or meet a singular point of the field; a closed one ends
+                                at its start */
+    hrbfnpr_direction_fn direction_function; /* for FIELD */
+    void* direction_user;
+    uint32_t symmetry;       /* HRBFNPR_SYMMETRY_...; CROSS */
+
+    /* PUBLISHED. */
+    uint32_t start;      /* HRBFNPR_STROKE_START_...; SEEDS.  Not for STIPPLES */
+    int32_t start_level; /* with STROKE_START_STIPPLES: the last stippling level used; 0 */
+    int32_t levels;      /* refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have
+                            3^levels marks; -1 */
+} hrbfnpr_layer_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
+
+typedef struct hrbfnpr_generate_desc {
+    uint32_t struct_size;
+    uint32_t distribution;   /* HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
+    const hrbfnpr_layer_desc* layers; /* a list; NULL and 0 = one layer of stipples */
+    int64_t layer_count;
+    int64_t layer_stride;
+    int64_t shared_budget;   /* the most marks of all layers together: each gets its part of the
+                                tones; 0 = each layer has its own budget */
+    uint32_t tone_ranges;    /* HRBFNPR_TONE_RANGES_...; FULL */
+    uint32_t seed_source;    /* HRBFNPR_SEED_...; AUTO */
+    hrbfnpr_array seed_points; /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
+    double box_jitter;       /* alpha: in cell sides, 0 .. 0.5; 0.25 */
+    uint32_t box_resolution; /* R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
+    uint32_t reserved;
+    double initial_step;     /* rho_0, 0 or 1e-12 .. 1e9 diagonals; 0 = voxel diameter for BOX, mean empty-ball
+                                diameter of the seeds for others [NPAR 5.1].  PUBLISHED only */
+    double projection_tolerance; /* as in hrbfnpr_project_desc; 1e-7 */
+    uint64_t random_seed;    /* any number; 1 */
 } hrbfnpr_generate_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint32_t struct_size);
 
 /* Places marks on the surface.  desc may be NULL, operation may be NULL.
- * Marks whose projection fails or strays are dropped and counted in the info;
- * a set whose seeds are all dropped is an error (NOT_CONVERGED), and so is one
- * whose marks are, or that no stroke of a given separation or step fits into.
+ * Marks whose projection fails or strays are dropped and counted
+ * (hrbfnpr_placement_info); a set whose seeds are all dropped is an error
+ * (NOT_CONVERGED), and so is one whose marks are, or that no stroke of a given
+ * separation or step fits into.
  *
  * Sizes.  Marks are float: the diagonal of the model's bounds must be 1e-33 ..
  * 1e33, in whatever unit.  Beyond 1e-9 .. 1e9 the marks of a model that is
@@ -933,113 +949,146 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, 
                                                       hrbfnpr_point_set** out_point_set,
                                                       hrbfnpr_error* error);
 
-/* What is known of each mark, per group. */
+/* What is known of each mark of a layer, and of each of its S strokes. */
 enum {
-    HRBFNPR_ATTRIBUTE_POSITION = 0,  /* FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin */
-    HRBFNPR_ATTRIBUTE_NORMAL = 1,    /* FLOAT32 x 3, unit, outward */
-    HRBFNPR_ATTRIBUTE_DIRECTION = 2, /* FLOAT32 x 3, unit, tangent: along the stroke; for a stipple
-                                        the u of its basis [NPAR 5.2] */
-    HRBFNPR_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
-    HRBFNPR_ATTRIBUTE_RANK = 4,      /* FLOAT32: the u of [NPAR 6.2], uniform in [0,1): a mark is
-                                        shown where u >= tau.  BLUE_NOISE: all marks of a stroke
-                                        have the same, and a share of the ranks is that share of
-                                        each set's marks */
-    HRBFNPR_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed it, 0 = a seed.
-                                        BLUE_NOISE strokes: the pass; each one halves the distance
-                                        that strokes keep */
-    HRBFNPR_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: stroke (2 * number + set), and the mark's place
-                                        along it.  PAPER: the number is the seed's, places are
-                                        0 .. 3^levels - 1, the seed in the middle.  BLUE_NOISE: 0 ..
-                                        n - 1 from end to end; strokes lie one after the other in the
-                                        arrays.  For a stipple its seed and 0 */
-    HRBFNPR_ATTRIBUTE_WIDTH = 7,     /* FLOAT32, relative, in (0,1]: 1 in the middle of a stroke,
-                                        less towards its tapered ends.  The ink of front marks has
-                                        this much of the style's radius.  Count 0 = all 1: stipples,
-                                        PAPER */
-    HRBFNPR_ATTRIBUTE_COUNT = 8
+    HRBFNPR_MARK_ATTRIBUTE_POSITION = 0,  /* FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin */
+    HRBFNPR_MARK_ATTRIBUTE_NORMAL = 1,    /* FLOAT32 x 3, unit, outward */
+    HRBFNPR_MARK_ATTRIBUTE_DIRECTION = 2, /* FLOAT32 x 3, unit, tangent: along the stroke; for a mark of none
+                                             the u of its basis [NPAR 5.2] */
+    HRBFNPR_MARK_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
+    HRBFNPR_MARK_ATTRIBUTE_RANK = 4,      /* FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is
+                                             shown where u >= tau.  All marks of a stroke of BLUE_NOISE
+                                             have the same, and a share of the ranks is that share of
+                                             each direction's marks */
+    HRBFNPR_MARK_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed it, 0 = a seed.
+                                             BLUE_NOISE strokes: the pass; each one halves the distance
+                                             that strokes keep */
+    HRBFNPR_MARK_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the
+                                             mark's place along it.  PUBLISHED: the number is the seed's, places are
+                                             0 .. 3^levels - 1, the seed in the middle.  Else 0 .. n - 1 from end
+                                             to end.  For a mark of no stroke: 2 * its number (PUBLISHED: its
+                                             seed's), and 0 */
+    HRBFNPR_MARK_ATTRIBUTE_WIDTH = 7,     /* FLOAT32, relative, in (0,1]: 1 in the middle of a stroke,
+                                             less towards its tapered ends.  The ink of front marks has
+                                             this much of the style's radius.  Count 0 = all 1 */
+    HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST = 8, /* UINT32, S + 1 elements: stroke s has the marks
+                                                order[first[s]] .. order[first[s + 1] - 1] from end to end, order
+                                                being STROKE_ORDER.  Count 0 = a layer without strokes */
+    HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER = 9  /* UINT32: numbers of marks, stroke by stroke.  Count 0 = the marks
+                                                stand stroke by stroke already: every layer but those of PUBLISHED */
 };
 
-/* A group of ready-made marks.  position and normal are needed; the others may
- * be left empty: direction = stipple basis, rank = random, level = 0, stroke =
- * one for each mark, curvature = absent, width = 1 (else in (0,1]).  Types and components as in the list
- * above, FLOAT64 accepted for FLOAT32. */
-typedef struct hrbfnpr_group_arrays {
-    hrbfnpr_array position; /* absolute, not relative to an origin */
-    hrbfnpr_array normal;
-    hrbfnpr_array direction;
-    hrbfnpr_array curvature;
-    hrbfnpr_array rank;
-    hrbfnpr_array level;
-    hrbfnpr_array stroke;
-    hrbfnpr_array width;
-} hrbfnpr_group_arrays;
+/* A layer of ready-made marks.  Types and components as in the list above,
+ * FLOAT64 accepted for FLOAT32.  position and normal are needed, the others
+ * may be left empty. */
+typedef struct hrbfnpr_layer_arrays {
+    uint32_t struct_size;
+    uint32_t kind;              /* HRBFNPR_LAYER_KIND_... but ANY; OWN */
+    const char* name;           /* UTF-8, 1 .. 63 bytes, copied; NULL = as in hrbfnpr_layer_desc, "own" for OWN */
+    hrbfnpr_array position;     /* absolute, not relative to an origin */
+    hrbfnpr_array normal;       /* unit, outward */
+    hrbfnpr_array stroke_first; /* UINT32, S + 1 elements, rising from 0 to the number of marks: stroke s has the
+                                   marks first[s] .. first[s + 1] - 1 from end to end.  Empty = no strokes */
+    hrbfnpr_array stroke_direction; /* UINT8, S elements: 0 the first direction, 1 the second.  Empty = 0 */
+    hrbfnpr_array direction;    /* empty = along the stroke; of a mark of none its basis */
+    hrbfnpr_array curvature;    /* empty = not known */
+    hrbfnpr_array rank;         /* empty = random, the same for all marks of a stroke */
+    hrbfnpr_array level;        /* empty = 0 */
+    hrbfnpr_array width;        /* in (0,1]; empty = 1 */
+} hrbfnpr_layer_arrays;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_layer_arrays_init(hrbfnpr_layer_arrays* arrays, uint32_t struct_size);
 
 typedef struct hrbfnpr_point_set_desc {
     uint32_t struct_size;
     uint32_t reserved;
+    const hrbfnpr_point_set* base; /* its layers come first; NULL = none.  Copied */
+    const hrbfnpr_layer_arrays* layers; /* a list: the layers that follow */
+    int64_t layer_count;
+    int64_t layer_stride;
     uint64_t random_seed; /* for ranks that are not given; 1 */
-    hrbfnpr_group_arrays group[3];
 } hrbfnpr_point_set_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_t struct_size);
-/* Marks from the caller's arrays (copied).  They are 1e-33 .. 1e33 across, or at
- * one place.  Errors: INVALID_ARGUMENT naming the array and the index,
+/* A set of the caller's marks, or of another set's layers and the caller's.
+ * They are 1e-33 .. 1e33 across, or at one place.  A set with a base keeps its
+ * origin, distribution and area: the spacing is smaller only where a new layer
+ * has more marks than all before.
+ * Errors: INVALID_ARGUMENT naming the layer, the array and the index,
  * OUT_OF_MEMORY. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_create_from_arrays(hrbfnpr_context* context,
-                                                                const hrbfnpr_point_set_desc* desc,
-                                                                hrbfnpr_point_set** out_point_set,
-                                                                hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_create(hrbfnpr_context* context, const hrbfnpr_point_set_desc* desc,
+                                                    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 
-HRBFNPR_API void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);  /* any thread */
-HRBFNPR_API void hrbfnpr_point_set_release(const hrbfnpr_point_set* set); /* any thread */
-
-/* What became of one level's candidates: attempted = placed + all dropped. */
-typedef struct hrbfnpr_level_info {
-    int64_t attempted;
-    int64_t placed;
-    int64_t dropped_not_converged; /* projection ended short of the tolerance */
-    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step; or cut
-                                      off the rest of its stroke by one that was dropped */
-    int64_t dropped_degenerate;    /* zero gradient or not finite */
-    int64_t dropped_budget;        /* over the group's budget */
-} hrbfnpr_level_info;
-
-typedef struct hrbfnpr_group_info {
-    int64_t count;         /* marks in the group */
-    int64_t strokes;       /* strokes in the group; 0 for stipples */
-    int64_t full_count;    /* what the counts would be if nothing had been dropped (PAPER), or had
-                              been left out for the budget (BLUE_NOISE strokes) */
-    int32_t levels;        /* refinement steps taken; BLUE_NOISE strokes: the last pass */
-    uint32_t reserved;
-    double step;           /* initial step rho_0 used; BLUE_NOISE strokes: the separation */
-    double seconds;
-    hrbfnpr_level_info level[13];
-} hrbfnpr_group_info;
+HRBFNPR_API void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_point_set_release(const hrbfnpr_point_set* set); /* any thread; NULL is ignored */
 
 typedef struct hrbfnpr_point_set_info {
     uint32_t struct_size;
     uint32_t distribution;
     uint32_t seed_source;   /* the one used */
     uint32_t reserved;
+    int64_t layers;         /* how many */
+    int64_t marks;          /* in all layers */
     double origin[3];       /* add to POSITION */
     double bounds_min[3];   /* of all marks, absolute */
     double bounds_max[3];
-    double spacing;         /* sqrt(area per mark) of the largest group, estimated: what a frame
+    double spacing;         /* sqrt(area per mark) of the largest layer, estimated: what a frame
                                uses as the size of a mark's piece of surface */
     double seconds_seeds;
     double seconds_total;
     int64_t bytes;          /* kept by the set */
-    hrbfnpr_level_info seeds;
-    hrbfnpr_group_info group[3];
 } hrbfnpr_point_set_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_info_init(hrbfnpr_point_set_info* info, uint32_t struct_size);
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set,
                                                       hrbfnpr_point_set_info* info, hrbfnpr_error* error);
 
-/* A zero-copy view of one attribute of one group, valid while the set lives.
- * An empty group, or CURVATURE or WIDTH where there is none, gives count 0. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, uint32_t group,
+typedef struct hrbfnpr_layer_info {
+    uint32_t struct_size;
+    uint32_t kind;         /* HRBFNPR_LAYER_KIND_... */
+    char name[64];         /* UTF-8, always terminated */
+    int64_t marks;
+    int64_t strokes;       /* 0: its marks form none */
+    int64_t full_count;    /* what `marks` would be if nothing had been dropped (PUBLISHED), or had
+                              been left out for the budget (BLUE_NOISE strokes) */
+    int32_t levels;        /* refinement steps taken; BLUE_NOISE strokes: the last pass */
+    uint32_t reserved;
+    double step;           /* initial step rho_0 used; BLUE_NOISE strokes: the separation */
+    double seconds;
+} hrbfnpr_layer_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint32_t struct_size);
+/* layer: 0 .. hrbfnpr_point_set_info.layers - 1. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_layer_info(const hrbfnpr_point_set* set, int64_t layer,
+                                                            hrbfnpr_layer_info* info, hrbfnpr_error* error);
+
+/* What became of candidates for marks: attempted = placed + all dropped. */
+typedef struct hrbfnpr_placement_info {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t attempted;
+    int64_t placed;
+    int64_t dropped_not_converged; /* projection ended short of the tolerance */
+    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step; or cut
+                                      off the rest of its stroke by one that was dropped */
+    int64_t dropped_degenerate;    /* zero gradient or not finite */
+    int64_t dropped_budget;        /* over the layer's budget */
+} hrbfnpr_placement_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint32_t struct_size);
+/* Of the seeds. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_seed_placement(const hrbfnpr_point_set* set,
+                                                                hrbfnpr_placement_info* info,
+                                                                hrbfnpr_error* error);
+/* Of one level of one layer; level: 0 .. hrbfnpr_layer_info.levels. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_set* set, int64_t layer,
+                                                           int32_t level, hrbfnpr_placement_info* info,
+                                                           hrbfnpr_error* error);
+
+/* A zero-copy view of one attribute (HRBFNPR_MARK_ATTRIBUTE_...) of one layer,
+ * valid while the set lives.  An empty layer, or an attribute that it has not,
+ * gives count 0. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, int64_t layer,
                                                   uint32_t attribute, hrbfnpr_array* out_view,
                                                   hrbfnpr_error* error);
 
@@ -1074,6 +1123,15 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* contex
  * 8  CAMERA AND STYLE: plain data
  * ==========================================================================
  */
+
+/* What hrbfnpr_style.group is for: layers of these kinds; those of all others
+ * are drawn like stipples. */
+enum {
+    HRBFNPR_GROUP_STIPPLE = 0,
+    HRBFNPR_GROUP_CURVATURE = 1,
+    HRBFNPR_GROUP_COMBING = 2,
+    HRBFNPR_GROUP_COUNT = 3
+};
 
 /* Range of window depth from near to far plane. */
 enum {
@@ -1252,6 +1310,10 @@ enum {
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size,
                                                      uint32_t preset, uint32_t* generate_groups,
                                                      hrbfnpr_error* error);
+/* The layers that a preset draws, with defaults: a list of constants for
+ * hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
+ * NULL and 0 for a number that is no preset's. */
+HRBFNPR_API const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
 /* "stipple", "hatch", "cross-hatch", ...; NULL for a number out of range. */
 HRBFNPR_API const char* hrbfnpr_style_preset_name(uint32_t preset);
 

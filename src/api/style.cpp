@@ -3,6 +3,7 @@
 #include "api/barrier.h"
 #include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/preset_layers.h"
 
 #include <cstdio>
 
@@ -210,6 +211,12 @@ hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_s
         api::write_struct(style, api::from_style(named.style));
         if (generate_groups != nullptr) *generate_groups = named.needed_groups;
     });
+}
+
+const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count) {
+    const api::PresetLayers layers = api::preset_layers(preset);
+    if (count != nullptr) *count = layers.count;
+    return layers.first;
 }
 
 const char* hrbfnpr_style_preset_name(uint32_t preset) {

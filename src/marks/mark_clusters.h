@@ -1,4 +1,4 @@
-// The marks of a group in pieces that lie and face alike, in the order in which a tone shows them: what a frame
+// The marks of a layer in pieces that lie and face alike, in the order in which a tone shows them: what a frame
 // passes over whole.
 #pragma once
 
@@ -15,7 +15,7 @@ struct MarkBlock {
     float x[size], y[size], z[size]; // relative to the set's origin, in the set's unit
     float nx[size], ny[size], nz[size];
     float rank[size];         // falling, from block to block of a cluster
-    std::uint32_t mark[size]; // its number in the group
+    std::uint32_t mark[size]; // its number in the layer
 };
 
 // Lengths and curvatures are in the set's unit.

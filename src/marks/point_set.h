@@ -1,7 +1,7 @@
-// The marks on a surface: immutable once made, structure of arrays.
+// The marks on a surface: layers of them, immutable once made, structures of arrays.
 #pragma once
 
-#include "base/memory.h"
+#include "base/list.h"
 #include "geometry/vec.h"
 #include "marks/mark_clusters.h"
 
@@ -10,14 +10,22 @@
 
 namespace hrbfnpr::marks {
 
-// Same numbers as HRBFNPR_GROUP_..., HRBFNPR_DISTRIBUTION_..., HRBFNPR_STROKE_FIELD_..., HRBFNPR_SEED_...
-enum class Group : std::uint32_t { stipple = 0, curvature = 1, combing = 2 };
-inline constexpr int group_count = 3;
+// Same numbers as HRBFNPR_LAYER_KIND_..., HRBFNPR_DISTRIBUTION_..., HRBFNPR_SYMMETRY_..., HRBFNPR_SEED_...
+enum class Kind : std::uint32_t { any = 0, stipples = 1, principal = 2, combing = 3, field = 4, own = 5 };
+inline constexpr std::uint32_t kind_count = 6;
 enum class Distribution : std::uint32_t { blue_noise = 0, paper = 1 };
-enum class StrokeField : std::uint32_t { line = 0, cross = 1 };
+enum class Symmetry : std::uint32_t { line = 0, cross = 1 };
 enum class SeedSource : std::uint32_t { automatic = 0, samples = 1, box = 2, points = 3 };
 
+// Of the recursion.
 inline constexpr int most_levels = 12;
+// A list of layers is no array of marks: longer ones are mistakes.
+inline constexpr std::int64_t most_layers = 65536;
+
+// Zero-terminated UTF-8.
+using LayerName = std::array<char, 64>;
+// "stipples", ...
+[[nodiscard]] LayerName default_name(Kind kind) noexcept;
 
 // What became of the candidates: attempted = placed + the dropped ones.
 struct LevelReport {
@@ -29,13 +37,20 @@ struct LevelReport {
     std::int64_t dropped_budget = 0;
 };
 
-struct GroupReport {
-    std::int64_t strokes = 0;
+struct LayerReport {
+    explicit LayerReport(base::Memory& memory) noexcept : level(memory) {}
+
     std::int64_t full_count = 0;
     std::int32_t levels = 0;
     double step = 0.0;
     double seconds = 0.0;
-    std::array<LevelReport, most_levels + 1> level{};
+    base::Array<LevelReport> level; // of levels 0, 1 ...; one that is not there has no candidates
+
+    // Adds what is missing up to this level.
+    [[nodiscard]] LevelReport& of(std::int32_t number) {
+        if (level.size() <= number) level.resize(std::int64_t{number} + 1);
+        return level[number];
+    }
 };
 
 // Of an array of 3n.
@@ -43,29 +58,46 @@ struct GroupReport {
     return {array[3 * i], array[3 * i + 1], array[3 * i + 2]};
 }
 
-// Types, shapes and meaning of each array: HRBFNPR_ATTRIBUTE_... in hrbfnpr.h.
-struct MarkGroup {
-    explicit MarkGroup(base::Memory& memory) noexcept
-        : position(memory), normal(memory), direction(memory), curvature(memory), rank(memory), level(memory),
-          stroke(memory), width(memory), clusters(memory) {}
+// Types, shapes and meaning of each array: HRBFNPR_MARK_ATTRIBUTE_... in hrbfnpr.h.
+struct Layer {
+    explicit Layer(base::Memory& memory, Kind is = Kind::own) noexcept
+        : kind(is), name(default_name(is)), position(memory), normal(memory), direction(memory), curvature(memory),
+          rank(memory), level(memory), stroke(memory), width(memory), stroke_first(memory), stroke_order(memory),
+          clusters(memory), report(memory) {}
 
-    base::Array<float> position;       // 3n, relative to the set's origin
-    base::Array<float> normal;         // 3n
-    base::Array<float> direction;      // 3n
-    base::Array<float> curvature;      // 3n, or empty
-    base::Array<float> rank;           // n
-    base::Array<std::uint8_t> level;   // n
-    base::Array<std::uint32_t> stroke; // 2n
-    base::Array<float> width;          // n, or empty: all 1
-    MarkClusters clusters;             // of all marks, by cluster_marks()
-    GroupReport report;
+    Kind kind;
+    LayerName name;
+    bool progressive = false; // each prefix of its ranks, from 1 down, is spread evenly
+    base::Array<float> position;             // 3n, relative to the set's origin
+    base::Array<float> normal;               // 3n
+    base::Array<float> direction;            // 3n
+    base::Array<float> curvature;            // 3n, or empty
+    base::Array<float> rank;                 // n
+    base::Array<std::uint8_t> level;         // n
+    base::Array<std::uint32_t> stroke;       // 2n
+    base::Array<float> width;                // n, or empty: all 1
+    base::Array<std::uint32_t> stroke_first; // S + 1 places in the order of the strokes; or empty: no strokes
+    base::Array<std::uint32_t> stroke_order; // n; or empty: the marks stand stroke by stroke
+    MarkClusters clusters;                   // of all marks, by cluster_marks()
+    LayerReport report;
 
     [[nodiscard]] std::int64_t count() const noexcept { return rank.size(); }
     [[nodiscard]] std::int64_t bytes() const noexcept;
+
+    [[nodiscard]] bool has_strokes() const noexcept { return !stroke_first.empty(); }
+    [[nodiscard]] std::int64_t strokes() const noexcept { return has_strokes() ? stroke_first.size() - 1 : 0; }
+    // The mark at a place of the strokes' order.
+    [[nodiscard]] std::int64_t mark_of(std::int64_t place_in_order) const noexcept {
+        return stroke_order.empty() ? place_in_order : std::int64_t{stroke_order[place_in_order]};
+    }
+    // The stroke that a mark belongs to; -1: none.
+    [[nodiscard]] std::int64_t stroke_of(std::int64_t mark) const noexcept;
+    // 0 or 1, of a layer with strokes.
+    [[nodiscard]] std::uint32_t direction_of(std::int64_t mark) const noexcept { return stroke[2 * mark] & 1U; }
 };
 
 struct PointSet {
-    explicit PointSet(base::Memory& memory) noexcept : group{MarkGroup(memory), MarkGroup(memory), MarkGroup(memory)} {}
+    explicit PointSet(base::Memory& memory) noexcept : layers(memory) {}
 
     Distribution distribution = Distribution::paper;
     SeedSource seed_source = SeedSource::points;
@@ -76,9 +108,14 @@ struct PointSet {
     LevelReport seeds;
     double seconds_seeds = 0.0;
     double seconds_total = 0.0;
-    std::array<MarkGroup, group_count> group;
+    base::List<Layer> layers;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
+    [[nodiscard]] std::int64_t count() const noexcept; // of marks
+    [[nodiscard]] std::int64_t largest() const noexcept; // marks in one layer
 };
+
+// Fills stroke_first and stroke_order from `stroke`: the strokes in the order of their numbers.
+void index_strokes(Layer& layer);
 
 } // namespace hrbfnpr::marks

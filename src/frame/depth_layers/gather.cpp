@@ -30,7 +30,7 @@ constexpr std::int64_t marks_of_work = 8192;
 
 float ItemInk::per_pixel(float ppe) const noexcept {
     float ink = 0.0F;
-    for (std::size_t k = 0; k < terms; ++k) {
+    for (std::int64_t k = 0; k < terms; ++k) {
         const Term& t = term[k];
         const float radius = t.pen->front_ink(ppe);
         float area = disc_ink(radius);
@@ -43,13 +43,14 @@ float ItemInk::per_pixel(float ppe) const noexcept {
 
 Gather::Gather(const base::Runtime& runtime) noexcept
     : runtime_(runtime), loops_(see_loops(runtime.instruction_set)), sights_(runtime.memory),
-      item_inks_(runtime.memory), clears_(runtime.memory), clear_of_(runtime.memory), work_(runtime.memory),
+      item_inks_(runtime.memory), terms_(runtime.memory), clears_(runtime.memory), clear_of_(runtime.memory), work_(runtime.memory),
       inks_(runtime.memory), covers_(runtime.memory), ink_pieces_(runtime.memory), cover_pieces_(runtime.memory),
       counts_(runtime.memory), tau_(runtime.memory), tone_calls_(runtime.memory) {}
 
 // first: the first run of the item.
-ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) const noexcept {
+ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) noexcept {
     ItemInk ink;
+    ink.term = terms_.data() + first;
     bool apart = true;
     float lines = 0.0F;
     for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
@@ -57,13 +58,14 @@ ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) const noexcept {
         if (!run.draws_front) continue;
         const float sets = run.sets == 3U ? 1.0F : 0.5F;
         const Style& style = scene.item_of(run).style;
-        ItemInk::Term& term = ink.term[ink.terms++];
+        ItemInk::Term& term = terms_[first + ink.terms++];
+        term = {};
         term.pen = &run.pen;
         term.marks_per_area =
             sets * style.group[static_cast<std::size_t>(run.group)].share / (run.pen.spacing * run.pen.spacing);
         // A set has half of the marks, in lines a separation apart.
         if (run.separation > 0.0F) term.step = 2.0F * run.pen.spacing * run.pen.spacing / run.separation;
-        if (run.group > 0) lines += run.sets == 3U ? 2.0F : 1.0F;
+        if (run.marks->has_strokes()) lines += run.sets == 3U ? 2.0F : 1.0F;
         apart = apart && run.spread_evenly;
     }
     const Overlap overlap = !apart ? Overlap::random : lines > 0.0F ? Overlap::lines : Overlap::blue_noise;
@@ -77,6 +79,7 @@ void Gather::set_up(const Scene& scene) {
     frustum_ = frustum_of(scene.lens);
     resize_scratch(sights_, scene.items.size());
     resize_scratch(item_inks_, scene.items.size());
+    resize_scratch(terms_, scene.runs.size());
     resize_scratch(clear_of_, scene.items.size());
     clears_.clear();
     for (std::int64_t i = 0; i < scene.items.size(); ++i) {
@@ -171,7 +174,7 @@ FrameInfo Gather::info() const noexcept {
 }
 
 std::int64_t Gather::bytes() const noexcept {
-    return sights_.bytes() + item_inks_.bytes() + clears_.bytes() + clear_of_.bytes() + work_.bytes() + inks_.bytes() +
+    return sights_.bytes() + item_inks_.bytes() + terms_.bytes() + clears_.bytes() + clear_of_.bytes() + work_.bytes() + inks_.bytes() +
            covers_.bytes() + ink_pieces_.bytes() + cover_pieces_.bytes() + counts_.bytes() + tau_.bytes() +
            tone_calls_.bytes();
 }

@@ -37,13 +37,16 @@ inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.125
 }
 
 // How much ink a tone takes: from coverage to ink per area, discs that overlap counted twice.
-// coverage in [0, 1]; at 1 the result is large.  layers: 1, 2 or 3.
+// coverage in [0, 1]; at 1 the result is large.  layers: 1, 2 ...
 [[nodiscard]] inline float ink_for(float coverage, Overlap overlap, float layers) noexcept {
     const float left = std::max(1.0F - coverage, 1e-4F);
     switch (overlap) {
     case Overlap::random: return -std::log(left);
     case Overlap::lines:
-        return layers == 1.0F ? coverage : layers * (1.0F - (layers == 2.0F ? std::sqrt(left) : std::cbrt(left)));
+        if (layers == 1.0F) return coverage;
+        return layers * (1.0F - (layers == 2.0F   ? std::sqrt(left)
+                                 : layers == 3.0F ? std::cbrt(left)
+                                                  : std::pow(left, 1.0F / layers)));
     case Overlap::blue_noise: break;
     }
     const float at = std::clamp(coverage, 0.0F, 1.0F) * 16.0F;
@@ -59,8 +62,8 @@ struct ItemInk {
         float marks_per_area = 0.0F; // in eye space
         float step = 0.0F;           // between the marks of a stroke, eye units; 0: no strokes
     };
-    std::array<Term, 3> term;
-    std::size_t terms = 0;
+    const Term* term = nullptr;
+    std::int64_t terms = 0;
     // ink_for() of these coverages, so that a mark need not take a root.
     std::array<float, needed_steps + 1> needed{};
 
@@ -99,7 +102,7 @@ private:
 
     void set_up(const Scene& scene);
     void add_pieces(const Scene& scene);
-    [[nodiscard]] ItemInk ink_of(const Scene& scene, std::int64_t first) const noexcept;
+    [[nodiscard]] ItemInk ink_of(const Scene& scene, std::int64_t first) noexcept;
     void ask_tones(Scene& scene);
     void ask_cluster(const Scene& scene, const Run& run, const marks::Cluster& cluster);
 
@@ -115,6 +118,7 @@ private:
     Frustum frustum_;
     base::Array<ItemSight> sights_;
     base::Array<ItemInk> item_inks_;
+    base::Array<ItemInk::Term> terms_; // of all items, one after the other; no more than runs
     base::Array<ClearTable> clears_;
     base::Array<std::int32_t> clear_of_; // each item's
     base::Array<Work> work_;

@@ -182,7 +182,7 @@ float Gatherer::most_shown(const Local& local) const noexcept {
 
 std::int64_t Gatherer::covers_of(const Local& local) const noexcept {
     if (!run_.covers) return 0;
-    if (!run_.spread_evenly && run_.group != 0) return local.cluster->count;
+    if (!run_.spread_evenly && run_.marks->has_strokes()) return local.cluster->count;
     const float pixels = run_.pen.spacing * local.view.ppe / local.cover_spacing;
     if (!(pixels < 1.0F)) return local.cluster->count; // NaN: of a spacing that floats do not hold
     // The first of a cluster are as even as the first of all.
@@ -190,9 +190,10 @@ std::int64_t Gatherer::covers_of(const Local& local) const noexcept {
 }
 
 void Gatherer::cover(const Local& local, const Seen& seen, std::int64_t count) noexcept {
-    const float spacing = run_.group == 0 ? std::max(run_.pen.spacing * local.view.ppe, local.cover_spacing)
-                                          : run_.pen.spacing * local.view.ppe;
-    const bool even = run_.spread_evenly && run_.group == 0;
+    const bool scattered = !run_.marks->has_strokes();
+    const float spacing = scattered ? std::max(run_.pen.spacing * local.view.ppe, local.cover_spacing)
+                                    : run_.pen.spacing * local.view.ppe;
+    const bool even = run_.spread_evenly && scattered;
     const float own_radius = (even ? even_cover : random_cover) * spacing + 0.5F;
     const float radius =
         std::min(run_.pen.cover_radius > 0.0F ? run_.pen.cover_radius : own_radius, run_.pen.largest_cover);

@@ -84,26 +84,35 @@ ItemView view_of(const Item& item, const Camera& camera) {
     return view;
 }
 
-// Which group's marks paint the paper of an item.  Stipples are spread the most evenly, so they do
-// unless they are few.
-int cover_group(const marks::PointSet& set, std::uint32_t used) {
-    int largest = -1;
-    for (int g = 0; g < marks::group_count; ++g) {
-        const auto i = static_cast<std::size_t>(g);
-        if ((used >> i & 1U) == 0 || set.group[i].count() == 0) continue;
-        if (largest < 0 || set.group[i].count() > set.group[static_cast<std::size_t>(largest)].count()) largest = g;
-    }
-    if ((used & 1U) != 0 && largest > 0 &&
-        4 * set.group[0].count() >= set.group[static_cast<std::size_t>(largest)].count())
-        return 0;
-    return largest;
+// The place of a kind in Style::group.
+std::size_t style_of(marks::Kind kind) noexcept {
+    return kind == marks::Kind::principal ? 1U : kind == marks::Kind::combing ? 2U : 0U;
 }
 
-// The size of a mark's piece of surface: known for the largest group, in others by their number.
-double spacing_of(const marks::PointSet& set, std::size_t group) {
-    std::int64_t largest = 0;
-    for (const marks::MarkGroup& g : set.group) largest = std::max(largest, g.count());
-    const double ratio = static_cast<double>(largest) / static_cast<double>(set.group[group].count());
+bool draws_contours(const Style& style, const marks::Layer& layer) noexcept {
+    return (style.silhouette_groups >> style_of(layer.kind) & 1U) != 0;
+}
+
+bool is_used(const Style& style, const marks::Layer& layer) noexcept {
+    return layer.count() > 0 && (style.group[style_of(layer.kind)].shown || draws_contours(style, layer));
+}
+
+// Which layer's marks paint the paper of an item.  Stipples are spread the most evenly, so they do
+// unless they are few.
+const marks::Layer* cover_layer(const marks::PointSet& set, const Style& style) {
+    const marks::Layer* largest = nullptr;
+    const marks::Layer* stipples = nullptr; // the largest of them
+    for (const marks::Layer& layer : set.layers) {
+        if (!is_used(style, layer)) continue;
+        if (largest == nullptr || layer.count() > largest->count()) largest = &layer;
+        if (!layer.has_strokes() && (stipples == nullptr || layer.count() > stipples->count())) stipples = &layer;
+    }
+    return stipples != nullptr && 4 * stipples->count() >= largest->count() ? stipples : largest;
+}
+
+// The size of a mark's piece of surface: known for the largest layer, in others by their number.
+double spacing_of(const marks::PointSet& set, const marks::Layer& layer) {
+    const double ratio = static_cast<double>(set.largest()) / static_cast<double>(layer.count());
     return set.spacing * std::sqrt(ratio);
 }
 
@@ -126,45 +135,37 @@ Pen pen_of(const Style& style, std::size_t group, double spacing, double eye_per
     return pen;
 }
 
-std::uint32_t used_groups(const Style& style) {
-    std::uint32_t used = style.silhouette_groups & 7U;
-    for (std::size_t g = 0; g < style.group.size(); ++g) {
-        if (style.group[g].shown) used |= 1U << g;
-    }
-    return used;
-}
-
 void add_runs(Scene& scene, const Item& item, std::int64_t item_index, std::int64_t& ids) {
     const Style& style = item.style;
-    const std::uint32_t used = used_groups(style);
-    const int cover = cover_group(*item.set, used);
+    const marks::Layer* const cover = cover_layer(*item.set, style);
     const double eye_per_object = mean_scale(item.transform) * static_cast<double>(scene.lens.eye_per_world);
     float earlier = 0.0F;
-    for (std::size_t g = 0; g < style.group.size(); ++g) {
-        const marks::MarkGroup& marks = item.set->group[g];
+    for (const marks::Layer& layer : item.set->layers) {
         const std::int64_t first_id = ids + 1;
-        ids += marks.count();
-        if ((used >> g & 1U) == 0 || marks.count() == 0) continue;
+        ids += layer.count();
+        if (!is_used(style, layer)) continue;
+        const std::size_t g = style_of(layer.kind);
         Run run;
-        run.marks = &marks;
+        run.marks = &layer;
         run.item = static_cast<std::int32_t>(item_index);
         run.group = static_cast<std::int32_t>(g);
         run.first = scene.runs.empty() ? 0 : scene.runs.back().first + scene.runs.back().count;
-        run.count = marks.count();
+        run.count = layer.count();
         run.first_place = scene.place_count();
         run.first_id = static_cast<std::uint32_t>(first_id);
-        // A stipple belongs to no set of directions.
-        run.sets = g == 0 ? 3U : style.group[g].sets;
+        // A mark of no stroke belongs to no set of directions.
+        run.sets = g == 0 || !layer.has_strokes() ? 3U : style.group[g].sets;
         run.draws_front = style.group[g].shown && style.group[g].share > 0.0F && run.sets != 0;
-        run.draws_silhouettes = (style.silhouette_groups >> g & 1U) != 0;
-        // With layers, one evenly spread group is as opaque as all; as published, every mark counts.
-        const bool covers = static_cast<int>(g) == cover || !(style.cover_layers > 0.0F);
+        run.draws_silhouettes = draws_contours(style, layer);
+        // With layers, one evenly spread layer of marks is as opaque as all; as published, every mark counts.
+        const bool covers = &layer == cover || !(style.cover_layers > 0.0F);
         run.paints_paper = style.hidden_lines == HiddenLines::attenuate && covers;
-        run.occludes = style.hidden_lines == HiddenLines::hide && static_cast<int>(g) == cover;
-        run.spread_evenly = item.set->distribution == marks::Distribution::blue_noise;
-        if (run.spread_evenly && g > 0) run.separation = static_cast<float>(marks.report.step * eye_per_object);
-        run.covers = style.hidden_lines != HiddenLines::show && static_cast<int>(g) == cover;
-        run.pen = pen_of(style, g, spacing_of(*item.set, g), eye_per_object, scene.lens);
+        run.occludes = style.hidden_lines == HiddenLines::hide && &layer == cover;
+        run.spread_evenly = layer.progressive;
+        if (run.spread_evenly && layer.has_strokes())
+            run.separation = static_cast<float>(layer.report.step * eye_per_object);
+        run.covers = style.hidden_lines != HiddenLines::show && &layer == cover;
+        run.pen = pen_of(style, g, spacing_of(*item.set, layer), eye_per_object, scene.lens);
         run.earlier_contours = earlier;
         if (run.draws_silhouettes) earlier += 1.0F / (run.pen.spacing * run.pen.spacing);
         scene.runs.push_back(run);

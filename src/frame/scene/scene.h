@@ -15,10 +15,10 @@ inline constexpr float cover_spacings = 1.5F;
 // Nearer to the contour than this discs are not pushed any farther.
 inline constexpr float smallest_cosine = 0.05F;
 
-// Sizes and opacities of the discs of one group of marks, as functions of the place on the screen.
+// Sizes and opacities of the discs of one layer of marks, as functions of the place on the screen.
 // All lengths in pixels; `ppe` is pixels per eye unit at the mark.
 struct Pen {
-    float spacing = 0.0F;      // of the group's marks, eye units
+    float spacing = 0.0F;      // of the layer's marks, eye units
     float zoom_per_ppe = 0.0F; // 0: no reference, the zoom is 1
     float zoom_exponent = 2.0F;
     float ink_radius = 1.0F, ink_zoom = 0.0F;
@@ -91,17 +91,17 @@ struct ItemView {
     glm::dmat4 to_world{1.0};        // of positions relative to the set's origin
     glm::mat3 normal_to_world{1.0F};
 
-    // Of a mark by its number in the group, relative to the set's origin.
-    [[nodiscard]] glm::vec3 place(const marks::MarkGroup& marks, std::int64_t mark) const noexcept {
+    // Of a mark by its number in the layer, relative to the set's origin.
+    [[nodiscard]] glm::vec3 place(const marks::Layer& marks, std::int64_t mark) const noexcept {
         return glm::vec3(glm::dvec3(marks::vector_at(marks.position, mark)) / unit);
     }
 };
 
-// The marks of one group of one item that take part in the frame.
+// The marks of one layer of one item that take part in the frame.
 struct Run {
-    const marks::MarkGroup* marks = nullptr;
+    const marks::Layer* marks = nullptr;
     std::int32_t item = 0;
-    std::int32_t group = 0;
+    std::int32_t group = 0; // its place in Style::group
     std::int64_t first = 0; // place of its first mark in the arrays below
     std::int64_t count = 0;
     std::int64_t first_place = 0; // of its clusters' blocks, one after the other
@@ -118,7 +118,7 @@ struct Run {
     Pen pen;
 
     [[nodiscard]] std::int64_t places() const noexcept { return marks->clusters.block.size() * marks::MarkBlock::size; }
-    // Radius of the ink of a front mark, by its number in the group.  Contours are not tapered.
+    // Radius of the ink of a front mark, by its number in the layer.  Contours are not tapered.
     [[nodiscard]] float front_ink(std::int64_t mark, float ppe) const noexcept {
         const float radius = pen.front_ink(ppe);
         return marks->width.empty() ? radius : radius * marks->width[mark];

@@ -1,0 +1,56 @@
+// Lists of the caller's: pointer, count and stride of structs that each begin with a size of their own.
+#pragma once
+
+#include "api/descriptor.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+
+namespace hrbfnpr::api {
+
+// The name of one element, such as "items[3]".
+struct ElementName {
+    ElementName(const char* list, std::int64_t number) noexcept {
+        std::snprintf(text, sizeof text, "%s[%lld]", list, static_cast<long long>(number));
+    }
+    char text[96];
+};
+
+template <class T>
+class List {
+public:
+    // Throws Error{invalid_argument, unsupported_struct}; name lives as long as this.
+    List(const T* first, std::int64_t count, std::int64_t stride, std::int64_t most, const char* name)
+        : first_(reinterpret_cast<const std::byte*>(first)), count_(count), stride_(stride), name_(name) {
+        if (count < 0 || count > most)
+            fail(Status::invalid_argument, "the number of %s is %lld; it must be from 0 to %lld", name,
+                 static_cast<long long>(count), static_cast<long long>(most));
+        if (count == 0) return;
+        if (first == nullptr) fail(Status::invalid_argument, "%s is NULL", name);
+        std::uint32_t size = 0;
+        std::memcpy(&size, first, sizeof size);
+        check_struct_size<T>(size, ElementName(name, 0).text);
+        if (stride_ == 0) stride_ = size;
+        constexpr std::int64_t largest = std::int64_t{1} << 32;
+        if (stride_ < std::int64_t{smallest_struct} || stride_ > largest)
+            fail(Status::invalid_argument,
+                 "the stride of %s is %lld; it must be 0 or the bytes from one element to the next", name,
+                 static_cast<long long>(stride));
+    }
+
+    [[nodiscard]] std::int64_t count() const noexcept { return count_; }
+    // In full: what the caller's lacks has defaults.
+    [[nodiscard]] T operator[](std::int64_t i) const {
+        return read_struct(reinterpret_cast<const T*>(first_ + i * stride_), ElementName(name_, i).text);
+    }
+    [[nodiscard]] ElementName name(std::int64_t i) const noexcept { return {name_, i}; }
+
+private:
+    const std::byte* first_;
+    std::int64_t count_;
+    std::int64_t stride_;
+    const char* name_;
+};
+
+} // namespace hrbfnpr::api
