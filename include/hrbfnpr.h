@@ -1045,7 +1045,8 @@ typedef struct hrbfnpr_point_set_desc {
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_t struct_size);
 /* A set of the caller's marks, or of another set's layers and the caller's.
  * They are 1e-33 .. 1e33 across, or at one place.  A set with a base keeps its
- * origin, spacing and distribution.
+ * origin, distribution and area: the spacing is smaller only where a new layer
+ * has more marks than all before.
  * Errors: INVALID_ARGUMENT naming the layer, the array and the index,
  * OUT_OF_MEMORY. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_create(hrbfnpr_context* context, const hrbfnpr_point_set_desc* desc,

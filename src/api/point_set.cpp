@@ -6,12 +6,24 @@
 #include "io/files.h"
 #include "marks/cluster_marks.h"
 
+#include <cstring>
+
 using namespace hrbfnpr;
 
 namespace hrbfnpr::api {
 
 template <>
 hrbfnpr_point_set_info defaults() noexcept {
+    return {};
+}
+
+template <>
+hrbfnpr_layer_info defaults() noexcept {
+    return {};
+}
+
+template <>
+hrbfnpr_placement_info defaults() noexcept {
     return {};
 }
 
@@ -22,22 +34,28 @@ hrbfnpr_point_set* adopt(hrbfnpr_context& context, marks::PointSet&& set) {
 
 namespace {
 
-static_assert(marks::most_levels + 1 == sizeof(hrbfnpr_group_info::level) / sizeof(hrbfnpr_level_info));
-
-hrbfnpr_level_info describe(const marks::LevelReport& level) noexcept {
-    return {level.attempted,          level.placed,        level.dropped_not_converged, level.dropped_strayed,
-            level.dropped_degenerate, level.dropped_budget};
+hrbfnpr_placement_info describe(const marks::LevelReport& level) noexcept {
+    hrbfnpr_placement_info info{};
+    info.attempted = level.attempted;
+    info.placed = level.placed;
+    info.dropped_not_converged = level.dropped_not_converged;
+    info.dropped_strayed = level.dropped_strayed;
+    info.dropped_degenerate = level.dropped_degenerate;
+    info.dropped_budget = level.dropped_budget;
+    return info;
 }
 
-hrbfnpr_group_info describe(const marks::MarkGroup& group) noexcept {
-    hrbfnpr_group_info info{};
-    info.count = group.count();
-    info.strokes = group.report.strokes;
-    info.full_count = group.report.full_count;
-    info.levels = group.report.levels;
-    info.step = group.report.step;
-    info.seconds = group.report.seconds;
-    for (std::size_t i = 0; i < group.report.level.size(); ++i) info.level[i] = describe(group.report.level[i]);
+hrbfnpr_layer_info describe(const marks::Layer& layer) noexcept {
+    hrbfnpr_layer_info info{};
+    static_assert(sizeof info.name == sizeof layer.name);
+    info.kind = static_cast<std::uint32_t>(layer.kind);
+    std::memcpy(info.name, layer.name.data(), sizeof info.name);
+    info.marks = layer.count();
+    info.strokes = layer.strokes();
+    info.full_count = layer.report.full_count;
+    info.levels = layer.report.levels;
+    info.step = layer.report.step;
+    info.seconds = layer.report.seconds;
     return info;
 }
 
@@ -45,6 +63,8 @@ hrbfnpr_point_set_info describe(const marks::PointSet& set) noexcept {
     hrbfnpr_point_set_info info{};
     info.distribution = static_cast<std::uint32_t>(set.distribution);
     info.seed_source = static_cast<std::uint32_t>(set.seed_source);
+    info.layers = set.layers.size();
+    info.marks = set.count();
     for (int axis = 0; axis < 3; ++axis) {
         info.origin[axis] = set.origin[axis];
         info.bounds_min[axis] = set.bounds.min[axis];
@@ -54,32 +74,44 @@ hrbfnpr_point_set_info describe(const marks::PointSet& set) noexcept {
     info.seconds_seeds = set.seconds_seeds;
     info.seconds_total = set.seconds_total;
     info.bytes = set.bytes() + std::int64_t{sizeof(hrbfnpr_point_set)};
-    info.seeds = describe(set.seeds);
-    for (std::size_t i = 0; i < set.group.size(); ++i) info.group[i] = describe(set.group[i]);
     return info;
+}
+
+const marks::Layer& layer_of(const marks::PointSet& set, std::int64_t layer) {
+    if (layer < 0 || layer >= set.layers.size())
+        fail(Status::invalid_argument, "layer is %lld; the set has %lld, numbered from 0",
+             static_cast<long long>(layer), static_cast<long long>(set.layers.size()));
+    return set.layers[layer];
+}
+
+hrbfnpr_placement_info placement_of(const marks::Layer& layer, std::int32_t level) {
+    if (level < 0 || level > layer.report.levels)
+        fail(Status::invalid_argument, "level is %d; the layer has levels 0 to %d", static_cast<int>(level),
+             static_cast<int>(layer.report.levels));
+    return describe(level < layer.report.level.size() ? layer.report.level[level] : marks::LevelReport{});
 }
 
 template <class T>
 hrbfnpr_array view(const base::Array<T>& array, std::uint32_t scalar, std::uint32_t components) noexcept {
-    return {array.data(), array.size() / components, static_cast<std::int64_t>(sizeof(T)) * components, scalar,
-            components};
+    return {array.empty() ? nullptr : array.data(), array.size() / components,
+            static_cast<std::int64_t>(sizeof(T)) * components, scalar, components};
 }
 
-hrbfnpr_array view_of(const marks::PointSet& set, std::uint32_t group, std::uint32_t attribute) {
-    if (group >= HRBFNPR_GROUP_COUNT)
-        fail(Status::invalid_argument, "group is %u; it must be one of HRBFNPR_GROUP_... (0 to 2)", group);
-    const marks::MarkGroup& marks = set.group[group];
+hrbfnpr_array view_of(const marks::Layer& layer, std::uint32_t attribute) {
     switch (attribute) {
-    case HRBFNPR_ATTRIBUTE_POSITION: return view(marks.position, HRBFNPR_SCALAR_FLOAT32, 3);
-    case HRBFNPR_ATTRIBUTE_NORMAL: return view(marks.normal, HRBFNPR_SCALAR_FLOAT32, 3);
-    case HRBFNPR_ATTRIBUTE_DIRECTION: return view(marks.direction, HRBFNPR_SCALAR_FLOAT32, 3);
-    case HRBFNPR_ATTRIBUTE_CURVATURE: return view(marks.curvature, HRBFNPR_SCALAR_FLOAT32, 3);
-    case HRBFNPR_ATTRIBUTE_RANK: return view(marks.rank, HRBFNPR_SCALAR_FLOAT32, 1);
-    case HRBFNPR_ATTRIBUTE_LEVEL: return view(marks.level, HRBFNPR_SCALAR_UINT8, 1);
-    case HRBFNPR_ATTRIBUTE_STROKE: return view(marks.stroke, HRBFNPR_SCALAR_UINT32, 2);
-    case HRBFNPR_ATTRIBUTE_WIDTH: return view(marks.width, HRBFNPR_SCALAR_FLOAT32, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_POSITION: return view(layer.position, HRBFNPR_SCALAR_FLOAT32, 3);
+    case HRBFNPR_MARK_ATTRIBUTE_NORMAL: return view(layer.normal, HRBFNPR_SCALAR_FLOAT32, 3);
+    case HRBFNPR_MARK_ATTRIBUTE_DIRECTION: return view(layer.direction, HRBFNPR_SCALAR_FLOAT32, 3);
+    case HRBFNPR_MARK_ATTRIBUTE_CURVATURE: return view(layer.curvature, HRBFNPR_SCALAR_FLOAT32, 3);
+    case HRBFNPR_MARK_ATTRIBUTE_RANK: return view(layer.rank, HRBFNPR_SCALAR_FLOAT32, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_LEVEL: return view(layer.level, HRBFNPR_SCALAR_UINT8, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_STROKE: return view(layer.stroke, HRBFNPR_SCALAR_UINT32, 2);
+    case HRBFNPR_MARK_ATTRIBUTE_WIDTH: return view(layer.width, HRBFNPR_SCALAR_FLOAT32, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST: return view(layer.stroke_first, HRBFNPR_SCALAR_UINT32, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER: return view(layer.stroke_order, HRBFNPR_SCALAR_UINT32, 1);
     default:
-        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_ATTRIBUTE_... (0 to 7)", attribute);
+        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MARK_ATTRIBUTE_... (0 to 9)",
+             attribute);
     }
 }
 
@@ -111,12 +143,47 @@ hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set, hrbfnpr_
     });
 }
 
-hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, uint32_t group, uint32_t attribute,
+hrbfnpr_status hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint32_t struct_size) {
+    return api::init_struct(info, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_point_set_get_layer_info(const hrbfnpr_point_set* set, int64_t layer, hrbfnpr_layer_info* info,
+                                                hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(set, "set");
+        api::check_output_struct(info, "layer_info");
+        api::write_struct(info, api::describe(api::layer_of(handle.set, layer)));
+    });
+}
+
+hrbfnpr_status hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint32_t struct_size) {
+    return api::init_struct(info, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_point_set_get_seed_placement(const hrbfnpr_point_set* set, hrbfnpr_placement_info* info,
+                                                    hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(set, "set");
+        api::check_output_struct(info, "placement_info");
+        api::write_struct(info, api::describe(handle.set.seeds));
+    });
+}
+
+hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_set* set, int64_t layer, int32_t level,
+                                               hrbfnpr_placement_info* info, hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(set, "set");
+        api::check_output_struct(info, "placement_info");
+        api::write_struct(info, api::placement_of(api::layer_of(handle.set, layer), level));
+    });
+}
+
+hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, int64_t layer, uint32_t attribute,
                                       hrbfnpr_array* out_view, hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(set, "set");
         api::require_pointer(out_view, "out_view");
-        *out_view = api::view_of(handle.set, group, attribute);
+        *out_view = api::view_of(api::layer_of(handle.set, layer), attribute);
     });
 }
 

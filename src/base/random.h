@@ -19,7 +19,8 @@ enum class Purpose : std::uint32_t {
     patch = 5,
     candidate = 6,
     candidate_order = 7,
-    probe = 8
+    probe = 8,
+    layer = 9
 };
 
 using Philox = std::array<std::uint32_t, 4>;

@@ -4,6 +4,7 @@
 #include "generate/in_unit.h"
 #include "generate/make_seeds.h"
 #include "marks/assemble.h"
+#include "marks/cluster_marks.h"
 #include "published/growth.h"
 #include "stipples/blue_noise.h"
 #include "stipples/density_thinning.h"
@@ -14,33 +15,39 @@
 namespace hrbfnpr::generate {
 namespace {
 
-constexpr std::int64_t default_budget = 40000; // BLUE_NOISE
+// A layer while it grows.
+struct Growing {
+    Growing(const marks::Site& all, const LayerSettings& its, std::int64_t number, std::int64_t number_of_kind) noexcept
+        : settings(its), place(number), site(all), marks(all.memory()) {
+        site.random_seed = marks::layer_seed(all.random_seed, its.kind, number_of_kind);
+    }
 
-std::size_t at(marks::Group group) noexcept { return static_cast<std::size_t>(group); }
+    const LayerSettings& settings;
+    std::int64_t place; // in the list
+    marks::Site site;   // with random numbers of its own
+    marks::Marks marks;
+};
 
 class Generation {
 public:
     Generation(const marks::Site& site, const SampleHint& samples, const Settings& settings,
                const base::Progress& progress)
-        : site_(site), samples_(samples), settings_(settings), progress_(progress),
-          seeds_(site.memory()), marks_{marks::Marks(site.memory()), marks::Marks(site.memory()),
-                                        marks::Marks(site.memory())},
-          set_(site.memory()) {}
+        : site_(site), samples_(samples), settings_(settings), progress_(progress), seeds_(site.memory()),
+          growing_(site.memory()), set_(site.memory()) {}
 
     marks::PointSet run();
 
 private:
-    [[nodiscard]] bool wanted(marks::Group group) const noexcept { return settings_.group[at(group)].wanted; }
-    [[nodiscard]] base::Progress group_progress(marks::Group group) const noexcept;
+    void add_layers();
+    [[nodiscard]] marks::LayerReport& report_of(const Growing& layer) noexcept { return set_.layers[layer.place].report; }
+    [[nodiscard]] base::Progress progress_of(const Growing& layer) const noexcept;
     void published();
-    void published_stipples();
-    void published_strokes(marks::Group group);
+    void published_stipples(Growing& layer);
+    void published_strokes(Growing& layer, const marks::Marks* stipples);
+    [[nodiscard]] marks::Marks stipples_to_start_from() const;
     void blue_noise();
-    void blue_noise_stipples(const stipples::SurfaceCells& cells);
-    void blue_noise_strokes(const stipples::SurfaceCells& cells, marks::Group group);
-    [[nodiscard]] std::int64_t budget_of(marks::Group group) const noexcept;
-    [[nodiscard]] std::int64_t stroke_budget(marks::Group group) const;
-    [[nodiscard]] std::int64_t spread_marks(marks::Group group) const;
+    void blue_noise_stipples(const stipples::SurfaceCells& cells, Growing& layer);
+    void blue_noise_strokes(const stipples::SurfaceCells& cells, Growing& layer);
     void require_some() const;
     void finish();
 
@@ -49,95 +56,115 @@ private:
     const Settings& settings_;
     base::Progress progress_;
     marks::Seeds seeds_;
-    std::array<marks::Marks, marks::group_count> marks_;
+    base::List<Growing> growing_;
     double area_ = 0.0; // of the surface, where it is known
     marks::PointSet set_;
 };
 
-// Seeds take the first tenth, the last part is for assembling; the groups share the rest.
-base::Progress Generation::group_progress(marks::Group group) const noexcept {
-    const auto first = 0.2 + 0.25 * static_cast<double>(group);
-    return progress_.part(first, first + 0.25);
+void Generation::add_layers() {
+    std::array<std::int64_t, marks::kind_count> of_kind{};
+    for (const LayerSettings& settings : settings_.layers) {
+        const std::int64_t number = of_kind[static_cast<std::size_t>(settings.kind)]++;
+        growing_.add(site_, settings, growing_.size(), number);
+        marks::Layer& layer = set_.layers.add(site_.memory(), settings.kind);
+        layer.name = settings.name;
+        layer.progressive = settings_.distribution == marks::Distribution::blue_noise;
+    }
 }
 
-// ---- PAPER ---------------------------------------------------------------------------------
-
-std::int32_t stipple_levels_needed(const Settings& settings) noexcept {
-    std::int32_t levels = settings.group[0].wanted ? settings.group[0].published.levels : -1;
-    if (levels >= 0) return levels;
-    for (const GroupSettings& group : settings.group)
-        if (group.wanted && group.published.from_stipples) levels = std::max(levels, group.published.seed_level);
-    return levels;
+// Seeds take the first tenth, the last part is for assembling; the layers share the rest.
+base::Progress Generation::progress_of(const Growing& layer) const noexcept {
+    const double each = 0.75 / static_cast<double>(growing_.size());
+    const double first = 0.2 + each * static_cast<double>(layer.place);
+    return progress_.part(first, first + each);
 }
 
-void Generation::published_stipples() {
-    const std::int32_t levels = stipple_levels_needed(settings_);
-    if (levels < 0) return;
+// ---- PUBLISHED -----------------------------------------------------------------------------
+
+void Generation::published_stipples(Growing& layer) {
     const base::Stopwatch watch;
-    marks::GroupReport& report = set_.group[0].report;
     const published::Start start{seeds_.position, seeds_.normal, seeds_.report.attempted};
-    const std::int64_t budget = wanted(marks::Group::stipple) ? settings_.group[0].budget : 0;
-    published::grow_stipples(site_, start, {marks::Group::stipple, levels, seeds_.step, budget}, marks_[0], report,
-                             group_progress(marks::Group::stipple));
-    report.seconds = watch.seconds();
+    published::GrowthSettings growth;
+    growth.kind = layer.settings.kind;
+    growth.layer = layer.place;
+    growth.levels = layer.settings.published.levels;
+    growth.step = seeds_.step;
+    growth.budget = layer.settings.budget;
+    published::grow_stipples(layer.site, start, growth, layer.marks, report_of(layer), progress_of(layer));
+    report_of(layer).seconds = watch.seconds();
 }
 
-void Generation::published_strokes(marks::Group group) {
+// Where no layer of stipples is wanted.
+marks::Marks Generation::stipples_to_start_from() const {
+    std::int32_t levels = -1;
+    for (const Growing& layer : growing_)
+        if (layer.settings.published.from_stipples) levels = std::max(levels, layer.settings.published.start_level);
+    marks::Marks stipples(site_.memory());
+    if (levels < 0) return stipples;
+    const published::Start start{seeds_.position, seeds_.normal, seeds_.report.attempted};
+    published::GrowthSettings growth;
+    growth.layer = -1;
+    growth.levels = levels;
+    growth.step = seeds_.step;
+    marks::LayerReport report(site_.memory());
+    published::grow_stipples(site_, start, growth, stipples, report, progress_.part(0.1, 0.2));
+    return stipples;
+}
+
+void Generation::published_strokes(Growing& layer, const marks::Marks* stipples) {
     const base::Stopwatch watch;
-    const GroupSettings& settings = settings_.group[at(group)];
-    marks::GroupReport& report = set_.group[at(group)].report;
-    const published::GrowthSettings growth{group, settings.published.levels, seeds_.step, settings.budget};
+    const LayerSettings& settings = layer.settings;
+    published::GrowthSettings growth;
+    growth.kind = settings.kind;
+    growth.layer = layer.place;
+    growth.levels = settings.published.levels;
+    growth.step = seeds_.step;
+    growth.budget = settings.budget;
+    growth.direction = settings.strokes.direction;
+    marks::LayerReport& report = report_of(layer);
     if (settings.published.from_stipples) {
         geometry::VecArray position(site_.memory());
         geometry::VecArray normal(site_.memory());
-        for (std::int64_t i = 0; i < marks_[0].count(); ++i) {
-            if (marks_[0].level[i] > settings.published.seed_level) continue;
-            position.push_back(marks_[0].position[i]);
-            normal.push_back(marks_[0].normal[i]);
+        for (std::int64_t i = 0; i < stipples->count(); ++i) {
+            if (stipples->level[i] > settings.published.start_level) continue;
+            position.push_back(stipples->position[i]);
+            normal.push_back(stipples->normal[i]);
         }
-        const std::int64_t full = marks::grown_count(seeds_.report.attempted, 5, settings.published.seed_level);
-        published::grow_strokes(site_, {position, normal, full}, growth, marks_[at(group)], report,
-                                group_progress(group));
+        const std::int64_t full = marks::grown_count(seeds_.report.attempted, 5, settings.published.start_level);
+        published::grow_strokes(layer.site, {position, normal, full}, growth, layer.marks, report, progress_of(layer));
     } else {
         const published::Start start{seeds_.position, seeds_.normal, seeds_.report.attempted};
-        published::grow_strokes(site_, start, growth, marks_[at(group)], report, group_progress(group));
+        published::grow_strokes(layer.site, start, growth, layer.marks, report, progress_of(layer));
     }
     report.seconds = watch.seconds();
 }
 
 void Generation::published() {
-    published_stipples();
-    for (const marks::Group group : {marks::Group::curvature, marks::Group::combing})
-        if (wanted(group)) published_strokes(group);
-    if (wanted(marks::Group::stipple)) return;
-    marks_[0] = marks::Marks(site_.memory()); // they were only seeds of strokes
-    set_.group[0].report = {};
+    const marks::Marks* stipples = nullptr; // of the first layer of them
+    for (Growing& layer : growing_) {
+        if (layer.settings.has_strokes()) continue;
+        published_stipples(layer);
+        if (stipples == nullptr) stipples = &layer.marks;
+    }
+    const marks::Marks hidden = stipples == nullptr ? stipples_to_start_from() : marks::Marks(site_.memory());
+    for (Growing& layer : growing_)
+        if (layer.settings.has_strokes()) published_strokes(layer, stipples != nullptr ? stipples : &hidden);
 }
 
 // ---- BLUE_NOISE ----------------------------------------------------------------------------
 
-// 0 = no limit: only where the separation of strokes limits them.
-std::int64_t Generation::stroke_budget(marks::Group group) const {
-    const std::int64_t budget = settings_.group[at(group)].budget;
-    return budget == 0 && settings_.strokes.separation > 0.0 ? 0 : budget_of(group);
-}
-
-std::int64_t Generation::budget_of(marks::Group group) const noexcept {
-    const GroupSettings& settings = settings_.group[at(group)];
-    return settings.budget > 0 ? settings.budget : default_budget;
-}
-
 // Marks that are spread over the surface at once: stipples, or the samples of a field of directions.
-std::int64_t Generation::spread_marks(marks::Group group) const {
-    return group == marks::Group::stipple ? budget_of(group) : strokes::field_samples_for(budget_of(group));
+std::int64_t spread_marks(const LayerSettings& layer) noexcept {
+    const std::int64_t budget = layer.budget > 0 ? layer.budget : default_budget;
+    return layer.has_strokes() ? strokes::field_samples_for(budget) : budget;
 }
 
-void Generation::blue_noise_stipples(const stipples::SurfaceCells& cells) {
+void Generation::blue_noise_stipples(const stipples::SurfaceCells& cells, Growing& layer) {
     const base::Stopwatch watch;
-    marks::GroupReport& report = set_.group[0].report;
-    stipples::EvenMarks even = stipples::spread_by_density(site_, cells, budget_of(marks::Group::stipple),
-                                                           settings_.density, group_progress(marks::Group::stipple));
-    marks::Marks& marks = marks_[0];
+    marks::LayerReport& report = report_of(layer);
+    stipples::EvenMarks even = stipples::spread_by_density(layer.site, cells, layer.settings.budget,
+                                                           layer.settings.density, progress_of(layer));
+    marks::Marks& marks = layer.marks;
     const std::int64_t count = even.position.size();
     marks.position = std::move(even.position);
     marks.normal = std::move(even.normal);
@@ -150,39 +177,45 @@ void Generation::blue_noise_stipples(const stipples::SurfaceCells& cells) {
         marks.stroke[i] = static_cast<std::uint32_t>(i);
     }
     area_ = std::max(area_, even.area);
-    report.level[0] = even.report;
+    report.of(0) = even.report;
     report.full_count = count;
     report.seconds = watch.seconds();
 }
 
-void Generation::blue_noise_strokes(const stipples::SurfaceCells& cells, marks::Group group) {
+void Generation::blue_noise_strokes(const stipples::SurfaceCells& cells, Growing& layer) {
     const base::Stopwatch watch;
-    marks::GroupReport& report = set_.group[at(group)].report;
-    strokes::HatchSettings settings{settings_.strokes};
-    settings.group = group;
-    settings.budget = stroke_budget(group);
-    area_ = std::max(area_, strokes::hatch(site_, cells, settings, marks_[at(group)], report, group_progress(group)));
+    marks::LayerReport& report = report_of(layer);
+    strokes::HatchSettings settings{layer.settings.strokes};
+    settings.kind = layer.settings.kind;
+    settings.layer = layer.place;
+    settings.budget = layer.settings.budget;
+    area_ = std::max(area_, strokes::hatch(layer.site, cells, settings, layer.marks, report, progress_of(layer)));
     report.seconds = watch.seconds();
 }
 
 void Generation::blue_noise() {
     std::int64_t most = 1;
-    for (const marks::Group group : {marks::Group::stipple, marks::Group::curvature, marks::Group::combing})
-        if (wanted(group)) most = std::max(most, spread_marks(group));
+    for (const LayerSettings& layer : settings_.layers) most = std::max(most, spread_marks(layer));
     const stipples::SurfaceCells cells =
         stipples::cover_surface(site_, seeds_, samples_.spacing, most, progress_.part(0.1, 0.2));
-    if (wanted(marks::Group::stipple)) blue_noise_stipples(cells);
-    for (const marks::Group group : {marks::Group::curvature, marks::Group::combing})
-        if (wanted(group)) blue_noise_strokes(cells, group);
+    for (Growing& layer : growing_) {
+        if (layer.settings.has_strokes())
+            blue_noise_strokes(cells, layer);
+        else
+            blue_noise_stipples(cells, layer);
+    }
 }
 
 // --------------------------------------------------------------------------------------------
 
 void Generation::require_some() const {
     marks::LevelReport all;
-    for (std::size_t group = 0; group < marks_.size(); ++group) {
-        if (marks_[group].count() > 0) return;
-        for (const marks::LevelReport& level : set_.group[group].report.level) {
+    bool lengths_given = false;
+    for (const Growing& layer : growing_) {
+        if (layer.marks.count() > 0) return;
+        lengths_given =
+            lengths_given || layer.settings.strokes.separation > 0.0 || layer.settings.strokes.step > 0.0;
+        for (const marks::LevelReport& level : set_.layers[layer.place].report.level) {
             all.attempted += level.attempted;
             all.dropped_not_converged += level.dropped_not_converged;
             all.dropped_strayed += level.dropped_strayed;
@@ -190,36 +223,33 @@ void Generation::require_some() const {
         }
     }
     // A budget of a few marks may be too small for the shortest stroke.
-    if (all.attempted == 0 && settings_.strokes.separation == 0.0 && settings_.strokes.step == 0.0) return;
+    if (all.attempted == 0 && !lengths_given) return;
     fail(Status::not_converged,
          "no mark could be placed: of %lld, %lld did not converge, %lld strayed and %lld were degenerate; no stroke is "
-         "shorter than 2.5 times stroke_separation, or has a stroke_step below the projection_tolerance",
+         "shorter than 2.5 times the separation, or has a step below the projection_tolerance",
          static_cast<long long>(all.attempted), static_cast<long long>(all.dropped_not_converged),
          static_cast<long long>(all.dropped_strayed), static_cast<long long>(all.dropped_degenerate));
 }
 
 void Generation::finish() {
     require_some();
-    const std::array<const geometry::VecArray*, marks::group_count> positions = {
-        &marks_[0].position, &marks_[1].position, &marks_[2].position};
-    measure(site_.runtime, positions, area_, set_, progress_.part(0.95, 0.95));
-    for (const marks::Group group : {marks::Group::stipple, marks::Group::curvature, marks::Group::combing}) {
-        if (!wanted(group)) continue;
+    base::Array<const geometry::VecArray*> positions(site_.memory());
+    for (const Growing& layer : growing_) positions.push_back(&layer.marks.position);
+    measure(site_.runtime, positions.span(), area_, set_, progress_.part(0.95, 0.95));
+    for (Growing& layer : growing_) {
         marks::AssembleSettings settings;
-        settings.group = group;
-        settings.with_curvature = group == marks::Group::curvature || settings_.group[at(group)].with_curvature;
-        settings.progressive = settings_.distribution == marks::Distribution::blue_noise;
-        settings.strokes = set_.group[at(group)].report.strokes;
-        const std::size_t layer = group == marks::Group::stipple ? 0 : 2 * at(group) - 1;
-        settings.part = {settings_.layer[layer], settings_.layer[group == marks::Group::stipple ? 0 : layer + 1]};
-        marks::assemble(site_, marks_[at(group)], settings, set_.origin, set_.group[at(group)],
+        settings.strokes = layer.settings.has_strokes();
+        settings.with_curvature = layer.settings.kind == marks::Kind::principal || layer.settings.with_curvature;
+        settings.part = layer.settings.part;
+        marks::assemble(layer.site, layer.marks, settings, set_.origin, set_.layers[layer.place],
                         progress_.part(0.95, 1.0));
-        marks_[at(group)] = marks::Marks(site_.memory()); // gives the doubles back
+        layer.marks = marks::Marks(site_.memory()); // gives the doubles back
     }
 }
 
 marks::PointSet Generation::run() {
     const base::Stopwatch watch;
+    add_layers();
     seeds_ = make_seeds(site_, samples_, settings_, progress_.part(0.0, 0.1));
     set_.distribution = settings_.distribution;
     set_.seed_source = seeds_.source;
@@ -244,25 +274,29 @@ double expected_evaluations(const SampleHint& samples, const Settings& settings)
                                    : static_cast<std::int64_t>(samples.position.size() / 3);
     constexpr std::int64_t candidates_each = 5; // of BLUE_NOISE, with cells and projection
     double evaluations = 0.0;
-    for (std::size_t k = 0; k < settings.group.size(); ++k) {
-        const GroupSettings& group = settings.group[k];
-        if (!group.wanted) continue;
-        const std::int64_t grown = k == 0 ? marks::grown_count(seeds, 5, group.published.levels)
-                                          : marks::grown_count(2 * seeds, 3, group.published.levels);
-        const std::int64_t budget = group.budget > 0 ? group.budget : default_budget;
-        const double cost = k == 1 ? 8.0 : 3.0; // with Hessians on the way, or without
+    for (const LayerSettings& layer : settings.layers) {
+        const std::int64_t grown = layer.has_strokes() ? marks::grown_count(2 * seeds, 3, layer.published.levels)
+                                                       : marks::grown_count(seeds, 5, layer.published.levels);
+        const std::int64_t budget = layer.budget > 0 ? layer.budget : default_budget;
+        // With Hessians on the way, or without.
+        const double cost = layer.kind == marks::Kind::principal ? 8.0 : 3.0;
         evaluations += cost * static_cast<double>(published ? grown : candidates_each * budget);
     }
     return evaluations;
 }
 
 marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
-                         const Settings& settings, const base::Progress& progress) {
+                         const Settings& given, const base::Progress& progress) {
+    const Settings settings = completed(given);
     check_request(implicit, settings);
     const InUnit in_unit(runtime, implicit, samples, settings);
     const marks::Site site = in_unit.site();
     marks::PointSet set = Generation(site, in_unit.samples(), in_unit.settings(), progress).run();
     to_callers_unit(set, site.unit);
+    marks::cluster_marks(runtime, set, progress);
+    for (const marks::Layer& layer : set.layers)
+        runtime.log(base::LogLevel::info, "generate: %lld marks in layer '%s' in %.3f s",
+                    static_cast<long long>(layer.count()), layer.name.data(), layer.report.seconds);
     return set;
 }
 

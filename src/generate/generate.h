@@ -10,16 +10,16 @@
 
 namespace hrbfnpr::generate {
 
-// What can be refused before any work: sizes that floats do not hold, lengths that make no sense beside the model's,
-// and budgets that are too large.  generate() and step_patches() check it themselves.
+// What can be refused before any work: sizes that floats do not hold, and lengths that make no sense beside the
+// model's.  generate() and step_patches() check it themselves.
 void check_request(const implicit::Implicit& implicit, const Settings& settings);
 
-// Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
+// A set that is ready for frames.  Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
 [[nodiscard]] marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                        const SampleHint& samples, const Settings& settings,
                                        const base::Progress& progress);
 
-// Of the implicit, roughly.
+// Of the implicit, roughly, by completed() settings.
 [[nodiscard]] double expected_evaluations(const SampleHint& samples, const Settings& settings) noexcept;
 
 // Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace hrbfnpr::generate {
@@ -29,12 +30,22 @@ void scale_curvatures(base::Array<float>& curvature, double by) noexcept {
 constexpr double shortest_length = 1e-12;
 constexpr double longest_length = 1e9;
 
-void check_length(const char* field, double length, double diagonal) {
+bool fits(double length, double diagonal) noexcept {
     const double part = length / diagonal;
-    if (length == 0.0 || (part >= shortest_length && part <= longest_length)) return;
+    return length == 0.0 || (part >= shortest_length && part <= longest_length);
+}
+
+[[noreturn]] void refuse_length(const char* field, double length, double diagonal) {
     fail(Status::invalid_argument,
          "generate_desc.%s is %g, %.2g of the model's diagonal; it must be 0, or from %g to %g of that", field, length,
-         part, shortest_length, longest_length);
+         length / diagonal, shortest_length, longest_length);
+}
+
+void check_length(std::int64_t layer, const char* field, double length, double diagonal) {
+    if (fits(length, diagonal)) return;
+    char name[64];
+    std::snprintf(name, sizeof name, "layers[%lld].%s", static_cast<long long>(layer), field);
+    refuse_length(name, length, diagonal);
 }
 
 } // namespace
@@ -42,16 +53,19 @@ void check_length(const char* field, double length, double diagonal) {
 void check_request(const implicit::Implicit& implicit, const Settings& settings) {
     const double diagonal = implicit.diagonal();
     marks::require_size("the model's bounds are", diagonal, "samples (or a custom model's function)");
-    if (settings.distribution == marks::Distribution::published)
-        return check_length("initial_step", settings.seeds.initial_step, diagonal);
-    check_length("stroke_separation", settings.strokes.separation, diagonal);
-    check_length("stroke_step", settings.strokes.step, diagonal);
-    for (std::size_t group = 0; group < settings.group.size(); ++group)
-        if (settings.group[group].wanted && settings.group[group].budget > marks::most_even_marks)
-            fail(Status::invalid_argument,
-                 "generate_desc asks for %lld marks in group[%d]; BLUE_NOISE makes %lld at most: lower the budget",
-                 static_cast<long long>(settings.group[group].budget), static_cast<int>(group),
-                 static_cast<long long>(marks::most_even_marks));
+    if (settings.distribution == marks::Distribution::published) {
+        if (!fits(settings.seeds.initial_step, diagonal))
+            refuse_length("initial_step", settings.seeds.initial_step, diagonal);
+        return;
+    }
+    std::int64_t number = 0;
+    for (const LayerSettings& layer : settings.layers) {
+        if (layer.has_strokes()) {
+            check_length(number, "separation", layer.strokes.separation, diagonal);
+            check_length(number, "step", layer.strokes.step, diagonal);
+        }
+        ++number;
+    }
 }
 
 InUnit::InUnit(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
@@ -59,7 +73,8 @@ InUnit::InUnit(const base::Runtime& runtime, const implicit::Implicit& implicit,
     : runtime_(runtime), implicit_(implicit), unit_(geometry::unit_for(implicit.diagonal())),
       sample_position_(runtime.memory), seed_position_(runtime.memory), samples_(samples), settings_(settings) {
     // A longer limit is none.
-    settings_.strokes.longest = std::min(settings_.strokes.longest, longest_length * implicit.diagonal());
+    for (LayerSettings& layer : settings_.layers)
+        layer.strokes.longest = std::min(layer.strokes.longest, longest_length * implicit.diagonal());
     if (unit_ == 1.0) return;
     scaled_.emplace(implicit, unit_);
     for (const double coordinate : samples.position) sample_position_.push_back(coordinate / unit_);
@@ -70,9 +85,10 @@ InUnit::InUnit(const base::Runtime& runtime, const implicit::Implicit& implicit,
     if (!seeds.empty())
         settings_.seeds.points = {reinterpret_cast<const std::byte*>(seed_position_.data()), seeds.count,
                                   3 * std::int64_t{sizeof(double)}, base::Scalar::float64, 3};
-    for (double* length : {&settings_.seeds.initial_step, &settings_.strokes.separation, &settings_.strokes.step,
-                           &settings_.strokes.longest})
-        *length /= unit_;
+    settings_.seeds.initial_step /= unit_;
+    for (LayerSettings& layer : settings_.layers)
+        for (double* length : {&layer.strokes.separation, &layer.strokes.step, &layer.strokes.longest})
+            *length /= unit_;
 }
 
 void to_callers_unit(marks::PointSet& set, double unit) {
@@ -82,10 +98,10 @@ void to_callers_unit(marks::PointSet& set, double unit) {
     set.spacing *= unit;
     if (const double side = set.bounds.longest_side(); side > 0.0)
         marks::require_size("the marks are", side, "samples (or a custom model's function)");
-    for (marks::MarkGroup& group : set.group) {
-        scale(group.position, unit);
-        scale_curvatures(group.curvature, 1.0 / unit);
-        group.report.step *= unit;
+    for (marks::Layer& layer : set.layers) {
+        scale(layer.position, unit);
+        scale_curvatures(layer.curvature, 1.0 / unit);
+        layer.report.step *= unit;
     }
 }
 

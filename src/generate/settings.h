@@ -10,14 +10,25 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace hrbfnpr::generate {
 
-struct GroupSettings {
-    bool wanted = false;
-    std::int64_t budget = 0;
-    bool with_curvature = false; // fill MarkGroup::curvature
+inline constexpr std::int64_t default_budget = 40000;
+
+// How one layer is made.
+struct LayerSettings {
+    marks::Kind kind = marks::Kind::stipples;
+    marks::LayerName name{}; // empty: that of its kind
+    std::int64_t budget = default_budget;
+    bool with_curvature = false;         // fill Layer::curvature
+    std::array<marks::TonePart, 2> part{ // of the two directions; 0 and 0: as Settings::tone_ranges says
+        marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
+    stipples::DensitySettings density;
+    strokes::Settings strokes;
     published::Settings published;
+
+    [[nodiscard]] bool has_strokes() const noexcept { return kind != marks::Kind::stipples; }
 };
 
 struct SeedSettings {
@@ -28,8 +39,8 @@ struct SeedSettings {
     double initial_step = 0.0;
 };
 
-// Same numbers as HRBFNPR_LAYER_...: stipples, then the two sets of each group of strokes.
-inline constexpr std::size_t layer_count = 5;
+// Same numbers as HRBFNPR_TONE_RANGES_...
+enum class ToneRanges : std::uint32_t { full = 0, in_turn = 1 };
 
 // Checked by the boundary; defaults as in hrbfnpr_generate_desc.
 struct Settings {
@@ -37,11 +48,14 @@ struct Settings {
     double projection_tolerance = 1e-7;
     std::uint64_t random_seed = 1;
     SeedSettings seeds;
-    stipples::DensitySettings density;
-    strokes::Settings strokes;
-    std::array<GroupSettings, marks::group_count> group;
-    std::array<marks::TonePart, layer_count> layer;
+    std::vector<LayerSettings> layers; // empty: one of stipples
+    std::int64_t shared_budget = 0;
+    ToneRanges tone_ranges = ToneRanges::full;
 };
+
+// With what the settings leave to this room: layers, levels, parts of the tones and budgets, each layer's own.
+// Throws Error{invalid_argument} for what cannot be made of any model.
+[[nodiscard]] Settings completed(Settings settings);
 
 // What is known of the samples that the implicit came from: 3n packed positions, empty
 // for a custom implicit.  (The samples lie on the surface; their normals are gradients.)

@@ -34,7 +34,8 @@ base::Array<Ticket> shuffled(const marks::Site& site, std::int64_t count) {
 } // namespace
 
 double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
-                    const Settings& settings, const base::OutView& corners, const base::Progress& progress) {
+                    const Settings& given, const base::OutView& corners, const base::Progress& progress) {
+    const Settings settings = completed(given);
     check_request(implicit, settings);
     const InUnit in_unit(runtime, implicit, samples, settings);
     const marks::Site site = in_unit.site();

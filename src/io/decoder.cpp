@@ -19,10 +19,11 @@ struct TagText {
 
 } // namespace
 
-Decoder::Decoder(Reader& reader, std::uint32_t kind, const char* what) : reader_(reader), what_(what) {
+Decoder::Decoder(Reader& reader, std::uint32_t kind, std::uint32_t newest, const char* what)
+    : reader_(reader), what_(what) {
     std::array<std::uint8_t, header_size> header{};
     read_exactly(header);
-    check_header(header, kind);
+    check_header(header, kind, newest);
 }
 
 void Decoder::damaged(const char* format, ...) const {
@@ -34,23 +35,24 @@ void Decoder::damaged(const char* format, ...) const {
     fail(Status::corrupt_data, "this %s file is damaged: %s", what_, detail);
 }
 
-void Decoder::check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind) {
+void Decoder::check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind,
+                           std::uint32_t newest) {
     if (!std::equal(magic.begin(), magic.end(), header.begin()))
         fail(Status::corrupt_data, "this is not a %s file of hrbfnpr: its first bytes are others", what_);
     Crc32 crc;
     crc.add(header.first(header_size - 4));
     if (crc.value() != fetch<std::uint32_t>(&header[36])) damaged("the checksum of its header is wrong");
-    // Every later version keeps this header, so that a newer file is told from a damaged one.
-    const auto version = fetch<std::uint32_t>(&header[12]);
-    if (version > format_version)
-        fail(Status::version_mismatch,
-             "this %s file has format version %u; this library reads versions up to %u: use a newer one", what_,
-             version, format_version);
-    if (version == 0) damaged("its format version is 0");
-    if (fetch<std::uint32_t>(&header[16]) != byte_order_mark) damaged("its byte order mark is wrong");
     if (fetch<std::uint32_t>(&header[8]) != kind)
         fail(Status::corrupt_data, "this is a file of hrbfnpr, but not a %s: its kind is '%s'", what_,
              TagText(fetch<std::uint32_t>(&header[8])).text);
+    // Every later version keeps this header, so that a newer file is told from a damaged one.
+    version_ = fetch<std::uint32_t>(&header[12]);
+    if (version_ > newest)
+        fail(Status::version_mismatch,
+             "this %s file has format version %u; this library reads versions up to %u: use a newer one", what_,
+             version_, newest);
+    if (version_ == 0) damaged("its format version is 0");
+    if (fetch<std::uint32_t>(&header[16]) != byte_order_mark) damaged("its byte order mark is wrong");
     remaining_ = fetch<std::uint64_t>(&header[24]);
 }
 

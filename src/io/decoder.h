@@ -15,8 +15,11 @@ namespace hrbfnpr::io {
 
 class Decoder {
 public:
-    // Reads and checks the header.  `what` names the kind in messages: "model".
-    Decoder(Reader& reader, std::uint32_t kind, const char* what);
+    // Reads and checks the header.  newest: version that can be read.  `what` names the kind in messages: "model".
+    Decoder(Reader& reader, std::uint32_t kind, std::uint32_t newest, const char* what);
+
+    // Of the file.
+    [[nodiscard]] std::uint32_t version() const noexcept { return version_; }
 
     // A section of exactly elements.size() elements.
     template <class T>
@@ -73,13 +76,15 @@ private:
 
     std::int64_t begin_section(std::uint32_t tag, ElementType type, std::uint64_t element_size);
     void expect_count(std::uint32_t tag, std::int64_t count, std::int64_t expected) const;
-    void check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind);
+    void check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind,
+                      std::uint32_t newest);
     void read_exactly(std::span<std::uint8_t> bytes);
     void take(std::span<std::uint8_t> bytes);
 
     Reader& reader_;
     const char* what_;
     Crc32 crc_;
+    std::uint32_t version_ = 0;
     std::uint64_t remaining_ = 0; // of the payload
     std::uint64_t position_ = 0;  // in the file
 };

@@ -17,11 +17,11 @@ void Encoder::put(std::span<const std::uint8_t> bytes) {
     writer_->write(bytes.data(), bytes.size());
 }
 
-void write_header(Writer& writer, std::uint32_t kind, std::uint64_t payload_length) {
+void write_header(Writer& writer, std::uint32_t kind, std::uint32_t version, std::uint64_t payload_length) {
     std::array<std::uint8_t, header_size> bytes{};
     std::copy(magic.begin(), magic.end(), bytes.begin());
     store(&bytes[8], kind);
-    store(&bytes[12], format_version);
+    store(&bytes[12], version);
     store(&bytes[16], byte_order_mark);
     store(&bytes[20], std::uint32_t{0});
     store(&bytes[24], payload_length);

@@ -46,15 +46,15 @@ private:
     std::uint64_t length_ = 0;
 };
 
-void write_header(Writer& writer, std::uint32_t kind, std::uint64_t payload_length);
+void write_header(Writer& writer, std::uint32_t kind, std::uint32_t version, std::uint64_t payload_length);
 void write_trailer(Writer& writer, std::uint32_t checksum);
 
 // encode(encoder) writes the payload's sections; it must do the same both times.
 template <class F>
-void write_file(Writer& writer, std::uint32_t kind, F&& encode) {
+void write_file(Writer& writer, std::uint32_t kind, std::uint32_t version, F&& encode) {
     Encoder measure(nullptr);
     encode(measure);
-    write_header(writer, kind, measure.length());
+    write_header(writer, kind, version, measure.length());
     Encoder encoder(&writer);
     encode(encoder);
     write_trailer(writer, encoder.checksum());

@@ -174,11 +174,11 @@ void check_arrays(const Decoder& decoder, const implicit::HrbfData& data) {
 } // namespace
 
 void save_model(const implicit::HrbfData& data, std::span<const double> report, Writer& writer) {
-    write_file(writer, kind_model, [&](Encoder& encoder) { encode(encoder, data, report); });
+    write_file(writer, kind_model, model_version, [&](Encoder& encoder) { encode(encoder, data, report); });
 }
 
 ModelFile load_model(base::Memory& memory, Reader& reader) {
-    Decoder decoder(reader, kind_model, "model");
+    Decoder decoder(reader, kind_model, model_version, "model");
     ModelFile file(memory);
     decode_kind(decoder, file.data);
     Numbers numbers{};

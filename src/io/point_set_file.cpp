@@ -1,9 +1,15 @@
+#include "base/utf8.h"
 #include "io/check.h"
 #include "io/encoder.h"
 #include "io/files.h"
+#include "io/point_set_sections.h"
+#include "marks/marks.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 namespace hrbfnpr::io {
 namespace {
@@ -11,23 +17,18 @@ namespace {
 constexpr std::uint32_t tag_kind = tag("KIND");
 constexpr std::uint32_t tag_numbers = tag("NUMB");
 constexpr std::uint32_t tag_seeds = tag("SEED");
-constexpr std::uint32_t tag_group_counts = tag("GCNT");
-constexpr std::uint32_t tag_group_numbers = tag("GNUM");
-constexpr std::uint32_t tag_rank = tag("RANK");
-constexpr std::uint32_t tag_position = tag("POSI");
-constexpr std::uint32_t tag_normal = tag("NORM");
-constexpr std::uint32_t tag_direction = tag("DIRE");
-constexpr std::uint32_t tag_curvature = tag("CURV");
-constexpr std::uint32_t tag_level = tag("LEVL");
-constexpr std::uint32_t tag_stroke = tag("STRK");
+constexpr std::uint32_t tag_layer = tag("LAYR");
+constexpr std::uint32_t tag_name = tag("NAME");
+constexpr std::uint32_t tag_layer_counts = tag("LCNT");
+constexpr std::uint32_t tag_layer_numbers = tag("LNUM");
+constexpr std::uint32_t tag_placement = tag("PLAC");
+constexpr std::uint32_t tag_stroke_first = tag("SFST");
+constexpr std::uint32_t tag_stroke_order = tag("SORD");
 
-constexpr std::uint32_t tag_width = tag("WIDT");
+constexpr std::int64_t most_level = 255; // of a mark
 
-constexpr std::size_t level_numbers = 6;
-constexpr std::size_t levels = marks::most_levels + 1;
 using Numbers = std::array<double, 12>;
 using LevelNumbers = std::array<std::int64_t, level_numbers>;
-using GroupCounts = std::array<std::int64_t, 3 + levels * level_numbers>;
 
 Numbers numbers_of(const marks::PointSet& set) noexcept {
     const auto& [low, high] = set.bounds;
@@ -48,113 +49,148 @@ LevelNumbers numbers_of(const marks::LevelReport& level) noexcept {
             level.dropped_degenerate, level.dropped_budget};
 }
 
-marks::LevelReport level_of(const std::int64_t* n) noexcept { return {n[0], n[1], n[2], n[3], n[4], n[5]}; }
-
-GroupCounts counts_of(const marks::GroupReport& report) noexcept {
-    GroupCounts counts{report.strokes, report.full_count, report.levels};
-    for (std::size_t level = 0; level < levels; ++level) {
-        const LevelNumbers numbers = numbers_of(report.level[level]);
-        std::copy(numbers.begin(), numbers.end(), &counts[3 + level * level_numbers]);
-    }
-    return counts;
-}
-
-void encode_group(Encoder& encoder, const marks::MarkGroup& group) {
-    encoder.section<std::int64_t>(tag_group_counts, counts_of(group.report));
-    encoder.section<double>(tag_group_numbers, std::array{group.report.step, group.report.seconds});
-    encoder.section(tag_rank, group.rank.span());
-    encoder.section(tag_position, group.position.span());
-    encoder.section(tag_normal, group.normal.span());
-    encoder.section(tag_direction, group.direction.span());
-    encoder.section(tag_curvature, group.curvature.span());
-    encoder.section(tag_level, group.level.span());
-    encoder.section(tag_stroke, group.stroke.span());
-}
-
-// One for each group, at the end, and none where all are empty: as in files from before there were widths.
-void encode_widths(Encoder& encoder, const marks::PointSet& set) {
-    const auto has_width = [](const marks::MarkGroup& group) { return !group.width.empty(); };
-    if (std::none_of(set.group.begin(), set.group.end(), has_width)) return;
-    for (const marks::MarkGroup& group : set.group) encoder.section(tag_width, group.width.span());
+void encode_layer(Encoder& encoder, const marks::Layer& layer) {
+    encoder.section<std::uint32_t>(tag_layer,
+                                   std::array{static_cast<std::uint32_t>(layer.kind), layer.progressive ? 1U : 0U});
+    const auto* const name = reinterpret_cast<const std::uint8_t*>(layer.name.data());
+    encoder.section(tag_name, std::span(name, std::strlen(layer.name.data())));
+    encoder.section<std::int64_t>(tag_layer_counts,
+                                  std::array{layer.report.full_count, std::int64_t{layer.report.levels}});
+    encoder.section<double>(tag_layer_numbers, std::array{layer.report.step, layer.report.seconds});
+    base::Array<std::int64_t> placement(layer.rank.memory());
+    for (const marks::LevelReport& level : layer.report.level)
+        for (const std::int64_t number : numbers_of(level)) placement.push_back(number);
+    encoder.section(tag_placement, std::as_const(placement).span());
+    encoder.section(tag_rank, layer.rank.span());
+    encoder.section(tag_position, layer.position.span());
+    encoder.section(tag_normal, layer.normal.span());
+    encoder.section(tag_direction, layer.direction.span());
+    encoder.section(tag_curvature, layer.curvature.span());
+    encoder.section(tag_level, layer.level.span());
+    encoder.section(tag_stroke, layer.stroke.span());
+    encoder.section(tag_width, layer.width.span());
+    encoder.section(tag_stroke_first, layer.stroke_first.span());
+    encoder.section(tag_stroke_order, layer.stroke_order.span());
 }
 
 void encode(Encoder& encoder, const marks::PointSet& set) {
     const std::array<std::uint32_t, 3> kind{static_cast<std::uint32_t>(set.distribution),
-                                            static_cast<std::uint32_t>(set.seed_source), marks::group_count};
+                                            static_cast<std::uint32_t>(set.seed_source),
+                                            static_cast<std::uint32_t>(set.layers.size())};
     encoder.section<std::uint32_t>(tag_kind, kind);
     encoder.section<double>(tag_numbers, numbers_of(set));
     encoder.section<std::int64_t>(tag_seeds, numbers_of(set.seeds));
-    for (const marks::MarkGroup& group : set.group) encode_group(encoder, group);
-    encode_widths(encoder, set);
+    for (const marks::Layer& layer : set.layers) encode_layer(encoder, layer);
 }
 
-void decode_kind(Decoder& decoder, marks::PointSet& set) {
+// Returns the number of layers.
+std::uint32_t decode_kind(Decoder& decoder, marks::PointSet& set) {
     std::array<std::uint32_t, 3> kind{};
     decoder.section<std::uint32_t>(tag_kind, kind);
     if (kind[0] > static_cast<std::uint32_t>(marks::Distribution::published))
         decoder.damaged("its distribution is unknown");
     if (kind[1] > static_cast<std::uint32_t>(marks::SeedSource::points)) decoder.damaged("its seed source is unknown");
-    if (kind[2] != marks::group_count) decoder.damaged("it has %u groups instead of 3", kind[2]);
+    if (decoder.version() == 1 && kind[2] != 3) decoder.damaged("it has %u groups instead of 3", kind[2]);
+    if (kind[2] > marks::most_layers) decoder.damaged("it has %u layers", kind[2]);
     set.distribution = static_cast<marks::Distribution>(kind[0]);
     set.seed_source = static_cast<marks::SeedSource>(kind[1]);
+    return kind[2];
 }
 
-marks::GroupReport decode_report(Decoder& decoder) {
-    GroupCounts counts{};
+void decode_name(Decoder& decoder, marks::Layer& layer) {
+    base::Array<std::uint8_t> name(layer.rank.memory());
+    decoder.section(tag_name, name);
+    const std::string_view text(reinterpret_cast<const char*>(name.data()), static_cast<std::size_t>(name.size()));
+    if (text.empty() || text.size() >= layer.name.size() || !base::is_utf8(text))
+        decoder.damaged("the name of a layer is not 1 to 63 bytes of UTF-8");
+    layer.name = {};
+    std::memcpy(layer.name.data(), text.data(), text.size());
+}
+
+void decode_report(Decoder& decoder, marks::LayerReport& report) {
+    std::array<std::int64_t, 2> counts{};
     std::array<double, 2> numbers{};
-    decoder.section<std::int64_t>(tag_group_counts, counts);
-    decoder.section<double>(tag_group_numbers, numbers);
-    for (const std::int64_t count : counts)
-        if (count < 0) decoder.damaged("a count of a group is negative");
-    if (counts[2] > marks::most_levels) decoder.damaged("a group has more than 12 levels");
-    check_finite<double>(decoder, "group", numbers);
-    if (numbers[0] < 0.0 || numbers[1] < 0.0) decoder.damaged("a step or time of a group is negative");
-    marks::GroupReport report;
-    report.strokes = counts[0];
-    report.full_count = counts[1];
-    report.levels = static_cast<std::int32_t>(counts[2]);
-    for (std::size_t level = 0; level < levels; ++level)
-        report.level[level] = level_of(&counts[3 + level * level_numbers]);
+    base::Array<std::int64_t> placement(report.level.memory());
+    decoder.section<std::int64_t>(tag_layer_counts, counts);
+    decoder.section<double>(tag_layer_numbers, numbers);
+    decoder.section(tag_placement, placement);
+    if (counts[0] < 0 || counts[1] < 0 || counts[1] > most_level)
+        decoder.damaged("a count of a layer is not possible");
+    if (placement.size() % std::int64_t{level_numbers} != 0 ||
+        placement.size() > (most_level + 1) * std::int64_t{level_numbers})
+        decoder.damaged("the counts of a layer's levels are not six for each of 256 at most");
+    for (const std::int64_t count : placement)
+        if (count < 0) decoder.damaged("a count of a level is negative");
+    check_finite<double>(decoder, "layer", numbers);
+    if (numbers[0] < 0.0 || numbers[1] < 0.0) decoder.damaged("a step or time of a layer is negative");
+    report.full_count = counts[0];
+    report.levels = static_cast<std::int32_t>(counts[1]);
     report.step = numbers[0];
     report.seconds = numbers[1];
-    return report;
+    for (std::int64_t i = 0; i < placement.size(); i += std::int64_t{level_numbers})
+        report.level.push_back(level_of(placement.data() + i));
 }
 
-void decode_group(Decoder& decoder, marks::MarkGroup& group) {
-    group.report = decode_report(decoder);
-    decoder.section(tag_rank, group.rank);
-    const std::int64_t count = group.rank.size();
-    decoder.section(tag_position, group.position, 3 * count);
-    decoder.section(tag_normal, group.normal, 3 * count);
-    decoder.section(tag_direction, group.direction, 3 * count);
-    decoder.section(tag_curvature, group.curvature);
-    if (!group.curvature.empty() && group.curvature.size() != 3 * count)
-        decoder.damaged("a group's curvatures are not as many as its marks");
-    decoder.section(tag_level, group.level, count);
-    decoder.section(tag_stroke, group.stroke, 2 * count);
+void decode_layer(Decoder& decoder, marks::PointSet& set) {
+    std::array<std::uint32_t, 2> kind{};
+    decoder.section<std::uint32_t>(tag_layer, kind);
+    if (kind[0] == 0 || kind[0] >= marks::kind_count) decoder.damaged("the kind of a layer is unknown");
+    if (kind[1] > 1) decoder.damaged("the order of a layer is unknown");
+    marks::Layer& layer = set.layers.add(set.layers.memory(), static_cast<marks::Kind>(kind[0]));
+    layer.progressive = kind[1] == 1;
+    decode_name(decoder, layer);
+    decode_report(decoder, layer.report);
+    decode_marks(decoder, layer);
+    decode_width(decoder, layer);
+    decoder.section(tag_stroke_first, layer.stroke_first);
+    decoder.section(tag_stroke_order, layer.stroke_order);
 }
 
-void decode_widths(Decoder& decoder, marks::PointSet& set) {
-    if (!decoder.more()) return;
-    for (marks::MarkGroup& group : set.group) {
-        decoder.section(tag_width, group.width);
-        if (!group.width.empty() && group.width.size() != group.count())
-            decoder.damaged("a group's widths are not as many as its marks");
+// Each mark once, and the strokes in the order of their numbers: they are searched for by these.
+void check_order(const Decoder& decoder, const marks::Layer& layer) {
+    const std::int64_t count = layer.count();
+    if (layer.stroke_order.size() != count) decoder.damaged("the order of a layer's strokes is not that of its marks");
+    base::Array<std::uint8_t> seen(layer.rank.memory(), count);
+    for (const std::uint32_t mark : layer.stroke_order) {
+        if (mark >= count || seen[mark] != 0) decoder.damaged("a mark is in the order of strokes twice, or is none");
+        seen[mark] = 1;
     }
+    for (std::int64_t s = 1; s < layer.strokes(); ++s)
+        if (layer.stroke[2 * layer.mark_of(layer.stroke_first[s])] <=
+            layer.stroke[2 * layer.mark_of(layer.stroke_first[s - 1])])
+            decoder.damaged("strokes do not stand in the order of their numbers");
 }
 
-void check_group(const Decoder& decoder, const marks::MarkGroup& group) {
-    check_finite(decoder, "position", group.position.span());
-    check_unit(decoder, "normal", group.normal.span());
-    check_finite(decoder, "direction", group.direction.span());
-    for (std::int64_t i = 0; i < group.count(); ++i)
-        if (const glm::vec3 d = marks::vector_at(group.direction, i); !(glm::dot(d, d) < 1.02F))
+void check_strokes(const Decoder& decoder, const marks::Layer& layer) {
+    const base::Array<std::uint32_t>& first = layer.stroke_first;
+    if (first.empty()) {
+        if (!layer.stroke_order.empty()) decoder.damaged("a layer has an order of strokes and no strokes");
+        return;
+    }
+    const std::int64_t last = first.size() - 1;
+    bool rises = last > 0 && first[0] == 0 && first[last] == layer.count();
+    for (std::int64_t s = 0; s < last; ++s) rises = rises && first[s] < first[s + 1];
+    if (!rises) decoder.damaged("the strokes of a layer do not rise from 0 to its marks");
+    if (!layer.stroke_order.empty()) check_order(decoder, layer);
+    for (std::int64_t s = 0; s < last; ++s)
+        for (std::uint32_t place = first[s]; place < first[s + 1]; ++place)
+            if (layer.stroke[2 * layer.mark_of(place)] != layer.stroke[2 * layer.mark_of(first[s])])
+                decoder.damaged("the marks of a stroke have different numbers");
+}
+
+void check_layer(const Decoder& decoder, const marks::Layer& layer) {
+    check_finite(decoder, "position", layer.position.span());
+    check_unit(decoder, "normal", layer.normal.span());
+    check_finite(decoder, "direction", layer.direction.span());
+    for (std::int64_t i = 0; i < layer.count(); ++i)
+        if (const glm::vec3 d = marks::vector_at(layer.direction, i); !(glm::dot(d, d) < 1.02F))
             decoder.damaged("direction[%lld] is longer than a unit vector", static_cast<long long>(i));
-    check_finite(decoder, "curvature", group.curvature.span());
-    for (const float rank : group.rank.span())
+    check_finite(decoder, "curvature", layer.curvature.span());
+    for (const float rank : layer.rank.span())
         if (!(rank >= 0.0F && rank < 1.0F)) decoder.damaged("a rank is outside [0, 1)");
-    for (const float width : group.width.span())
+    for (const float width : layer.width.span())
         if (!(width > 0.0F && width <= 1.0F)) decoder.damaged("a width is outside (0, 1]");
+    check_strokes(decoder, layer);
 }
 
 // Positions are floats about the middle of the box of all marks, which lie in it; but for their rounding.
@@ -162,10 +198,10 @@ void check_places(const Decoder& decoder, const marks::PointSet& set) {
     constexpr double float_max = std::numeric_limits<float>::max();
     check_bounds(decoder, set.bounds);
     if (!(0.5 * longest_side(set.bounds) <= float_max)) decoder.damaged("its bounds are larger than floats can be");
-    for (const marks::MarkGroup& group : set.group)
-        for (std::int64_t i = 0; i < group.position.size(); ++i) {
+    for (const marks::Layer& layer : set.layers)
+        for (std::int64_t i = 0; i < layer.position.size(); ++i) {
             const auto axis = static_cast<glm::length_t>(i % 3);
-            const double position = group.position[i];
+            const double position = layer.position[i];
             const double place = set.origin[axis] + position;
             const double slack = 2e-7 * std::abs(position) + 1e-15 * std::abs(set.origin[axis]) + 1e-44;
             if (!(place >= set.bounds.min[axis] - slack && place <= set.bounds.max[axis] + slack))
@@ -185,11 +221,8 @@ void check_empty(const Decoder& decoder, marks::PointSet& set) {
 }
 
 void check_set(const Decoder& decoder, marks::PointSet& set) {
-    std::int64_t marks = 0;
-    for (const marks::MarkGroup& group : set.group) {
-        check_group(decoder, group);
-        marks += group.count();
-    }
+    for (const marks::Layer& layer : set.layers) check_layer(decoder, layer);
+    const std::int64_t marks = set.count();
     if (marks == 0) check_empty(decoder, set);
     check_finite<double>(
         decoder, "numbers",
@@ -201,14 +234,34 @@ void check_set(const Decoder& decoder, marks::PointSet& set) {
 
 } // namespace
 
+void decode_marks(Decoder& decoder, marks::Layer& layer) {
+    decoder.section(tag_rank, layer.rank);
+    const std::int64_t count = layer.rank.size();
+    if (count > marks::most_marks) decoder.damaged("a layer has more marks than there can be");
+    decoder.section(tag_position, layer.position, 3 * count);
+    decoder.section(tag_normal, layer.normal, 3 * count);
+    decoder.section(tag_direction, layer.direction, 3 * count);
+    decoder.section(tag_curvature, layer.curvature);
+    if (!layer.curvature.empty() && layer.curvature.size() != 3 * count)
+        decoder.damaged("a layer's curvatures are not as many as its marks");
+    decoder.section(tag_level, layer.level, count);
+    decoder.section(tag_stroke, layer.stroke, 2 * count);
+}
+
+void decode_width(Decoder& decoder, marks::Layer& layer) {
+    decoder.section(tag_width, layer.width);
+    if (!layer.width.empty() && layer.width.size() != layer.count())
+        decoder.damaged("a layer's widths are not as many as its marks");
+}
+
 void save_point_set(const marks::PointSet& set, Writer& writer) {
-    write_file(writer, kind_point_set, [&](Encoder& encoder) { encode(encoder, set); });
+    write_file(writer, kind_point_set, point_set_version, [&](Encoder& encoder) { encode(encoder, set); });
 }
 
 marks::PointSet load_point_set(base::Memory& memory, Reader& reader) {
-    Decoder decoder(reader, kind_point_set, "point set");
+    Decoder decoder(reader, kind_point_set, point_set_version, "point set");
     marks::PointSet set(memory);
-    decode_kind(decoder, set);
+    const std::uint32_t layers = decode_kind(decoder, set);
     Numbers numbers{};
     decoder.section<double>(tag_numbers, numbers);
     set_numbers(set, numbers);
@@ -217,8 +270,10 @@ marks::PointSet load_point_set(base::Memory& memory, Reader& reader) {
     for (const std::int64_t count : seeds)
         if (count < 0) decoder.damaged("a count of its seeds is negative");
     set.seeds = level_of(seeds.data());
-    for (marks::MarkGroup& group : set.group) decode_group(decoder, group);
-    decode_widths(decoder, set);
+    if (decoder.version() == 1)
+        decode_groups(decoder, set);
+    else
+        for (std::uint32_t layer = 0; layer < layers; ++layer) decode_layer(decoder, set);
     decoder.finish();
     check_set(decoder, set);
     return set;

@@ -11,24 +11,22 @@
 namespace hrbfnpr::marks {
 
 // The u of [NPAR 6.2], independent for each mark.
-[[nodiscard]] float random_rank(std::uint64_t random_seed, std::uint64_t key, Group group) noexcept;
+[[nodiscard]] float random_rank(std::uint64_t random_seed, std::uint64_t key, Kind kind) noexcept;
 
-// What to do with one group's marks.
+// What to do with one layer's marks.
 struct AssembleSettings {
-    Group group = Group::stipple;
+    bool strokes = false;
     bool with_curvature = false;
-    // In the order of their ranks: a stipple's is its place in the array, a stroke's its number.
-    bool progressive = false;
-    std::int64_t strokes = 0;     // of the group, if progressive
-    std::array<TonePart, 2> part; // of the two sets; the first one's for stipples
+    std::array<TonePart, 2> part; // of the two directions; the first one's for stipples
 };
 
-// Fills all of `result` but its report.  Positions become relative to `origin`.
+// Fills all of `result` but its kind, name and report.  Positions become relative to `origin`.  Marks without ranks
+// have those of their places in the array in a progressive layer, else random ones.
 void assemble(const Site& site, const Marks& marks, const AssembleSettings& settings, const glm::dvec3& origin,
-              MarkGroup& result, const base::Progress& progress);
+              Layer& result, const base::Progress& progress);
 
-// Bounds, origin and spacing of a set from its groups' positions, before they are assembled.
-// `area` 0: estimated from the positions of the largest group.
+// Bounds, origin and spacing of a set from its layers' positions, before they are assembled.
+// `area` 0: estimated from the positions of the largest layer.
 void measure(const base::Runtime& runtime, std::span<const geometry::VecArray* const> positions, double area,
              PointSet& set, const base::Progress& progress);
 

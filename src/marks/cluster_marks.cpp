@@ -30,11 +30,11 @@ struct Turn {
 
 [[nodiscard]] glm::dvec3 precise(const base::Array<float>& a, std::int64_t i) noexcept { return vector_at(a, i); }
 
-// A power of two in which the positions of all groups are of ordinary size.
+// A power of two in which the positions of all layers are of ordinary size.
 [[nodiscard]] double unit_of(const PointSet& set) noexcept {
     float largest = 0.0F;
-    for (const MarkGroup& group : set.group)
-        for (const float coordinate : group.position) largest = std::max(largest, std::abs(coordinate));
+    for (const Layer& layer : set.layers)
+        for (const float coordinate : layer.position) largest = std::max(largest, std::abs(coordinate));
     return geometry::unit_for(double{largest});
 }
 
@@ -46,19 +46,19 @@ struct Turn {
 
 class Clustering {
 public:
-    Clustering(MarkGroup& group, bool strokes, double unit, MarkClusters& result, const base::Progress& progress)
-        : group_(group), strokes_(strokes), unit_(unit), result_(result), progress_(progress),
-          order_(group.rank.memory(), group.count()) {}
+    Clustering(const Layer& layer, double unit, MarkClusters& result, const base::Progress& progress)
+        : layer_(layer), strokes_(layer.has_strokes()), unit_(unit), result_(result), progress_(progress),
+          order_(layer.rank.memory(), layer.count()) {}
 
     void run() {
-        if (group_.count() == 0) return;
+        if (layer_.count() == 0) return;
         sort();
         split(0, order_.size(), 3 * cell_bits, Turn{});
         fill();
     }
 
 private:
-    [[nodiscard]] glm::dvec3 place(std::int64_t mark) const noexcept { return precise(group_.position, mark) / unit_; }
+    [[nodiscard]] glm::dvec3 place(std::int64_t mark) const noexcept { return precise(layer_.position, mark) / unit_; }
 
     void sort() {
         geometry::Bounds bounds;
@@ -72,8 +72,8 @@ private:
             constexpr std::int64_t last = (1 << cell_bits) - 1;
             const std::uint64_t code = geometry::morton_code(
                 {geometry::whole(at.x, last), geometry::whole(at.y, last), geometry::whole(at.z, last)});
-            const std::uint64_t set = strokes_ ? group_.stroke[2 * i] & 1U : 0U;
-            order_[i] = {(set * 8 + side_of(precise(group_.normal, i))) << (3 * cell_bits) | code,
+            const std::uint64_t set = strokes_ ? layer_.direction_of(i) : 0U;
+            order_[i] = {(set * 8 + side_of(precise(layer_.normal, i))) << (3 * cell_bits) | code,
                          static_cast<std::uint32_t>(i)};
         }
         std::sort(order_.begin(), order_.end(),
@@ -100,8 +100,8 @@ private:
     void close(std::int64_t begin, std::int64_t end, const Turn& turn) {
         progress_.check();
         std::sort(order_.data() + begin, order_.data() + end, [&](const Keyed& a, const Keyed& b) {
-            const float u = group_.rank[a.mark];
-            const float v = group_.rank[b.mark];
+            const float u = layer_.rank[a.mark];
+            const float v = layer_.rank[b.mark];
             return u != v ? u > v : a.mark < b.mark;
         });
         // More marks than that are at one place only if they are all alike.
@@ -115,7 +115,7 @@ private:
         glm::dvec3 normal(0.0);
         for (std::int64_t i = begin; i < end; ++i) {
             middle += place(order_[i].mark);
-            normal += precise(group_.normal, order_[i].mark);
+            normal += precise(layer_.normal, order_[i].mark);
         }
         const double count = static_cast<double>(end - begin);
         middle /= count;
@@ -124,7 +124,7 @@ private:
         glm::dmat3 mixed(0.0);
         for (std::int64_t i = begin; i < end; ++i) {
             const glm::dvec3 p = place(order_[i].mark) - middle;
-            const glm::dvec3 n = precise(group_.normal, order_[i].mark) - normal;
+            const glm::dvec3 n = precise(layer_.normal, order_[i].mark) - normal;
             spread += glm::outerProduct(p, p);
             mixed += glm::outerProduct(n, p);
         }
@@ -145,12 +145,12 @@ private:
     [[nodiscard]] Cluster cluster_of(std::int64_t begin, std::int64_t end, const Turn& turn) const {
         Cluster cluster;
         cluster.count = static_cast<std::int32_t>(end - begin);
-        cluster.set = strokes_ ? group_.stroke[2 * std::int64_t{order_[begin].mark}] & 1U : 0U;
+        cluster.set = strokes_ ? layer_.direction_of(order_[begin].mark) : 0U;
         geometry::Bounds bounds;
         glm::dvec3 sum(0.0);
         for (std::int64_t i = begin; i < end; ++i) {
             bounds.extend(place(order_[i].mark));
-            sum += precise(group_.normal, order_[i].mark);
+            sum += precise(layer_.normal, order_[i].mark);
         }
         const glm::dvec3 centre = bounds.centre();
         const glm::dvec3 axis = glm::normalize(sum);
@@ -158,7 +158,7 @@ private:
         double cosine = 1.0;
         for (std::int64_t i = begin; i < end; ++i) {
             radius = std::max(radius, glm::length(place(order_[i].mark) - centre));
-            cosine = std::min(cosine, glm::dot(axis, precise(group_.normal, order_[i].mark)));
+            cosine = std::min(cosine, glm::dot(axis, precise(layer_.normal, order_[i].mark)));
         }
         for (int k = 0; k < 3; ++k) {
             cluster.centre[static_cast<std::size_t>(k)] = static_cast<float>(centre[k]);
@@ -184,7 +184,7 @@ private:
             blocks += (cluster.count + size - 1) / size;
         }
         result_.block.resize(blocks);
-        if (!group_.width.empty()) result_.width.resize(blocks * size);
+        if (!layer_.width.empty()) result_.width.resize(blocks * size);
         const Keyed* from = order_.data();
         for (const Cluster& cluster : result_.cluster) {
             for (std::int64_t i = 0; i < cluster.count; ++i) put(cluster.block * size + i, (from++)->mark);
@@ -198,15 +198,15 @@ private:
         block.x[at] = p.x;
         block.y[at] = p.y;
         block.z[at] = p.z;
-        block.nx[at] = group_.normal[3 * mark];
-        block.ny[at] = group_.normal[3 * mark + 1];
-        block.nz[at] = group_.normal[3 * mark + 2];
-        block.rank[at] = group_.rank[mark];
+        block.nx[at] = layer_.normal[3 * mark];
+        block.ny[at] = layer_.normal[3 * mark + 1];
+        block.nz[at] = layer_.normal[3 * mark + 2];
+        block.rank[at] = layer_.rank[mark];
         block.mark[at] = static_cast<std::uint32_t>(mark);
-        if (!group_.width.empty()) result_.width[slot] = group_.width[mark];
+        if (!layer_.width.empty()) result_.width[slot] = layer_.width[mark];
     }
 
-    MarkGroup& group_;
+    const Layer& layer_;
     bool strokes_;
     double unit_;
     MarkClusters& result_;
@@ -220,10 +220,10 @@ std::int64_t MarkClusters::bytes() const noexcept { return block.bytes() + width
 
 void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Progress& progress) {
     set.unit = unit_of(set);
-    runtime.parallel.for_each(group_count, [&](std::int64_t group) {
-        const auto g = static_cast<std::size_t>(group);
-        set.group[g].clusters = MarkClusters(runtime.memory);
-        Clustering(set.group[g], g != 0, set.unit, set.group[g].clusters, progress).run();
+    runtime.parallel.for_each(set.layers.size(), [&](std::int64_t number) {
+        Layer& layer = set.layers[number];
+        layer.clusters = MarkClusters(runtime.memory);
+        Clustering(layer, set.unit, layer.clusters, progress).run();
     });
 }
 

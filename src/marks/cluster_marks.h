@@ -7,7 +7,7 @@
 
 namespace hrbfnpr::marks {
 
-// Fills set.unit and the groups' clusters.  Any finite numbers will do.  Bits do not depend on the number of threads.
+// Fills set.unit and the layers' clusters.  Any finite numbers will do.  Bits do not depend on the number of threads.
 void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Progress& progress = {});
 
 } // namespace hrbfnpr::marks

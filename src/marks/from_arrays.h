@@ -5,15 +5,20 @@
 #include "base/view.h"
 #include "marks/point_set.h"
 
-#include <array>
+#include <span>
 
 namespace hrbfnpr::marks {
 
-// Of one group; empty views as described at hrbfnpr_group_arrays.
-struct GroupArrays {
-    base::InView position, normal, direction, curvature, rank, level, stroke, width;
+// Of one layer; empty views as described at hrbfnpr_layer_arrays.
+struct LayerArrays {
+    Kind kind = Kind::own;
+    LayerName name{};
+    base::InView position, normal, stroke_first, stroke_direction, direction, curvature, rank, level, width;
 };
-[[nodiscard]] PointSet from_arrays(const base::Runtime& runtime, const std::array<GroupArrays, group_count>& arrays,
-                                   std::uint64_t random_seed);
+
+// The layers of another set, if there is one, and those of the arrays.  Without clusters.
+// Throws Error{invalid_argument} that names layer, array and index.
+[[nodiscard]] PointSet from_arrays(const base::Runtime& runtime, const PointSet* base,
+                                   std::span<const LayerArrays> arrays, std::uint64_t random_seed);
 
 } // namespace hrbfnpr::marks

@@ -11,11 +11,26 @@ std::int64_t grown_count(std::int64_t base, std::int64_t factor, std::int32_t le
     return base;
 }
 
-void require_room(int group, std::int64_t full_count, std::int32_t levels, std::int64_t budget) {
+void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t levels, std::int64_t budget) {
     if (full_count <= most_marks || (budget > 0 && budget <= most_marks)) return;
+    if (layer < 0)
+        fail(Status::invalid_argument, "start_level = %d would grow to %lld stipples, and %lld are the most: lower it",
+             levels, static_cast<long long>(full_count), static_cast<long long>(most_marks));
     fail(Status::invalid_argument,
-         "group[%d].levels = %d would grow to %lld marks, and %lld are the most: lower levels or set group[%d].budget",
-         group, levels, static_cast<long long>(full_count), static_cast<long long>(most_marks), group);
+         "layers[%lld].levels = %d would grow to %lld marks, and %lld are the most: lower it or set layers[%lld].budget",
+         static_cast<long long>(layer), levels, static_cast<long long>(full_count), static_cast<long long>(most_marks),
+         static_cast<long long>(layer));
+}
+
+// Those of one layer of stipples, principal and combing strokes have the set's own seed.
+std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t number) noexcept {
+    const bool own = kind == Kind::field || kind == Kind::own;
+    if (number == 0 && !own) return random_seed;
+    const auto n = static_cast<std::uint64_t>(number);
+    const base::Philox bits = base::philox(
+        random_seed, {static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n >> 32U),
+                      static_cast<std::uint32_t>(base::Purpose::layer), static_cast<std::uint32_t>(kind)});
+    return static_cast<std::uint64_t>(bits[0]) << 32U | bits[1];
 }
 
 std::uint64_t Thinning::ticket(std::uint64_t key) const noexcept {

@@ -1,4 +1,4 @@
-// The marks of a group while they grow, in double precision.
+// The marks of a layer while they grow, in double precision.
 #pragma once
 
 #include "geometry/vec_array.h"
@@ -44,8 +44,9 @@ inline constexpr std::int64_t most_even_marks = 100000000;
 // base * factor^levels; no overflow for what the boundary lets through.
 [[nodiscard]] std::int64_t grown_count(std::int64_t base, std::int64_t factor, std::int32_t levels) noexcept;
 
-// Refuses what would be more than most_marks after `levels` steps.
-void require_room(int group, std::int64_t full_count, std::int32_t levels, std::int64_t budget);
+// Refuses what would be more than most_marks after `levels` steps of layers[layer]; layer -1: of stipples that only
+// strokes start from.
+void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t levels, std::int64_t budget);
 
 // A random choice of `kept` among candidates: those of the smallest random keys, so that who is
 // chosen does not depend on the order in which they are looked at.
@@ -83,9 +84,14 @@ Thinning::Thinning(const Site& site, std::int64_t count, std::int64_t kept, std:
     choose(tickets, kept);
 }
 
-// A group's random numbers do not depend on which other groups are made.
-[[nodiscard]] inline std::uint32_t lane_of(Group group, std::uint32_t number = 0) noexcept {
-    return static_cast<std::uint32_t>(group) + static_cast<std::uint32_t>(group_count) * number;
+// A layer's random numbers do not depend on which other layers are made: this is their seed.  number: of the layer
+// among those of its kind.
+[[nodiscard]] std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t number) noexcept;
+
+// ... and this, beside the seed, tells layers of three kinds apart.
+inline constexpr std::uint32_t lane_count = 3;
+[[nodiscard]] constexpr std::uint32_t lane_of(Kind kind) noexcept {
+    return kind == Kind::principal ? 1U : kind == Kind::combing ? 2U : 0U;
 }
 
 } // namespace hrbfnpr::marks

@@ -15,7 +15,7 @@ constexpr double jitter = 0.125;
 class Stipples {
 public:
     Stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
-             marks::GroupReport& report)
+             marks::LayerReport& report)
         : site_(site), start_(start), settings_(settings), marks_(marks), report_(report), settler_(site),
           parent_(site.memory()), key_(site.memory()) {}
 
@@ -41,7 +41,7 @@ private:
     const Start& start_;
     const GrowthSettings& settings_;
     marks::Marks& marks_;
-    marks::GroupReport& report_;
+    marks::LayerReport& report_;
     marks::Settler settler_;
     base::Array<std::int64_t> parent_; // of the chunk's starts
     base::Array<std::uint64_t> key_;
@@ -52,7 +52,7 @@ bool Stipples::place_seeds(const base::Progress& progress) {
     const std::int64_t count = start_.position.size();
     const std::int64_t room = settings_.budget > 0 ? settings_.budget : count;
     const marks::Thinning thinning(
-        site_, count, room, marks::lane_of(marks::Group::stipple),
+        site_, count, room, marks::lane_of(marks::Kind::stipples),
         [](std::int64_t i) { return static_cast<std::uint64_t>(i); }, progress);
     for (std::int64_t i = 0; i < count; ++i) {
         if (!thinning.keeps(static_cast<std::uint64_t>(i))) continue;
@@ -63,7 +63,7 @@ bool Stipples::place_seeds(const base::Progress& progress) {
         marks_.place.push_back(0);
         marks_.level.push_back(0);
     }
-    marks::LevelReport& level = report_.level[0];
+    marks::LevelReport& level = report_.of(0);
     level.attempted = count;
     level.placed = marks_.count();
     level.dropped_budget = count - marks_.count();
@@ -73,14 +73,14 @@ bool Stipples::place_seeds(const base::Progress& progress) {
 
 // The mark `key` of a full tree of n marks has the children n + 4 key + {0, 1, 2, 3}.
 bool Stipples::refine(std::int32_t level, double rho, const base::Progress& progress) {
-    marks::LevelReport& report = report_.level[static_cast<std::size_t>(level)];
+    marks::LevelReport& report = report_.of(level);
     const std::int64_t parents = marks_.count();
     const std::int64_t room =
         settings_.budget > 0 ? std::max<std::int64_t>(0, settings_.budget - parents) : children * parents;
     const auto key_of = [&](std::int64_t i) {
         return full_count_ + 4 * marks_.key[i / children] + static_cast<std::uint64_t>(i % children);
     };
-    const marks::Thinning thinning(site_, children * parents, room, marks::lane_of(marks::Group::stipple), key_of,
+    const marks::Thinning thinning(site_, children * parents, room, marks::lane_of(marks::Kind::stipples), key_of,
                                    progress);
     constexpr std::int64_t parents_of_chunk = marks::chunk_size / children;
     // No start is farther from its parent than this, and a child that lands farther from its start
@@ -130,10 +130,10 @@ void Stipples::append_placed(std::uint8_t level) {
 } // namespace
 
 void grow_stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
-                   marks::GroupReport& report, const base::Progress& progress) {
+                   marks::LayerReport& report, const base::Progress& progress) {
     report.full_count = marks::grown_count(start.full_count, 1 + children, settings.levels);
     report.step = settings.step;
-    marks::require_room(static_cast<int>(marks::Group::stipple),
+    marks::require_room(settings.layer,
                         marks::grown_count(start.position.size(), 1 + children, settings.levels), settings.levels,
                         settings.budget);
     Stipples stipples(site, start, settings, marks, report);

@@ -55,16 +55,20 @@ glm::dvec3 on_osculating_circle(double s, double k, const glm::dvec3& d, const g
 class Strokes {
 public:
     Strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
-            marks::GroupReport& report)
+            marks::LayerReport& report)
         : site_(site), start_(start), settings_(settings), marks_(marks), report_(report), settler_(site),
-          parent_(site.memory()), side_(site.memory()), landed_(site.memory()), curvature_(site.memory()) {}
+          parent_(site.memory()), side_(site.memory()), landed_(site.memory()),
+          landed_normal_(site.memory()), given_(site.memory()), curvature_(site.memory()) {}
 
     // Returns whether the budget cut the level.
     bool place_seeds(const base::Progress& progress);
     bool refine(std::int32_t level, double rho, const base::Progress& progress);
 
 private:
-    [[nodiscard]] bool by_curvature() const noexcept { return settings_.group == marks::Group::curvature; }
+    [[nodiscard]] bool by_curvature() const noexcept { return settings_.kind == marks::Kind::principal; }
+    // Directions come from `curvature_`: of FIELD they are all that it tells, with confidence 1 or 0.
+    [[nodiscard]] bool measured() const noexcept { return settings_.kind != marks::Kind::combing; }
+    void measure(const geometry::VecArray& position, const geometry::VecArray& normal, const base::Progress& progress);
     // A stroke and a place along it make a mark.
     [[nodiscard]] static std::uint64_t key(std::uint32_t stroke, std::int32_t place) noexcept {
         return static_cast<std::uint64_t>(stroke) << 32U | static_cast<std::uint32_t>(place);
@@ -81,11 +85,11 @@ private:
     const Start& start_;
     const GrowthSettings& settings_;
     marks::Marks& marks_;
-    marks::GroupReport& report_;
+    marks::LayerReport& report_;
     marks::Settler settler_;
     base::Array<std::int64_t> parent_; // of the chunk's starts
     base::Array<std::int8_t> side_;    // -1 or 1
-    geometry::VecArray landed_;
+    geometry::VecArray landed_, landed_normal_, given_;
     base::Array<surface::Curvature> curvature_;
 };
 
@@ -93,13 +97,14 @@ private:
 // directions have no sign; a stroke keeps its own, or it would fold back on itself.
 glm::dvec3 Strokes::direction(std::int32_t set, const glm::dvec3& n, const surface::Curvature& c,
                               const glm::dvec3& before) const noexcept {
-    glm::dvec3 field = by_curvature() ? (set == 0 ? c.d1 : c.d2) : combing_direction(set, n);
-    // Zero where the gradient vanishes by the curvature's evaluation but not by the projection's.
+    glm::dvec3 field = measured() ? (set == 0 ? c.d1 : c.d2) : combing_direction(set, n);
+    // Zero where the caller's field has none, or the gradient vanishes by the curvature's evaluation but not by the
+    // projection's.
     if (!(glm::dot(field, field) > 0.5)) field = combing_direction(set, n);
     const glm::dvec3 onward = in_plane(before, n);
     if (glm::dot(onward, onward) < 0.5) return field;
     if (glm::dot(field, onward) < 0.0) field = -field;
-    if (!by_curvature()) return field;
+    if (!measured()) return field;
     const double weight = glm::smoothstep(unsure, sure, c.confidence);
     return glm::normalize(weight * field + (1.0 - weight) * onward); // no more than 90 degrees apart
 }
@@ -120,30 +125,43 @@ void Strokes::append(const glm::dvec3& position, const glm::dvec3& normal, std::
         {marks::held_curvature(c.k1), marks::held_curvature(c.k2), static_cast<float>(c.confidence)});
 }
 
+void Strokes::measure(const geometry::VecArray& position, const geometry::VecArray& normal,
+                      const base::Progress& progress) {
+    if (by_curvature()) surface::principal_curvatures(site_.runtime, site_.implicit, position, curvature_, progress);
+    if (settings_.kind != marks::Kind::field) return;
+    marks::directions_at(site_, settings_.direction, position, normal, given_, progress);
+    curvature_.resize(position.size());
+    for (std::int64_t i = 0; i < position.size(); ++i) {
+        surface::Curvature& c = curvature_[i];
+        c = {};
+        c.d1 = given_[i];
+        c.d2 = glm::cross(normal[i], given_[i]);
+        c.confidence = glm::dot(c.d1, c.d1) > 0.5 ? 1.0 : 0.0;
+    }
+}
+
 // A seed of a stroke is its middle; stroke i belongs to set i % 2.
 bool Strokes::place_seeds(const base::Progress& progress) {
     const std::int64_t count = stroke_count(start_);
-    if (by_curvature())
-        surface::principal_curvatures(site_.runtime, site_.implicit, start_.position, curvature_, progress);
+    measure(start_.position, start_.normal, progress);
     const auto key_of = [](std::int64_t i) { return key(static_cast<std::uint32_t>(i), 0); };
     const marks::Thinning thinning(site_, count, settings_.budget > 0 ? settings_.budget : count,
-                                   marks::lane_of(settings_.group), key_of, progress);
+                                   marks::lane_of(settings_.kind), key_of, progress);
     for (std::int64_t i = 0; i < count; ++i) {
         if (!thinning.keeps(key_of(i))) continue;
         const std::int64_t from = i / sets;
         append(start_.position[from], start_.normal[from], static_cast<std::uint32_t>(i), 0, 0,
-               by_curvature() ? curvature_[from] : surface::Curvature{}, glm::dvec3(0.0));
+               measured() ? curvature_[from] : surface::Curvature{}, glm::dvec3(0.0));
     }
-    marks::LevelReport& level = report_.level[0];
+    marks::LevelReport& level = report_.of(0);
     level.attempted = count;
     level.placed = marks_.count();
     level.dropped_budget = count - marks_.count();
-    report_.strokes = marks_.count();
     return thinning.active();
 }
 
 bool Strokes::refine(std::int32_t level, double rho, const base::Progress& progress) {
-    marks::LevelReport& report = report_.level[static_cast<std::size_t>(level)];
+    marks::LevelReport& report = report_.of(level);
     const std::int64_t parents = marks_.count();
     // Places are numbered in steps of the last level that was asked for.
     const auto finest = static_cast<std::int32_t>(marks::grown_count(1, 3, settings_.levels - level));
@@ -153,7 +171,7 @@ bool Strokes::refine(std::int32_t level, double rho, const base::Progress& progr
         const std::int64_t parent = i / children;
         return key(marks_.stroke[parent], marks_.place[parent] + (i % children == 0 ? -finest : finest));
     };
-    const marks::Thinning thinning(site_, children * parents, room, marks::lane_of(settings_.group), key_of, progress);
+    const marks::Thinning thinning(site_, children * parents, room, marks::lane_of(settings_.kind), key_of, progress);
     constexpr std::int64_t parents_of_chunk = marks::chunk_size / children;
     for (std::int64_t begin = 0; begin < parents; begin += parents_of_chunk) {
         const std::int64_t end = std::min(parents, begin + parents_of_chunk);
@@ -190,15 +208,19 @@ void Strokes::add_children(std::int64_t parent, std::int32_t finest, double rho,
 
 void Strokes::append_placed(std::uint8_t level, std::int32_t finest, const base::Progress& progress) {
     landed_.clear();
-    for (std::int64_t i = 0; i < settler_.start.size(); ++i)
-        if (settler_.placed(i)) landed_.push_back(settler_.position(i));
-    if (by_curvature()) surface::principal_curvatures(site_.runtime, site_.implicit, landed_, curvature_, progress);
+    landed_normal_.clear();
+    for (std::int64_t i = 0; i < settler_.start.size(); ++i) {
+        if (!settler_.placed(i)) continue;
+        landed_.push_back(settler_.position(i));
+        landed_normal_.push_back(settler_.normal(i));
+    }
+    measure(landed_, landed_normal_, progress);
     std::int64_t at = 0;
     for (std::int64_t i = 0; i < settler_.start.size(); ++i) {
         if (!settler_.placed(i)) continue;
         const std::int64_t parent = parent_[i];
         append(settler_.position(i), settler_.normal(i), marks_.stroke[parent],
-               marks_.place[parent] + side_[i] * finest, level, by_curvature() ? curvature_[at] : surface::Curvature{},
+               marks_.place[parent] + side_[i] * finest, level, measured() ? curvature_[at] : surface::Curvature{},
                marks_.direction[parent]);
         ++at;
     }
@@ -207,10 +229,10 @@ void Strokes::append_placed(std::uint8_t level, std::int32_t finest, const base:
 } // namespace
 
 void grow_strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
-                  marks::GroupReport& report, const base::Progress& progress) {
+                  marks::LayerReport& report, const base::Progress& progress) {
     report.full_count = marks::grown_count(sets * start.full_count, 1 + children, settings.levels);
     report.step = settings.step;
-    marks::require_room(static_cast<int>(settings.group),
+    marks::require_room(settings.layer,
                         marks::grown_count(stroke_count(start), 1 + children, settings.levels), settings.levels,
                         settings.budget);
     Strokes strokes(site, start, settings, marks, report);

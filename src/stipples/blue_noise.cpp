@@ -176,11 +176,11 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     return cells;
 }
 
-EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Group group,
+EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind,
                         const base::Progress& progress) {
     const auto many = static_cast<std::int64_t>(candidates_per_mark * static_cast<double>(wanted));
     Candidates candidates =
-        draw_candidates(site, cells, std::max(many, fewest_candidates), group, progress.part(0.0, 0.5));
+        draw_candidates(site, cells, std::max(many, fewest_candidates), kind, progress.part(0.0, 0.5));
     const OrderedMarks chosen = progressive_order(site, candidates, wanted, progress.part(0.5, 0.9));
     EvenMarks marks(site.memory());
     marks.report = candidates.report;
@@ -189,7 +189,7 @@ EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std:
     if (marks.position.empty())
         fail(Status::not_converged,
              "no mark could be placed in %lld cells near the surface: %lld points were tried, %lld did not "
-             "converge, %lld strayed, %lld were degenerate; raise projection_tolerance or use PAPER",
+             "converge, %lld strayed, %lld were degenerate; raise projection_tolerance or use PUBLISHED",
              static_cast<long long>(cells.cell.size()), static_cast<long long>(marks.report.attempted),
              static_cast<long long>(marks.report.dropped_not_converged),
              static_cast<long long>(marks.report.dropped_strayed),

@@ -21,6 +21,6 @@ struct EvenMarks {
 
 // Throws not_converged if there is not a single one.
 [[nodiscard]] EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
-                                      marks::Group group, const base::Progress& progress);
+                                      marks::Kind kind, const base::Progress& progress);
 
 } // namespace hrbfnpr::stipples

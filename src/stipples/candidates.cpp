@@ -82,15 +82,15 @@ void merge(const marks::Site& site, const SurfaceCells& cells, const PlaneCandid
 
 } // namespace
 
-Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Group group,
+Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind,
                            const base::Progress& progress) {
     Candidates candidates(site.memory());
     candidates.grid = cells.grid;
     candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
     const CellMap numbers(site.memory(), codes_of(site, cells));
-    PlaneCandidates planes(site, cells, numbers, group, progress);
-    LayerCandidates layer(site, cells, numbers, planes.kind(), group, wanted);
+    PlaneCandidates planes(site, cells, numbers, marks::lane_of(kind), progress);
+    LayerCandidates layer(site, cells, numbers, planes.kind(), marks::lane_of(kind), wanted);
     draw(cells, planes, layer, wanted, progress);
     merge(site, cells, planes, layer.projections(), candidates);
     candidates.report.placed = candidates.count;

@@ -36,7 +36,7 @@ struct Candidates {
 
 // About `wanted`.
 [[nodiscard]] Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
-                                         marks::Group group, const base::Progress& progress);
+                                         marks::Kind kind, const base::Progress& progress);
 
 // Those with smaller tickets, in the same cells, of which some may hold none; close together.
 [[nodiscard]] Candidates thinned(const marks::Site& site, Candidates& candidates, std::uint64_t ticket_limit);

@@ -100,9 +100,9 @@ struct Place {
 
 EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
                             const DensitySettings& density, const base::Progress& progress) {
-    if (density.kind == Density::uniform) return spread_evenly(site, cells, wanted, marks::Group::stipple, progress);
+    if (density.kind == Density::uniform) return spread_evenly(site, cells, wanted, marks::Kind::stipples, progress);
     Densities densities(site, density);
-    const EvenMarks probe = spread_evenly(site, cells, probes, marks::Group::stipple, progress.part(0.0, 0.1));
+    const EvenMarks probe = spread_evenly(site, cells, probes, marks::Kind::stipples, progress.part(0.0, 0.1));
     const double mean = mean_of(densities.at(probe, progress.part(0.1, 0.15)));
     if (!(mean > 0.0))
         fail(Status::invalid_argument, "the density is 0 at all of %lld places on the surface: no mark can be made",
@@ -116,7 +116,7 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
     const double all = std::min(margin * static_cast<double>(wanted) / std::max(mean, 1.0 / most_excess),
                                 static_cast<double>(marks::most_even_marks));
     const EvenMarks even =
-        spread_evenly(site, cells, static_cast<std::int64_t>(all), marks::Group::stipple, progress.part(0.15, 0.9));
+        spread_evenly(site, cells, static_cast<std::int64_t>(all), marks::Kind::stipples, progress.part(0.15, 0.9));
     const base::Array<double> at = densities.at(even, progress.part(0.9, 1.0));
     base::Array<Place> places(site.memory());
     for (std::int64_t i = 0; i < at.size(); ++i) {

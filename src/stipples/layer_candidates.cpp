@@ -51,12 +51,12 @@ std::int64_t projections_for(const SurfaceCells& cells, std::int64_t wanted) noe
 } // namespace
 
 LayerCandidates::LayerCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
-                                 const base::Array<CellKind>& kind, marks::Group group, std::int64_t wanted)
-    : site_(site), cells_(cells), numbers_(numbers), kind_(kind), lane_(marks::lane_of(group)),
-      projections_of_point_(projections_for(cells, wanted)), trial_cell_(site.memory()), slot_(site.memory()),
-      drawn_(site.memory()), drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()),
-      field_(site.memory()), kept_(site.memory()), near_of_task_(site.memory()), strayed_of_task_(site.memory()),
-      bent_(site.memory()), landed_(site.memory()), projections_(site.memory()) {
+                                 const base::Array<CellKind>& kind, std::uint32_t lane, std::int64_t wanted)
+    : site_(site), cells_(cells), numbers_(numbers), kind_(kind), lane_(lane),
+      projections_of_point_(projections_for(cells, wanted)), trial_cell_(site.memory()), slot_(site.memory()), drawn_(site.memory()),
+      drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()),
+      kept_(site.memory()), near_of_task_(site.memory()), strayed_of_task_(site.memory()), bent_(site.memory()),
+      landed_(site.memory()), projections_(site.memory()) {
     find_trial_cells();
 }
 
@@ -270,7 +270,7 @@ void LayerCandidates::draw(double density, const base::Progress& progress) {
     if (rounds_ == 0) of_trial = static_cast<double>(projections_of_point_) * 2.0 * cells_.band * area() / volume;
     of_trial = std::max(of_trial, least_of_trial);
     const double per_cell = missing / of_trial / static_cast<double>(cells);
-    lane_of_round_ = (lane_ + static_cast<std::uint32_t>(marks::group_count) * rounds_++) << 16U;
+    lane_of_round_ = (lane_ + marks::lane_count * rounds_++) << 16U;
     for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
         slot_.clear();
         std::int64_t slots = 0;

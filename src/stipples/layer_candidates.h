@@ -21,7 +21,7 @@ class LayerCandidates {
 public:
     // In all cells that are not `flat`.  `wanted`: of the whole surface.
     LayerCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
-                    const base::Array<CellKind>& kind, marks::Group group, std::int64_t wanted);
+                    const base::Array<CellKind>& kind, std::uint32_t lane, std::int64_t wanted);
 
     // An estimate before the first are drawn, and a better one after that.
     [[nodiscard]] double area() const noexcept;

@@ -36,8 +36,8 @@ int longest_axis(const glm::dvec3& n) noexcept {
 } // namespace
 
 PlaneCandidates::PlaneCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
-                                 marks::Group group, const base::Progress& progress)
-    : site_(site), cells_(cells), lane_(marks::lane_of(group) | 0xffff0000U), kind_(site.memory(), cells.cell.size()),
+                                 std::uint32_t lane, const base::Progress& progress)
+    : site_(site), cells_(cells), lane_(lane | 0xffff0000U), kind_(site.memory(), cells.cell.size()),
       curvature_(site.memory(), cells.cell.size()), count_(site.memory(), cells.cell.size()) {
     site.runtime.parallel.for_chunks(kind_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();

@@ -15,7 +15,7 @@ enum class CellKind : std::uint8_t {
 
 class PlaneCandidates {
 public:
-    PlaneCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers, marks::Group group,
+    PlaneCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers, std::uint32_t lane,
                     const base::Progress& progress = {});
 
     [[nodiscard]] const base::Array<CellKind>& kind() const noexcept { return kind_; }

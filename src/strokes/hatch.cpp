@@ -29,7 +29,7 @@ constexpr std::int64_t marks_of_sample = 16;
 class Hatching {
 public:
     Hatching(const marks::Site& site, const stipples::SurfaceCells& cells, const HatchSettings& settings,
-             marks::GroupReport& report)
+             marks::LayerReport& report)
         : site_(site), cells_(cells), settings_(settings),
           report_(report), layers_{Layer(site.memory()), Layer(site.memory())}, strokes_(site.memory()) {}
 
@@ -45,7 +45,7 @@ private:
     const marks::Site& site_;
     const stipples::SurfaceCells& cells_;
     const HatchSettings& settings_;
-    marks::GroupReport& report_;
+    marks::LayerReport& report_;
     double separation_ = 0.0;
     double step_ = 0.0;              // from mark to mark
     std::int64_t divisions_ = 1;     // of a step, to trace it
@@ -68,14 +68,15 @@ void Hatching::measure(double area) {
     const double marks = static_cast<double>(sets) * area / (separation_ * step_);
     if (settings_.budget == 0 && marks > static_cast<double>(marks::most_even_marks))
         fail(Status::invalid_argument,
-             "stroke_separation = %g and stroke_step = %g make about %g marks in group[%d], and %lld are the most: "
-             "raise them or set group[%d].budget",
-             site_.unit * separation_, site_.unit * step_, marks, static_cast<int>(settings_.group),
-             static_cast<long long>(marks::most_even_marks), static_cast<int>(settings_.group));
+             "layers[%lld]: a separation of %g and a step of %g make about %g marks, and %lld are the most: raise them or "
+             "set the layer's budget",
+             static_cast<long long>(settings_.layer), site_.unit * separation_, site_.unit * step_, marks,
+             static_cast<long long>(marks::most_even_marks));
     if (static_cast<double>(divisions_) > most_divisions)
         fail(Status::invalid_argument,
-             "stroke_step = %g is more than %g times the separation of strokes, which is %g: lower it",
-             site_.unit * step_, 0.25 * most_divisions, site_.unit * separation_);
+             "layers[%lld].step = %g is more than %g times the separation of strokes, which is %g: lower it",
+             static_cast<long long>(settings_.layer), site_.unit * step_, 0.25 * most_divisions,
+             site_.unit * separation_);
 }
 
 LayerSettings Hatching::layer_settings(const surface::DirectionField& field) const {
@@ -149,12 +150,12 @@ void Hatching::keep_to_budget() {
         const std::int64_t cut = first.count - settings_.budget;
         first.count = settings_.budget;
         first.closed = false;
-        report_.level[first.pass].attempted += cut;
-        report_.level[first.pass].dropped_budget += cut;
+        report_.of(first.pass).attempted += cut;
+        report_.of(first.pass).dropped_budget += cut;
     }
     for (std::int64_t s = kept; s < strokes_.size(); ++s) {
-        report_.level[strokes_[s].pass].attempted += strokes_[s].count;
-        report_.level[strokes_[s].pass].dropped_budget += strokes_[s].count;
+        report_.of(strokes_[s].pass).attempted += strokes_[s].count;
+        report_.of(strokes_[s].pass).dropped_budget += strokes_[s].count;
     }
     strokes_.resize(kept);
 }
@@ -166,14 +167,14 @@ double Hatching::run(marks::Marks& marks, const base::Progress& progress) {
     const std::int64_t samples = field_samples_for(
         static_cast<std::int64_t>(std::min(1e12, static_cast<double>(sets) * spaces / automatic_step)));
     const StrokeFieldResult field =
-        make_stroke_field(site_, cells_, settings_.group, settings_.field, samples, progress.part(0.0, 0.4));
+        make_stroke_field(site_, cells_, settings_.kind, settings_, samples, progress.part(0.0, 0.4));
     measure(field.area);
     lay(field.field, progress.part(0.4, 0.7));
     order();
     keep_to_budget();
     if (field.first_set)
         strokes_ = split_by_set(site_.runtime, strokes_, *field.first_set, separation_ / step_, progress);
-    settle_strokes(site_, strokes_, {settings_.group, separation_, step_, cells_.region}, marks, report_,
+    settle_strokes(site_, strokes_, {settings_.kind, settings_.direction, separation_, step_, cells_.region}, marks, report_,
                    progress.part(0.7, 1.0));
     report_.step = separation_;
     for (const OrderedStroke& stroke : strokes_) report_.levels = std::max<std::int32_t>(report_.levels, stroke.pass);
@@ -188,7 +189,7 @@ std::int64_t field_samples_for(std::int64_t marks) noexcept {
 }
 
 double hatch(const marks::Site& site, const stipples::SurfaceCells& cells, const HatchSettings& settings,
-             marks::Marks& marks, marks::GroupReport& report, const base::Progress& progress) {
+             marks::Marks& marks, marks::LayerReport& report, const base::Progress& progress) {
     Hatching hatching(site, cells, settings, report);
     return hatching.run(marks, progress);
 }

@@ -8,15 +8,16 @@
 namespace hrbfnpr::strokes {
 
 struct HatchSettings : Settings {
-    marks::Group group = marks::Group::curvature;
+    marks::Kind kind = marks::Kind::principal;
+    std::int64_t layer = 0; // for messages
     std::int64_t budget = 0; // the most marks; 0 = no limit
 };
 
 // How many samples a field is made of where strokes have about this many marks.
 [[nodiscard]] std::int64_t field_samples_for(std::int64_t marks) noexcept;
 
-// Appends both sets' strokes in the order of their ranks.  Returns the area of the surface.
+// Appends the strokes of both directions in the order of their ranks.  Returns the area of the surface.
 double hatch(const marks::Site& site, const stipples::SurfaceCells& cells, const HatchSettings& settings,
-             marks::Marks& marks, marks::GroupReport& report, const base::Progress& progress);
+             marks::Marks& marks, marks::LayerReport& report, const base::Progress& progress);
 
 } // namespace hrbfnpr::strokes

@@ -1,7 +1,7 @@
 // How strokes are wanted.
 #pragma once
 
-#include "marks/point_set.h"
+#include "marks/direction_function.h"
 
 namespace hrbfnpr::strokes {
 
@@ -10,7 +10,8 @@ struct Settings {
     double separation = 0.0; // 0 = such that all strokes have about the budget's marks
     double step = 0.0;       // 0 = a part of the separation
     double longest = 0.0;    // 0 = no limit
-    marks::StrokeField field = marks::StrokeField::cross;
+    marks::Symmetry symmetry = marks::Symmetry::cross;
+    marks::DirectionFunction direction; // of FIELD
 };
 
 } // namespace hrbfnpr::strokes

@@ -23,6 +23,8 @@ constexpr double flat_part = 0.6;
 // What measured directions count against smoothness, for the strokes and for telling their sets.
 constexpr double field_fidelity = 0.35;
 constexpr double set_fidelity = 0.06;
+// The caller's directions are no measurements: they count nearly in full.
+constexpr double given_fidelity = 8.0;
 
 struct Measured {
     explicit Measured(base::Memory& memory, std::int64_t count) : direction(memory, count), trust(memory, count) {}
@@ -58,6 +60,26 @@ Measured measure_combing(const marks::Site& site, const VecArray& normal) {
     return measured;
 }
 
+// Where the field has no direction the basis of a stipple stands for it, and counts nothing.
+Measured measure_function(const marks::Site& site, const marks::DirectionFunction& function,
+                          const stipples::EvenMarks& even, const base::Progress& progress) {
+    Measured measured(site.memory(), even.position.size());
+    marks::directions_at(site, function, even.position, even.normal, measured.direction, progress);
+    for (std::int64_t i = 0; i < even.position.size(); ++i) {
+        const glm::dvec3 d = measured.direction[i];
+        measured.trust[i] = glm::dot(d, d) > 0.5 ? 1.0 : 0.0;
+        if (measured.trust[i] == 0.0) measured.direction.set(i, geometry::stipple_frame(even.normal[i]).u);
+    }
+    return measured;
+}
+
+Measured measure(const marks::Site& site, marks::Kind kind, const Settings& settings, const stipples::EvenMarks& even,
+                 const base::Progress& progress) {
+    if (kind == marks::Kind::principal) return measure_curvature(site, even.position, progress);
+    if (kind == marks::Kind::field) return measure_function(site, settings.direction, even, progress);
+    return measure_combing(site, even.normal);
+}
+
 } // namespace
 
 // The border is where the two smallest components of n are alike in magnitude.
@@ -72,22 +94,21 @@ Combing combing_at(const glm::dvec3& n) noexcept {
     return {frame.r, frame.u, glm::smoothstep(0.05, 0.35, b - a)};
 }
 
-StrokeFieldResult make_stroke_field(const marks::Site& site, const stipples::SurfaceCells& cells, marks::Group group,
-                                    marks::StrokeField kind, std::int64_t samples, const base::Progress& progress) {
-    const stipples::EvenMarks even = stipples::spread_evenly(site, cells, samples, group, progress.part(0.0, 0.7));
-    const Measured measured = group == marks::Group::curvature
-                                  ? measure_curvature(site, even.position, progress.part(0.7, 0.9))
-                                  : measure_combing(site, even.normal);
+StrokeFieldResult make_stroke_field(const marks::Site& site, const stipples::SurfaceCells& cells, marks::Kind kind,
+                                    const Settings& settings, std::int64_t samples, const base::Progress& progress) {
+    const stipples::EvenMarks even = stipples::spread_evenly(site, cells, samples, kind, progress.part(0.0, 0.7));
+    const Measured measured = measure(site, kind, settings, even, progress.part(0.7, 0.9));
+    const bool given = kind == marks::Kind::field;
     // A surface whose area is not known (none of its cells' volume is near) has samples apart at least.
     const auto count = static_cast<double>(even.position.size());
     const double area = even.area > 0.0 ? even.area : cells.rough_area();
     surface::FieldSamples field{even.position,           even.normal,   measured.direction, measured.trust,
-                                std::sqrt(area / count), field_fidelity};
-    if (kind == marks::StrokeField::line)
+                                std::sqrt(area / count), given ? given_fidelity : field_fidelity};
+    if (settings.symmetry == marks::Symmetry::line)
         return {surface::DirectionField(site.runtime, field, surface::Symmetry::line, progress.part(0.9, 1.0)),
                 std::nullopt, area};
     surface::DirectionField crosses(site.runtime, field, surface::Symmetry::cross, progress.part(0.9, 0.95));
-    field.fidelity = set_fidelity;
+    field.fidelity = given ? given_fidelity : set_fidelity;
     return {std::move(crosses),
             surface::DirectionField(site.runtime, field, surface::Symmetry::line, progress.part(0.95, 1.0)), area};
 }

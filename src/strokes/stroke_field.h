@@ -1,7 +1,8 @@
-// The field of directions that strokes follow: principal or combing directions at evenly spread samples.
+// The field of directions that strokes follow: principal, combing or the caller's directions at evenly spread samples.
 #pragma once
 
 #include "stipples/surface_cells.h"
+#include "strokes/settings.h"
 #include "surface/curvature.h"
 #include "surface/direction_field.h"
 
@@ -11,13 +12,13 @@ namespace hrbfnpr::strokes {
 
 struct StrokeFieldResult {
     surface::DirectionField field;
-    // Of a cross field: the lines of set 0, smoother still, by which strokes are told apart.
+    // Of a cross field: the lines of set 0, by which strokes are told apart.
     std::optional<surface::DirectionField> first_set;
     double area = 0.0; // of the surface
 };
 
 [[nodiscard]] StrokeFieldResult make_stroke_field(const marks::Site& site, const stipples::SurfaceCells& cells,
-                                                  marks::Group group, marks::StrokeField kind, std::int64_t samples,
+                                                  marks::Kind kind, const Settings& settings, std::int64_t samples,
                                                   const base::Progress& progress);
 
 // Stark's two directions where they are far from the border of their region; at the borders, where they jump,

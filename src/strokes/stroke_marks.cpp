@@ -29,9 +29,9 @@ constexpr double taper = 2.0;
 class Settling {
 public:
     Settling(const marks::Site& site, const base::Array<OrderedStroke>& strokes, const StrokeMarkSettings& settings,
-             marks::Marks& marks, marks::GroupReport& report)
+             marks::Marks& marks, marks::LayerReport& report)
         : site_(site), strokes_(strokes), settings_(settings), marks_(marks), report_(report), position_(site.memory()),
-          normal_(site.memory()), placed_(site.memory()), curvature_(site.memory()) {}
+          normal_(site.memory()), placed_(site.memory()), curvature_(site.memory()), given_(site.memory()) {}
 
     void project(const base::Progress& progress);
     void append();
@@ -53,14 +53,16 @@ private:
     const base::Array<OrderedStroke>& strokes_;
     const StrokeMarkSettings& settings_;
     marks::Marks& marks_;
-    marks::GroupReport& report_;
+    marks::LayerReport& report_;
     geometry::VecArray position_, normal_; // of all points, in order
     base::Array<std::uint8_t> placed_;
-    base::Array<surface::Curvature> curvature_;
+    base::Array<surface::Curvature> curvature_; // at the marks
+    geometry::VecArray given_;                  // ... the caller's directions
+    std::uint32_t settled_ = 0;                 // strokes
 };
 
 void Settling::settle(marks::Settler& settler, std::uint8_t pass, const base::Progress& progress) {
-    marks::LevelReport& level = report_.level[pass];
+    marks::LevelReport& level = report_.of(pass);
     settler.settle(settings_.separation, level, progress);
     for (std::int64_t i = 0; i < settler.start.size(); ++i) {
         if (settler.placed(i) && !settings_.region.contains(settler.position(i)))
@@ -115,10 +117,10 @@ void Settling::append() {
         if (piece.count < fewest_marks) piece.count = 0;
         std::int64_t landed = 0;
         for (std::int64_t i = first; i < first + stroke.count; ++i) landed += placed_[i];
-        marks::LevelReport& level = report_.level[stroke.pass];
+        marks::LevelReport& level = report_.of(stroke.pass);
         level.placed -= landed - piece.count;
         level.dropped_strayed += landed - piece.count;
-        if (piece.count > 0) append(stroke, static_cast<std::uint32_t>(report_.strokes++), first, piece);
+        if (piece.count > 0) append(stroke, settled_++, first, piece);
         first += stroke.count;
     }
 }
@@ -149,11 +151,15 @@ void Settling::append(const OrderedStroke& stroke, std::uint32_t number, std::in
 // The direction that was asked for at the mark itself, and how much of it to take.
 glm::dvec3 Settling::exact(std::int64_t i, const glm::dvec3& along, double& weight) const noexcept {
     glm::dvec3 first, second;
-    if (settings_.group == marks::Group::curvature) {
+    if (settings_.kind == marks::Kind::principal) {
         const surface::Curvature& c = curvature_[i];
         first = c.d1;
         second = c.d2;
         weight = glm::smoothstep(unsure, sure, c.confidence);
+    } else if (settings_.kind == marks::Kind::field) {
+        first = given_[i];
+        second = glm::cross(marks_.normal[i], first);
+        weight = 1.0; // of none the cosine is 0
     } else {
         const Combing combing = combing_at(marks_.normal[i]);
         first = combing.r;
@@ -171,7 +177,9 @@ glm::dvec3 Settling::exact(std::int64_t i, const glm::dvec3& along, double& weig
 // Strokes follow the smoothed field; what a mark says of its direction is exact where there is something exact
 // to say.
 void Settling::direct(const base::Progress& progress) {
-    if (settings_.group == marks::Group::curvature) {
+    if (settings_.kind == marks::Kind::field)
+        marks::directions_at(site_, settings_.direction, marks_.position, marks_.normal, given_, progress);
+    if (settings_.kind == marks::Kind::principal) {
         surface::principal_curvatures(site_.runtime, site_.implicit, marks_.position, curvature_, progress);
         for (const surface::Curvature& c : curvature_)
             marks_.curvature.push_back(
@@ -210,7 +218,7 @@ void Settling::rank() {
 } // namespace
 
 void settle_strokes(const marks::Site& site, const base::Array<OrderedStroke>& strokes,
-                    const StrokeMarkSettings& settings, marks::Marks& marks, marks::GroupReport& report,
+                    const StrokeMarkSettings& settings, marks::Marks& marks, marks::LayerReport& report,
                     const base::Progress& progress) {
     Settling settling(site, strokes, settings, marks, report);
     settling.project(progress.part(0.0, 0.6));

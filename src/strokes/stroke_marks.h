@@ -1,6 +1,7 @@
 // From laid strokes to marks on the surface.
 #pragma once
 
+#include "marks/direction_function.h"
 #include "marks/marks.h"
 #include "strokes/stroke_layer.h"
 
@@ -19,7 +20,8 @@ struct OrderedStroke {
 };
 
 struct StrokeMarkSettings {
-    marks::Group group = marks::Group::curvature;
+    marks::Kind kind = marks::Kind::principal;
+    marks::DirectionFunction direction; // of FIELD
     double separation = 0.0;
     double step = 0.0; // from mark to mark
     geometry::Bounds region;
@@ -27,7 +29,7 @@ struct StrokeMarkSettings {
 
 // Projects the points, and appends the marks of what lands in one piece, stroke after stroke.
 void settle_strokes(const marks::Site& site, const base::Array<OrderedStroke>& strokes,
-                    const StrokeMarkSettings& settings, marks::Marks& marks, marks::GroupReport& report,
+                    const StrokeMarkSettings& settings, marks::Marks& marks, marks::LayerReport& report,
                     const base::Progress& progress);
 
 } // namespace hrbfnpr::strokes

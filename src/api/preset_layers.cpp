@@ -1,0 +1,46 @@
+#include "api/preset_layers.h"
+
+#include "api/descriptor.h"
+#include "generate/settings.h"
+
+#include <array>
+
+namespace hrbfnpr::api {
+namespace {
+
+// The defaults of hrbfnpr_layer_desc_init.
+constexpr hrbfnpr_layer_desc of_kind(std::uint32_t kind) noexcept {
+    hrbfnpr_layer_desc desc{};
+    desc.struct_size = sizeof desc;
+    desc.kind = kind;
+    desc.budget = generate::default_budget;
+    desc.density_strength = 0.5;
+    desc.symmetry = HRBFNPR_SYMMETRY_CROSS;
+    desc.levels = -1;
+    return desc;
+}
+
+// Stipples give the contours of all of them.
+constexpr std::array<hrbfnpr_layer_desc, 1> stipples = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES)};
+constexpr std::array<hrbfnpr_layer_desc, 2> hatching = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES),
+                                                        of_kind(HRBFNPR_LAYER_KIND_PRINCIPAL)};
+constexpr std::array<hrbfnpr_layer_desc, 2> combing = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES),
+                                                       of_kind(HRBFNPR_LAYER_KIND_COMBING)};
+
+} // namespace
+
+PresetLayers preset_layers(std::uint32_t preset) noexcept {
+    switch (preset) {
+    case HRBFNPR_STYLE_STIPPLE:
+    case HRBFNPR_STYLE_SILHOUETTE:
+    case HRBFNPR_STYLE_CONTOUR_AND_STIPPLE:
+    case HRBFNPR_STYLE_XRAY: return {stipples.data(), 1};
+    case HRBFNPR_STYLE_HATCH:
+    case HRBFNPR_STYLE_CROSS_HATCH:
+    case HRBFNPR_STYLE_FULL: return {hatching.data(), 2};
+    case HRBFNPR_STYLE_COMBING: return {combing.data(), 2};
+    default: return {};
+    }
+}
+
+} // namespace hrbfnpr::api
