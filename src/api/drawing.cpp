@@ -107,7 +107,7 @@ hrbfnpr_drawing_layer_info describe_layer(const drawing::Drawing& from, std::int
         fail(Status::invalid_argument, "number is %lld; the drawing has %lld layers", static_cast<long long>(number),
              static_cast<long long>(layers));
     const drawing::Layer& layer = from.layers[number];
-    const marks::Layer& source = from.items[layer.item].set->layers[static_cast<std::size_t>(layer.layer)];
+    const marks::Layer& source = from.items[layer.item].set->layers[layer.layer];
     hrbfnpr_drawing_layer_info info{};
     info.mark_class = static_cast<std::uint32_t>(layer.mark_class);
     info.item = layer.item;
@@ -223,12 +223,12 @@ std::int64_t run_number(const drawing::Drawing& drawing, std::int64_t item, std:
     if (item < 0 || item >= drawing.items.size())
         fail(Status::invalid_argument, "item is %lld; the drawing has %lld", static_cast<long long>(item),
              static_cast<long long>(drawing.items.size()));
-    const auto layers = static_cast<std::int64_t>(drawing.items[item].set->layers.size());
+    const auto layers = drawing.items[item].set->layers.size();
     if (layer < 0 || layer >= layers)
         fail(Status::invalid_argument, "layer is %lld; the point set of item %lld has %lld",
              static_cast<long long>(layer), static_cast<long long>(item), static_cast<long long>(layers));
     std::int64_t first = 0;
-    for (std::int64_t i = 0; i < item; ++i) first += static_cast<std::int64_t>(drawing.items[i].set->layers.size());
+    for (std::int64_t i = 0; i < item; ++i) first += drawing.items[i].set->layers.size();
     return first + layer;
 }
 

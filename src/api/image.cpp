@@ -4,7 +4,7 @@
 #include "api/descriptor.h"
 #include "api/drawing.h"
 #include "api/views.h"
-#include "output/raster/draw.h"
+#include "output/raster/raster.h"
 
 #include <limits>
 

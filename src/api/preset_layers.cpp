@@ -31,14 +31,14 @@ constexpr std::array<hrbfnpr_layer_desc, 2> combing = {of_kind(HRBFNPR_LAYER_KIN
 
 PresetLayers preset_layers(std::uint32_t preset) noexcept {
     switch (preset) {
-    case HRBFNPR_STYLE_STIPPLE:
-    case HRBFNPR_STYLE_SILHOUETTE:
-    case HRBFNPR_STYLE_CONTOUR_AND_STIPPLE:
-    case HRBFNPR_STYLE_XRAY: return {stipples.data(), 1};
-    case HRBFNPR_STYLE_HATCH:
-    case HRBFNPR_STYLE_CROSS_HATCH:
-    case HRBFNPR_STYLE_FULL: return {hatching.data(), 2};
-    case HRBFNPR_STYLE_COMBING: return {combing.data(), 2};
+    case HRBFNPR_PRESET_STIPPLE:
+    case HRBFNPR_PRESET_SILHOUETTE:
+    case HRBFNPR_PRESET_CONTOUR_AND_STIPPLE:
+    case HRBFNPR_PRESET_XRAY: return {stipples.data(), 1};
+    case HRBFNPR_PRESET_HATCH:
+    case HRBFNPR_PRESET_CROSS_HATCH:
+    case HRBFNPR_PRESET_FULL: return {hatching.data(), 2};
+    case HRBFNPR_PRESET_COMBING: return {combing.data(), 2};
     default: return {};
     }
 }

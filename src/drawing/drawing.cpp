@@ -60,25 +60,29 @@ std::int64_t Drawing::bytes() const noexcept {
            runs.bytes() + posed_position.bytes() + posed_normal.bytes() + posed_direction.bytes();
 }
 
+// Of runs without marks, which begin where the next one does, it is the one behind them.
+std::int64_t Drawing::place_of(std::uint32_t id) const noexcept {
+    return std::upper_bound(runs.begin(), runs.end(), id,
+                            [](std::uint32_t a, const Run& r) { return a < r.first_id; }) -
+           runs.begin() - 1;
+}
+
 const Run* Drawing::run_of(std::uint32_t id) const noexcept {
-    const Run* const next =
-        std::upper_bound(runs.begin(), runs.end(), id, [](std::uint32_t a, const Run& r) { return a < r.first_id; });
-    if (id == 0 || next == runs.begin()) return nullptr;
-    const Run* const run = next - 1; // the last of those that begin here: empty ones come before it
-    return id - run->first_id < run->count ? run : nullptr;
+    const std::int64_t place = place_of(id);
+    return place >= 0 && id - runs[place].first_id < runs[place].count ? &runs[place] : nullptr;
 }
 
 Identity Drawing::identify(std::uint32_t id) const noexcept {
-    const Run& run = *run_of(id);
-    const marks::Layer& layer = items[run.item].set->layers[static_cast<std::size_t>(run.layer)];
+    const Run& run = runs[place_of(id)];
+    const marks::Layer& layer = items[run.item].set->layers[run.layer];
     const std::int64_t mark = id - run.first_id;
     return {run.item, run.layer, mark, layer.stroke_of(mark), layer.has_strokes() ? layer.stroke[2 * mark + 1] : 0};
 }
 
 MarkSource Drawing::source(std::uint32_t id) const noexcept {
-    const Run& run = *run_of(id);
+    const Run& run = runs[place_of(id)];
     const ItemSource& item = items[run.item];
-    const marks::Layer& layer = item.set->layers[static_cast<std::size_t>(run.layer)];
+    const marks::Layer& layer = item.set->layers[run.layer];
     const std::int64_t mark = id - run.first_id;
     const bool posed = run.posed >= 0;
     const glm::vec3 place = posed ? marks::vector_at(posed_position, run.posed + mark) : marks::vector_at(layer.position, mark);

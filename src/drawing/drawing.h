@@ -118,6 +118,10 @@ struct Drawing {
     // Of an id that is a mark's.
     [[nodiscard]] Identity identify(std::uint32_t id) const noexcept;
     [[nodiscard]] MarkSource source(std::uint32_t id) const noexcept;
+
+private:
+    // The last run that begins no later than the id.
+    [[nodiscard]] std::int64_t place_of(std::uint32_t id) const noexcept;
 };
 
 } // namespace hrbfnpr::drawing

@@ -80,9 +80,9 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
             MarkBlock& block = moved.block[cluster.block + i / MarkBlock::size];
             const std::int64_t at = i % MarkBlock::size;
             const std::int64_t mark = 3 * std::int64_t{block.mark[at]};
-            block.x[at] = static_cast<float>(position[mark] / unit);
-            block.y[at] = static_cast<float>(position[mark + 1] / unit);
-            block.z[at] = static_cast<float>(position[mark + 2] / unit);
+            block.x[at] = static_cast<float>(double{position[mark]} / unit);
+            block.y[at] = static_cast<float>(double{position[mark + 1]} / unit);
+            block.z[at] = static_cast<float>(double{position[mark + 2]} / unit);
             block.nx[at] = normal[mark];
             block.ny[at] = normal[mark + 1];
             block.nz[at] = normal[mark + 2];
