@@ -1,7 +1,7 @@
 // Batched evaluation, projection and curvature.
 #include "api/barrier.h"
-#include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/fields.h"
 #include "api/model.h"
 #include "api/operation.h"
 #include "api/queries.h"
@@ -18,14 +18,27 @@ static_assert(static_cast<int>(surface::ProjectionStatus::not_finite) == HRBFNPR
 
 namespace hrbfnpr::api {
 
+namespace {
+
+using Project = hrbfnpr_project_desc;
+using surface::ProjectionSettings;
+
+constexpr auto project_fields() noexcept {
+    return FieldTable{
+        field("iteration_limit", &Project::iteration_limit, &ProjectionSettings::iteration_limit,
+              rule::Between{1.0, 1000.0}),
+        field("tolerance", &Project::tolerance, &ProjectionSettings::tolerance, rule::Positive{}),
+        field("armijo_slope", &Project::armijo_slope, &ProjectionSettings::armijo_slope, rule::Inside{0.0, 0.5}),
+        field("armijo_factor", &Project::armijo_factor, &ProjectionSettings::armijo_factor, rule::Inside{0.0, 1.0})};
+}
+static_assert(project_fields().covers<Project>());
+
+} // namespace
+
 template <>
 hrbfnpr_project_desc defaults() noexcept {
-    const surface::ProjectionSettings settings;
     hrbfnpr_project_desc desc{};
-    desc.iteration_limit = settings.iteration_limit;
-    desc.tolerance = settings.tolerance;
-    desc.armijo_slope = settings.armijo_slope;
-    desc.armijo_factor = settings.armijo_factor;
+    project_fields().set_defaults(ProjectionSettings{}, desc);
     return desc;
 }
 
@@ -90,13 +103,11 @@ void evaluate(const hrbfnpr_model& model, const Queries& queries, const FieldOut
                });
 }
 
-surface::ProjectionSettings checked(const hrbfnpr_project_desc& desc) {
-    const Checks checks("project_desc");
-    checks.between("iteration_limit", desc.iteration_limit, 1, 1000);
-    checks.positive("tolerance", desc.tolerance);
-    checks.inside("armijo_slope", desc.armijo_slope, 0.0, 0.5);
-    checks.inside("armijo_factor", desc.armijo_factor, 0.0, 1.0);
-    return {desc.iteration_limit, desc.tolerance, desc.armijo_slope, desc.armijo_factor};
+ProjectionSettings checked(const hrbfnpr_project_desc& desc) {
+    project_fields().check("project_desc", desc);
+    ProjectionSettings settings;
+    project_fields().copy(desc, settings);
+    return settings;
 }
 
 struct ProjectionOutputs {

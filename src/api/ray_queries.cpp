@@ -1,7 +1,7 @@
 // Rays cast on a model, and which points lie inside it.
 #include "api/barrier.h"
-#include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/fields.h"
 #include "api/model.h"
 #include "api/operation.h"
 #include "api/queries.h"
@@ -18,40 +18,47 @@ static_assert(static_cast<int>(surface::RayStatus::not_finite) == HRBFNPR_RAY_NO
 
 namespace hrbfnpr::api {
 
+namespace {
+
+using Cast = hrbfnpr_cast_desc;
+using surface::RaySettings;
+
+constexpr std::int32_t most_hits = 256;
+
+constexpr auto cast_fields() noexcept {
+    return FieldTable{
+        field("maximum_hits", &Cast::maximum_hits, &RaySettings::maximum_hits, rule::Between{1.0, most_hits}),
+        field("iteration_limit", &Cast::iteration_limit, &RaySettings::iteration_limit, rule::Between{1.0, 1000000.0}),
+        reserved("reserved", &Cast::reserved),
+        field("t_min", &Cast::t_min, &RaySettings::t_min, rule::Finite{}),
+        field("t_max", &Cast::t_max, &RaySettings::t_max, rule::Any{}),
+        field("lipschitz", &Cast::lipschitz, &RaySettings::lipschitz, rule::AtLeast{0.0}),
+        field("smallest_step", &Cast::smallest_step, &RaySettings::smallest_step, rule::PositiveUpTo{0.1}),
+        field("tolerance", &Cast::tolerance, &RaySettings::tolerance, rule::Positive{})};
+}
+static_assert(cast_fields().covers<Cast>());
+
+} // namespace
+
 template <>
 hrbfnpr_cast_desc defaults() noexcept {
-    const surface::RaySettings settings;
     hrbfnpr_cast_desc desc{};
-    desc.maximum_hits = settings.maximum_hits;
-    desc.iteration_limit = settings.iteration_limit;
-    desc.t_min = settings.t_min;
-    desc.t_max = settings.t_max;
-    desc.lipschitz = settings.lipschitz;
-    desc.smallest_step = settings.smallest_step;
-    desc.tolerance = settings.tolerance;
+    cast_fields().set_defaults(RaySettings{}, desc);
     return desc;
 }
 
 namespace {
 
 constexpr std::int64_t block_size = 65536; // of points, or of places for hits
-constexpr std::int32_t most_hits = 256;
 
-surface::RaySettings checked(const hrbfnpr_cast_desc& desc) {
-    const Checks checks("cast_desc");
-    checks.between("maximum_hits", desc.maximum_hits, 1, most_hits);
-    checks.between("iteration_limit", desc.iteration_limit, 1, 1000000);
-    checks.zero("reserved", desc.reserved);
-    checks.finite("t_min", desc.t_min);
+RaySettings checked(const hrbfnpr_cast_desc& desc) {
+    cast_fields().check("cast_desc", desc);
     if (!(desc.t_max >= desc.t_min))
         fail(Status::invalid_argument, "cast_desc.t_max is %g; it must be a number not below t_min, which is %g",
              desc.t_max, desc.t_min);
-    checks.at_least("lipschitz", desc.lipschitz, 0.0);
-    checks.positive("smallest_step", desc.smallest_step);
-    checks.between("smallest_step", desc.smallest_step, 0.0, 0.1);
-    checks.positive("tolerance", desc.tolerance);
-    return {desc.maximum_hits, desc.iteration_limit, desc.t_min,    desc.t_max,
-            desc.lipschitz,    desc.smallest_step,   desc.tolerance};
+    RaySettings settings;
+    cast_fields().copy(desc, settings);
+    return settings;
 }
 
 struct RayOutputs {
