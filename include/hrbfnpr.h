@@ -46,13 +46,18 @@
  *   with the same status; `_init` of NULL is INVALID_ARGUMENT.
  *   Fields named `reserved` must be zero.
  *
+ * Lists.  A list of structs is a pointer, a count and a stride: bytes from one
+ *   element to the next, 0 = the first one's struct_size.  Each element is a
+ *   descriptor with a struct_size of its own.  Lists have no largest length
+ *   but the one that a message names.
+ *
  * Failure.  Calls that can fail return a status and take, last, a nullable
  *   hrbfnpr_error.  A failed call leaves caller's arrays and output structs
  *   untouched, sets `*out_handle` to NULL, and says in the message which
  *   argument was wrong, how, and what would be right.  No C++ exception, no
  *   abort and no signal leaves the library; it prints nothing.  One
  *   exception is stated: a CANCELLED or failed batch call (evaluate, project,
- *   curvature, cast_rays, contains) may already have written a part of its output arrays.
+ *   curvature, cast_rays, contains) may already have written a part of its arrays.
  *
  * Arrays.  Strides are in bytes and may be negative or larger than the
  *   element; 0 means packed.  Elements need no alignment beyond one byte.
@@ -119,7 +124,7 @@ enum {
     HRBFNPR_VERSION_MAJOR = 0,
     HRBFNPR_VERSION_MINOR = 1,
     HRBFNPR_VERSION_PATCH = 0,
-    HRBFNPR_ABI_VERSION = 0
+    HRBFNPR_ABI_VERSION = 1
 };
 
 /* The library's version as major * 10000 + minor * 100 + patch. */
@@ -344,7 +349,8 @@ typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
 HRBFNPR_API hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context,
                                                     hrbfnpr_operation** out_operation,
                                                     hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation);
+HRBFNPR_API void hrbfnpr_operation_retain(hrbfnpr_operation* operation);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation); /* any thread; NULL is ignored */
 /* Any thread, any time, more than once; NULL is ignored. */
 HRBFNPR_API void hrbfnpr_operation_cancel(hrbfnpr_operation* operation);
 /* 1 after a cancel, else 0.  Any thread. */
@@ -1265,7 +1271,8 @@ typedef struct hrbfnpr_renderer hrbfnpr_renderer;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer,
                                                    hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
+HRBFNPR_API void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer); /* any thread; NULL is ignored */
 
 /* One thing to draw.  Everything it points to is read during _prepare only,
  * but the point set is retained until the next _prepare or release. */

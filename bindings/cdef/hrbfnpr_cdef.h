@@ -1,5 +1,5 @@
 /* Made by bindings/cdef/make_cdef.py from include/hrbfnpr.h; do not edit. */
-enum { HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0, HRBFNPR_ABI_VERSION = 0 };
+enum { HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0, HRBFNPR_ABI_VERSION = 1 };
 uint32_t hrbfnpr_version(void);
 uint32_t hrbfnpr_abi_version(void);
 const char* hrbfnpr_version_string(void);
@@ -52,6 +52,7 @@ typedef struct hrbfnpr_operation hrbfnpr_operation;
 typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
 hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context, hrbfnpr_operation** out_operation,
     hrbfnpr_error* error);
+void hrbfnpr_operation_retain(hrbfnpr_operation* operation);
 void hrbfnpr_operation_release(hrbfnpr_operation* operation);
 void hrbfnpr_operation_cancel(hrbfnpr_operation* operation);
 int32_t hrbfnpr_operation_is_cancelled(const hrbfnpr_operation* operation);
@@ -243,6 +244,7 @@ hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_s
 const char* hrbfnpr_style_preset_name(uint32_t preset);
 typedef struct hrbfnpr_renderer hrbfnpr_renderer;
 hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer, hrbfnpr_error* error);
+void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer);
 void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
 typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t reserved; const hrbfnpr_point_set* point_set;
     const hrbfnpr_style* style; double transform[16]; const hrbfnpr_model* model; } hrbfnpr_item;

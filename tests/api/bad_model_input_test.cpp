@@ -136,7 +136,7 @@ TEST(BadInput, FitNulls) {
 TEST(BadInput, Context) {
     const std::vector<Row<hrbfnpr_context_desc>> rows = {
         {[](auto& d) { d.abi_version = 77; }, HRBFNPR_STATUS_VERSION_MISMATCH,
-         "context_desc.abi_version is 77 and this library's is 0"},
+         "context_desc.abi_version is 77 and this library's is 1"},
         {[](auto& d) { d.thread_count = -1; }, invalid, "context_desc.thread_count is -1"},
         {[](auto& d) { d.flags = 1; }, invalid, "context_desc.flags is 1; it must be 0"},
         {[](auto& d) { d.thread_backend = 5; }, invalid, "context_desc.thread_backend is 5"},

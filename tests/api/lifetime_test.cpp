@@ -98,7 +98,34 @@ TEST(Lifetime, RetainedHandlesLive) {
     EXPECT_EQ(ledger.bytes, 0);
 }
 
+TEST(Lifetime, RetainedOperationsAndRenderersLive) {
+    Error error;
+    Ledger ledger;
+    hrbfnpr_operation* operation = nullptr;
+    hrbfnpr_renderer* renderer = nullptr;
+    {
+        const Context context = make_context(ledger_desc(ledger));
+        ASSERT_OK(hrbfnpr_operation_create(context.get(), &operation, error));
+        ASSERT_OK(hrbfnpr_renderer_create(context.get(), &renderer, error));
+    }
+    hrbfnpr_operation_retain(operation);
+    hrbfnpr_operation_release(operation);
+    hrbfnpr_operation_cancel(operation);
+    EXPECT_EQ(hrbfnpr_operation_is_cancelled(operation), 1);
+    hrbfnpr_operation_release(operation);
+    hrbfnpr_renderer_retain(renderer);
+    hrbfnpr_renderer_release(renderer);
+    auto info = made(hrbfnpr_frame_info_init);
+    EXPECT_OK(hrbfnpr_renderer_get_info(renderer, &info, error));
+    EXPECT_GT(ledger.bytes, 0);
+    hrbfnpr_renderer_release(renderer);
+    EXPECT_EQ(ledger.bytes, 0);
+}
+
 TEST(Lifetime, NullIsIgnored) {
+    hrbfnpr_operation_retain(nullptr);
+    hrbfnpr_operation_release(nullptr);
+    hrbfnpr_renderer_retain(nullptr);
     hrbfnpr_context_retain(nullptr);
     hrbfnpr_context_release(nullptr);
     hrbfnpr_model_retain(nullptr);

@@ -53,6 +53,9 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_operation_retain(IntPtr operation);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_operation_release(IntPtr operation);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
@@ -239,6 +242,9 @@ namespace HrbfNpr
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_renderer_create(ContextHandle context, out IntPtr out_renderer,
             hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_renderer_retain(IntPtr renderer);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_renderer_release(IntPtr renderer);

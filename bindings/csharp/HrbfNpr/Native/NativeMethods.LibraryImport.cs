@@ -54,6 +54,9 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void hrbfnpr_operation_retain(IntPtr operation);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void hrbfnpr_operation_release(IntPtr operation);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
@@ -240,6 +243,9 @@ namespace HrbfNpr
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_renderer_create(ContextHandle context, out IntPtr out_renderer,
             hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void hrbfnpr_renderer_retain(IntPtr renderer);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void hrbfnpr_renderer_release(IntPtr renderer);
