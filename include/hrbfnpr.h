@@ -295,13 +295,15 @@ typedef struct hrbfnpr_context_desc {
     uint32_t abi_version;  /* _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
     int32_t thread_count;  /* 0 = all processors (default), 1 = serial; at most 256 are used */
     uint32_t flags;        /* must be 0 */
-    uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
     uint32_t thread_backend;          /* HRBFNPR_THREAD_BACKEND_...; AUTO */
+    uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
     hrbfnpr_allocate_fn allocate;     /* both or none; none = aligned operator new */
     hrbfnpr_deallocate_fn deallocate;
     void* allocator_user;
     hrbfnpr_log_fn log; /* may be NULL */
     void* log_user;
+    int32_t log_level;  /* HRBFNPR_LOG_...: less than this is not reported; DEBUG */
+    uint32_t reserved;
     hrbfnpr_run_tasks_fn run_tasks; /* may be NULL; only with thread_backend AUTO or RUN_TASKS */
     void* run_tasks_user;
 } hrbfnpr_context_desc;

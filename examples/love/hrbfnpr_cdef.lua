@@ -36,9 +36,9 @@ enum { HRBFNPR_INSTRUCTION_SET_AUTO = 0, HRBFNPR_INSTRUCTION_SET_BASELINE = 1, H
 enum { HRBFNPR_THREAD_BACKEND_AUTO = 0, HRBFNPR_THREAD_BACKEND_POOL = 1, HRBFNPR_THREAD_BACKEND_OPENMP = 2,
     HRBFNPR_THREAD_BACKEND_RUN_TASKS = 3, HRBFNPR_THREAD_BACKEND_SERIAL = 4 };
 typedef struct hrbfnpr_context_desc { uint32_t struct_size; uint32_t abi_version; int32_t thread_count; uint32_t flags;
-    uint32_t highest_instruction_set; uint32_t thread_backend; hrbfnpr_allocate_fn allocate;
-    hrbfnpr_deallocate_fn deallocate; void* allocator_user; hrbfnpr_log_fn log; void* log_user;
-    hrbfnpr_run_tasks_fn run_tasks; void* run_tasks_user; } hrbfnpr_context_desc;
+    uint32_t thread_backend; uint32_t highest_instruction_set; hrbfnpr_allocate_fn allocate;
+    hrbfnpr_deallocate_fn deallocate; void* allocator_user; hrbfnpr_log_fn log; void* log_user; int32_t log_level;
+    uint32_t reserved; hrbfnpr_run_tasks_fn run_tasks; void* run_tasks_user; } hrbfnpr_context_desc;
 hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_context** out_context,
     hrbfnpr_error* error);

@@ -34,7 +34,8 @@ base::Parallel make_parallel(const hrbfnpr_context_desc& desc) {
 hrbfnpr_context::hrbfnpr_context(const hrbfnpr_context_desc& desc)
     : allocate(desc.allocate), deallocate(desc.deallocate), allocator_user(desc.allocator_user),
       runtime(desc.allocate, desc.deallocate, desc.allocator_user, make_parallel(desc),
-              static_cast<base::InstructionSet>(desc.highest_instruction_set), desc.log, desc.log_user) {}
+              static_cast<base::InstructionSet>(desc.highest_instruction_set), desc.log, desc.log_user,
+              static_cast<base::LogLevel>(desc.log_level)) {}
 
 namespace hrbfnpr::api {
 
@@ -46,15 +47,17 @@ constexpr auto context_fields() noexcept {
     return FieldTable{field("abi_version", &Context::abi_version, rule::Any{}),
                       field("thread_count", &Context::thread_count, rule::AtLeast{0.0}),
                       field("flags", &Context::flags, rule::Zero{}),
-                      field("highest_instruction_set", &Context::highest_instruction_set,
-                            rule::OneOf{HRBFNPR_INSTRUCTION_SET_NEON, "HRBFNPR_INSTRUCTION_SET_..."}),
                       field("thread_backend", &Context::thread_backend,
                             rule::OneOf{HRBFNPR_THREAD_BACKEND_SERIAL, "HRBFNPR_THREAD_BACKEND_..."}),
+                      field("highest_instruction_set", &Context::highest_instruction_set,
+                            rule::OneOf{HRBFNPR_INSTRUCTION_SET_NEON, "HRBFNPR_INSTRUCTION_SET_..."}),
                       field("allocate", &Context::allocate, rule::Any{}),
                       field("deallocate", &Context::deallocate, rule::Any{}),
                       field("allocator_user", &Context::allocator_user, rule::Any{}),
                       field("log", &Context::log, rule::Any{}),
                       field("log_user", &Context::log_user, rule::Any{}),
+                      field("log_level", &Context::log_level, rule::OneOf{HRBFNPR_LOG_WARNING, "HRBFNPR_LOG_..."}),
+                      reserved("reserved", &Context::reserved),
                       field("run_tasks", &Context::run_tasks, rule::Any{}),
                       field("run_tasks_user", &Context::run_tasks_user, rule::Any{})};
 }

@@ -148,6 +148,10 @@ TEST(BadInput, Context) {
          },
          invalid, "context_desc.thread_backend is 1 and run_tasks is given"},
         {[](auto& d) { d.highest_instruction_set = 5; }, invalid, "context_desc.highest_instruction_set is 5"},
+        {[](auto& d) { d.log_level = 3; }, invalid,
+         "context_desc.log_level is 3; it must be one of HRBFNPR_LOG_... (0 to 2)"},
+        {[](auto& d) { d.log_level = -1; }, invalid, "context_desc.log_level is -1"},
+        {[](auto& d) { d.reserved = 1; }, invalid, "context_desc.reserved is 1; it must be 0"},
         {[](auto& d) { d.allocate = Ledger::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
         {[](auto& d) { d.deallocate = Ledger::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};
     for (const auto& row : rows) {

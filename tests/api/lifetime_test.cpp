@@ -179,16 +179,20 @@ TEST(Sharing, OneContextServesSeveralFitsAtOnce) {
     EXPECT_EQ(right, 4);
 }
 
+namespace {
+struct Messages {
+    std::vector<std::string> text;
+    std::int32_t highest = 0;
+    static void call(void* user, std::int32_t level, const char* message) {
+        auto& self = *static_cast<Messages*>(user);
+        self.text.emplace_back(message);
+        self.highest = std::max(self.highest, level);
+    }
+};
+} // namespace
+
 TEST(Log, TellsOfRepairs) {
-    struct Messages {
-        std::vector<std::string> text;
-        std::int32_t highest = 0;
-        static void call(void* user, std::int32_t level, const char* message) {
-            auto& self = *static_cast<Messages*>(user);
-            self.text.emplace_back(message);
-            self.highest = std::max(self.highest, level);
-        }
-    } messages;
+    Messages messages;
     auto desc = made(hrbfnpr_context_desc_init);
     desc.log = Messages::call;
     desc.log_user = &messages;
@@ -203,6 +207,23 @@ TEST(Log, TellsOfRepairs) {
     ASSERT_EQ(messages.text.size(), 3U);
     EXPECT_NE(messages.text[2].find("6 normals were not of unit length"), std::string::npos);
     EXPECT_EQ(messages.highest, HRBFNPR_LOG_WARNING);
+}
+
+TEST(Log, KeepsBelowItsLevelToItself) {
+    scenes::Samples samples = scenes::sphere_6();
+    for (double& component : samples.normals) component *= 2.0;
+    const std::size_t wanted[] = {2, 2, 1}; // an INFO and a WARNING
+    for (const std::int32_t level : {HRBFNPR_LOG_DEBUG, HRBFNPR_LOG_INFO, HRBFNPR_LOG_WARNING}) {
+        Messages messages;
+        auto desc = made(hrbfnpr_context_desc_init);
+        EXPECT_EQ(desc.log_level, HRBFNPR_LOG_DEBUG);
+        desc.log = Messages::call;
+        desc.log_user = &messages;
+        desc.log_level = level;
+        fit(make_context(desc), samples);
+        EXPECT_EQ(messages.text.size(), wanted[level]) << level;
+        EXPECT_EQ(messages.highest, HRBFNPR_LOG_WARNING);
+    }
 }
 
 #if defined(__unix__)

@@ -51,13 +51,15 @@ namespace HrbfNpr
         internal uint abi_version;
         internal int thread_count;
         internal uint flags;
-        internal uint highest_instruction_set;
         internal uint thread_backend;
+        internal uint highest_instruction_set;
         internal IntPtr allocate;
         internal IntPtr deallocate;
         internal IntPtr allocator_user;
         internal IntPtr log;
         internal IntPtr log_user;
+        internal int log_level;
+        internal uint reserved;
         internal IntPtr run_tasks;
         internal IntPtr run_tasks_user;
     }
