@@ -468,24 +468,22 @@ typedef struct hrbfnpr_fit_desc {
     double kernel_radius;    /* sigma or rho, in units of the points; 0 = from the sample spacing */
     int32_t polynomial_degree; /* -1 (none) .. 3; 1.  TRIHARMONIC is well-posed from 1 on
                                   (Duchon 1977); below that a pivoted LU is tried. */
-    uint32_t solver;         /* HRBFNPR_SOLVER_...; AUTO */
+    uint32_t regularization_mode; /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
     double regularization;   /* >= 0; 0 interpolates.  Added to the diagonal of the system in
                                 coordinates whose diagonal is 1: larger is smoother */
+    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
+    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
     double tolerance;        /* > 0: samples are chosen as centres until all lie this near to the
                                 surface, in units of the points; 0: no such end */
     int64_t maximum_centres; /* > 0: no more samples than this are chosen as centres; 0: no limit.
                                 With tolerance 0, too, every sample is a centre */
-    int32_t iteration_limit; /* steps of iterative refinement after a direct solve; 2 */
-    uint32_t reserved;
-    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
-    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
-    uint32_t regularization_mode;       /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
+    uint32_t solver;          /* HRBFNPR_SOLVER_...; AUTO */
+    int32_t refinement_steps; /* of iterative refinement after a DIRECT solve, 0 .. 20; 2 */
+    double solver_tolerance;  /* relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and
+                                 fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
+    int32_t iteration_limit;  /* most iterations of ITERATIVE, 1 .. 1000000; 200 */
     uint32_t preconditioner_neighbours; /* of ITERATIVE, 1 .. 48: more are fewer iterations and more setup;
                                            0 = 16 to 32 as samples are many (GAUSSIAN 40) */
-    double solver_tolerance;   /* relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and
-                                  fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
-    int32_t solver_iterations; /* most iterations of ITERATIVE; 0 = 200 */
-    uint32_t reserved2;
 } hrbfnpr_fit_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);

@@ -71,10 +71,10 @@ enum { HRBFNPR_SOLVER_REASON_REQUESTED = 0, HRBFNPR_SOLVER_REASON_SMALL = 1, HRB
 enum { HRBFNPR_REPAIR_KEEP = 0, HRBFNPR_REPAIR_DROP = 1, HRBFNPR_REPAIR_REORIENT = 2 };
 enum { HRBFNPR_REGULARIZATION_GIVEN = 0, HRBFNPR_REGULARIZATION_AUTO = 1 };
 typedef struct hrbfnpr_fit_desc { uint32_t struct_size; uint32_t kernel; hrbfnpr_array points; hrbfnpr_array normals;
-    double kernel_radius; int32_t polynomial_degree; uint32_t solver; double regularization; double tolerance;
-    int64_t maximum_centres; int32_t iteration_limit; uint32_t reserved; uint32_t outliers; uint32_t flipped_normals;
-    uint32_t regularization_mode; uint32_t preconditioner_neighbours; double solver_tolerance;
-    int32_t solver_iterations; uint32_t reserved2; } hrbfnpr_fit_desc;
+    double kernel_radius; int32_t polynomial_degree; uint32_t regularization_mode; double regularization;
+    uint32_t outliers; uint32_t flipped_normals; double tolerance; int64_t maximum_centres; uint32_t solver;
+    int32_t refinement_steps; double solver_tolerance; int32_t iteration_limit; uint32_t preconditioner_neighbours;
+    } hrbfnpr_fit_desc;
 hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc, hrbfnpr_operation* operation,
     hrbfnpr_model** out_model, hrbfnpr_error* error);

@@ -49,32 +49,28 @@ struct Degree {
 };
 
 constexpr auto fit_fields() noexcept {
+    using fit::FitInput;
     return FieldTable{
-        field("kernel", &Fit::kernel, &fit::FitInput::kernel,
-              rule::OneOf{HRBFNPR_KERNEL_WENDLAND_C2, "HRBFNPR_KERNEL_..."}),
+        field("kernel", &Fit::kernel, &FitInput::kernel, rule::OneOf{HRBFNPR_KERNEL_WENDLAND_C2, "HRBFNPR_KERNEL_..."}),
         field("points", &Fit::points, rule::Any{}),
         field("normals", &Fit::normals, rule::Any{}),
-        field("kernel_radius", &Fit::kernel_radius, &fit::FitInput::kernel_radius, rule::AtLeast{0.0}),
-        field("polynomial_degree", &Fit::polynomial_degree, &fit::FitInput::polynomial_degree, Degree{}),
-        field("solver", &Fit::solver, &fit::FitInput::solver,
-              rule::OneOf{HRBFNPR_SOLVER_ITERATIVE, "HRBFNPR_SOLVER_..."}),
-        field("regularization", &Fit::regularization, &fit::FitInput::regularization, rule::AtLeast{0.0}),
-        field("tolerance", &Fit::tolerance, &fit::FitInput::tolerance, rule::AtLeast{0.0}),
-        field("maximum_centres", &Fit::maximum_centres, &fit::FitInput::maximum_centres, rule::AtLeast{0.0}),
-        field("iteration_limit", &Fit::iteration_limit, &fit::FitInput::iteration_limit, rule::Between{0.0, 1000.0}),
-        reserved("reserved", &Fit::reserved),
-        field("outliers", &Fit::outliers, &fit::FitInput::outliers,
-              rule::OneOf{HRBFNPR_REPAIR_DROP, "HRBFNPR_REPAIR_KEEP and _DROP"}),
-        field("flipped_normals", &Fit::flipped_normals, &fit::FitInput::flipped_normals,
-              rule::OneOf{HRBFNPR_REPAIR_REORIENT, "HRBFNPR_REPAIR_..."}),
-        field("regularization_mode", &Fit::regularization_mode, &fit::FitInput::regularization_mode,
+        field("kernel_radius", &Fit::kernel_radius, &FitInput::kernel_radius, rule::AtLeast{0.0}),
+        field("polynomial_degree", &Fit::polynomial_degree, &FitInput::polynomial_degree, Degree{}),
+        field("regularization_mode", &Fit::regularization_mode, &FitInput::regularization_mode,
               rule::OneOf{HRBFNPR_REGULARIZATION_AUTO, "HRBFNPR_REGULARIZATION_..."}),
-        field("preconditioner_neighbours", &Fit::preconditioner_neighbours, &fit::FitInput::preconditioner_neighbours,
-              rule::Between{0.0, fit::LocalSystems::largest_set - 1}),
-        field("solver_tolerance", &Fit::solver_tolerance, &fit::FitInput::solver_tolerance, rule::Between{0.0, 0.1}),
-        field("solver_iterations", &Fit::solver_iterations, &fit::FitInput::solver_iterations,
-              rule::Between{0.0, 1000000.0}),
-        reserved("reserved2", &Fit::reserved2)};
+        field("regularization", &Fit::regularization, &FitInput::regularization, rule::AtLeast{0.0}),
+        field("outliers", &Fit::outliers, &FitInput::outliers,
+              rule::OneOf{HRBFNPR_REPAIR_DROP, "HRBFNPR_REPAIR_KEEP and _DROP"}),
+        field("flipped_normals", &Fit::flipped_normals, &FitInput::flipped_normals,
+              rule::OneOf{HRBFNPR_REPAIR_REORIENT, "HRBFNPR_REPAIR_..."}),
+        field("tolerance", &Fit::tolerance, &FitInput::tolerance, rule::AtLeast{0.0}),
+        field("maximum_centres", &Fit::maximum_centres, &FitInput::maximum_centres, rule::AtLeast{0.0}),
+        field("solver", &Fit::solver, &FitInput::solver, rule::OneOf{HRBFNPR_SOLVER_ITERATIVE, "HRBFNPR_SOLVER_..."}),
+        field("refinement_steps", &Fit::refinement_steps, &FitInput::refinement_steps, rule::Between{0.0, 20.0}),
+        field("solver_tolerance", &Fit::solver_tolerance, &FitInput::solver_tolerance, rule::Between{0.0, 0.1}),
+        field("iteration_limit", &Fit::iteration_limit, &FitInput::iteration_limit, rule::Between{1.0, 1000000.0}),
+        field("preconditioner_neighbours", &Fit::preconditioner_neighbours, &FitInput::preconditioner_neighbours,
+              rule::Between{0.0, fit::LocalSystems::largest_set - 1})};
 }
 static_assert(fit_fields().covers<Fit>());
 

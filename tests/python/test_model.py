@@ -112,7 +112,7 @@ GOOD = fibonacci_sphere(20)
         (GOOD, GOOD, {"tolerance": -1}, hrbfnpr.InvalidArgumentError, "tolerance"),
         (GOOD, GOOD, {"outliers": "reorient"}, hrbfnpr.InvalidArgumentError, "outliers"),
         (GOOD, GOOD, {"flipped_normals": "fix"}, ValueError, "flipped_normals.*reorient"),
-        (GOOD, GOOD, {"solver_iterations": -1}, hrbfnpr.InvalidArgumentError, "solver_iterations"),
+        (GOOD, GOOD, {"iteration_limit": 0}, hrbfnpr.InvalidArgumentError, "iteration_limit"),
         (GOOD, GOOD, {"regularization": "some"}, TypeError, ""),
         (GOOD, GOOD, {"kernel": "cubic"}, ValueError, "kernel.*triharmonic"),
         (GOOD, GOOD, {"kernel": 0}, ValueError, "kernel"),

@@ -55,14 +55,14 @@ class Model(Owner):
         kernel_radius: float = 0.0,
         polynomial_degree: int = 1,
         regularization: Union[float, str] = 0.0,
-        solver: str = "auto",
-        tolerance: float = 0.0,
-        maximum_centres: int = 0,
-        iteration_limit: int = 2,
         outliers: str = "keep",
         flipped_normals: str = "keep",
+        tolerance: float = 0.0,
+        maximum_centres: int = 0,
+        solver: str = "auto",
+        refinement_steps: int = 2,
         solver_tolerance: float = 0.0,
-        solver_iterations: int = 0,
+        iteration_limit: int = 200,
         preconditioner_neighbours: int = 0,
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
@@ -83,22 +83,25 @@ class Model(Owner):
             -1 (none) to 3.
         regularization : float or "auto"
             0 interpolates (default); more is smoother; "auto" takes it from the noise of the samples.
-        solver : {"auto", "direct", "iterative"}
-            "direct" is a dense factorisation: about 64 N^2 bytes, time N^3.
+        outliers : {"keep", "drop"}
+            What becomes of samples far from all others, or from the plane of those around them.
+        flipped_normals : {"keep", "drop", "reorient"}
+            What becomes of samples whose normal is against those around them.
         tolerance : float
             Choose samples as centres until all lie this near to the surface; 0 = no such end.
         maximum_centres : int
             Choose no more samples than this as centres; 0 = no limit.  With tolerance 0, too, every
             sample is a centre.
+        solver : {"auto", "direct", "iterative"}
+            "direct" is a dense factorisation: about 64 N^2 bytes, time N^3.
+        refinement_steps : int
+            Of iterative refinement after a direct solve, 0 to 20.
+        solver_tolerance : float
+            Relative residual at which the iterative solver ends; 0 = automatic.
         iteration_limit : int
-            Steps of iterative refinement after a direct solve.
-        outliers : {"keep", "drop"}
-            What becomes of samples far from all others, or from the plane of those around them.
-        flipped_normals : {"keep", "drop", "reorient"}
-            What becomes of samples whose normal is against those around them.
-        solver_tolerance, solver_iterations, preconditioner_neighbours
-            Of the iterative solver: the relative residual at which it ends, its most iterations, and
-            the size of its local problems; 0 = automatic.
+            Most iterations of the iterative solver.
+        preconditioner_neighbours : int
+            Size of the iterative solver's local problems, 1 to 48; 0 = automatic.
         progress : callable or progress bar, optional
             See `Operation`.
         operation : Operation, optional
@@ -120,18 +123,18 @@ class Model(Owner):
         keep = [block_in("points", points).fill(desc.points), block_in("normals", normals).fill(desc.normals)]
         desc.kernel_radius = kernel_radius
         desc.polynomial_degree = polynomial_degree
-        desc.solver = number_of("solver", SOLVERS, solver)
         if regularization == "auto":
             desc.regularization_mode = ffi.integer_const("HRBFNPR_REGULARIZATION_AUTO")
         else:
             desc.regularization = regularization
-        desc.tolerance = tolerance
-        desc.maximum_centres = maximum_centres
-        desc.iteration_limit = iteration_limit
         desc.outliers = number_of("outliers", REPAIRS, outliers)
         desc.flipped_normals = number_of("flipped_normals", REPAIRS, flipped_normals)
+        desc.tolerance = tolerance
+        desc.maximum_centres = maximum_centres
+        desc.solver = number_of("solver", SOLVERS, solver)
+        desc.refinement_steps = refinement_steps
         desc.solver_tolerance = solver_tolerance
-        desc.solver_iterations = solver_iterations
+        desc.iteration_limit = iteration_limit
         desc.preconditioner_neighbours = preconditioner_neighbours
         out, error = ffi.new("hrbfnpr_model **"), new_error()
         with running(operation, progress, context._handle) as (handle, state):

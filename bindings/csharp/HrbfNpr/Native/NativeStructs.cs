@@ -73,19 +73,17 @@ namespace HrbfNpr
         internal hrbfnpr_array normals;
         internal double kernel_radius;
         internal int polynomial_degree;
-        internal uint solver;
+        internal uint regularization_mode;
         internal double regularization;
-        internal double tolerance;
-        internal long maximum_centres;
-        internal int iteration_limit;
-        internal uint reserved;
         internal uint outliers;
         internal uint flipped_normals;
-        internal uint regularization_mode;
-        internal uint preconditioner_neighbours;
+        internal double tolerance;
+        internal long maximum_centres;
+        internal uint solver;
+        internal int refinement_steps;
         internal double solver_tolerance;
-        internal int solver_iterations;
-        internal uint reserved2;
+        internal int iteration_limit;
+        internal uint preconditioner_neighbours;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_custom_desc")]
