@@ -42,6 +42,8 @@
  *   defaults for the fields it lacks; a longer (newer) one is refused with
  *   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
  *   zero.  Output structs (`_info`) are filled up to their `struct_size`.
+ *   Result structs (_projection, _curvature, _ray_hits) are descriptors of the
+ *   caller's arrays; the numbers in them are written where there is room.
  *   A struct_size below 8 or above 65536 was never set up, and is refused
  *   with the same status; `_init` of NULL is INVALID_ARGUMENT.
  *   Fields named `reserved` must be zero.
@@ -627,14 +629,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, co
 
 enum {
     HRBFNPR_PROJECTION_CONVERGED = 0,
-    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* iteration limit, or no step lowers f^2 */
+    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* evaluation limit, or no step lowers f^2 */
     HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, /* stuck at a critical point off the surface */
     HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient was not finite, or the latter above 1e150 */
 };
 
 typedef struct hrbfnpr_project_desc {
     uint32_t struct_size;
-    int32_t iteration_limit; /* evaluations per point, 1 .. 1000; 50 */
+    int32_t evaluation_limit; /* of f at each point, 1 .. 1000; 50 */
     double tolerance;        /* stop when |f| / |grad f| <= tolerance * diagonal; 1e-9 */
     double armijo_slope;     /* sigma in (0, 0.5); 1e-4 */
     double armijo_factor;    /* beta in (0, 1); 0.5 */
@@ -642,46 +644,63 @@ typedef struct hrbfnpr_project_desc {
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size);
 
+/* Where _project puts its results: arrays of the caller's, each of n elements,
+ * or not given (all zero). */
+typedef struct hrbfnpr_projection {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out position; /* n x 3, FLOAT32 or FLOAT64; may be the points themselves */
+    hrbfnpr_array_out normal;   /* n x 3, FLOAT32 or FLOAT64: the unit gradient */
+    hrbfnpr_array_out status;   /* n x 1, UINT8 or UINT32: HRBFNPR_PROJECTION_... */
+    int64_t converged;          /* written: how many points converged */
+} hrbfnpr_projection;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_projection_init(hrbfnpr_projection* projection, uint32_t struct_size);
+
 /* Projects n points on the surface by steepest descent on f^2 with Armijo's
  * rule, first step f^2's Newton step along the gradient [NPAR 4.2].
- * desc may be NULL.  position and normal (the unit gradient): n x 3, FLOAT32
- * or FLOAT64, or NULL; status: n x 1, UINT8 or UINT32 (HRBFNPR_PROJECTION_...),
- * or NULL; converged (nullable) gets the number that converged.
- * A point that fails keeps its last iterate.  position may be points itself. */
+ * points: n x 3, FLOAT32 or FLOAT64.  desc may be NULL.
+ * A point that fails keeps its last iterate. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                                 const hrbfnpr_project_desc* desc,
-                                                 const hrbfnpr_array_out* position,
-                                                 const hrbfnpr_array_out* normal,
-                                                 const hrbfnpr_array_out* status, int64_t* converged,
+                                                 const hrbfnpr_project_desc* desc, hrbfnpr_projection* projection,
                                                  hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+/* Where _curvature puts its results: arrays of the caller's, each of n
+ * elements, FLOAT32 or FLOAT64, or not given (all zero). */
+typedef struct hrbfnpr_curvature {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out k1; /* n x 1: the larger principal curvature */
+    hrbfnpr_array_out k2; /* n x 1 */
+    hrbfnpr_array_out d1; /* n x 3: their directions, unit, orthogonal, tangent, of arbitrary sign */
+    hrbfnpr_array_out d2;
+    hrbfnpr_array_out confidence; /* n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), in [0,1] */
+} hrbfnpr_curvature;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t struct_size);
 
 /* Principal curvatures and directions of the level set through each of n
  * points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
  * G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
  * from its normal (a sphere with outward normals) has negative curvature,
- * -1/radius.  d1, d2: unit, orthogonal, tangent, of arbitrary sign.
- * confidence = (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal) clamped to [0,1]:
- * 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
- * k1, k2, confidence: n x 1; d1, d2: n x 3; FLOAT32 or FLOAT64; each or NULL.
- * Where the gradient vanishes all of them are 0. */
+ * -1/radius.  The confidence is 0 at umbilics and on planes, where d1 and d2
+ * fall back to a smooth field.  Where the gradient vanishes all are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                                   const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2,
-                                                   const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
-                                                   const hrbfnpr_array_out* confidence,
-                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
+                                                   hrbfnpr_curvature* curvature, hrbfnpr_operation* operation,
+                                                   hrbfnpr_error* error);
 
 enum {
     HRBFNPR_RAY_HIT = 0,             /* one hit or more */
     HRBFNPR_RAY_MISS = 1,            /* none */
     HRBFNPR_RAY_TRUNCATED = 2,       /* maximum_hits of 2 or more, and there is a further one */
-    HRBFNPR_RAY_ITERATION_LIMIT = 3, /* given up on; what was found before is kept */
+    HRBFNPR_RAY_EVALUATION_LIMIT = 3, /* given up on; what was found before is kept */
     HRBFNPR_RAY_NOT_FINITE = 4       /* f or its gradient was not finite; what was found before is kept */
 };
 
 typedef struct hrbfnpr_cast_desc {
     uint32_t struct_size;
     int32_t maximum_hits;    /* to find on a ray, 1 .. 256; 1: the first */
-    int32_t iteration_limit; /* evaluations per ray, 1 .. 1000000; 20000 */
+    int32_t evaluation_limit; /* of f on each ray, 1 .. 1000000; 20000 */
     uint32_t reserved;
     double t_min;            /* where a ray begins and ends, in lengths of its direction: t_min finite, 0 */
     double t_max;            /* not below t_min; infinity */
@@ -691,6 +710,24 @@ typedef struct hrbfnpr_cast_desc {
 } hrbfnpr_cast_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
+
+/* Where _cast_rays puts its results: arrays of the caller's, each of n
+ * elements, or not given (all zero).  h = maximum_hits; of each ray its hits
+ * in order. */
+typedef struct hrbfnpr_ray_hits {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out count;    /* n x 1, UINT32: how many were found, 0 .. h */
+    hrbfnpr_array_out t;        /* n x h, FLOAT32 or FLOAT64; infinity after the last */
+    hrbfnpr_array_out position; /* n x 3h, FLOAT32 or FLOAT64: x y z of the first hit, then of the second ...; 0
+                                   after the last.  From far origins it is more exact than t, which is rounded */
+    hrbfnpr_array_out normal;   /* n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last */
+    hrbfnpr_array_out entering; /* n x h, UINT8: 1 where f goes from + to - along the ray, else 0 */
+    hrbfnpr_array_out status;   /* n x 1, UINT8 or UINT32: HRBFNPR_RAY_... */
+    int64_t hit_rays;           /* written: how many rays have a hit */
+} hrbfnpr_ray_hits;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_t struct_size);
 
 /* Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
  * steps that it cannot lie within [Hart 1996, "Sphere tracing"].
@@ -710,26 +747,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint3
  * origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
  *            length but zero, and not so short that the t of a hit is infinite.
  *            Rays may start inside.
- * With h = maximum_hits, for each ray its hits in order; each array or NULL:
- * hits:      n x 1, UINT32: how many were found, 0 .. h.
- * t:         n x h; infinity after the last.
- * position, normal (the unit gradient): n x 3h, x y z of the first hit, then of
- *            the second ...; 0 after the last.  t, position and normal FLOAT32
- *            or FLOAT64.  From far origins position is the exacter one: t is
- *            rounded.
- * entering:  n x h, UINT8: 1 where f goes from + to - along the ray, else 0.
- * status:    n x 1, UINT8 or UINT32 (HRBFNPR_RAY_...).
- * hit_rays (nullable) gets the number of rays with a hit.
  * desc may be NULL.  A ray that starts on the surface may or may not meet it
  * there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
  * numbers of directions and origins that differ, and fields out of their range
  * are INVALID_ARGUMENT. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(
-    const hrbfnpr_model* model, const hrbfnpr_array* origins, const hrbfnpr_array* directions,
-    const hrbfnpr_cast_desc* desc, const hrbfnpr_array_out* hits, const hrbfnpr_array_out* t,
-    const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal, const hrbfnpr_array_out* entering,
-    const hrbfnpr_array_out* status, int64_t* hit_rays, hrbfnpr_operation* operation,
-    hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
+                                                   const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc,
+                                                   hrbfnpr_ray_hits* hits, hrbfnpr_operation* operation,
+                                                   hrbfnpr_error* error);
 
 /* The bound that _cast_rays takes where none is given: the largest |grad f| at
  * 24^3 points of the search box, times 1.5.  An estimate, and no proof.  A

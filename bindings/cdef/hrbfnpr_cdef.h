@@ -108,26 +108,33 @@ hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_
     hrbfnpr_operation* operation, hrbfnpr_error* error);
 enum { HRBFNPR_PROJECTION_CONVERGED = 0, HRBFNPR_PROJECTION_NOT_CONVERGED = 1, HRBFNPR_PROJECTION_ZERO_GRADIENT = 2,
     HRBFNPR_PROJECTION_NOT_FINITE = 3 };
-typedef struct hrbfnpr_project_desc { uint32_t struct_size; int32_t iteration_limit; double tolerance;
+typedef struct hrbfnpr_project_desc { uint32_t struct_size; int32_t evaluation_limit; double tolerance;
     double armijo_slope; double armijo_factor; } hrbfnpr_project_desc;
 hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_projection { uint32_t struct_size; uint32_t reserved; hrbfnpr_array_out position;
+    hrbfnpr_array_out normal; hrbfnpr_array_out status; int64_t converged; } hrbfnpr_projection;
+hrbfnpr_status hrbfnpr_projection_init(hrbfnpr_projection* projection, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
-    const hrbfnpr_project_desc* desc, const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal,
-    const hrbfnpr_array_out* status, int64_t* converged, hrbfnpr_operation* operation, hrbfnpr_error* error);
+    const hrbfnpr_project_desc* desc, hrbfnpr_projection* projection, hrbfnpr_operation* operation,
+    hrbfnpr_error* error);
+typedef struct hrbfnpr_curvature { uint32_t struct_size; uint32_t reserved; hrbfnpr_array_out k1; hrbfnpr_array_out k2;
+    hrbfnpr_array_out d1; hrbfnpr_array_out d2; hrbfnpr_array_out confidence; } hrbfnpr_curvature;
+hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
-    const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2, const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
-    const hrbfnpr_array_out* confidence, hrbfnpr_operation* operation, hrbfnpr_error* error);
-enum { HRBFNPR_RAY_HIT = 0, HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRBFNPR_RAY_ITERATION_LIMIT = 3,
+    hrbfnpr_curvature* curvature, hrbfnpr_operation* operation, hrbfnpr_error* error);
+enum { HRBFNPR_RAY_HIT = 0, HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRBFNPR_RAY_EVALUATION_LIMIT = 3,
     HRBFNPR_RAY_NOT_FINITE = 4 };
-typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; int32_t iteration_limit;
+typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; int32_t evaluation_limit;
     uint32_t reserved; double t_min; double t_max; double lipschitz; double smallest_step; double tolerance;
     } hrbfnpr_cast_desc;
 hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_ray_hits { uint32_t struct_size; uint32_t reserved; hrbfnpr_array_out count; hrbfnpr_array_out t;
+    hrbfnpr_array_out position; hrbfnpr_array_out normal; hrbfnpr_array_out entering; hrbfnpr_array_out status;
+    int64_t hit_rays; } hrbfnpr_ray_hits;
+hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
-    const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc, const hrbfnpr_array_out* hits,
-    const hrbfnpr_array_out* t, const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal,
-    const hrbfnpr_array_out* entering, const hrbfnpr_array_out* status, int64_t* hit_rays, hrbfnpr_operation* operation,
-    hrbfnpr_error* error);
+    const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc, hrbfnpr_ray_hits* hits,
+    hrbfnpr_operation* operation, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipschitz, hrbfnpr_operation* operation,
     hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, const hrbfnpr_array* points,

@@ -118,9 +118,9 @@ TEST(Custom, AFailureOfTheFunctionFailsTheCall) {
         Error error;
         sphere.calls = 0;
         sphere.fail_at = at;
-        EXPECT_FAILS(
-            hrbfnpr_model_project(model.get(), &points, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, error),
-            HRBFNPR_STATUS_CALLBACK, words);
+        auto projection = made(hrbfnpr_projection_init);
+        EXPECT_FAILS(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, nullptr, error),
+                     HRBFNPR_STATUS_CALLBACK, words);
         sphere.calls = 0;
         const hrbfnpr_generate_desc desc = small_desc();
         hrbfnpr_point_set* set = nullptr;

@@ -298,7 +298,7 @@ def test_project(sphere):
     assert result.converged == 40 and (result.status == hrbfnpr.PROJECTION_STATUS["converged"]).all()
     assert np.abs(sphere.evaluate(result.position).value).max() < 1e-8
     np.testing.assert_allclose(np.linalg.norm(result.normal, axis=1), 1)
-    tight = sphere.project(WHERE, iteration_limit=1, tolerance=1e-15)
+    tight = sphere.project(WHERE, evaluation_limit=1, tolerance=1e-15)
     assert tight.converged < 40 and (tight.status == hrbfnpr.PROJECTION_STATUS["not_converged"]).any()
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="armijo_factor"):
         sphere.project(WHERE, armijo_factor=2)

@@ -70,8 +70,8 @@ namespace HrbfNpr
     /// <summary>How points are projected on a surface.</summary>
     public sealed class ProjectOptions
     {
-        /// <summary>Evaluations per point, 1 to 1000; 50.</summary>
-        public int IterationLimit { get; set; } = 50;
+        /// <summary>Evaluations of f at each point, 1 to 1000; 50.</summary>
+        public int EvaluationLimit { get; set; } = 50;
 
         /// <summary>A point has converged when |f| / |grad f| is at most this share of the diagonal; 1e-9.</summary>
         public double Tolerance { get; set; } = 1e-9;
@@ -84,7 +84,7 @@ namespace HrbfNpr
 
         internal void Write(ref hrbfnpr_project_desc desc)
         {
-            desc.iteration_limit = IterationLimit;
+            desc.evaluation_limit = EvaluationLimit;
             desc.tolerance = Tolerance;
             desc.armijo_slope = ArmijoSlope;
             desc.armijo_factor = ArmijoFactor;
@@ -97,8 +97,8 @@ namespace HrbfNpr
         /// <summary>Hits to find on a ray, 1 to 256; 1 is the first.</summary>
         public int MaximumHits { get; set; } = 1;
 
-        /// <summary>Evaluations per ray, 1 to 1000000; 20000.</summary>
-        public int IterationLimit { get; set; } = 20000;
+        /// <summary>Evaluations of f on each ray, 1 to 1000000; 20000.</summary>
+        public int EvaluationLimit { get; set; } = 20000;
 
         /// <summary>Where rays begin, in lengths of their direction; 0.</summary>
         public double TMin { get; set; }
@@ -118,7 +118,7 @@ namespace HrbfNpr
         internal void Write(ref hrbfnpr_cast_desc desc)
         {
             desc.maximum_hits = MaximumHits;
-            desc.iteration_limit = IterationLimit;
+            desc.evaluation_limit = EvaluationLimit;
             desc.t_min = TMin;
             desc.t_max = TMax;
             desc.lipschitz = Lipschitz;

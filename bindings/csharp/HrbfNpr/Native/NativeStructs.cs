@@ -103,10 +103,33 @@ namespace HrbfNpr
     internal unsafe struct hrbfnpr_project_desc
     {
         internal uint struct_size;
-        internal int iteration_limit;
+        internal int evaluation_limit;
         internal double tolerance;
         internal double armijo_slope;
         internal double armijo_factor;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_projection")]
+    internal unsafe struct hrbfnpr_projection
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal hrbfnpr_array position;
+        internal hrbfnpr_array normal;
+        internal hrbfnpr_array status;
+        internal long converged;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_curvature")]
+    internal unsafe struct hrbfnpr_curvature
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal hrbfnpr_array k1;
+        internal hrbfnpr_array k2;
+        internal hrbfnpr_array d1;
+        internal hrbfnpr_array d2;
+        internal hrbfnpr_array confidence;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_cast_desc")]
@@ -114,13 +137,27 @@ namespace HrbfNpr
     {
         internal uint struct_size;
         internal int maximum_hits;
-        internal int iteration_limit;
+        internal int evaluation_limit;
         internal uint reserved;
         internal double t_min;
         internal double t_max;
         internal double lipschitz;
         internal double smallest_step;
         internal double tolerance;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_ray_hits")]
+    internal unsafe struct hrbfnpr_ray_hits
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal hrbfnpr_array count;
+        internal hrbfnpr_array t;
+        internal hrbfnpr_array position;
+        internal hrbfnpr_array normal;
+        internal hrbfnpr_array entering;
+        internal hrbfnpr_array status;
+        internal long hit_rays;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_group_desc")]
