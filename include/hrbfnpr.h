@@ -42,6 +42,8 @@
  *   defaults for the fields it lacks; a longer (newer) one is refused with
  *   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
  *   zero.  Output structs (`_info`) are filled up to their `struct_size`.
+ *   Result structs (_projection, _curvature, _ray_hits) are descriptors of the
+ *   caller's arrays; the numbers in them are written where there is room.
  *   A struct_size below 8 or above 65536 was never set up, and is refused
  *   with the same status; `_init` of NULL is INVALID_ARGUMENT.
  *   Fields named `reserved` must be zero.
@@ -485,7 +487,7 @@ typedef struct hrbfnpr_fit_desc {
     int32_t refinement_steps; /* of iterative refinement after a DIRECT solve, 0 .. 20; 2 */
     double solver_tolerance;  /* relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and
                                  fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
-    int32_t iteration_limit;  /* most iterations of ITERATIVE; 200 */
+    int32_t iteration_limit;  /* most iterations of ITERATIVE, 1 .. 1000000; 200 */
     uint32_t preconditioner_neighbours; /* of ITERATIVE, 1 .. 48: more are fewer iterations and more setup;
                                            0 = 16 to 32 as samples are many (GAUSSIAN 40) */
 } hrbfnpr_fit_desc;
@@ -546,44 +548,44 @@ typedef struct hrbfnpr_model_info {
     uint32_t struct_size;
     uint32_t kernel;
     int32_t polynomial_degree;
-    uint32_t solver;          /* the one used */
+    int32_t choice_rounds;    /* fits made to choose the centres; 0 if all samples are centres */
     int64_t samples;          /* as given */
     int64_t centres;          /* after merging, cleaning and choosing */
     int64_t merged_samples;   /* samples that were merged into another */
+    int64_t near_duplicates;  /* samples much nearer to another than the spacing, merged into it */
     int64_t rescaled_normals; /* normals whose length was off 1 by more than 1e-4 */
+    int64_t outliers_found;
+    int64_t outliers_dropped;
+    int64_t flipped_found;    /* normals against those of their neighbours */
+    int64_t flipped_repaired; /* of these, dropped or turned round */
     double bounds_min[3];     /* of the samples */
     double bounds_max[3];
     double spacing;           /* mean distance of a sample to its nearest neighbour */
     double kernel_radius;     /* as used */
     double regularization;    /* as used; of AUTO, that of the values */
+    double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
+                                 points; 0 if none is seen, or nobody asked (regularization GIVEN) */
     double value_residual_max;    /* max |f(x_i)|, in units of the points */
     double value_residual_rms;
     double gradient_residual_max; /* max |grad f(x_i) - n_i| */
     double gradient_residual_rms;
-    double solver_residual;       /* relative residual of the linear system, 2-norm */
-    double condition_estimate;    /* DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm */
+    double input_distance_max;    /* of all samples but dropped ones from the surface, |f| / |grad f| */
+    double input_distance_rms;
+    double input_share_within;    /* share of all samples that lie within the tolerance; a dropped one
+                                     counts as outside; 0 with tolerance 0 */
+    uint32_t solver;              /* the one used */
+    uint32_t solver_reason;       /* HRBFNPR_SOLVER_REASON_... */
     int32_t iterations;           /* refinement steps of DIRECT, steps of ITERATIVE */
     uint32_t fallback;            /* 1: the matrix was not definite and a pivoted LU was used */
+    double solver_residual;       /* relative residual of the linear system, 2-norm */
+    double condition_estimate;    /* DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm */
+    double seconds_clean;
+    double seconds_choose;        /* of all rounds but the last fit */
     double seconds_assemble;
+    double seconds_precondition;
     double seconds_solve;
     double seconds_total;
-    int64_t bytes; /* kept by the model */
-    int64_t outliers_found;
-    int64_t outliers_dropped;
-    int64_t flipped_found;    /* normals against those of their neighbours */
-    int64_t flipped_repaired; /* of these, dropped or turned round */
-    int64_t near_duplicates;  /* samples much nearer to another than the spacing, merged into it */
-    double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
-                                 points; 0 if none is seen, or nobody asked (regularization GIVEN) */
-    double input_distance_max; /* of all samples but dropped ones from the surface, |f| / |grad f| */
-    double input_distance_rms;
-    double input_share_within; /* share of all samples that lie within the tolerance; a dropped one
-                                  counts as outside; 0 with tolerance 0 */
-    int32_t choice_rounds;     /* fits made to choose the centres; 0 if all samples are centres */
-    uint32_t solver_reason;    /* HRBFNPR_SOLVER_REASON_... */
-    double seconds_clean;
-    double seconds_choose;     /* of all rounds but the last fit */
-    double seconds_precondition;
+    int64_t bytes;      /* kept by the model */
     int64_t peak_bytes; /* most that the context's allocator had given out at a time, up to the fit's end */
 } hrbfnpr_model_info;
 

@@ -12,6 +12,7 @@ CLEAN = {
     "CMakePresets.json": "{}\n",
     "include/hrbfnpr.h": "HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0,\n"
     "HRBFNPR_ABI_VERSION = 3\n",
+    "src/hrbfnpr.map": "HRBFNPR_3 {\n};\n",
     "src/base/status.h": "#pragma once\n",
     "src/base/parallel_openmp.cpp": '#include "base/status.h"\n#pragma omp parallel for\n',
     "src/implicit/implicit.h": '#pragma once\n#include "base/status.h"\n',
@@ -54,6 +55,7 @@ BREAKS = [
     ("sizes", "bindings/csharp/Model.cs", "\n" * (house.LONGEST_FILE + 1)),
     ("abi_version", "CMakeLists.txt", "set(HRBFNPR_ABI_VERSION 4)\n"),
     ("abi_version", "include/hrbfnpr.h", "HRBFNPR_VERSION_MINOR = 2\n"),
+    ("abi_version", "src/hrbfnpr.map", "HRBFNPR_4 {\n};\n"),
     ("format", "src/fit/fit.cpp", "int   a ;\n"),
 ]
 
