@@ -12,7 +12,7 @@ namespace hrbfnpr::api {
 // The name of one element, such as "items[3]".
 struct ElementName {
     ElementName(const char* list, std::int64_t number) noexcept {
-        std::snprintf(text, sizeof text, "%s[%lld]", list, static_cast<long long>(number));
+        std::snprintf(text, sizeof text, "%.70s[%lld]", list, static_cast<long long>(number));
     }
     char text[96];
 };

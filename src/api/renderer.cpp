@@ -74,11 +74,11 @@ private:
         item.set = &given.point_set->set;
         item.model = given.model != nullptr ? &given.model->implicit() : nullptr;
         item.transform = to_matrix(given.transform);
-        char part[64];
-        std::snprintf(part, sizeof part, "%s.style", name);
+        char part[128];
+        std::snprintf(part, sizeof part, "%.60s.style", name);
         if (given.style != nullptr)
             item.style = checked_style(read_struct(given.style, part), part, renderer_.layer_styles);
-        std::snprintf(part, sizeof part, "%s.poses", name);
+        std::snprintf(part, sizeof part, "%.60s.poses", name);
         read_poses(given, part);
         renderer_.items.push_back(item);
     }
@@ -96,7 +96,7 @@ private:
             const std::int64_t marks = set.layers[given.layer].count();
             const auto view = [&](const hrbfnpr_array& array, const char* field) {
                 char part[128];
-                std::snprintf(part, sizeof part, "%s.%s", element.text, field);
+                std::snprintf(part, sizeof part, "%.95s.%s", element.text, field);
                 return in_view(array, part, points_type, marks);
             };
             frame::Pose pose{given.layer, view(given.position, "position"), view(given.normal, "normal"),

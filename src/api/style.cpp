@@ -119,7 +119,7 @@ void check_between_fields(const Style& style, const char* owner) {
 
 void add_layers(const Style& style, const char* owner, base::Array<frame::LayerStyle>& layers) {
     char name[80];
-    std::snprintf(name, sizeof name, "%s.layers", owner);
+    std::snprintf(name, sizeof name, "%.60s.layers", owner);
     const List<Layer> list(style.layers, style.layer_count, style.layer_stride, most_layer_styles, name);
     for (std::int64_t i = 0; i < list.count(); ++i) {
         const Layer given = list[i];

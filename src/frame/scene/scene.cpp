@@ -136,7 +136,7 @@ Pen pen_of(const Style& style, const LayerStyle& layer, double spacing, double e
     return pen;
 }
 
-glm::vec4 color(const std::array<float, 4>& c) noexcept { return {c[0], c[1], c[2], c[3]}; }
+glm::vec4 color(const float* c) noexcept { return {c[0], c[1], c[2], c[3]}; }
 
 // The runs of one item, and what the drawing knows of its layers.
 class RunMaker {

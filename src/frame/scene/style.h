@@ -33,7 +33,7 @@ struct LayerStyle {
     float share = 1.0F;
     float radius = 1.0F;
     float radius_zoom = 0.0F;
-    std::array<float, 4> ink{0.0F, 0.0F, 0.0F, 1.0F};
+    float ink[4] = {0.0F, 0.0F, 0.0F, 1.0F};
 
     [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept;
 };
