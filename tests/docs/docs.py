@@ -1,9 +1,11 @@
+# SPDX-License-Identifier: MIT
 """What the documents say, held against the project.
 
     docs.py links ROOT                      links to files of the project lead somewhere
     docs.py versions ROOT                   CHANGELOG.md and CITATION.cff name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
-        README.md contains examples/FILE to the letter, and PROGRAM (or, for a .py, the file itself)
+        README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
+        (or, for a .py, the file itself)
         leaves a drawing in the current folder
 """
 
@@ -70,7 +72,7 @@ def ink_share(path):
 def quickstart(root, name, program):
     example = (root / "examples" / name).read_text(encoding="utf-8")
     blocks = code_blocks((root / "README.md").read_text(encoding="utf-8"), LANGUAGES[Path(name).suffix])
-    if example not in blocks:
+    if re.sub(r"\A.*SPDX-License-Identifier: MIT.*\n", "", example) not in blocks:
         yield f"README.md does not contain examples/{name} to the letter"
     missing = [] if program else [name for name in ("cffi", "numpy", "PIL") if importlib.util.find_spec(name) is None]
     if missing:
