@@ -2,6 +2,7 @@
 """What the documents say, held against the project.
 
     docs.py links ROOT                      links to files of the project lead somewhere
+    docs.py glossary ROOT                   docs/glossary.md is sorted; each entry names a work that is listed, or is ours
     docs.py versions ROOT                   CHANGELOG.md and CITATION.cff name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
         README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
@@ -14,6 +15,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import unicodedata
 from pathlib import Path
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
@@ -31,6 +33,44 @@ def broken_links(root):
             target = (target[0] or target[1]).split("#")[0]
             if target and "://" not in target and not (document.parent / target).exists():
                 yield f"{document.relative_to(root)} links to {target}, which is not there"
+
+
+def sort_key(term):
+    """A term without accents and case."""
+    return unicodedata.normalize("NFD", term).encode("ascii", "ignore").decode().lower()
+
+
+def glossary_list(text, what):
+    """Pairs of a term and its whole line, of one list of the glossary; what is wrong with it goes to `what`."""
+    entries = []
+    for line in text.splitlines():
+        found = re.match(r"- \*\*(.+?)\*\*(?:[:,] |$)", line)
+        if found:
+            entries.append((found.group(1), line))
+        elif line.startswith(("-", "*", " ", "\t")):
+            what.append(f"docs/glossary.md: an entry is one line, '- **term**: ...' or '- **term**, here: ...', not: {line}")
+    for (before, _), (after, _) in zip(entries, entries[1:]):
+        if sort_key(before) >= sort_key(after):
+            what.append(f"docs/glossary.md: {after} does not belong behind {before}")
+    return entries
+
+
+def wrong_glossary(root):
+    findings = []
+    terms, _, references = (root / "docs/glossary.md").read_text(encoding="utf-8").partition("\n## References\n")
+    entries, works = glossary_list(terms, findings), dict(glossary_list(references, findings))
+    if not entries or not works:
+        findings.append("docs/glossary.md has no entries or no references")
+    cited = set()
+    for term, line in entries:
+        names = re.findall(r"\[([^\],]+)(?:, [\d.]+)?\](?!\()", line)
+        cited.update(names)
+        findings += [f"docs/glossary.md: {term} cites {name}, which is not listed" for name in names if name not in works]
+        ours = re.match(r"- \*\*.+?\*\*(?:, [^:]*)?, here: \S", line)
+        if not ours and not re.search(r"\]$", line):
+            findings.append(f"docs/glossary.md: {term} ends with no [work], and is not defined ', here: '")
+    findings += [f"docs/glossary.md lists {work}, which no entry cites" for work in works if work not in cited]
+    return findings
 
 
 def wrong_versions(root):
@@ -99,7 +139,7 @@ def main():
     if what == "quickstart":
         findings = list(quickstart(root, sys.argv[3], sys.argv[4:]))
     else:
-        findings = list({"links": broken_links, "versions": wrong_versions}[what](root))
+        findings = list({"links": broken_links, "glossary": wrong_glossary, "versions": wrong_versions}[what](root))
     print("\n".join(findings) if findings else f"{what}: as it should be")
     return 1 if findings else 0
 
