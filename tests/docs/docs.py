@@ -24,7 +24,7 @@ LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
 
 
 def documents(root):
-    folders = ("*.md", "docs/**/*.md", "bindings/**/*.md", "examples/**/*.md")
+    folders = ("*.md", "docs/**/*.md", "bindings/**/README.md", "examples/**/*.md")
     return sorted(path for folder in folders for path in root.glob(folder) if "build" not in path.relative_to(root).parts)
 
 
