@@ -148,8 +148,8 @@ TEST(BadInput, Context) {
          },
          invalid, "context_desc.thread_backend is 1 and run_tasks is given"},
         {[](auto& d) { d.highest_instruction_set = 5; }, invalid, "context_desc.highest_instruction_set is 5"},
-        {[](auto& d) { d.allocate = Ledger::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
-        {[](auto& d) { d.deallocate = Ledger::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};
+        {[](auto& d) { d.allocate = Allocator::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
+        {[](auto& d) { d.deallocate = Allocator::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};
     for (const auto& row : rows) {
         Error error;
         auto desc = made(hrbfnpr_context_desc_init);
