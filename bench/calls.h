@@ -1,7 +1,7 @@
 // The library's calls as the benchmarks make them: contexts, surfaces, marks; and the benchmarks' own options.
 #pragma once
 
-#include "scenes/handles.h"
+#include "support/handles.h"
 #include "vec3.h"
 
 #include <cstdint>

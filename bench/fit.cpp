@@ -1,9 +1,9 @@
 // Fits of a bumpy closed surface by the iterative solver: seconds, memory and residuals over N; beside the direct
 // solver, LAPACK where it is installed, and what the processor could do.  --large: up to a million samples.
-#include "bumpy.h"
 #include "lapack.h"
 #include "peak.h"
-#include "scenes/handles.h"
+#include "samples.h"
+#include "support/handles.h"
 
 #include <array>
 #include <cmath>

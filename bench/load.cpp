@@ -1,10 +1,10 @@
 // Load: frames, fits, orders and drawings on an idle machine and beside busy processes, by thread backend.
 // --rounds=N: 12; --marks=N of the frames: 700000; --only=NAME,...: of frame, fit, order, small.
 #include "backends.h"
-#include "bumpy.h"
 #include "busy.h"
 #include "orbit.h"
 #include "painter.h"
+#include "samples.h"
 #include "timing.h"
 
 #include <algorithm>

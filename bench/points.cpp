@@ -1,10 +1,10 @@
 // Points on the surface, from samples: the paper's Table 1 beside ours, marks a second, and evaluation beside plain
 // sums.
 // --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
-#include "bumpy.h"
 #include "calls.h"
 #include "peak.h"
 #include "read_models.h"
+#include "samples.h"
 #include "timing.h"
 
 #include <algorithm>

@@ -2,11 +2,11 @@
 // --bunny=FILE: an OBJ mesh; --head=FILE: a PLY of points with normals, for the time of the order (else a generated
 // one).
 #include "analytic.h"
-#include "bumpy.h"
 #include "calls.h"
 #include "evenness.h"
 #include "ramp_drawing.h"
 #include "read_models.h"
+#include "samples.h"
 #include "scenes/shapes.h"
 #include "timing.h"
 #include "tone_ramp.h"

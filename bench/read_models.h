@@ -1,7 +1,7 @@
 // Models from files, for the benchmarks.
 #pragma once
 
-#include "bumpy.h"
+#include "samples.h"
 
 #include <array>
 #include <cmath>
@@ -12,6 +12,11 @@
 #include <vector>
 
 namespace bench {
+
+[[nodiscard]] inline std::array<double, 3> unit(const std::array<double, 3>& v) {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    return {v[0] / length, v[1] / length, v[2] / length};
+}
 
 // Six float properties a vertex, ascii or little-endian.
 inline Samples read_ply(const std::string& path) {
@@ -32,7 +37,7 @@ inline Samples read_ply(const std::string& path) {
     Samples samples;
     for (std::size_t i = 0; i < count; ++i) {
         const float* at = numbers.data() + 6 * i;
-        samples.add({at[0], at[1], at[2]}, {at[3], at[4], at[5]});
+        samples.add({at[0], at[1], at[2]}, unit({at[3], at[4], at[5]}));
     }
     return samples;
 }
@@ -71,7 +76,7 @@ inline Samples read_obj(const std::string& path) {
     }
     Samples samples;
     for (std::size_t i = 0; i < position.size(); ++i)
-        if (std::hypot(normal[i][0], normal[i][1], normal[i][2]) > 0.0) samples.add(position[i], normal[i]);
+        if (std::hypot(normal[i][0], normal[i][1], normal[i][2]) > 0.0) samples.add(position[i], unit(normal[i]));
     if (samples.points.empty()) throw std::runtime_error(path + " is not a mesh of triangles");
     return samples;
 }

@@ -105,10 +105,10 @@ private:
 
 std::int64_t allocations_of_a_whole_run() {
     Error error;
-    Ledger ledger;
-    EXPECT_OK(Pipeline(ledger_desc(ledger)).run(error));
-    EXPECT_EQ(ledger.bytes, 0);
-    return ledger.calls;
+    Allocator allocator;
+    EXPECT_OK(Pipeline(allocator_desc(allocator)).run(error));
+    EXPECT_EQ(allocator.bytes, 0);
+    return allocator.calls;
 }
 
 TEST(Allocation, EveryFailureIsCleanAndLeaksNothing) {
@@ -116,12 +116,12 @@ TEST(Allocation, EveryFailureIsCleanAndLeaksNothing) {
     ASSERT_GT(all, 50);
     for (std::int64_t k = 1; k <= all; ++k) {
         Error error;
-        Ledger ledger;
-        ledger.refuse_at = k;
-        ASSERT_EQ(Pipeline(ledger_desc(ledger)).run(error), HRBFNPR_STATUS_OUT_OF_MEMORY)
+        Allocator allocator;
+        allocator.refuse_at = k;
+        ASSERT_EQ(Pipeline(allocator_desc(allocator)).run(error), HRBFNPR_STATUS_OUT_OF_MEMORY)
             << k << " of " << all << ": " << error.record.message;
         ASSERT_NE(std::string(error.record.message).find("bytes"), std::string::npos) << error.record.message;
-        ASSERT_EQ(ledger.bytes, 0) << k << " of " << all;
+        ASSERT_EQ(allocator.bytes, 0) << k << " of " << all;
     }
     RecordProperty("allocations", static_cast<int>(all));
 }
@@ -129,32 +129,32 @@ TEST(Allocation, EveryFailureIsCleanAndLeaksNothing) {
 // Blue noise repeats the same few allocations hundreds of times, and a run of it is long: the first
 // ones and a sample of the others are refused.
 TEST(Allocation, EveryFailureOfBlueNoiseIsCleanToo) {
-    Ledger ledger;
-    const Context context = make_context(ledger_desc(ledger));
+    Allocator allocator;
+    const Context context = make_context(allocator_desc(allocator));
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
     hrbfnpr_generate_desc desc = small_desc();
     desc.groups = 3;
-    const std::int64_t before = ledger.calls;
+    const std::int64_t before = allocator.calls;
     generate(context, model, desc);
-    const std::int64_t all = ledger.calls - before;
-    const std::int64_t bytes = ledger.bytes;
+    const std::int64_t all = allocator.calls - before;
+    const std::int64_t bytes = allocator.bytes;
     for (std::int64_t k = 1; k <= all; k += k < 30 || k > all - 20 ? 1 : 29) {
         Error error;
         hrbfnpr_point_set* set = nullptr;
-        ledger.refuse_at = ledger.calls + k;
+        allocator.refuse_at = allocator.calls + k;
         ASSERT_EQ(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error),
                   HRBFNPR_STATUS_OUT_OF_MEMORY)
             << k << " of " << all << ": " << error.record.message;
         ASSERT_EQ(set, nullptr);
-        ASSERT_EQ(ledger.bytes, bytes) << k << " of " << all;
+        ASSERT_EQ(allocator.bytes, bytes) << k << " of " << all;
     }
 }
 
 TEST(Allocation, ARendererGoesOnAfterAFailure) {
     Error error;
-    Ledger ledger;
-    const Context context = make_context(ledger_desc(ledger));
+    Allocator allocator;
+    const Context context = make_context(allocator_desc(allocator));
     Sphere sphere;
     const PointSet set = generate(context, custom_sphere(context, sphere), small_desc());
     const auto wanted = draw(make_renderer(context), set);
@@ -162,9 +162,9 @@ TEST(Allocation, ARendererGoesOnAfterAFailure) {
     const hrbfnpr_camera camera = front_camera();
     const Renderer renderer = make_renderer(context);
     for (int after = 1; after < 40; ++after) {
-        ledger.refuse_at = ledger.calls + after;
+        allocator.refuse_at = allocator.calls + after;
         const hrbfnpr_status status = hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, error);
-        ledger.refuse_at = 0;
+        allocator.refuse_at = 0;
         if (status == HRBFNPR_STATUS_OK) break;
         EXPECT_EQ(status, HRBFNPR_STATUS_OUT_OF_MEMORY);
     }

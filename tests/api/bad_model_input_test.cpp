@@ -154,8 +154,8 @@ TEST(BadInput, Context) {
          "context_desc.log_level is 3; it must be one of HRBFNPR_LOG_... (0 to 2)"},
         {[](auto& d) { d.log_level = -1; }, invalid, "context_desc.log_level is -1"},
         {[](auto& d) { d.reserved = 1; }, invalid, "context_desc.reserved is 1; it must be 0"},
-        {[](auto& d) { d.allocate = Ledger::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
-        {[](auto& d) { d.deallocate = Ledger::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};
+        {[](auto& d) { d.allocate = Allocator::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
+        {[](auto& d) { d.deallocate = Allocator::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};
     for (const auto& row : rows) {
         Error error;
         auto desc = made(hrbfnpr_context_desc_init);

@@ -1,9 +1,11 @@
 // What the tests of the C boundary share: handles, small models, views of vectors.
 #pragma once
 
-#include "scenes/handles.h"
 #include "scenes/shapes.h"
-#include "scenes/test_backend.h"
+#include "support/allocator.h"
+#include "support/handles.h"
+#include "support/test_backend.h"
+#include "support/watcher.h"
 
 #include <gtest/gtest.h>
 #include <hrbfnpr.h>
@@ -18,15 +20,14 @@
 
 namespace api_test {
 
-using scenes::Context;
-using scenes::Model;
-using scenes::PointSet;
-using scenes::Renderer;
-
-struct ReleaseOperation {
-    void operator()(hrbfnpr_operation* handle) const { hrbfnpr_operation_release(handle); }
-};
-using Operation = std::unique_ptr<hrbfnpr_operation, ReleaseOperation>;
+using hrbfnpr::test::Allocator;
+using hrbfnpr::test::Context;
+using hrbfnpr::test::made;
+using hrbfnpr::test::Model;
+using hrbfnpr::test::Operation;
+using hrbfnpr::test::PointSet;
+using hrbfnpr::test::Renderer;
+using hrbfnpr::test::Watcher;
 
 // An error record, and what a call said in it.
 struct Error {
@@ -72,19 +73,11 @@ hrbfnpr_array_out out(std::vector<T>& data, std::uint32_t components = 3) {
     return {data.data(), static_cast<std::int64_t>(data.size() / components), 0, scalar_of<T>(), components};
 }
 
-// A struct that its `_init` function has set up.
-template <class T>
-T made(hrbfnpr_status (*init)(T*, std::uint32_t)) {
-    T value;
-    EXPECT_EQ(init(&value, sizeof value), HRBFNPR_STATUS_OK);
-    return value;
-}
-
 inline Context make_context(std::int32_t threads = 2) {
     Error error;
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = threads;
-    desc.thread_backend = scenes::test_backend();
+    desc.thread_backend = hrbfnpr::test::test_backend();
     hrbfnpr_context* context = nullptr;
     EXPECT_OK(hrbfnpr_context_create(&desc, &context, error));
     return Context(context);
@@ -257,37 +250,13 @@ inline Model custom_sphere(const Context& context, Sphere& sphere,
     return Model(model);
 }
 
-// An allocator that counts, and refuses the k-th call if told to.
-struct Ledger {
-    std::atomic<std::int64_t> calls{0};
-    std::atomic<std::int64_t> bytes{0};
-    std::int64_t refuse_at = 0; // 0 = none
-    bool refuse_after = false;  // and all later ones, too
-
-    static void* allocate(void* user, std::uint64_t size, std::uint64_t alignment);
-    static void deallocate(void* user, void* memory, std::uint64_t size, std::uint64_t alignment);
-};
-
-inline void* Ledger::allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
-    auto& self = *static_cast<Ledger*>(user);
-    const std::int64_t call = self.calls.fetch_add(1) + 1;
-    if (self.refuse_at > 0 && (call == self.refuse_at || (self.refuse_after && call > self.refuse_at))) return nullptr;
-    self.bytes.fetch_add(static_cast<std::int64_t>(size));
-    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-}
-
-inline void Ledger::deallocate(void* user, void* memory, std::uint64_t size, std::uint64_t /*alignment*/) {
-    static_cast<Ledger*>(user)->bytes.fetch_sub(static_cast<std::int64_t>(size));
-    std::free(memory);
-}
-
-inline hrbfnpr_context_desc ledger_desc(Ledger& ledger, std::int32_t threads = 1) {
+inline hrbfnpr_context_desc allocator_desc(Allocator& allocator, std::int32_t threads = 1) {
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = threads;
-    desc.thread_backend = scenes::test_backend();
-    desc.allocate = Ledger::allocate;
-    desc.deallocate = Ledger::deallocate;
-    desc.allocator_user = &ledger;
+    desc.thread_backend = hrbfnpr::test::test_backend();
+    desc.allocate = Allocator::allocate;
+    desc.deallocate = Allocator::deallocate;
+    desc.allocator_user = &allocator;
     return desc;
 }
 

@@ -16,9 +16,9 @@ namespace {
 TEST(Lifetime, HandlesCanBeReleasedInAnyOrder) {
     std::array<int, 5> order{0, 1, 2, 3, 4};
     do {
-        Ledger ledger;
+        Allocator allocator;
         Sphere sphere;
-        Context context = make_context(ledger_desc(ledger));
+        Context context = make_context(allocator_desc(allocator));
         Operation operation = make_operation(context);
         Model model = custom_sphere(context, sphere);
         hrbfnpr_generate_desc desc = small_desc();
@@ -39,35 +39,35 @@ TEST(Lifetime, HandlesCanBeReleasedInAnyOrder) {
             if (which == 3) set.reset();
             if (which == 4) renderer.reset();
         }
-        ASSERT_EQ(ledger.bytes, 0);
+        ASSERT_EQ(allocator.bytes, 0);
         ASSERT_EQ(sphere.releases, 1);
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
 TEST(Lifetime, NothingLeaks) {
-    Ledger ledger;
+    Allocator allocator;
     {
-        const Context context = make_context(ledger_desc(ledger, 2));
-        const std::int64_t alone = ledger.bytes;
+        const Context context = make_context(allocator_desc(allocator, 2));
+        const std::int64_t alone = allocator.bytes;
         EXPECT_EQ(info_of(context).bytes_now, 0);
         {
             const Model model = fit(context, scenes::torus(50));
             const PointSet set = generate(context, model, small_desc());
             draw(make_renderer(context), set);
-            EXPECT_EQ(info_of(context).bytes_now, ledger.bytes - alone);
+            EXPECT_EQ(info_of(context).bytes_now, allocator.bytes - alone);
             EXPECT_GE(info_of(context).bytes_peak, info_of(context).bytes_now);
             EXPECT_GT(info_of(context).bytes_now, 0);
         }
         EXPECT_EQ(info_of(context).bytes_now, 0);
         EXPECT_GT(info_of(context).bytes_peak, 0);
     }
-    EXPECT_EQ(ledger.bytes, 0);
+    EXPECT_EQ(allocator.bytes, 0);
 }
 
 TEST(Lifetime, RetainedHandlesLive) {
     Error error;
-    Ledger ledger;
-    Context context = make_context(ledger_desc(ledger));
+    Allocator allocator;
+    Context context = make_context(allocator_desc(allocator));
     Model model = fit(context, scenes::sphere_6());
     hrbfnpr_context_retain(context.get());
     hrbfnpr_model_retain(model.get());
@@ -83,7 +83,7 @@ TEST(Lifetime, RetainedHandlesLive) {
     Sphere sphere;
     const hrbfnpr_point_set* same_set = nullptr;
     {
-        const Context other = make_context(ledger_desc(ledger));
+        const Context other = make_context(allocator_desc(allocator));
         const PointSet set = generate(other, custom_sphere(other, sphere), small_desc(HRBFNPR_DISTRIBUTION_PAPER));
         same_set = set.get();
         hrbfnpr_point_set_retain(same_set);
@@ -95,7 +95,7 @@ TEST(Lifetime, RetainedHandlesLive) {
     hrbfnpr_point_set_release(same_set);
     hrbfnpr_model_release(same_model);
     hrbfnpr_context_release(same_context);
-    EXPECT_EQ(ledger.bytes, 0);
+    EXPECT_EQ(allocator.bytes, 0);
 }
 
 TEST(Lifetime, RetainedOperationsAndRenderersLive) {

@@ -6,21 +6,6 @@
 namespace api_test {
 namespace {
 
-// What a progress callback saw, and when it cancels.
-struct Watch {
-    std::vector<double> values;
-    std::size_t cancel_at = 0; // the how-manieth call; 0 = never
-    std::thread::id thread = std::this_thread::get_id();
-    bool other_thread = false;
-
-    static std::int32_t call(void* user, double progress) {
-        auto& self = *static_cast<Watch*>(user);
-        self.values.push_back(progress);
-        self.other_thread = self.other_thread || std::this_thread::get_id() != self.thread;
-        return self.values.size() == self.cancel_at ? 1 : 0;
-    }
-};
-
 // Every kind of long call, on the same data.
 struct Calls {
     explicit Calls(std::int32_t threads = 2)
@@ -126,17 +111,17 @@ TEST(Operation, ProgressRisesToOneInEveryCall) {
         for (const auto& [name, call] : calls.all()) {
             Error error;
             const Operation operation = make_operation(calls.context);
-            Watch watch;
-            EXPECT_OK(hrbfnpr_operation_set_callback(operation.get(), Watch::call, &watch, error));
+            Watcher watcher;
+            EXPECT_OK(hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &watcher, error));
             EXPECT_OK(call(operation.get(), error)) << name;
             EXPECT_EQ(hrbfnpr_operation_progress(operation.get()), 1.0) << name;
-            EXPECT_FALSE(watch.other_thread) << name;
+            EXPECT_FALSE(watcher.other_thread) << name;
             // Other threads may have done all the work.
-            ASSERT_GE(watch.values.size(), threads == 1 ? 2U : 1U) << name;
-            EXPECT_EQ(watch.values.back(), 1.0) << name;
-            EXPECT_GE(watch.values.front(), 0.0) << name;
-            EXPECT_TRUE(watch.values.front() < 1.0 || threads > 1) << name;
-            EXPECT_TRUE(std::is_sorted(watch.values.begin(), watch.values.end())) << name;
+            ASSERT_GE(watcher.values.size(), threads == 1 ? 2U : 1U) << name;
+            EXPECT_EQ(watcher.values.back(), 1.0) << name;
+            EXPECT_GE(watcher.values.front(), 0.0) << name;
+            EXPECT_TRUE(watcher.values.front() < 1.0 || threads > 1) << name;
+            EXPECT_TRUE(std::is_sorted(watcher.values.begin(), watcher.values.end())) << name;
         }
     }
 }
@@ -153,22 +138,22 @@ std::vector<std::size_t> moments(std::size_t count) {
 TEST(Operation, CanBeCancelledAtEveryStage) {
     Calls calls(1);
     for (const auto& [name, call] : calls.all()) {
-        Watch counted;
+        Watcher counted;
         {
             Error error;
             const Operation operation = make_operation(calls.context);
-            hrbfnpr_operation_set_callback(operation.get(), Watch::call, &counted, nullptr);
+            hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &counted, nullptr);
             ASSERT_OK(call(operation.get(), error));
         }
         const std::int64_t before = info_of(calls.context).bytes_now;
         for (const std::size_t n : moments(counted.values.size())) {
             Error error;
             const Operation operation = make_operation(calls.context);
-            Watch watch;
-            watch.cancel_at = n;
-            hrbfnpr_operation_set_callback(operation.get(), Watch::call, &watch, nullptr);
+            Watcher watcher;
+            watcher.cancel_at_call = n;
+            hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &watcher, nullptr);
             EXPECT_FAILS(call(operation.get(), error), HRBFNPR_STATUS_CANCELLED, "cancelled");
-            EXPECT_EQ(watch.values.size(), n) << name; // nothing more is heard of it
+            EXPECT_EQ(watcher.values.size(), n) << name; // nothing more is heard of it
             EXPECT_EQ(hrbfnpr_operation_is_cancelled(operation.get()), 1);
         }
         EXPECT_EQ(info_of(calls.context).bytes_now, before) << name;

@@ -47,9 +47,9 @@ std::int64_t refuse_each(F&& call) {
 }
 
 TEST(OperatorNew, FailuresAreCleanAndLeakNothing) {
-    Ledger ledger;
+    Allocator allocator;
     Error error;
-    const Context context = make_context(ledger_desc(ledger));
+    const Context context = make_context(allocator_desc(allocator));
     const scenes::Samples samples = scenes::sphere_6();
     const hrbfnpr_fit_desc desc = fit_desc(samples);
     const hrbfnpr_generate_desc generate_desc = small_desc(HRBFNPR_DISTRIBUTION_PAPER);
@@ -60,7 +60,7 @@ TEST(OperatorNew, FailuresAreCleanAndLeakNothing) {
         return status;
     });
     const Model model = fit(context, samples);
-    const std::int64_t bytes = ledger.bytes;
+    const std::int64_t bytes = allocator.bytes;
     refused += refuse_each([&] {
         hrbfnpr_point_set* set = nullptr;
         const hrbfnpr_status status =
@@ -68,14 +68,14 @@ TEST(OperatorNew, FailuresAreCleanAndLeakNothing) {
         hrbfnpr_point_set_release(set);
         return status;
     });
-    EXPECT_EQ(ledger.bytes, bytes);
+    EXPECT_EQ(allocator.bytes, bytes);
     refused += refuse_each([&] {
         hrbfnpr_renderer* renderer = nullptr;
         const hrbfnpr_status status = hrbfnpr_renderer_create(context.get(), &renderer, error);
         hrbfnpr_renderer_release(renderer);
         return status;
     });
-    EXPECT_EQ(ledger.bytes, bytes);
+    EXPECT_EQ(allocator.bytes, bytes);
     refused += refuse_each([&] {
         std::int64_t needed = 0;
         char text[4096];

@@ -148,15 +148,15 @@ TEST_F(RendererTest, WritesVertices) {
 }
 
 TEST_F(RendererTest, AllocatesNothingOnceItIsWarm) {
-    Ledger ledger;
-    const Context counted = make_context(ledger_desc(ledger));
+    Allocator allocator;
+    const Context counted = make_context(allocator_desc(allocator));
     const Model round = custom_sphere(counted, sphere);
     const PointSet marks = generate(counted, round, small_desc());
     const Renderer warm = make_renderer(counted);
     for (int frame = 0; frame < 3; ++frame) draw(warm, marks);
-    const std::int64_t before = ledger.calls;
+    const std::int64_t before = allocator.calls;
     const auto first = draw(warm, marks);
-    EXPECT_EQ(ledger.calls, before);
+    EXPECT_EQ(allocator.calls, before);
     EXPECT_EQ(first, draw(warm, marks));
 }
 

@@ -1,9 +1,9 @@
 #include "base/memory.h"
 #include "base/runtime.h"
+#include "support/allocator.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -11,26 +11,7 @@
 namespace hrbfnpr::base {
 namespace {
 
-struct Ledger {
-    std::int64_t calls = 0;
-    std::int64_t bytes = 0;
-    std::uint64_t worst_alignment = 64;
-    std::int64_t allowed = -1; // calls that succeed; -1 = all
-};
-
-void* ledger_allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
-    auto& ledger = *static_cast<Ledger*>(user);
-    if (ledger.allowed >= 0 && ledger.calls >= ledger.allowed) return nullptr;
-    ++ledger.calls;
-    ledger.bytes += static_cast<std::int64_t>(size);
-    ledger.worst_alignment = std::min(ledger.worst_alignment, alignment);
-    return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-}
-
-void ledger_deallocate(void* user, void* memory, std::uint64_t size, std::uint64_t /*alignment*/) {
-    static_cast<Ledger*>(user)->bytes -= static_cast<std::int64_t>(size);
-    std::free(memory);
-}
+using test::Allocator;
 
 TEST(Memory, CountsBytesNowAndAtPeak) {
     Memory memory;
@@ -52,20 +33,20 @@ TEST(Memory, AlignsToCacheLines) {
 }
 
 TEST(Memory, UsesTheGivenAllocatorWithSizeAndAlignment) {
-    Ledger ledger;
-    Memory memory(ledger_allocate, ledger_deallocate, &ledger);
+    Allocator allocator;
+    Memory memory(Allocator::allocate, Allocator::deallocate, &allocator);
     {
         const Array<double> array(memory, 10);
-        EXPECT_EQ(ledger.bytes, 80);
-        EXPECT_EQ(ledger.worst_alignment, Memory::alignment);
+        EXPECT_EQ(allocator.bytes, 80);
+        EXPECT_EQ(allocator.smallest_alignment, Memory::alignment);
     }
-    EXPECT_EQ(ledger.bytes, 0);
+    EXPECT_EQ(allocator.bytes, 0);
 }
 
 TEST(Memory, SaysHowManyBytesWereRefused) {
-    Ledger ledger;
-    ledger.allowed = 0;
-    Memory memory(ledger_allocate, ledger_deallocate, &ledger);
+    Allocator allocator;
+    allocator.refuse_at = 1;
+    Memory memory(Allocator::allocate, Allocator::deallocate, &allocator);
     try {
         [[maybe_unused]] void* block = memory.allocate(12345);
         FAIL() << "no exception";
@@ -154,9 +135,9 @@ TEST(Array, RefusesSizesBeyondAnyMemory) {
 }
 
 TEST(Array, IsUnchangedWhenTheAllocatorRefuses) {
-    Ledger ledger;
-    ledger.allowed = 1;
-    Memory memory(ledger_allocate, ledger_deallocate, &ledger);
+    Allocator allocator;
+    allocator.refuse_at = 2;
+    Memory memory(Allocator::allocate, Allocator::deallocate, &allocator);
     Array<int> array(memory, 4);
     array[3] = 42;
     EXPECT_THROW(array.resize(100), Error);

@@ -1,5 +1,6 @@
 #include "base/operation.h"
 #include "base/status.h"
+#include "support/watcher.h"
 
 #include <gtest/gtest.h>
 
@@ -9,15 +10,7 @@
 namespace hrbfnpr::base {
 namespace {
 
-struct Seen {
-    std::vector<double> values;
-    std::size_t cancel_at = 0; // the how-manieth call cancels; 0 = none
-    static std::int32_t call(void* user, double progress) {
-        auto& seen = *static_cast<Seen*>(user);
-        seen.values.push_back(progress);
-        return seen.values.size() == seen.cancel_at ? 1 : 0;
-    }
-};
+using test::Watcher;
 
 Status status_of(const auto& body) {
     try {
@@ -44,28 +37,28 @@ TEST(Operation, ProgressNeverFallsAndIsClamped) {
 
 TEST(Operation, TheCallbackSeesARisingProgress) {
     Operation operation;
-    Seen seen;
-    operation.set_callback(Seen::call, &seen);
+    Watcher watcher;
+    operation.set_callback(Watcher::call, &watcher);
     operation.begin();
     for (const double progress : {0.1, 0.4, 0.2, 0.9}) operation.report(progress);
-    EXPECT_EQ(seen.values, (std::vector<double>{0.1, 0.4, 0.4, 0.9}));
+    EXPECT_EQ(watcher.values, (std::vector<double>{0.1, 0.4, 0.4, 0.9}));
 }
 
 TEST(Operation, TheCallbackRunsOnlyOnTheThreadThatEntered) {
     Operation operation;
-    Seen seen;
-    operation.set_callback(Seen::call, &seen);
+    Watcher watcher;
+    operation.set_callback(Watcher::call, &watcher);
     operation.begin();
     std::thread([&] { operation.report(0.5); }).join();
-    EXPECT_TRUE(seen.values.empty());
+    EXPECT_TRUE(watcher.values.empty());
     EXPECT_EQ(operation.progress(), 0.5);
 }
 
 TEST(Operation, ACallbackCanCancel) {
     Operation operation;
-    Seen seen;
-    seen.cancel_at = 2;
-    operation.set_callback(Seen::call, &seen);
+    Watcher watcher;
+    watcher.cancel_at_call = 2;
+    operation.set_callback(Watcher::call, &watcher);
     operation.begin();
     const Progress progress(&operation);
     progress.update(0.1);

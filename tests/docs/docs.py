@@ -1,10 +1,14 @@
+# SPDX-License-Identifier: MIT
 """What the documents say, held against the project.
 
-    docs.py links ROOT                      links to files of the project lead somewhere
+    docs.py links ROOT                      links to files of the project, and to their headings, lead somewhere
+    docs.py glossary ROOT                   docs/glossary.md is sorted; each entry names a work that is listed, or is ours
     docs.py versions ROOT                   CHANGELOG.md, CITATION.cff and Cargo.toml name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
-        README.md contains examples/FILE to the letter, and PROGRAM (or, for a .py, the file itself)
+        README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
+        (or, for a .py, the file itself)
         leaves a drawing in the current folder
+    docs.py tutorial ROOT                   the code of docs/tutorial.md runs, and draws the pictures that are committed
 """
 
 import importlib.util
@@ -12,6 +16,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import unicodedata
 from pathlib import Path
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
@@ -19,16 +24,71 @@ LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
 
 
 def documents(root):
-    return sorted([*root.glob("*.md"), *root.glob("docs/**/*.md"), *root.glob("bindings/**/README.md")])
+    folders = ("*.md", "docs/**/*.md", "bindings/**/README.md", "examples/**/*.md")
+    return sorted(path for folder in folders for path in root.glob(folder) if "build" not in path.relative_to(root).parts)
+
+
+def prose(document):
+    """The text of a document without its blocks of code."""
+    return re.sub(r"^```.*?^```$", "", document.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+
+
+def anchors(document):
+    """What a link to a heading of a document may say behind #, as GitHub makes it."""
+    headings = re.findall(r"^#+ +(.+?) *$", prose(document), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 def broken_links(root):
     for document in documents(root):
-        text = re.sub(r"```.*?```", "", document.read_text(encoding="utf-8"), flags=re.DOTALL)
-        for target in re.findall(r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"", text):
-            target = (target[0] or target[1]).split("#")[0]
-            if target and "://" not in target and not (document.parent / target).exists():
-                yield f"{document.relative_to(root)} links to {target}, which is not there"
+        for found in re.findall(r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"", prose(document)):
+            link = found[0] or found[1]
+            if "://" in link or link.startswith("mailto:"):
+                continue
+            name, _, anchor = link.partition("#")
+            target = document.parent / name if name else document
+            if not target.exists():
+                yield f"{document.relative_to(root)} links to {name}, which is not there"
+            elif anchor and target.suffix == ".md" and anchor not in anchors(target):
+                yield f"{document.relative_to(root)} links to {link}, but no heading there is called so"
+
+
+def sort_key(term):
+    """A term without accents and case."""
+    return unicodedata.normalize("NFD", term).encode("ascii", "ignore").decode().lower()
+
+
+def glossary_list(text, what):
+    """Pairs of a term and its whole line, of one list of the glossary; what is wrong with it goes to `what`."""
+    entries = []
+    for line in text.splitlines():
+        found = re.match(r"- \*\*(.+?)\*\*(?:[:,] |$)", line)
+        if found:
+            entries.append((found.group(1), line))
+        elif line.startswith(("-", "*", " ", "\t")):
+            what.append(f"docs/glossary.md: an entry is one line, '- **term**: ...' or '- **term**, here: ...', not: {line}")
+    for (before, _), (after, _) in zip(entries, entries[1:]):
+        if sort_key(before) >= sort_key(after):
+            what.append(f"docs/glossary.md: {after} does not belong behind {before}")
+    return entries
+
+
+def wrong_glossary(root):
+    findings = []
+    terms, _, references = (root / "docs/glossary.md").read_text(encoding="utf-8").partition("\n## References\n")
+    entries, works = glossary_list(terms, findings), dict(glossary_list(references, findings))
+    if not entries or not works:
+        findings.append("docs/glossary.md has no entries or no references")
+    cited = set()
+    for term, line in entries:
+        names = re.findall(r"\[([^\],]+)(?:, [\d.]+)?\](?!\()", line)
+        cited.update(names)
+        findings += [f"docs/glossary.md: {term} cites {name}, which is not listed" for name in names if name not in works]
+        ours = re.match(r"- \*\*.+?\*\*(?:, [^:]*)?, here: \S", line)
+        if not ours and not re.search(r"\]$", line):
+            findings.append(f"docs/glossary.md: {term} ends with no [work], and is not defined ', here: '")
+    findings += [f"docs/glossary.md lists {work}, which no entry cites" for work in works if work not in cited]
+    return findings
 
 
 def wrong_versions(root):
@@ -73,12 +133,10 @@ def ink_share(path):
 def quickstart(root, name, program):
     example = (root / "examples" / name).read_text(encoding="utf-8")
     blocks = code_blocks((root / "README.md").read_text(encoding="utf-8"), LANGUAGES[Path(name).suffix])
-    if example not in blocks:
+    if re.sub(r"\A.*SPDX-License-Identifier: MIT.*\n", "", example) not in blocks:
         yield f"README.md does not contain examples/{name} to the letter"
-    missing = [] if program else [name for name in ("cffi", "numpy", "PIL") if importlib.util.find_spec(name) is None]
-    if missing:
-        print(f"skipped: {sys.executable} does not have {', '.join(missing)}")
-        sys.exit(SKIPPED)
+    if not program:
+        skip_without("cffi", "numpy", "PIL")
     command = program or [sys.executable, str(root / "examples" / name)]
     with tempfile.TemporaryDirectory() as folder:
         result = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -95,12 +153,57 @@ def quickstart(root, name, program):
             yield f"{name}: a drawing with ink on {100 * share:.1f} % of its pixels is no drawing"
 
 
+def skip_without(*modules):
+    missing = [name for name in modules if importlib.util.find_spec(name) is None]
+    if missing:
+        print(f"skipped: {sys.executable} does not have {', '.join(missing)}")
+        sys.exit(SKIPPED)
+
+
+def unlike(picture, committed):
+    """How two pictures differ in size or in their mean tone, of 0 to 255; None if they are alike."""
+    from PIL import Image, ImageStat
+
+    images = [Image.open(path).convert("L") for path in (picture, committed)]
+    if images[0].size != images[1].size:
+        return f"is {images[1].size} pixels large, and the code draws {images[0].size}"
+    means = [ImageStat.Stat(image).mean[0] for image in images]
+    if abs(means[0] - means[1]) > 3:
+        return f"has the mean tone {means[1]:.1f}, and the code draws {means[0]:.1f}"
+    if ImageStat.Stat(images[0]).stddev[0] < 5:
+        return "is empty"
+    return None
+
+
+def tutorial(root):
+    skip_without("cffi", "numpy", "PIL")
+    shown = set(re.findall(r'src="images/tutorial/([^"]+)"', (root / "docs/tutorial.md").read_text(encoding="utf-8")))
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-B", str(root / "docs/tutorial_pictures.py"), folder]
+        result = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        print(result.stdout)
+        if result.returncode != 0:
+            yield f"the code of docs/tutorial.md failed with {result.returncode}"
+            return
+        drawn = {path.name for path in Path(folder).iterdir()}
+        committed = {path.name for path in (root / "docs/images/tutorial").iterdir()}
+        if not shown or not shown == drawn == committed:
+            yield f"docs/tutorial.md shows {sorted(shown)}, its code draws {sorted(drawn)}, {sorted(committed)} are committed"
+        for name in sorted(drawn & committed):
+            why = unlike(Path(folder) / name, root / "docs/images/tutorial" / name)
+            if why:
+                yield f"docs/images/tutorial/{name} {why}: run docs/tutorial_pictures.py"
+
+
+CHECKS = {"links": broken_links, "glossary": wrong_glossary, "versions": wrong_versions, "tutorial": tutorial}
+
+
 def main():
     what, root = sys.argv[1], Path(sys.argv[2]).resolve()
     if what == "quickstart":
         findings = list(quickstart(root, sys.argv[3], sys.argv[4:]))
     else:
-        findings = list({"links": broken_links, "versions": wrong_versions}[what](root))
+        findings = list(CHECKS[what](root))
     print("\n".join(findings) if findings else f"{what}: as it should be")
     return 1 if findings else 0
 

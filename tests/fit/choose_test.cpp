@@ -3,6 +3,7 @@
 #include "base/random.h"
 #include "base/status.h"
 #include "fit/shapes.h"
+#include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,8 @@
 namespace {
 
 using namespace hrbfnpr;
-using namespace test;
+using namespace fit_test;
+using hrbfnpr::test::WatchedOperation;
 
 base::Runtime runtime_of(int threads, base::LogFn log = nullptr, void* user = nullptr) {
     return base::Runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
@@ -210,24 +212,6 @@ TEST(Choose, DoesNotChaseNoise) {
     EXPECT_LT(std::sqrt(sum / static_cast<double>(truth.count())), 0.004);
 }
 
-// Cancels when the progress comes to a value.
-struct Watcher {
-    explicit Watcher(double at) : cancel_at(at) {
-        operation.set_callback(
-            [](void* user, double progress) -> std::int32_t {
-                auto& watcher = *static_cast<Watcher*>(user);
-                watcher.last = progress;
-                return progress >= watcher.cancel_at ? 1 : 0;
-            },
-            this);
-        operation.begin();
-    }
-
-    base::Operation operation;
-    double cancel_at;
-    double last = 0.0;
-};
-
 TEST(Choose, StopsWhereverItIsCancelled) {
     const base::Runtime runtime;
     const Cloud cloud = scan(bumpy(3000));
@@ -235,14 +219,14 @@ TEST(Choose, StopsWhereverItIsCancelled) {
     call.regularization_mode = fit::RegularizationMode::automatic;
     call.outliers = fit::Repair::drop;
     for (const double cancel_at : {0.0, 0.01, 0.02, 0.025, 0.03, 0.1, 0.3, 0.5, 0.7, 0.8, 0.85}) {
-        Watcher watcher(cancel_at);
-        EXPECT_THROW((void)fit::fit(runtime, call, base::Progress(&watcher.operation)), Error) << cancel_at;
-        EXPECT_LT(watcher.last, 1.0);
+        WatchedOperation watched(cancel_at);
+        EXPECT_THROW((void)fit::fit(runtime, call, watched.progress()), Error) << cancel_at;
+        EXPECT_LT(watched.watcher.last(), 1.0);
         EXPECT_EQ(runtime.memory.bytes_now(), 0) << cancel_at;
     }
-    Watcher watcher(2.0);
-    (void)fit::fit(runtime, call, base::Progress(&watcher.operation));
-    EXPECT_EQ(watcher.last, 1.0);
+    WatchedOperation watched;
+    (void)fit::fit(runtime, call, watched.progress());
+    EXPECT_EQ(watched.watcher.last(), 1.0);
 }
 
 } // namespace

@@ -10,7 +10,7 @@
 namespace {
 
 using namespace hrbfnpr;
-using namespace test;
+using namespace fit_test;
 using fit::Repair;
 
 base::Runtime runtime_of(int threads) {

@@ -8,7 +8,7 @@
 namespace fit = hrbfnpr::fit;
 using hrbfnpr::base::Runtime;
 using hrbfnpr::kernel::Kind;
-using namespace test;
+using namespace fit_test;
 
 namespace {
 

@@ -11,7 +11,7 @@ namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
 using hrbfnpr::Status;
 using hrbfnpr::kernel::Kind;
-using namespace test;
+using namespace fit_test;
 
 namespace {
 

@@ -9,7 +9,7 @@
 namespace {
 
 using namespace hrbfnpr;
-using namespace test;
+using namespace fit_test;
 
 // Standard normal, by Box and Muller.
 double gaussian(std::int64_t i, std::uint32_t lane) {

@@ -16,7 +16,7 @@ using hrbfnpr::geometry::VecArray;
 namespace {
 
 VecArray positions(const Runtime& runtime, int count) {
-    const test::Cloud cloud = test::bumpy(count);
+    const fit_test::Cloud cloud = fit_test::bumpy(count);
     VecArray result(runtime.memory);
     for (std::int64_t i = 0; i < cloud.count(); ++i)
         result.push_back(9.0 * cloud.point(i) + glm::dvec3(20.0, 0.0, -5.0));

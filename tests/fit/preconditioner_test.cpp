@@ -24,7 +24,7 @@ const Kind kinds[] = {Kind::triharmonic, Kind::gaussian, Kind::wendland_c2};
 
 // The samples are about 1 apart.
 VecArray positions(base::Memory& memory, int count) {
-    const test::Cloud cloud = test::bumpy(count);
+    const fit_test::Cloud cloud = fit_test::bumpy(count);
     VecArray result(memory);
     for (std::int64_t i = 0; i < cloud.count(); ++i) result.push_back(std::sqrt(count / 12.0) * cloud.point(i));
     return result;

@@ -16,7 +16,7 @@ namespace fit = hrbfnpr::fit;
 namespace implicit = hrbfnpr::implicit;
 using hrbfnpr::geometry::VecArray;
 using implicit::Prepared;
-using namespace test;
+using namespace fit_test;
 
 namespace {
 

@@ -9,7 +9,7 @@ namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
 namespace kernel = hrbfnpr::kernel;
 using kernel::Kind;
-using namespace test;
+using namespace fit_test;
 
 namespace {
 

@@ -1,41 +1,35 @@
-#include "shapes.h"
-
 #include "base/status.h"
+#include "shapes.h"
+#include "support/runtime.h"
+#include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdlib>
-#include <new>
 
 namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
 using hrbfnpr::Status;
 using hrbfnpr::kernel::Kind;
-using namespace test;
+using namespace fit_test;
+using hrbfnpr::test::Allocator;
+using hrbfnpr::test::same_bits;
+using hrbfnpr::test::WatchedOperation;
+using hrbfnpr::test::with_allocator;
+using hrbfnpr::test::with_threads;
 
 namespace {
 
 void expect_same_bits(const fit::FitResult& a, const fit::FitResult& b, const std::string& what) {
-    const auto same = [&](const base::Array<double>& x, const base::Array<double>& y) {
-        ASSERT_EQ(x.size(), y.size()) << what;
-        if (x.empty()) return;
-        EXPECT_EQ(std::memcmp(x.data(), y.data(), static_cast<std::size_t>(x.size()) * sizeof(double)), 0) << what;
-    };
-    same(a.data.alpha, b.data.alpha);
-    same(a.data.beta.x, b.data.beta.x);
-    same(a.data.beta.y, b.data.beta.y);
-    same(a.data.beta.z, b.data.beta.z);
-    same(a.data.polynomial, b.data.polynomial);
+    EXPECT_TRUE(same_bits(a.data.alpha, b.data.alpha)) << what;
+    EXPECT_TRUE(same_bits(a.data.beta.x, b.data.beta.x)) << what;
+    EXPECT_TRUE(same_bits(a.data.beta.y, b.data.beta.y)) << what;
+    EXPECT_TRUE(same_bits(a.data.beta.z, b.data.beta.z)) << what;
+    EXPECT_TRUE(same_bits(a.data.polynomial, b.data.polynomial)) << what;
     EXPECT_EQ(a.data.spacing, b.data.spacing) << what;
     EXPECT_EQ(a.report.condition_estimate, b.report.condition_estimate) << what;
     EXPECT_EQ(a.report.solver_residual, b.report.solver_residual) << what;
     EXPECT_EQ(a.report.gradient_residual_rms, b.report.gradient_residual_rms) << what;
-}
-
-base::Runtime with_threads(int threads) {
-    return {nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), base::InstructionSet::automatic,
-            nullptr, nullptr};
 }
 
 TEST(Robustness, SameBitsForAnyNumberOfThreads) {
@@ -67,37 +61,15 @@ TEST(Robustness, RunsOnAHostsTasks) {
     EXPECT_GT(tasks.load(), 10);
 }
 
-struct Watcher {
-    base::Operation operation;
-    double cancel_at = 2.0;
-    double last = -1.0;
-    int calls = 0;
-    bool fell = false;
-
-    explicit Watcher(double at) : cancel_at(at) {
-        operation.set_callback(
-            [](void* user, double progress) -> std::int32_t {
-                auto& watcher = *static_cast<Watcher*>(user);
-                ++watcher.calls;
-                watcher.fell = watcher.fell || progress < watcher.last;
-                watcher.last = progress;
-                return progress >= watcher.cancel_at ? 1 : 0;
-            },
-            this);
-        operation.begin();
-    }
-};
-
 TEST(Robustness, ReportsProgressUpToOne) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(130);
     for (const std::int32_t degree : {-1, 1}) {
-        Watcher watcher(2.0);
-        static_cast<void>(
-            fit::fit(runtime, input(cloud, Kind::triharmonic, degree), base::Progress(&watcher.operation)));
-        EXPECT_GT(watcher.calls, 10);
-        EXPECT_FALSE(watcher.fell);
-        EXPECT_DOUBLE_EQ(watcher.last, 1.0);
+        WatchedOperation watched;
+        static_cast<void>(fit::fit(runtime, input(cloud, Kind::triharmonic, degree), watched.progress()));
+        EXPECT_GT(watched.watcher.values.size(), 10U);
+        EXPECT_FALSE(watched.watcher.fell());
+        EXPECT_DOUBLE_EQ(watched.watcher.last(), 1.0);
     }
 }
 
@@ -106,10 +78,9 @@ TEST(Robustness, StopsWhereverItIsCancelled) {
     const Cloud cloud = bumpy(130);
     for (const std::int32_t degree : {-1, 1}) {
         for (const double cancel_at : {0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.94, 0.97}) {
-            Watcher watcher(cancel_at);
+            WatchedOperation watched(cancel_at);
             try {
-                static_cast<void>(
-                    fit::fit(runtime, input(cloud, Kind::triharmonic, degree), base::Progress(&watcher.operation)));
+                static_cast<void>(fit::fit(runtime, input(cloud, Kind::triharmonic, degree), watched.progress()));
                 ADD_FAILURE() << "not cancelled at " << cancel_at;
             } catch (const hrbfnpr::Error& error) {
                 EXPECT_EQ(error.status(), Status::cancelled);
@@ -119,36 +90,16 @@ TEST(Robustness, StopsWhereverItIsCancelled) {
     }
 }
 
-// An allocator that fails once, at the k-th call.
-struct Budget {
-    std::atomic<std::int64_t> calls{0};
-    std::int64_t failing = -1;
-    std::atomic<std::int64_t> alive{0};
-
-    static void* allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
-        auto& budget = *static_cast<Budget*>(user);
-        if (budget.calls.fetch_add(1) == budget.failing) return nullptr;
-        budget.alive.fetch_add(1);
-        return ::operator new (size, std::align_val_t{alignment}, std::nothrow);
-    }
-    static void deallocate(void* user, void* memory, std::uint64_t /*size*/, std::uint64_t alignment) {
-        static_cast<Budget*>(user)->alive.fetch_sub(1);
-        ::operator delete (memory, std::align_val_t{alignment});
-    }
-};
-
 TEST(Robustness, EveryAllocationMayFail) {
     Cloud cloud = bumpy(40);
     cloud.add(cloud.point(2), cloud.normal(2));
     for (const std::int32_t degree : {-1, 1}) {
-        std::int64_t failing = 0;
+        std::int64_t failing = 1;
         for (bool done = false; !done; ++failing) {
-            Budget budget;
-            budget.failing = failing;
+            Allocator allocator;
+            allocator.refuse_at = failing;
             {
-                const base::Runtime runtime(Budget::allocate, Budget::deallocate, &budget,
-                                            base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic,
-                                            nullptr, nullptr);
+                const base::Runtime runtime = with_allocator(allocator);
                 try {
                     const fit::FitResult result = fit::fit(runtime, input(cloud, Kind::triharmonic, degree), {});
                     done = true;
@@ -158,24 +109,17 @@ TEST(Robustness, EveryAllocationMayFail) {
                 }
                 EXPECT_EQ(runtime.memory.bytes_now(), 0) << failing;
             }
-            EXPECT_EQ(budget.alive.load(), 0) << failing;
+            EXPECT_EQ(allocator.blocks, 0) << failing;
             ASSERT_LT(failing, 1000);
         }
-        EXPECT_GT(failing, 20);
+        EXPECT_GT(failing, 21);
     }
 }
 
 TEST(Robustness, AMatrixThatDoesNotFitIsNamedWithItsBytes) {
-    const auto stingy = [](void*, std::uint64_t size, std::uint64_t alignment) -> void* {
-        if (size > 1000000) return nullptr;
-        return ::operator new (size, std::align_val_t{alignment}, std::nothrow);
-    };
-    const base::Runtime runtime(
-        stingy,
-        [](void*, void* memory, std::uint64_t, std::uint64_t alignment) {
-            ::operator delete (memory, std::align_val_t{alignment});
-        },
-        nullptr, base::Parallel(), base::InstructionSet::automatic, nullptr, nullptr);
+    Allocator allocator;
+    allocator.largest = 1000000;
+    const base::Runtime runtime = with_allocator(allocator);
     const Cloud cloud = sphere(200);
     fit::FitInput dense = input(cloud);
     dense.solver = fit::SolverKind::direct;

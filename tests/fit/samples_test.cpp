@@ -10,7 +10,7 @@ namespace fit = hrbfnpr::fit;
 using hrbfnpr::Status;
 using hrbfnpr::base::Runtime;
 using hrbfnpr::kernel::Kind;
-using namespace test;
+using namespace fit_test;
 
 namespace {
 

@@ -19,7 +19,7 @@ using hrbfnpr::base::Memory;
 using hrbfnpr::base::Runtime;
 using hrbfnpr::geometry::VecArray;
 using kernel::Kind;
-using namespace test;
+using namespace fit_test;
 
 namespace {
 

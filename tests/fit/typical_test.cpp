@@ -10,7 +10,7 @@
 namespace {
 
 using namespace hrbfnpr;
-using namespace test;
+using namespace fit_test;
 
 bool odd(std::int64_t i) { return i % 29 == 5; }
 

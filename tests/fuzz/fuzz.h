@@ -4,6 +4,7 @@
 
 #include "io/crc32.h"
 #include "io/format.h"
+#include "support/allocator.h"
 
 #include <hrbfnpr.h>
 
@@ -81,7 +82,7 @@ public:
                 require(!static_cast<Context*>(self)->loading, "a declared length is not believed");
                 return nullptr;
             }
-            return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+            return hrbfnpr::test::Allocator::aligned(bytes, alignment);
         };
         desc.deallocate = [](void*, void* memory, std::uint64_t, std::uint64_t) { std::free(memory); };
         Call call("context_create");

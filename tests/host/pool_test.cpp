@@ -5,12 +5,14 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <dlfcn.h>
 #include <filesystem>
 #include <fstream>
 #include <pthread.h>
 #include <set>
 #include <string>
+#include <thread>
 
 namespace {
 
@@ -43,6 +45,13 @@ std::set<std::string> threads_of_the_library() {
     return names;
 }
 
+// The same, once there are as many as wanted or ten seconds are over: a thread gives itself its name.
+std::set<std::string> threads_of_the_library(std::size_t wanted) {
+    for (int wait = 0; wait < 10000 && threads_of_the_library().size() != wanted; ++wait)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return threads_of_the_library();
+}
+
 Context context_by(std::int32_t threads, std::uint32_t backend) {
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = threads;
@@ -56,7 +65,7 @@ TEST(Pool, LivesFromTheFirstNeedToTheLastReference) {
     EXPECT_EQ(threads_of_the_library(), Names{});
     Model model = fit(context);
     const Names three = {"hrbfnpr-1", "hrbfnpr-2", "hrbfnpr-3"};
-    EXPECT_EQ(threads_of_the_library(), three);
+    EXPECT_EQ(threads_of_the_library(3), three);
     context.reset();
     EXPECT_EQ(threads_of_the_library(), three); // the model's
     model.reset();

@@ -12,7 +12,7 @@ Context make_context(const hrbfnpr_context_desc& desc) {
 Context make_context(std::int32_t threads) {
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = threads;
-    desc.thread_backend = scenes::test_backend();
+    desc.thread_backend = hrbfnpr::test::test_backend();
     return make_context(desc);
 }
 

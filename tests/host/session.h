@@ -1,9 +1,9 @@
 // What a host does with the library, call by call, so that tests can do it in unusual places.
 #pragma once
 
-#include "scenes/handles.h"
 #include "scenes/shapes.h"
-#include "scenes/test_backend.h"
+#include "support/handles.h"
+#include "support/test_backend.h"
 
 #include <cstdint>
 #include <span>
@@ -11,19 +11,12 @@
 
 namespace host_test {
 
-using scenes::Context;
-using scenes::Model;
-using scenes::PointSet;
-using scenes::Renderer;
+using hrbfnpr::test::Context;
+using hrbfnpr::test::made;
+using hrbfnpr::test::Model;
+using hrbfnpr::test::PointSet;
+using hrbfnpr::test::Renderer;
 using Bytes = std::vector<std::uint8_t>;
-
-// A struct with its defaults: made(hrbfnpr_style_init).
-template <class T>
-[[nodiscard]] T made(hrbfnpr_status (*init)(T*, std::uint32_t)) {
-    T value;
-    scenes::Check()(init(&value, sizeof value));
-    return value;
-}
 
 // These throw, in words, what went wrong.
 Context make_context(const hrbfnpr_context_desc& desc);

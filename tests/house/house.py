@@ -1,8 +1,9 @@
+# SPDX-License-Identifier: MIT
 """The rules of the house (docs/design.md), read off the sources.
 
     house.py ROOT CHECK     prints what breaks the rule and returns 1, or 77 if it cannot tell
 
-A CHECK is a function below: floors, openmp, forbidden, sizes, abi_version, format.
+A CHECK is a function below: floors, openmp, forbidden, sizes, abi_version, spdx, format.
 """
 
 import re
@@ -10,6 +11,8 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+import spdx as licence
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
 
@@ -163,6 +166,10 @@ def abi_version(root):
         yield f"the version is {parts} in hrbfnpr.h and {version} in CMakeLists.txt"
 
 
+def spdx(root):
+    yield from licence.missing(root)
+
+
 def format(root):
     tool = shutil.which("clang-format-14")
     if tool is None:
@@ -174,7 +181,7 @@ def format(root):
         yield "please run scripts/lint --fix; clang-format-14 says:\n" + result.stderr
 
 
-CHECKS = {check.__name__: check for check in (floors, openmp, forbidden, sizes, abi_version, format)}
+CHECKS = {check.__name__: check for check in (floors, openmp, forbidden, sizes, abi_version, spdx, format)}
 
 
 def main():

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Each check of house.py passes on a small clean house and fails on each way to break it."""
 
 import shutil
@@ -6,7 +7,9 @@ import unittest
 from pathlib import Path
 
 import house
+import spdx
 
+MIT = "SPDX-License-Identifier: " + "MIT"
 CLEAN = {
     "CMakeLists.txt": "project(x\n  VERSION 0.1.0\n)\nset(HRBFNPR_ABI_VERSION 3) # as in the header\n",
     "CMakePresets.json": "{}\n",
@@ -56,6 +59,11 @@ BREAKS = [
     ("abi_version", "CMakeLists.txt", "set(HRBFNPR_ABI_VERSION 4)\n"),
     ("abi_version", "include/hrbfnpr.h", "HRBFNPR_VERSION_MINOR = 2\n"),
     ("abi_version", "src/hrbfnpr.map", "HRBFNPR_4 {\n};\n"),
+    ("spdx", "src/fit/new.cpp", "int a;\n"),
+    ("spdx", "src/base/CMakeLists.txt", "add_library(base)\n"),
+    ("spdx", "scripts/new", "#!/usr/bin/env bash\nset -e\n"),
+    ("spdx", "bindings/new.py", "\n" * spdx.FIRST_LINES + f"# {MIT}\n"),
+    ("spdx", "bindings/new.h", "// Made by make_new.py; do not edit.\n"),
     ("format", "src/fit/fit.cpp", "int   a ;\n"),
 ]
 
@@ -65,7 +73,7 @@ class House(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.root = Path(self.folder.name)
         for name, text in CLEAN.items():
-            self.write(name, text)
+            self.write(name, text if name.endswith(".json") else spdx.with_line(Path(name), text))
 
     def tearDown(self):
         self.folder.cleanup()
@@ -103,6 +111,50 @@ class House(unittest.TestCase):
     def test_an_empty_house_does_not_pass(self):
         shutil.rmtree(self.root / "src")
         self.assertNotEqual(self.findings("floors"), [])
+        for name in ("include", "CMakeLists.txt"):
+            path = self.root / name
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+        self.assertNotEqual(self.findings("spdx"), [])
+
+
+# file, what is in it, the same with the licence line
+LICENCES = [
+    ("src/a.cpp", "int a;\n", f"// {MIT}\nint a;\n"),
+    ("src/a.h", "/* A. */\n", f"/* {MIT} */\n/* A. */\n"),
+    ("src/a.c", "int a;\r\n", f"/* {MIT} */\r\nint a;\r\n"),
+    ("src/empty.h", "", f"// {MIT}\n"),
+    ("bindings/a.cs", "\ufeffclass A {}\n", f"\ufeff// {MIT}\nclass A {{}}\n"),
+    ("bindings/a.py", "#!/usr/bin/env python3\n# -*- coding: utf-8 -*-\n\"\"\"A.\"\"\"\n",
+     f"#!/usr/bin/env python3\n# -*- coding: utf-8 -*-\n# {MIT}\n\"\"\"A.\"\"\"\n"),
+    ("examples/a.lua", "return 1\n", f"-- {MIT}\nreturn 1\n"),
+    ("tests/a.js", "#!/usr/bin/env node\n'use strict'\n", f"#!/usr/bin/env node\n// {MIT}\n'use strict'\n"),
+    ("cmake/a.cmake", "return()\n", f"# {MIT}\nreturn()\n"),
+    ("scripts/a", "#!/bin/sh", f"#!/bin/sh\n# {MIT}\n"),
+    # These are none of its business: data, a licence that is there, a file that a program writes, a build tree.
+    ("tests/corpus/a", "#!data\n", "#!data\n"),
+    ("docs/a.md", "# A\n", "# A\n"),
+    ("src/b.cpp", f"// B.\n// {MIT}\n", f"// B.\n// {MIT}\n"),
+    ("bindings/made.h", "/* Made by make.py from a.h; do not edit. */\n", "/* Made by make.py from a.h; do not edit. */\n"),
+    ("bindings/build/a.py", "a = 1\n", "a = 1\n"),
+]
+
+
+class Licence(unittest.TestCase):
+    def test_the_line_goes_where_it_belongs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            for name, before, _ in LICENCES:
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_bytes(before.encode("utf-8"))
+            (root / "tests/corpus/bytes").write_bytes(b"#!\xff\xfe")
+            changed, left = spdx.fix(root)
+            self.assertEqual(sorted(changed), sorted(name for name, before, after in LICENCES if before != after))
+            self.assertEqual(left, ["bindings/made.h"])
+            for name, _, after in LICENCES:
+                with self.subTest(file=name):
+                    self.assertEqual((root / name).read_bytes().decode("utf-8"), after)
+            self.assertEqual(spdx.fix(root), ([], left))
+            self.assertEqual([found.split()[0] for found in spdx.missing(root)], left)
 
 
 if __name__ == "__main__":

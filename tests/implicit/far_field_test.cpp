@@ -3,6 +3,7 @@
 #include "base/status.h"
 #include "fields.h"
 #include "implicit/hermite_sums.h"
+#include "support/samples.h"
 
 #include <gtest/gtest.h>
 
@@ -17,16 +18,13 @@ using test::scatter;
 
 namespace {
 
-constexpr double golden_angle = 2.399963229728653;
-
 // Fibonacci's spiral on a sphere whose points are about 1 apart.
 VecArray sphere(base::Memory& memory, int count) {
     VecArray points(memory);
     const double radius = std::sqrt(count / 12.566370614359172);
     for (int i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / count;
-        const double r = std::sqrt(1.0 - z * z);
-        points.push_back(radius * glm::dvec3(r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z));
+        const auto [x, y, z] = hrbfnpr::test::spiral_point(i, count);
+        points.push_back(radius * glm::dvec3(x, y, z));
     }
     return points;
 }

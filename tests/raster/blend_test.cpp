@@ -1,5 +1,6 @@
 // Discs into pixels: coverage, blending, paper, against the plain reference.
 #include "raster/reference.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -151,9 +152,8 @@ TEST_F(Blend, SameBitsForAnyThreadCount) {
 }
 
 TEST_F(Blend, AllocatesNothingOnceWarm) {
-    CountingAllocator counter;
-    const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
-                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
+    test::Allocator counter;
+    const base::Runtime counted = test::with_allocator(counter);
     const marks::PointSet ball = sphere(counted.memory, 5000);
     const std::array items{item_of(ball, Style{})};
     Frame counted_frame(counted);

@@ -2,6 +2,7 @@
 #include "frame/depth_layers/layer_frame.h"
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -382,9 +383,8 @@ TEST_F(LayerRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
 }
 
 TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
-    CountingAllocator counter;
-    const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
-                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
+    test::Allocator counter;
+    const base::Runtime counted = test::with_allocator(counter);
     const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
     Style style;
     const std::array items{layered_item(ring, style)};

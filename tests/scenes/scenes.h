@@ -1,7 +1,7 @@
 // The scenes that tests, benchmarks and docs share: samples, marks, camera and style.
 #pragma once
 
-#include "scenes/handles.h"
+#include "support/handles.h"
 
 #include <cstdint>
 #include <span>

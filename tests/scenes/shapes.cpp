@@ -17,24 +17,6 @@ Vec cross(const Vec& a, const Vec& b) {
 }
 Vec unit(const Vec& v) { return scaled(v, 1.0 / std::hypot(v[0], v[1], v[2])); }
 
-// A tube of radius `tube` about a circle of radius 1 in the plane of e1 and e2.  The
-// angles follow the plastic number's low-discrepancy sequence; the tube angle is
-// warped so that samples are even by area (dA ~ 1 + tube cos theta).
-void add_torus(Samples& samples, int count, double tube, const Vec& centre, const Vec& e1, const Vec& e2) {
-    constexpr double plastic = 1.32471795724474602596;
-    const Vec axis = cross(e1, e2);
-    for (int i = 0; i < count; ++i) {
-        const double phi = tau * std::fmod((i + 0.5) / plastic, 1.0);
-        const double area = tau * std::fmod((i + 0.5) / (plastic * plastic), 1.0);
-        double theta = area;
-        for (int step = 0; step < 20; ++step)
-            theta -= (theta + tube * std::sin(theta) - area) / (1.0 + tube * std::cos(theta));
-        const Vec out = sum(scaled(e1, std::cos(phi)), scaled(e2, std::sin(phi)));
-        const Vec normal = sum(scaled(out, std::cos(theta)), scaled(axis, std::sin(theta)));
-        samples.add(sum(centre, sum(out, scaled(normal, tube))), normal);
-    }
-}
-
 Vec trefoil_at(double t) {
     return {std::sin(t) + 2.0 * std::sin(2.0 * t), std::cos(t) - 2.0 * std::cos(2.0 * t), -std::sin(3.0 * t)};
 }
@@ -46,33 +28,10 @@ Vec trefoil_tangent(double t) {
 
 } // namespace
 
-void Samples::add(const std::array<double, 3>& point, const std::array<double, 3>& normal) {
-    points.insert(points.end(), point.begin(), point.end());
-    normals.insert(normals.end(), normal.begin(), normal.end());
-}
-
-Samples sphere_6() {
-    Samples samples;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (const double sign : {1.0, -1.0}) {
-            Vec p{};
-            p[axis] = sign;
-            samples.add(p, p);
-        }
-    }
-    return samples;
-}
-
-Samples torus(int count) {
-    Samples samples;
-    add_torus(samples, count, 0.4, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    return samples;
-}
-
 Samples linked_tori(int count) {
     Samples samples;
-    add_torus(samples, count, 0.32, {-0.5, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    add_torus(samples, count, 0.32, {0.5, 0, 0}, {0, 0, 1}, {1, 0, 0});
+    hrbfnpr::test::add_torus(samples, count, 0.32, {-0.5, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    hrbfnpr::test::add_torus(samples, count, 0.32, {0.5, 0, 0}, {0, 0, 1}, {1, 0, 0});
     return samples;
 }
 

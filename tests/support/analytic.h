@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: MIT
 // Implicit functions whose every derivative is known, for tests.
 #pragma once
 
 #include "implicit/implicit.h"
+#include "support/samples.h"
 
 #include <array>
 #include <atomic>
@@ -206,13 +208,5 @@ public:
 private:
     std::function<Field(const glm::dvec3&)> field_;
 };
-
-// n points on the unit sphere, well spread (Fibonacci's spiral).
-inline std::array<double, 3> spiral_point(int i, int n) {
-    const double z = 1.0 - (2.0 * i + 1.0) / n;
-    const double angle = 2.399963229728653 * i;
-    const double flat = std::sqrt(1.0 - z * z);
-    return {flat * std::cos(angle), flat * std::sin(angle), z};
-}
 
 } // namespace hrbfnpr::test

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The instruction sets that this machine can run.
 #pragma once
 

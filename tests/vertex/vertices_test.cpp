@@ -2,6 +2,7 @@
 #include "output/vertex/vertices.h"
 
 #include "raster/reference.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -171,9 +172,8 @@ INSTANTIATE_TEST_SUITE_P(Visibility, Both, ::testing::Bool(),
                          [](const auto& one) { return one.param ? "layers" : "painted"; });
 
 TEST_F(Vertices, OfLayersAreWrittenWithoutAllocationOnceWarm) {
-    CountingAllocator counter;
-    const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
-                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
+    test::Allocator counter;
+    const base::Runtime counted = test::with_allocator(counter);
     const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
     const std::array items{layered_item(ring, Style{})};
     Frame own(counted);

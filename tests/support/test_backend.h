@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The thread backend that tests use where they name none: the same tests run once for each.
 #pragma once
 
@@ -7,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace scenes {
+namespace hrbfnpr::test {
 
 // By the environment variable HRBFNPR_TEST_BACKEND: openmp, or the library's choice.
 [[nodiscard]] inline std::uint32_t test_backend() {
@@ -16,4 +17,4 @@ namespace scenes {
                                                                  : HRBFNPR_THREAD_BACKEND_AUTO;
 }
 
-} // namespace scenes
+} // namespace hrbfnpr::test

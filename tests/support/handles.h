@@ -1,22 +1,26 @@
-// The C handles as owning C++ objects, for tests, benchmarks and examples.
+// SPDX-License-Identifier: MIT
+// The C handles as owning C++ objects, and calls that throw in words; for tests and benchmarks.
 #pragma once
 
 #include <hrbfnpr.h>
 
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
-namespace scenes {
+namespace hrbfnpr::test {
 
 struct Release {
     void operator()(hrbfnpr_context* handle) const { hrbfnpr_context_release(handle); }
+    void operator()(hrbfnpr_operation* handle) const { hrbfnpr_operation_release(handle); }
     void operator()(const hrbfnpr_model* handle) const { hrbfnpr_model_release(handle); }
     void operator()(const hrbfnpr_point_set* handle) const { hrbfnpr_point_set_release(handle); }
     void operator()(hrbfnpr_renderer* handle) const { hrbfnpr_renderer_release(handle); }
 };
 
 using Context = std::unique_ptr<hrbfnpr_context, Release>;
+using Operation = std::unique_ptr<hrbfnpr_operation, Release>;
 using Model = std::unique_ptr<hrbfnpr_model, Release>;
 using PointSet = std::unique_ptr<hrbfnpr_point_set, Release>;
 using Renderer = std::unique_ptr<hrbfnpr_renderer, Release>;
@@ -35,4 +39,22 @@ private:
     hrbfnpr_error error_;
 };
 
+// A struct that its `_init` function has set up: made(hrbfnpr_style_init).
+template <class T>
+[[nodiscard]] T made(hrbfnpr_status (*init)(T*, std::uint32_t)) {
+    T value;
+    Check()(init(&value, sizeof value));
+    return value;
+}
+
+} // namespace hrbfnpr::test
+
+// As the scenes and the benchmarks call them.
+namespace scenes {
+using hrbfnpr::test::Check;
+using hrbfnpr::test::Context;
+using hrbfnpr::test::made;
+using hrbfnpr::test::Model;
+using hrbfnpr::test::PointSet;
+using hrbfnpr::test::Renderer;
 } // namespace scenes

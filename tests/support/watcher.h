@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What a progress callback is told, and when it cancels.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace hrbfnpr::test {
+
+struct Watcher {
+    std::vector<double> values;     // of progress, as they came
+    double cancel_at = 2.0;         // the progress from which on it cancels; above 1 = never
+    std::size_t cancel_at_call = 0; // the how-manieth call cancels; 0 = none
+    bool other_thread = false;      // whether it was called on another thread than the one that made it
+
+    // For hrbfnpr_operation_set_callback and base::Operation::set_callback, with the watcher as `user`.
+    static std::int32_t call(void* user, double progress) {
+        auto& self = *static_cast<Watcher*>(user);
+        self.values.push_back(progress);
+        self.other_thread = self.other_thread || std::this_thread::get_id() != self.maker_;
+        return progress >= self.cancel_at || self.values.size() == self.cancel_at_call ? 1 : 0;
+    }
+
+    [[nodiscard]] double last() const { return values.empty() ? -1.0 : values.back(); }
+    [[nodiscard]] bool fell() const { return !std::is_sorted(values.begin(), values.end()); }
+
+private:
+    std::thread::id maker_ = std::this_thread::get_id();
+};
+
+} // namespace hrbfnpr::test
