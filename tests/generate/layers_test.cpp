@@ -9,14 +9,13 @@ namespace {
 using namespace test;
 
 TEST(Layers, AppearOneAfterTheOther) {
-    generate::Settings settings = blue({Group::stipple, Group::curvature}, 3000);
-    settings.layer[0] = {0.0, 0.3};
-    settings.layer[1] = {0.3, 0.6};
-    settings.layer[2] = {0.6, 1.0};
+    generate::Settings settings = blue({Kind::stipples, Kind::principal}, 3000);
+    of(settings, Kind::stipples).part[0] = {0.0, 0.3};
+    of(settings, Kind::principal).part = {TonePart{0.3, 0.6}, TonePart{0.6, 1.0}};
     const PointSet set = make(Torus(), settings);
-    const MarkGroup& stipples = of(set, Group::stipple);
+    const Layer& stipples = of(set, Kind::stipples);
     for (const float rank : stipples.rank) EXPECT_GE(rank, 0.7F - 1e-6F);
-    const MarkGroup& strokes = of(set, Group::curvature);
+    const Layer& strokes = of(set, Kind::principal);
     std::array<int, 2> seen{};
     for (std::int64_t i = 0; i < strokes.count(); ++i) {
         const std::uint32_t which = strokes.stroke[2 * i] & 1U;
