@@ -544,44 +544,44 @@ typedef struct hrbfnpr_model_info {
     uint32_t struct_size;
     uint32_t kernel;
     int32_t polynomial_degree;
-    uint32_t solver;          /* the one used */
+    int32_t choice_rounds;    /* fits made to choose the centres; 0 if all samples are centres */
     int64_t samples;          /* as given */
     int64_t centres;          /* after merging, cleaning and choosing */
     int64_t merged_samples;   /* samples that were merged into another */
+    int64_t near_duplicates;  /* samples much nearer to another than the spacing, merged into it */
     int64_t rescaled_normals; /* normals whose length was off 1 by more than 1e-4 */
+    int64_t outliers_found;
+    int64_t outliers_dropped;
+    int64_t flipped_found;    /* normals against those of their neighbours */
+    int64_t flipped_repaired; /* of these, dropped or turned round */
     double bounds_min[3];     /* of the samples */
     double bounds_max[3];
     double spacing;           /* mean distance of a sample to its nearest neighbour */
     double kernel_radius;     /* as used */
     double regularization;    /* as used; of AUTO, that of the values */
+    double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
+                                 points; 0 if none is seen, or nobody asked (regularization GIVEN) */
     double value_residual_max;    /* max |f(x_i)|, in units of the points */
     double value_residual_rms;
     double gradient_residual_max; /* max |grad f(x_i) - n_i| */
     double gradient_residual_rms;
-    double solver_residual;       /* relative residual of the linear system, 2-norm */
-    double condition_estimate;    /* DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm */
+    double input_distance_max;    /* of all samples but dropped ones from the surface, |f| / |grad f| */
+    double input_distance_rms;
+    double input_share_within;    /* share of all samples that lie within the tolerance; a dropped one
+                                     counts as outside; 0 with tolerance 0 */
+    uint32_t solver;              /* the one used */
+    uint32_t solver_reason;       /* HRBFNPR_SOLVER_REASON_... */
     int32_t iterations;           /* refinement steps of DIRECT, steps of ITERATIVE */
     uint32_t fallback;            /* 1: the matrix was not definite and a pivoted LU was used */
+    double solver_residual;       /* relative residual of the linear system, 2-norm */
+    double condition_estimate;    /* DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm */
+    double seconds_clean;
+    double seconds_choose;        /* of all rounds but the last fit */
     double seconds_assemble;
+    double seconds_precondition;
     double seconds_solve;
     double seconds_total;
-    int64_t bytes; /* kept by the model */
-    int64_t outliers_found;
-    int64_t outliers_dropped;
-    int64_t flipped_found;    /* normals against those of their neighbours */
-    int64_t flipped_repaired; /* of these, dropped or turned round */
-    int64_t near_duplicates;  /* samples much nearer to another than the spacing, merged into it */
-    double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
-                                 points; 0 if none is seen, or nobody asked (regularization GIVEN) */
-    double input_distance_max; /* of all samples but dropped ones from the surface, |f| / |grad f| */
-    double input_distance_rms;
-    double input_share_within; /* share of all samples that lie within the tolerance; a dropped one
-                                  counts as outside; 0 with tolerance 0 */
-    int32_t choice_rounds;     /* fits made to choose the centres; 0 if all samples are centres */
-    uint32_t solver_reason;    /* HRBFNPR_SOLVER_REASON_... */
-    double seconds_clean;
-    double seconds_choose;     /* of all rounds but the last fit */
-    double seconds_precondition;
+    int64_t bytes;      /* kept by the model */
     int64_t peak_bytes; /* most that the context's allocator had given out at a time, up to the fit's end */
 } hrbfnpr_model_info;
 

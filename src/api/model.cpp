@@ -203,37 +203,37 @@ void set_box(double* low, double* high, const geometry::Bounds& bounds) noexcept
 }
 
 void describe_fit(hrbfnpr_model_info& info, const fit::FitReport& report) noexcept {
+    info.choice_rounds = report.choice_rounds;
     info.samples = report.samples;
     info.merged_samples = report.merged_samples;
+    info.near_duplicates = report.near_duplicates;
     info.rescaled_normals = report.rescaled_normals;
-    info.kernel_radius = report.kernel_radius;
-    info.regularization = report.regularization;
-    info.value_residual_max = report.value_residual_max;
-    info.value_residual_rms = report.value_residual_rms;
-    info.gradient_residual_max = report.gradient_residual_max;
-    info.gradient_residual_rms = report.gradient_residual_rms;
-    info.solver_residual = report.solver_residual;
-    info.condition_estimate = report.condition_estimate;
-    info.iterations = report.iterations;
-    info.fallback = report.fallback ? 1 : 0;
-    info.seconds_assemble = report.seconds_assemble;
-    info.seconds_solve = report.seconds_solve;
-    info.seconds_total = report.seconds_total;
     info.outliers_found = report.outliers_found;
     info.outliers_dropped = report.outliers_dropped;
     info.flipped_found = report.flipped_found;
     info.flipped_repaired = report.flipped_repaired;
-    info.near_duplicates = report.near_duplicates;
+    info.kernel_radius = report.kernel_radius;
+    info.regularization = report.regularization;
     info.noise_estimate = report.noise_estimate;
+    info.value_residual_max = report.value_residual_max;
+    info.value_residual_rms = report.value_residual_rms;
+    info.gradient_residual_max = report.gradient_residual_max;
+    info.gradient_residual_rms = report.gradient_residual_rms;
     info.input_distance_max = report.input_distance_max;
     info.input_distance_rms = report.input_distance_rms;
     info.input_share_within = report.input_share_within;
-    info.choice_rounds = report.choice_rounds;
     info.solver = static_cast<std::uint32_t>(report.solver);
     info.solver_reason = static_cast<std::uint32_t>(report.solver_reason);
+    info.iterations = report.iterations;
+    info.fallback = report.fallback ? 1 : 0;
+    info.solver_residual = report.solver_residual;
+    info.condition_estimate = report.condition_estimate;
     info.seconds_clean = report.seconds_clean;
     info.seconds_choose = report.seconds_choose;
+    info.seconds_assemble = report.seconds_assemble;
     info.seconds_precondition = report.seconds_precondition;
+    info.seconds_solve = report.seconds_solve;
+    info.seconds_total = report.seconds_total;
     info.peak_bytes = report.peak_bytes;
 }
 
