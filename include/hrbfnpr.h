@@ -288,7 +288,7 @@ enum {
     HRBFNPR_THREAD_BACKEND_AUTO = 0,      /* RUN_TASKS where that is given, else POOL */
     HRBFNPR_THREAD_BACKEND_POOL = 1,      /* threads of the context's own.  The calling thread takes part and waits
                                              only for tasks that others have begun, so a processor that is busy
-                                             elsewhere costs little; idle threads sleep after 20 microseconds */
+                                             elsewhere costs little; idle threads sleep (docs/hosts.md) */
     HRBFNPR_THREAD_BACKEND_OPENMP = 2,    /* the OpenMP runtime's, shared with a host that uses it; serial in a forked
                                              child.  For processors that nobody else wants.  INVALID_ARGUMENT in a
                                              build without it (hrbfnpr_build_info: thread_backends) */
@@ -398,10 +398,10 @@ enum {
 
 enum {
     HRBFNPR_SOLVER_AUTO = 0,
-    HRBFNPR_SOLVER_DIRECT = 1, /* dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3) */
+    HRBFNPR_SOLVER_DIRECT = 1, /* dense factorisation; memory O(N^2), time O(N^3): docs/fitting.md has figures */
     HRBFNPR_SOLVER_ITERATIVE = 2 /* conjugate gradients, preconditioned by a sparse factor of the inverse (Schaefer,
                                     Katzfuss, Owhadi 2021), with a fast multipole method for many samples; memory
-                                    O(N), about 2 to 6 kB a sample.  TRIHARMONIC needs polynomial_degree >= 1 */
+                                    O(N).  TRIHARMONIC needs polynomial_degree >= 1 */
 };
 
 /* Why the solver that was used is the one. */
@@ -433,9 +433,9 @@ enum {
  * samples that coincide (within 1e-9 diagonals) and agree in their normal
  * (within 1 degree) are merged, and so are, of 33 samples and more, near
  * duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
- * Of more than 6000, samples that contradict each other so much (slivers of a
- * mesh in single precision) that the iterations break down get a little
- * regularization, 1 cubic spacing, and a solver tolerance of 3e-4; the log and
+ * Many samples that contradict each other so much (slivers of a mesh in single
+ * precision) that the iterations break down get a little regularization and a
+ * larger solver tolerance (docs/fitting.md); the log and
  * hrbfnpr_model_info.regularization say so.
  * Samples that coincide and disagree are an INVALID_ARGUMENT that names both
  * indices, as are NaN, infinity, zero normals, and an empty or mismatched
@@ -489,7 +489,7 @@ typedef struct hrbfnpr_fit_desc {
                                  fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
     int32_t iteration_limit;  /* most iterations of ITERATIVE, 1 .. 1000000; 200 */
     uint32_t preconditioner_neighbours; /* of ITERATIVE, 1 .. 48: more are fewer iterations and more setup;
-                                           0 = 16 to 32 as samples are many (GAUSSIAN 40) */
+                                           0 = by kernel and number of samples */
 } hrbfnpr_fit_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
@@ -514,7 +514,7 @@ typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* 
 enum {
     HRBFNPR_CUSTOM_HAS_GRADIENT = 1, /* else gradient is always NULL and differenced */
     HRBFNPR_CUSTOM_HAS_HESSIAN = 2,  /* else hessian is always NULL and differenced */
-    HRBFNPR_CUSTOM_THREAD_SAFE = 4   /* may be called from several threads at once */
+    HRBFNPR_CUSTOM_THREAD_SAFE = 4   /* may be called from several threads at once; else one calls at a time */
 };
 
 /* Any implicit function in place of a fit: every operator below works on it
@@ -614,16 +614,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32
  * A finite answer that does not fit into a FLOAT32 array, of whatever call, is
  * INVALID_ARGUMENT.  What a custom function itself gives (NaN, say) is passed on.
  *
- * Preparing.  Where there are so many points that it pays (of r^3 and 512
- * centres on: n N above 1.3e9 + 8e4 N, a Hessian counting as 2.5 points), the
- * first such call of a model takes some tenths of a second, or 2 s with 65 000
- * centres, to sum up what is far into polynomials, which the model keeps (1 to
- * 4 kB a centre; the log says how much, and what values and gradients are off
- * by, which is measured); after that a point
- * hardly costs more with more centres.  f is then within 1e-9 diagonals of the
- * sum over all centres, its gradient within 1e-7; of rough, uneven samples
- * within 20 times that, or all centres are summed.  What a call gives depends
- * on its n, never on calls before it.  _project, _curvature and
+ * Preparing.  Where there are so many points that it pays, the first such call
+ * of a model takes longer, to sum up what is far into polynomials, which the
+ * model keeps (docs/accuracy.md: when, how long, how much memory; the log says
+ * how much, and what values and gradients are off by, which is measured); after
+ * that a point hardly costs more with more centres.  f is then within 1e-9
+ * diagonals of the sum over all centres, its gradient within 1e-7; of rough,
+ * uneven samples within 20 times that, or all centres are summed.  What a call
+ * gives depends on its n, never on calls before it.  _project, _curvature and
  * hrbfnpr_point_set_generate do the same. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_array* points,
                                                   const hrbfnpr_array_out* value,

@@ -88,15 +88,16 @@ hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context, const hrbfn
     hrbfnpr_model** out_model, hrbfnpr_error* error);
 void hrbfnpr_model_retain(const hrbfnpr_model* model);
 void hrbfnpr_model_release(const hrbfnpr_model* model);
-typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32_t polynomial_degree; uint32_t solver;
-    int64_t samples; int64_t centres; int64_t merged_samples; int64_t rescaled_normals; double bounds_min[3];
-    double bounds_max[3]; double spacing; double kernel_radius; double regularization; double value_residual_max;
-    double value_residual_rms; double gradient_residual_max; double gradient_residual_rms; double solver_residual;
-    double condition_estimate; int32_t iterations; uint32_t fallback; double seconds_assemble; double seconds_solve;
-    double seconds_total; int64_t bytes; int64_t outliers_found; int64_t outliers_dropped; int64_t flipped_found;
-    int64_t flipped_repaired; int64_t near_duplicates; double noise_estimate; double input_distance_max;
-    double input_distance_rms; double input_share_within; int32_t choice_rounds; uint32_t solver_reason;
-    double seconds_clean; double seconds_choose; double seconds_precondition; int64_t peak_bytes; } hrbfnpr_model_info;
+typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32_t polynomial_degree;
+    int32_t choice_rounds; int64_t samples; int64_t centres; int64_t merged_samples; int64_t near_duplicates;
+    int64_t rescaled_normals; int64_t outliers_found; int64_t outliers_dropped; int64_t flipped_found;
+    int64_t flipped_repaired; double bounds_min[3]; double bounds_max[3]; double spacing; double kernel_radius;
+    double regularization; double noise_estimate; double value_residual_max; double value_residual_rms;
+    double gradient_residual_max; double gradient_residual_rms; double input_distance_max; double input_distance_rms;
+    double input_share_within; uint32_t solver; uint32_t solver_reason; int32_t iterations; uint32_t fallback;
+    double solver_residual; double condition_estimate; double seconds_clean; double seconds_choose;
+    double seconds_assemble; double seconds_precondition; double seconds_solve; double seconds_total; int64_t bytes;
+    int64_t peak_bytes; } hrbfnpr_model_info;
 hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info, hrbfnpr_error* error);
 enum { HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,

@@ -33,7 +33,8 @@ public:
 
 private:
     CustomFunction custom_;
-    // Callers may share a model.  Recursive: a function may ask for another model's value, whose function asks for this.
+    // Callers may share a model.  Recursive: a function may ask for another model's value, whose function asks for
+    // this.
     mutable std::recursive_mutex one_at_a_time_;
 };
 
