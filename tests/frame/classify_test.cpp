@@ -142,11 +142,11 @@ TEST_F(Classify, MarksThatAreNotNumbersAreOutside) {
     for (int i = 0; i < 6; ++i) add_stipple(set, {0.0, 0.0, 0.0}, {0, 0, 1});
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    set.group[0].position[0] = nan;
-    set.group[0].position[3 + 1] = infinity;
-    set.group[0].position[6 + 2] = nan;
-    set.group[0].normal[9 + 1] = nan;
-    for (int k = 0; k < 3; ++k) set.group[0].normal[12 + k] = 0.0F;
+    set.layers[0].position[0] = nan;
+    set.layers[0].position[3 + 1] = infinity;
+    set.layers[0].position[6 + 2] = nan;
+    set.layers[0].normal[9 + 1] = nan;
+    for (int k = 0; k < 3; ++k) set.layers[0].normal[12 + k] = 0.0F;
     const FrameInfo& info = prepare(set, Style{}, front_camera(100, 100));
     EXPECT_EQ(info.outside, 5);
     EXPECT_EQ(info.front, 1);
@@ -194,11 +194,11 @@ TEST_F(Classify, TheSameFarFromTheOrigin) {
     }
 }
 
-TEST_F(Classify, IdsCountOverItemsAndGroupsWhateverIsUsed) {
+TEST_F(Classify, IdsCountOverItemsAndLayersWhateverIsUsed) {
     marks::PointSet first(runtime.memory);
     add_stipple(first, {0, 0, 0}, {0, 0, 1});
     add_stipple(first, {0, 0, 0.1}, {0, 0, 1});
-    add_mark(first.group[2], {0, 0, 0.2}, {0, 0, 1}, {1, 0, 0}, 0, 0);
+    add_stroke(first, marks::Kind::combing, {{0, 0, 0.2}}, {0, 0, 1});
     marks::PointSet second(runtime.memory);
     add_stipple(second, {0, 0, 0.3}, {0, 0, 1});
     Style no_stipples = plain_style();

@@ -22,8 +22,7 @@ constexpr double minor = 0.4;
 // Evenly spread stipples in a blue-noise order.
 marks::PointSet spread(const base::Runtime& runtime, const implicit::Implicit& surface, std::int64_t marks) {
     generate::Settings settings;
-    settings.group[0].wanted = true;
-    settings.group[0].budget = marks;
+    settings.layers.emplace_back().budget = marks;
     return clustered(runtime, generate::generate(runtime, surface, {}, settings, {}));
 }
 
@@ -235,8 +234,8 @@ TEST_F(Contours, ByAngleAreThePublishedBand) {
         const glm::dvec3 toward = glm::normalize(glm::dvec3(0.2, -1.0, 1.0));
         const std::array items{sheet_item(set, style)};
         frame.prepare(items, camera_from(toward, size, 1.8));
-        const std::vector<float> share = seen_share(frame, set.group[0].count());
-        for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+        const std::vector<float> share = seen_share(frame, set.layers[0].count());
+        for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const double nu = std::abs(glm::dot(mark_of(set, i).normal, toward));
             if (std::abs(nu - threshold) < 1e-5) continue;
             ASSERT_EQ(share[static_cast<std::size_t>(i) + 1], nu < threshold ? 1.0F : -1.0F) << nu;

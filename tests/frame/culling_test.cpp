@@ -119,11 +119,11 @@ protected:
     // over.  Returns how many marks were.
     std::int64_t expect_same_without(const View& view, const Style& style) {
         const bool parallel = view.camera.projection[2][3] == 0.0 && view.camera.projection[0][3] == 0.0;
-        base::Array<marks::Cluster>& clusters = open.group[0].clusters.cluster;
+        base::Array<marks::Cluster>& clusters = open.layers[0].clusters.cluster;
         for (std::int64_t i = 0; i < clusters.size(); ++i) {
             clusters[i].cone_cosine = -1.0F;
             clusters[i].cone_sine = 0.0F;
-            clusters[i].radius = parallel ? 100.0F : set.group[0].clusters.cluster[i].radius;
+            clusters[i].radius = parallel ? 100.0F : set.layers[0].clusters.cluster[i].radius;
         }
         const std::array items{sheet_item(set, style, view.transform)};
         frame.prepare(items, view.camera);
@@ -254,10 +254,10 @@ TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
         const std::array items{sheet_item(set, style, view.transform)};
         frame.prepare(items, view.camera);
         const std::map<std::uint32_t, Disc> inks = inks_of(frame);
-        for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+        for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const Plain p = plain_of(mark_of(set, i), sight, style, 2.5);
             const double shown = 0.7 * (1.0 - p.tau);
-            const double place = 1.0 - static_cast<double>(set.group[0].rank[i]);
+            const double place = 1.0 - static_cast<double>(set.layers[0].rank[i]);
             if (p.near_edge || std::abs(std::abs(p.nu) - 0.2) < 1e-4 || std::abs(place - shown) < 1e-4) continue;
             ++judged;
             const bool contour = std::abs(p.nu) < 0.2;
@@ -293,12 +293,12 @@ TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
         const std::array items{sheet_item(set, style, view.transform)};
         frame.prepare(items, view.camera);
         const std::map<std::uint32_t, Disc> inks = inks_of(frame);
-        for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+        for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const Plain p = plain_of(mark_of(set, i), sight, style, 2.0);
             // Marks at random: coverage = 1 - exp(-ink); away from white and black, where a table is coarse.
             if (p.near_edge || p.nu > -0.25 || p.tau < 0.05) continue;
             const double shown = std::min(1.0, -std::log(p.tau) * -p.nu / enough);
-            const double place = 1.0 - static_cast<double>(set.group[0].rank[i]);
+            const double place = 1.0 - static_cast<double>(set.layers[0].rank[i]);
             if (std::abs(place - shown) < 0.01 * shown + 1e-3) continue;
             ASSERT_EQ(inks.contains(static_cast<std::uint32_t>(i) + 1), p.inside && place < shown)
                 << view.name << " " << i << " place " << place << " of " << shown;
@@ -330,7 +330,7 @@ TEST_F(Culling, SameBitsForAnyThreadCountAndInstructionSet) {
         const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
                                   nullptr, nullptr);
         marks::PointSet points = torus(other.memory, 130);
-        add_torus_strokes(points, 1, 300, 27, 0.3);
+        add_torus_strokes(points, marks::Kind::principal, 300, 27, 0.3);
         const marks::PointSet ring = clustered(other, std::move(points));
         Style own = style;
         own.hidden_lines = frame::HiddenLines::attenuate;

@@ -25,7 +25,7 @@ protected:
         if (exact) item.model = &solid;
         const std::array items{item};
         frame.prepare(items, camera);
-        return seen_share(frame, set.group[0].count());
+        return seen_share(frame, set.layers[0].count());
     }
 
     base::Runtime runtime;
@@ -42,7 +42,7 @@ TEST_F(Exact, FrontMarksAreHiddenAsLinesOfSightSay) {
         const std::vector<float> share = shares(style, camera_from(toward, size, half), glm::dmat4(1.0));
         int hidden = 0;
         int seen = 0;
-        for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+        for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const Mark mark = mark_of(set, i);
             const float drawn = share[static_cast<std::size_t>(i) + 1];
             if (glm::dot(mark.normal, toward) < 0.25) continue;
@@ -77,7 +77,7 @@ TEST_F(Exact, FollowsTheItemAndThePerspective) {
     near_by.projection = frame::perspective(0.9, size, size, 0.5, 20.0, near_by.depth);
     const std::vector<float> share = shares(style, near_by, glm::dmat4(1.0));
     int judged = 0;
-    for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+    for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
         const Mark mark = mark_of(set, i);
         const glm::dvec3 sight = glm::normalize(eye - mark.position);
         if (glm::dot(mark.normal, sight) < 0.25) continue;
@@ -100,7 +100,7 @@ TEST_F(Exact, DimsByTheLawsOfTheSheetsThatALineCrosses) {
     const frame::Camera camera = camera_from(toward, size, half);
     const std::vector<float> exact = shares(style, camera, glm::dmat4(1.0));
     int dimmed = 0;
-    for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+    for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
         const Mark mark = mark_of(set, i);
         const float drawn = exact[static_cast<std::size_t>(i) + 1];
         if (glm::dot(mark.normal, toward) < 0.3) continue;

@@ -15,25 +15,46 @@ namespace hrbfnpr::testing {
 
 inline constexpr double pi = std::numbers::pi;
 
-inline void add_mark(marks::MarkGroup& group, const glm::dvec3& position, const glm::dvec3& normal,
+// The first layer of a kind, which is made if there is none.
+inline marks::Layer& layer_of(marks::PointSet& set, marks::Kind kind) {
+    for (marks::Layer& layer : set.layers)
+        if (layer.kind == kind) return layer;
+    return set.layers.add(set.layers.memory(), kind);
+}
+
+// Marks of strokes: index_strokes() the layer afterwards.
+inline void add_mark(marks::Layer& layer, const glm::dvec3& position, const glm::dvec3& normal,
                      const glm::dvec3& direction, std::uint32_t stroke, std::uint32_t place) {
-    const auto index = static_cast<std::uint64_t>(group.count());
+    const auto index = static_cast<std::uint64_t>(layer.count());
     for (int k = 0; k < 3; ++k) {
-        group.position.push_back(static_cast<float>(position[k]));
-        group.normal.push_back(static_cast<float>(normal[k]));
-        group.direction.push_back(static_cast<float>(direction[k]));
+        layer.position.push_back(static_cast<float>(position[k]));
+        layer.normal.push_back(static_cast<float>(normal[k]));
+        layer.direction.push_back(static_cast<float>(direction[k]));
     }
-    group.rank.push_back(static_cast<float>(base::uniform4(1, index, base::Purpose::rank)[0] * 0.99999));
-    group.level.push_back(0);
-    group.stroke.push_back(stroke);
-    group.stroke.push_back(place);
+    layer.rank.push_back(static_cast<float>(base::uniform4(1, index, base::Purpose::rank)[0] * 0.99999));
+    layer.level.push_back(0);
+    layer.stroke.push_back(stroke);
+    layer.stroke.push_back(place);
 }
 
 inline void add_stipple(marks::PointSet& set, const glm::dvec3& position, const glm::dvec3& normal) {
-    marks::MarkGroup& group = set.group[0];
-    add_mark(group, position, normal, geometry::any_perpendicular(normal), static_cast<std::uint32_t>(group.count()),
+    marks::Layer& layer = layer_of(set, marks::Kind::stipples);
+    add_mark(layer, position, normal, geometry::any_perpendicular(normal), 2 * static_cast<std::uint32_t>(layer.count()),
              0);
     set.bounds.extend(position + set.origin);
+}
+
+// A stroke along x through these places.
+inline void add_stroke(marks::PointSet& set, marks::Kind kind, const std::vector<glm::dvec3>& places,
+                       const glm::dvec3& normal) {
+    marks::Layer& layer = layer_of(set, kind);
+    const std::uint32_t number = 2 * static_cast<std::uint32_t>(layer.strokes());
+    std::uint32_t along = 0;
+    for (const glm::dvec3& place : places) {
+        add_mark(layer, place, normal, {1, 0, 0}, number, along++);
+        set.bounds.extend(place + set.origin);
+    }
+    marks::index_strokes(layer);
 }
 
 inline glm::dvec3 fibonacci_direction(int i, int count) {
@@ -92,9 +113,10 @@ inline marks::PointSet torus(base::Memory& memory, int rings, double minor = 0.4
     return set;
 }
 
-// Strokes on the torus into `group`: set 0 the long way, set 1 around the tube.
-inline void add_torus_strokes(marks::PointSet& set, std::size_t group, int strokes, int marks, double length,
+// Strokes on the torus: set 0 the long way, set 1 around the tube.
+inline void add_torus_strokes(marks::PointSet& set, marks::Kind kind, int strokes, int marks, double length,
                               double minor = 0.45) {
+    marks::Layer& layer = layer_of(set, kind);
     for (int s = 0; s < strokes; ++s) {
         const auto u = base::uniform4(7, static_cast<std::uint64_t>(s), base::Purpose::candidate);
         double around = 2.0 * pi * u[1];
@@ -105,13 +127,14 @@ inline void add_torus_strokes(marks::PointSet& set, std::size_t group, int strok
                 const double t = (m - (marks - 1) / 2.0) / marks * length;
                 const double a = 2.0 * pi * u[0] + (d == 0 ? t / (1.0 + minor * std::cos(around)) : 0.0);
                 const TorusPoint p = torus_point(minor, a, around + (d == 1 ? t / minor : 0.0));
-                add_mark(set.group[group], p.position, p.normal, d == 0 ? p.along : p.around,
+                add_mark(layer, p.position, p.normal, d == 0 ? p.along : p.around,
                          static_cast<std::uint32_t>(2 * s) + d, static_cast<std::uint32_t>(m));
                 // A stroke is shown whole.
-                set.group[group].rank.back() = static_cast<float>(u[3]);
+                layer.rank.back() = static_cast<float>(u[3]);
             }
         }
     }
+    marks::index_strokes(layer);
 }
 
 // Sees [-half, half] in x and y, from z = 10 along -z.

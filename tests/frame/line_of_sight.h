@@ -51,11 +51,11 @@ struct Mark {
     glm::dvec3 position, normal;
 };
 
-inline Mark mark_of(const marks::PointSet& set, std::int64_t i, std::size_t group = 0) {
+inline Mark mark_of(const marks::PointSet& set, std::int64_t i, std::int64_t layer = 0) {
     Mark mark{};
     for (int k = 0; k < 3; ++k) {
-        mark.position[k] = static_cast<double>(set.group[group].position[3 * i + k]) + set.origin[k];
-        mark.normal[k] = static_cast<double>(set.group[group].normal[3 * i + k]);
+        mark.position[k] = static_cast<double>(set.layers[layer].position[3 * i + k]) + set.origin[k];
+        mark.normal[k] = static_cast<double>(set.layers[layer].normal[3 * i + k]);
     }
     return mark;
 }

@@ -168,7 +168,8 @@ TEST_F(Shade, ZoomIsPixelsPerWorldUnitAtTheMark) {
 TEST_F(Shade, SetsChooseTheStrokesOfOneDirection) {
     marks::PointSet strokes(runtime.memory);
     for (std::uint32_t i = 0; i < 30; ++i)
-        add_mark(strokes.group[1], {0.01 * i, 0, 0}, {0, 0, 1}, {1, 0, 0}, i / 3, i % 3);
+        add_mark(layer_of(strokes, marks::Kind::principal), {0.01 * i, 0, 0}, {0, 0, 1}, {1, 0, 0}, i / 3, i % 3);
+    marks::index_strokes(strokes.layers[0]);
     for (const std::uint32_t sets : {0U, 1U, 2U, 3U}) {
         Style style = plain_style();
         style.group[1].sets = sets;
@@ -181,8 +182,9 @@ TEST_F(Shade, SetsChooseTheStrokesOfOneDirection) {
 
 TEST_F(Shade, GroupsHaveTheirOwnInk) {
     marks::PointSet groups(runtime.memory);
-    for (std::size_t g = 0; g < 3; ++g)
-        add_mark(groups.group[g], {0, 0, 0.1 * static_cast<double>(g)}, {0, 0, 1}, {1, 0, 0}, 0, 0);
+    add_stipple(groups, {0, 0, 0}, {0, 0, 1});
+    add_stroke(groups, marks::Kind::principal, {{0, 0, 0.1}}, {0, 0, 1});
+    add_stroke(groups, marks::Kind::combing, {{0, 0, 0.2}}, {0, 0, 1});
     add_stipple(groups, {0, 0, 0.5}, {1, 0, 0}); // silhouette
     Style style = plain_style();
     for (std::size_t g = 0; g < 3; ++g) {
@@ -207,8 +209,10 @@ TEST_F(Shade, GroupsHaveTheirOwnInk) {
 TEST_F(Shade, WidthTapersTheInkOfFrontMarksOnly) {
     marks::PointSet stroke(runtime.memory);
     for (int i = 0; i < 4; ++i)
-        add_mark(stroke.group[1], {0.1 * i, 0, 0}, i < 3 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0), {0, 1, 0}, 0, 0);
-    for (const float width : {0.25F, 0.5F, 1.0F, 0.25F}) stroke.group[1].width.push_back(width);
+        add_mark(layer_of(stroke, marks::Kind::principal), {0.1 * i, 0, 0},
+                 i < 3 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0), {0, 1, 0}, 0, 0);
+    marks::index_strokes(stroke.layers[0]);
+    for (const float width : {0.25F, 0.5F, 1.0F, 0.25F}) stroke.layers[0].width.push_back(width);
     Style style = plain_style();
     style.group[1].radius = 8.0F;
     style.silhouette_radius = 6.0F;

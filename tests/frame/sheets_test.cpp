@@ -23,7 +23,7 @@ protected:
     std::vector<float> seen(const marks::PointSet& set, const Style& style, const frame::Camera& camera) {
         const std::array items{sheet_item(set, style)};
         prepare(items, camera);
-        return seen_share(frame, set.group[0].count());
+        return seen_share(frame, set.layers[0].count());
     }
 
     base::Runtime runtime;
@@ -101,7 +101,7 @@ struct Agreement {
 Agreement agreement(const marks::PointSet& set, const Solid& solid, const std::vector<float>& share,
                     const glm::dvec3& toward, double band) {
     Agreement result;
-    for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+    for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
         const Mark mark = mark_of(set, i);
         if (glm::dot(mark.normal, toward) < 0.2) continue; // the back, and the contour's own
         const double clear = own_clearance(solid, mark.position, toward);
@@ -181,7 +181,7 @@ TEST_F(SheetsTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
         const double pixel = 3.2 / 600.0;
         int hidden = 0;
         int leaked = 0;
-        for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
+        for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const Mark mark = mark_of(set, i);
             if (std::abs(glm::dot(mark.normal, toward)) > 0.3) continue;
             // Its own fold, seen from a little outside of it.
@@ -351,7 +351,7 @@ TEST_F(SheetsTest, InstancesEqualTwoSets) {
     const std::vector<Disc> discs(frame.discs().begin(), frame.discs().end());
     prepare(sets, front_camera(500, 500, 1.8));
     ASSERT_EQ(frame.discs().size(), discs.size());
-    const auto marks = static_cast<std::uint32_t>(set.group[0].count());
+    const auto marks = static_cast<std::uint32_t>(set.layers[0].count());
     std::array<bool, 2> both{};
     for (std::size_t i = 0; i < discs.size(); ++i) {
         const Disc& d = frame.discs()[i];

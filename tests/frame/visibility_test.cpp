@@ -113,12 +113,12 @@ TEST_F(Visibility, TheContoursOfATorusAreHiddenWhereItsTubeIsInFront) {
     std::int64_t wrong = 0;
     std::int64_t hidden = 0;
     const glm::dvec3 toward = glm::normalize(glm::dvec3(0.0, -9.0, 4.0));
-    std::vector<bool> drawn(static_cast<std::size_t>(set.group[0].count()) + 1);
+    std::vector<bool> drawn(static_cast<std::size_t>(set.layers[0].count()) + 1);
     for (const Disc& disc : frame.discs()) drawn[disc.id] = true;
-    for (std::int64_t i = 0; i < set.group[0].count(); ++i) {
-        const glm::dvec3 p(set.group[0].position[3 * i], set.group[0].position[3 * i + 1],
-                           set.group[0].position[3 * i + 2]);
-        const glm::dvec3 n(set.group[0].normal[3 * i], set.group[0].normal[3 * i + 1], set.group[0].normal[3 * i + 2]);
+    for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
+        const glm::dvec3 p(set.layers[0].position[3 * i], set.layers[0].position[3 * i + 1],
+                           set.layers[0].position[3 * i + 2]);
+        const glm::dvec3 n(set.layers[0].normal[3 * i], set.layers[0].normal[3 * i + 1], set.layers[0].normal[3 * i + 2]);
         if (std::abs(glm::dot(n, toward)) > 0.2) continue;
         double least = 1.0; // clearance of the line of sight, away from the mark itself
         for (double t = 0.35; t < 4.0; t += 0.01) {
@@ -179,13 +179,14 @@ TEST_F(Visibility, PaperFollowsTheLawsOfAttenuation) {
     EXPECT_EQ(prepare(items, front_camera(500, 500)).painted, 0);
 }
 
-TEST_F(Visibility, OneGroupPaintsPaperWithLayersAndAllAsPublished) {
+TEST_F(Visibility, OneLayerOfMarksPaintsPaperWithLayersAndAllAsPublished) {
     marks::PointSet set = sphere(runtime.memory, 1000);
     for (int i = 0; i < 3000; ++i) {
         const glm::dvec3 n = fibonacci_direction(i, 3000);
-        add_mark(set.group[1], n, n, geometry::any_perpendicular(n), 0, 0);
+        add_mark(layer_of(set, marks::Kind::principal), n, n, geometry::any_perpendicular(n), 0, 0);
     }
-    set.spacing = std::sqrt(4.0 * pi / 3000.0); // of the largest group
+    marks::index_strokes(set.layers[1]);
+    set.spacing = std::sqrt(4.0 * pi / 3000.0); // of the largest layer
     Style style;
     const auto painted = [&] {
         const std::array items{item_of(set, style)};

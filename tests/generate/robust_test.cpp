@@ -10,15 +10,15 @@ namespace {
 using namespace marks;
 using namespace test;
 
-const std::initializer_list<Group> all_groups = {Group::stipple, Group::curvature, Group::combing};
+const std::initializer_list<Kind> all_groups = {Kind::stipples, Kind::principal, Kind::combing};
 
 generate::Settings small_paper() {
     generate::Settings settings = paper(all_groups, 2);
     settings.seeds.box_resolution = 6;
-    settings.group[0].with_curvature = true;
-    settings.group[1].budget = 1000;
-    settings.group[2].published.from_stipples = true;
-    settings.group[2].published.seed_level = 1;
+    of(settings, Kind::stipples).with_curvature = true;
+    of(settings, Kind::principal).budget = 1000;
+    of(settings, Kind::combing).published.from_stipples = true;
+    of(settings, Kind::combing).published.start_level = 1;
     return settings;
 }
 
@@ -137,8 +137,8 @@ TEST(Memory, EveryAllocationMayFail) {
     const Torus torus;
     generate::Settings tiny_paper = small_paper();
     tiny_paper.seeds.box_resolution = 3;
-    tiny_paper.group[1].budget = 60;
-    for (const generate::Settings& settings : {tiny_paper, blue({Group::curvature}, 60, 1)}) {
+    of(tiny_paper, Kind::principal).budget = 60;
+    for (const generate::Settings& settings : {tiny_paper, blue({Kind::principal}, 60, 1)}) {
         FailingAllocator allocator;
         {
             const base::Runtime runtime(FailingAllocator::allocate, FailingAllocator::deallocate, &allocator,
@@ -194,7 +194,7 @@ TEST(Accuracy, FarFromTheOriginFloatsAreStillExact) {
         const PointSet set = make(sphere, settings);
         EXPECT_LT(glm::distance(set.origin, far), 0.1);
         expect_sound(set, sphere, 1e-6);
-        EXPECT_NEAR(glm::length(vec(of(set, Group::stipple).position, 0)), 1.0, 0.1);
+        EXPECT_NEAR(glm::length(vec(of(set, Kind::stipples).position, 0)), 1.0, 0.1);
     }
 }
 
@@ -204,7 +204,7 @@ TEST(Accuracy, AnyUnitWorks) {
         for (const generate::Settings& settings : {small_paper(), small_blue()}) {
             const PointSet set = make(torus, settings);
             expect_sound(set, torus);
-            EXPECT_GT(of(set, Group::stipple).count(), 1000);
+            EXPECT_GT(of(set, Kind::stipples).count(), 1000);
         }
     }
 }

@@ -6,10 +6,10 @@ namespace {
 using namespace marks;
 using namespace test;
 
-std::int64_t level0(const PointSet& set) { return set.group[0].report.level[0].placed; }
+std::int64_t level0(const PointSet& set) { return set.layers[0].report.level[0].placed; }
 
 TEST(Seeds, BoxHasRCellsAlongItsLongestSideAndCubicOnes) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = paper({Kind::stipples}, 0);
     settings.seeds.source = SeedSource::box;
     EXPECT_EQ(make(Sphere(), settings).seeds.attempted, 512) << "8^3, the paper's R";
     const PointSet torus = make(Torus(1.0, 0.35), settings);
@@ -22,7 +22,7 @@ TEST(Seeds, BoxHasRCellsAlongItsLongestSideAndCubicOnes) {
 // The centre of the ball is its only critical point, and cells farther from the sphere than their
 // diagonal are dropped.
 TEST(Seeds, BoxDropsAndCountsWhatStraysOrSticks) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = paper({Kind::stipples}, 0);
     settings.seeds.source = SeedSource::box;
     settings.seeds.box_jitter = 0.0;
     settings.seeds.box_resolution = 9; // odd: a cell in the centre
@@ -38,11 +38,11 @@ TEST(Seeds, BoxDropsAndCountsWhatStraysOrSticks) {
     EXPECT_EQ(set.seeds.dropped_degenerate, 1);
     EXPECT_EQ(set.seeds.placed, 728 - strayed);
     EXPECT_EQ(level0(set), set.seeds.placed);
-    EXPECT_NEAR(set.group[0].report.step, std::sqrt(3.0) * cell, 1e-12) << "the voxel diameter";
+    EXPECT_NEAR(set.layers[0].report.step, std::sqrt(3.0) * cell, 1e-12) << "the voxel diameter";
 }
 
 TEST(Seeds, JitterMovesByUpToAlphaCells) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = paper({Kind::stipples}, 0);
     settings.seeds.source = SeedSource::box;
     settings.seeds.box_resolution = 16;
     const Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}});
@@ -54,7 +54,7 @@ TEST(Seeds, JitterMovesByUpToAlphaCells) {
         double farthest = 0.0;
         for (int i = 0; i < 256; ++i) {
             const glm::dvec3 centre(side * (i % 16 - 7.5), side * (i / 16 - 7.5), 0.0);
-            farthest = std::max(farthest, glm::distance(position(set, Group::stipple, i), centre));
+            farthest = std::max(farthest, glm::distance(position(set, Kind::stipples, i), centre));
         }
         EXPECT_LE(farthest, jitter * side + 1e-6);
         EXPECT_GE(farthest, 0.85 * jitter * side);
@@ -63,7 +63,7 @@ TEST(Seeds, JitterMovesByUpToAlphaCells) {
 
 // A small surface in a large box: nearly all cells are too far away.
 TEST(Seeds, ASurfaceSmallerThanTheBoxKeepsTheCellsNearIt) {
-    generate::Settings settings = paper({Group::stipple}, 2);
+    generate::Settings settings = paper({Kind::stipples}, 2);
     settings.seeds.source = SeedSource::box;
     const SquareSphere sphere(0.1, 10.0);
     const PointSet set = make(sphere, settings);
@@ -76,35 +76,35 @@ TEST(Seeds, ASurfaceSmallerThanTheBoxKeepsTheCellsNearIt) {
 
 TEST(Seeds, SamplesAreTakenAsTheyAre) {
     const std::vector<double> samples = spiral_seeds(300);
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = paper({Kind::stipples}, 0);
     settings.seeds.source = SeedSource::samples;
     const PointSet set = make(Sphere(), settings, {samples, 0.2});
     ASSERT_EQ(level0(set), 300);
     for (int i = 0; i < 300; ++i) {
         const auto [x, y, z] = spiral_point(i, 300);
-        EXPECT_NEAR(glm::distance(position(set, Group::stipple, i), {x, y, z}), 0.0, 1e-7);
+        EXPECT_NEAR(glm::distance(position(set, Kind::stipples, i), {x, y, z}), 0.0, 1e-7);
     }
 }
 
 TEST(Seeds, StepIsTheMeanEmptyBallDiameter) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = paper({Kind::stipples}, 0);
     const std::vector<double> seeds = six_seeds();
     use_points(settings, seeds);
-    EXPECT_NEAR(make(Sphere(), settings).group[0].report.step, std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(make(Sphere(), settings).layers[0].report.step, std::sqrt(2.0), 1e-12);
     settings.seeds.initial_step = 0.3;
-    EXPECT_EQ(make(Sphere(), settings).group[0].report.step, 0.3);
+    EXPECT_EQ(make(Sphere(), settings).layers[0].report.step, 0.3);
     settings.seeds.initial_step = 0.0;
     const std::vector<double> one = {0.0, 0.0, 2.0};
     use_points(settings, one);
-    EXPECT_NEAR(make(Sphere(), settings).group[0].report.step, 0.1 * std::sqrt(12.0), 1e-12);
+    EXPECT_NEAR(make(Sphere(), settings).layers[0].report.step, 0.1 * std::sqrt(12.0), 1e-12);
     const std::vector<double> same = {0, 0, 2, 0, 0, 2, 1, 0, 0};
     use_points(settings, same);
-    EXPECT_NEAR(make(Sphere(), settings).group[0].report.step, std::sqrt(2.0), 1e-12)
+    EXPECT_NEAR(make(Sphere(), settings).layers[0].report.step, std::sqrt(2.0), 1e-12)
         << "points that coincide do not make the step 0";
 }
 
 TEST(Seeds, AutoTakesWellSpreadSamplesOnly) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = paper({Kind::stipples}, 0);
     EXPECT_EQ(make(Sphere(), settings).seed_source, SeedSource::box) << "there are none";
     const std::vector<double> even = spiral_seeds(200);
     EXPECT_EQ(make(Sphere(), settings, {even, 0.2}).seed_source, SeedSource::samples);
@@ -114,24 +114,24 @@ TEST(Seeds, AutoTakesWellSpreadSamplesOnly) {
         for (std::size_t k = 0; k < 3; ++k) pairs[i + k] = pairs[i + k - 3] + (k == 2 ? 0.0 : 1e-3);
     EXPECT_EQ(make(Sphere(), settings, {pairs, 0.1}).seed_source, SeedSource::box);
     settings.distribution = Distribution::blue_noise;
-    settings.group[0].budget = 100;
+    of(settings, Kind::stipples).budget = 100;
     EXPECT_EQ(make(Sphere(), settings, {pairs, 0.1}).seed_source, SeedSource::samples)
         << "the blue-noise order asks for a seed on each sheet only";
 }
 
 TEST(Seeds, PointsAreProjectedFromAnywhere) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = paper({Kind::stipples}, 0);
     const std::vector<double> points = {2, 0, 0, 0, 0.2, 0, 0, 0, -3};
     use_points(settings, points);
     const PointSet set = make(Sphere(), settings);
     ASSERT_EQ(level0(set), 3);
-    EXPECT_NEAR(glm::distance(position(set, Group::stipple, 0), {1, 0, 0}), 0.0, 1e-6);
-    EXPECT_NEAR(glm::distance(position(set, Group::stipple, 1), {0, 1, 0}), 0.0, 1e-6);
-    EXPECT_NEAR(glm::distance(position(set, Group::stipple, 2), {0, 0, -1}), 0.0, 1e-6);
+    EXPECT_NEAR(glm::distance(position(set, Kind::stipples, 0), {1, 0, 0}), 0.0, 1e-6);
+    EXPECT_NEAR(glm::distance(position(set, Kind::stipples, 1), {0, 1, 0}), 0.0, 1e-6);
+    EXPECT_NEAR(glm::distance(position(set, Kind::stipples, 2), {0, 0, -1}), 0.0, 1e-6);
 }
 
 TEST(Seeds, BadOnesAreNamed) {
-    generate::Settings settings = paper({Group::stipple}, 0);
+    generate::Settings settings = paper({Kind::stipples}, 0);
     settings.seeds.source = SeedSource::points;
     expect_error(Status::invalid_argument, {"seed_points", "empty"}, [&] { (void)make(Sphere(), settings); });
     std::vector<double> points = six_seeds();
@@ -147,21 +147,22 @@ TEST(Seeds, ASetWithoutAnyIsAnError) {
         return {glm::dot(p, p) + 1.0, 2.0 * p, identity(2.0)};
     });
     for (const Distribution distribution : {Distribution::paper, Distribution::blue_noise}) {
-        generate::Settings settings = paper({Group::stipple}, 1);
+        generate::Settings settings = paper({Kind::stipples}, 1);
         settings.distribution = distribution;
+        of(settings, Kind::stipples).budget = 100;
         expect_error(Status::not_converged, {"none of", "seed_points"}, [&] { (void)make(nothing, settings); });
     }
 }
 
 TEST(Patches, AreSquaresOfTwoStepsInTangentPlanes) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::stipple}, 2);
+    generate::Settings settings = paper({Kind::stipples}, 2);
     const std::vector<double> seeds = spiral_seeds(50);
     use_points(settings, seeds);
     std::vector<double> corners(70 * 12, 0.0);
     const base::OutView out{reinterpret_cast<std::byte*>(corners.data()), 70, 96, base::Scalar::float64, 12};
     const double step = step_patches(runtime(), sphere, {}, settings, out, {});
-    EXPECT_EQ(step, make(sphere, settings).group[0].report.step);
+    EXPECT_EQ(step, make(sphere, settings).layers[0].report.step);
     std::vector<int> used(50, 0);
     for (std::size_t i = 0; i < 70; ++i) {
         std::array<glm::dvec3, 4> c;
@@ -182,6 +183,7 @@ TEST(Patches, AreSquaresOfTwoStepsInTangentPlanes) {
     for (const int times : used) EXPECT_TRUE(times == 1 || times == 2) << "every seed before one comes twice";
 
     settings.distribution = Distribution::blue_noise;
+    of(settings, Kind::stipples).budget = 100;
     EXPECT_EQ(step_patches(runtime(), sphere, {}, settings, out, {}), step) << "the seeds' whatever the distribution";
     settings.seeds.initial_step = 0.5;
     EXPECT_EQ(step_patches(runtime(), sphere, {}, settings, out, {}), 0.5);

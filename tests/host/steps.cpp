@@ -165,9 +165,9 @@ Bytes step_patches(const Scene& scene) {
 Bytes marks_from_arrays(const Scene& scene) {
     scenes::Check check;
     auto desc = made(hrbfnpr_point_set_desc_init);
-    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_POSITION, &desc.group[0].position,
+    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_POSITION, &desc.layers[0].position,
                              check.error()));
-    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_NORMAL, &desc.group[0].normal, check.error()));
+    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_NORMAL, &desc.layers[0].normal, check.error()));
     hrbfnpr_point_set* marks = nullptr;
     check(hrbfnpr_point_set_create_from_arrays(scene.context.get(), &desc, &marks, check.error()));
     return bytes_of(PointSet(marks));

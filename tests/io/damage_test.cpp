@@ -53,11 +53,13 @@ TEST_P(Damage, EverySingleBitFlip) {
 
 TEST_P(Damage, NewerVersionsAreNamed) {
     Bytes newer = bytes();
-    store(&newer[12], format_version + 1);
+    const std::uint32_t newest = GetParam() ? model_version : point_set_version;
+    store(&newer[12], newest + 1);
     sign(newer);
     const Outcome outcome = load(newer);
     EXPECT_EQ(outcome.status, Status::version_mismatch);
-    EXPECT_NE(outcome.message.find("has format version 2; this library reads versions up to 1"), std::string::npos)
+    EXPECT_NE(outcome.message.find("has format version " + std::to_string(newest + 1) +
+                                   "; this library reads versions up to " + std::to_string(newest)), std::string::npos)
         << outcome.message;
 }
 
@@ -214,33 +216,72 @@ TEST(PointSetFile, ContentIsChecked) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
     };
     EXPECT_EQ(set_message([](Set&) {}), "");
-    expect(set_message([](Set& s) { s.group[0].rank[1] = 1.0F; }), "rank is outside");
-    expect(set_message([](Set& s) { s.group[1].rank[0] = NAN; }), "rank is outside");
-    expect(set_message([](Set& s) { s.group[0].position[5] = INFINITY; }), "position[5]");
-    expect(set_message([](Set& s) { s.group[0].normal[3] = 0.5F; }), "normal[1] is not of unit length");
-    expect(set_message([](Set& s) { s.group[1].direction[0] = NAN; }), "direction[0]");
-    expect(set_message([](Set& s) { s.group[1].curvature[0] = NAN; }), "curvature[0]");
-    expect(set_message([](Set& s) { s.group[1].curvature.push_back(0); }), "curvatures are not as many");
-    expect(set_message([](Set& s) { s.group[1].width.push_back(1); }), "widths are not as many");
+    expect(set_message([](Set& s) { s.layers[0].rank[1] = 1.0F; }), "rank is outside");
+    expect(set_message([](Set& s) { s.layers[1].rank[0] = NAN; }), "rank is outside");
+    expect(set_message([](Set& s) { s.layers[0].position[5] = INFINITY; }), "position[5]");
+    expect(set_message([](Set& s) { s.layers[0].normal[3] = 0.5F; }), "normal[1] is not of unit length");
+    expect(set_message([](Set& s) { s.layers[1].direction[0] = NAN; }), "direction[0]");
+    expect(set_message([](Set& s) { s.layers[1].curvature[0] = NAN; }), "curvature[0]");
+    expect(set_message([](Set& s) { s.layers[1].curvature.push_back(0); }), "curvatures are not as many");
+    expect(set_message([](Set& s) { s.layers[1].width.push_back(1); }), "widths are not as many");
     const auto widths = [](Set& s, float odd) {
-        for (const float width : {0.5F, odd, 1.0F}) s.group[1].width.push_back(width);
+        for (const float width : {0.5F, odd, 1.0F}) s.layers[1].width.push_back(width);
     };
     expect(set_message([&](Set& s) { widths(s, 0.0F); }), "width is outside");
     expect(set_message([&](Set& s) { widths(s, 1.5F); }), "width is outside");
     expect(set_message([&](Set& s) { widths(s, NAN); }), "width is outside");
-    expect(set_message([](Set& s) { s.group[0].stroke.push_back(0); }), "'STRK' has 7 elements instead of 6");
-    expect(set_message([](Set& s) { s.group[2].report.levels = 13; }), "more than 12 levels");
-    expect(set_message([](Set& s) { s.group[2].report.level[3].placed = -1; }), "negative");
-    expect(set_message([](Set& s) { s.group[2].report.step = NAN; }), "not finite");
+    expect(set_message([](Set& s) { s.layers[0].stroke.push_back(0); }), "'STRK' has 7 elements instead of 6");
+    expect(set_message([](Set& s) { s.layers[2].report.levels = 256; }), "a count of a layer is not possible");
+    expect(set_message([](Set& s) { s.layers[2].report.full_count = -1; }), "a count of a layer is not possible");
+    expect(set_message([](Set& s) { s.layers[2].report.level[3].placed = -1; }), "negative");
+    expect(set_message([](Set& s) { (void)s.layers[2].report.of(256); }), "256 at most");
+    for (const std::uint32_t kind : {0U, 6U})
+        expect(set_message([&](Set& s) { s.layers[1].kind = static_cast<marks::Kind>(kind); }), "kind of a layer");
+    expect(set_message([](Set& s) { s.layers[1].name = {}; }), "1 to 63 bytes of UTF-8");
+    expect(set_message([](Set& s) { s.layers[1].name = {'a', char(0xFF)}; }), "1 to 63 bytes of UTF-8");
+    expect(set_message([](Set& s) { s.layers[2].report.step = NAN; }), "not finite");
     expect(set_message([](Set& s) { s.seeds.placed = -1; }), "negative");
     expect(set_message([](Set& s) { s.spacing = -1.0; }), "spacing is negative");
     expect(set_message([](Set& s) { s.bounds = {}; }), "not a box");
     expect(set_message([](Set& s) { s.distribution = static_cast<marks::Distribution>(2); }), "distribution");
     expect(set_message([](Set& s) { s.seed_source = static_cast<marks::SeedSource>(9); }), "seed source");
-    expect(set_message([](Set& s) { s.group[1].direction[1] = 1.5F; }), "direction[0] is longer than a unit vector");
-    expect(set_message([](Set& s) { s.group[0].report.step = -0.5; }), "step or time of a group is negative");
-    expect(set_message([](Set& s) { s.group[0].report.seconds = -0.5; }), "step or time of a group is negative");
+    expect(set_message([](Set& s) { s.layers[1].direction[1] = 1.5F; }), "direction[0] is longer than a unit vector");
+    expect(set_message([](Set& s) { s.layers[0].report.step = -0.5; }), "step or time of a layer is negative");
+    expect(set_message([](Set& s) { s.layers[0].report.seconds = -0.5; }), "step or time of a layer is negative");
     expect(set_message([](Set& s) { s.seconds_total = -0.5; }), "one of its times is negative");
+}
+
+// Places of strokes are trusted by all that reads a set.
+TEST(PointSetFile, StrokesAreChecked) {
+    const auto expect = [](auto&& change, const char* part) {
+        const std::string message = set_message([&](Set& s) { change(s.layers[1]); });
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
+    using Layer = marks::Layer; // first 0 2 3, order 0 2 1
+    expect([](Layer& l) { l.stroke_first[0] = 1; }, "do not rise from 0");
+    expect([](Layer& l) { l.stroke_first[1] = 3; }, "do not rise from 0");
+    expect([](Layer& l) { l.stroke_first[2] = 4; }, "do not rise from 0");
+    expect([](Layer& l) { l.stroke_first.resize(1); }, "do not rise from 0");
+    expect([](Layer& l) { l.stroke_first.clear(); }, "an order of strokes and no strokes");
+    expect([](Layer& l) { l.stroke_order.resize(2); }, "is not that of its marks");
+    expect([](Layer& l) { l.stroke_order[1] = 3; }, "twice, or is none");
+    expect([](Layer& l) { l.stroke_order[1] = 0; }, "twice, or is none");
+    expect([](Layer& l) { l.stroke[2] = 0; }, "in the order of their numbers");
+    expect([](Layer& l) { l.stroke_order.clear(); }, "different numbers");
+}
+
+// Nothing is made of a number of layers before they come.
+TEST(PointSetFile, LayersAreCounted) {
+    base::Memory memory;
+    Bytes bytes = point_set_bytes(3);
+    const std::size_t layers = header_size + section_header_size + 8;
+    for (const std::uint32_t wrong : {2U, 4U, 65536U, 65537U, 0xFFFFFFFFU}) {
+        store(&bytes[layers], wrong);
+        sign(bytes);
+        const Outcome outcome = load(memory, bytes, false);
+        EXPECT_EQ(outcome.status, Status::corrupt_data) << outcome.message;
+    }
+    EXPECT_LT(memory.bytes_peak(), 65536);
 }
 
 // Positions are relative to the middle of a box that holds all marks.
@@ -248,8 +289,8 @@ TEST(PointSetFile, MarksLieInTheirBox) {
     const auto expect = [](const std::string& message, const char* part) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
     };
-    expect(set_message([](Set& s) { s.group[0].position[5] = 1.25F; }), "position[1] is outside its bounds");
-    expect(set_message([](Set& s) { s.group[1].position[0] = -3e38F; }), "position[0] is outside its bounds");
+    expect(set_message([](Set& s) { s.layers[0].position[5] = 1.25F; }), "position[1] is outside its bounds");
+    expect(set_message([](Set& s) { s.layers[1].position[0] = -3e38F; }), "position[0] is outside its bounds");
     expect(set_message([](Set& s) { s.origin.x = 1e300; }), "position[0] is outside its bounds");
     expect(set_message([](Set& s) { s.bounds.max.y = 1e39; }), "larger than floats can be");
     expect(set_message([](Set& s) { s.bounds = {glm::dvec3(-1.7e308), glm::dvec3(1.7e308)}; }), "larger than floats");
@@ -262,8 +303,8 @@ TEST(PointSetFile, FarMarksAreRoundedIntoTheirBox) {
             const auto far = [&](Set& s) {
                 s.origin = glm::dvec3(origin);
                 s.bounds = {glm::dvec3(origin - half), glm::dvec3(origin + half)};
-                for (marks::MarkGroup& group : s.group)
-                    for (float& position : group.position)
+                for (marks::Layer& layer : s.layers)
+                    for (float& position : layer.position)
                         position = static_cast<float>((position < 0.0F ? s.bounds.min.x : s.bounds.max.x) - origin);
             };
             EXPECT_EQ(set_message(far), "") << origin << " " << half;

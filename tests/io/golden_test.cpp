@@ -55,13 +55,37 @@ TEST(Golden, PointSetOfVersion1) {
     const marks::PointSet set = load_point_set(memory, reader);
     EXPECT_EQ(set.distribution, marks::Distribution::paper);
     EXPECT_EQ(set.seed_source, marks::SeedSource::samples);
-    EXPECT_EQ(set.group[0].count(), 30);
-    EXPECT_EQ(set.group[1].count(), 36);
-    EXPECT_EQ(set.group[2].count(), 36);
-    EXPECT_EQ(set.group[0].rank[0], 0.538630426F);
-    EXPECT_EQ(set.group[0].position[87], 0.609430969F);
-    EXPECT_EQ(set.group[1].curvature.size(), 108);
-    EXPECT_EQ(bytes_of(set), bytes); // until there is a version 2
+    ASSERT_EQ(set.layers.size(), 3);
+    EXPECT_EQ(set.layers[0].kind, marks::Kind::stipples);
+    EXPECT_EQ(set.layers[1].kind, marks::Kind::principal);
+    EXPECT_EQ(set.layers[2].kind, marks::Kind::combing);
+    EXPECT_STREQ(set.layers[2].name.data(), "combing");
+    EXPECT_EQ(set.layers[0].count(), 30);
+    EXPECT_EQ(set.layers[1].count(), 36);
+    EXPECT_EQ(set.layers[2].count(), 36);
+    EXPECT_EQ(set.layers[0].rank[0], 0.538630426F);
+    EXPECT_EQ(set.layers[0].position[87], 0.609430969F);
+    EXPECT_EQ(set.layers[1].curvature.size(), 108);
+    EXPECT_EQ(set.layers[0].strokes(), 0);
+    EXPECT_EQ(set.layers[1].strokes(), 12) << "two of each of six seeds";
+    EXPECT_EQ(set.layers[2].strokes(), 12);
+    EXPECT_FALSE(set.layers[0].progressive);
+    // What version 2 says of the same set.
+    EXPECT_EQ(bytes_of(set), golden("sphere_6.points.v2"));
+}
+
+TEST(Golden, PointSetOfVersion2) {
+    base::Memory memory;
+    const Bytes bytes = golden("sphere_6.points.v2");
+    MemoryReader reader = reader_of(bytes);
+    const marks::PointSet set = load_point_set(memory, reader);
+    ASSERT_EQ(set.layers.size(), 3);
+    EXPECT_EQ(set.layers[1].strokes(), 12);
+    EXPECT_EQ(set.layers[1].stroke_first[5], 15U);
+    EXPECT_EQ(set.layers[1].mark_of(1), 0) << "the seed in the middle of its stroke";
+    EXPECT_EQ(set.layers[1].stroke_of(0), 0);
+    EXPECT_EQ(set.layers[0].rank[0], 0.538630426F);
+    EXPECT_EQ(bytes_of(set), bytes); // until there is a version 3
 }
 
 } // namespace

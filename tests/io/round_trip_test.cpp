@@ -70,12 +70,11 @@ TEST(PointSetFile, KeepsEveryBit) {
         EXPECT_EQ(first, bytes_of(load_point_set(memory, reader)));
         marks::PointSet tapered = point_set(memory, count);
         for (std::int64_t i = 0; i < count; ++i)
-            tapered.group[1].width.push_back(0.25F + 0.01F * static_cast<float>(i % 70));
+            tapered.layers[1].width.push_back(0.25F + 0.01F * static_cast<float>(i % 70));
         const Bytes with = bytes_of(tapered);
         EXPECT_EQ(with.size(), count == 0
                                    ? first.size()
-                                   : first.size() + 3 * section_header_size + 4 * static_cast<std::size_t>(count))
-            << "files without widths are as they were";
+                                   : first.size() + 4 * static_cast<std::size_t>(count));
         MemoryReader again = reader_of(with);
         EXPECT_EQ(with, bytes_of(load_point_set(memory, again)));
     }
@@ -94,12 +93,24 @@ TEST(PointSetFile, GivesBackEveryField) {
     EXPECT_EQ(loaded.seeds.attempted, 100);
     EXPECT_EQ(loaded.seeds.dropped_budget, 1);
     EXPECT_EQ(loaded.seconds_total, 0.75);
-    EXPECT_EQ(loaded.group[1].report.strokes, 5);
-    EXPECT_EQ(loaded.group[1].report.level[12].dropped_strayed, 4);
-    EXPECT_EQ(loaded.group[1].curvature[5], set.group[1].curvature[5]);
-    EXPECT_TRUE(loaded.group[0].curvature.empty());
-    EXPECT_EQ(loaded.group[0].stroke[3], set.group[0].stroke[3]);
-    EXPECT_EQ(loaded.group[2].count(), 0);
+    ASSERT_EQ(loaded.layers.size(), 3);
+    EXPECT_EQ(loaded.layers[1].kind, marks::Kind::principal);
+    EXPECT_STREQ(loaded.layers[1].name.data(), "principal");
+    EXPECT_TRUE(loaded.layers[0].progressive);
+    EXPECT_FALSE(loaded.layers[1].progressive);
+    EXPECT_FALSE(loaded.layers[0].has_strokes());
+    ASSERT_EQ(loaded.layers[1].strokes(), 2);
+    EXPECT_EQ(loaded.layers[1].stroke_first[1], 2U);
+    EXPECT_EQ(loaded.layers[1].mark_of(1), 2);
+    EXPECT_EQ(loaded.layers[1].mark_of(2), 1);
+    EXPECT_EQ(loaded.layers[1].stroke_of(2), 0);
+    EXPECT_EQ(loaded.layers[1].stroke_of(3), 1);
+    EXPECT_EQ(loaded.layers[1].report.full_count, 7);
+    EXPECT_EQ(loaded.layers[1].report.level[12].dropped_strayed, 4);
+    EXPECT_EQ(loaded.layers[1].curvature[5], set.layers[1].curvature[5]);
+    EXPECT_TRUE(loaded.layers[0].curvature.empty());
+    EXPECT_EQ(loaded.layers[0].stroke[3], set.layers[0].stroke[3]);
+    EXPECT_EQ(loaded.layers[2].count(), 0);
 }
 
 TEST(PointSetFile, ASetWithoutMarksHasNoBox) {

@@ -86,23 +86,29 @@ inline marks::PointSet point_set(base::Memory& memory, std::int64_t count) {
     }
     set.seeds = {100, 90, 4, 3, 2, 1};
     set.seconds_total = 0.75;
-    for (std::int64_t g = 0; g < 2; ++g) { // the third stays empty
-        marks::MarkGroup& group = set.group[static_cast<std::size_t>(g)];
-        group.report.strokes = g * 5;
-        group.report.levels = 3;
-        group.report.step = 0.5;
-        group.report.level[12] = {1, 2, 3, 4, 5, 6};
+    // Stipples, strokes whose marks do not stand stroke by stroke, and a layer that stays empty.
+    for (const marks::Kind kind : {marks::Kind::stipples, marks::Kind::principal, marks::Kind::own}) {
+        marks::Layer& layer = set.layers.add(memory, kind);
+        layer.progressive = kind == marks::Kind::stipples;
+        layer.report.full_count = 7;
+        layer.report.levels = 3;
+        layer.report.step = 0.5;
+        layer.report.of(12) = {1, 2, 3, 4, 5, 6};
+        if (kind == marks::Kind::own) continue;
+        const bool strokes = kind == marks::Kind::principal;
         for (std::int64_t i = 0; i < count; ++i) {
-            group.rank.push_back(static_cast<float>(number(i) + 0.5));
-            group.level.push_back(static_cast<std::uint8_t>(i % 13));
-            for (int k = 0; k < 2; ++k) group.stroke.push_back(static_cast<std::uint32_t>(2 * i + k));
+            layer.rank.push_back(static_cast<float>(number(i) + 0.5));
+            layer.level.push_back(static_cast<std::uint8_t>(i % 13));
+            layer.stroke.push_back(static_cast<std::uint32_t>(strokes ? i % 2 : 2 * i));
+            layer.stroke.push_back(static_cast<std::uint32_t>(strokes ? i / 2 : 0));
             for (int k = 0; k < 3; ++k) {
-                group.position.push_back(static_cast<float>(number(1000 + 3 * i + k)));
-                group.normal.push_back(k == i % 3 ? 1.0F : 0.0F);
-                group.direction.push_back(k == (i + 1) % 3 ? 1.0F : 0.0F);
-                if (g == 1) group.curvature.push_back(static_cast<float>(number(2000 + 3 * i + k)));
+                layer.position.push_back(static_cast<float>(number(1000 + 3 * i + k)));
+                layer.normal.push_back(k == i % 3 ? 1.0F : 0.0F);
+                layer.direction.push_back(k == (i + 1) % 3 ? 1.0F : 0.0F);
+                if (strokes) layer.curvature.push_back(static_cast<float>(number(2000 + 3 * i + k)));
             }
         }
+        if (strokes) marks::index_strokes(layer);
     }
     return set;
 }

@@ -32,7 +32,7 @@ Placed placed(const MarkClusters& m, std::int64_t place) {
     return {vector_of({b.x[i], b.y[i], b.z[i]}), vector_of({b.nx[i], b.ny[i], b.nz[i]}), b.rank[i], b.mark[i]};
 }
 
-void expect_sound(const marks::MarkGroup& group, bool strokes = false) {
+void expect_sound(const marks::Layer& group, bool strokes = false) {
     const MarkClusters& m = group.clusters;
     constexpr std::int64_t size = marks::MarkBlock::size;
     std::vector<int> met(static_cast<std::size_t>(group.count()), 0);
@@ -80,59 +80,59 @@ protected:
 TEST_F(Clusters, HoldEveryMarkOnceAndBoundThem) {
     for (const int count : {1, 2, 3, 127, 128, 129, 5000, 200000}) {
         const marks::PointSet set = clustered(runtime, sphere(runtime.memory, count));
-        expect_sound(set.group[0]);
+        expect_sound(set.layers[0]);
         if (count == 200000) { // and there are not too many
-            EXPECT_LT(set.group[0].clusters.cluster.size(), 200000 / 20);
+            EXPECT_LT(set.layers[0].clusters.cluster.size(), 200000 / 20);
         }
-        EXPECT_GE(set.bytes(), set.group[0].clusters.bytes());
+        EXPECT_GE(set.bytes(), set.layers[0].clusters.bytes());
     }
-    expect_sound(clustered(runtime, torus(runtime.memory, 150)).group[0]);
-    expect_sound(clustered(runtime, plane(runtime.memory, 70)).group[0]);
+    expect_sound(clustered(runtime, torus(runtime.memory, 150)).layers[0]);
+    expect_sound(clustered(runtime, plane(runtime.memory, 70)).layers[0]);
 }
 
 TEST_F(Clusters, OfStrokesHaveOneSetEach) {
     marks::PointSet set = torus(runtime.memory, 40);
-    add_torus_strokes(set, 1, 400, 27, 0.3);
-    add_torus_strokes(set, 2, 100, 9, 0.3);
-    for (std::int64_t i = 0; i < set.group[1].count(); ++i)
-        set.group[1].width.push_back(0.1F + 0.9F * static_cast<float>(i % 7) / 7.0F);
+    add_torus_strokes(set, marks::Kind::principal, 400, 27, 0.3);
+    add_torus_strokes(set, marks::Kind::combing, 100, 9, 0.3);
+    for (std::int64_t i = 0; i < set.layers[1].count(); ++i)
+        set.layers[1].width.push_back(0.1F + 0.9F * static_cast<float>(i % 7) / 7.0F);
     marks::cluster_marks(runtime, set);
-    expect_sound(set.group[0]);
-    expect_sound(set.group[1], true);
-    expect_sound(set.group[2], true);
+    expect_sound(set.layers[0]);
+    expect_sound(set.layers[1], true);
+    expect_sound(set.layers[2], true);
     // Again: nothing is left of the first time.
-    const std::int64_t clusters = set.group[1].clusters.cluster.size();
+    const std::int64_t clusters = set.layers[1].clusters.cluster.size();
     marks::cluster_marks(runtime, set);
-    EXPECT_EQ(set.group[1].clusters.cluster.size(), clusters);
-    expect_sound(set.group[1], true);
+    EXPECT_EQ(set.layers[1].clusters.cluster.size(), clusters);
+    expect_sound(set.layers[1], true);
 }
 
 TEST_F(Clusters, BearDegenerateSets) {
     marks::PointSet empty(runtime.memory);
     marks::cluster_marks(runtime, empty);
-    EXPECT_TRUE(empty.group[0].clusters.cluster.empty());
+    EXPECT_TRUE(empty.layers[0].clusters.cluster.empty());
     marks::PointSet heap(runtime.memory); // 300 marks at one place that face alike
     for (int i = 0; i < 300; ++i) add_stipple(heap, {0.5, 0.25, -2.0}, {0.0, 0.6, 0.8});
     marks::cluster_marks(runtime, heap);
-    expect_sound(heap.group[0]);
-    for (const Cluster& c : heap.group[0].clusters.cluster) EXPECT_EQ(c.radius, 0.0F);
+    expect_sound(heap.layers[0]);
+    for (const Cluster& c : heap.layers[0].clusters.cluster) EXPECT_EQ(c.radius, 0.0F);
     marks::PointSet star(runtime.memory); // at one place, facing all ways
     for (int i = 0; i < 1000; ++i) add_stipple(star, {1.0, 1.0, 1.0}, fibonacci_direction(i, 1000));
     marks::cluster_marks(runtime, star);
-    expect_sound(star.group[0]);
+    expect_sound(star.layers[0]);
     marks::PointSet opposite(runtime.memory);
     add_stipple(opposite, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
     add_stipple(opposite, {0.0, 0.0, 0.0}, {0.0, 0.0, -1.0});
     marks::cluster_marks(runtime, opposite);
-    expect_sound(opposite.group[0]);
+    expect_sound(opposite.layers[0]);
     marks::PointSet line(runtime.memory);
     for (int i = 0; i < 1000; ++i) add_stipple(line, {0.001 * i, 0.0, 0.0}, {0.0, 0.0, 1.0});
     marks::cluster_marks(runtime, line);
-    expect_sound(line.group[0]);
+    expect_sound(line.layers[0]);
     marks::PointSet far(runtime.memory);
     for (int i = 0; i < 500; ++i) add_stipple(far, 1e30 * fibonacci_direction(i, 500), fibonacci_direction(i, 500));
     marks::cluster_marks(runtime, far);
-    EXPECT_FALSE(far.group[0].clusters.cluster.empty());
+    EXPECT_FALSE(far.layers[0].clusters.cluster.empty());
 }
 
 // Positions, centres and radii are in the set's unit, so that no size leaves a trace.
@@ -142,26 +142,26 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
     for (const int power : {-149, -140, -100, -66, 66, 100, 127}) {
         SCOPED_TRACE(power);
         marks::PointSet set(runtime.memory);
-        for (std::int64_t i = 0; i < unit.group[0].count(); ++i)
-            add_stipple(set, std::ldexp(1.0, power) * glm::dvec3(marks::vector_at(unit.group[0].position, i)),
-                        glm::dvec3(marks::vector_at(unit.group[0].normal, i)));
-        for (float& coordinate : set.group[0].position)
+        for (std::int64_t i = 0; i < unit.layers[0].count(); ++i)
+            add_stipple(set, std::ldexp(1.0, power) * glm::dvec3(marks::vector_at(unit.layers[0].position, i)),
+                        glm::dvec3(marks::vector_at(unit.layers[0].normal, i)));
+        for (float& coordinate : set.layers[0].position)
             coordinate =
                 std::clamp(coordinate, std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max());
         marks::cluster_marks(runtime, set);
         ASSERT_NE(set.unit, 1.0);
         std::int64_t marks = 0;
-        for (const Cluster& c : set.group[0].clusters.cluster) {
+        for (const Cluster& c : set.layers[0].clusters.cluster) {
             marks += c.count;
             ASSERT_LT(c.radius, 8.0F);
             for (const float number : {c.radius, c.bend, c.axis[0], c.shape[0], c.shape[3], c.shape[5]})
                 ASSERT_TRUE(std::isfinite(number));
         }
-        EXPECT_EQ(marks, set.group[0].count());
+        EXPECT_EQ(marks, set.layers[0].count());
         if (power < -100 || power > 100) continue; // some digits are lost
-        const marks::MarkBlock& small = set.group[0].clusters.block[0];
-        const marks::MarkBlock& same = unit.group[0].clusters.block[0];
-        EXPECT_EQ(set.group[0].clusters.cluster.size(), unit.group[0].clusters.cluster.size());
+        const marks::MarkBlock& small = set.layers[0].clusters.block[0];
+        const marks::MarkBlock& same = unit.layers[0].clusters.block[0];
+        EXPECT_EQ(set.layers[0].clusters.cluster.size(), unit.layers[0].clusters.cluster.size());
         EXPECT_EQ(small.mark[3], same.mark[3]);
         EXPECT_EQ(small.rank[3], same.rank[3]);
         EXPECT_EQ(double{small.x[3]} * set.unit, std::ldexp(double{same.x[3]}, power));
@@ -176,7 +176,7 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
                         glm::dvec3(1.0),
                     fibonacci_direction(i, 400));
     marks::cluster_marks(runtime, ends);
-    for (const Cluster& c : ends.group[0].clusters.cluster) EXPECT_TRUE(std::isfinite(c.radius));
+    for (const Cluster& c : ends.layers[0].clusters.cluster) EXPECT_TRUE(std::isfinite(c.radius));
 }
 
 // No file and no array gives such positions; if one did, the undefined-behaviour sanitizer would have nothing to say.
@@ -186,7 +186,7 @@ TEST_F(Clusters, BearWhatIsNoNumber) {
     for (int i = 0; i < 300; ++i)
         add_stipple(set, {i % 7 == 0 ? nan : 0.1 * i, i % 5 == 0 ? HUGE_VAL : 1.0, 0.0}, {0.0, 0.0, 1.0});
     marks::cluster_marks(runtime, set);
-    EXPECT_FALSE(set.group[0].clusters.cluster.empty());
+    EXPECT_FALSE(set.layers[0].clusters.cluster.empty());
 }
 
 // t . S t for a tangent direction.
@@ -204,7 +204,7 @@ struct Tangents {
 };
 
 template <class Wanted>
-double share_off(const marks::MarkGroup& group, double largest, const Wanted& wanted) {
+double share_off(const marks::Layer& group, double largest, const Wanted& wanted) {
     std::int64_t off = 0;
     for (const Cluster& c : group.clusters.cluster) {
         const Tangents t = wanted(vector_of(c.centre));
@@ -228,10 +228,10 @@ TEST_F(Clusters, KnowTheCurvatureOfASphere) {
             return Tangents{t, glm::cross(glm::normalize(centre), t), 1.0 / radius, 1.0 / radius};
         };
         const marks::PointSet many = clustered(runtime, sphere(runtime.memory, 200000, radius));
-        EXPECT_EQ(share_off(many.group[0], 1.0 / radius, wanted), 0.0);
+        EXPECT_EQ(share_off(many.layers[0], 1.0 / radius, wanted), 0.0);
         // A cluster of a few marks at the edge of its cell has the shape of all the cell.
         const marks::PointSet some = clustered(runtime, sphere(runtime.memory, 50000, radius));
-        EXPECT_LE(share_off(some.group[0], 1.0 / radius, wanted), 0.005);
+        EXPECT_LE(share_off(some.layers[0], 1.0 / radius, wanted), 0.005);
     }
 }
 
@@ -244,7 +244,7 @@ TEST_F(Clusters, KnowTheCurvaturesOfATorus) {
         return Tangents{glm::cross(n, along), along, 1.0 / minor, glm::dot(n, out) / (1.0 + minor * glm::dot(n, out))};
     };
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 400, minor));
-    EXPECT_LE(share_off(set.group[0], 1.0 / minor, wanted), 0.005);
+    EXPECT_LE(share_off(set.layers[0], 1.0 / minor, wanted), 0.005);
 }
 
 TEST_F(Clusters, AreTheSameForAnyThreadCount) {
@@ -252,10 +252,10 @@ TEST_F(Clusters, AreTheSameForAnyThreadCount) {
         const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
                                   base::InstructionSet::automatic, nullptr, nullptr);
         marks::PointSet set = torus(other.memory, 60);
-        add_torus_strokes(set, 1, 300, 9, 0.3);
+        add_torus_strokes(set, marks::Kind::principal, 300, 9, 0.3);
         marks::cluster_marks(other, set);
         std::vector<std::uint32_t> marks;
-        for (const marks::MarkGroup& group : set.group) {
+        for (const marks::Layer& group : set.layers) {
             for (const Cluster& c : group.clusters.cluster) {
                 for (std::int64_t i = 0; i < c.count; ++i)
                     marks.push_back(placed(group.clusters, c.block * marks::MarkBlock::size + i).mark);

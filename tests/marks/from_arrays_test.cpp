@@ -16,59 +16,76 @@ struct Arrays {
     std::vector<double> curvature = {1, 2, 0.5, 3, 4, 0.25, 0, 0, 0, -1, -2, 1};
     std::vector<double> rank = {0.0, 0.25, 0.5, 1.0};
     std::vector<double> level = {0, 1, 1, 2};
-    std::vector<double> stroke = {7, 0, 7, 1, 9, 0, 9, 1};
+    std::vector<std::uint32_t> stroke_first = {0, 2, 4};
+    std::vector<std::uint8_t> stroke_direction = {0, 1};
     std::vector<double> width = {0.5, 1.0, 1.0, 0.25};
 
-    [[nodiscard]] std::array<GroupArrays, group_count> views(std::size_t group = 1) const {
-        std::array<GroupArrays, group_count> all;
-        all[group] = {view(position), view(normal),   view(direction), view(curvature),
-                      view(rank, 1),  view(level, 1), view(stroke, 2), view(width, 1)};
-        return all;
+    [[nodiscard]] LayerArrays views(Kind kind = Kind::principal) const {
+        LayerArrays arrays;
+        arrays.kind = kind;
+        arrays.position = view(position);
+        arrays.normal = view(normal);
+        arrays.direction = view(direction);
+        arrays.curvature = view(curvature);
+        arrays.rank = view(rank, 1);
+        arrays.level = view(level, 1);
+        arrays.width = view(width, 1);
+        arrays.stroke_first = {reinterpret_cast<const std::byte*>(stroke_first.data()),
+                               static_cast<std::int64_t>(stroke_first.size()), 4, base::Scalar::uint32, 1};
+        arrays.stroke_direction = {reinterpret_cast<const std::byte*>(stroke_direction.data()),
+                                   static_cast<std::int64_t>(stroke_direction.size()), 1, base::Scalar::uint8, 1};
+        return arrays;
+    }
+    // No more than has to be.
+    [[nodiscard]] LayerArrays bare(Kind kind = Kind::own) const {
+        LayerArrays arrays;
+        arrays.kind = kind;
+        arrays.position = view(position);
+        arrays.normal = view(normal);
+        return arrays;
     }
 };
 
-PointSet import(const std::array<GroupArrays, group_count>& arrays, std::uint64_t seed = 1) {
-    return from_arrays(runtime(), arrays, seed);
+PointSet import(const LayerArrays& arrays, std::uint64_t seed = 1, const PointSet* base = nullptr) {
+    return from_arrays(runtime(), base, {&arrays, 1}, seed);
 }
 
 TEST(FromArrays, CopiesAndNormalises) {
     const PointSet set = import(Arrays().views());
-    const MarkGroup& marks = of(set, Group::curvature);
+    const Layer& marks = of(set, Kind::principal);
     ASSERT_EQ(marks.count(), 4);
     EXPECT_EQ(set.origin, glm::dvec3(0.5, 1.0, 1.5));
     EXPECT_EQ(set.bounds.max, glm::dvec3(1.0, 2.0, 3.0));
-    EXPECT_EQ(position(set, Group::curvature, 1), glm::dvec3(0, 2, 0));
+    EXPECT_EQ(position(set, Kind::principal, 1), glm::dvec3(0, 2, 0));
     EXPECT_EQ(vec(marks.normal, 1), glm::dvec3(0, 1, 0)) << "normalised";
     EXPECT_EQ(vec(marks.direction, 1), glm::dvec3(0, 0, 1)) << "made tangent and unit";
     EXPECT_EQ(vec(marks.curvature, 3), glm::dvec3(-1, -2, 1));
     EXPECT_EQ(marks.rank[1], 0.25F);
     EXPECT_LT(marks.rank[3], 1.0F) << "1 becomes the largest number below it";
     EXPECT_EQ(marks.level[3], 2);
-    EXPECT_EQ(marks.stroke[6], 9U);
+    EXPECT_EQ(marks.stroke[6], 3U) << "the second stroke, of the second direction";
     EXPECT_EQ(marks.stroke[7], 1U);
+    expect_strokes(marks);
     EXPECT_EQ(marks.width[3], 0.25F);
-    EXPECT_EQ(marks.report.strokes, 2);
+    EXPECT_EQ(marks.strokes(), 2);
     EXPECT_EQ(marks.report.levels, 2);
     EXPECT_EQ(marks.report.level[1].placed, 2);
     EXPECT_GT(set.spacing, 0.0);
-    EXPECT_EQ(of(set, Group::stipple).count(), 0);
+    EXPECT_EQ(of(set, Kind::stipples).count(), 0);
 }
 
 TEST(FromArrays, FillsInWhatIsLeftEmpty) {
-    std::array<GroupArrays, group_count> arrays = Arrays().views(0);
     const Arrays keep;
-    arrays[0] = {};
-    arrays[0].position = view(keep.position);
-    arrays[0].normal = view(keep.normal);
+    const LayerArrays arrays = keep.bare(Kind::stipples);
     const PointSet set = import(arrays);
-    const MarkGroup& marks = of(set, Group::stipple);
+    const Layer& marks = of(set, Kind::stipples);
     ASSERT_EQ(marks.count(), 4);
     EXPECT_TRUE(marks.curvature.empty());
     EXPECT_TRUE(marks.width.empty());
     for (std::int64_t i = 0; i < 4; ++i) {
         EXPECT_NEAR(glm::distance(vec(marks.direction, i), geometry::stipple_frame(vec(marks.normal, i)).u), 0.0, 1e-6);
         EXPECT_EQ(marks.level[i], 0);
-        EXPECT_EQ(marks.stroke[2 * i], i);
+        EXPECT_EQ(marks.stroke[2 * i], 2 * i);
         EXPECT_EQ(marks.stroke[2 * i + 1], 0U);
     }
     EXPECT_TRUE(same_bits(set, import(arrays)));
@@ -77,14 +94,14 @@ TEST(FromArrays, FillsInWhatIsLeftEmpty) {
 
 TEST(FromArrays, ReadsOtherScalarsAndStrides) {
     const Arrays keep;
-    std::array<GroupArrays, group_count> arrays = keep.views(2);
+    LayerArrays arrays = keep.views(Kind::combing);
     std::vector<float> floats(16, -1.0F);
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t k = 0; k < 3; ++k) floats[4 * i + k] = static_cast<float>(keep.position[3 * i + k]);
-    arrays[2].position = {reinterpret_cast<const std::byte*>(floats.data() + 12), 4, -16, base::Scalar::float32, 3};
+    arrays.position = {reinterpret_cast<const std::byte*>(floats.data() + 12), 4, -16, base::Scalar::float32, 3};
     const PointSet set = import(arrays);
-    EXPECT_EQ(position(set, Group::combing, 0), glm::dvec3(1, 1, 1)) << "a negative stride reads backwards";
-    EXPECT_EQ(position(set, Group::combing, 3), glm::dvec3(1, 0, 0));
+    EXPECT_EQ(position(set, Kind::combing, 0), glm::dvec3(1, 1, 1)) << "a negative stride reads backwards";
+    EXPECT_EQ(position(set, Kind::combing, 3), glm::dvec3(1, 0, 0));
 }
 
 TEST(FromArrays, RefusesWhatIsWrongAndNamesIt) {
@@ -94,26 +111,102 @@ TEST(FromArrays, RefusesWhatIsWrongAndNamesIt) {
         expect_error(Status::invalid_argument, words, [&] { (void)import(arrays.views()); });
     };
     const double nan = std::nan("");
-    refuse({"group[1].position[2]", "finite"}, [&](Arrays& a) { a.position[7] = nan; });
-    refuse({"group[1].position[0]", "a float cannot hold"}, [&](Arrays& a) { a.position[0] = 1e300; });
-    refuse({"group[1].normal[1]", "finite"}, [&](Arrays& a) { a.normal[4] = INFINITY; });
-    refuse({"group[1].normal[1]", "zero"}, [&](Arrays& a) { a.normal[4] = 0.0; });
-    refuse({"group[1].direction[3]", "finite"}, [&](Arrays& a) { a.direction[9] = nan; });
-    refuse({"group[1].direction[0]", "tangent"}, [&](Arrays& a) { a.direction[1] = 0.0; });
-    refuse({"group[1].direction[2]", "tangent"}, [&](Arrays& a) {
+    refuse({"point_set_desc.layers[0].position[2]", "finite"}, [&](Arrays& a) { a.position[7] = nan; });
+    refuse({"point_set_desc.layers[0].position[0]", "a float cannot hold"}, [&](Arrays& a) { a.position[0] = 1e300; });
+    refuse({"point_set_desc.layers[0].normal[1]", "finite"}, [&](Arrays& a) { a.normal[4] = INFINITY; });
+    refuse({"point_set_desc.layers[0].normal[1]", "zero"}, [&](Arrays& a) { a.normal[4] = 0.0; });
+    refuse({"point_set_desc.layers[0].direction[3]", "finite"}, [&](Arrays& a) { a.direction[9] = nan; });
+    refuse({"point_set_desc.layers[0].direction[0]", "tangent"}, [&](Arrays& a) { a.direction[1] = 0.0; });
+    refuse({"point_set_desc.layers[0].direction[2]", "tangent"}, [&](Arrays& a) {
         a.direction[6] = 0.0;
         a.direction[8] = 5.0;
     });
-    refuse({"group[1].curvature[1]", "finite"}, [&](Arrays& a) { a.curvature[5] = nan; });
-    refuse({"group[1].rank[2]", "[0,1)"}, [&](Arrays& a) { a.rank[2] = -0.1; });
-    refuse({"group[1].rank[0]", "[0,1)"}, [&](Arrays& a) { a.rank[0] = nan; });
-    refuse({"group[1].rank[3]", "[0,1)"}, [&](Arrays& a) { a.rank[3] = 1.5; });
-    refuse({"group[1].normal has 3", "position has 4"}, [&](Arrays& a) { a.normal.resize(9); });
-    refuse({"group[1].normal has 0", "every mark needs one"}, [&](Arrays& a) { a.normal.clear(); });
-    refuse({"group[1].rank has 3", "leave it empty"}, [&](Arrays& a) { a.rank.pop_back(); });
-    refuse({"group[1].stroke has 3"}, [&](Arrays& a) { a.stroke.resize(6); });
-    refuse({"group[1].normal has 4", "position has 0"}, [&](Arrays& a) { a.position.clear(); });
-    expect_error(Status::invalid_argument, {"no mark", "group[0].position"}, [] { (void)import({}); });
+    refuse({"point_set_desc.layers[0].curvature[1]", "finite"}, [&](Arrays& a) { a.curvature[5] = nan; });
+    refuse({"point_set_desc.layers[0].rank[2]", "[0,1)"}, [&](Arrays& a) { a.rank[2] = -0.1; });
+    refuse({"point_set_desc.layers[0].rank[0]", "[0,1)"}, [&](Arrays& a) { a.rank[0] = nan; });
+    refuse({"point_set_desc.layers[0].rank[3]", "[0,1)"}, [&](Arrays& a) { a.rank[3] = 1.5; });
+    refuse({"point_set_desc.layers[0].normal has 3", ".position has 4"}, [&](Arrays& a) { a.normal.resize(9); });
+    refuse({"point_set_desc.layers[0].normal has 0", "every mark needs one"}, [&](Arrays& a) { a.normal.clear(); });
+    refuse({"point_set_desc.layers[0].rank has 3", "leave it empty"}, [&](Arrays& a) { a.rank.pop_back(); });
+    refuse({"point_set_desc.layers[0].stroke_first[0] is 1; it must rise from 0 to the 4 marks"},
+           [&](Arrays& a) { a.stroke_first[0] = 1; });
+    refuse({"point_set_desc.layers[0].stroke_first[2] is 5; it must rise from 0 to the 4 marks"},
+           [&](Arrays& a) { a.stroke_first[2] = 5; });
+    refuse({"stroke_first[2] is 3"}, [&](Arrays& a) { a.stroke_first[2] = 3; });
+    refuse({"stroke_first[1] is 4"}, [&](Arrays& a) { a.stroke_first[1] = 4; });
+    refuse({"stroke_first[2] is 2"}, [&](Arrays& a) { a.stroke_first = {0, 2, 2, 4}; });
+    refuse({"stroke_first[0] is 0"}, [&](Arrays& a) { a.stroke_first = {0}; });
+    refuse({"stroke_direction[1] is 2", "0 or 1"}, [&](Arrays& a) { a.stroke_direction[1] = 2; });
+    refuse({"stroke_direction has 1", "2 strokes"}, [&](Arrays& a) { a.stroke_direction.pop_back(); });
+    refuse({"stroke_direction has 2", "0 strokes"}, [&](Arrays& a) { a.stroke_first.clear(); });
+    refuse({"point_set_desc.layers[0].normal has 4", ".position has 0"}, [&](Arrays& a) { a.position.clear(); });
+    expect_error(Status::invalid_argument, {"no mark", "layers[0].position"}, [] { (void)import({}); });
+}
+
+// Strokes say where they run, and appear as a whole.
+TEST(FromArrays, StrokesHaveDirectionsAndRanksOfTheirOwn) {
+    Arrays arrays;
+    arrays.position.clear();
+    arrays.normal.clear();
+    arrays.stroke_first = {0};
+    for (int s = 0; s < 8; ++s) { // meridians
+        for (int i = 0; i < 20; ++i) {
+            const glm::dvec3 p(std::sin(0.3 + 0.1 * i) * std::cos(s), std::sin(0.3 + 0.1 * i) * std::sin(s),
+                               std::cos(0.3 + 0.1 * i));
+            for (int k = 0; k < 3; ++k) arrays.position.push_back(p[k]);
+        }
+        arrays.stroke_first.push_back(static_cast<std::uint32_t>(20 * s + 20));
+    }
+    arrays.normal = arrays.position;
+    LayerArrays own = arrays.bare();
+    own.stroke_first = arrays.views().stroke_first;
+    const PointSet set = import(own);
+    const Layer& marks = set.layers[0];
+    expect_strokes(marks);
+    EXPECT_EQ(marks.kind, Kind::own);
+    EXPECT_STREQ(marks.name.data(), "own");
+    EXPECT_FALSE(marks.progressive);
+    std::vector<float> ranks;
+    for (std::int64_t i = 0; i < marks.count(); ++i) {
+        const glm::dvec3 p = position(set, marks, i);
+        const glm::dvec3 down = glm::normalize(glm::dvec3(p.x * p.z, p.y * p.z, -p.x * p.x - p.y * p.y));
+        EXPECT_GT(glm::dot(vec(marks.direction, i), down), 0.9999) << i;
+        const std::int64_t first = marks.stroke_first[marks.stroke_of(i)];
+        EXPECT_EQ(marks.rank[i], marks.rank[first]) << i;
+        EXPECT_EQ(marks.stroke[2 * i], 2 * marks.stroke_of(i));
+        if (i == first) ranks.push_back(marks.rank[i]);
+    }
+    std::sort(ranks.begin(), ranks.end());
+    EXPECT_EQ(std::unique(ranks.begin(), ranks.end()), ranks.end());
+}
+
+TEST(FromArrays, AddLayersToThoseOfASet) {
+    const PointSet base = make(Torus(), blue({Kind::stipples, Kind::principal}, 2000));
+    const Arrays arrays;
+    LayerArrays own = arrays.views(Kind::own);
+    own.name = {'h', 'a', 'n', 'd'};
+    const PointSet set = import(own, 1, &base);
+    ASSERT_EQ(set.layers.size(), 3);
+    EXPECT_EQ(set.origin, base.origin);
+    EXPECT_EQ(set.spacing, base.spacing);
+    EXPECT_EQ(set.distribution, base.distribution);
+    for (std::int64_t l = 0; l < 2; ++l) {
+        EXPECT_TRUE(same_bits(set.layers[l].position, base.layers[l].position));
+        EXPECT_TRUE(same_bits(set.layers[l].stroke_first, base.layers[l].stroke_first));
+        EXPECT_EQ(set.layers[l].report.full_count, base.layers[l].report.full_count);
+        EXPECT_TRUE(set.layers[l].progressive);
+    }
+    EXPECT_STREQ(set.layers[2].name.data(), "hand");
+    EXPECT_FALSE(set.layers[2].progressive);
+    EXPECT_NEAR(glm::distance(position(set, set.layers[2], 1), {0, 2, 0}), 0.0, 1e-6);
+    EXPECT_TRUE(set.bounds.contains({0, 0, 3})) << "the bounds hold the new marks too";
+    // More marks than before: each stands for less of the area.
+    Arrays many;
+    many.position = spiral_seeds(8000);
+    many.normal = many.position;
+    EXPECT_NEAR(import(many.bare(), 1, &base).spacing, 0.5 * base.spacing, 0.01 * base.spacing);
+    const PointSet only = from_arrays(runtime(), &base, {}, 1);
+    EXPECT_TRUE(same_bits(only, base));
 }
 
 TEST(FromArrays, EveryAllocationMayFail) {
@@ -128,13 +221,15 @@ TEST(FromArrays, EveryAllocationMayFail) {
         }
     };
     const Arrays arrays;
+    const PointSet base = import(arrays.views());
     for (int k = 0;; ++k) {
         ASSERT_LT(k, 1000);
         Allocator allocator{k};
         const base::Runtime failing(Allocator::allocate, Allocator::deallocate, &allocator, base::Parallel(),
                                     base::InstructionSet::automatic, nullptr, nullptr);
         try {
-            (void)from_arrays(failing, arrays.views(), 1);
+            const LayerArrays own = arrays.views();
+            (void)from_arrays(failing, &base, {&own, 1}, 1);
             EXPECT_GT(k, 8);
             break;
         } catch (const Error& error) {
@@ -150,11 +245,8 @@ TEST(FromArrays, SpacingIsEstimatedFromThePositions) {
         Arrays arrays;
         arrays.position = spiral_seeds(n);
         arrays.normal = arrays.position;
-        std::array<GroupArrays, group_count> views;
-        views[0].position = view(arrays.position);
-        views[0].normal = view(arrays.normal);
         const double expected = std::sqrt(4.0 * 3.14159265 / n);
-        EXPECT_NEAR(import(views).spacing, expected, 0.15 * expected) << n;
+        EXPECT_NEAR(import(arrays.bare()).spacing, expected, 0.15 * expected) << n;
     }
 }
 

@@ -15,25 +15,26 @@ using namespace test;
 
 TEST(PaperStipples, SixSeedsAndFourLevelsGive3750) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::stipple}, 4);
+    generate::Settings settings = paper({Kind::stipples}, 4);
     const std::vector<double> seeds = six_seeds();
     use_points(settings, seeds);
     const PointSet set = make(sphere, settings);
-    EXPECT_EQ(of(set, Group::stipple).count(), 3750);
-    const GroupReport& report = of(set, Group::stipple).report;
+    EXPECT_EQ(of(set, Kind::stipples).count(), 3750);
+    const LayerReport& report = of(set, Kind::stipples).report;
     EXPECT_EQ(report.full_count, 3750);
     EXPECT_EQ(report.levels, 4);
-    EXPECT_EQ(report.strokes, 0);
+    EXPECT_EQ(of(set, Kind::stipples).strokes(), 0);
     const std::array<std::int64_t, 5> placed = {6, 24, 120, 600, 3000};
-    for (std::size_t level = 0; level < placed.size(); ++level) EXPECT_EQ(report.level[level].placed, placed[level]);
+    for (std::int32_t level = 0; level < 5; ++level)
+        EXPECT_EQ(report.level[level].placed, placed[static_cast<std::size_t>(level)]);
     expect_sound(set, sphere);
     EXPECT_EQ(set.distribution, Distribution::paper);
     EXPECT_EQ(set.seed_source, SeedSource::points);
     // A stipple knows its seed, and every seed has as many.
     std::array<int, 6> of_seed{};
     for (std::int64_t i = 0; i < 3750; ++i) {
-        ++of_seed[of(set, Group::stipple).stroke[2 * i]];
-        EXPECT_EQ(of(set, Group::stipple).stroke[2 * i + 1], 0U);
+        ++of_seed[of(set, Kind::stipples).stroke[2 * i] / 2];
+        EXPECT_EQ(of(set, Kind::stipples).stroke[2 * i + 1], 0U);
     }
     for (const int count : of_seed) EXPECT_EQ(count, 625);
 }
@@ -42,47 +43,46 @@ TEST(PaperCounts, Table1) {
     const Sphere sphere;
     const std::vector<double> seeds512 = spiral_seeds(512);
     const std::vector<double> seeds4096 = spiral_seeds(4096);
-    generate::Settings settings = paper({Group::stipple}, 3);
+    generate::Settings settings = paper({Kind::stipples}, 3);
     use_points(settings, seeds512);
-    EXPECT_EQ(of(make(sphere, settings), Group::stipple).count(), 64000);
+    EXPECT_EQ(of(make(sphere, settings), Kind::stipples).count(), 64000);
     use_points(settings, seeds4096);
-    EXPECT_EQ(of(make(sphere, settings), Group::stipple).count(), 512000);
+    EXPECT_EQ(of(make(sphere, settings), Kind::stipples).count(), 512000);
 
-    settings = paper({Group::combing}, 4);
+    settings = paper({Kind::combing}, 4);
     use_points(settings, seeds512);
     const PointSet hatched = make(sphere, settings);
-    EXPECT_EQ(of(hatched, Group::combing).count(), 82944);
-    EXPECT_EQ(of(hatched, Group::combing).report.strokes, 1024);
-    EXPECT_EQ(of(hatched, Group::combing).report.full_count, 82944);
-    settings = paper({Group::curvature}, 3);
+    EXPECT_EQ(of(hatched, Kind::combing).count(), 82944);
+    EXPECT_EQ(of(hatched, Kind::combing).strokes(), 1024);
+    EXPECT_EQ(of(hatched, Kind::combing).report.full_count, 82944);
+    settings = paper({Kind::principal}, 3);
     use_points(settings, seeds4096);
-    EXPECT_EQ(of(make(sphere, settings), Group::curvature).count(), 221184);
+    EXPECT_EQ(of(make(sphere, settings), Kind::principal).count(), 221184);
 }
 
 // Hatching from stipples: 6 * 5^2 stipples, two strokes of 3^3 marks each.
 TEST(PaperCounts, StrokesMayStartFromStipples) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::combing}, 3);
+    generate::Settings settings = paper({Kind::combing}, 3);
     const std::vector<double> seeds = six_seeds();
     use_points(settings, seeds);
-    settings.group[2].published.from_stipples = true;
-    settings.group[2].published.seed_level = 2;
+    of(settings, Kind::combing).published.from_stipples = true;
+    of(settings, Kind::combing).published.start_level = 2;
     const PointSet only_strokes = make(sphere, settings);
-    EXPECT_EQ(of(only_strokes, Group::combing).count(), 150 * 2 * 27);
-    EXPECT_EQ(of(only_strokes, Group::combing).report.full_count, 150 * 2 * 27);
-    EXPECT_EQ(of(only_strokes, Group::stipple).count(), 0) << "they were not asked for";
-    EXPECT_EQ(of(only_strokes, Group::stipple).report.level[0].placed, 0);
-    settings.group[0].wanted = true;
-    settings.group[0].published.levels = 4;
+    EXPECT_EQ(of(only_strokes, Kind::combing).count(), 150 * 2 * 27);
+    EXPECT_EQ(of(only_strokes, Kind::combing).report.full_count, 150 * 2 * 27);
+    EXPECT_EQ(of(only_strokes, Kind::stipples).count(), 0) << "they were not asked for";
+    of(settings, Kind::stipples).budget = 0;
+    of(settings, Kind::stipples).published.levels = 4;
     const PointSet both = make(sphere, settings);
-    EXPECT_EQ(of(both, Group::stipple).count(), 3750);
-    EXPECT_TRUE(same_bits(of(both, Group::combing).direction, of(only_strokes, Group::combing).direction));
+    EXPECT_EQ(of(both, Kind::stipples).count(), 3750);
+    EXPECT_TRUE(same_bits(of(both, Kind::combing).direction, of(only_strokes, Kind::combing).direction));
 }
 
 // On a plane nothing moves in the projection: every child stands at (i r + j u) rho from its parent.
 TEST(PaperStipples, ChildrenStandAtTheJitteredCorners) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, cube(1.0));
-    generate::Settings settings = paper({Group::stipple}, 2);
+    generate::Settings settings = paper({Kind::stipples}, 2);
     const std::vector<double> seeds = {0.1, 0.2, 0.0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.3;
@@ -90,11 +90,11 @@ TEST(PaperStipples, ChildrenStandAtTheJitteredCorners) {
     for (std::uint64_t random = 0; random < 50; ++random) {
         settings.random_seed = random;
         const PointSet set = make(plane, settings);
-        ASSERT_EQ(of(set, Group::stipple).count(), 25);
+        ASSERT_EQ(of(set, Kind::stipples).count(), 25);
         const geometry::TangentFrame frame = geometry::stipple_frame({0.0, 0.0, 1.0});
         std::set<std::pair<int, int>> corners;
         for (std::int64_t i = 1; i < 5; ++i) {
-            const glm::dvec3 offset = (position(set, Group::stipple, i) - glm::dvec3(0.1, 0.2, 0.0)) / 0.3;
+            const glm::dvec3 offset = (position(set, Kind::stipples, i) - glm::dvec3(0.1, 0.2, 0.0)) / 0.3;
             const double along_r = glm::dot(offset, frame.r);
             const double along_u = glm::dot(offset, frame.u);
             EXPECT_NEAR(std::abs(along_r), 1.0, 0.1251);
@@ -106,10 +106,10 @@ TEST(PaperStipples, ChildrenStandAtTheJitteredCorners) {
         EXPECT_EQ(corners.size(), 4U);
         // The second level is a third as wide, about each of the first five.
         for (std::int64_t i = 5; i < 25; ++i) {
-            const glm::dvec3 parent = position(set, Group::stipple, (i - 5) / 4);
-            const glm::dvec3 offset = (position(set, Group::stipple, i) - parent) / 0.1;
+            const glm::dvec3 parent = position(set, Kind::stipples, (i - 5) / 4);
+            const glm::dvec3 offset = (position(set, Kind::stipples, i) - parent) / 0.1;
             EXPECT_NEAR(std::abs(glm::dot(offset, frame.r)), 1.0, 0.1251);
-            EXPECT_EQ(of(set, Group::stipple).level[i], 2);
+            EXPECT_EQ(of(set, Kind::stipples).level[i], 2);
         }
     }
     EXPECT_GT(different.size(), 350U) << "i and j are drawn for each child";
@@ -119,69 +119,69 @@ TEST(PaperStipples, ChildrenStandAtTheJitteredCorners) {
 
 TEST(PaperRanks, AreUniformAndIndependentOfOtherGroups) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::stipple}, 4);
+    generate::Settings settings = paper({Kind::stipples}, 4);
     const std::vector<double> seeds = spiral_seeds(40);
     use_points(settings, seeds);
     const PointSet set = make(sphere, settings);
-    const MarkGroup& marks = of(set, Group::stipple);
+    const Layer& marks = of(set, Kind::stipples);
     std::array<int, 10> histogram{};
     for (const float u : marks.rank) ++histogram[static_cast<std::size_t>(10.0F * u)];
     const double expected = static_cast<double>(marks.count()) / 10.0;
     for (const int count : histogram) EXPECT_NEAR(count, expected, 5.0 * std::sqrt(expected));
-    settings.group[2].wanted = true;
-    settings.group[2].published.levels = 2;
-    EXPECT_TRUE(same_bits(of(make(sphere, settings), Group::stipple).rank, marks.rank));
+    of(settings, Kind::combing).budget = 0;
+    of(settings, Kind::combing).published.levels = 2;
+    EXPECT_TRUE(same_bits(of(make(sphere, settings), Kind::stipples).rank, marks.rank));
     settings.random_seed = 2;
-    EXPECT_FALSE(same_bits(of(make(sphere, settings), Group::stipple).rank, marks.rank));
+    EXPECT_FALSE(same_bits(of(make(sphere, settings), Kind::stipples).rank, marks.rank));
 }
 
 TEST(PaperBudget, ThinsTheLevelThatExceedsItAndStops) {
     const Sphere sphere;
     const std::vector<double> seeds = spiral_seeds(40);
-    for (const Group group : {Group::stipple, Group::curvature, Group::combing}) {
-        generate::Settings settings = paper({group}, 4);
+    for (const Kind kind : {Kind::stipples, Kind::principal, Kind::combing}) {
+        generate::Settings settings = paper({kind}, 4);
         use_points(settings, seeds);
-        GroupSettings& limited = settings.group[static_cast<std::size_t>(group)];
-        const bool stipple = group == Group::stipple;
+        LayerSettings& limited = of(settings, kind);
+        const bool stipple = kind == Kind::stipples;
         limited.budget = stipple ? 700 : 500; // 40, 200, [1000]; 80, 240, [720]
         const PointSet set = make(sphere, settings);
-        const GroupReport& report = of(set, group).report;
-        EXPECT_EQ(of(set, group).count(), limited.budget);
+        const LayerReport& report = of(set, kind).report;
+        EXPECT_EQ(of(set, kind).count(), limited.budget);
         EXPECT_EQ(report.levels, 2);
         EXPECT_EQ(report.level[1].dropped_budget, 0);
         EXPECT_EQ(report.level[2].attempted, stipple ? 800 : 480);
         EXPECT_EQ(report.level[2].dropped_budget, stipple ? 300 : 220);
-        EXPECT_EQ(report.level[3].attempted, 0);
+        EXPECT_EQ(report.level.size(), 3) << "no level beyond it";
         EXPECT_EQ(report.full_count, stipple ? 40 * 625 : 80 * 81);
         expect_sound(set, sphere);
         // At random, not the first ones: all seeds keep some.
         std::set<std::uint32_t> strokes;
-        for (std::int64_t i = 0; i < of(set, group).count(); ++i)
-            if (of(set, group).level[i] == 2) strokes.insert(of(set, group).stroke[2 * i]);
+        for (std::int64_t i = 0; i < of(set, kind).count(); ++i)
+            if (of(set, kind).level[i] == 2) strokes.insert(of(set, kind).stroke[2 * i]);
         EXPECT_GE(strokes.size(), stipple ? 40U : 65U);
         if (!stipple) {
-            for (std::int64_t i = 0; i < of(set, group).count(); ++i)
-                EXPECT_LT(of(set, group).stroke[2 * i + 1], 9U) << "places are numbered for the levels taken";
+            for (std::int64_t i = 0; i < of(set, kind).count(); ++i)
+                EXPECT_LT(of(set, kind).stroke[2 * i + 1], 9U) << "places are numbered for the levels taken";
         }
         limited.budget = 10; // fewer than seeds
         const PointSet few = make(sphere, settings);
-        EXPECT_EQ(of(few, group).count(), 10);
-        EXPECT_EQ(of(few, group).report.levels, 0);
+        EXPECT_EQ(of(few, kind).count(), 10);
+        EXPECT_EQ(of(few, kind).report.levels, 0);
     }
 }
 
 TEST(PaperBudget, CountsBeyondReasonAreRefusedBeforeTheyAreMade) {
-    generate::Settings settings = paper({Group::stipple}, 12);
+    generate::Settings settings = paper({Kind::stipples}, 12);
     const std::vector<double> seeds = spiral_seeds(100);
     use_points(settings, seeds);
-    expect_error(Status::invalid_argument, {"group[0].levels = 12", "24414062500", "budget"},
+    expect_error(Status::invalid_argument, {"layers[0].levels = 12", "24414062500", "budget"},
                  [&] { (void)make(Sphere(), settings); });
-    settings.group[0].budget = 1000;
-    EXPECT_EQ(of(make(Sphere(), settings), Group::stipple).count(), 1000);
-    settings = paper({Group::combing}, 12);
+    of(settings, Kind::stipples).budget = 1000;
+    EXPECT_EQ(of(make(Sphere(), settings), Kind::stipples).count(), 1000);
+    settings = paper({Kind::combing}, 12);
     const std::vector<double> many = spiral_seeds(3000);
     use_points(settings, many);
-    expect_error(Status::invalid_argument, {"group[2].levels = 12", "budget"}, [&] { (void)make(Sphere(), settings); });
+    expect_error(Status::invalid_argument, {"layers[0].levels = 12", "budget"}, [&] { (void)make(Sphere(), settings); });
 }
 
 // A step far too long: children of the tangent plane land all over a small sphere or not at all, and
@@ -192,22 +192,22 @@ TEST(PaperDrops, AreCountedAndHaveNoChildren) {
         if (p.x > 0.0) return {std::nan(""), glm::dvec3(0.0), {}};
         return Sphere().at(p);
     });
-    generate::Settings settings = paper({Group::stipple}, 3);
+    generate::Settings settings = paper({Kind::stipples}, 3);
     const std::vector<double> seeds = {-1, 0, 0, -0.6, 0.8, 0, -0.6, 0, 0.8};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.8;
     const PointSet set = make(half, settings);
-    const GroupReport& report = of(set, Group::stipple).report;
+    const LayerReport& report = of(set, Kind::stipples).report;
     EXPECT_EQ(report.full_count, 3 * 125);
     std::int64_t placed = 3;
     std::int64_t degenerate = 0;
-    for (std::size_t level = 1; level <= 3; ++level) {
+    for (std::int32_t level = 1; level <= 3; ++level) {
         EXPECT_EQ(report.level[level].attempted, 4 * placed);
         placed += report.level[level].placed;
         degenerate += report.level[level].dropped_degenerate;
     }
     EXPECT_GT(degenerate, 3);
-    EXPECT_EQ(of(set, Group::stipple).count(), placed);
+    EXPECT_EQ(of(set, Kind::stipples).count(), placed);
     EXPECT_LT(placed, 3 * 125);
 }
 
@@ -217,32 +217,32 @@ TEST(PaperDrops, StrayedMarksAreDropped) {
     const AnyField step(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {p.z - (std::abs(p.x) < 1.0 ? 0.0 : 5.0), {0.0, 0.0, 1.0}, {}};
     });
-    generate::Settings settings = paper({Group::stipple, Group::combing}, 1);
+    generate::Settings settings = paper({Kind::stipples, Kind::combing}, 1);
     const std::vector<double> seeds = {0.9, 0, 0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.3;
     const PointSet set = make(step, settings);
-    EXPECT_EQ(of(set, Group::stipple).report.level[1].dropped_strayed + of(set, Group::stipple).report.level[1].placed,
+    EXPECT_EQ(of(set, Kind::stipples).report.level[1].dropped_strayed + of(set, Kind::stipples).report.level[1].placed,
               4);
-    EXPECT_GT(of(set, Group::stipple).report.level[1].dropped_strayed, 0);
-    EXPECT_EQ(of(set, Group::combing).report.level[1].dropped_strayed, 1);
-    EXPECT_EQ(of(set, Group::combing).count(), 2 + 3);
+    EXPECT_GT(of(set, Kind::stipples).report.level[1].dropped_strayed, 0);
+    EXPECT_EQ(of(set, Kind::combing).report.level[1].dropped_strayed, 1);
+    EXPECT_EQ(of(set, Kind::combing).count(), 2 + 3);
 }
 
 TEST(PaperCurvature, IsFilledWhereWanted) {
     const Torus torus;
-    generate::Settings settings = paper({Group::stipple, Group::curvature, Group::combing}, 1);
+    generate::Settings settings = paper({Kind::stipples, Kind::principal, Kind::combing}, 1);
     PointSet set = make(torus, settings);
-    EXPECT_TRUE(of(set, Group::stipple).curvature.empty());
-    EXPECT_TRUE(of(set, Group::combing).curvature.empty());
-    EXPECT_EQ(of(set, Group::curvature).curvature.size(), 3 * of(set, Group::curvature).count());
-    settings.group[0].with_curvature = settings.group[2].with_curvature = true;
+    EXPECT_TRUE(of(set, Kind::stipples).curvature.empty());
+    EXPECT_TRUE(of(set, Kind::combing).curvature.empty());
+    EXPECT_EQ(of(set, Kind::principal).curvature.size(), 3 * of(set, Kind::principal).count());
+    of(settings, Kind::stipples).with_curvature = of(settings, Kind::combing).with_curvature = true;
     set = make(torus, settings);
-    for (const Group group : {Group::stipple, Group::curvature, Group::combing}) {
-        const MarkGroup& marks = of(set, group);
+    for (const Kind kind : {Kind::stipples, Kind::principal, Kind::combing}) {
+        const Layer& marks = of(set, kind);
         ASSERT_EQ(marks.curvature.size(), 3 * marks.count());
         for (std::int64_t i = 0; i < marks.count(); ++i) {
-            const glm::dvec3 p = position(set, group, i);
+            const glm::dvec3 p = position(set, kind, i);
             const double rho = std::hypot(p.x, p.y);
             const glm::dvec3 k = vec(marks.curvature, i);
             EXPECT_NEAR(k.y, -1.0 / 0.35, 1e-4);

@@ -13,7 +13,7 @@ using namespace marks;
 using namespace test;
 
 // The marks of every stroke in the order of their places.
-std::map<std::uint32_t, std::vector<std::int64_t>> strokes_of(const MarkGroup& marks) {
+std::map<std::uint32_t, std::vector<std::int64_t>> strokes_of(const Layer& marks) {
     std::map<std::uint32_t, std::vector<std::int64_t>> strokes;
     for (std::int64_t i = 0; i < marks.count(); ++i) strokes[marks.stroke[2 * i]].push_back(i);
     for (auto& [stroke, members] : strokes)
@@ -24,12 +24,12 @@ std::map<std::uint32_t, std::vector<std::int64_t>> strokes_of(const MarkGroup& m
 
 TEST(Strokes, AreEvenRowsWithTheSeedInTheMiddle) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, cube(1.0));
-    generate::Settings settings = paper({Group::combing}, 3);
+    generate::Settings settings = paper({Kind::combing}, 3);
     const std::vector<double> seeds = {0.1, 0.2, 0.0, -0.5, 0.3, 0.0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.27;
     const PointSet set = make(plane, settings);
-    const MarkGroup& marks = of(set, Group::combing);
+    const Layer& marks = of(set, Kind::combing);
     const auto strokes = strokes_of(marks);
     ASSERT_EQ(strokes.size(), 4U) << "two seeds, two sets";
     const geometry::TangentFrame frame = geometry::combing_frame({0.0, 0.0, 1.0});
@@ -43,18 +43,18 @@ TEST(Strokes, AreEvenRowsWithTheSeedInTheMiddle) {
             EXPECT_EQ(marks.stroke[2 * i + 1], place);
             // {-1, 0, 1} rho + {-1/3, 0, 1/3} rho + {-1/9, 0, 1/9} rho: an even grid of spacing rho / 9.
             const glm::dvec3 expected = middle + (static_cast<double>(place) - 13.0) * 0.03 * along;
-            EXPECT_NEAR(glm::distance(position(set, Group::combing, i), expected), 0.0, 1e-6);
+            EXPECT_NEAR(glm::distance(position(set, Kind::combing, i), expected), 0.0, 1e-6);
             const int level = place == 13 ? 0 : (place + 5) % 9 == 0 ? 1 : (place + 2) % 3 == 0 ? 2 : 3;
             EXPECT_EQ(marks.level[i], level) << place;
         }
     }
 }
 
-void expect_even_strokes(const PointSet& set, Group group, double spacing, double tolerance) {
-    const MarkGroup& marks = of(set, group);
+void expect_even_strokes(const PointSet& set, Kind kind, double spacing, double tolerance) {
+    const Layer& marks = of(set, kind);
     for (const auto& [stroke, members] : strokes_of(marks)) {
         for (std::size_t place = 1; place < members.size(); ++place) {
-            const glm::dvec3 step = position(set, group, members[place]) - position(set, group, members[place - 1]);
+            const glm::dvec3 step = position(set, kind, members[place]) - position(set, kind, members[place - 1]);
             ASSERT_NEAR(glm::length(step), spacing, tolerance * spacing) << stroke << " " << place;
             // Directions run along the stroke, from place 0 on.
             ASSERT_GT(glm::dot(step, vec(marks.direction, members[place])), (1.0 - tolerance) * 0.9 * spacing);
@@ -65,28 +65,28 @@ void expect_even_strokes(const PointSet& set, Group group, double spacing, doubl
 
 TEST(Strokes, OrderAndSpacingHoldOnCurvedSurfaces) {
     const Torus torus;
-    generate::Settings settings = paper({Group::curvature}, 3);
+    generate::Settings settings = paper({Kind::principal}, 3);
     settings.seeds.initial_step = 0.09;
     const PointSet lines = make(torus, settings);
     expect_sound(lines, torus);
-    expect_even_strokes(lines, Group::curvature, 0.01, 0.12);
+    expect_even_strokes(lines, Kind::principal, 0.01, 0.12);
 }
 
 // A meridian is a geodesic and stays in its half plane at any step.  A parallel is not: the osculating
 // circle of the normal section leaves it by rho^2 / 2 times its geodesic curvature, sin v / (R + r cos v).
 TEST(Strokes, CurvatureLinesOfATorusAreItsMeridiansAndParallels) {
     const Torus torus(1.0, 0.35);
-    generate::Settings settings = paper({Group::curvature}, 3);
+    generate::Settings settings = paper({Kind::principal}, 3);
     for (const double step : {0.06, 0.3}) {
         settings.seeds.initial_step = step;
         const PointSet set = make(torus, settings);
         double longest = 0.0;
         double off_meridian = 0.0;
         double off_parallel = 0.0;
-        for (const auto& [stroke, members] : strokes_of(of(set, Group::curvature))) {
-            const glm::dvec3 seed = position(set, Group::curvature, members[13]);
+        for (const auto& [stroke, members] : strokes_of(of(set, Kind::principal))) {
+            const glm::dvec3 seed = position(set, Kind::principal, members[13]);
             for (const std::int64_t i : members) {
-                const glm::dvec3 p = position(set, Group::curvature, i);
+                const glm::dvec3 p = position(set, Kind::principal, i);
                 longest = std::max(longest, glm::distance(p, seed));
                 if (stroke % 2 == 0)
                     off_parallel = std::max(off_parallel, std::abs(std::hypot(p.x, p.y) - std::hypot(seed.x, seed.y)));
@@ -104,63 +104,63 @@ TEST(Strokes, CurvatureLinesOfATorusAreItsMeridiansAndParallels) {
 // where they start, at arc lengths that are exact.
 TEST(Strokes, StepsOnTheOsculatingCircleHaveTheStepsArcLength) {
     const Cylinder cylinder(0.5, 2.0);
-    generate::Settings settings = paper({Group::curvature}, 2);
+    generate::Settings settings = paper({Kind::principal}, 2);
     const std::vector<double> seeds = {0.5, 0, 0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.6; // an angle of 1.2
     const PointSet set = make(cylinder, settings);
-    const auto strokes = strokes_of(of(set, Group::curvature));
+    const auto strokes = strokes_of(of(set, Kind::principal));
     const auto& around = strokes.at(1); // k2 = -2, around the axis
     ASSERT_EQ(around.size(), 9U);
-    const double turn = vec(of(set, Group::curvature).direction, around[4]).y > 0.0 ? 1.0 : -1.0;
+    const double turn = vec(of(set, Kind::principal).direction, around[4]).y > 0.0 ? 1.0 : -1.0;
     for (std::size_t place = 0; place < 9; ++place) {
-        const glm::dvec3 p = position(set, Group::curvature, around[place]);
+        const glm::dvec3 p = position(set, Kind::principal, around[place]);
         const double angle = turn * (static_cast<double>(place) - 4.0) * 0.2 / 0.5;
         EXPECT_NEAR(glm::distance(p, {0.5 * std::cos(angle), 0.5 * std::sin(angle), 0.0}), 0.0, 1e-6) << place;
     }
     for (const std::int64_t i : strokes.at(0)) // k1 = 0, along the axis
-        EXPECT_NEAR(std::hypot(position(set, Group::curvature, i).x - 0.5, position(set, Group::curvature, i).y), 0.0,
+        EXPECT_NEAR(std::hypot(position(set, Kind::principal, i).x - 0.5, position(set, Kind::principal, i).y), 0.0,
                     1e-6);
     // Projection had nothing left to do but to confirm: two seeds' evaluations, and one for each child.
-    EXPECT_EQ(of(set, Group::curvature).report.level[1].placed, 4);
+    EXPECT_EQ(of(set, Kind::principal).report.level[1].placed, 4);
 }
 
 TEST(Strokes, StepsLongerThanAQuarterCircleEndThere) {
     const Cylinder cylinder(0.1, 2.0);
-    generate::Settings settings = paper({Group::curvature}, 1);
+    generate::Settings settings = paper({Kind::principal}, 1);
     const std::vector<double> seeds = {0.1, 0, 0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.5; // five radians
     const PointSet set = make(cylinder, settings);
-    const auto strokes = strokes_of(of(set, Group::curvature));
+    const auto strokes = strokes_of(of(set, Kind::principal));
     ASSERT_EQ(strokes.at(1).size(), 3U);
-    EXPECT_NEAR(std::abs(position(set, Group::curvature, strokes.at(1)[0]).y), 0.1, 1e-6);
-    EXPECT_NEAR(position(set, Group::curvature, strokes.at(1)[0]).x, 0.0, 1e-6);
+    EXPECT_NEAR(std::abs(position(set, Kind::principal, strokes.at(1)[0]).y), 0.1, 1e-6);
+    EXPECT_NEAR(position(set, Kind::principal, strokes.at(1)[0]).x, 0.0, 1e-6);
 }
 
 // A sphere is umbilic: a stroke goes on in its own direction, so that it is a great circle, although the
 // fallback field turns and jumps.
 TEST(Strokes, KeepTheirOwnDirectionWhereCurvatureTellsNone) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::curvature}, 4);
+    generate::Settings settings = paper({Kind::principal}, 4);
     const std::vector<double> seeds = spiral_seeds(60);
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.5;
     const PointSet set = make(sphere, settings);
-    for (const auto& [stroke, members] : strokes_of(of(set, Group::curvature))) {
+    for (const auto& [stroke, members] : strokes_of(of(set, Kind::principal))) {
         ASSERT_EQ(members.size(), 81U);
-        const glm::dvec3 middle = position(set, Group::curvature, members[40]);
-        const glm::dvec3 pole = glm::cross(middle, vec(of(set, Group::curvature).direction, members[40]));
-        for (const std::int64_t i : members) EXPECT_NEAR(glm::dot(position(set, Group::curvature, i), pole), 0.0, 1e-5);
+        const glm::dvec3 middle = position(set, Kind::principal, members[40]);
+        const glm::dvec3 pole = glm::cross(middle, vec(of(set, Kind::principal).direction, members[40]));
+        for (const std::int64_t i : members) EXPECT_NEAR(glm::dot(position(set, Kind::principal, i), pole), 0.0, 1e-5);
     }
 }
 
 TEST(Strokes, CombingFollowsStarksField) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::combing}, 2);
+    generate::Settings settings = paper({Kind::combing}, 2);
     settings.seeds.initial_step = 0.05;
     const PointSet set = make(sphere, settings);
-    const MarkGroup& marks = of(set, Group::combing);
+    const Layer& marks = of(set, Kind::combing);
     for (std::int64_t i = 0; i < marks.count(); ++i) {
         const geometry::TangentFrame frame = geometry::combing_frame(vec(marks.normal, i));
         const glm::dvec3 field = marks.stroke[2 * i] % 2 == 0 ? frame.r : frame.u;

@@ -124,8 +124,8 @@ TEST_F(Blend, TransparentPaperErases) {
     style.group[0].radius = 2.0F;
     style.paper = glm::vec4(0.0F);
     // Near marks are not inked: all but the first are light.
-    set.group[0].rank[0] = 0.999F;
-    for (std::int64_t i = 1; i < set.group[0].count(); ++i) set.group[0].rank[i] = 0.1F;
+    set.layers[0].rank[0] = 0.999F;
+    for (std::int64_t i = 1; i < set.layers[0].count(); ++i) set.layers[0].rank[i] = 0.1F;
     style.group[0].share = 0.01F;
     style.attenuation_front = 0.0;
     EXPECT_EQ(draw_marks(style, 40, 40).at(20, 20, 3), 255);

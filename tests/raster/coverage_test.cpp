@@ -23,8 +23,7 @@ constexpr int size = 400;
 marks::PointSet patch(const base::Runtime& runtime, std::int64_t marks) {
     const test::Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}});
     generate::Settings settings;
-    settings.group[0].wanted = true;
-    settings.group[0].budget = marks;
+    settings.layers.emplace_back().budget = marks;
     return clustered(runtime, generate::generate(runtime, plane, {}, settings, {}));
 }
 
@@ -123,7 +122,7 @@ TEST_F(Coverage, WithoutMarksEnoughAllAreShown) {
     Style style = toned(0.1);
     style.tone_fade = 0.0F;
     prepare(set, style, front_camera(size, size, 1.1));
-    EXPECT_EQ(frame.info().shown, set.group[0].count());
+    EXPECT_EQ(frame.info().shown, set.layers[0].count());
     EXPECT_EQ(frame.info().dropped_tone, 0);
 }
 
@@ -135,7 +134,7 @@ TEST_F(Coverage, TonesGetPalerTogetherWhereMarksAreFew) {
         prepare(set, style, front_camera(size, size, 1.1));
         return static_cast<double>(frame.info().shown);
     };
-    const double all = static_cast<double>(set.group[0].count());
+    const double all = static_cast<double>(set.layers[0].count());
     EXPECT_NEAR(shown_at(0.15) / all, 0.244, 0.01);
     EXPECT_NEAR(shown_at(0.3) / all, 0.488, 0.01);
     EXPECT_NEAR(shown_at(0.45) / all, 0.735, 0.01);
@@ -148,12 +147,12 @@ TEST_F(Coverage, ZoomingInNeverRemovesAMarkNorItsInk) {
         for (const float fade : {0.0F, 0.25F}) {
             Style style = toned(0.4);
             style.tone_fade = fade;
-            std::vector<double> before(static_cast<std::size_t>(set->group[0].count()) + 1, 0.0);
+            std::vector<double> before(static_cast<std::size_t>(set->layers[0].count()) + 1, 0.0);
             std::int64_t drawn = 0;
             for (double half = 2.0; half > 0.1; half /= 1.07) {
                 prepare(*set, style, front_camera(size, size, half));
-                const std::vector<double> now = areas(set->group[0].count(), 1.0);
-                for (std::int64_t i = 0; i < set->group[0].count(); ++i) {
+                const std::vector<double> now = areas(set->layers[0].count(), 1.0);
+                for (std::int64_t i = 0; i < set->layers[0].count(); ++i) {
                     const glm::dvec3 p = mark_of(*set, i).position;
                     const auto id = static_cast<std::size_t>(i) + 1;
                     if (std::max(std::abs(p.x), std::abs(p.y)) < half) {
@@ -191,8 +190,8 @@ TEST_F(Coverage, SmallChangesOfLightChangeInkOnlyALittle) {
             style.tone_fade = static_cast<float>(fade);
             style.light = light(0.004 * step);
             prepare(set, style, camera);
-            const std::vector<double> now = areas(set.group[0].count(), 1.0);
-            for (std::int64_t i = 0; step > 0 && i < set.group[0].count(); ++i) {
+            const std::vector<double> now = areas(set.layers[0].count(), 1.0);
+            for (std::int64_t i = 0; step > 0 && i < set.layers[0].count(); ++i) {
                 const Mark mark = mark_of(set, i);
                 // Of the share that is shown, whose `fade`-th part a mark takes to grow.
                 const auto needed = [&](int at) {

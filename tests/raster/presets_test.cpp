@@ -13,8 +13,8 @@ protected:
 
 TEST_P(Presets, DrawATorus) {
     marks::PointSet set = torus(runtime.memory, 120);
-    add_torus_strokes(set, 1, 1500, 27, 0.3);
-    add_torus_strokes(set, 2, 1500, 27, 0.3);
+    add_torus_strokes(set, marks::Kind::principal, 1500, 27, 0.3);
+    add_torus_strokes(set, marks::Kind::combing, 1500, 27, 0.3);
     const frame::Preset preset = frame::preset(GetParam());
     const frame::Camera camera = frame::fit_bounds(set.bounds, {0.2, 0.75, -0.6}, {0.0, 0.0, 1.0}, 0.6, 900, 700, 0.05,
                                                    frame::DepthConvention::negative_one_to_one);

@@ -141,8 +141,8 @@ protected:
             if (i % 5 == 2) y = 64.0 * std::round(y / 64.0) + (u[3] - 0.5);
             if (i % 5 == 3) x = u[3] < 0.5 ? 0.0 : width;
             add_pixel_mark(sets.back(), x, y, 8.0 * u[2]);
-            const float at = sets.back().group[0].position[3 * i];
-            const float down = -sets.back().group[0].position[3 * i + 1];
+            const float at = sets.back().layers[0].position[3 * i];
+            const float down = -sets.back().layers[0].position[3 * i + 1];
             known.push_back({static_cast<double>(at), static_cast<double>(down), 8.0 * u[2],
                              static_cast<double>(style.group[0].radius), glm::dvec4(style.group[0].ink),
                              (10.0 + 8.0 * u[2]) / 20.0});

@@ -20,7 +20,7 @@ struct Evenness {
 };
 
 Evenness evenness(const PointSet& set, double share, double area) {
-    const MarkGroup& marks = of(set, Group::stipple);
+    const Layer& marks = of(set, Kind::stipples);
     const auto count = static_cast<std::int64_t>(share * static_cast<double>(marks.count()));
     geometry::VecArray points(runtime().memory);
     for (std::int64_t i = 0; i < count; ++i) points.push_back(vec(marks.position, i));
@@ -41,9 +41,9 @@ constexpr double sphere_area = 4.0 * 3.14159265358979323846;
 TEST(BlueNoise, EveryPrefixIsEven) {
     const Sphere sphere;
     const Torus torus;
-    const PointSet on_sphere = make(sphere, blue({Group::stipple}, 8000));
-    const PointSet on_torus = make(torus, blue({Group::stipple}, 8000));
-    EXPECT_EQ(of(on_sphere, Group::stipple).count(), 8000);
+    const PointSet on_sphere = make(sphere, blue({Kind::stipples}, 8000));
+    const PointSet on_torus = make(torus, blue({Kind::stipples}, 8000));
+    EXPECT_EQ(of(on_sphere, Kind::stipples).count(), 8000);
     expect_sound(on_sphere, sphere);
     expect_sound(on_torus, torus);
     for (const double share : {0.02, 0.1, 0.3, 0.5, 1.0}) {
@@ -58,7 +58,7 @@ TEST(BlueNoise, EveryPrefixIsEven) {
 
 TEST(BlueNoise, TheMeasureOfEvennessTellsThePaperRecursionApart) {
     const Sphere sphere;
-    generate::Settings settings = paper({Group::stipple}, 3);
+    generate::Settings settings = paper({Kind::stipples}, 3);
     const std::vector<double> seeds = spiral_seeds(64);
     use_points(settings, seeds);
     const Evenness e = evenness(make(sphere, settings), 1.0, sphere_area);
@@ -68,27 +68,27 @@ TEST(BlueNoise, TheMeasureOfEvennessTellsThePaperRecursionApart) {
 
 // Marks by area: each eighth of the sphere, and outer and inner half of a torus, has its share.
 TEST(BlueNoise, IsUniformByArea) {
-    const PointSet sphere = make(SquareSphere(), blue({Group::stipple}, 8000));
+    const PointSet sphere = make(SquareSphere(), blue({Kind::stipples}, 8000));
     std::array<int, 8> octants{};
     for (std::int64_t i = 0; i < 8000; ++i) {
-        const glm::dvec3 p = position(sphere, Group::stipple, i);
+        const glm::dvec3 p = position(sphere, Kind::stipples, i);
         ++octants[(p.x > 0.0 ? 1U : 0U) + (p.y > 0.0 ? 2U : 0U) + (p.z > 0.0 ? 4U : 0U)];
     }
     for (const int count : octants) EXPECT_NEAR(count, 1000, 40);
-    const PointSet torus = make(Torus(), blue({Group::stipple}, 8000));
+    const PointSet torus = make(Torus(), blue({Kind::stipples}, 8000));
     int outer = 0;
     for (std::int64_t i = 0; i < 8000; ++i)
-        if (const glm::dvec3 p = position(torus, Group::stipple, i); std::hypot(p.x, p.y) > 1.0) ++outer;
+        if (const glm::dvec3 p = position(torus, Kind::stipples, i); std::hypot(p.x, p.y) > 1.0) ++outer;
     // The share of the outer half is 1/2 + r / (pi R).
     EXPECT_NEAR(outer / 8000.0, 0.5 + 0.35 / 3.14159265, 0.01);
 }
 
 TEST(BlueNoise, RanksFollowTheOrder) {
-    const PointSet set = make(Sphere(), blue({Group::stipple}, 1000));
-    const MarkGroup& marks = of(set, Group::stipple);
+    const PointSet set = make(Sphere(), blue({Kind::stipples}, 1000));
+    const Layer& marks = of(set, Kind::stipples);
     for (std::int64_t i = 0; i < 1000; ++i) {
         EXPECT_NEAR(marks.rank[i], 1.0 - (static_cast<double>(i) + 0.5) / 1000.0, 1e-6);
-        EXPECT_EQ(marks.stroke[2 * i], i);
+        EXPECT_EQ(marks.stroke[2 * i], 2 * i);
         EXPECT_EQ(marks.stroke[2 * i + 1], 0U);
         EXPECT_EQ(marks.level[i], 0);
     }
@@ -102,8 +102,8 @@ TEST(BlueNoise, RanksFollowTheOrder) {
 TEST(BlueNoise, SpacingAndAreaAreThoseOfTheSurface) {
     const Torus torus;
     for (const std::int64_t budget : {1, 7, 100, 3000, 20000}) {
-        const PointSet set = make(torus, blue({Group::stipple}, budget));
-        EXPECT_EQ(of(set, Group::stipple).count(), budget);
+        const PointSet set = make(torus, blue({Kind::stipples}, budget));
+        EXPECT_EQ(of(set, Kind::stipples).count(), budget);
         const double expected = std::sqrt(torus.area() / static_cast<double>(budget));
         EXPECT_NEAR(set.spacing, expected, 0.03 * expected);
     }
@@ -120,7 +120,7 @@ TEST(BlueNoise, OrdersThatUseUpTheirCandidatesEnd) {
         const SurfaceCells cells =
             find_surface_cells(site, seed, region, 2.2 * std::sqrt(torus.area() / static_cast<double>(wanted)), {});
         for (const std::int64_t each : {1, 2, 3}) {
-            Candidates candidates = draw_candidates(site, cells, each * wanted, Group::stipple, {});
+            Candidates candidates = draw_candidates(site, cells, each * wanted, Kind::stipples, {});
             const OrderedMarks marks = progressive_order(site, candidates, wanted, {});
             EXPECT_GT(marks.size(), wanted * (each == 1 ? 6 : 9) / 10) << each;
         }
@@ -128,25 +128,25 @@ TEST(BlueNoise, OrdersThatUseUpTheirCandidatesEnd) {
 }
 
 TEST(BlueNoise, DefaultBudgetIs40000) {
-    EXPECT_EQ(of(make(Sphere(), blue({Group::stipple}, 0)), Group::stipple).count(), 40000);
+    EXPECT_EQ(of(make(Sphere(), {}), Kind::stipples).count(), 40000);
 }
 
 TEST(BlueNoise, ReachesAllComponentsThatHaveASeed) {
     const TwoTori tori;
-    const PointSet set = make(tori, blue({Group::stipple}, 4000));
+    const PointSet set = make(tori, blue({Kind::stipples}, 4000));
     expect_sound(set, tori);
     int second = 0;
     for (std::int64_t i = 0; i < 4000; ++i) {
-        const glm::dvec3 p = position(set, Group::stipple, i);
+        const glm::dvec3 p = position(set, Kind::stipples, i);
         if (std::abs(Torus(1.0, 0.3).at(p).value) > 1e-3) ++second;
     }
     EXPECT_NEAR(second, 2000, 60);
-    generate::Settings one = blue({Group::stipple}, 1000);
+    generate::Settings one = blue({Kind::stipples}, 1000);
     const std::vector<double> seed = {1.3, 0.0, 0.0};
     use_points(one, seed);
     const PointSet flat = make(tori, one);
     for (std::int64_t i = 0; i < 1000; ++i) {
-        const glm::dvec3 p = position(flat, Group::stipple, i);
+        const glm::dvec3 p = position(flat, Kind::stipples, i);
         EXPECT_NEAR(Torus(1.0, 0.3).at(p).value, 0.0, 1e-5) << "the linked one is not reached";
     }
 }
@@ -154,12 +154,12 @@ TEST(BlueNoise, ReachesAllComponentsThatHaveASeed) {
 // Two faces closer to each other than the marks: each gets its own even order.
 TEST(BlueNoise, ThinSheetsAreCoveredOnBothFaces) {
     const ThinSlab slab(0.004);
-    const PointSet set = make(slab, blue({Group::stipple}, 2000));
+    const PointSet set = make(slab, blue({Kind::stipples}, 2000));
     expect_sound(set, slab, 2e-6);
     for (const std::int64_t prefix : {200, 1000, 2000}) {
         int upper = 0;
         for (std::int64_t i = 0; i < prefix; ++i)
-            if (position(set, Group::stipple, i).z > 0.0) ++upper;
+            if (position(set, Kind::stipples, i).z > 0.0) ++upper;
         EXPECT_NEAR(static_cast<double>(upper) / static_cast<double>(prefix), 0.5, 0.04) << prefix;
     }
 }
@@ -168,11 +168,11 @@ TEST(BlueNoise, ThinSheetsAreCoveredOnBothFaces) {
 TEST(BlueNoise, EachFaceOfAThinSheetIsEven) {
     const ThinSlab slab(0.004);
     for (const std::int64_t budget : {2000, 20000}) {
-        const PointSet set = make(slab, blue({Group::stipple}, budget));
-        EXPECT_EQ(of(set, Group::stipple).count(), budget);
+        const PointSet set = make(slab, blue({Kind::stipples}, budget));
+        EXPECT_EQ(of(set, Kind::stipples).count(), budget);
         geometry::VecArray upper(runtime().memory);
-        for (std::int64_t i = 0; i < of(set, Group::stipple).count(); ++i)
-            if (const glm::dvec3 p = position(set, Group::stipple, i); p.z > 0.0) upper.push_back(p);
+        for (std::int64_t i = 0; i < of(set, Kind::stipples).count(); ++i)
+            if (const glm::dvec3 p = position(set, Kind::stipples, i); p.z > 0.0) upper.push_back(p);
         const geometry::PointTree tree(upper, {});
         double smallest = 1e300;
         for (std::int64_t at = 0; at < tree.size(); ++at) smallest = std::min(smallest, tree.nearest_other(at));
@@ -190,8 +190,8 @@ TEST(BlueNoise, MarksKeepApartAroundASharpRim) {
         field.gradient = slope;
         return field;
     });
-    const PointSet set = make(lens, blue({Group::stipple}, 3000));
-    const MarkGroup& marks = of(set, Group::stipple);
+    const PointSet set = make(lens, blue({Kind::stipples}, 3000));
+    const Layer& marks = of(set, Kind::stipples);
     EXPECT_GE(marks.count(), 2940);
     const double densest = std::sqrt(2.0 / std::sqrt(3.0)) * set.spacing;
     double smallest = 1e300;
@@ -205,16 +205,16 @@ TEST(BlueNoise, MarksKeepApartAroundASharpRim) {
 
 TEST(BlueNoise, OpenSheetsEndALittleOutsideTheBounds) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}});
-    const PointSet set = make(plane, blue({Group::stipple, Group::curvature}, 3000));
+    const PointSet set = make(plane, blue({Kind::stipples, Kind::principal}, 3000));
     const double margin = 0.03 * std::sqrt(8.0);
     EXPECT_NEAR(set.bounds.max.x, 1.0 + margin, 0.05);
     EXPECT_LE(set.bounds.max.x, 1.0 + margin) << "strokes that reach farther are cut";
     EXPECT_GE(set.bounds.min.y, -1.0 - margin);
     expect_sound(set, plane);
-    const GroupReport& strokes = of(set, Group::curvature).report;
+    const LayerReport& strokes = of(set, Kind::principal).report;
     std::int64_t placed = 0;
     for (const LevelReport& level : strokes.level) placed += level.placed;
-    EXPECT_EQ(of(set, Group::curvature).count(), placed);
+    EXPECT_EQ(of(set, Kind::principal).count(), placed);
     const Evenness e = evenness(set, 1.0, std::pow(2.0 + 2.0 * margin, 2));
     EXPECT_GT(e.smallest, 0.6);
     EXPECT_GT(e.mean, 0.74);
@@ -225,8 +225,8 @@ TEST(BlueNoise, OpenSheetsEndALittleOutsideTheBounds) {
 TEST(BlueNoise, OneSampleGivesASquareOfItsPlane) {
     const std::vector<double> sample = {3.0, 2.0, 1.0};
     const Plane plane({0.0, 1.0, 0.0}, 2.0, {{3.0, 2.0, 1.0}, {3.0, 2.0, 1.0}});
-    const PointSet set = make(plane, blue({Group::stipple, Group::curvature}, 2000), {sample, 0.0});
-    EXPECT_EQ(of(set, Group::stipple).count(), 2000);
+    const PointSet set = make(plane, blue({Kind::stipples, Kind::principal}, 2000), {sample, 0.0});
+    EXPECT_EQ(of(set, Kind::stipples).count(), 2000);
     expect_sound(set, plane);
     EXPECT_NEAR(set.bounds.min.x, 2.5, 0.1);
     EXPECT_NEAR(set.bounds.max.z, 1.5, 0.1);
@@ -243,14 +243,14 @@ TEST(BlueNoise, SheetsFarFromTheSamplesStayEmpty) {
         return outer;
     });
     const std::vector<double> samples = spiral_seeds(100);
-    const PointSet set = make(two, blue({Group::stipple}, 2000), {samples, 0.3});
-    for (std::int64_t i = 0; i < 2000; ++i) EXPECT_NEAR(glm::length(position(set, Group::stipple, i)), 1.0, 1e-6);
+    const PointSet set = make(two, blue({Kind::stipples}, 2000), {samples, 0.3});
+    for (std::int64_t i = 0; i < 2000; ++i) EXPECT_NEAR(glm::length(position(set, Kind::stipples, i)), 1.0, 1e-6);
 }
 
 TEST(BlueNoise, SmallSurfacesInLargeBoxesAreFound) {
     const SquareSphere sphere(0.02, 50.0); // a hundredth of the box; a cell of the seeds is three of it
-    const PointSet set = make(sphere, blue({Group::stipple}, 2000));
-    EXPECT_GE(of(set, Group::stipple).count(), 1996) << "few come to rest beside another";
+    const PointSet set = make(sphere, blue({Kind::stipples}, 2000));
+    EXPECT_GE(of(set, Kind::stipples).count(), 1996) << "few come to rest beside another";
     expect_sound(set, sphere);
     const double area = sphere_area * 0.02 * 0.02;
     EXPECT_NEAR(set.spacing, std::sqrt(area / 2000.0), 0.05 * set.spacing);

@@ -33,7 +33,7 @@ struct Cover {
         return all;
     }
     [[nodiscard]] std::array<std::int64_t, 3> kinds() const {
-        const PlaneCandidates planes(site, cells, numbers, Group::stipple);
+        const PlaneCandidates planes(site, cells, numbers, lane_of(Kind::stipples));
         std::array<std::int64_t, 3> count{};
         for (const CellKind kind : planes.kind()) ++count[static_cast<std::size_t>(kind)];
         return count;
@@ -65,7 +65,7 @@ TEST(PlaneCandidates, AreTheSurfaceWhereItIsFlatToItsCells) {
 TEST(PlaneCandidates, LieInTheirCellsNearTheSurfaceAndEvenly) {
     const Sphere sphere;
     Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
-    Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Group::stipple, {});
+    Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples, {});
     EXPECT_NEAR(static_cast<double>(candidates.count), 40000.0, 6000.0);
     EXPECT_NEAR(candidates.area, sphere_area, 0.01 * sphere_area);
     EXPECT_EQ(candidates.report.placed, candidates.count);
@@ -105,19 +105,19 @@ TEST(Candidates, DoNotDependOnWhatMemoryHeld) {
         ::operator delete (memory, std::align_val_t{alignment});
     };
     const Torus torus;
-    const PointSet plain = make(torus, blue({Group::stipple}, 3000));
+    const PointSet plain = make(torus, blue({Kind::stipples}, 3000));
     const base::Runtime poisoned(filled, give_back, nullptr, base::Parallel(0, nullptr, nullptr),
                                  base::InstructionSet::automatic, nullptr, nullptr);
-    const PointSet set = generate::generate(poisoned, torus, {}, blue({Group::stipple}, 3000), {});
-    ASSERT_EQ(of(set, Group::stipple).count(), of(plain, Group::stipple).count());
-    for (std::int64_t i = 0; i < 3 * of(set, Group::stipple).count(); ++i)
-        ASSERT_EQ(of(set, Group::stipple).position[i], of(plain, Group::stipple).position[i]);
+    const PointSet set = generate::generate(poisoned, torus, {}, blue({Kind::stipples}, 3000), {});
+    ASSERT_EQ(of(set, Kind::stipples).count(), of(plain, Kind::stipples).count());
+    for (std::int64_t i = 0; i < 3 * of(set, Kind::stipples).count(); ++i)
+        ASSERT_EQ(of(set, Kind::stipples).position[i], of(plain, Kind::stipples).position[i]);
 }
 
 // A part of them, by tickets, is spread like all.
 TEST(PlaneCandidates, APartByTicketsIsSpreadLikeAll) {
     Cover cover(Sphere(), {1.0, 0.0, 0.0}, 0.05);
-    Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Group::stipple, {});
+    Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples, {});
     for (const double share : {0.5, 0.1, 0.01}) {
         const auto limit = static_cast<std::uint64_t>(share * 4294967296.0);
         Candidates some = thinned(cover.site, candidates, limit);
@@ -158,7 +158,7 @@ Field rounded_cube(const glm::dvec3& p) {
 TEST(PlaneCandidates, AreDrawnInSoManyTrialsAtMost) {
     const Sphere sphere;
     const Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
-    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, Group::stipple);
+    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, lane_of(Kind::stipples));
     const auto flat = std::count(planes.kind().begin(), planes.kind().end(), CellKind::flat);
     ASSERT_GT(flat, 2000);
     planes.draw(1e30, 100.0 * static_cast<double>(flat));
@@ -179,8 +179,8 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
     const auto kinds = cover.kinds();
     EXPECT_GT(kinds[1], 2000);
     EXPECT_GT(kinds[2], 500);
-    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, Group::stipple);
-    LayerCandidates layer(cover.site, cover.cells, cover.numbers, planes.kind(), Group::stipple, 60000);
+    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, lane_of(Kind::stipples));
+    LayerCandidates layer(cover.site, cover.cells, cover.numbers, planes.kind(), lane_of(Kind::stipples), 60000);
     constexpr double density = 10000.0;
     planes.draw(density);
     layer.draw(density, {});
@@ -193,7 +193,7 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
         if (p.z > 0.5 && std::abs(p.y) < 0.45 && std::abs(p.x) < 0.5)
             strip[static_cast<std::size_t>(12.0 * (p.x + 0.5))] += 1.0;
     };
-    Candidates candidates = draw_candidates(cover.site, cover.cells, 70000, Group::stipple, {});
+    Candidates candidates = draw_candidates(cover.site, cover.cells, 70000, Kind::stipples, {});
     for (std::int64_t cell = 0; cell < candidates.cells(); ++cell)
         for (std::int64_t at = candidates.first[cell]; at < candidates.first[cell] + candidates.number[cell]; ++at)
             count(place_of(candidates, at));
@@ -213,7 +213,7 @@ TEST(Candidates, OfAFunctionThatIsNoDistanceAreEnough) {
     });
     Cover cover(signed_square, {1.0, 0.0, 0.0}, 0.05);
     EXPECT_EQ(cover.kinds()[1], 0) << "its cells' planes contradict each other";
-    Candidates candidates = draw_candidates(cover.site, cover.cells, 20000, Group::stipple, {});
+    Candidates candidates = draw_candidates(cover.site, cover.cells, 20000, Kind::stipples, {});
     EXPECT_GT(candidates.count, 16000);
     for (std::int64_t cell = 0; cell < candidates.cells(); ++cell)
         for (std::int64_t at = candidates.first[cell]; at < candidates.first[cell] + candidates.number[cell]; ++at)

@@ -248,7 +248,7 @@ TEST(VoidCentre, NeverComesNearer) {
 // The variance of a smooth count of marks, in that of independent ones: bench/evenness.h, docs/quality.md.
 double low_frequencies(const PointSet& set, std::int64_t count, double area) {
     geometry::VecArray points(runtime().memory);
-    for (std::int64_t i = 0; i < count; ++i) points.push_back(position(set, Group::stipple, i));
+    for (std::int64_t i = 0; i < count; ++i) points.push_back(position(set, Kind::stipples, i));
     const geometry::PointTree tree(points, {});
     const double density = static_cast<double>(count) / area;
     const double sigma = 2.0 / (3.14159265 * std::sqrt(density));
@@ -269,11 +269,11 @@ double low_frequencies(const PointSet& set, std::int64_t count, double area) {
 TEST(ProgressiveOrder, EveryPrefixHasNoLowFrequencies) {
     const Sphere sphere;
     const double area = 4.0 * 3.14159265358979;
-    const PointSet set = make(sphere, blue({Group::stipple}, 12000));
+    const PointSet set = make(sphere, blue({Kind::stipples}, 12000));
     for (const double share : {0.05, 0.15, 0.25, 0.4, 0.6, 0.8, 1.0})
         EXPECT_LT(low_frequencies(set, std::lround(share * 12000), area), 0.10) << share;
-    generate::Settings random = paper({Group::stipple}, 3);
-    random.group[0].budget = 12000;
+    generate::Settings random = paper({Kind::stipples}, 3);
+    of(random, Kind::stipples).budget = 12000;
     EXPECT_GT(low_frequencies(make(sphere, random), 12000, area), 0.5) << "the measure tells others apart";
 }
 

@@ -19,7 +19,7 @@ struct Stroke {
 };
 
 // The strokes in the order of the arrays, each of which must lie in one piece, from place 0 on.
-std::vector<Stroke> strokes_of(const MarkGroup& marks) {
+std::vector<Stroke> strokes_of(const Layer& marks) {
     std::vector<Stroke> strokes;
     for (std::int64_t i = 0; i < marks.count(); ++i) {
         if (marks.stroke[2 * i + 1] == 0) strokes.push_back({i, i});
@@ -36,8 +36,8 @@ struct Spacing {
     double mean = 0.0, variation = 0.0, alone = 0.0, widest = 0.0;
 };
 
-Spacing spacing_of(const PointSet& set, Group group, double share, double unit) {
-    const MarkGroup& marks = of(set, group);
+Spacing spacing_of(const PointSet& set, Kind kind, double share, double unit) {
+    const Layer& marks = of(set, kind);
     geometry::VecArray points(runtime().memory);
     std::vector<std::int64_t> mark;
     for (std::int64_t i = 0; i < marks.count(); ++i) {
@@ -76,10 +76,10 @@ Spacing spacing_of(const PointSet& set, Group group, double share, double unit) 
     return {mean, std::sqrt(squares / count - mean * mean) / mean, none / (none + count)};
 }
 
-void expect_even(const PointSet& set, Group group, double most_variation, double most_alone) {
-    const double separation = of(set, group).report.step;
+void expect_even(const PointSet& set, Kind kind, double most_variation, double most_alone) {
+    const double separation = of(set, kind).report.step;
     for (const double share : {1.0, 0.5, 0.25}) {
-        const Spacing spacing = spacing_of(set, group, share, separation / share);
+        const Spacing spacing = spacing_of(set, kind, share, separation / share);
         EXPECT_NEAR(spacing.mean, 1.0, 0.1) << share;
         EXPECT_LE(spacing.variation, share < 1.0 ? 1.1 * most_variation : most_variation) << share;
         EXPECT_LE(spacing.alone, most_alone) << share;
@@ -87,23 +87,23 @@ void expect_even(const PointSet& set, Group group, double most_variation, double
 }
 
 // Marks are a step apart, and neither they nor their directions turn sharply.
-void expect_flowing(const PointSet& set, Group group, double step) {
-    const MarkGroup& marks = of(set, group);
+void expect_flowing(const PointSet& set, Kind kind, double step) {
+    const Layer& marks = of(set, kind);
     for (const Stroke& stroke : strokes_of(marks)) {
         ASSERT_GE(stroke.count(), 3);
         for (std::int64_t i = stroke.begin + 1; i < stroke.end; ++i) {
-            const glm::dvec3 leg = position(set, group, i) - position(set, group, i - 1);
+            const glm::dvec3 leg = position(set, kind, i) - position(set, kind, i - 1);
             ASSERT_NEAR(glm::length(leg), step, 0.25 * step) << i;
             ASSERT_GT(glm::dot(vec(marks.direction, i), vec(marks.direction, i - 1)), 0.5) << i;
             ASSERT_GT(glm::dot(vec(marks.direction, i), leg), 0.5 * glm::length(leg)) << i;
             if (i < stroke.begin + 2) continue;
-            const glm::dvec3 before = position(set, group, i - 1) - position(set, group, i - 2);
+            const glm::dvec3 before = position(set, kind, i - 1) - position(set, kind, i - 2);
             ASSERT_GT(glm::dot(leg, before), 0.5 * glm::length(leg) * glm::length(before)) << i; // 60 degrees
         }
     }
 }
 
-void expect_tapered(const MarkGroup& marks) {
+void expect_tapered(const Layer& marks) {
     ASSERT_EQ(marks.width.size(), marks.count());
     std::int64_t open = 0;
     for (const Stroke& stroke : strokes_of(marks)) {
@@ -121,33 +121,33 @@ void expect_tapered(const MarkGroup& marks) {
 
 TEST(Hatch, IsEvenOnATorusAtEveryShareOfItsRanks) {
     const Torus torus;
-    for (const StrokeField field : {StrokeField::line, StrokeField::cross}) {
-        generate::Settings settings = blue({Group::curvature}, 60000);
-        settings.strokes.field = field;
+    for (const Symmetry field : {Symmetry::line, Symmetry::cross}) {
+        generate::Settings settings = blue({Kind::principal}, 60000);
+        for (LayerSettings& layer : settings.layers) layer.strokes.symmetry = field;
         const PointSet set = make(torus, settings);
         expect_sound(set, torus);
-        expect_even(set, Group::curvature, 0.25, 0.03);
-        expect_flowing(set, Group::curvature, 0.2 * of(set, Group::curvature).report.step);
-        expect_tapered(of(set, Group::curvature));
+        expect_even(set, Kind::principal, 0.25, 0.03);
+        expect_flowing(set, Kind::principal, 0.2 * of(set, Kind::principal).report.step);
+        expect_tapered(of(set, Kind::principal));
     }
 }
 
 TEST(Hatch, IsEvenOnASphereWhereNoDirectionIsPrincipal) {
     const Sphere sphere;
-    for (const Group group : {Group::curvature, Group::combing}) {
-        const PointSet set = make(sphere, blue({group}, 60000));
+    for (const Kind kind : {Kind::principal, Kind::combing}) {
+        const PointSet set = make(sphere, blue({kind}, 60000));
         expect_sound(set, sphere);
-        expect_even(set, group, 0.25, 0.03);
-        expect_flowing(set, group, 0.2 * of(set, group).report.step);
+        expect_even(set, kind, 0.25, 0.03);
+        expect_flowing(set, kind, 0.2 * of(set, kind).report.step);
     }
 }
 
 // The mean gap is the separation, so a share of the ranks has that share of the ink, in each set.
 TEST(Hatch, RanksFallAndAreSharesOfEachSetsInk) {
-    const PointSet set = make(Torus(), blue({Group::curvature}, 30000));
-    const MarkGroup& marks = of(set, Group::curvature);
+    const PointSet set = make(Torus(), blue({Kind::principal}, 30000));
+    const Layer& marks = of(set, Kind::principal);
     const std::vector<Stroke> strokes = strokes_of(marks);
-    EXPECT_EQ(marks.report.strokes, static_cast<std::int64_t>(strokes.size()));
+    EXPECT_EQ(marks.strokes(), static_cast<std::int64_t>(strokes.size()));
     std::array<std::int64_t, 2> all{};
     std::array<std::int64_t, 2> before{};
     for (const Stroke& stroke : strokes) all[marks.stroke[2 * stroke.begin] & 1U] += stroke.count();
@@ -169,14 +169,14 @@ TEST(Hatch, RanksFallAndAreSharesOfEachSetsInk) {
 
 TEST(Hatch, DirectionsAreThePrincipalOnesOfATorus) {
     const Torus torus;
-    for (const StrokeField field : {StrokeField::line, StrokeField::cross}) {
-        generate::Settings settings = blue({Group::curvature}, 40000);
-        settings.strokes.field = field;
+    for (const Symmetry field : {Symmetry::line, Symmetry::cross}) {
+        generate::Settings settings = blue({Kind::principal}, 40000);
+        for (LayerSettings& layer : settings.layers) layer.strokes.symmetry = field;
         const PointSet set = make(torus, settings);
-        const MarkGroup& marks = of(set, Group::curvature);
+        const Layer& marks = of(set, Kind::principal);
         std::vector<double> error;
         for (std::int64_t i = 0; i < marks.count(); ++i) {
-            const glm::dvec3 p = position(set, Group::curvature, i);
+            const glm::dvec3 p = position(set, Kind::principal, i);
             const glm::dvec3 around = glm::normalize(glm::dvec3(-p.y, p.x, 0.0));
             const double cosine = std::abs(glm::dot(around, vec(marks.direction, i)));
             // Set 1 (d2, the smaller curvature, by sign) is the meridians: the tube bends away most.
@@ -194,8 +194,8 @@ TEST(Hatch, DirectionsAreThePrincipalOnesOfATorus) {
 
 TEST(Hatch, KeepsToTheBudgetByLeavingOutTheLastStrokes) {
     for (const std::int64_t budget : {2, 50, 1000, 20000}) {
-        const PointSet set = make(Torus(), blue({Group::curvature}, budget));
-        const MarkGroup& marks = of(set, Group::curvature);
+        const PointSet set = make(Torus(), blue({Kind::principal}, budget));
+        const Layer& marks = of(set, Kind::principal);
         EXPECT_LE(marks.count(), budget);
         EXPECT_TRUE(budget < 1000 || marks.count() >= budget * 85 / 100) << marks.count();
         EXPECT_GE(marks.report.full_count, marks.count());
@@ -204,43 +204,43 @@ TEST(Hatch, KeepsToTheBudgetByLeavingOutTheLastStrokes) {
 
 TEST(Hatch, SeparationStepAndLengthAreAsAskedFor) {
     const Torus torus;
-    generate::Settings settings = blue({Group::curvature}, 0);
-    settings.strokes.separation = 0.06;
-    settings.strokes.step = 0.02;
-    settings.strokes.longest = 0.5;
+    generate::Settings settings = blue({Kind::principal}, 0);
+    of(settings, Kind::principal).strokes.separation = 0.06;
+    of(settings, Kind::principal).strokes.step = 0.02;
+    of(settings, Kind::principal).strokes.longest = 0.5;
     const PointSet set = make(torus, settings);
-    const MarkGroup& marks = of(set, Group::curvature);
+    const Layer& marks = of(set, Kind::principal);
     EXPECT_EQ(marks.report.step, 0.06);
-    expect_flowing(set, Group::curvature, 0.02);
+    expect_flowing(set, Kind::principal, 0.02);
     for (const Stroke& stroke : strokes_of(marks)) EXPECT_LE(stroke.count(), 27);
     EXPECT_NEAR(static_cast<double>(marks.count()), 2.0 * torus.area() / (0.06 * 0.02),
                 0.15 * static_cast<double>(marks.count()));
     // Half the budget is the first half of the same strokes.
-    settings.group[1].budget = marks.count() / 2;
+    of(settings, Kind::principal).budget = marks.count() / 2;
     const PointSet half = make(torus, settings);
-    const MarkGroup& kept = of(half, Group::curvature);
+    const Layer& kept = of(half, Kind::principal);
     ASSERT_LE(kept.count(), marks.count() / 2);
     EXPECT_GT(kept.count(), marks.count() / 2 - 100);
     EXPECT_GT(kept.report.full_count, kept.count());
     // Steps longer than strokes are traced in.
-    settings.group[1].budget = 0;
-    settings.strokes.longest = 0.0;
-    settings.strokes.step = 0.1;
-    expect_flowing(make(torus, settings), Group::curvature, 0.1);
+    of(settings, Kind::principal).budget = 0;
+    of(settings, Kind::principal).strokes.longest = 0.0;
+    of(settings, Kind::principal).strokes.step = 0.1;
+    expect_flowing(make(torus, settings), Kind::principal, 0.1);
 }
 
 TEST(Hatch, ASeparationThatMakesTooManyMarksIsRefused) {
-    generate::Settings settings = blue({Group::curvature}, 0);
-    settings.strokes.separation = 1e-6;
-    expect_error(Status::invalid_argument, {"stroke_separation", "group[1].budget"},
+    generate::Settings settings = blue({Kind::principal}, 0);
+    of(settings, Kind::principal).strokes.separation = 1e-6;
+    expect_error(Status::invalid_argument, {"layers[0]", "separation", "budget"},
                  [&] { (void)make(Sphere(), settings); });
 }
 
 // Fields of a plane are constant: strokes are straight, parallel, and all but as far apart as can be.
 TEST(Hatch, IsStraightOnAPlane) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, cube(1.0));
-    const PointSet set = make(plane, blue({Group::curvature}, 10000));
-    const MarkGroup& marks = of(set, Group::curvature);
+    const PointSet set = make(plane, blue({Kind::principal}, 10000));
+    const Layer& marks = of(set, Kind::principal);
     const glm::dvec3 first = vec(marks.direction, 0);
     for (std::int64_t i = 0; i < marks.count(); ++i) {
         const double cosine = std::abs(glm::dot(first, vec(marks.direction, i)));
@@ -250,11 +250,11 @@ TEST(Hatch, IsStraightOnAPlane) {
     for (const double share : {1.0, 0.5, 0.25}) {
         double variation = 0.0;
         for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
-            generate::Settings settings = blue({Group::curvature}, 10000);
+            generate::Settings settings = blue({Kind::principal}, 10000);
             settings.random_seed = seed;
             const PointSet strokes = make(plane, settings);
-            const double separation = of(strokes, Group::curvature).report.step / share;
-            const Spacing spacing = spacing_of(strokes, Group::curvature, share, separation);
+            const double separation = of(strokes, Kind::principal).report.step / share;
+            const Spacing spacing = spacing_of(strokes, Kind::principal, share, separation);
             EXPECT_NEAR(spacing.mean, 1.0, 0.1) << share;
             EXPECT_LE(spacing.alone, 0.15) << share;
             variation += 0.25 * spacing.variation;
@@ -263,8 +263,8 @@ TEST(Hatch, IsStraightOnAPlane) {
     }
     // Nothing on the other side of a thin sheet keeps a stroke away.
     const ThinSlab slab(0.004);
-    const PointSet two = make(slab, blue({Group::curvature}, 20000));
-    const MarkGroup& both = of(two, Group::curvature);
+    const PointSet two = make(slab, blue({Kind::principal}, 20000));
+    const Layer& both = of(two, Kind::principal);
     std::int64_t above = 0;
     for (std::int64_t i = 0; i < both.count(); ++i) above += vec(both.normal, i).z > 0.0 ? 1 : 0;
     EXPECT_NEAR(static_cast<double>(above), 0.5 * static_cast<double>(both.count()),
@@ -273,8 +273,8 @@ TEST(Hatch, IsStraightOnAPlane) {
 
 // Combing strokes cross the borders of Stark's regions, and follow his directions inside them.
 TEST(Hatch, CombingFollowsStarksFieldAwayFromItsBorders) {
-    const PointSet set = make(Sphere(), blue({Group::combing}, 40000));
-    const MarkGroup& marks = of(set, Group::combing);
+    const PointSet set = make(Sphere(), blue({Kind::combing}, 40000));
+    const Layer& marks = of(set, Kind::combing);
     std::int64_t inside = 0;
     std::int64_t follows = 0;
     for (std::int64_t i = 0; i < marks.count(); ++i) {
@@ -294,9 +294,9 @@ TEST(Hatch, CombingFollowsStarksFieldAwayFromItsBorders) {
 
 TEST(Hatch, IsTheSameForAnyNumberOfThreads) {
     const Torus torus;
-    for (const StrokeField field : {StrokeField::line, StrokeField::cross}) {
-        generate::Settings settings = blue({Group::curvature, Group::combing}, 8000);
-        settings.strokes.field = field;
+    for (const Symmetry field : {Symmetry::line, Symmetry::cross}) {
+        generate::Settings settings = blue({Kind::principal, Kind::combing}, 8000);
+        for (LayerSettings& layer : settings.layers) layer.strokes.symmetry = field;
         const PointSet one = make(torus, settings);
         for (const int threads : {2, 3, 7}) {
             base::Runtime several;

@@ -13,7 +13,7 @@
 namespace hrbfnpr::test {
 
 using namespace marks;
-using generate::GroupSettings;
+using generate::LayerSettings;
 using generate::SampleHint;
 
 inline base::Runtime& runtime() {
@@ -26,21 +26,29 @@ inline base::InView view(const std::vector<double>& numbers, std::uint32_t compo
             std::int64_t{8} * components, base::Scalar::float64, components};
 }
 
-// Settings with the groups named and the published recursion.
-inline generate::Settings paper(std::initializer_list<Group> groups, std::int32_t levels) {
+// The settings of the first layer of a kind, which is made if there is none.
+inline LayerSettings& of(generate::Settings& settings, Kind kind) {
+    for (LayerSettings& layer : settings.layers)
+        if (layer.kind == kind) return layer;
+    settings.layers.emplace_back().kind = kind;
+    return settings.layers.back();
+}
+
+// Settings with layers of these kinds and the published recursion, without budgets.
+inline generate::Settings paper(std::initializer_list<Kind> kinds, std::int32_t levels) {
     generate::Settings settings;
     settings.distribution = Distribution::paper;
-    for (const Group group : groups) {
-        settings.group[static_cast<std::size_t>(group)].wanted = true;
-        settings.group[static_cast<std::size_t>(group)].published.levels = levels;
+    for (const Kind kind : kinds) {
+        of(settings, kind).budget = 0;
+        of(settings, kind).published.levels = levels;
     }
     return settings;
 }
 
-inline generate::Settings blue(std::initializer_list<Group> groups, std::int64_t budget, std::int32_t levels = 3) {
-    generate::Settings settings = paper(groups, levels);
+inline generate::Settings blue(std::initializer_list<Kind> kinds, std::int64_t budget, std::int32_t levels = 3) {
+    generate::Settings settings = paper(kinds, levels);
     settings.distribution = Distribution::blue_noise;
-    for (GroupSettings& group : settings.group) group.budget = budget;
+    for (LayerSettings& layer : settings.layers) layer.budget = budget;
     return settings;
 }
 
@@ -63,26 +71,52 @@ inline PointSet make(const implicit::Implicit& implicit, const generate::Setting
     return generate::generate(runtime(), implicit, samples, settings, {});
 }
 
-inline const MarkGroup& of(const PointSet& set, Group group) { return set.group[static_cast<std::size_t>(group)]; }
+// The first layer of a kind; an empty one if there is none.
+inline const Layer& of(const PointSet& set, Kind kind) {
+    static const Layer empty(runtime().memory);
+    for (const Layer& layer : set.layers)
+        if (layer.kind == kind) return layer;
+    return empty;
+}
 
 inline glm::dvec3 vec(const base::Array<float>& array, std::int64_t i) {
     return {double{array[3 * i]}, double{array[3 * i + 1]}, double{array[3 * i + 2]}};
 }
 
-inline glm::dvec3 position(const PointSet& set, Group group, std::int64_t i) {
-    return set.origin + vec(of(set, group).position, i);
+inline glm::dvec3 position(const PointSet& set, const Layer& layer, std::int64_t i) {
+    return set.origin + vec(layer.position, i);
+}
+inline glm::dvec3 position(const PointSet& set, Kind kind, std::int64_t i) { return position(set, of(set, kind), i); }
+
+// Each mark stands in one stroke, and the strokes' marks from end to end.
+inline void expect_strokes(const Layer& layer) {
+    ASSERT_EQ(layer.stroke_first[0], 0U);
+    ASSERT_EQ(layer.stroke_first[layer.strokes()], layer.count());
+    std::vector<int> met(static_cast<std::size_t>(layer.count()), 0);
+    for (std::int64_t s = 0; s < layer.strokes(); ++s) {
+        ASSERT_LT(layer.stroke_first[s], layer.stroke_first[s + 1]);
+        for (std::int64_t place = layer.stroke_first[s]; place < layer.stroke_first[s + 1]; ++place) {
+            const std::int64_t mark = layer.mark_of(place);
+            ++met[static_cast<std::size_t>(mark)];
+            ASSERT_EQ(layer.stroke_of(mark), s);
+            if (place == layer.stroke_first[s]) continue;
+            const std::int64_t before = layer.mark_of(place - 1);
+            ASSERT_EQ(layer.stroke[2 * mark], layer.stroke[2 * before]);
+            ASSERT_GT(layer.stroke[2 * mark + 1], layer.stroke[2 * before + 1]);
+        }
+    }
+    for (const int times : met) ASSERT_EQ(times, 1);
 }
 
 // Every mark lies on the surface, inside the set's bounds, and its arrays are what they must be.
 inline void expect_sound(const PointSet& set, const Analytic& surface, double tolerance = 1e-6) {
     const double diagonal = surface.diagonal();
-    for (const Group group : {Group::stipple, Group::curvature, Group::combing}) {
-        const MarkGroup& marks = of(set, group);
+    for (const Layer& marks : set.layers) {
         ASSERT_EQ(marks.position.size(), 3 * marks.count());
         ASSERT_EQ(marks.stroke.size(), 2 * marks.count());
         ASSERT_EQ(marks.level.size(), marks.count());
         for (std::int64_t i = 0; i < marks.count(); ++i) {
-            const glm::dvec3 p = position(set, group, i);
+            const glm::dvec3 p = position(set, marks, i);
             const Field field = surface.at(p);
             const glm::dvec3 n = vec(marks.normal, i);
             const glm::dvec3 d = vec(marks.direction, i);
@@ -94,6 +128,8 @@ inline void expect_sound(const PointSet& set, const Analytic& surface, double to
             ASSERT_GE(marks.rank[i], 0.0F);
             ASSERT_LT(marks.rank[i], 1.0F);
         }
+        ASSERT_EQ(marks.has_strokes(), marks.kind != Kind::stipples && marks.count() > 0);
+        if (marks.has_strokes()) expect_strokes(marks);
         for (const LevelReport& l : marks.report.level)
             EXPECT_EQ(l.attempted,
                       l.placed + l.dropped_not_converged + l.dropped_strayed + l.dropped_degenerate + l.dropped_budget);
@@ -112,13 +148,15 @@ bool same_bits(const base::Array<T>& a, const base::Array<T>& b) {
 inline bool same_bits(const PointSet& a, const PointSet& b) {
     if (a.origin != b.origin || a.bounds.min != b.bounds.min || a.bounds.max != b.bounds.max || a.spacing != b.spacing)
         return false;
-    for (std::size_t g = 0; g < a.group.size(); ++g) {
-        const MarkGroup& x = a.group[g];
-        const MarkGroup& y = b.group[g];
+    if (a.layers.size() != b.layers.size()) return false;
+    for (std::int64_t l = 0; l < a.layers.size(); ++l) {
+        const Layer& x = a.layers[l];
+        const Layer& y = b.layers[l];
         if (!same_bits(x.position, y.position) || !same_bits(x.normal, y.normal) ||
             !same_bits(x.direction, y.direction) || !same_bits(x.curvature, y.curvature) ||
             !same_bits(x.rank, y.rank) || !same_bits(x.level, y.level) || !same_bits(x.stroke, y.stroke) ||
-            !same_bits(x.width, y.width))
+            !same_bits(x.width, y.width) || !same_bits(x.stroke_first, y.stroke_first) ||
+            !same_bits(x.stroke_order, y.stroke_order))
             return false;
     }
     return true;

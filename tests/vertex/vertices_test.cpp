@@ -100,7 +100,7 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
         const Disc& disc = frame.discs()[i];
         const std::int64_t at = static_cast<std::int64_t>(i) * stride;
         const auto mark = static_cast<std::int64_t>(disc.id) - 1;
-        const marks::MarkGroup& group = set.group[0];
+        const marks::Layer& group = set.layers[0];
         ASSERT_EQ(memory[static_cast<std::size_t>(at)], std::byte{0xCD});
         for (std::int64_t k = 87; k < 91; ++k) ASSERT_EQ(memory[static_cast<std::size_t>(at + k)], std::byte{0xCD});
         for (int c = 0; c < 4; ++c) {
@@ -179,7 +179,7 @@ TEST_F(Vertices, OfSheetsAreWrittenWithoutAllocationOnceWarm) {
     Frame own(counted);
     const std::array fields{VertexField{VertexAttribute::window, Scalar::float32, 0},
                             VertexField{VertexAttribute::normal, Scalar::float32, 12}};
-    std::vector<std::byte> memory(24 * static_cast<std::size_t>(ring.group[0].count()));
+    std::vector<std::byte> memory(24 * static_cast<std::size_t>(ring.layers[0].count()));
     const auto round = [&] {
         for (int step = 0; step < 13; ++step) {
             frame::Camera camera = front_camera(size, size);
