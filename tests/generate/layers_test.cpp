@@ -6,6 +6,7 @@
 namespace hrbfnpr::generate {
 namespace {
 
+using namespace marks;
 using namespace test;
 
 TEST(Layers, AppearOneAfterTheOther) {
@@ -25,6 +26,121 @@ TEST(Layers, AppearOneAfterTheOther) {
     }
     EXPECT_GT(seen[0], 500);
     EXPECT_GT(seen[1], 500);
+}
+
+// 5 directions, each with as many tones.
+TEST(Layers, ShareTheTonesAndTheBudget) {
+    Settings settings;
+    for (const Kind kind : {Kind::stipples, Kind::combing, Kind::principal}) of(settings, kind);
+    settings.tone_ranges = ToneRanges::in_turn;
+    settings.shared_budget = 5000;
+    settings = completed(settings);
+    EXPECT_NEAR(static_cast<double>(settings.layers[0].budget), 1000.0, 1.0);
+    EXPECT_NEAR(static_cast<double>(settings.layers[1].budget), 2000.0, 1.0);
+    EXPECT_NEAR(static_cast<double>(settings.layers[2].budget), 2000.0, 1.0);
+    EXPECT_DOUBLE_EQ(settings.layers[0].part[0].end, 0.2);
+    EXPECT_DOUBLE_EQ(settings.layers[1].part[0].begin, 0.2);
+    EXPECT_DOUBLE_EQ(settings.layers[1].part[1].begin, 0.4);
+    EXPECT_DOUBLE_EQ(settings.layers[2].part[1].end, 1.0);
+    EXPECT_STREQ(settings.layers[2].name.data(), "principal");
+    // Those that say their part themselves keep it, and their place in the turn.
+    Settings own;
+    for (const Kind kind : {Kind::stipples, Kind::principal}) of(own, kind);
+    own.tone_ranges = ToneRanges::in_turn;
+    of(own, Kind::principal).part[0] = {0.0, 0.5};
+    own = completed(own);
+    EXPECT_EQ(own.layers[1].part[0].end, 0.5);
+    EXPECT_DOUBLE_EQ(own.layers[1].part[1].begin, 2.0 / 3.0);
+    EXPECT_EQ(own.layers[1].budget, 40000);
+}
+
+TEST(Layers, WithoutAnyThereIsOneOfStipples) {
+    const Settings settings = completed({});
+    ASSERT_EQ(settings.layers.size(), 1U);
+    EXPECT_EQ(settings.layers[0].kind, Kind::stipples);
+    EXPECT_EQ(settings.layers[0].budget, 40000);
+    EXPECT_EQ(settings.layers[0].published.levels, 4);
+}
+
+TEST(Layers, BudgetsThatLimitNothingAreRefused) {
+    expect_error(Status::invalid_argument, {"layers[0].budget is 0", "stipples of BLUE_NOISE need one"},
+                 [] { (void)completed(blue({Kind::stipples}, 0)); });
+    expect_error(Status::invalid_argument, {"layers[1].budget is 0", "separation"}, [] {
+        Settings settings = blue({Kind::stipples, Kind::principal}, 100);
+        of(settings, Kind::principal).budget = 0;
+        (void)completed(settings);
+    });
+    expect_error(Status::invalid_argument, {"layers[0]", "100000001", "100000000 at most"},
+                 [] { (void)completed(blue({Kind::combing}, 100000001)); });
+    Settings fine = blue({Kind::stipples}, 0);
+    fine.shared_budget = 10;
+    EXPECT_EQ(completed(fine).layers[0].budget, 10);
+    EXPECT_EQ(completed(paper({Kind::stipples}, 1)).layers[0].budget, 0);
+}
+
+TEST(Layers, StartsAreChecked) {
+    Settings settings = paper({Kind::stipples, Kind::combing}, 2);
+    of(settings, Kind::combing).published.from_stipples = true;
+    of(settings, Kind::combing).published.start_level = 3;
+    expect_error(Status::invalid_argument, {"layers[1].start_level is 3", "2 levels"},
+                 [&] { (void)completed(settings); });
+    of(settings, Kind::combing).published.start_level = 2;
+    (void)completed(settings);
+    of(settings, Kind::stipples).published.from_stipples = true;
+    expect_error(Status::invalid_argument, {"layers[0].start is STIPPLES"}, [&] { (void)completed(settings); });
+    settings = blue({Kind::combing}, 100);
+    of(settings, Kind::combing).published.from_stipples = true;
+    expect_error(Status::invalid_argument, {"layers[0].start", "PUBLISHED"}, [&] { (void)completed(settings); });
+}
+
+// Each is spread by its own density, and neither knows of the other.
+TEST(Layers, TwoOfTheSameKindHaveMarksOfTheirOwn) {
+    const Sphere sphere;
+    Settings settings = blue({Kind::stipples}, 3000);
+    const PointSet one = make(sphere, settings);
+    LayerSettings& north = settings.layers.emplace_back();
+    north.budget = 2000;
+    north.name = {'n', 'o', 'r', 't', 'h'};
+    north.density.kind = stipples::Density::callback;
+    north.density.function = [](void*, std::int64_t count, const double* p, const double*, double* density) {
+        for (std::int64_t i = 0; i < count; ++i) density[i] = p[3 * i + 2] > 0.0 ? 1.0 : 0.0;
+        return std::int32_t{0};
+    };
+    const PointSet two = make(sphere, settings);
+    expect_sound(two, sphere);
+    ASSERT_EQ(two.layers.size(), 2);
+    EXPECT_TRUE(same_bits(one.layers[0].normal, two.layers[0].normal)) << "positions have another origin";
+    EXPECT_TRUE(same_bits(one.layers[0].rank, two.layers[0].rank));
+    EXPECT_STREQ(two.layers[1].name.data(), "north");
+    ASSERT_EQ(two.layers[1].count(), 2000);
+    for (std::int64_t i = 0; i < 2000; ++i) ASSERT_GT(position(two, two.layers[1], i).z, -1e-6);
+    // With the same settings they are still not the same marks.
+    settings.layers[1] = settings.layers[0];
+    for (const Distribution distribution : {Distribution::blue_noise, Distribution::paper}) {
+        settings.distribution = distribution;
+        const PointSet same = make(sphere, settings);
+        ASSERT_GT(same.layers[1].count(), 1000);
+        EXPECT_FALSE(same_bits(same.layers[0].normal, same.layers[1].normal));
+        settings.layers.pop_back();
+        EXPECT_TRUE(same_bits(make(sphere, settings).layers[0].normal, same.layers[0].normal));
+        settings.layers.push_back(settings.layers[0]);
+    }
+}
+
+TEST(Layers, StrokesOfTheSameKindMayDifferInAllTheySay) {
+    const Torus torus;
+    Settings settings = blue({Kind::principal}, 6000);
+    settings.layers.push_back(settings.layers[0]);
+    settings.layers[1].strokes.separation = 0.2;
+    settings.layers[1].strokes.symmetry = Symmetry::line;
+    settings.layers[1].strokes.longest = 0.4;
+    const PointSet set = make(torus, settings);
+    expect_sound(set, torus);
+    EXPECT_NEAR(set.layers[1].report.step, 0.2, 1e-12);
+    EXPECT_GT(set.layers[0].report.step, 0.0);
+    const Layer& pieces = set.layers[1];
+    for (std::int64_t s = 0; s < pieces.strokes(); ++s)
+        EXPECT_LE(pieces.stroke_first[s + 1] - pieces.stroke_first[s], 12U);
 }
 
 } // namespace

@@ -149,6 +149,7 @@ TEST(Seeds, ASetWithoutAnyIsAnError) {
     for (const Distribution distribution : {Distribution::published, Distribution::blue_noise}) {
         generate::Settings settings = recursion({Kind::stipples}, 1);
         settings.distribution = distribution;
+        of(settings, Kind::stipples).budget = 100;
         expect_error(Status::not_converged, {"none of", "seed_points"}, [&] { (void)make(nothing, settings); });
     }
 }
