@@ -75,11 +75,11 @@ TEST(Layers, BudgetsThatLimitNothingAreRefused) {
     Settings fine = blue({Kind::stipples}, 0);
     fine.shared_budget = 10;
     EXPECT_EQ(completed(fine).layers[0].budget, 10);
-    EXPECT_EQ(completed(paper({Kind::stipples}, 1)).layers[0].budget, 0);
+    EXPECT_EQ(completed(recursion({Kind::stipples}, 1)).layers[0].budget, 0);
 }
 
 TEST(Layers, StartsAreChecked) {
-    Settings settings = paper({Kind::stipples, Kind::combing}, 2);
+    Settings settings = recursion({Kind::stipples, Kind::combing}, 2);
     of(settings, Kind::combing).published.from_stipples = true;
     of(settings, Kind::combing).published.start_level = 3;
     expect_error(Status::invalid_argument, {"layers[1].start_level is 3", "2 levels"},
@@ -116,7 +116,7 @@ TEST(Layers, TwoOfTheSameKindHaveMarksOfTheirOwn) {
     for (std::int64_t i = 0; i < 2000; ++i) ASSERT_GT(position(two, two.layers[1], i).z, -1e-6);
     // With the same settings they are still not the same marks.
     settings.layers[1] = settings.layers[0];
-    for (const Distribution distribution : {Distribution::blue_noise, Distribution::paper}) {
+    for (const Distribution distribution : {Distribution::blue_noise, Distribution::published}) {
         settings.distribution = distribution;
         const PointSet same = make(sphere, settings);
         ASSERT_GT(same.layers[1].count(), 1000);
