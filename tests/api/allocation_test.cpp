@@ -58,7 +58,7 @@ private:
         return status != HRBFNPR_STATUS_OK ? status
                                            : hrbfnpr_model_load_memory(context_, bytes.data(), size, &loaded_, error);
     }
-    hrbfnpr_status paper(hrbfnpr_error* error) {
+    hrbfnpr_status recursion(hrbfnpr_error* error) {
         hrbfnpr_generate_desc desc = small_desc(HRBFNPR_DISTRIBUTION_PAPER);
         for (hrbfnpr_group_desc& group : desc.group) {
             group.levels = 1;

@@ -110,7 +110,11 @@ TEST_F(Clusters, OfStrokesHaveOneSetEach) {
 TEST_F(Clusters, BearDegenerateSets) {
     marks::PointSet empty(runtime.memory);
     marks::cluster_marks(runtime, empty);
-    EXPECT_TRUE(empty.layers[0].clusters.cluster.empty());
+    EXPECT_TRUE(empty.layers.empty());
+    marks::PointSet bare(runtime.memory);
+    layer_of(bare, marks::Kind::stipples);
+    marks::cluster_marks(runtime, bare);
+    EXPECT_TRUE(bare.layers[0].clusters.cluster.empty());
     marks::PointSet heap(runtime.memory); // 300 marks at one place that face alike
     for (int i = 0; i < 300; ++i) add_stipple(heap, {0.5, 0.25, -2.0}, {0.0, 0.6, 0.8});
     marks::cluster_marks(runtime, heap);

@@ -144,7 +144,7 @@ TEST(Field, IsAskedAtAbsolutePlaces) {
 TEST(Field, PublishedStrokesFollowItToo) {
     const Sphere sphere;
     Caller caller{helix};
-    generate::Settings settings = paper({Kind::field}, 3);
+    generate::Settings settings = recursion({Kind::field}, 3);
     settings.layers[0].strokes.direction = {Caller::call, &caller};
     const std::vector<double> seeds = spiral_seeds(64);
     use_points(settings, seeds);
@@ -170,7 +170,7 @@ TEST(Field, PublishedStrokesFollowItToo) {
 
 TEST(Field, ThatFailsIsReported) {
     const Torus torus;
-    for (const Distribution distribution : {Distribution::blue_noise, Distribution::paper}) {
+    for (const Distribution distribution : {Distribution::blue_noise, Distribution::published}) {
         Caller fails{helix};
         fails.result = 3;
         generate::Settings settings = along(fails, 1000);
