@@ -100,8 +100,7 @@ hrbfnpr_status hrbfnpr_drawing_rasterize(const hrbfnpr_drawing* drawing, const h
     return api::guarded(error, [&] {
         const auto& handle = api::deref(drawing, "drawing");
         const output::Image target = api::checked(api::read_struct(image, "image"));
-        const output::DrawSettings settings =
-            api::checked(api::read_optional_struct(desc, "raster_desc"), target);
+        const output::DrawSettings settings = api::checked(api::read_optional_struct(desc, "raster_desc"), target);
         const base::ScratchPool<output::Raster>::Lease raster(handle.context().readers.rasters);
         raster->draw(handle.drawing, target, settings);
     });

@@ -9,8 +9,7 @@
 namespace hrbfnpr::api {
 
 struct Readers {
-    explicit Readers(const base::Runtime& runtime) noexcept
-        : rasters(runtime), vertices(runtime), indices(runtime) {}
+    explicit Readers(const base::Runtime& runtime) noexcept : rasters(runtime), vertices(runtime), indices(runtime) {}
 
     base::ScratchPool<output::Raster> rasters;
     base::ScratchPool<output::VertexScratch> vertices;

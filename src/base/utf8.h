@@ -13,8 +13,10 @@ namespace hrbfnpr::base {
         const auto lead = static_cast<std::uint8_t>(text[i++]);
         if (lead == 0) return false;
         if (lead < 0x80) continue;
-        const std::size_t more = lead >= 0xC2 && lead < 0xE0 ? 1U : lead >= 0xE0 && lead < 0xF0 ? 2U
-                                 : lead >= 0xF0 && lead < 0xF5 ? 3U : 0U;
+        const std::size_t more = lead >= 0xC2 && lead < 0xE0   ? 1U
+                                 : lead >= 0xE0 && lead < 0xF0 ? 2U
+                                 : lead >= 0xF0 && lead < 0xF5 ? 3U
+                                                               : 0U;
         if (more == 0 || text.size() - i < more) return false;
         std::uint32_t code = lead & (0x3FU >> more);
         for (std::size_t k = 0; k < more; ++k) {

@@ -13,11 +13,11 @@ inline constexpr float soft_rim = 0.5F;
 
 // A disc of ink, or of paper.
 struct Dot {
-    float x, y;    // pixels
-    float radius;  // pixels
-    float opacity; // times that of the layer's ink; of paper its alpha; 0: not drawn
-    float depth;   // eye units along the view; of a contour its own, not the mark's
-    float window;  // depth in the camera's convention
+    float x, y;            // pixels
+    float radius;          // pixels
+    float opacity;         // times that of the layer's ink; of paper its alpha; 0: not drawn
+    float depth;           // eye units along the view; of a contour its own, not the mark's
+    float window;          // depth in the camera's convention
     float pixels_per_unit; // of eye space
     std::uint32_t id;      // 1 + running number of the mark
     std::uint32_t layer;   // of the drawing
@@ -43,11 +43,11 @@ struct Stroke {
 
 // Between two of its points a stroke's centre, half width and opacity change evenly.
 struct StrokePoint {
-    float x, y;    // pixels
-    float radius;  // half the width, pixels
-    float opacity; // times that of the layer's ink
-    float depth;   // eye units along the view
-    float window;  // depth in the camera's convention
+    float x, y;            // pixels
+    float radius;          // half the width, pixels
+    float opacity;         // times that of the layer's ink
+    float depth;           // eye units along the view
+    float window;          // depth in the camera's convention
     float pixels_per_unit; // of eye space
     float length;          // along the stroke from its first point, pixels
     std::uint32_t id;      // of the mark

@@ -85,13 +85,14 @@ MarkSource Drawing::source(std::uint32_t id) const noexcept {
     const marks::Layer& layer = item.set->layers[run.layer];
     const std::int64_t mark = id - run.first_id;
     const bool posed = run.posed >= 0;
-    const glm::vec3 place = posed ? marks::vector_at(posed_position, run.posed + mark) : marks::vector_at(layer.position, mark);
-    const glm::vec3 normal = posed ? marks::vector_at(posed_normal, run.posed + mark) : marks::vector_at(layer.normal, mark);
+    const glm::vec3 place =
+        posed ? marks::vector_at(posed_position, run.posed + mark) : marks::vector_at(layer.position, mark);
+    const glm::vec3 normal =
+        posed ? marks::vector_at(posed_normal, run.posed + mark) : marks::vector_at(layer.normal, mark);
     const glm::vec3 direction = posed && run.poses_directions ? marks::vector_at(posed_direction, run.posed + mark)
                                                               : marks::vector_at(layer.direction, mark);
     MarkSource source;
-    source.position =
-        glm::vec3(item.to_world * glm::dvec4(glm::vec3(glm::dvec3(place) / item.unit), 1.0));
+    source.position = glm::vec3(item.to_world * glm::dvec4(glm::vec3(glm::dvec3(place) / item.unit), 1.0));
     source.normal = unit_or_zero(item.normal_to_world * normal);
     source.direction = unit_or_zero(of_moderate_scale(item.to_world) * direction);
     return source;

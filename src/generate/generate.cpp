@@ -39,7 +39,9 @@ public:
 
 private:
     void add_layers();
-    [[nodiscard]] marks::LayerReport& report_of(const Growing& layer) noexcept { return set_.layers[layer.place].report; }
+    [[nodiscard]] marks::LayerReport& report_of(const Growing& layer) noexcept {
+        return set_.layers[layer.place].report;
+    }
     [[nodiscard]] base::Progress progress_of(const Growing& layer) const noexcept;
     void published();
     void published_stipples(Growing& layer);
@@ -213,8 +215,7 @@ void Generation::require_some() const {
     bool lengths_given = false;
     for (const Growing& layer : growing_) {
         if (layer.marks.count() > 0) return;
-        lengths_given =
-            lengths_given || layer.settings.strokes.separation > 0.0 || layer.settings.strokes.step > 0.0;
+        lengths_given = lengths_given || layer.settings.strokes.separation > 0.0 || layer.settings.strokes.step > 0.0;
         for (const marks::LevelReport& level : set_.layers[layer.place].report.level) {
             all.attempted += level.attempted;
             all.dropped_not_converged += level.dropped_not_converged;

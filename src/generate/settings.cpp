@@ -22,9 +22,8 @@ void fill_parts(Settings& settings) {
         for (std::size_t direction = 0; direction < directions_of(layer); ++direction) {
             marks::TonePart& part = layer.part[direction];
             if (part.begin == 0.0 && part.end == 0.0)
-                part = settings.tone_ranges == ToneRanges::full
-                           ? marks::TonePart{}
-                           : marks::TonePart{before / all, (before + 1.0) / all};
+                part = settings.tone_ranges == ToneRanges::full ? marks::TonePart{}
+                                                                : marks::TonePart{before / all, (before + 1.0) / all};
             before += 1.0;
         }
         if (!layer.has_strokes()) layer.part[1] = layer.part[0];
@@ -80,8 +79,9 @@ void check_starts(const Settings& settings) {
             fail(Status::invalid_argument,
                  "generate_desc.layers[%zu].start is STIPPLES; the stipples themselves start from SEEDS", i);
         if (stipples != nullptr && given.start_level > stipples->published.levels)
-            fail(Status::invalid_argument, "generate_desc.layers[%zu].start_level is %d, above the %d levels of the "
-                                           "stipples",
+            fail(Status::invalid_argument,
+                 "generate_desc.layers[%zu].start_level is %d, above the %d levels of the "
+                 "stipples",
                  i, static_cast<int>(given.start_level), static_cast<int>(stipples->published.levels));
     }
 }

@@ -21,9 +21,9 @@ struct LayerSettings {
     marks::Kind kind = marks::Kind::stipples;
     marks::LayerName name{}; // empty: that of its kind
     std::int64_t budget = default_budget;
-    bool with_curvature = false;         // fill Layer::curvature
-    std::array<marks::TonePart, 2> part{ // of the two directions; 0 and 0: as Settings::tone_ranges says
-        marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
+    bool with_curvature = false;        // fill Layer::curvature
+    std::array<marks::TonePart, 2> part{// of the two directions; 0 and 0: as Settings::tone_ranges says
+                                        marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
     stipples::DensitySettings density;
     strokes::Settings strokes;
     published::Settings published;

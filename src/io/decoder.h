@@ -76,8 +76,7 @@ private:
 
     std::int64_t begin_section(std::uint32_t tag, ElementType type, std::uint64_t element_size);
     void expect_count(std::uint32_t tag, std::int64_t count, std::int64_t expected) const;
-    void check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind,
-                      std::uint32_t newest);
+    void check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind, std::uint32_t newest);
     void read_exactly(std::span<std::uint8_t> bytes);
     void take(std::span<std::uint8_t> bytes);
 

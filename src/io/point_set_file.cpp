@@ -114,8 +114,7 @@ void decode_report(Decoder& decoder, marks::LayerReport& report) {
     decoder.section<std::int64_t>(tag_layer_counts, counts);
     decoder.section<double>(tag_layer_numbers, numbers);
     decoder.section(tag_placement, placement);
-    if (counts[0] < 0 || counts[1] < 0 || counts[1] > most_level)
-        decoder.damaged("a count of a layer is not possible");
+    if (counts[0] < 0 || counts[1] < 0 || counts[1] > most_level) decoder.damaged("a count of a layer is not possible");
     if (placement.size() % std::int64_t{level_numbers} != 0 ||
         placement.size() > (most_level + 1) * std::int64_t{level_numbers})
         decoder.damaged("the counts of a layer's levels are not six for each of 256 at most");

@@ -76,8 +76,7 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
             for (std::size_t k = 0; k < 3; ++k)
                 result.curvature[3 * i + static_cast<std::int64_t>(k)] = marks.curvature[i][k];
     }
-    if (settings.with_curvature && marks.curvature.empty())
-        compute_curvature(site, marks, result.curvature, progress);
+    if (settings.with_curvature && marks.curvature.empty()) compute_curvature(site, marks, result.curvature, progress);
     if (settings.strokes) index_strokes(result);
     progress.update(1.0);
 }

@@ -3,8 +3,7 @@
 #include "geometry/cell_grid.h"
 #include "geometry/morton.h"
 #include "geometry/unit.h"
-
-#include <glm/matrix.hpp>
+#include "marks/cluster_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,20 +11,11 @@
 namespace hrbfnpr::marks {
 namespace {
 
-constexpr int cell_bits = 16;              // of each coordinate of a mark's place along the curve
-constexpr std::int64_t fewest_to_fit = 12; // marks for the turn of the normals; else it is the parent cell's
+constexpr int cell_bits = 16; // of each coordinate of a mark's place along the curve
 
 struct Keyed {
     std::uint64_t key; // set of directions, side of the cube that the normal points at, place along the curve
     std::uint32_t mark;
-};
-
-// Curvatures beyond it, as of marks at one place with different normals, are none.
-constexpr double most_bend = 1e30;
-
-struct Turn {
-    glm::dmat3 shape{0.0};
-    double bend = -1.0;
 };
 
 [[nodiscard]] glm::dvec3 precise(const base::Array<float>& a, std::int64_t i) noexcept { return vector_at(a, i); }
@@ -87,8 +77,9 @@ private:
             const Keyed* const next = std::partition_point(order_.data() + begin, order_.data() + end,
                                                            [&](const Keyed& k) { return k.key >> shift == head; });
             const std::int64_t stop = next - order_.data();
-            const Turn turn =
-                stop - begin >= fewest_to_fit && stop - begin <= 16 * most_in_cluster ? turn_of(begin, stop) : parent;
+            const Turn turn = stop - begin >= fewest_to_fit && stop - begin <= 16 * most_in_cluster
+                                  ? fit_turn(begin, stop, places(), normals())
+                                  : parent;
             if (stop - begin <= most_in_cluster || shift == 0)
                 close(begin, stop, turn);
             else
@@ -109,70 +100,20 @@ private:
             result_.cluster.push_back(cluster_of(begin, std::min(end, begin + most_in_cluster), turn));
     }
 
-    // The linear map that takes the marks' offsets from their mean to the normals', in the sense of least squares.
-    [[nodiscard]] Turn turn_of(std::int64_t begin, std::int64_t end) const {
-        glm::dvec3 middle(0.0);
-        glm::dvec3 normal(0.0);
-        for (std::int64_t i = begin; i < end; ++i) {
-            middle += place(order_[i].mark);
-            normal += precise(layer_.normal, order_[i].mark);
-        }
-        const double count = static_cast<double>(end - begin);
-        middle /= count;
-        normal /= count;
-        glm::dmat3 spread(0.0);
-        glm::dmat3 mixed(0.0);
-        for (std::int64_t i = begin; i < end; ++i) {
-            const glm::dvec3 p = place(order_[i].mark) - middle;
-            const glm::dvec3 n = precise(layer_.normal, order_[i].mark) - normal;
-            spread += glm::outerProduct(p, p);
-            mixed += glm::outerProduct(n, p);
-        }
-        // Marks lie near a plane: what is across it is left out.
-        const glm::dvec3 axis = glm::normalize(normal);
-        const double trace = spread[0][0] + spread[1][1] + spread[2][2];
-        const glm::dmat3 map = mixed * glm::inverse(spread + trace * glm::outerProduct(axis, axis));
-        Turn turn;
-        turn.shape = 0.5 * (map + glm::transpose(map));
-        double squares = 0.0;
-        for (int c = 0; c < 3; ++c) squares += glm::dot(turn.shape[c], turn.shape[c]);
-        // Of a symmetric map of a plane, from its trace and its Frobenius norm.  [Kindlmann et al. 2003]
-        const double t = turn.shape[0][0] + turn.shape[1][1] + turn.shape[2][2];
-        turn.bend = 0.5 * (std::abs(t) + std::sqrt(std::max(0.0, 2.0 * squares - t * t)));
-        return turn.bend <= most_bend ? turn : Turn{};
+    // Of marks by their places in the order.
+    [[nodiscard]] auto places() const noexcept {
+        return [this](std::int64_t i) { return place(order_[i].mark); };
+    }
+    [[nodiscard]] auto normals() const noexcept {
+        return [this](std::int64_t i) { return precise(layer_.normal, order_[i].mark); };
     }
 
     [[nodiscard]] Cluster cluster_of(std::int64_t begin, std::int64_t end, const Turn& turn) const {
         Cluster cluster;
         cluster.count = static_cast<std::int32_t>(end - begin);
         cluster.set = strokes_ ? layer_.direction_of(order_[begin].mark) : 0U;
-        geometry::Bounds bounds;
-        glm::dvec3 sum(0.0);
-        for (std::int64_t i = begin; i < end; ++i) {
-            bounds.extend(place(order_[i].mark));
-            sum += precise(layer_.normal, order_[i].mark);
-        }
-        const glm::dvec3 centre = bounds.centre();
-        const glm::dvec3 axis = glm::normalize(sum);
-        double radius = 0.0;
-        double cosine = 1.0;
-        for (std::int64_t i = begin; i < end; ++i) {
-            radius = std::max(radius, glm::length(place(order_[i].mark) - centre));
-            cosine = std::min(cosine, glm::dot(axis, precise(layer_.normal, order_[i].mark)));
-        }
-        for (int k = 0; k < 3; ++k) {
-            cluster.centre[static_cast<std::size_t>(k)] = static_cast<float>(centre[k]);
-            cluster.axis[static_cast<std::size_t>(k)] = static_cast<float>(axis[k]);
-        }
-        // Both are a little larger than the truth, so that floats hold them.
-        cluster.radius = static_cast<float>(radius * 1.00001);
-        const double cone = std::acos(std::clamp(cosine, -1.0, 1.0)) + 1e-3;
-        cluster.cone_cosine = static_cast<float>(std::cos(cone));
-        cluster.cone_sine = static_cast<float>(std::sin(cone));
-        cluster.bend = static_cast<float>(turn.bend);
-        const glm::dmat3& s = turn.shape;
-        const std::array<double, 6> shape = {s[0][0], s[1][0], s[2][0], s[1][1], s[2][1], s[2][2]};
-        for (std::size_t k = 0; k < shape.size(); ++k) cluster.shape[k] = static_cast<float>(shape[k]);
+        set_extent(cluster, begin, end, places(), normals());
+        set_turn(cluster, turn);
         return cluster;
     }
 

@@ -17,7 +17,7 @@ struct Turn {
     double bend = -1.0;
 };
 
-// Fewer marks do not tell it.
+// Fewer marks do not tell how their normals turn.
 inline constexpr std::int64_t fewest_to_fit = 12;
 
 // Sums over marks that the turn of their normals follows from.

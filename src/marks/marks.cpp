@@ -16,10 +16,11 @@ void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t leve
     if (layer < 0)
         fail(Status::invalid_argument, "start_level = %d would grow to %lld stipples, and %lld are the most: lower it",
              levels, static_cast<long long>(full_count), static_cast<long long>(most_marks));
-    fail(Status::invalid_argument,
-         "layers[%lld].levels = %d would grow to %lld marks, and %lld are the most: lower it or set layers[%lld].budget",
-         static_cast<long long>(layer), levels, static_cast<long long>(full_count), static_cast<long long>(most_marks),
-         static_cast<long long>(layer));
+    fail(
+        Status::invalid_argument,
+        "layers[%lld].levels = %d would grow to %lld marks, and %lld are the most: lower it or set layers[%lld].budget",
+        static_cast<long long>(layer), levels, static_cast<long long>(full_count), static_cast<long long>(most_marks),
+        static_cast<long long>(layer));
 }
 
 // Those of one layer of stipples, principal and combing strokes have the set's own seed.
@@ -27,9 +28,9 @@ std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t numb
     const bool own = kind == Kind::field || kind == Kind::own;
     if (number == 0 && !own) return random_seed;
     const auto n = static_cast<std::uint64_t>(number);
-    const base::Philox bits = base::philox(
-        random_seed, {static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n >> 32U),
-                      static_cast<std::uint32_t>(base::Purpose::layer), static_cast<std::uint32_t>(kind)});
+    const base::Philox bits =
+        base::philox(random_seed, {static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n >> 32U),
+                                   static_cast<std::uint32_t>(base::Purpose::layer), static_cast<std::uint32_t>(kind)});
     return static_cast<std::uint64_t>(bits[0]) << 32U | bits[1];
 }
 

@@ -10,7 +10,8 @@ namespace {
 template <class T>
 void copy(const base::Array<T>& from, base::Array<T>& to) {
     to.resize_for_overwrite(from.size());
-    if (!from.empty()) std::memcpy(static_cast<void*>(to.data()), from.data(), sizeof(T) * static_cast<std::size_t>(from.size()));
+    if (!from.empty())
+        std::memcpy(static_cast<void*>(to.data()), from.data(), sizeof(T) * static_cast<std::size_t>(from.size()));
 }
 
 // Marks of clusters that follow each other, by their place in the blocks.

@@ -24,12 +24,11 @@ std::int64_t Layer::stroke_of(std::int64_t mark) const noexcept {
     if (!has_strokes()) return -1;
     const std::uint32_t* const first = stroke_first.begin();
     const std::uint32_t* const found =
-        stroke_order.empty()
-            ? std::upper_bound(first, stroke_first.end() - 1, static_cast<std::uint32_t>(mark))
-            : std::upper_bound(first, stroke_first.end() - 1, stroke[2 * mark],
-                               [&](std::uint32_t number, std::uint32_t place) {
-                                   return number < stroke[2 * std::int64_t{stroke_order[place]}];
-                               });
+        stroke_order.empty() ? std::upper_bound(first, stroke_first.end() - 1, static_cast<std::uint32_t>(mark))
+                             : std::upper_bound(first, stroke_first.end() - 1, stroke[2 * mark],
+                                                [&](std::uint32_t number, std::uint32_t place) {
+                                                    return number < stroke[2 * std::int64_t{stroke_order[place]}];
+                                                });
     return found - first - 1;
 }
 

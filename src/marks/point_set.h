@@ -67,7 +67,7 @@ struct Layer {
 
     Kind kind;
     LayerName name;
-    bool progressive = false; // each prefix of its ranks, from 1 down, is spread evenly
+    bool progressive = false;                // each prefix of its ranks, from 1 down, is spread evenly
     base::Array<float> position;             // 3n, relative to the set's origin
     base::Array<float> normal;               // 3n
     base::Array<float> direction;            // 3n
@@ -111,7 +111,7 @@ struct PointSet {
     base::List<Layer> layers;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
-    [[nodiscard]] std::int64_t count() const noexcept; // of marks
+    [[nodiscard]] std::int64_t count() const noexcept;   // of marks
     [[nodiscard]] std::int64_t largest() const noexcept; // marks in one layer
 };
 

@@ -133,9 +133,8 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
                    marks::LayerReport& report, const base::Progress& progress) {
     report.full_count = marks::grown_count(start.full_count, 1 + children, settings.levels);
     report.step = settings.step;
-    marks::require_room(settings.layer,
-                        marks::grown_count(start.position.size(), 1 + children, settings.levels), settings.levels,
-                        settings.budget);
+    marks::require_room(settings.layer, marks::grown_count(start.position.size(), 1 + children, settings.levels),
+                        settings.levels, settings.budget);
     Stipples stipples(site, start, settings, marks, report);
     bool full = stipples.place_seeds(progress);
     double rho = settings.step;

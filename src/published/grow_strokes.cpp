@@ -57,8 +57,8 @@ public:
     Strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
             marks::LayerReport& report)
         : site_(site), start_(start), settings_(settings), marks_(marks), report_(report), settler_(site),
-          parent_(site.memory()), side_(site.memory()), landed_(site.memory()),
-          landed_normal_(site.memory()), given_(site.memory()), curvature_(site.memory()) {}
+          parent_(site.memory()), side_(site.memory()), landed_(site.memory()), landed_normal_(site.memory()),
+          given_(site.memory()), curvature_(site.memory()) {}
 
     // Returns whether the budget cut the level.
     bool place_seeds(const base::Progress& progress);
@@ -232,9 +232,8 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
                   marks::LayerReport& report, const base::Progress& progress) {
     report.full_count = marks::grown_count(sets * start.full_count, 1 + children, settings.levels);
     report.step = settings.step;
-    marks::require_room(settings.layer,
-                        marks::grown_count(stroke_count(start), 1 + children, settings.levels), settings.levels,
-                        settings.budget);
+    marks::require_room(settings.layer, marks::grown_count(stroke_count(start), 1 + children, settings.levels),
+                        settings.levels, settings.budget);
     Strokes strokes(site, start, settings, marks, report);
     const double work = static_cast<double>(marks::grown_count(1, 1 + children, settings.levels));
     bool full = strokes.place_seeds(progress.part(0.0, 1.0 / work));

@@ -8,7 +8,7 @@ namespace hrbfnpr::published {
 
 // How far a layer is refined.
 struct Settings {
-    std::int32_t levels = -1; // -1: the default of its kind
+    std::int32_t levels = -1;   // -1: the default of its kind
     bool from_stipples = false; // strokes start from the stipples up to `start_level`, not from the seeds
     std::int32_t start_level = 0;
 };
@@ -22,10 +22,10 @@ struct Start {
 
 struct GrowthSettings {
     marks::Kind kind = marks::Kind::stipples;
-    std::int64_t layer = 0;             // for messages; -1: stipples that only strokes start from
+    std::int64_t layer = 0; // for messages; -1: stipples that only strokes start from
     std::int32_t levels = 0;
-    double step = 0.0;       // rho_0
-    std::int64_t budget = 0; // 0 = none
+    double step = 0.0;                  // rho_0
+    std::int64_t budget = 0;            // 0 = none
     marks::DirectionFunction direction; // of FIELD
 };
 
@@ -33,8 +33,8 @@ struct GrowthSettings {
 void grow_stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
                    marks::LayerReport& report, const base::Progress& progress);
 
-// The x3 recursion of both directions of PRINCIPAL, COMBING or FIELD strokes.  A COMBING stroke that enters another region of
-// the field takes up the new direction, as published, and breaks there.
+// The x3 recursion of both directions of PRINCIPAL, COMBING or FIELD strokes.  A COMBING stroke that enters another
+// region of the field takes up the new direction, as published, and breaks there.
 void grow_strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
                   marks::LayerReport& report, const base::Progress& progress);
 

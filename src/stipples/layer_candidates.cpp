@@ -53,10 +53,10 @@ std::int64_t projections_for(const SurfaceCells& cells, std::int64_t wanted) noe
 LayerCandidates::LayerCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
                                  const base::Array<CellKind>& kind, std::uint32_t lane, std::int64_t wanted)
     : site_(site), cells_(cells), numbers_(numbers), kind_(kind), lane_(lane),
-      projections_of_point_(projections_for(cells, wanted)), trial_cell_(site.memory()), slot_(site.memory()), drawn_(site.memory()),
-      drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()), field_(site.memory()),
-      kept_(site.memory()), near_of_task_(site.memory()), strayed_of_task_(site.memory()), bent_(site.memory()),
-      landed_(site.memory()), projections_(site.memory()) {
+      projections_of_point_(projections_for(cells, wanted)), trial_cell_(site.memory()), slot_(site.memory()),
+      drawn_(site.memory()), drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()),
+      field_(site.memory()), kept_(site.memory()), near_of_task_(site.memory()), strayed_of_task_(site.memory()),
+      bent_(site.memory()), landed_(site.memory()), projections_(site.memory()) {
     find_trial_cells();
 }
 

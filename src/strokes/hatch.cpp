@@ -68,7 +68,8 @@ void Hatching::measure(double area) {
     const double marks = static_cast<double>(sets) * area / (separation_ * step_);
     if (settings_.budget == 0 && marks > static_cast<double>(marks::most_even_marks))
         fail(Status::invalid_argument,
-             "layers[%lld]: a separation of %g and a step of %g make about %g marks, and %lld are the most: raise them or "
+             "layers[%lld]: a separation of %g and a step of %g make about %g marks, and %lld are the most: raise them "
+             "or "
              "set the layer's budget",
              static_cast<long long>(settings_.layer), site_.unit * separation_, site_.unit * step_, marks,
              static_cast<long long>(marks::most_even_marks));
@@ -174,8 +175,8 @@ double Hatching::run(marks::Marks& marks, const base::Progress& progress) {
     keep_to_budget();
     if (field.first_set)
         strokes_ = split_by_set(site_.runtime, strokes_, *field.first_set, separation_ / step_, progress);
-    settle_strokes(site_, strokes_, {settings_.kind, settings_.direction, separation_, step_, cells_.region}, marks, report_,
-                   progress.part(0.7, 1.0));
+    settle_strokes(site_, strokes_, {settings_.kind, settings_.direction, separation_, step_, cells_.region}, marks,
+                   report_, progress.part(0.7, 1.0));
     report_.step = separation_;
     for (const OrderedStroke& stroke : strokes_) report_.levels = std::max<std::int32_t>(report_.levels, stroke.pass);
     return field.area;

@@ -9,7 +9,7 @@ namespace hrbfnpr::strokes {
 
 struct HatchSettings : Settings {
     marks::Kind kind = marks::Kind::principal;
-    std::int64_t layer = 0; // for messages
+    std::int64_t layer = 0;  // for messages
     std::int64_t budget = 0; // the most marks; 0 = no limit
 };
 

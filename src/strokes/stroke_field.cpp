@@ -102,7 +102,8 @@ StrokeFieldResult make_stroke_field(const marks::Site& site, const stipples::Sur
     // A surface whose area is not known (none of its cells' volume is near) has samples apart at least.
     const auto count = static_cast<double>(even.position.size());
     const double area = even.area > 0.0 ? even.area : cells.rough_area();
-    surface::FieldSamples field{even.position,           even.normal,   measured.direction, measured.trust,
+    surface::FieldSamples field{even.position,           even.normal,
+                                measured.direction,      measured.trust,
                                 std::sqrt(area / count), given ? given_fidelity : field_fidelity};
     if (settings.symmetry == marks::Symmetry::line)
         return {surface::DirectionField(site.runtime, field, surface::Symmetry::line, progress.part(0.9, 1.0)),

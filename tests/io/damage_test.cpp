@@ -59,7 +59,8 @@ TEST_P(Damage, NewerVersionsAreNamed) {
     const Outcome outcome = load(newer);
     EXPECT_EQ(outcome.status, Status::version_mismatch);
     EXPECT_NE(outcome.message.find("has format version " + std::to_string(newest + 1) +
-                                   "; this library reads versions up to " + std::to_string(newest)), std::string::npos)
+                                   "; this library reads versions up to " + std::to_string(newest)),
+              std::string::npos)
         << outcome.message;
 }
 

@@ -72,9 +72,7 @@ TEST(PointSetFile, KeepsEveryBit) {
         for (std::int64_t i = 0; i < count; ++i)
             tapered.layers[1].width.push_back(0.25F + 0.01F * static_cast<float>(i % 70));
         const Bytes with = bytes_of(tapered);
-        EXPECT_EQ(with.size(), count == 0
-                                   ? first.size()
-                                   : first.size() + 4 * static_cast<std::size_t>(count));
+        EXPECT_EQ(with.size(), count == 0 ? first.size() : first.size() + 4 * static_cast<std::size_t>(count));
         MemoryReader again = reader_of(with);
         EXPECT_EQ(with, bytes_of(load_point_set(memory, again)));
     }

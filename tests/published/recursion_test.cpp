@@ -181,7 +181,8 @@ TEST(PublishedBudget, CountsBeyondReasonAreRefusedBeforeTheyAreMade) {
     settings = recursion({Kind::combing}, 12);
     const std::vector<double> many = spiral_seeds(3000);
     use_points(settings, many);
-    expect_error(Status::invalid_argument, {"layers[0].levels = 12", "budget"}, [&] { (void)make(Sphere(), settings); });
+    expect_error(Status::invalid_argument, {"layers[0].levels = 12", "budget"},
+                 [&] { (void)make(Sphere(), settings); });
 }
 
 // A step far too long: children of the tangent plane land all over a small sphere or not at all, and

@@ -127,9 +127,7 @@ TEST(BlueNoise, OrdersThatUseUpTheirCandidatesEnd) {
     }
 }
 
-TEST(BlueNoise, DefaultBudgetIs40000) {
-    EXPECT_EQ(of(make(Sphere(), {}), Kind::stipples).count(), 40000);
-}
+TEST(BlueNoise, DefaultBudgetIs40000) { EXPECT_EQ(of(make(Sphere(), {}), Kind::stipples).count(), 40000); }
 
 TEST(BlueNoise, ReachesAllComponentsThatHaveASeed) {
     const TwoTori tori;

@@ -12,7 +12,8 @@ using namespace test;
 TEST(Density, SharesTheMarksAsTheFunctionSays) {
     generate::Settings settings = blue({Kind::stipples}, 4000);
     of(settings, Kind::stipples).density.kind = Density::callback;
-    of(settings, Kind::stipples).density.function = [](void*, std::int64_t count, const double* p, const double*, double* density) {
+    of(settings, Kind::stipples).density.function = [](void*, std::int64_t count, const double* p, const double*,
+                                                       double* density) {
         for (std::int64_t i = 0; i < count; ++i) density[i] = p[3 * i] > 0.0 ? 1.0 : p[3 * i + 1] > 0.0 ? 0.25 : 0.0;
         return 0;
     };

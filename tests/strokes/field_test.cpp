@@ -114,9 +114,7 @@ TEST(Field, StrokesFollowIt) {
 
 TEST(Field, WithoutDirectionsItIsSmooth) {
     const Torus torus;
-    Caller caller{[](const glm::dvec3& p, const glm::dvec3& n) {
-        return p.x > 0.3 ? glm::dvec3(0.0) : helix(p, n);
-    }};
+    Caller caller{[](const glm::dvec3& p, const glm::dvec3& n) { return p.x > 0.3 ? glm::dvec3(0.0) : helix(p, n); }};
     const PointSet set = make(torus, along(caller, 8000));
     expect_sound(set, torus);
     std::int64_t without = 0;

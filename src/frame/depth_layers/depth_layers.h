@@ -14,7 +14,8 @@ namespace hrbfnpr::frame {
 class DepthLayers {
 public:
     explicit DepthLayers(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), loops_(layer_loops(runtime.instruction_set)), planes_(runtime.memory), seen_(runtime.memory) {}
+        : runtime_(runtime), loops_(layer_loops(runtime.instruction_set)), planes_(runtime.memory),
+          seen_(runtime.memory) {}
 
     // Bins the drawing's splats, and sets the opacity of each of its dots by what the depth layers that they stand for
     // let through.  The dots stand in tiles already.  Returns how many are drawn.

@@ -25,8 +25,7 @@ void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Dot& ink
     const double pixel =
         1.0 / (static_cast<double>(ink.pixels_per_unit) * std::cbrt(std::abs(glm::determinant(to_eye))));
     const double off = ink.mark_class == MarkClass::silhouette ? off_contour : off_layer;
-    const glm::dvec3 from =
-        glm::dvec3(run.place_of(mark, item.unit)) + off * pixel * glm::dvec3(run.normal_of(mark));
+    const glm::dvec3 from = glm::dvec3(run.place_of(mark, item.unit)) + off * pixel * glm::dvec3(run.normal_of(mark));
     const glm::dvec3 centre(scene.lens.centre);
     const bool parallel = scene.lens.centre.w == 0.0F;
     // The direction's length does not matter where lines of sight are parallel: rays end with the model's bounds.

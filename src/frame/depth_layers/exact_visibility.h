@@ -3,8 +3,8 @@
 
 #include "base/runtime.h"
 #include "drawing/drawing.h"
-#include "frame/scene/scene.h"
 #include "drawing/tiles.h"
+#include "frame/scene/scene.h"
 #include "surface/cast_rays.h"
 
 namespace hrbfnpr::frame {

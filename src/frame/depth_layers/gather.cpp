@@ -43,8 +43,9 @@ float Gather::ink_per_pixel(const ItemInk& item, float pixels_per_unit) const no
 
 Gather::Gather(const base::Runtime& runtime) noexcept
     : runtime_(runtime), loops_(see_loops(runtime.instruction_set)), sights_(runtime.memory),
-      item_inks_(runtime.memory), terms_(runtime.memory), transmittances_(runtime.memory), transmittance_of_(runtime.memory),
-      work_(runtime.memory), counts_(runtime.memory), tau_(runtime.memory), tone_calls_(runtime.memory) {}
+      item_inks_(runtime.memory), terms_(runtime.memory), transmittances_(runtime.memory),
+      transmittance_of_(runtime.memory), work_(runtime.memory), counts_(runtime.memory), tau_(runtime.memory),
+      tone_calls_(runtime.memory) {}
 
 // first: the first run of the item.
 ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) {
@@ -173,9 +174,8 @@ Counts Gather::info() const noexcept {
 }
 
 std::int64_t Gather::bytes() const noexcept {
-    return sights_.bytes() + item_inks_.bytes() + terms_.bytes() + transmittances_.bytes() + transmittance_of_.bytes() + work_.bytes() +
-           counts_.bytes() +
-           tau_.bytes() + tone_calls_.bytes();
+    return sights_.bytes() + item_inks_.bytes() + terms_.bytes() + transmittances_.bytes() + transmittance_of_.bytes() +
+           work_.bytes() + counts_.bytes() + tau_.bytes() + tone_calls_.bytes();
 }
 
 } // namespace hrbfnpr::frame

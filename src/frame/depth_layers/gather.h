@@ -2,10 +2,9 @@
 #pragma once
 
 #include "base/runtime.h"
-#include "frame/depth_layers/cluster_view.h"
 #include "drawing/drawing.h"
 #include "drawing/tiles.h"
-#include "drawing/tiles.h"
+#include "frame/depth_layers/cluster_view.h"
 #include "frame/scene/tone_calls.h"
 
 #include <algorithm>
@@ -46,8 +45,7 @@ inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.125
     const float left = std::max(1.0F - coverage, 1e-4F);
     switch (overlap) {
     case Overlap::random: return -std::log(left);
-    case Overlap::lines:
-        return layers == 1.0F ? coverage : layers * (1.0F - root(left, layers));
+    case Overlap::lines: return layers == 1.0F ? coverage : layers * (1.0F - root(left, layers));
     case Overlap::blue_noise: break;
     }
     const float at = std::clamp(coverage, 0.0F, 1.0F) * 16.0F;
@@ -66,7 +64,6 @@ struct ItemInk {
     std::int64_t first = 0, end = 0; // of its terms
     // ink_for() of these coverages, so that a mark need not take a root.
     std::array<float, needed_steps + 1> needed{};
-
 };
 
 // What a layer lets through, by |nu|.

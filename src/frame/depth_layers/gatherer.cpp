@@ -35,8 +35,7 @@ Gatherer::Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t
     : all_(all), scene_(scene), run_(run), item_(scene.item_of(run)), style_(item_.style),
       sight_(all.sights_[run.item]), item_ink_(all.item_inks_[run.item]),
       transmittance_(all.transmittances_[all.transmittance_of_[run.item]]), marks_(*run.clusters),
-      layer_(2U * static_cast<std::uint32_t>(run_number)), selection_(common_selection()),
-      ink_(inks), splat_(splats) {}
+      layer_(2U * static_cast<std::uint32_t>(run_number)), selection_(common_selection()), ink_(inks), splat_(splats) {}
 
 Selection Gatherer::common_selection() const noexcept {
     Selection selection{};
@@ -78,7 +77,8 @@ Gatherer::Local Gatherer::local_of(const marks::Cluster& cluster) const noexcept
     selection.scale = run_.pen.scale(view.pixels_per_unit);
     if (selection.coverage)
         // Marks that cover less than 0.6 are shown as if they covered that: their dark tones still differ.
-        selection.per_ink = 1.0F / std::max(all_.ink_per_pixel(item_ink_, view.pixels_per_unit), item_ink_.needed[darkest_step]);
+        selection.per_ink =
+            1.0F / std::max(all_.ink_per_pixel(item_ink_, view.pixels_per_unit), item_ink_.needed[darkest_step]);
     set_contour(local);
     selection.most_shown = most_shown(local);
     return local;
@@ -195,7 +195,7 @@ std::int64_t Gatherer::splats_of(const Local& local) const noexcept {
 
 void Gatherer::splat(const Local& local, const Seen& seen, std::int64_t count) noexcept {
     const float spacing = run_.scattered ? std::max(run_.pen.spacing * local.view.pixels_per_unit, local.splat_spacing)
-                                          : run_.pen.spacing * local.view.pixels_per_unit;
+                                         : run_.pen.spacing * local.view.pixels_per_unit;
     const bool even = run_.spread_evenly && run_.scattered;
     const float own_radius = (even ? even_splat : random_splat) * spacing + 0.5F;
     const float radius =

@@ -70,8 +70,8 @@ void StrokeJoiner::put(const Scene& scene, const Found& line, drawing::Drawing& 
             const StrokePoint& last = drawing.points.back();
             length += std::hypot(dot.x - last.x, dot.y - last.y);
         }
-        drawing.points.push_back({dot.x, dot.y, dot.radius, dot.opacity, dot.depth, dot.window,
-                                  dot.pixels_per_unit, length, dot.id});
+        drawing.points.push_back(
+            {dot.x, dot.y, dot.radius, dot.opacity, dot.depth, dot.window, dot.pixels_per_unit, length, dot.id});
         dot.opacity = 0.0F;
         --drawing.dot_count;
     }

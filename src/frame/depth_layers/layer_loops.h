@@ -10,7 +10,6 @@ namespace hrbfnpr::frame {
 
 using drawing::Splat;
 
-
 // Rows of `stride` floats, one for each pixel.  Of a line of sight: the nearest layer that faces the eye, the nearest
 // that faces away, and the ones after them; depth and what they let through.
 struct LayerPlanes {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/runtime.h"
-#include "frame/published/visibility.h"
 #include "drawing/drawing.h"
+#include "frame/published/visibility.h"
 #include "frame/scene/scene.h"
 #include "frame/scene/tone_calls.h"
 
@@ -16,7 +16,6 @@ void classify(const base::Parallel& parallel, Scene& scene);
 void ask_tones(Scene& scene, ToneCalls& calls);
 
 // Fills `role` from tone, depth, zoom and, if not null, visibility.  counts: one for each chunk.
-void decide(const base::Parallel& parallel, Scene& scene, const VisibilityMap* visibility,
-            base::Array<Counts>& counts);
+void decide(const base::Parallel& parallel, Scene& scene, const VisibilityMap* visibility, base::Array<Counts>& counts);
 
 } // namespace hrbfnpr::frame

@@ -69,7 +69,7 @@ std::uint64_t PublishedFrame::ink_key(const Scene& scene, const Run& run, std::i
 std::uint64_t PublishedFrame::paper_key(const Scene& scene, const Run& run, std::int64_t place) noexcept {
     const Marks& m = scene.marks;
     return drawing::far_first_key(paper_depth(m, place, splat_radius(scene, run, place)),
-                         static_cast<std::uint32_t>(place) << 1U | 1U);
+                                  static_cast<std::uint32_t>(place) << 1U | 1U);
 }
 
 // A key for each disc, in the order of the marks.

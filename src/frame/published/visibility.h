@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/runtime.h"
-#include "frame/scene/scene.h"
 #include "drawing/tiles.h"
+#include "frame/scene/scene.h"
 
 namespace hrbfnpr::frame {
 

@@ -102,8 +102,7 @@ std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
             const marks::Layer& layer = set.layers[i];
             if (!is_used(style.of(layer)) || layer.count() == 0 || is_surface(layer) != surface) continue;
             if (largest < 0 || layer.count() > set.layers[largest].count()) largest = i;
-            if (layer.kind == marks::Kind::stipples &&
-                (stipples < 0 || layer.count() > set.layers[stipples].count()))
+            if (layer.kind == marks::Kind::stipples && (stipples < 0 || layer.count() > set.layers[stipples].count()))
                 stipples = i;
         }
     }
@@ -160,8 +159,7 @@ private:
         const std::int64_t before =
             drawing_.runs.empty() ? 0 : drawing_.runs.back().first_id - 1 + drawing_.runs.back().count;
         if (before + layer.count() > most_marks)
-            fail(Status::invalid_argument,
-                 "items[%lld].point_set brings the drawing to %lld marks; the most are %lld",
+            fail(Status::invalid_argument, "items[%lld].point_set brings the drawing to %lld marks; the most are %lld",
                  static_cast<long long>(number_), static_cast<long long>(before + layer.count()),
                  static_cast<long long>(most_marks));
         drawing::Run run;
@@ -191,8 +189,7 @@ private:
         run.draws_silhouettes = style.contours;
         const bool splats = number == splats_;
         // With a given overlap, one evenly spread layer is as opaque as all; as published, every mark counts.
-        run.paints_paper =
-            style_.hidden_lines == HiddenLines::attenuate && (splats || !(style_.splat_overlap > 0.0F));
+        run.paints_paper = style_.hidden_lines == HiddenLines::attenuate && (splats || !(style_.splat_overlap > 0.0F));
         run.occludes = style_.hidden_lines == HiddenLines::hide && splats;
         run.splats = style_.hidden_lines != HiddenLines::show && splats;
         run.spread_evenly = marks.progressive;

@@ -1,12 +1,12 @@
 // Inside of a frame: the items seen through the camera, and what is known of each mark.
 #pragma once
 
-#include "drawing/drawing.h"
 #include "base/memory.h"
+#include "drawing/drawing.h"
+#include "drawing/mark_class.h"
 #include "frame/scene/attenuation.h"
 #include "frame/scene/item.h"
 #include "frame/scene/lens.h"
-#include "drawing/mark_class.h"
 #include "frame/scene/tone.h"
 
 namespace hrbfnpr::frame {
@@ -113,7 +113,6 @@ struct ItemView {
     glm::vec3 light{0.0F};           // unit
     glm::dmat4 to_world{1.0};        // of positions relative to the set's origin
     glm::mat3 normal_to_world{1.0F};
-
 };
 
 // The marks of one layer of one item that take part in the drawing.
@@ -200,7 +199,7 @@ struct Scene {
     base::Array<Run> runs;
     base::Array<Chunk> chunks;
     Marks marks;
-    std::int64_t joined = 0; // marks of runs that are drawn as strokes
+    std::int64_t joined = 0;               // marks of runs that are drawn as strokes
     base::List<marks::MarkClusters> posed; // of layers whose marks have moved
 
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }

@@ -15,7 +15,8 @@ constexpr LayerStyle default_layer{};
 } // namespace
 
 bool LayerStyle::is_for(const marks::Layer& layer) const noexcept {
-    return (kind == marks::Kind::any || kind == layer.kind) && (name == nullptr || std::strcmp(name, layer.name.data()) == 0);
+    return (kind == marks::Kind::any || kind == layer.kind) &&
+           (name == nullptr || std::strcmp(name, layer.name.data()) == 0);
 }
 
 const LayerStyle& Style::of(const marks::Layer& layer) const noexcept {

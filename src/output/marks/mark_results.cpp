@@ -68,8 +68,7 @@ std::span<const std::uint32_t> MarkIndices::of(const Drawing& drawing, std::int6
         shown_.clear();
         shown_.resize(run.count);
         for (const std::uint64_t key : keys_) shown_[static_cast<std::uint32_t>(key)] = 1;
-        add_strips(drawing.items[run.item].set->layers[run.layer],
-                   primitive == Primitive::triangle_strips ? 2 : 1);
+        add_strips(drawing.items[run.item].set->layers[run.layer], primitive == Primitive::triangle_strips ? 2 : 1);
     }
     return indices_.span();
 }

@@ -52,9 +52,8 @@ HWY_INLINE void cover_segment(const DiscTile& t, const End& a, const End& b, con
     const float square = ux * ux + uy * uy;
     const float scale = square > 1e-12F ? 1.0F / square : 0.0F;
     const W step = hn::Iota(d, 0.0F);
-    const auto between = [&](float from, float to, W at) HWY_ATTR {
-        return hn::Add(hn::Set(d, from), hn::Mul(hn::Set(d, to - from), at));
-    };
+    const auto between = [&](float from, float to, W at)
+                             HWY_ATTR { return hn::Add(hn::Set(d, from), hn::Mul(hn::Set(d, to - from), at)); };
     for (std::int32_t y = box.top; y < box.bottom; ++y) {
         const float py = static_cast<float>(y) + 0.5F - a.y;
         for (std::int32_t x = box.left; x < box.right; x += lanes) {

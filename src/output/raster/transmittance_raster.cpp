@@ -266,7 +266,9 @@ private:
                     return (at > 0.0F) == second && glm::dot(off, off) <= radius * radius;
                 };
                 note(0.5F * (a.x + b.x), 0.5F * (a.y + b.y), std::sqrt(square) + widest,
-                     {end.depth - 2.0F * radius / end.pixels_per_unit, end.window, end.id, drawing_.layers[stroke_of(i).layer].mark_class}, reaches);
+                     {end.depth - 2.0F * radius / end.pixels_per_unit, end.window, end.id,
+                      drawing_.layers[stroke_of(i).layer].mark_class},
+                     reaches);
             }
         });
     }

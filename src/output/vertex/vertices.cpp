@@ -84,7 +84,8 @@ public:
 
     void dot(std::int64_t number, const Dot& dot) const noexcept {
         const bool is_paper = (dot.flags & drawing::dot_is_paper) != 0;
-        Vertex vertex{{dot.x, dot.y, dot.window}, dot.radius, 0.0F, {}, dot.id, dot.layer, dot.mark_class, is_paper, {}};
+        Vertex vertex{
+            {dot.x, dot.y, dot.window}, dot.radius, 0.0F, {}, dot.id, dot.layer, dot.mark_class, is_paper, {}};
         vertex.color = is_paper ? drawing_.paper : drawing_.layers[dot.layer].ink;
         vertex.color.w = is_paper ? dot.opacity : vertex.color.w * dot.opacity;
         store(number, vertex);
@@ -93,8 +94,15 @@ public:
     // side: from the stroke's centre line.
     void point(std::int64_t number, const Stroke& stroke, const StrokePoint& p, const glm::vec2& side) const noexcept {
         const drawing::Layer& layer = drawing_.layers[stroke.layer];
-        Vertex vertex{{p.x + side.x, p.y + side.y, p.window}, p.radius, p.length, layer.ink, p.id, stroke.layer,
-                      layer.mark_class, false, {}};
+        Vertex vertex{{p.x + side.x, p.y + side.y, p.window},
+                      p.radius,
+                      p.length,
+                      layer.ink,
+                      p.id,
+                      stroke.layer,
+                      layer.mark_class,
+                      false,
+                      {}};
         vertex.color.w *= p.opacity;
         store(number, vertex);
     }

@@ -13,8 +13,8 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::FarToNear;
 using drawing::Tiles;
+using frame::FarToNear;
 
 TEST(FarFirstKey, RisesAsDepthFalls) {
     const float depths[] = {
@@ -101,16 +101,16 @@ TEST(drawing::Tiles, BearStrangeFootprints) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const drawing::Tiles::Footprint discs[] = {{nan, 1, 1},
-                                         {1, nan, 1},
-                                         {1, 1, nan},
-                                         {1, 1, -1},
-                                         {1, 1, 0},
-                                         {1, 1, infinity},
-                                         {1e30F, 1, 1},
-                                         {-1e30F, 1, 1},
-                                         {1, 1, 1e30F},
-                                         {infinity, 1, 1},
-                                         {infinity, 1, infinity}};
+                                               {1, nan, 1},
+                                               {1, 1, nan},
+                                               {1, 1, -1},
+                                               {1, 1, 0},
+                                               {1, 1, infinity},
+                                               {1e30F, 1, 1},
+                                               {-1e30F, 1, 1},
+                                               {1, 1, 1e30F},
+                                               {infinity, 1, 1},
+                                               {infinity, 1, infinity}};
     drawing::Tiles bins(memory, 32);
     const std::array pieces{frame::Piece{0, std::size(discs)}};
     bins.build(base::Parallel(), 64, 32, pieces, [&](std::int64_t i, drawing::Tiles::Footprint& print) {
