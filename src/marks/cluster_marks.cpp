@@ -50,6 +50,14 @@ public:
 private:
     [[nodiscard]] glm::dvec3 place(std::int64_t mark) const noexcept { return precise(layer_.position, mark) / unit_; }
 
+    // Of marks by their places in the order.
+    [[nodiscard]] auto places() const noexcept {
+        return [this](std::int64_t i) { return place(order_[i].mark); };
+    }
+    [[nodiscard]] auto normals() const noexcept {
+        return [this](std::int64_t i) { return precise(layer_.normal, order_[i].mark); };
+    }
+
     void sort() {
         geometry::Bounds bounds;
         for (std::int64_t i = 0; i < order_.size(); ++i) bounds.extend(place(i));
@@ -98,14 +106,6 @@ private:
         // More marks than that are at one place only if they are all alike.
         for (; begin < end; begin += most_in_cluster)
             result_.cluster.push_back(cluster_of(begin, std::min(end, begin + most_in_cluster), turn));
-    }
-
-    // Of marks by their places in the order.
-    [[nodiscard]] auto places() const noexcept {
-        return [this](std::int64_t i) { return place(order_[i].mark); };
-    }
-    [[nodiscard]] auto normals() const noexcept {
-        return [this](std::int64_t i) { return precise(layer_.normal, order_[i].mark); };
     }
 
     [[nodiscard]] Cluster cluster_of(std::int64_t begin, std::int64_t end, const Turn& turn) const {
