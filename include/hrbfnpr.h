@@ -42,9 +42,16 @@
  *   defaults for the fields it lacks; a longer (newer) one is refused with
  *   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
  *   zero.  Output structs (`_info`) are filled up to their `struct_size`.
+ *   Result structs (_projection, _curvature, _ray_hits) are descriptors of the
+ *   caller's arrays; the numbers in them are written where there is room.
  *   A struct_size below 8 or above 65536 was never set up, and is refused
  *   with the same status; `_init` of NULL is INVALID_ARGUMENT.
  *   Fields named `reserved` must be zero.
+ *
+ * Lists.  A list of structs is a pointer, a count and a stride: bytes from one
+ *   element to the next, 0 = the first one's struct_size.  Each element is a
+ *   descriptor with a struct_size of its own.  Lists have no largest length
+ *   but the one that a message names.
  *
  * Failure.  Calls that can fail return a status and take, last, a nullable
  *   hrbfnpr_error.  A failed call leaves caller's arrays and output structs
@@ -52,7 +59,7 @@
  *   argument was wrong, how, and what would be right.  No C++ exception, no
  *   abort and no signal leaves the library; it prints nothing.  One
  *   exception is stated: a CANCELLED or failed batch call (evaluate, project,
- *   curvature, cast_rays, contains) may already have written a part of its output arrays.
+ *   curvature, cast_rays, contains) may already have written a part of its arrays.
  *
  * Arrays.  Strides are in bytes and may be negative or larger than the
  *   element; 0 means packed.  Elements need no alignment beyond one byte.
@@ -119,7 +126,7 @@ enum {
     HRBFNPR_VERSION_MAJOR = 0,
     HRBFNPR_VERSION_MINOR = 1,
     HRBFNPR_VERSION_PATCH = 0,
-    HRBFNPR_ABI_VERSION = 0
+    HRBFNPR_ABI_VERSION = 1
 };
 
 /* The library's version as major * 10000 + minor * 100 + patch. */
@@ -277,7 +284,7 @@ enum {
     HRBFNPR_THREAD_BACKEND_AUTO = 0,      /* RUN_TASKS where that is given, else POOL */
     HRBFNPR_THREAD_BACKEND_POOL = 1,      /* threads of the context's own.  The calling thread takes part and waits
                                              only for tasks that others have begun, so a processor that is busy
-                                             elsewhere costs little; idle threads sleep after 20 microseconds */
+                                             elsewhere costs little; idle threads sleep (docs/hosts.md) */
     HRBFNPR_THREAD_BACKEND_OPENMP = 2,    /* the OpenMP runtime's, shared with a host that uses it; serial in a forked
                                              child.  For processors that nobody else wants.  INVALID_ARGUMENT in a
                                              build without it (hrbfnpr_build_info: thread_backends) */
@@ -290,13 +297,15 @@ typedef struct hrbfnpr_context_desc {
     uint32_t abi_version;  /* _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
     int32_t thread_count;  /* 0 = all processors (default), 1 = serial; at most 256 are used */
     uint32_t flags;        /* must be 0 */
-    uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
     uint32_t thread_backend;          /* HRBFNPR_THREAD_BACKEND_...; AUTO */
+    uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
     hrbfnpr_allocate_fn allocate;     /* both or none; none = aligned operator new */
     hrbfnpr_deallocate_fn deallocate;
     void* allocator_user;
     hrbfnpr_log_fn log; /* may be NULL */
     void* log_user;
+    int32_t log_level;  /* HRBFNPR_LOG_...: less than this is not reported; DEBUG */
+    uint32_t reserved;
     hrbfnpr_run_tasks_fn run_tasks; /* may be NULL; only with thread_backend AUTO or RUN_TASKS */
     void* run_tasks_user;
 } hrbfnpr_context_desc;
@@ -344,7 +353,8 @@ typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
 HRBFNPR_API hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context,
                                                     hrbfnpr_operation** out_operation,
                                                     hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation);
+HRBFNPR_API void hrbfnpr_operation_retain(hrbfnpr_operation* operation);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation); /* any thread; NULL is ignored */
 /* Any thread, any time, more than once; NULL is ignored. */
 HRBFNPR_API void hrbfnpr_operation_cancel(hrbfnpr_operation* operation);
 /* 1 after a cancel, else 0.  Any thread. */
@@ -384,10 +394,10 @@ enum {
 
 enum {
     HRBFNPR_SOLVER_AUTO = 0,
-    HRBFNPR_SOLVER_DIRECT = 1, /* dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3) */
+    HRBFNPR_SOLVER_DIRECT = 1, /* dense factorisation; memory O(N^2), time O(N^3): docs/fitting.md has figures */
     HRBFNPR_SOLVER_ITERATIVE = 2 /* conjugate gradients, preconditioned by a sparse factor of the inverse (Schaefer,
                                     Katzfuss, Owhadi 2021), with a fast multipole method for many samples; memory
-                                    O(N), about 2 to 6 kB a sample.  TRIHARMONIC needs polynomial_degree >= 1 */
+                                    O(N).  TRIHARMONIC needs polynomial_degree >= 1 */
 };
 
 /* Why the solver that was used is the one. */
@@ -419,9 +429,9 @@ enum {
  * samples that coincide (within 1e-9 diagonals) and agree in their normal
  * (within 1 degree) are merged, and so are, of 33 samples and more, near
  * duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
- * Of more than 6000, samples that contradict each other so much (slivers of a
- * mesh in single precision) that the iterations break down get a little
- * regularization, 1 cubic spacing, and a solver tolerance of 3e-4; the log and
+ * Many samples that contradict each other so much (slivers of a mesh in single
+ * precision) that the iterations break down get a little regularization and a
+ * larger solver tolerance (docs/fitting.md); the log and
  * hrbfnpr_model_info.regularization say so.
  * Samples that coincide and disagree are an INVALID_ARGUMENT that names both
  * indices, as are NaN, infinity, zero normals, and an empty or mismatched
@@ -460,24 +470,22 @@ typedef struct hrbfnpr_fit_desc {
     double kernel_radius;    /* sigma or rho, in units of the points; 0 = from the sample spacing */
     int32_t polynomial_degree; /* -1 (none) .. 3; 1.  TRIHARMONIC is well-posed from 1 on
                                   (Duchon 1977); below that a pivoted LU is tried. */
-    uint32_t solver;         /* HRBFNPR_SOLVER_...; AUTO */
+    uint32_t regularization_mode; /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
     double regularization;   /* >= 0; 0 interpolates.  Added to the diagonal of the system in
                                 coordinates whose diagonal is 1: larger is smoother */
+    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
+    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
     double tolerance;        /* > 0: samples are chosen as centres until all lie this near to the
                                 surface, in units of the points; 0: no such end */
     int64_t maximum_centres; /* > 0: no more samples than this are chosen as centres; 0: no limit.
                                 With tolerance 0, too, every sample is a centre */
-    int32_t iteration_limit; /* steps of iterative refinement after a direct solve; 2 */
-    uint32_t reserved;
-    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
-    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
-    uint32_t regularization_mode;       /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
+    uint32_t solver;          /* HRBFNPR_SOLVER_...; AUTO */
+    int32_t refinement_steps; /* of iterative refinement after a DIRECT solve, 0 .. 20; 2 */
+    double solver_tolerance;  /* relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and
+                                 fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
+    int32_t iteration_limit;  /* most iterations of ITERATIVE, 1 .. 1000000; 200 */
     uint32_t preconditioner_neighbours; /* of ITERATIVE, 1 .. 48: more are fewer iterations and more setup;
-                                           0 = 16 to 32 as samples are many (GAUSSIAN 40) */
-    double solver_tolerance;   /* relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and
-                                  fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
-    int32_t solver_iterations; /* most iterations of ITERATIVE; 0 = 200 */
-    uint32_t reserved2;
+                                           0 = by kernel and number of samples */
 } hrbfnpr_fit_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
@@ -502,7 +510,7 @@ typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* 
 enum {
     HRBFNPR_CUSTOM_HAS_GRADIENT = 1, /* else gradient is always NULL and differenced */
     HRBFNPR_CUSTOM_HAS_HESSIAN = 2,  /* else hessian is always NULL and differenced */
-    HRBFNPR_CUSTOM_THREAD_SAFE = 4   /* may be called from several threads at once */
+    HRBFNPR_CUSTOM_THREAD_SAFE = 4   /* may be called from several threads at once; else one calls at a time */
 };
 
 /* Any implicit function in place of a fit: every operator below works on it
@@ -536,44 +544,44 @@ typedef struct hrbfnpr_model_info {
     uint32_t struct_size;
     uint32_t kernel;
     int32_t polynomial_degree;
-    uint32_t solver;          /* the one used */
+    int32_t choice_rounds;    /* fits made to choose the centres; 0 if all samples are centres */
     int64_t samples;          /* as given */
     int64_t centres;          /* after merging, cleaning and choosing */
     int64_t merged_samples;   /* samples that were merged into another */
+    int64_t near_duplicates;  /* samples much nearer to another than the spacing, merged into it */
     int64_t rescaled_normals; /* normals whose length was off 1 by more than 1e-4 */
+    int64_t outliers_found;
+    int64_t outliers_dropped;
+    int64_t flipped_found;    /* normals against those of their neighbours */
+    int64_t flipped_repaired; /* of these, dropped or turned round */
     double bounds_min[3];     /* of the samples */
     double bounds_max[3];
     double spacing;           /* mean distance of a sample to its nearest neighbour */
     double kernel_radius;     /* as used */
     double regularization;    /* as used; of AUTO, that of the values */
+    double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
+                                 points; 0 if none is seen, or nobody asked (regularization GIVEN) */
     double value_residual_max;    /* max |f(x_i)|, in units of the points */
     double value_residual_rms;
     double gradient_residual_max; /* max |grad f(x_i) - n_i| */
     double gradient_residual_rms;
-    double solver_residual;       /* relative residual of the linear system, 2-norm */
-    double condition_estimate;    /* DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm */
+    double input_distance_max;    /* of all samples but dropped ones from the surface, |f| / |grad f| */
+    double input_distance_rms;
+    double input_share_within;    /* share of all samples that lie within the tolerance; a dropped one
+                                     counts as outside; 0 with tolerance 0 */
+    uint32_t solver;              /* the one used */
+    uint32_t solver_reason;       /* HRBFNPR_SOLVER_REASON_... */
     int32_t iterations;           /* refinement steps of DIRECT, steps of ITERATIVE */
     uint32_t fallback;            /* 1: the matrix was not definite and a pivoted LU was used */
+    double solver_residual;       /* relative residual of the linear system, 2-norm */
+    double condition_estimate;    /* DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm */
+    double seconds_clean;
+    double seconds_choose;        /* of all rounds but the last fit */
     double seconds_assemble;
+    double seconds_precondition;
     double seconds_solve;
     double seconds_total;
-    int64_t bytes; /* kept by the model */
-    int64_t outliers_found;
-    int64_t outliers_dropped;
-    int64_t flipped_found;    /* normals against those of their neighbours */
-    int64_t flipped_repaired; /* of these, dropped or turned round */
-    int64_t near_duplicates;  /* samples much nearer to another than the spacing, merged into it */
-    double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
-                                 points; 0 if none is seen, or nobody asked (regularization GIVEN) */
-    double input_distance_max; /* of all samples but dropped ones from the surface, |f| / |grad f| */
-    double input_distance_rms;
-    double input_share_within; /* share of all samples that lie within the tolerance; a dropped one
-                                  counts as outside; 0 with tolerance 0 */
-    int32_t choice_rounds;     /* fits made to choose the centres; 0 if all samples are centres */
-    uint32_t solver_reason;    /* HRBFNPR_SOLVER_REASON_... */
-    double seconds_clean;
-    double seconds_choose;     /* of all rounds but the last fit */
-    double seconds_precondition;
+    int64_t bytes;      /* kept by the model */
     int64_t peak_bytes; /* most that the context's allocator had given out at a time, up to the fit's end */
 } hrbfnpr_model_info;
 
@@ -602,16 +610,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32
  * A finite answer that does not fit into a FLOAT32 array, of whatever call, is
  * INVALID_ARGUMENT.  What a custom function itself gives (NaN, say) is passed on.
  *
- * Preparing.  Where there are so many points that it pays (of r^3 and 512
- * centres on: n N above 1.3e9 + 8e4 N, a Hessian counting as 2.5 points), the
- * first such call of a model takes some tenths of a second, or 2 s with 65 000
- * centres, to sum up what is far into polynomials, which the model keeps (1 to
- * 4 kB a centre; the log says how much, and what values and gradients are off
- * by, which is measured); after that a point
- * hardly costs more with more centres.  f is then within 1e-9 diagonals of the
- * sum over all centres, its gradient within 1e-7; of rough, uneven samples
- * within 20 times that, or all centres are summed.  What a call gives depends
- * on its n, never on calls before it.  _project, _curvature and
+ * Preparing.  Where there are so many points that it pays, the first such call
+ * of a model takes longer, to sum up what is far into polynomials, which the
+ * model keeps (docs/accuracy.md: when, how long, how much memory; the log says
+ * how much, and what values and gradients are off by, which is measured); after
+ * that a point hardly costs more with more centres.  f is then within 1e-9
+ * diagonals of the sum over all centres, its gradient within 1e-7; of rough,
+ * uneven samples within 20 times that, or all centres are summed.  What a call
+ * gives depends on its n, never on calls before it.  _project, _curvature and
  * hrbfnpr_point_set_generate do the same. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_array* points,
                                                   const hrbfnpr_array_out* value,
@@ -621,14 +627,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, co
 
 enum {
     HRBFNPR_PROJECTION_CONVERGED = 0,
-    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* iteration limit, or no step lowers f^2 */
+    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* evaluation limit, or no step lowers f^2 */
     HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, /* stuck at a critical point off the surface */
     HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient was not finite, or the latter above 1e150 */
 };
 
 typedef struct hrbfnpr_project_desc {
     uint32_t struct_size;
-    int32_t iteration_limit; /* evaluations per point, 1 .. 1000; 50 */
+    int32_t evaluation_limit; /* of f at each point, 1 .. 1000; 50 */
     double tolerance;        /* stop when |f| / |grad f| <= tolerance * diagonal; 1e-9 */
     double armijo_slope;     /* sigma in (0, 0.5); 1e-4 */
     double armijo_factor;    /* beta in (0, 1); 0.5 */
@@ -636,46 +642,63 @@ typedef struct hrbfnpr_project_desc {
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size);
 
+/* Where _project puts its results: arrays of the caller's, each of n elements,
+ * or not given (all zero). */
+typedef struct hrbfnpr_projection {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out position; /* n x 3, FLOAT32 or FLOAT64; may be the points themselves */
+    hrbfnpr_array_out normal;   /* n x 3, FLOAT32 or FLOAT64: the unit gradient */
+    hrbfnpr_array_out status;   /* n x 1, UINT8 or UINT32: HRBFNPR_PROJECTION_... */
+    int64_t converged;          /* written: how many points converged */
+} hrbfnpr_projection;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_projection_init(hrbfnpr_projection* projection, uint32_t struct_size);
+
 /* Projects n points on the surface by steepest descent on f^2 with Armijo's
  * rule, first step f^2's Newton step along the gradient [NPAR 4.2].
- * desc may be NULL.  position and normal (the unit gradient): n x 3, FLOAT32
- * or FLOAT64, or NULL; status: n x 1, UINT8 or UINT32 (HRBFNPR_PROJECTION_...),
- * or NULL; converged (nullable) gets the number that converged.
- * A point that fails keeps its last iterate.  position may be points itself. */
+ * points: n x 3, FLOAT32 or FLOAT64.  desc may be NULL.
+ * A point that fails keeps its last iterate. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                                 const hrbfnpr_project_desc* desc,
-                                                 const hrbfnpr_array_out* position,
-                                                 const hrbfnpr_array_out* normal,
-                                                 const hrbfnpr_array_out* status, int64_t* converged,
+                                                 const hrbfnpr_project_desc* desc, hrbfnpr_projection* projection,
                                                  hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+/* Where _curvature puts its results: arrays of the caller's, each of n
+ * elements, FLOAT32 or FLOAT64, or not given (all zero). */
+typedef struct hrbfnpr_curvature {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out k1; /* n x 1: the larger principal curvature */
+    hrbfnpr_array_out k2; /* n x 1 */
+    hrbfnpr_array_out d1; /* n x 3: their directions, unit, orthogonal, tangent, of arbitrary sign */
+    hrbfnpr_array_out d2;
+    hrbfnpr_array_out confidence; /* n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), in [0,1] */
+} hrbfnpr_curvature;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t struct_size);
 
 /* Principal curvatures and directions of the level set through each of n
  * points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
  * G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
  * from its normal (a sphere with outward normals) has negative curvature,
- * -1/radius.  d1, d2: unit, orthogonal, tangent, of arbitrary sign.
- * confidence = (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal) clamped to [0,1]:
- * 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
- * k1, k2, confidence: n x 1; d1, d2: n x 3; FLOAT32 or FLOAT64; each or NULL.
- * Where the gradient vanishes all of them are 0. */
+ * -1/radius.  The confidence is 0 at umbilics and on planes, where d1 and d2
+ * fall back to a smooth field.  Where the gradient vanishes all are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                                   const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2,
-                                                   const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
-                                                   const hrbfnpr_array_out* confidence,
-                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
+                                                   hrbfnpr_curvature* curvature, hrbfnpr_operation* operation,
+                                                   hrbfnpr_error* error);
 
 enum {
     HRBFNPR_RAY_HIT = 0,             /* one hit or more */
     HRBFNPR_RAY_MISS = 1,            /* none */
     HRBFNPR_RAY_TRUNCATED = 2,       /* maximum_hits of 2 or more, and there is a further one */
-    HRBFNPR_RAY_ITERATION_LIMIT = 3, /* given up on; what was found before is kept */
+    HRBFNPR_RAY_EVALUATION_LIMIT = 3, /* given up on; what was found before is kept */
     HRBFNPR_RAY_NOT_FINITE = 4       /* f or its gradient was not finite; what was found before is kept */
 };
 
 typedef struct hrbfnpr_cast_desc {
     uint32_t struct_size;
     int32_t maximum_hits;    /* to find on a ray, 1 .. 256; 1: the first */
-    int32_t iteration_limit; /* evaluations per ray, 1 .. 1000000; 20000 */
+    int32_t evaluation_limit; /* of f on each ray, 1 .. 1000000; 20000 */
     uint32_t reserved;
     double t_min;            /* where a ray begins and ends, in lengths of its direction: t_min finite, 0 */
     double t_max;            /* not below t_min; infinity */
@@ -685,6 +708,24 @@ typedef struct hrbfnpr_cast_desc {
 } hrbfnpr_cast_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
+
+/* Where _cast_rays puts its results: arrays of the caller's, each of n
+ * elements, or not given (all zero).  h = maximum_hits; of each ray its hits
+ * in order. */
+typedef struct hrbfnpr_ray_hits {
+    uint32_t struct_size;
+    uint32_t reserved;
+    hrbfnpr_array_out count;    /* n x 1, UINT32: how many were found, 0 .. h */
+    hrbfnpr_array_out t;        /* n x h, FLOAT32 or FLOAT64; infinity after the last */
+    hrbfnpr_array_out position; /* n x 3h, FLOAT32 or FLOAT64: x y z of the first hit, then of the second ...; 0
+                                   after the last.  From far origins it is more exact than t, which is rounded */
+    hrbfnpr_array_out normal;   /* n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last */
+    hrbfnpr_array_out entering; /* n x h, UINT8: 1 where f goes from + to - along the ray, else 0 */
+    hrbfnpr_array_out status;   /* n x 1, UINT8 or UINT32: HRBFNPR_RAY_... */
+    int64_t hit_rays;           /* written: how many rays have a hit */
+} hrbfnpr_ray_hits;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_t struct_size);
 
 /* Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
  * steps that it cannot lie within [Hart 1996, "Sphere tracing"].
@@ -704,26 +745,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint3
  * origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
  *            length but zero, and not so short that the t of a hit is infinite.
  *            Rays may start inside.
- * With h = maximum_hits, for each ray its hits in order; each array or NULL:
- * hits:      n x 1, UINT32: how many were found, 0 .. h.
- * t:         n x h; infinity after the last.
- * position, normal (the unit gradient): n x 3h, x y z of the first hit, then of
- *            the second ...; 0 after the last.  t, position and normal FLOAT32
- *            or FLOAT64.  From far origins position is the exacter one: t is
- *            rounded.
- * entering:  n x h, UINT8: 1 where f goes from + to - along the ray, else 0.
- * status:    n x 1, UINT8 or UINT32 (HRBFNPR_RAY_...).
- * hit_rays (nullable) gets the number of rays with a hit.
  * desc may be NULL.  A ray that starts on the surface may or may not meet it
  * there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
  * numbers of directions and origins that differ, and fields out of their range
  * are INVALID_ARGUMENT. */
-HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(
-    const hrbfnpr_model* model, const hrbfnpr_array* origins, const hrbfnpr_array* directions,
-    const hrbfnpr_cast_desc* desc, const hrbfnpr_array_out* hits, const hrbfnpr_array_out* t,
-    const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal, const hrbfnpr_array_out* entering,
-    const hrbfnpr_array_out* status, int64_t* hit_rays, hrbfnpr_operation* operation,
-    hrbfnpr_error* error);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
+                                                   const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc,
+                                                   hrbfnpr_ray_hits* hits, hrbfnpr_operation* operation,
+                                                   hrbfnpr_error* error);
 
 /* The bound that _cast_rays takes where none is given: the largest |grad f| at
  * 24^3 points of the search box, times 1.5.  An estimate, and no proof.  A
@@ -1265,7 +1294,8 @@ typedef struct hrbfnpr_renderer hrbfnpr_renderer;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer,
                                                    hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
+HRBFNPR_API void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer); /* any thread; NULL is ignored */
 
 /* One thing to draw.  Everything it points to is read during _prepare only,
  * but the point set is retained until the next _prepare or release. */

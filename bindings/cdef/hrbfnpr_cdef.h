@@ -1,5 +1,5 @@
 /* Made by bindings/cdef/make_cdef.py from include/hrbfnpr.h; do not edit. */
-enum { HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0, HRBFNPR_ABI_VERSION = 0 };
+enum { HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0, HRBFNPR_ABI_VERSION = 1 };
 uint32_t hrbfnpr_version(void);
 uint32_t hrbfnpr_abi_version(void);
 const char* hrbfnpr_version_string(void);
@@ -35,9 +35,9 @@ enum { HRBFNPR_INSTRUCTION_SET_AUTO = 0, HRBFNPR_INSTRUCTION_SET_BASELINE = 1, H
 enum { HRBFNPR_THREAD_BACKEND_AUTO = 0, HRBFNPR_THREAD_BACKEND_POOL = 1, HRBFNPR_THREAD_BACKEND_OPENMP = 2,
     HRBFNPR_THREAD_BACKEND_RUN_TASKS = 3, HRBFNPR_THREAD_BACKEND_SERIAL = 4 };
 typedef struct hrbfnpr_context_desc { uint32_t struct_size; uint32_t abi_version; int32_t thread_count; uint32_t flags;
-    uint32_t highest_instruction_set; uint32_t thread_backend; hrbfnpr_allocate_fn allocate;
-    hrbfnpr_deallocate_fn deallocate; void* allocator_user; hrbfnpr_log_fn log; void* log_user;
-    hrbfnpr_run_tasks_fn run_tasks; void* run_tasks_user; } hrbfnpr_context_desc;
+    uint32_t thread_backend; uint32_t highest_instruction_set; hrbfnpr_allocate_fn allocate;
+    hrbfnpr_deallocate_fn deallocate; void* allocator_user; hrbfnpr_log_fn log; void* log_user; int32_t log_level;
+    uint32_t reserved; hrbfnpr_run_tasks_fn run_tasks; void* run_tasks_user; } hrbfnpr_context_desc;
 hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_context** out_context,
     hrbfnpr_error* error);
@@ -52,6 +52,7 @@ typedef struct hrbfnpr_operation hrbfnpr_operation;
 typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
 hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context, hrbfnpr_operation** out_operation,
     hrbfnpr_error* error);
+void hrbfnpr_operation_retain(hrbfnpr_operation* operation);
 void hrbfnpr_operation_release(hrbfnpr_operation* operation);
 void hrbfnpr_operation_cancel(hrbfnpr_operation* operation);
 int32_t hrbfnpr_operation_is_cancelled(const hrbfnpr_operation* operation);
@@ -69,10 +70,10 @@ enum { HRBFNPR_SOLVER_REASON_REQUESTED = 0, HRBFNPR_SOLVER_REASON_SMALL = 1, HRB
 enum { HRBFNPR_REPAIR_KEEP = 0, HRBFNPR_REPAIR_DROP = 1, HRBFNPR_REPAIR_REORIENT = 2 };
 enum { HRBFNPR_REGULARIZATION_GIVEN = 0, HRBFNPR_REGULARIZATION_AUTO = 1 };
 typedef struct hrbfnpr_fit_desc { uint32_t struct_size; uint32_t kernel; hrbfnpr_array points; hrbfnpr_array normals;
-    double kernel_radius; int32_t polynomial_degree; uint32_t solver; double regularization; double tolerance;
-    int64_t maximum_centres; int32_t iteration_limit; uint32_t reserved; uint32_t outliers; uint32_t flipped_normals;
-    uint32_t regularization_mode; uint32_t preconditioner_neighbours; double solver_tolerance;
-    int32_t solver_iterations; uint32_t reserved2; } hrbfnpr_fit_desc;
+    double kernel_radius; int32_t polynomial_degree; uint32_t regularization_mode; double regularization;
+    uint32_t outliers; uint32_t flipped_normals; double tolerance; int64_t maximum_centres; uint32_t solver;
+    int32_t refinement_steps; double solver_tolerance; int32_t iteration_limit; uint32_t preconditioner_neighbours;
+    } hrbfnpr_fit_desc;
 hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc, hrbfnpr_operation* operation,
     hrbfnpr_model** out_model, hrbfnpr_error* error);
@@ -87,15 +88,16 @@ hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context, const hrbfn
     hrbfnpr_model** out_model, hrbfnpr_error* error);
 void hrbfnpr_model_retain(const hrbfnpr_model* model);
 void hrbfnpr_model_release(const hrbfnpr_model* model);
-typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32_t polynomial_degree; uint32_t solver;
-    int64_t samples; int64_t centres; int64_t merged_samples; int64_t rescaled_normals; double bounds_min[3];
-    double bounds_max[3]; double spacing; double kernel_radius; double regularization; double value_residual_max;
-    double value_residual_rms; double gradient_residual_max; double gradient_residual_rms; double solver_residual;
-    double condition_estimate; int32_t iterations; uint32_t fallback; double seconds_assemble; double seconds_solve;
-    double seconds_total; int64_t bytes; int64_t outliers_found; int64_t outliers_dropped; int64_t flipped_found;
-    int64_t flipped_repaired; int64_t near_duplicates; double noise_estimate; double input_distance_max;
-    double input_distance_rms; double input_share_within; int32_t choice_rounds; uint32_t solver_reason;
-    double seconds_clean; double seconds_choose; double seconds_precondition; int64_t peak_bytes; } hrbfnpr_model_info;
+typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32_t polynomial_degree;
+    int32_t choice_rounds; int64_t samples; int64_t centres; int64_t merged_samples; int64_t near_duplicates;
+    int64_t rescaled_normals; int64_t outliers_found; int64_t outliers_dropped; int64_t flipped_found;
+    int64_t flipped_repaired; double bounds_min[3]; double bounds_max[3]; double spacing; double kernel_radius;
+    double regularization; double noise_estimate; double value_residual_max; double value_residual_rms;
+    double gradient_residual_max; double gradient_residual_rms; double input_distance_max; double input_distance_rms;
+    double input_share_within; uint32_t solver; uint32_t solver_reason; int32_t iterations; uint32_t fallback;
+    double solver_residual; double condition_estimate; double seconds_clean; double seconds_choose;
+    double seconds_assemble; double seconds_precondition; double seconds_solve; double seconds_total; int64_t bytes;
+    int64_t peak_bytes; } hrbfnpr_model_info;
 hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info, hrbfnpr_error* error);
 enum { HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,
@@ -107,26 +109,33 @@ hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_
     hrbfnpr_operation* operation, hrbfnpr_error* error);
 enum { HRBFNPR_PROJECTION_CONVERGED = 0, HRBFNPR_PROJECTION_NOT_CONVERGED = 1, HRBFNPR_PROJECTION_ZERO_GRADIENT = 2,
     HRBFNPR_PROJECTION_NOT_FINITE = 3 };
-typedef struct hrbfnpr_project_desc { uint32_t struct_size; int32_t iteration_limit; double tolerance;
+typedef struct hrbfnpr_project_desc { uint32_t struct_size; int32_t evaluation_limit; double tolerance;
     double armijo_slope; double armijo_factor; } hrbfnpr_project_desc;
 hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_projection { uint32_t struct_size; uint32_t reserved; hrbfnpr_array_out position;
+    hrbfnpr_array_out normal; hrbfnpr_array_out status; int64_t converged; } hrbfnpr_projection;
+hrbfnpr_status hrbfnpr_projection_init(hrbfnpr_projection* projection, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
-    const hrbfnpr_project_desc* desc, const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal,
-    const hrbfnpr_array_out* status, int64_t* converged, hrbfnpr_operation* operation, hrbfnpr_error* error);
+    const hrbfnpr_project_desc* desc, hrbfnpr_projection* projection, hrbfnpr_operation* operation,
+    hrbfnpr_error* error);
+typedef struct hrbfnpr_curvature { uint32_t struct_size; uint32_t reserved; hrbfnpr_array_out k1; hrbfnpr_array_out k2;
+    hrbfnpr_array_out d1; hrbfnpr_array_out d2; hrbfnpr_array_out confidence; } hrbfnpr_curvature;
+hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
-    const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2, const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
-    const hrbfnpr_array_out* confidence, hrbfnpr_operation* operation, hrbfnpr_error* error);
-enum { HRBFNPR_RAY_HIT = 0, HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRBFNPR_RAY_ITERATION_LIMIT = 3,
+    hrbfnpr_curvature* curvature, hrbfnpr_operation* operation, hrbfnpr_error* error);
+enum { HRBFNPR_RAY_HIT = 0, HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRBFNPR_RAY_EVALUATION_LIMIT = 3,
     HRBFNPR_RAY_NOT_FINITE = 4 };
-typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; int32_t iteration_limit;
+typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; int32_t evaluation_limit;
     uint32_t reserved; double t_min; double t_max; double lipschitz; double smallest_step; double tolerance;
     } hrbfnpr_cast_desc;
 hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_ray_hits { uint32_t struct_size; uint32_t reserved; hrbfnpr_array_out count; hrbfnpr_array_out t;
+    hrbfnpr_array_out position; hrbfnpr_array_out normal; hrbfnpr_array_out entering; hrbfnpr_array_out status;
+    int64_t hit_rays; } hrbfnpr_ray_hits;
+hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
-    const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc, const hrbfnpr_array_out* hits,
-    const hrbfnpr_array_out* t, const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal,
-    const hrbfnpr_array_out* entering, const hrbfnpr_array_out* status, int64_t* hit_rays, hrbfnpr_operation* operation,
-    hrbfnpr_error* error);
+    const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc, hrbfnpr_ray_hits* hits,
+    hrbfnpr_operation* operation, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipschitz, hrbfnpr_operation* operation,
     hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, const hrbfnpr_array* points,
@@ -243,6 +252,7 @@ hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_s
 const char* hrbfnpr_style_preset_name(uint32_t preset);
 typedef struct hrbfnpr_renderer hrbfnpr_renderer;
 hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer, hrbfnpr_error* error);
+void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer);
 void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
 typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t reserved; const hrbfnpr_point_set* point_set;
     const hrbfnpr_style* style; double transform[16]; const hrbfnpr_model* model; } hrbfnpr_item;

@@ -35,7 +35,7 @@ class BuildWithLibrary(build_py):
     def run(self) -> None:
         super().run()
         source = library().resolve()
-        # Under its plain name: libhrbfnpr.so.0.1.0 as libhrbfnpr.so.
+        # Under its plain name: libhrbfnpr.so.1.0.1.0 as libhrbfnpr.so.
         name = re.sub(r"(\.so|\.dylib|\.dll).*", r"\1", source.name)
         shutil.copy2(source, Path(self.build_lib) / "hrbfnpr" / name)
 

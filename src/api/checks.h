@@ -36,10 +36,10 @@ public:
                  value, low, high);
     }
     // An enumeration 0 .. count - 1.
-    void one_of(const char* field, std::uint32_t value, std::uint32_t count, const char* names) const {
-        if (value >= count)
-            fail(Status::invalid_argument, "%s.%s is %u; it must be one of %s (0 to %u)", owner_, field, value, names,
-                 count - 1);
+    void one_of(const char* field, std::int64_t value, std::uint32_t count, const char* names) const {
+        if (value < 0 || value >= static_cast<std::int64_t>(count))
+            fail(Status::invalid_argument, "%s.%s is %lld; it must be one of %s (0 to %u)", owner_, field,
+                 static_cast<long long>(value), names, count - 1);
     }
     // Or-ed flags.
     void flags(const char* field, std::uint32_t value, std::uint32_t known) const {

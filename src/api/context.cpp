@@ -1,6 +1,6 @@
 #include "api/barrier.h"
-#include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/fields.h"
 #include "api/handles.h"
 #include "base/parallel_openmp.h"
 
@@ -34,9 +34,36 @@ base::Parallel make_parallel(const hrbfnpr_context_desc& desc) {
 hrbfnpr_context::hrbfnpr_context(const hrbfnpr_context_desc& desc)
     : allocate(desc.allocate), deallocate(desc.deallocate), allocator_user(desc.allocator_user),
       runtime(desc.allocate, desc.deallocate, desc.allocator_user, make_parallel(desc),
-              static_cast<base::InstructionSet>(desc.highest_instruction_set), desc.log, desc.log_user) {}
+              static_cast<base::InstructionSet>(desc.highest_instruction_set), desc.log, desc.log_user,
+              static_cast<base::LogLevel>(desc.log_level)) {}
 
 namespace hrbfnpr::api {
+
+namespace {
+
+using Context = hrbfnpr_context_desc;
+
+constexpr auto context_fields() noexcept {
+    return FieldTable{field("abi_version", &Context::abi_version, rule::Any{}),
+                      field("thread_count", &Context::thread_count, rule::AtLeast{0.0}),
+                      field("flags", &Context::flags, rule::Zero{}),
+                      field("thread_backend", &Context::thread_backend,
+                            rule::OneOf{HRBFNPR_THREAD_BACKEND_SERIAL, "HRBFNPR_THREAD_BACKEND_..."}),
+                      field("highest_instruction_set", &Context::highest_instruction_set,
+                            rule::OneOf{HRBFNPR_INSTRUCTION_SET_NEON, "HRBFNPR_INSTRUCTION_SET_..."}),
+                      field("allocate", &Context::allocate, rule::Any{}),
+                      field("deallocate", &Context::deallocate, rule::Any{}),
+                      field("allocator_user", &Context::allocator_user, rule::Any{}),
+                      field("log", &Context::log, rule::Any{}),
+                      field("log_user", &Context::log_user, rule::Any{}),
+                      field("log_level", &Context::log_level, rule::OneOf{HRBFNPR_LOG_WARNING, "HRBFNPR_LOG_..."}),
+                      reserved("reserved", &Context::reserved),
+                      field("run_tasks", &Context::run_tasks, rule::Any{}),
+                      field("run_tasks_user", &Context::run_tasks_user, rule::Any{})};
+}
+static_assert(context_fields().covers<Context>());
+
+} // namespace
 
 template <>
 hrbfnpr_context_desc defaults() noexcept {
@@ -52,11 +79,9 @@ hrbfnpr_context_info defaults() noexcept {
 
 namespace {
 
-void check_backend(const hrbfnpr_context_desc& desc, const Checks& checks) {
+void check_backend(const hrbfnpr_context_desc& desc) {
     const bool hosted = desc.run_tasks != nullptr;
-    checks.one_of("thread_backend", desc.thread_backend, HRBFNPR_THREAD_BACKEND_SERIAL + 1,
-                  "HRBFNPR_THREAD_BACKEND_...");
-    if (desc.thread_backend == HRBFNPR_THREAD_BACKEND_RUN_TASKS) checks.given("run_tasks", hosted);
+    if (desc.thread_backend == HRBFNPR_THREAD_BACKEND_RUN_TASKS) Checks("context_desc").given("run_tasks", hosted);
     if (hosted && desc.thread_backend != HRBFNPR_THREAD_BACKEND_AUTO &&
         desc.thread_backend != HRBFNPR_THREAD_BACKEND_RUN_TASKS)
         fail(Status::invalid_argument,
@@ -69,17 +94,13 @@ void check_backend(const hrbfnpr_context_desc& desc, const Checks& checks) {
 }
 
 void check(const hrbfnpr_context_desc& desc) {
-    const Checks checks("context_desc");
     if (desc.abi_version != HRBFNPR_ABI_VERSION)
         fail(Status::version_mismatch,
              "context_desc.abi_version is %u and this library's is %d: build against its "
              "header, or set the struct up with hrbfnpr_context_desc_init",
              desc.abi_version, static_cast<int>(HRBFNPR_ABI_VERSION));
-    checks.at_least("thread_count", desc.thread_count, 0);
-    checks.zero("flags", desc.flags);
-    check_backend(desc, checks);
-    checks.one_of("highest_instruction_set", desc.highest_instruction_set, HRBFNPR_INSTRUCTION_SET_NEON + 1,
-                  "HRBFNPR_INSTRUCTION_SET_...");
+    context_fields().check("context_desc", desc);
+    check_backend(desc);
     if ((desc.allocate == nullptr) != (desc.deallocate == nullptr))
         fail(Status::invalid_argument, "context_desc.%s is NULL; give both allocate and deallocate, or neither",
              desc.allocate == nullptr ? "allocate" : "deallocate");

@@ -87,4 +87,12 @@ void write_struct(T* out, const T& full) noexcept {
     out->struct_size = size;
 }
 
+// Sets one number of a result struct, which read_struct() has read before, if it has room for it.
+template <class T, class Number>
+void write_number(T* out, Number T::*member, Number number) noexcept {
+    auto* const to = reinterpret_cast<std::byte*>(&(out->*member));
+    const auto end = static_cast<std::size_t>(to - reinterpret_cast<std::byte*>(out)) + sizeof number;
+    if (end <= out->struct_size) std::memcpy(to, &number, sizeof number);
+}
+
 } // namespace hrbfnpr::api

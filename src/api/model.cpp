@@ -1,8 +1,8 @@
 #include "api/model.h"
 
 #include "api/barrier.h"
-#include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/fields.h"
 #include "api/operation.h"
 #include "api/views.h"
 #include "fit/local_factors.h"
@@ -35,24 +35,65 @@ const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const 
 
 namespace hrbfnpr::api {
 
+namespace {
+
+using Fit = hrbfnpr_fit_desc;
+using Custom = hrbfnpr_custom_desc;
+
+struct Degree {
+    void operator()(const Checks& /*checks*/, const char* field, std::int32_t value) const {
+        if (value < -1 || value > 3)
+            fail(Status::invalid_argument, "fit_desc.%s is %d; it must be -1, 0, 1, 2 or 3", field,
+                 static_cast<int>(value));
+    }
+};
+
+constexpr auto fit_fields() noexcept {
+    using fit::FitInput;
+    return FieldTable{
+        field("kernel", &Fit::kernel, &FitInput::kernel, rule::OneOf{HRBFNPR_KERNEL_WENDLAND_C2, "HRBFNPR_KERNEL_..."}),
+        field("points", &Fit::points, rule::Any{}),
+        field("normals", &Fit::normals, rule::Any{}),
+        field("kernel_radius", &Fit::kernel_radius, &FitInput::kernel_radius, rule::AtLeast{0.0}),
+        field("polynomial_degree", &Fit::polynomial_degree, &FitInput::polynomial_degree, Degree{}),
+        field("regularization_mode", &Fit::regularization_mode, &FitInput::regularization_mode,
+              rule::OneOf{HRBFNPR_REGULARIZATION_AUTO, "HRBFNPR_REGULARIZATION_..."}),
+        field("regularization", &Fit::regularization, &FitInput::regularization, rule::AtLeast{0.0}),
+        field("outliers", &Fit::outliers, &FitInput::outliers,
+              rule::OneOf{HRBFNPR_REPAIR_DROP, "HRBFNPR_REPAIR_KEEP and _DROP"}),
+        field("flipped_normals", &Fit::flipped_normals, &FitInput::flipped_normals,
+              rule::OneOf{HRBFNPR_REPAIR_REORIENT, "HRBFNPR_REPAIR_..."}),
+        field("tolerance", &Fit::tolerance, &FitInput::tolerance, rule::AtLeast{0.0}),
+        field("maximum_centres", &Fit::maximum_centres, &FitInput::maximum_centres, rule::AtLeast{0.0}),
+        field("solver", &Fit::solver, &FitInput::solver, rule::OneOf{HRBFNPR_SOLVER_ITERATIVE, "HRBFNPR_SOLVER_..."}),
+        field("refinement_steps", &Fit::refinement_steps, &FitInput::refinement_steps, rule::Between{0.0, 20.0}),
+        field("solver_tolerance", &Fit::solver_tolerance, &FitInput::solver_tolerance, rule::Between{0.0, 0.1}),
+        field("iteration_limit", &Fit::iteration_limit, &FitInput::iteration_limit, rule::Between{1.0, 1000000.0}),
+        field("preconditioner_neighbours", &Fit::preconditioner_neighbours, &FitInput::preconditioner_neighbours,
+              rule::Between{0.0, fit::LocalSystems::largest_set - 1})};
+}
+static_assert(fit_fields().covers<Fit>());
+
+constexpr auto custom_fields() noexcept {
+    return FieldTable{
+        field("flags", &Custom::flags,
+              rule::Flags{HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_HAS_HESSIAN | HRBFNPR_CUSTOM_THREAD_SAFE}),
+        field("function", &Custom::function, &implicit::CustomFunction::function, rule::Given{}),
+        field("user", &Custom::user, &implicit::CustomFunction::user, rule::Any{}),
+        field("release", &Custom::release, &implicit::CustomFunction::release, rule::Any{}),
+        field("bounds_min", &Custom::bounds_min, rule::All{rule::Finite{}}),
+        field("bounds_max", &Custom::bounds_max, rule::All{rule::Finite{}}),
+        field("difference_step", &Custom::difference_step, &implicit::CustomFunction::difference_step,
+              rule::AtLeast{0.0})};
+}
+static_assert(custom_fields().covers<Custom>());
+
+} // namespace
+
 template <>
 hrbfnpr_fit_desc defaults() noexcept {
-    const fit::FitInput input;
     hrbfnpr_fit_desc desc{};
-    desc.kernel = static_cast<std::uint32_t>(input.kernel);
-    desc.kernel_radius = input.kernel_radius;
-    desc.polynomial_degree = input.polynomial_degree;
-    desc.regularization = input.regularization;
-    desc.solver = static_cast<std::uint32_t>(input.solver);
-    desc.tolerance = input.tolerance;
-    desc.maximum_centres = input.maximum_centres;
-    desc.iteration_limit = input.iteration_limit;
-    desc.outliers = static_cast<std::uint32_t>(input.outliers);
-    desc.flipped_normals = static_cast<std::uint32_t>(input.flipped_normals);
-    desc.regularization_mode = static_cast<std::uint32_t>(input.regularization_mode);
-    desc.preconditioner_neighbours = input.preconditioner_neighbours;
-    desc.solver_tolerance = input.solver_tolerance;
-    desc.solver_iterations = input.solver_iterations;
+    fit_fields().set_defaults(fit::FitInput{}, desc);
     return desc;
 }
 
@@ -68,37 +109,8 @@ hrbfnpr_model_info defaults() noexcept {
 
 namespace {
 
-constexpr std::uint32_t custom_flags =
-    HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_HAS_HESSIAN | HRBFNPR_CUSTOM_THREAD_SAFE;
-
 // Diagonals as of fits: squares and cubes of lengths stay far from the ends of a double's range.
 constexpr double smallest_box = 1e-100;
-
-void check_numbers(const hrbfnpr_fit_desc& desc) {
-    const Checks checks("fit_desc");
-    checks.one_of("kernel", desc.kernel, HRBFNPR_KERNEL_WENDLAND_C2 + 1, "HRBFNPR_KERNEL_...");
-    checks.at_least("kernel_radius", desc.kernel_radius, 0.0);
-    if (desc.polynomial_degree < -1 || desc.polynomial_degree > 3)
-        fail(Status::invalid_argument, "fit_desc.polynomial_degree is %d; it must be -1, 0, 1, 2 or 3",
-             static_cast<int>(desc.polynomial_degree));
-    checks.one_of("solver", desc.solver, HRBFNPR_SOLVER_ITERATIVE + 1, "HRBFNPR_SOLVER_...");
-    checks.at_least("regularization", desc.regularization, 0.0);
-    checks.at_least("tolerance", desc.tolerance, 0.0);
-    checks.at_least("maximum_centres", static_cast<double>(desc.maximum_centres), 0.0);
-    checks.between("iteration_limit", desc.iteration_limit, 0, 1000);
-    checks.zero("reserved", desc.reserved);
-    checks.one_of("outliers", desc.outliers, HRBFNPR_REPAIR_DROP + 1, "HRBFNPR_REPAIR_KEEP and _DROP");
-    checks.one_of("flipped_normals", desc.flipped_normals, HRBFNPR_REPAIR_REORIENT + 1, "HRBFNPR_REPAIR_...");
-    checks.one_of("regularization_mode", desc.regularization_mode, HRBFNPR_REGULARIZATION_AUTO + 1,
-                  "HRBFNPR_REGULARIZATION_...");
-    if (desc.regularization_mode == HRBFNPR_REGULARIZATION_AUTO && desc.regularization != 0.0)
-        fail(Status::invalid_argument, "fit_desc.regularization is %g with regularization_mode AUTO; leave it 0",
-             desc.regularization);
-    checks.between("preconditioner_neighbours", desc.preconditioner_neighbours, 0, fit::LocalSystems::largest_set - 1);
-    checks.between("solver_tolerance", desc.solver_tolerance, 0.0, 0.1);
-    checks.between("solver_iterations", desc.solver_iterations, 0, 1000000);
-    checks.zero("reserved2", desc.reserved2);
-}
 
 fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
     fit::FitInput input;
@@ -110,21 +122,11 @@ fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
              "fit_desc.normals has %lld elements and fit_desc.points has %lld; give one "
              "normal for each point",
              static_cast<long long>(input.normals.count), static_cast<long long>(input.points.count));
-    check_numbers(desc);
-    input.kernel = static_cast<kernel::Kind>(desc.kernel);
-    input.kernel_radius = desc.kernel_radius;
-    input.polynomial_degree = desc.polynomial_degree;
-    input.regularization = desc.regularization;
-    input.tolerance = desc.tolerance;
-    input.maximum_centres = desc.maximum_centres;
-    input.iteration_limit = desc.iteration_limit;
-    input.outliers = static_cast<fit::Repair>(desc.outliers);
-    input.flipped_normals = static_cast<fit::Repair>(desc.flipped_normals);
-    input.regularization_mode = static_cast<fit::RegularizationMode>(desc.regularization_mode);
-    input.solver = static_cast<fit::SolverKind>(desc.solver);
-    input.preconditioner_neighbours = desc.preconditioner_neighbours;
-    input.solver_tolerance = desc.solver_tolerance;
-    input.solver_iterations = desc.solver_iterations;
+    fit_fields().check("fit_desc", desc);
+    if (desc.regularization_mode == HRBFNPR_REGULARIZATION_AUTO && desc.regularization != 0.0)
+        fail(Status::invalid_argument, "fit_desc.regularization is %g with regularization_mode AUTO; leave it 0",
+             desc.regularization);
+    fit_fields().copy(desc, input);
     return input;
 }
 
@@ -172,27 +174,18 @@ hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc,
 }
 
 implicit::CustomFunction checked(const hrbfnpr_custom_desc& desc) {
-    const Checks checks("custom_desc");
-    checks.flags("flags", desc.flags, custom_flags);
-    checks.given("function", desc.function != nullptr);
-    for (int axis = 0; axis < 3; ++axis) {
-        checks.finite("bounds_min", desc.bounds_min[axis]);
-        checks.finite("bounds_max", desc.bounds_max[axis]);
+    custom_fields().check("custom_desc", desc);
+    for (int axis = 0; axis < 3; ++axis)
         if (desc.bounds_min[axis] > desc.bounds_max[axis])
             fail(Status::invalid_argument, "custom_desc.bounds_min[%d] is %g, above bounds_max[%d], which is %g", axis,
                  desc.bounds_min[axis], axis, desc.bounds_max[axis]);
-    }
-    checks.at_least("difference_step", desc.difference_step, 0.0);
     implicit::CustomFunction custom;
-    custom.function = desc.function;
-    custom.user = desc.user;
-    custom.release = desc.release;
+    custom_fields().copy(desc, custom);
     custom.has_gradient = (desc.flags & HRBFNPR_CUSTOM_HAS_GRADIENT) != 0;
     custom.has_hessian = (desc.flags & HRBFNPR_CUSTOM_HAS_HESSIAN) != 0;
     custom.thread_safe = (desc.flags & HRBFNPR_CUSTOM_THREAD_SAFE) != 0;
-    custom.bounds = {{desc.bounds_min[0], desc.bounds_min[1], desc.bounds_min[2]},
-                     {desc.bounds_max[0], desc.bounds_max[1], desc.bounds_max[2]}};
-    custom.difference_step = desc.difference_step;
+    assign_field(custom.bounds.min, desc.bounds_min);
+    assign_field(custom.bounds.max, desc.bounds_max);
     const double diagonal = custom.bounds.diagonal();
     if (!(diagonal >= smallest_box && diagonal <= 1.0 / smallest_box))
         fail(Status::invalid_argument,
@@ -210,37 +203,37 @@ void set_box(double* low, double* high, const geometry::Bounds& bounds) noexcept
 }
 
 void describe_fit(hrbfnpr_model_info& info, const fit::FitReport& report) noexcept {
+    info.choice_rounds = report.choice_rounds;
     info.samples = report.samples;
     info.merged_samples = report.merged_samples;
+    info.near_duplicates = report.near_duplicates;
     info.rescaled_normals = report.rescaled_normals;
-    info.kernel_radius = report.kernel_radius;
-    info.regularization = report.regularization;
-    info.value_residual_max = report.value_residual_max;
-    info.value_residual_rms = report.value_residual_rms;
-    info.gradient_residual_max = report.gradient_residual_max;
-    info.gradient_residual_rms = report.gradient_residual_rms;
-    info.solver_residual = report.solver_residual;
-    info.condition_estimate = report.condition_estimate;
-    info.iterations = report.iterations;
-    info.fallback = report.fallback ? 1 : 0;
-    info.seconds_assemble = report.seconds_assemble;
-    info.seconds_solve = report.seconds_solve;
-    info.seconds_total = report.seconds_total;
     info.outliers_found = report.outliers_found;
     info.outliers_dropped = report.outliers_dropped;
     info.flipped_found = report.flipped_found;
     info.flipped_repaired = report.flipped_repaired;
-    info.near_duplicates = report.near_duplicates;
+    info.kernel_radius = report.kernel_radius;
+    info.regularization = report.regularization;
     info.noise_estimate = report.noise_estimate;
+    info.value_residual_max = report.value_residual_max;
+    info.value_residual_rms = report.value_residual_rms;
+    info.gradient_residual_max = report.gradient_residual_max;
+    info.gradient_residual_rms = report.gradient_residual_rms;
     info.input_distance_max = report.input_distance_max;
     info.input_distance_rms = report.input_distance_rms;
     info.input_share_within = report.input_share_within;
-    info.choice_rounds = report.choice_rounds;
     info.solver = static_cast<std::uint32_t>(report.solver);
     info.solver_reason = static_cast<std::uint32_t>(report.solver_reason);
+    info.iterations = report.iterations;
+    info.fallback = report.fallback ? 1 : 0;
+    info.solver_residual = report.solver_residual;
+    info.condition_estimate = report.condition_estimate;
     info.seconds_clean = report.seconds_clean;
     info.seconds_choose = report.seconds_choose;
+    info.seconds_assemble = report.seconds_assemble;
     info.seconds_precondition = report.seconds_precondition;
+    info.seconds_solve = report.seconds_solve;
+    info.seconds_total = report.seconds_total;
     info.peak_bytes = report.peak_bytes;
 }
 

@@ -1,7 +1,7 @@
 // Batched evaluation, projection and curvature.
 #include "api/barrier.h"
-#include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/fields.h"
 #include "api/model.h"
 #include "api/operation.h"
 #include "api/queries.h"
@@ -18,15 +18,38 @@ static_assert(static_cast<int>(surface::ProjectionStatus::not_finite) == HRBFNPR
 
 namespace hrbfnpr::api {
 
+namespace {
+
+using Project = hrbfnpr_project_desc;
+using surface::ProjectionSettings;
+
+constexpr auto project_fields() noexcept {
+    return FieldTable{
+        field("evaluation_limit", &Project::evaluation_limit, &ProjectionSettings::evaluation_limit,
+              rule::Between{1.0, 1000.0}),
+        field("tolerance", &Project::tolerance, &ProjectionSettings::tolerance, rule::Positive{}),
+        field("armijo_slope", &Project::armijo_slope, &ProjectionSettings::armijo_slope, rule::Inside{0.0, 0.5}),
+        field("armijo_factor", &Project::armijo_factor, &ProjectionSettings::armijo_factor, rule::Inside{0.0, 1.0})};
+}
+static_assert(project_fields().covers<Project>());
+
+} // namespace
+
 template <>
 hrbfnpr_project_desc defaults() noexcept {
-    const surface::ProjectionSettings settings;
     hrbfnpr_project_desc desc{};
-    desc.iteration_limit = settings.iteration_limit;
-    desc.tolerance = settings.tolerance;
-    desc.armijo_slope = settings.armijo_slope;
-    desc.armijo_factor = settings.armijo_factor;
+    project_fields().set_defaults(ProjectionSettings{}, desc);
     return desc;
+}
+
+template <>
+hrbfnpr_projection defaults() noexcept {
+    return {};
+}
+
+template <>
+hrbfnpr_curvature defaults() noexcept {
+    return {};
 }
 
 namespace {
@@ -90,16 +113,20 @@ void evaluate(const hrbfnpr_model& model, const Queries& queries, const FieldOut
                });
 }
 
-surface::ProjectionSettings checked(const hrbfnpr_project_desc& desc) {
-    const Checks checks("project_desc");
-    checks.between("iteration_limit", desc.iteration_limit, 1, 1000);
-    checks.positive("tolerance", desc.tolerance);
-    checks.inside("armijo_slope", desc.armijo_slope, 0.0, 0.5);
-    checks.inside("armijo_factor", desc.armijo_factor, 0.0, 1.0);
-    return {desc.iteration_limit, desc.tolerance, desc.armijo_slope, desc.armijo_factor};
+ProjectionSettings checked(const hrbfnpr_project_desc& desc) {
+    project_fields().check("project_desc", desc);
+    ProjectionSettings settings;
+    project_fields().copy(desc, settings);
+    return settings;
 }
 
 struct ProjectionOutputs {
+    ProjectionOutputs(const hrbfnpr_projection& given, std::int64_t count)
+        : position(out_view(&given.position, "projection.position", points_type, count)),
+          normal(out_view(&given.normal, "projection.normal", points_type, count)),
+          status(out_view(&given.status, "projection.status", {1, uint8_or_uint32}, count)) {
+        Checks("projection").zero("reserved", given.reserved);
+    }
     base::OutView position, normal, status;
 };
 
@@ -110,7 +137,7 @@ std::int64_t write(const surface::Projection& block, const ProjectionOutputs& ou
         const glm::dvec3 gradient = block.gradient[i];
         const double length = glm::length(gradient);
         const bool has_normal = std::isfinite(length) && length > 0.0;
-        if (out.position) Answer("position").set(out.position, first + i, block.position[i]);
+        if (out.position) Answer("projection.position").set(out.position, first + i, block.position[i]);
         if (out.normal) set_vector(out.normal, first + i, has_normal ? gradient / length : glm::dvec3(0.0));
         if (out.status) out.status.set(first + i, 0, static_cast<double>(block.status[i]));
         converged += block.status[i] == surface::ProjectionStatus::converged ? 1 : 0;
@@ -135,14 +162,22 @@ std::int64_t project(const hrbfnpr_model& model, const Queries& queries, const s
 }
 
 struct CurvatureOutputs {
+    CurvatureOutputs(const hrbfnpr_curvature& given, std::int64_t count)
+        : k1(out_view(&given.k1, "curvature.k1", number_type, count)),
+          k2(out_view(&given.k2, "curvature.k2", number_type, count)),
+          d1(out_view(&given.d1, "curvature.d1", points_type, count)),
+          d2(out_view(&given.d2, "curvature.d2", points_type, count)),
+          confidence(out_view(&given.confidence, "curvature.confidence", number_type, count)) {
+        Checks("curvature").zero("reserved", given.reserved);
+    }
     base::OutView k1, k2, d1, d2, confidence;
 };
 
 void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs& out, std::int64_t first) {
     for (std::int64_t i = 0; i < block.size(); ++i) {
         const surface::Curvature& c = block[i];
-        if (out.k1) Answer("k1").set(out.k1, first + i, 0, c.k1);
-        if (out.k2) Answer("k2").set(out.k2, first + i, 0, c.k2);
+        if (out.k1) Answer("curvature.k1").set(out.k1, first + i, 0, c.k1);
+        if (out.k2) Answer("curvature.k2").set(out.k2, first + i, 0, c.k2);
         if (out.d1) set_vector(out.d1, first + i, c.d1);
         if (out.d2) set_vector(out.d2, first + i, c.d2);
         if (out.confidence) out.confidence.set(first + i, 0, c.confidence);
@@ -190,39 +225,37 @@ hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t st
     return api::init_struct(desc, struct_size);
 }
 
+hrbfnpr_status hrbfnpr_projection_init(hrbfnpr_projection* projection, uint32_t struct_size) {
+    return api::init_struct(projection, struct_size);
+}
+
 hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                     const hrbfnpr_project_desc* desc, const hrbfnpr_array_out* position,
-                                     const hrbfnpr_array_out* normal, const hrbfnpr_array_out* status,
-                                     int64_t* converged, hrbfnpr_operation* operation, hrbfnpr_error* error) {
+                                     const hrbfnpr_project_desc* desc, hrbfnpr_projection* projection,
+                                     hrbfnpr_operation* operation, hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
         const surface::ProjectionSettings settings = api::checked(api::read_optional_struct(desc, "project_desc"));
         const api::Queries queries(handle.runtime(), points, "points");
-        const std::int64_t count = queries.count();
-        const api::ProjectionOutputs out{api::out_view(position, "position", api::points_type, count),
-                                         api::out_view(normal, "normal", api::points_type, count),
-                                         api::out_view(status, "status", {1, api::uint8_or_uint32}, count)};
+        const api::ProjectionOutputs out(api::read_struct(projection, "projection"), queries.count());
         queries.check_near(handle.implicit());
         const api::OperationUse use(operation);
-        const std::int64_t done = api::project(handle, queries, settings, out, use.progress());
+        const std::int64_t converged = api::project(handle, queries, settings, out, use.progress());
         use.finish();
-        if (converged != nullptr) *converged = done;
+        api::write_number(projection, &hrbfnpr_projection::converged, converged);
     });
 }
 
+hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t struct_size) {
+    return api::init_struct(curvature, struct_size);
+}
+
 hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
-                                       const hrbfnpr_array_out* k1, const hrbfnpr_array_out* k2,
-                                       const hrbfnpr_array_out* d1, const hrbfnpr_array_out* d2,
-                                       const hrbfnpr_array_out* confidence, hrbfnpr_operation* operation,
+                                       hrbfnpr_curvature* curvature, hrbfnpr_operation* operation,
                                        hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
         const api::Queries queries(handle.runtime(), points, "points");
-        const std::int64_t count = queries.count();
-        const api::CurvatureOutputs out{
-            api::out_view(k1, "k1", api::number_type, count), api::out_view(k2, "k2", api::number_type, count),
-            api::out_view(d1, "d1", api::points_type, count), api::out_view(d2, "d2", api::points_type, count),
-            api::out_view(confidence, "confidence", api::number_type, count)};
+        const api::CurvatureOutputs out(api::read_struct(curvature, "curvature"), queries.count());
         queries.check_near(handle.implicit());
         const api::OperationUse use(operation);
         api::curvature(handle, queries, out, use.progress());

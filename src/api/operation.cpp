@@ -32,6 +32,10 @@ hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context, hrbfnpr_operat
                                [&] { return api::make_handle<hrbfnpr_operation>(api::deref(context, "context")); });
 }
 
+void hrbfnpr_operation_retain(hrbfnpr_operation* operation) {
+    if (operation != nullptr) operation->add_reference();
+}
+
 void hrbfnpr_operation_release(hrbfnpr_operation* operation) { api::release_handle(operation); }
 
 void hrbfnpr_operation_cancel(hrbfnpr_operation* operation) {

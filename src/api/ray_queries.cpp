@@ -1,7 +1,7 @@
 // Rays cast on a model, and which points lie inside it.
 #include "api/barrier.h"
-#include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/fields.h"
 #include "api/model.h"
 #include "api/operation.h"
 #include "api/queries.h"
@@ -13,55 +13,77 @@ using namespace hrbfnpr;
 static_assert(static_cast<int>(surface::RayStatus::hit) == HRBFNPR_RAY_HIT);
 static_assert(static_cast<int>(surface::RayStatus::miss) == HRBFNPR_RAY_MISS);
 static_assert(static_cast<int>(surface::RayStatus::truncated) == HRBFNPR_RAY_TRUNCATED);
-static_assert(static_cast<int>(surface::RayStatus::iteration_limit) == HRBFNPR_RAY_ITERATION_LIMIT);
+static_assert(static_cast<int>(surface::RayStatus::evaluation_limit) == HRBFNPR_RAY_EVALUATION_LIMIT);
 static_assert(static_cast<int>(surface::RayStatus::not_finite) == HRBFNPR_RAY_NOT_FINITE);
 
 namespace hrbfnpr::api {
 
+namespace {
+
+using Cast = hrbfnpr_cast_desc;
+using surface::RaySettings;
+
+constexpr std::int32_t most_hits = 256;
+
+constexpr auto cast_fields() noexcept {
+    return FieldTable{
+        field("maximum_hits", &Cast::maximum_hits, &RaySettings::maximum_hits, rule::Between{1.0, most_hits}),
+        field("evaluation_limit", &Cast::evaluation_limit, &RaySettings::evaluation_limit,
+              rule::Between{1.0, 1000000.0}),
+        reserved("reserved", &Cast::reserved),
+        field("t_min", &Cast::t_min, &RaySettings::t_min, rule::Finite{}),
+        field("t_max", &Cast::t_max, &RaySettings::t_max, rule::Any{}),
+        field("lipschitz", &Cast::lipschitz, &RaySettings::lipschitz, rule::AtLeast{0.0}),
+        field("smallest_step", &Cast::smallest_step, &RaySettings::smallest_step, rule::PositiveUpTo{0.1}),
+        field("tolerance", &Cast::tolerance, &RaySettings::tolerance, rule::Positive{})};
+}
+static_assert(cast_fields().covers<Cast>());
+
+} // namespace
+
 template <>
 hrbfnpr_cast_desc defaults() noexcept {
-    const surface::RaySettings settings;
     hrbfnpr_cast_desc desc{};
-    desc.maximum_hits = settings.maximum_hits;
-    desc.iteration_limit = settings.iteration_limit;
-    desc.t_min = settings.t_min;
-    desc.t_max = settings.t_max;
-    desc.lipschitz = settings.lipschitz;
-    desc.smallest_step = settings.smallest_step;
-    desc.tolerance = settings.tolerance;
+    cast_fields().set_defaults(RaySettings{}, desc);
     return desc;
+}
+
+template <>
+hrbfnpr_ray_hits defaults() noexcept {
+    return {};
 }
 
 namespace {
 
 constexpr std::int64_t block_size = 65536; // of points, or of places for hits
-constexpr std::int32_t most_hits = 256;
 
-surface::RaySettings checked(const hrbfnpr_cast_desc& desc) {
-    const Checks checks("cast_desc");
-    checks.between("maximum_hits", desc.maximum_hits, 1, most_hits);
-    checks.between("iteration_limit", desc.iteration_limit, 1, 1000000);
-    checks.zero("reserved", desc.reserved);
-    checks.finite("t_min", desc.t_min);
+RaySettings checked(const hrbfnpr_cast_desc& desc) {
+    cast_fields().check("cast_desc", desc);
     if (!(desc.t_max >= desc.t_min))
         fail(Status::invalid_argument, "cast_desc.t_max is %g; it must be a number not below t_min, which is %g",
              desc.t_max, desc.t_min);
-    checks.at_least("lipschitz", desc.lipschitz, 0.0);
-    checks.positive("smallest_step", desc.smallest_step);
-    checks.between("smallest_step", desc.smallest_step, 0.0, 0.1);
-    checks.positive("tolerance", desc.tolerance);
-    return {desc.maximum_hits, desc.iteration_limit, desc.t_min,    desc.t_max,
-            desc.lipschitz,    desc.smallest_step,   desc.tolerance};
+    RaySettings settings;
+    cast_fields().copy(desc, settings);
+    return settings;
 }
 
 struct RayOutputs {
-    base::OutView hits, t, position, normal, entering, status;
+    RayOutputs(const hrbfnpr_ray_hits& given, std::uint32_t room, std::int64_t rays)
+        : count(out_view(&given.count, "ray_hits.count", {1, uint32_only}, rays)),
+          t(out_view(&given.t, "ray_hits.t", {room, float_types}, rays)),
+          position(out_view(&given.position, "ray_hits.position", {3 * room, float_types}, rays)),
+          normal(out_view(&given.normal, "ray_hits.normal", {3 * room, float_types}, rays)),
+          entering(out_view(&given.entering, "ray_hits.entering", {room, uint8_only}, rays)),
+          status(out_view(&given.status, "ray_hits.status", {1, uint8_or_uint32}, rays)) {
+        Checks("ray_hits").zero("reserved", given.reserved);
+    }
+    base::OutView count, t, position, normal, entering, status;
 };
 
 // Ray i of the block is ray first + i of the outputs.
 void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maximum_hits, const RayOutputs& out,
                std::int64_t first) {
-    if (out.hits) out.hits.set(first + i, 0, static_cast<double>(block.count[i]));
+    if (out.count) out.count.set(first + i, 0, static_cast<double>(block.count[i]));
     if (out.status) out.status.set(first + i, 0, static_cast<double>(block.status[i]));
     for (std::int64_t h = 0; h < maximum_hits; ++h) {
         const std::int64_t at = i * maximum_hits + h;
@@ -69,8 +91,8 @@ void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maxim
         if (h < block.count[i] && !std::isfinite(block.t[at]))
             fail(Status::invalid_argument, "directions[%lld] is so short that t is infinite: make it longer",
                  static_cast<long long>(first + i));
-        if (out.t) Answer("t").set(out.t, first + i, component, block.t[at]);
-        if (out.position) Answer("position").set(out.position, first + i, block.position[at], 3 * component);
+        if (out.t) Answer("ray_hits.t").set(out.t, first + i, component, block.t[at]);
+        if (out.position) Answer("ray_hits.position").set(out.position, first + i, block.position[at], 3 * component);
         if (out.normal) set_vector(out.normal, first + i, block.normal[at], 3 * component);
         if (out.entering) out.entering.set(first + i, component, static_cast<double>(block.entering[at]));
     }
@@ -131,34 +153,28 @@ hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_s
     return api::init_struct(desc, struct_size);
 }
 
-// NOLINTNEXTLINE(readability-function-size): the published interface has that many parameters
+hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_t struct_size) {
+    return api::init_struct(hits, struct_size);
+}
+
 hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
                                        const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc,
-                                       const hrbfnpr_array_out* hits, const hrbfnpr_array_out* t,
-                                       const hrbfnpr_array_out* position, const hrbfnpr_array_out* normal,
-                                       const hrbfnpr_array_out* entering, const hrbfnpr_array_out* status,
-                                       int64_t* hit_rays, hrbfnpr_operation* operation, hrbfnpr_error* error) {
+                                       hrbfnpr_ray_hits* hits, hrbfnpr_operation* operation, hrbfnpr_error* error) {
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
         const surface::RaySettings settings = api::checked(api::read_optional_struct(desc, "cast_desc"));
         const api::Queries from(handle.runtime(), origins, "origins");
         const api::Queries along(handle.runtime(), directions, "directions");
         api::check_one_for_each(from, along);
-        const std::int64_t count = from.count();
-        const auto room = static_cast<std::uint32_t>(settings.maximum_hits);
-        const api::RayOutputs out{api::out_view(hits, "hits", {1, api::uint32_only}, count),
-                                  api::out_view(t, "t", {room, api::float_types}, count),
-                                  api::out_view(position, "position", {3 * room, api::float_types}, count),
-                                  api::out_view(normal, "normal", {3 * room, api::float_types}, count),
-                                  api::out_view(entering, "entering", {room, api::uint8_only}, count),
-                                  api::out_view(status, "status", {1, api::uint8_or_uint32}, count)};
+        const api::RayOutputs out(api::read_struct(hits, "ray_hits"), static_cast<std::uint32_t>(settings.maximum_hits),
+                                  from.count());
         from.check_finite();
         along.check_finite();
         along.check_not_zero();
         const api::OperationUse use(operation);
-        const std::int64_t met = api::cast_rays(handle, from, along, settings, out, use.progress());
+        const std::int64_t hit_rays = api::cast_rays(handle, from, along, settings, out, use.progress());
         use.finish();
-        if (hit_rays != nullptr) *hit_rays = met;
+        api::write_number(hits, &hrbfnpr_ray_hits::hit_rays, hit_rays);
     });
 }
 

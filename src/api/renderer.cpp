@@ -136,6 +136,10 @@ hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_rendere
                                [&] { return api::make_handle<hrbfnpr_renderer>(api::deref(context, "context")); });
 }
 
+void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer) {
+    if (renderer != nullptr) renderer->add_reference();
+}
+
 void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer) { api::release_handle(renderer); }
 
 hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size) {

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 
 #include <cstdint>
+#include <utility>
 
 namespace hrbfnpr::base {
 
@@ -16,11 +17,11 @@ class Runtime {
 public:
     Runtime() = default; // all threads, no log
     Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel threads,
-            InstructionSet highest, LogFn log_function, void* log_user) noexcept
-        : memory(allocate, deallocate, allocator_user), parallel(threads),
-          instruction_set(choose_instruction_set(highest)), log_(log_function), log_user_(log_user) {}
+            InstructionSet highest, LogFn log_function, void* log_user, LogLevel least = LogLevel::debug) noexcept
+        : memory(allocate, deallocate, allocator_user), parallel(std::move(threads)),
+          instruction_set(choose_instruction_set(highest)), log_(log_function), log_user_(log_user), least_(least) {}
 
-    // Call from the thread that entered the library only.
+    // Call from the thread that entered the library only.  What is below the least level is not even put into words.
     [[gnu::format(printf, 3, 4)]] void log(LogLevel level, const char* format, ...) const noexcept;
 
     mutable Memory memory;
@@ -30,6 +31,7 @@ public:
 private:
     LogFn log_ = nullptr;
     void* log_user_ = nullptr;
+    LogLevel least_ = LogLevel::debug;
 };
 
 } // namespace hrbfnpr::base

@@ -22,9 +22,9 @@ void check(const FitInput& input) {
              static_cast<int>(input.polynomial_degree));
     if (!(input.tolerance >= 0.0) || std::isinf(input.tolerance))
         fail(Status::invalid_argument, "tolerance is %g; it must be finite and >= 0 (0 = none)", input.tolerance);
-    if (input.iteration_limit < 0)
-        fail(Status::invalid_argument, "iteration_limit is %d; it must be >= 0",
-             static_cast<int>(input.iteration_limit));
+    if (input.refinement_steps < 0)
+        fail(Status::invalid_argument, "refinement_steps is %d; it must be >= 0",
+             static_cast<int>(input.refinement_steps));
     if (input.preconditioner_neighbours >= static_cast<std::uint32_t>(LocalSystems::largest_set))
         fail(Status::invalid_argument, "preconditioner_neighbours is %u; it must be 0 (automatic) to %d",
              static_cast<unsigned>(input.preconditioner_neighbours), static_cast<int>(LocalSystems::largest_set - 1));

@@ -21,7 +21,7 @@ struct FitInput {
     double kernel_radius = 0.0; // 0 = automatic
     std::int32_t polynomial_degree = 1;
     double regularization = 0.0;
-    std::int32_t iteration_limit = 2;
+    std::int32_t refinement_steps = 2;
     double tolerance = 0.0;           // caller's unit; 0 = none
     std::int64_t maximum_centres = 0; // 0 = no limit
     Repair outliers = Repair::keep;
@@ -30,7 +30,7 @@ struct FitInput {
     SolverKind solver = SolverKind::automatic;
     std::uint32_t preconditioner_neighbours = 0; // 0 = automatic
     double solver_tolerance = 0.0;               // 0 = automatic
-    std::int32_t solver_iterations = 0;          // 0 = automatic
+    std::int32_t iteration_limit = 200;
 };
 
 struct FitReport {

@@ -105,12 +105,12 @@ constexpr double radius_limit = 1e30;
 [[nodiscard]] SolveOptions solve_options(const FitInput& input) noexcept {
     SolveOptions options;
     options.solver = input.solver;
-    options.refinement_steps = input.iteration_limit;
+    options.refinement_steps = input.refinement_steps;
     options.neighbours = static_cast<std::int32_t>(input.preconditioner_neighbours);
     // Chosen centres are judged by how far all samples are from the surface, not by the residual.
     if (input.tolerance > 0.0 || input.maximum_centres > 0) options.acceptable = 1e-3;
     if (input.solver_tolerance > 0.0) options.tolerance = options.acceptable = input.solver_tolerance;
-    if (input.solver_iterations > 0) options.iterations = input.solver_iterations;
+    options.iterations = input.iteration_limit;
     return options;
 }
 

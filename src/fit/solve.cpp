@@ -93,7 +93,7 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
     const bool gaussian = system.options().kernel == kernel::Kind::gaussian;
     fail(Status::not_converged,
          "the iterative solver reached a relative residual of %.1e in %d iterations, not %.1e: use %sa tolerance, so "
-         "that centres are chosen, regularization > 0, a larger solver_tolerance or solver_iterations, or the direct "
+         "that centres are chosen, regularization > 0, a larger solver_tolerance or iteration_limit, or the direct "
          "solver",
          solution.residual, static_cast<int>(solution.iterations), options.tolerance,
          gaussian ? "a smaller kernel_radius (this one is too wide for so many samples), " : "");

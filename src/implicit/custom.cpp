@@ -138,6 +138,8 @@ Custom::~Custom() {
 void Custom::evaluate(const PointBatch& points, const FieldBatch& fields) const {
     for (std::int64_t begin = 0; begin < points.count; begin += batch_size) {
         const PointBatch part = slice(points, begin, std::min(points.count, begin + batch_size));
+        std::unique_lock lock(one_at_a_time_, std::defer_lock);
+        if (!custom_.thread_safe) lock.lock();
         Batch(custom_, part, diagonal()).evaluate(fields.from(begin));
     }
 }

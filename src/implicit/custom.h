@@ -3,6 +3,8 @@
 
 #include "implicit/implicit.h"
 
+#include <mutex>
+
 namespace hrbfnpr::implicit {
 
 // See hrbfnpr_implicit_fn.
@@ -31,6 +33,9 @@ public:
 
 private:
     CustomFunction custom_;
+    // Callers may share a model.  Recursive: a function may ask for another model's value, whose function asks for
+    // this.
+    mutable std::recursive_mutex one_at_a_time_;
 };
 
 } // namespace hrbfnpr::implicit

@@ -160,7 +160,7 @@ void Batch::go_on(std::size_t i, double at, double f) noexcept {
     ray.at = at;
     ray.value = f;
     if (at >= ray.end) return end_with(i, ray.hits > 0 ? RayStatus::hit : RayStatus::miss);
-    if (ray.evaluations >= settings_.iteration_limit) return end_with(i, RayStatus::iteration_limit);
+    if (ray.evaluations >= settings_.evaluation_limit) return end_with(i, RayStatus::evaluation_limit);
     const double step = std::max(smallest_step_, std::abs(f) / ray.lipschitz);
     ray.trial = std::min(ray.end, at + step);
     ray.phase = Ray::Phase::march;
@@ -170,7 +170,7 @@ void Batch::go_on(std::size_t i, double at, double f) noexcept {
 void Batch::bracket(std::size_t i, double f) noexcept {
     Ray& ray = rays_[i];
     if (ray.hits == settings_.maximum_hits) return end_with(i, RayStatus::truncated);
-    if (ray.evaluations >= settings_.iteration_limit) return end_with(i, RayStatus::iteration_limit);
+    if (ray.evaluations >= settings_.evaluation_limit) return end_with(i, RayStatus::evaluation_limit);
     ray.low = ray.at;
     ray.high = ray.behind = ray.trial;
     ray.behind_value = f;
@@ -191,7 +191,7 @@ void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) noexcept {
     const double middle = 0.5 * (ray.low + ray.high);
     const double next = within && change <= 0.5 * ray.change ? newton : middle;
     if (ray.high - ray.low <= tolerance_ || next == ray.trial) return hit(i, ray.trial, g);
-    if (ray.evaluations >= settings_.iteration_limit) return end_with(i, RayStatus::iteration_limit);
+    if (ray.evaluations >= settings_.evaluation_limit) return end_with(i, RayStatus::evaluation_limit);
     ray.change = std::abs(next - ray.trial);
     ray.trial = next;
 }

@@ -12,12 +12,12 @@
 namespace hrbfnpr::surface {
 
 // Same numbers as HRBFNPR_RAY_...
-enum class RayStatus : std::uint8_t { hit = 0, miss = 1, truncated = 2, iteration_limit = 3, not_finite = 4 };
+enum class RayStatus : std::uint8_t { hit = 0, miss = 1, truncated = 2, evaluation_limit = 3, not_finite = 4 };
 
 struct RaySettings {
-    std::int32_t maximum_hits = 1;        // per ray
-    std::int32_t iteration_limit = 20000; // evaluations per ray
-    double t_min = 0.0;                   // in lengths of the direction
+    std::int32_t maximum_hits = 1;         // per ray
+    std::int32_t evaluation_limit = 20000; // evaluations per ray
+    double t_min = 0.0;                    // in lengths of the direction
     double t_max = std::numeric_limits<double>::infinity();
     double lipschitz = 0.0;      // bound on |grad f| in the search region; 0 = lipschitz_estimate()
     double smallest_step = 1e-4; // in diagonals

@@ -143,7 +143,7 @@ bool Batch::take_trial(Projection& points, std::size_t lane) noexcept {
     } else {
         share_[i] *= settings_.armijo_factor;
     }
-    if (evaluations_[i] >= settings_.iteration_limit || share_[i] < smallest_share) {
+    if (evaluations_[i] >= settings_.evaluation_limit || share_[i] < smallest_share) {
         end_with(points, i, ProjectionStatus::not_converged);
         return false;
     }

@@ -13,8 +13,8 @@ namespace hrbfnpr::surface {
 enum class ProjectionStatus : std::uint8_t { converged = 0, not_converged = 1, zero_gradient = 2, not_finite = 3 };
 
 struct ProjectionSettings {
-    std::int32_t iteration_limit = 50; // evaluations per point
-    double tolerance = 1e-9;           // on |f| / |grad f|, in diagonals
+    std::int32_t evaluation_limit = 50; // evaluations per point
+    double tolerance = 1e-9;            // on |f| / |grad f|, in diagonals
     double armijo_slope = 1e-4;
     double armijo_factor = 0.5;
 };

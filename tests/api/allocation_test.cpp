@@ -42,12 +42,13 @@ private:
         const hrbfnpr_array_out numbers = out(number_, 1);
         const hrbfnpr_array_out vectors = out(vector_);
         hrbfnpr_status status = hrbfnpr_model_evaluate(model_, &points, &numbers, &vectors, nullptr, operation_, error);
+        auto projection = made(hrbfnpr_projection_init);
+        projection.position = vectors;
+        auto curvature = made(hrbfnpr_curvature_init);
+        curvature.k1 = numbers;
         if (status == HRBFNPR_STATUS_OK)
-            status =
-                hrbfnpr_model_project(model_, &points, nullptr, &vectors, nullptr, nullptr, nullptr, nullptr, error);
-        if (status == HRBFNPR_STATUS_OK)
-            status =
-                hrbfnpr_model_curvature(model_, &points, &numbers, nullptr, nullptr, nullptr, nullptr, nullptr, error);
+            status = hrbfnpr_model_project(model_, &points, nullptr, &projection, nullptr, error);
+        if (status == HRBFNPR_STATUS_OK) status = hrbfnpr_model_curvature(model_, &points, &curvature, nullptr, error);
         return status;
     }
     hrbfnpr_status reload(hrbfnpr_error* error) {

@@ -79,8 +79,9 @@ const std::vector<Row<FitCall>>& fit_rows() {
         {[](FitCall& c) { c.desc.regularization = infinity; }, invalid, "fit_desc.regularization is inf"},
         {[](FitCall& c) { c.desc.tolerance = nan; }, invalid, "fit_desc.tolerance is nan"},
         {[](FitCall& c) { c.desc.maximum_centres = -1; }, invalid, "fit_desc.maximum_centres is -1"},
-        {[](FitCall& c) { c.desc.iteration_limit = -1; }, invalid, "fit_desc.iteration_limit is -1"},
-        {[](FitCall& c) { c.desc.reserved = 1; }, invalid, "fit_desc.reserved is 1; it must be 0"},
+        {[](FitCall& c) { c.desc.refinement_steps = -1; }, invalid,
+         "fit_desc.refinement_steps is -1; it must be from 0 to 20"},
+        {[](FitCall& c) { c.desc.refinement_steps = 21; }, invalid, "fit_desc.refinement_steps is 21"},
         {[](FitCall& c) { c.desc.outliers = HRBFNPR_REPAIR_REORIENT; }, invalid,
          "fit_desc.outliers is 2; it must be one of HRBFNPR_REPAIR_KEEP and _DROP"},
         {[](FitCall& c) { c.desc.flipped_normals = 3; }, invalid, "fit_desc.flipped_normals is 3"},
@@ -94,8 +95,9 @@ const std::vector<Row<FitCall>>& fit_rows() {
          "fit_desc.preconditioner_neighbours is 49; it must be from 0 to 48"},
         {[](FitCall& c) { c.desc.solver_tolerance = nan; }, invalid, "fit_desc.solver_tolerance is nan"},
         {[](FitCall& c) { c.desc.solver_tolerance = -1; }, invalid, "fit_desc.solver_tolerance is -1"},
-        {[](FitCall& c) { c.desc.solver_iterations = -1; }, invalid, "fit_desc.solver_iterations is -1"},
-        {[](FitCall& c) { c.desc.reserved2 = 1; }, invalid, "fit_desc.reserved2 is 1; it must be 0"},
+        {[](FitCall& c) { c.desc.iteration_limit = -1; }, invalid, "fit_desc.iteration_limit is -1"},
+        {[](FitCall& c) { c.desc.iteration_limit = 0; }, invalid,
+         "fit_desc.iteration_limit is 0; it must be from 1 to 1e+06"},
         {[](FitCall& c) { c.desc.struct_size = 0; }, HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "fit_desc.struct_size is 0"},
         {[](FitCall& c) { c.desc.struct_size = 8; }, invalid, "fit_desc.points is empty"},
         {[](FitCall& c) {
@@ -136,7 +138,7 @@ TEST(BadInput, FitNulls) {
 TEST(BadInput, Context) {
     const std::vector<Row<hrbfnpr_context_desc>> rows = {
         {[](auto& d) { d.abi_version = 77; }, HRBFNPR_STATUS_VERSION_MISMATCH,
-         "context_desc.abi_version is 77 and this library's is 0"},
+         "context_desc.abi_version is 77 and this library's is 1"},
         {[](auto& d) { d.thread_count = -1; }, invalid, "context_desc.thread_count is -1"},
         {[](auto& d) { d.flags = 1; }, invalid, "context_desc.flags is 1; it must be 0"},
         {[](auto& d) { d.thread_backend = 5; }, invalid, "context_desc.thread_backend is 5"},
@@ -148,6 +150,10 @@ TEST(BadInput, Context) {
          },
          invalid, "context_desc.thread_backend is 1 and run_tasks is given"},
         {[](auto& d) { d.highest_instruction_set = 5; }, invalid, "context_desc.highest_instruction_set is 5"},
+        {[](auto& d) { d.log_level = 3; }, invalid,
+         "context_desc.log_level is 3; it must be one of HRBFNPR_LOG_... (0 to 2)"},
+        {[](auto& d) { d.log_level = -1; }, invalid, "context_desc.log_level is -1"},
+        {[](auto& d) { d.reserved = 1; }, invalid, "context_desc.reserved is 1; it must be 0"},
         {[](auto& d) { d.allocate = Allocator::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
         {[](auto& d) { d.deallocate = Allocator::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};
     for (const auto& row : rows) {
@@ -243,11 +249,12 @@ TEST(BadInput, Evaluate) {
 TEST(BadInput, Project) {
     const std::vector<Row<Query>> rows = {
         {[](Query& q) { q.point[0] = infinity; }, invalid, "points[0] is NaN or infinite"},
-        {[](Query& q) { q.vectors.count = 3; }, invalid, "position.count is 3; it must be 2"},
+        {[](Query& q) { q.vectors.count = 3; }, invalid, "projection.position.count is 3; it must be 2"},
         {[](Query& q) { q.bytes.scalar = HRBFNPR_SCALAR_FLOAT32; }, invalid,
-         "status.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8 or UINT32"},
-        {[](Query& q) { q.desc.iteration_limit = 0; }, invalid, "project_desc.iteration_limit is 0; it must be from 1"},
-        {[](Query& q) { q.desc.iteration_limit = 1001; }, invalid, "project_desc.iteration_limit is 1001"},
+         "projection.status.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8 or UINT32"},
+        {[](Query& q) { q.desc.evaluation_limit = 0; }, invalid,
+         "project_desc.evaluation_limit is 0; it must be from 1"},
+        {[](Query& q) { q.desc.evaluation_limit = 1001; }, invalid, "project_desc.evaluation_limit is 1001"},
         {[](Query& q) { q.desc.tolerance = 0; }, invalid, "project_desc.tolerance is 0"},
         {[](Query& q) { q.desc.armijo_slope = 0.5; }, invalid,
          "project_desc.armijo_slope is 0.5; it must be between 0 and 0.5"},
@@ -258,14 +265,24 @@ TEST(BadInput, Project) {
     for (const auto& row : rows) {
         Error error;
         Query query;
-        std::int64_t converged = -7;
         row.change(query);
-        EXPECT_FAILS(hrbfnpr_model_project(model.get(), &query.points, &query.desc, &query.vectors, nullptr,
-                                           &query.bytes, &converged, nullptr, error),
+        auto projection = made(hrbfnpr_projection_init);
+        projection.position = query.vectors;
+        projection.status = query.bytes;
+        projection.converged = -7;
+        EXPECT_FAILS(hrbfnpr_model_project(model.get(), &query.points, &query.desc, &projection, nullptr, error),
                      row.status, row.message);
-        EXPECT_EQ(converged, -7);
+        EXPECT_EQ(projection.converged, -7);
         expect_untouched(query);
     }
+    Error error;
+    const Query query;
+    EXPECT_FAILS(hrbfnpr_model_project(model.get(), &query.points, nullptr, nullptr, nullptr, error), invalid,
+                 "projection is NULL");
+    auto projection = made(hrbfnpr_projection_init);
+    projection.reserved = 1;
+    EXPECT_FAILS(hrbfnpr_model_project(model.get(), &query.points, nullptr, &projection, nullptr, error), invalid,
+                 "projection.reserved is 1; it must be 0");
 }
 
 TEST(BadInput, Curvature) {
@@ -275,16 +292,22 @@ TEST(BadInput, Curvature) {
     const Model model = custom_sphere(context, sphere);
     Query query;
     query.numbers.count = 7;
-    const auto call = [&](int which) {
-        const auto pick = [&](int i) { return which == i ? &query.numbers : nullptr; };
-        return hrbfnpr_model_curvature(model.get(), &query.points, pick(0), pick(1), pick(2), pick(3), pick(4), nullptr,
-                                       error);
+    const auto call = [&](hrbfnpr_array_out hrbfnpr_curvature::*which) {
+        auto curvature = made(hrbfnpr_curvature_init);
+        curvature.*which = query.numbers;
+        return hrbfnpr_model_curvature(model.get(), &query.points, &curvature, nullptr, error);
     };
-    EXPECT_FAILS(call(0), invalid, "k1.count is 7; it must be 2");
-    EXPECT_FAILS(call(1), invalid, "k2.count is 7");
-    EXPECT_FAILS(call(2), invalid, "d1.components is 1; it must be 3");
-    EXPECT_FAILS(call(3), invalid, "d2.components is 1");
-    EXPECT_FAILS(call(4), invalid, "confidence.count is 7");
+    EXPECT_FAILS(call(&hrbfnpr_curvature::k1), invalid, "curvature.k1.count is 7; it must be 2");
+    EXPECT_FAILS(call(&hrbfnpr_curvature::k2), invalid, "curvature.k2.count is 7");
+    EXPECT_FAILS(call(&hrbfnpr_curvature::d1), invalid, "curvature.d1.components is 1; it must be 3");
+    EXPECT_FAILS(call(&hrbfnpr_curvature::d2), invalid, "curvature.d2.components is 1");
+    EXPECT_FAILS(call(&hrbfnpr_curvature::confidence), invalid, "curvature.confidence.count is 7");
+    EXPECT_FAILS(hrbfnpr_model_curvature(model.get(), &query.points, nullptr, nullptr, error), invalid,
+                 "curvature is NULL");
+    auto curvature = made(hrbfnpr_curvature_init);
+    curvature.reserved = 1;
+    EXPECT_FAILS(hrbfnpr_model_curvature(model.get(), &query.points, &curvature, nullptr, error), invalid,
+                 "curvature.reserved is 1; it must be 0");
 }
 
 TEST(BadInput, HugeStridesOfASingleElementAreFine) {

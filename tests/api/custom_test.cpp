@@ -1,6 +1,7 @@
 // Models made of a caller's function.
 #include "fixture.h"
 
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -66,6 +67,53 @@ TEST(Custom, IsCalledOnTheEnteringThreadOnly) {
     }
 }
 
+// A model is const to callers, who may share it: a function that is not thread-safe is still called by one at a time.
+TEST(Custom, ThatIsNotThreadSafeIsCalledByOneThreadAtATime) {
+    struct Alone {
+        std::atomic<int> inside{0};
+        std::atomic<int> most{0};
+        static std::int32_t call(void* user, std::int64_t count, const double* points, double* value, double*,
+                                 double*) {
+            auto& self = *static_cast<Alone*>(user);
+            const int now = self.inside.fetch_add(1) + 1;
+            if (now > self.most) self.most = now;
+            std::this_thread::sleep_for(std::chrono::microseconds(50));
+            for (std::int64_t i = 0; i < count; ++i) value[i] = points[3 * i];
+            self.inside.fetch_sub(1);
+            return 0;
+        }
+    };
+    for (const bool safe : {false, true}) {
+        Alone alone;
+        Error error;
+        const Context context = make_context(1);
+        auto desc = made(hrbfnpr_custom_desc_init);
+        desc.flags = safe ? HRBFNPR_CUSTOM_THREAD_SAFE : 0;
+        desc.function = Alone::call;
+        desc.user = &alone;
+        std::fill_n(desc.bounds_min, 3, -1.0);
+        std::fill_n(desc.bounds_max, 3, 1.0);
+        hrbfnpr_model* raw = nullptr;
+        ASSERT_OK(hrbfnpr_model_create_custom(context.get(), &desc, &raw, error));
+        const Model model(raw);
+        std::vector<std::thread> threads;
+        for (int i = 0; i < 3; ++i)
+            threads.emplace_back([&] {
+                const std::vector<double> point(3 * 20000, 0.5);
+                std::vector<double> value(20000);
+                const hrbfnpr_array points = in(point);
+                const hrbfnpr_array_out values = out(value, 1);
+                EXPECT_EQ(hrbfnpr_model_evaluate(raw, &points, &values, nullptr, nullptr, nullptr, nullptr),
+                          HRBFNPR_STATUS_OK);
+            });
+        for (std::thread& thread : threads) thread.join();
+        if (!safe)
+            EXPECT_EQ(alone.most, 1);
+        else
+            EXPECT_GT(alone.most, 1) << "or this test shows nothing";
+    }
+}
+
 TEST(Custom, IsCalledOnAllThreadsIfItIsThreadSafe) {
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = 4;
@@ -118,9 +166,9 @@ TEST(Custom, AFailureOfTheFunctionFailsTheCall) {
         Error error;
         sphere.calls = 0;
         sphere.fail_at = at;
-        EXPECT_FAILS(
-            hrbfnpr_model_project(model.get(), &points, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, error),
-            HRBFNPR_STATUS_CALLBACK, words);
+        auto projection = made(hrbfnpr_projection_init);
+        EXPECT_FAILS(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, nullptr, error),
+                     HRBFNPR_STATUS_CALLBACK, words);
         sphere.calls = 0;
         const hrbfnpr_generate_desc desc = small_desc();
         hrbfnpr_point_set* set = nullptr;

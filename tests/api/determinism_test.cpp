@@ -56,13 +56,13 @@ void append_queries(Bytes& bytes, const Model& model) {
     const hrbfnpr_array_out values = out(value, 1);
     const hrbfnpr_array_out gradients = out(gradient);
     const hrbfnpr_array_out hessians = out(hessian, 6);
-    const hrbfnpr_array_out curvatures = out(k1, 1);
-    const hrbfnpr_array_out positions = out(point);
+    auto curvature = made(hrbfnpr_curvature_init);
+    curvature.k1 = out(k1, 1);
+    auto projection = made(hrbfnpr_projection_init);
+    projection.position = out(point);
     EXPECT_OK(hrbfnpr_model_evaluate(model.get(), &points, &values, &gradients, &hessians, nullptr, error));
-    EXPECT_OK(
-        hrbfnpr_model_curvature(model.get(), &points, &curvatures, nullptr, nullptr, nullptr, nullptr, nullptr, error));
-    EXPECT_OK(
-        hrbfnpr_model_project(model.get(), &points, nullptr, &positions, nullptr, nullptr, nullptr, nullptr, error));
+    EXPECT_OK(hrbfnpr_model_curvature(model.get(), &points, &curvature, nullptr, error));
+    EXPECT_OK(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, nullptr, error));
     std::vector<double> t(3 * 1000);
     std::vector<std::uint8_t> inside(1000);
     const std::vector<double> direction(3 * 1000, 0.7);
@@ -70,12 +70,12 @@ void append_queries(Bytes& bytes, const Model& model) {
     desc.maximum_hits = 3;
     desc.t_min = -5.0;
     const hrbfnpr_array directions = in(direction);
-    const hrbfnpr_array_out ts = out(t, 3);
+    auto hits = made(hrbfnpr_ray_hits_init);
+    hits.t = out(t, 3);
     const hrbfnpr_array_out insides = out(inside, 1);
     const std::vector<double> origin = inputs().point;
     const hrbfnpr_array origins = in(origin);
-    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &origins, &directions, &desc, nullptr, &ts, nullptr, nullptr,
-                                      nullptr, nullptr, nullptr, nullptr, error));
+    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &origins, &directions, &desc, &hits, nullptr, error));
     EXPECT_OK(hrbfnpr_model_contains(model.get(), &origins, &insides, nullptr, nullptr, error));
     append(bytes, t);
     append(bytes, inside);

@@ -130,9 +130,9 @@ TEST(Hostile, ProjectionsAreNotConverged) {
         std::vector<double> point{0.5, 0.1, 0.2};
         std::vector<std::uint8_t> status(1);
         const hrbfnpr_array points = in(point);
-        const hrbfnpr_array_out to = out(status, 1);
-        ASSERT_OK(hrbfnpr_model_project(model_of(context, steep).get(), &points, nullptr, nullptr, nullptr, &to,
-                                        nullptr, nullptr, error));
+        auto projection = made(hrbfnpr_projection_init);
+        projection.status = out(status, 1);
+        ASSERT_OK(hrbfnpr_model_project(model_of(context, steep).get(), &points, nullptr, &projection, nullptr, error));
         EXPECT_EQ(status[0], HRBFNPR_PROJECTION_NOT_FINITE) << factor;
     }
 }

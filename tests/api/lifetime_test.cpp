@@ -98,7 +98,34 @@ TEST(Lifetime, RetainedHandlesLive) {
     EXPECT_EQ(allocator.bytes, 0);
 }
 
+TEST(Lifetime, RetainedOperationsAndRenderersLive) {
+    Error error;
+    Ledger ledger;
+    hrbfnpr_operation* operation = nullptr;
+    hrbfnpr_renderer* renderer = nullptr;
+    {
+        const Context context = make_context(ledger_desc(ledger));
+        ASSERT_OK(hrbfnpr_operation_create(context.get(), &operation, error));
+        ASSERT_OK(hrbfnpr_renderer_create(context.get(), &renderer, error));
+    }
+    hrbfnpr_operation_retain(operation);
+    hrbfnpr_operation_release(operation);
+    hrbfnpr_operation_cancel(operation);
+    EXPECT_EQ(hrbfnpr_operation_is_cancelled(operation), 1);
+    hrbfnpr_operation_release(operation);
+    hrbfnpr_renderer_retain(renderer);
+    hrbfnpr_renderer_release(renderer);
+    auto info = made(hrbfnpr_frame_info_init);
+    EXPECT_OK(hrbfnpr_renderer_get_info(renderer, &info, error));
+    EXPECT_GT(ledger.bytes, 0);
+    hrbfnpr_renderer_release(renderer);
+    EXPECT_EQ(ledger.bytes, 0);
+}
+
 TEST(Lifetime, NullIsIgnored) {
+    hrbfnpr_operation_retain(nullptr);
+    hrbfnpr_operation_release(nullptr);
+    hrbfnpr_renderer_retain(nullptr);
     hrbfnpr_context_retain(nullptr);
     hrbfnpr_context_release(nullptr);
     hrbfnpr_model_retain(nullptr);
@@ -152,16 +179,20 @@ TEST(Sharing, OneContextServesSeveralFitsAtOnce) {
     EXPECT_EQ(right, 4);
 }
 
+namespace {
+struct Messages {
+    std::vector<std::string> text;
+    std::int32_t highest = 0;
+    static void call(void* user, std::int32_t level, const char* message) {
+        auto& self = *static_cast<Messages*>(user);
+        self.text.emplace_back(message);
+        self.highest = std::max(self.highest, level);
+    }
+};
+} // namespace
+
 TEST(Log, TellsOfRepairs) {
-    struct Messages {
-        std::vector<std::string> text;
-        std::int32_t highest = 0;
-        static void call(void* user, std::int32_t level, const char* message) {
-            auto& self = *static_cast<Messages*>(user);
-            self.text.emplace_back(message);
-            self.highest = std::max(self.highest, level);
-        }
-    } messages;
+    Messages messages;
     auto desc = made(hrbfnpr_context_desc_init);
     desc.log = Messages::call;
     desc.log_user = &messages;
@@ -176,6 +207,23 @@ TEST(Log, TellsOfRepairs) {
     ASSERT_EQ(messages.text.size(), 3U);
     EXPECT_NE(messages.text[2].find("6 normals were not of unit length"), std::string::npos);
     EXPECT_EQ(messages.highest, HRBFNPR_LOG_WARNING);
+}
+
+TEST(Log, KeepsBelowItsLevelToItself) {
+    scenes::Samples samples = scenes::sphere_6();
+    for (double& component : samples.normals) component *= 2.0;
+    const std::size_t wanted[] = {2, 2, 1}; // an INFO and a WARNING
+    for (const std::int32_t level : {HRBFNPR_LOG_DEBUG, HRBFNPR_LOG_INFO, HRBFNPR_LOG_WARNING}) {
+        Messages messages;
+        auto desc = made(hrbfnpr_context_desc_init);
+        EXPECT_EQ(desc.log_level, HRBFNPR_LOG_DEBUG);
+        desc.log = Messages::call;
+        desc.log_user = &messages;
+        desc.log_level = level;
+        fit(make_context(desc), samples);
+        EXPECT_EQ(messages.text.size(), wanted[level]) << level;
+        EXPECT_EQ(messages.highest, HRBFNPR_LOG_WARNING);
+    }
 }
 
 #if defined(__unix__)

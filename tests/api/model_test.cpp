@@ -140,13 +140,12 @@ TEST(Model, ProjectsOntoThePlane) {
     std::vector<float> normal(6);
     std::vector<std::uint32_t> status(2, 99);
     const hrbfnpr_array points = in(point);
-    const hrbfnpr_array_out positions = out(point); // in place
-    const hrbfnpr_array_out normals = out(normal);
-    const hrbfnpr_array_out statuses = out(status, 1);
-    std::int64_t converged = -1;
-    EXPECT_OK(hrbfnpr_model_project(model.get(), &points, nullptr, &positions, &normals, &statuses, &converged, nullptr,
-                                    error));
-    EXPECT_EQ(converged, 2);
+    auto projection = made(hrbfnpr_projection_init);
+    projection.position = out(point); // in place
+    projection.normal = out(normal);
+    projection.status = out(status, 1);
+    EXPECT_OK(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, nullptr, error));
+    EXPECT_EQ(projection.converged, 2);
     EXPECT_EQ(status, (std::vector<std::uint32_t>{0, 0}));
     const std::vector<double> wanted{0.5, 0.5, 0.5, 1.5, 0.25, 0.5};
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(point[i], wanted[i], 1e-8);
@@ -162,21 +161,20 @@ TEST(Model, TellsWhichPointsDoNotProject) {
     std::vector<std::uint8_t> status(2, 99);
     std::vector<double> normal(6, 9.0);
     const hrbfnpr_array points = in(point);
-    const hrbfnpr_array_out statuses = out(status, 1);
-    const hrbfnpr_array_out normals = out(normal);
-    std::int64_t converged = -1;
-    EXPECT_OK(
-        hrbfnpr_model_project(model.get(), &points, nullptr, nullptr, &normals, &statuses, &converged, nullptr, error));
+    auto projection = made(hrbfnpr_projection_init);
+    projection.normal = out(normal);
+    projection.status = out(status, 1);
+    EXPECT_OK(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, nullptr, error));
     EXPECT_EQ(status[0], HRBFNPR_PROJECTION_ZERO_GRADIENT);
     EXPECT_EQ(status[1], HRBFNPR_PROJECTION_CONVERGED);
-    EXPECT_EQ(converged, 1);
+    EXPECT_EQ(projection.converged, 1);
     EXPECT_EQ(normal, (std::vector<double>{0, 0, 0, 1, 0, 0}));
     auto desc = made(hrbfnpr_project_desc_init);
-    desc.iteration_limit = 1;
-    EXPECT_OK(
-        hrbfnpr_model_project(model.get(), &points, &desc, nullptr, nullptr, &statuses, &converged, nullptr, error));
+    desc.evaluation_limit = 1;
+    projection.normal = {};
+    EXPECT_OK(hrbfnpr_model_project(model.get(), &points, &desc, &projection, nullptr, error));
     EXPECT_EQ(status[1], HRBFNPR_PROJECTION_NOT_CONVERGED);
-    EXPECT_EQ(converged, 0);
+    EXPECT_EQ(projection.converged, 0);
 }
 
 TEST(Model, CurvatureOfASphere) {
@@ -191,12 +189,13 @@ TEST(Model, CurvatureOfASphere) {
     std::vector<double> d2(6);
     std::vector<double> confidence(2, 9.0);
     const hrbfnpr_array points = in(point);
-    const hrbfnpr_array_out o1 = out(k1, 1);
-    const hrbfnpr_array_out o2 = out(k2, 1);
-    const hrbfnpr_array_out o3 = out(d1);
-    const hrbfnpr_array_out o4 = out(d2);
-    const hrbfnpr_array_out o5 = out(confidence, 1);
-    EXPECT_OK(hrbfnpr_model_curvature(model.get(), &points, &o1, &o2, &o3, &o4, &o5, nullptr, error));
+    auto curvature = made(hrbfnpr_curvature_init);
+    curvature.k1 = out(k1, 1);
+    curvature.k2 = out(k2, 1);
+    curvature.d1 = out(d1);
+    curvature.d2 = out(d2);
+    curvature.confidence = out(confidence, 1);
+    EXPECT_OK(hrbfnpr_model_curvature(model.get(), &points, &curvature, nullptr, error));
     EXPECT_NEAR(k1[0], -0.5, 1e-12); // the level set of radius 2
     EXPECT_NEAR(k2[1], -1.0F, 1e-6F);
     EXPECT_NEAR(confidence[0], 0.0, 1e-9);

@@ -47,15 +47,15 @@ struct Calls {
     Call project_call() {
         return [this](hrbfnpr_operation* operation, hrbfnpr_error* error) {
             const hrbfnpr_array from = in(points);
-            return hrbfnpr_model_project(model.get(), &from, nullptr, nullptr, nullptr, nullptr, nullptr, operation,
-                                         error);
+            auto projection = made(hrbfnpr_projection_init);
+            return hrbfnpr_model_project(model.get(), &from, nullptr, &projection, operation, error);
         };
     }
     Call curvature_call() {
         return [this](hrbfnpr_operation* operation, hrbfnpr_error* error) {
             const hrbfnpr_array from = in(points);
-            return hrbfnpr_model_curvature(model.get(), &from, nullptr, nullptr, nullptr, nullptr, nullptr, operation,
-                                           error);
+            auto curvature = made(hrbfnpr_curvature_init);
+            return hrbfnpr_model_curvature(model.get(), &from, &curvature, operation, error);
         };
     }
     Call cast_call() {
@@ -63,8 +63,8 @@ struct Calls {
             const std::vector<double> directions(points.size(), 1.0);
             const hrbfnpr_array from = in(points);
             const hrbfnpr_array along = in(directions);
-            return hrbfnpr_model_cast_rays(model.get(), &from, &along, nullptr, nullptr, nullptr, nullptr, nullptr,
-                                           nullptr, nullptr, nullptr, operation, error);
+            auto hits = made(hrbfnpr_ray_hits_init);
+            return hrbfnpr_model_cast_rays(model.get(), &from, &along, nullptr, &hits, operation, error);
         };
     }
     Call lipschitz_call() {

@@ -24,19 +24,21 @@ struct Cast {
     std::vector<std::uint8_t> state = std::vector<std::uint8_t>(2, 77);
     hrbfnpr_array origins = in(origin);
     hrbfnpr_array directions = in(direction);
-    hrbfnpr_array_out hits = out(hit, 1);
-    hrbfnpr_array_out t = out(distance, 2);
-    hrbfnpr_array_out position = out(place, 6);
-    hrbfnpr_array_out normal = out(unit, 6);
-    hrbfnpr_array_out entering = out(enter, 2);
-    hrbfnpr_array_out status = out(state, 1);
+    hrbfnpr_ray_hits hits = made(hrbfnpr_ray_hits_init);
     hrbfnpr_cast_desc desc = made(hrbfnpr_cast_desc_init);
-    std::int64_t hit_rays = -7;
 
-    Cast() { desc.maximum_hits = 2; }
+    Cast() {
+        desc.maximum_hits = 2;
+        hits.count = out(hit, 1);
+        hits.t = out(distance, 2);
+        hits.position = out(place, 6);
+        hits.normal = out(unit, 6);
+        hits.entering = out(enter, 2);
+        hits.status = out(state, 1);
+        hits.hit_rays = -7;
+    }
     hrbfnpr_status run(const hrbfnpr_model* model, hrbfnpr_error* error, hrbfnpr_operation* operation = nullptr) {
-        return hrbfnpr_model_cast_rays(model, &origins, &directions, &desc, &hits, &t, &position, &normal, &entering,
-                                       &status, &hit_rays, operation, error);
+        return hrbfnpr_model_cast_rays(model, &origins, &directions, &desc, &hits, operation, error);
     }
 };
 
@@ -47,7 +49,7 @@ TEST(CastRays, WritesTheHitsOfEachRaySideBySide) {
     const Model model = custom_sphere(context, sphere);
     Cast cast;
     ASSERT_OK(cast.run(model.get(), error));
-    EXPECT_EQ(cast.hit_rays, 1);
+    EXPECT_EQ(cast.hits.hit_rays, 1);
     EXPECT_EQ(cast.hit, (std::vector<std::uint32_t>{2, 0}));
     EXPECT_EQ(cast.state, (std::vector<std::uint8_t>{HRBFNPR_RAY_HIT, HRBFNPR_RAY_MISS}));
     EXPECT_EQ(cast.enter, (std::vector<std::uint8_t>{1, 0, 0, 0}));
@@ -70,20 +72,20 @@ TEST(CastRays, AllArraysAndTheDescriptorAreOptional) {
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
     Cast cast;
-    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &cast.origins, &cast.directions, nullptr, nullptr, nullptr, nullptr,
-                                      nullptr, nullptr, nullptr, nullptr, nullptr, error));
-    cast.t = out(cast.distance, 1);
-    cast.t.count = 2;
-    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &cast.origins, &cast.directions, nullptr, nullptr, &cast.t, nullptr,
-                                      nullptr, nullptr, nullptr, nullptr, nullptr, error));
+    auto hits = made(hrbfnpr_ray_hits_init);
+    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &cast.origins, &cast.directions, nullptr, &hits, nullptr, error));
+    EXPECT_EQ(hits.hit_rays, 1);
+    hits.t = out(cast.distance, 1);
+    hits.t.count = 2;
+    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &cast.origins, &cast.directions, nullptr, &hits, nullptr, error));
     EXPECT_NEAR(cast.distance[0], 1.1, 1e-8) << "the first hit is the default";
     EXPECT_EQ(cast.distance[1], infinity);
     // No rays, no work: not even the bound's.
     sphere.calls = 0;
     const hrbfnpr_array none{};
-    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &none, &none, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
-                                      nullptr, &cast.hit_rays, nullptr, error));
-    EXPECT_EQ(cast.hit_rays, 0);
+    hits.t = {};
+    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &none, &none, nullptr, &hits, nullptr, error));
+    EXPECT_EQ(hits.hit_rays, 0);
     EXPECT_EQ(sphere.calls, 0);
 }
 
@@ -93,13 +95,13 @@ TEST(CastRays, SaysWhereItGaveUp) {
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
     Cast cast;
-    cast.desc.iteration_limit = 3;
+    cast.desc.evaluation_limit = 3;
     ASSERT_OK(cast.run(model.get(), error));
-    EXPECT_EQ(cast.state[0], HRBFNPR_RAY_ITERATION_LIMIT);
-    EXPECT_EQ(cast.hit_rays, 0);
+    EXPECT_EQ(cast.state[0], HRBFNPR_RAY_EVALUATION_LIMIT);
+    EXPECT_EQ(cast.hits.hit_rays, 0);
     const scenes::Samples samples = scenes::torus(300);
     const Model torus = fit(context, samples);
-    cast.desc.iteration_limit = 20000;
+    cast.desc.evaluation_limit = 20000;
     cast.origin = {-3, 0, 0, 0, 0, 5};
     ASSERT_OK(cast.run(torus.get(), error));
     EXPECT_EQ(cast.state[0], HRBFNPR_RAY_TRUNCATED);
@@ -129,13 +131,12 @@ TEST(CastRays, OfAFit) {
     std::vector<double> t(400);
     std::vector<double> value(400);
     std::vector<double> gradient(1200);
-    const hrbfnpr_array_out positions = out(position);
-    const hrbfnpr_array_out normals = out(normal);
-    const hrbfnpr_array_out ts = out(t, 1);
-    std::int64_t hit_rays = 0;
-    ASSERT_OK(hrbfnpr_model_cast_rays(model.get(), &from, &along, nullptr, nullptr, &ts, &positions, &normals, nullptr,
-                                      nullptr, &hit_rays, nullptr, error));
-    EXPECT_EQ(hit_rays, 400);
+    auto hits = made(hrbfnpr_ray_hits_init);
+    hits.t = out(t, 1);
+    hits.position = out(position);
+    hits.normal = out(normal);
+    ASSERT_OK(hrbfnpr_model_cast_rays(model.get(), &from, &along, nullptr, &hits, nullptr, error));
+    EXPECT_EQ(hits.hit_rays, 400);
     const hrbfnpr_array points = in(position);
     const hrbfnpr_array_out values = out(value, 1);
     const hrbfnpr_array_out gradients = out(gradient);
@@ -170,9 +171,9 @@ TEST(CastRays, BlocksLeaveNoTrace) {
     std::vector<double> t(256 * count);
     const hrbfnpr_array from = in(origin);
     const hrbfnpr_array along = in(direction);
-    const hrbfnpr_array_out ts = out(t, 256);
-    ASSERT_OK(hrbfnpr_model_cast_rays(model.get(), &from, &along, &desc, nullptr, &ts, nullptr, nullptr, nullptr,
-                                      nullptr, nullptr, nullptr, error));
+    auto hits = made(hrbfnpr_ray_hits_init);
+    hits.t = out(t, 256);
+    ASSERT_OK(hrbfnpr_model_cast_rays(model.get(), &from, &along, &desc, &hits, nullptr, error));
     for (std::size_t i = 0; i < count; ++i) {
         const double half = std::sqrt(1.0 - origin[3 * i + 2] * origin[3 * i + 2]);
         EXPECT_NEAR(t[256 * i], 3.0 - half, 1e-8) << i;
@@ -196,8 +197,8 @@ TEST(CastRays, BadArgumentsAreNamed) {
         {[](Cast& c) { c.directions.scalar = HRBFNPR_SCALAR_UINT8; }, "directions.scalar is 3"},
         {[](Cast& c) { c.desc.maximum_hits = 0; }, "cast_desc.maximum_hits is 0; it must be from 1 to 256"},
         {[](Cast& c) { c.desc.maximum_hits = 257; }, "cast_desc.maximum_hits is 257"},
-        {[](Cast& c) { c.desc.maximum_hits = 1; }, "t.components is 2; it must be 1"},
-        {[](Cast& c) { c.desc.iteration_limit = 0; }, "cast_desc.iteration_limit is 0; it must be from 1"},
+        {[](Cast& c) { c.desc.maximum_hits = 1; }, "ray_hits.t.components is 2; it must be 1"},
+        {[](Cast& c) { c.desc.evaluation_limit = 0; }, "cast_desc.evaluation_limit is 0; it must be from 1"},
         {[](Cast& c) { c.desc.reserved = 1; }, "cast_desc.reserved is 1; it must be 0"},
         {[](Cast& c) { c.desc.t_min = infinity; }, "cast_desc.t_min is inf; it must be a finite number"},
         {[](Cast& c) { c.desc.t_min = nan; }, "cast_desc.t_min is nan"},
@@ -212,12 +213,14 @@ TEST(CastRays, BadArgumentsAreNamed) {
         {[](Cast& c) { c.desc.smallest_step = 0; }, "cast_desc.smallest_step is 0; it must be a finite number above 0"},
         {[](Cast& c) { c.desc.smallest_step = 0.2; }, "cast_desc.smallest_step is 0.2; it must be from 0 to 0.1"},
         {[](Cast& c) { c.desc.tolerance = 0; }, "cast_desc.tolerance is 0; it must be a finite number above 0"},
-        {[](Cast& c) { c.hits.scalar = HRBFNPR_SCALAR_UINT8; }, "hits.scalar is 3; it must be HRBFNPR_SCALAR_ UINT32"},
-        {[](Cast& c) { c.t.count = 4; }, "t.count is 4; it must be 2"},
-        {[](Cast& c) { c.position.components = 3; }, "position.components is 3; it must be 6"},
-        {[](Cast& c) { c.normal.scalar = HRBFNPR_SCALAR_UINT32; }, "normal.scalar is 4"},
-        {[](Cast& c) { c.entering.scalar = HRBFNPR_SCALAR_FLOAT32; }, "entering.scalar is 1"},
-        {[](Cast& c) { c.status.data = nullptr; }, "status.data is NULL but its count is 2"}};
+        {[](Cast& c) { c.hits.count.scalar = HRBFNPR_SCALAR_UINT8; },
+         "ray_hits.count.scalar is 3; it must be HRBFNPR_SCALAR_ UINT32"},
+        {[](Cast& c) { c.hits.t.count = 4; }, "ray_hits.t.count is 4; it must be 2"},
+        {[](Cast& c) { c.hits.position.components = 3; }, "ray_hits.position.components is 3; it must be 6"},
+        {[](Cast& c) { c.hits.normal.scalar = HRBFNPR_SCALAR_UINT32; }, "ray_hits.normal.scalar is 4"},
+        {[](Cast& c) { c.hits.entering.scalar = HRBFNPR_SCALAR_FLOAT32; }, "ray_hits.entering.scalar is 1"},
+        {[](Cast& c) { c.hits.status.data = nullptr; }, "ray_hits.status.data is NULL but its count is 2"},
+        {[](Cast& c) { c.hits.reserved = 1; }, "ray_hits.reserved is 1; it must be 0"}};
     const Context context = make_context();
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
@@ -226,7 +229,7 @@ TEST(CastRays, BadArgumentsAreNamed) {
         Cast cast;
         row.change(cast);
         EXPECT_FAILS(cast.run(model.get(), error), invalid, row.message);
-        EXPECT_EQ(cast.hit_rays, -7);
+        EXPECT_EQ(cast.hits.hit_rays, -7);
         EXPECT_EQ(cast.hit, (std::vector<std::uint32_t>(2, 77)));
         EXPECT_EQ(cast.distance, (std::vector<double>(4, -7)));
         EXPECT_EQ(cast.state, (std::vector<std::uint8_t>(2, 77)));
@@ -234,12 +237,13 @@ TEST(CastRays, BadArgumentsAreNamed) {
     Error error;
     Cast cast;
     EXPECT_FAILS(cast.run(nullptr, error), invalid, "model is NULL");
-    EXPECT_FAILS(hrbfnpr_model_cast_rays(model.get(), nullptr, &cast.directions, nullptr, nullptr, nullptr, nullptr,
-                                         nullptr, nullptr, nullptr, nullptr, nullptr, error),
+    EXPECT_FAILS(hrbfnpr_model_cast_rays(model.get(), nullptr, &cast.directions, nullptr, &cast.hits, nullptr, error),
                  invalid, "origins is NULL");
-    EXPECT_FAILS(hrbfnpr_model_cast_rays(model.get(), &cast.origins, nullptr, nullptr, nullptr, nullptr, nullptr,
-                                         nullptr, nullptr, nullptr, nullptr, nullptr, error),
+    EXPECT_FAILS(hrbfnpr_model_cast_rays(model.get(), &cast.origins, nullptr, nullptr, &cast.hits, nullptr, error),
                  invalid, "directions is NULL");
+    EXPECT_FAILS(
+        hrbfnpr_model_cast_rays(model.get(), &cast.origins, &cast.directions, nullptr, nullptr, nullptr, error),
+        invalid, "ray_hits is NULL");
 }
 
 TEST(Lipschitz, IsTheBoundThatRaysAreCastWith) {

@@ -305,18 +305,20 @@ void expect_said(hrbfnpr_status status, const Error& error, const std::vector<co
 
 void Answers::ask(const Model& model, const std::vector<double>& point) {
     const hrbfnpr_array points = in(point);
-    const hrbfnpr_array_out to_value = out(value, 1), to_gradient = out(gradient), to_hessian = out(hessian, 6),
-                            to_position = out(position), to_normal = out(normal), to_k1 = out(k1, 1),
-                            to_k2 = out(k2, 1), to_status = out(status, 1);
+    const hrbfnpr_array_out to_value = out(value, 1), to_gradient = out(gradient), to_hessian = out(hessian, 6);
+    auto projection = made(hrbfnpr_projection_init);
+    projection.position = out(position);
+    projection.normal = out(normal);
+    projection.status = out(status, 1);
+    auto curvature = made(hrbfnpr_curvature_init);
+    curvature.k1 = out(k1, 1);
+    curvature.k2 = out(k2, 1);
     Error error;
     expect_said(hrbfnpr_model_evaluate(model.get(), &points, &to_value, &to_gradient, &to_hessian, nullptr, error),
                 error, {&value, &gradient, &hessian});
-    expect_said(hrbfnpr_model_project(model.get(), &points, nullptr, &to_position, &to_normal, &to_status, nullptr,
-                                      nullptr, error),
-                error, {&position, &normal});
-    expect_said(
-        hrbfnpr_model_curvature(model.get(), &points, &to_k1, &to_k2, nullptr, nullptr, nullptr, nullptr, error), error,
-        {&k1, &k2});
+    expect_said(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, nullptr, error), error,
+                {&position, &normal});
+    expect_said(hrbfnpr_model_curvature(model.get(), &points, &curvature, nullptr, error), error, {&k1, &k2});
 }
 
 TEST(Scale, AnswersAreFiniteOrRefused) {
@@ -342,20 +344,23 @@ TEST(Scale, FloatArraysThatCannotHoldAnAnswerAreRefused) {
     Error error;
     const Model model = sphere_of(context, 1e-60);
     const std::vector<double> point{1e-60, 0.0, 0.0};
-    std::vector<float> curvature(1);
+    std::vector<float> k1(1);
     const hrbfnpr_array points = in(point);
-    const hrbfnpr_array_out k1 = out(curvature, 1);
-    EXPECT_FAILS(hrbfnpr_model_curvature(model.get(), &points, &k1, nullptr, nullptr, nullptr, nullptr, nullptr, error),
-                 HRBFNPR_STATUS_INVALID_ARGUMENT, "FLOAT64");
+    auto curvature = made(hrbfnpr_curvature_init);
+    curvature.k1 = out(k1, 1);
+    EXPECT_FAILS(hrbfnpr_model_curvature(model.get(), &points, &curvature, nullptr, error),
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "which a FLOAT32 cannot hold: give an array of FLOAT64");
     const Model large = sphere_of(context, 1e60);
     const std::vector<double> far{2e60, 0.0, 0.0};
     std::vector<float> value(1), place(3);
     const hrbfnpr_array from = in(far);
-    const hrbfnpr_array_out values = out(value, 1), places = out(place);
+    const hrbfnpr_array_out values = out(value, 1);
+    auto projection = made(hrbfnpr_projection_init);
+    projection.position = out(place);
     EXPECT_FAILS(hrbfnpr_model_evaluate(large.get(), &from, &values, nullptr, nullptr, nullptr, error),
                  HRBFNPR_STATUS_INVALID_ARGUMENT, "FLOAT64");
-    EXPECT_FAILS(hrbfnpr_model_project(large.get(), &from, nullptr, &places, nullptr, nullptr, nullptr, nullptr, error),
-                 HRBFNPR_STATUS_INVALID_ARGUMENT, "FLOAT64");
+    EXPECT_FAILS(hrbfnpr_model_project(large.get(), &from, nullptr, &projection, nullptr, error),
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "projection.position[0] is ");
 }
 
 TEST(Scale, RaysAreCastAtAnyScaleOrRefused) {
@@ -366,18 +371,20 @@ TEST(Scale, RaysAreCastAtAnyScaleOrRefused) {
             Error error;
             const std::vector<double> origin{0.0, 0.0, 3.0 * radius}, direction{0.0, 0.0, -length};
             std::vector<double> t(1), place(3);
-            std::vector<std::uint32_t> hits(1);
+            std::vector<std::uint32_t> count(1);
             const hrbfnpr_array from = in(origin), along = in(direction);
-            const hrbfnpr_array_out to_hits = out(hits, 1), to_t = out(t, 1), to_place = out(place);
+            auto hits = made(hrbfnpr_ray_hits_init);
+            hits.count = out(count, 1);
+            hits.t = out(t, 1);
+            hits.position = out(place);
             const hrbfnpr_status status =
-                hrbfnpr_model_cast_rays(model.get(), &from, &along, nullptr, &to_hits, &to_t, &to_place, nullptr,
-                                        nullptr, nullptr, nullptr, nullptr, error);
+                hrbfnpr_model_cast_rays(model.get(), &from, &along, nullptr, &hits, nullptr, error);
             if (status != HRBFNPR_STATUS_OK) {
                 EXPECT_NE(std::string(error.record.message).find("directions[0]"), std::string::npos)
                     << error.record.message;
                 continue;
             }
-            ASSERT_EQ(hits[0], 1U) << radius << ' ' << length;
+            ASSERT_EQ(count[0], 1U) << radius << ' ' << length;
             EXPECT_NEAR(place[2] / radius, 1.0, 1e-6) << radius << ' ' << length;
             EXPECT_TRUE(std::isfinite(t[0])) << radius << ' ' << length;
         }

@@ -20,6 +20,9 @@ INIT(custom_desc);
 INIT(model_info);
 INIT(project_desc);
 INIT(cast_desc);
+INIT(projection);
+INIT(curvature);
+INIT(ray_hits);
 INIT(generate_desc);
 INIT(point_set_desc);
 INIT(point_set_info);
@@ -33,11 +36,11 @@ INIT(vertex_layout);
 
 template <class T>
 class StructTest : public testing::Test {};
-using Structs =
-    testing::Types<hrbfnpr_image, hrbfnpr_context_desc, hrbfnpr_context_info, hrbfnpr_fit_desc, hrbfnpr_custom_desc,
-                   hrbfnpr_model_info, hrbfnpr_project_desc, hrbfnpr_cast_desc, hrbfnpr_generate_desc,
-                   hrbfnpr_point_set_desc, hrbfnpr_point_set_info, hrbfnpr_camera, hrbfnpr_style, hrbfnpr_item,
-                   hrbfnpr_frame_info, hrbfnpr_draw_desc, hrbfnpr_vertex_layout>;
+using Structs = testing::Types<hrbfnpr_image, hrbfnpr_context_desc, hrbfnpr_context_info, hrbfnpr_fit_desc,
+                               hrbfnpr_custom_desc, hrbfnpr_model_info, hrbfnpr_project_desc, hrbfnpr_cast_desc,
+                               hrbfnpr_projection, hrbfnpr_curvature, hrbfnpr_ray_hits, hrbfnpr_generate_desc,
+                               hrbfnpr_point_set_desc, hrbfnpr_point_set_info, hrbfnpr_camera, hrbfnpr_style,
+                               hrbfnpr_item, hrbfnpr_frame_info, hrbfnpr_draw_desc, hrbfnpr_vertex_layout>;
 TYPED_TEST_SUITE(StructTest, Structs);
 
 // A struct of the future: ours with a tail.
@@ -168,6 +171,76 @@ TEST(WriteStruct, InfosAreFilledUpToTheirSize) {
                  "context_info.struct_size is 3");
     EXPECT_FAILS(hrbfnpr_context_get_info(context.get(), nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "context_info is NULL");
+}
+
+// The rules for structs of results, shown on those of projections and rays: arrays in, a number out.
+class ResultStruct : public testing::Test {
+protected:
+    template <class T>
+    hrbfnpr_status call(Longer<T>& result) {
+        const hrbfnpr_array points = in(point);
+        if constexpr (std::is_same_v<T, hrbfnpr_projection>)
+            return hrbfnpr_model_project(model.get(), &points, nullptr, &result.known, nullptr, error);
+        else
+            return hrbfnpr_model_cast_rays(model.get(), &points, &points, nullptr, &result.known, nullptr, error);
+    }
+
+    // An older caller's, up to and without `member`, which and what follows is rubbish.
+    template <class T, class Member>
+    void expect_short_one_is_kept_to(Member T::*member) {
+        Longer<T> result;
+        ASSERT_OK(Init<T>::function(&result.known, sizeof(T)));
+        const auto size =
+            static_cast<std::size_t>(reinterpret_cast<const std::uint8_t*>(&(result.known.*member)) - result.bytes);
+        std::memset(result.bytes + size, 0x55, sizeof result - size);
+        result.known.struct_size = static_cast<std::uint32_t>(size);
+        EXPECT_OK(call(result));
+        for (std::size_t at = size; at < sizeof result; ++at) ASSERT_EQ(result.bytes[at], 0x55) << at;
+    }
+
+    Error error;
+    Context context = make_context(1);
+    Model model = fit(context, scenes::sphere_6());
+    std::vector<double> point{0.0, 0.0, 0.9};
+};
+
+TEST_F(ResultStruct, AShortOneGetsNoNumberAndItsRubbishIsNotRead) {
+    expect_short_one_is_kept_to(&hrbfnpr_projection::position);
+    expect_short_one_is_kept_to(&hrbfnpr_projection::converged);
+    expect_short_one_is_kept_to(&hrbfnpr_ray_hits::count);
+    expect_short_one_is_kept_to(&hrbfnpr_ray_hits::hit_rays);
+}
+
+TEST_F(ResultStruct, ALongOneIsRefusedOnlyIfItsTailIsUsed) {
+    Longer<hrbfnpr_projection> result;
+    ASSERT_OK(hrbfnpr_projection_init(&result.known, sizeof result));
+    EXPECT_OK(call(result));
+    EXPECT_EQ(result.known.converged, 1);
+    EXPECT_EQ(result.known.struct_size, sizeof result);
+    result.known.converged = -7;
+    result.bytes[sizeof(hrbfnpr_projection)] = 1;
+    EXPECT_FAILS(call(result), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "projection has fields that this library");
+    EXPECT_EQ(result.known.converged, -7);
+    result.known.struct_size = 3;
+    EXPECT_FAILS(call(result), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "projection.struct_size is 3");
+}
+
+TEST_F(ResultStruct, AFailedCallWritesNoNumber) {
+    Operation operation;
+    hrbfnpr_operation* raw = nullptr;
+    ASSERT_OK(hrbfnpr_operation_create(context.get(), &raw, error));
+    operation.reset(raw);
+    hrbfnpr_operation_cancel(raw);
+    auto projection = made(hrbfnpr_projection_init);
+    projection.converged = -7;
+    const hrbfnpr_array points = in(point);
+    EXPECT_EQ(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, raw, error), HRBFNPR_STATUS_CANCELLED);
+    EXPECT_EQ(projection.converged, -7);
+    auto hits = made(hrbfnpr_ray_hits_init);
+    hits.hit_rays = -7;
+    EXPECT_EQ(hrbfnpr_model_cast_rays(model.get(), &points, &points, nullptr, &hits, raw, error),
+              HRBFNPR_STATUS_CANCELLED);
+    EXPECT_EQ(hits.hit_rays, -7);
 }
 
 TEST(Context, InstructionSetIsCapped) {

@@ -194,6 +194,25 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void LogsBelowTheirLevelAreNotReported()
+        {
+            var lines = new List<string>();
+            var options = new ContextOptions
+            {
+                LogLevel = LogLevel.Warning,
+                Log = (level, message) => lines.Add(level + " " + message),
+            };
+            double[] points = Shapes.Sphere(300);
+            double[] normals = points.Select(number => 2.0 * number).ToArray();
+            using (var context = new Context(options))
+            using (Model model = Model.Fit((ArrayView)points, (ArrayView)normals, null, context))
+            {
+                Assert.Equal(1, lines.Count);
+                Assert.True(lines[0].StartsWith("Warning "));
+            }
+        }
+
+        [Fact]
         public void OneModelOnManyThreads()
         {
             double[] at = Shapes.Sphere(500);

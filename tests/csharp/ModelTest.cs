@@ -149,7 +149,7 @@ namespace HrbfNpr.Tests
                 model.ProjectInto(far, far); // in place
                 Assert.Equal(projection.Position, far);
                 Projection hasty = model.Project(Array.ConvertAll(Points, number => 1.2 * number),
-                    new ProjectOptions { IterationLimit = 1, Tolerance = 1e-15 });
+                    new ProjectOptions { EvaluationLimit = 1, Tolerance = 1e-15 });
                 Assert.True(hasty.Converged < 60);
                 Assert.True(hasty.Status.Contains(ProjectionStatus.NotConverged));
             }

@@ -204,7 +204,7 @@ TEST(Solver, AutomaticFallsBackToTheDirectOne) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(250);
     fit::FitInput chosen = input(cloud);
-    chosen.solver_iterations = 2;
+    chosen.iteration_limit = 2;
     const fit::FitReport report = fit::fit(runtime, chosen, {}).report;
     EXPECT_EQ(report.solver, fit::SolverKind::direct);
     EXPECT_EQ(report.solver_reason, fit::SolverReason::not_converged);

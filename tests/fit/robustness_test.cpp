@@ -158,7 +158,7 @@ TEST(Robustness, NoFitIsReturnedThatDoesNotInterpolate) {
     for (double radius = 0.4; radius < 6.0; radius *= 1.15) { // up to far beyond what double precision can do
         fit::FitInput wide = input(cloud, Kind::gaussian, 1);
         wide.kernel_radius = radius;
-        wide.iteration_limit = 0;
+        wide.refinement_steps = 0;
         try {
             const fit::FitResult result = fit::fit(runtime, wide, {});
             EXPECT_LE(result.report.solver_residual, 1e-6) << radius;
@@ -178,9 +178,9 @@ TEST(Robustness, RefinementLowersTheResidual) {
     const Cloud cloud = bumpy(120);
     fit::FitInput refined = input(cloud, Kind::gaussian, 1);
     refined.kernel_radius = 0.54; // condition 1e15
-    refined.iteration_limit = 0;
+    refined.refinement_steps = 0;
     const fit::FitReport once = fit::fit(runtime, refined, {}).report;
-    refined.iteration_limit = 5;
+    refined.refinement_steps = 5;
     const fit::FitReport better = fit::fit(runtime, refined, {}).report;
     EXPECT_EQ(once.iterations, 0);
     EXPECT_GE(better.iterations, 1);

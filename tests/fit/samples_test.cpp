@@ -140,8 +140,8 @@ TEST(Samples, BadParametersAreNamed) {
     expect_message(input(cloud, Kind::triharmonic, 4), {"polynomial_degree is 4"});
     expect_message(input(cloud, Kind::triharmonic, -2), {"polynomial_degree is -2"});
     wrong = input(cloud);
-    wrong.iteration_limit = -1;
-    expect_message(wrong, {"iteration_limit"});
+    wrong.refinement_steps = -1;
+    expect_message(wrong, {"refinement_steps"});
     wrong = input(cloud);
     wrong.normals.count = 9;
     expect_message(wrong, {"points has 10", "normals 9"});

@@ -77,14 +77,14 @@ void project(const hrbfnpr_model* model, const Vectors& points) {
     Vectors position{};
     Vectors normal{};
     std::array<std::uint8_t, count> status{};
-    std::int64_t converged = 0;
     const hrbfnpr_array at = in(points);
-    const auto positions = out(position);
-    const auto normals = out(normal);
-    const auto statuses = out(status);
+    hrbfnpr_projection projection;
+    hrbfnpr_projection_init(&projection, sizeof projection);
+    projection.position = out(position);
+    projection.normal = out(normal);
+    projection.status = out(status);
     Call call("model_project");
-    call.expect(
-        hrbfnpr_model_project(model, &at, nullptr, &positions, &normals, &statuses, &converged, nullptr, call.error()));
+    call.expect(hrbfnpr_model_project(model, &at, nullptr, &projection, nullptr, call.error()));
     std::int64_t counted = 0;
     for (std::size_t i = 0; i < count; ++i) {
         require(status[i] <= HRBFNPR_PROJECTION_NOT_FINITE, "a projection ends in one of four ways");
@@ -93,7 +93,7 @@ void project(const hrbfnpr_model* model, const Vectors& points) {
         require(finite(std::span(position).subspan(3 * i, 3)), "a converged projection is finite");
         require(finite(std::span(normal).subspan(3 * i, 3)), "a converged projection has a normal");
     }
-    require(counted == converged, "converged projections are counted");
+    require(counted == projection.converged, "converged projections are counted");
 }
 
 void curvature(const hrbfnpr_model* model, const Vectors& points) {
@@ -103,10 +103,15 @@ void curvature(const hrbfnpr_model* model, const Vectors& points) {
     Vectors d2{};
     Scalars confidence{};
     const hrbfnpr_array at = in(points);
-    const std::array outputs = {out(k1), out(k2), out(d1), out(d2), out(confidence)};
+    hrbfnpr_curvature result;
+    hrbfnpr_curvature_init(&result, sizeof result);
+    result.k1 = out(k1);
+    result.k2 = out(k2);
+    result.d1 = out(d1);
+    result.d2 = out(d2);
+    result.confidence = out(confidence);
     Call call("model_curvature");
-    call.expect(hrbfnpr_model_curvature(model, &at, &outputs[0], &outputs[1], &outputs[2], &outputs[3], &outputs[4],
-                                        nullptr, call.error()));
+    call.expect(hrbfnpr_model_curvature(model, &at, &result, nullptr, call.error()));
     for (std::size_t i = 0; i < count; ++i)
         if (std::isfinite(k1[i]) && std::isfinite(k2[i])) require(k1[i] >= k2[i], "k1 is the larger curvature");
 }
@@ -124,7 +129,7 @@ void cast(const hrbfnpr_model* model, const Vectors& points) {
     hrbfnpr_cast_desc desc;
     hrbfnpr_cast_desc_init(&desc, sizeof desc);
     desc.maximum_hits = most;
-    desc.iteration_limit = 100;
+    desc.evaluation_limit = 100;
     desc.lipschitz = 4.0; // the default evaluates 24^3 points
     std::array<std::uint32_t, count> hits{};
     std::array<double, most * count> t{};
@@ -132,10 +137,14 @@ void cast(const hrbfnpr_model* model, const Vectors& points) {
     std::array<std::uint8_t, count> status{};
     const hrbfnpr_array from = in(points);
     const hrbfnpr_array along = in(directions);
-    const std::array outputs = {out(hits), out(t), out(position), out(status)};
+    hrbfnpr_ray_hits result;
+    hrbfnpr_ray_hits_init(&result, sizeof result);
+    result.count = out(hits);
+    result.t = out(t);
+    result.position = out(position);
+    result.status = out(status);
     Call call("model_cast_rays");
-    call.expect(hrbfnpr_model_cast_rays(model, &from, &along, &desc, &outputs[0], &outputs[1], &outputs[2], nullptr,
-                                        nullptr, &outputs[3], nullptr, nullptr, call.error()));
+    call.expect(hrbfnpr_model_cast_rays(model, &from, &along, &desc, &result, nullptr, call.error()));
     for (std::size_t i = 0; i < count; ++i) {
         require(status[i] <= HRBFNPR_RAY_NOT_FINITE && hits[i] <= most, "a ray ends in one of five ways");
         require(finite(std::span(t).subspan(most * i, hits[i])), "a hit has a place on its ray");

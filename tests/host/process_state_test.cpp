@@ -148,7 +148,7 @@ void go_wrong(const Context& context) {
     hrbfnpr_operation_release(cancelled);
     auto slow = fit_desc(samples);
     slow.solver = HRBFNPR_SOLVER_ITERATIVE;
-    slow.solver_iterations = 1;
+    slow.iteration_limit = 1;
     slow.solver_tolerance = 1e-14;
     hrbfnpr_model_fit(context.get(), &slow, nullptr, &model, &error);
     hrbfnpr_model_release(model);

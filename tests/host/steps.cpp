@@ -57,11 +57,11 @@ Bytes project(const Scene& scene) {
     scenes::Check check;
     const Places places;
     Output output;
-    const hrbfnpr_array_out position = output.add(point_count, 3);
-    const hrbfnpr_array_out normal = output.add(point_count, 3);
-    const hrbfnpr_array_out status = output.add(point_count, 1, HRBFNPR_SCALAR_UINT8);
-    check(hrbfnpr_model_project(scene.model.get(), &places.points, nullptr, &position, &normal, &status, nullptr,
-                                nullptr, check.error()));
+    auto projection = made(hrbfnpr_projection_init);
+    projection.position = output.add(point_count, 3);
+    projection.normal = output.add(point_count, 3);
+    projection.status = output.add(point_count, 1, HRBFNPR_SCALAR_UINT8);
+    check(hrbfnpr_model_project(scene.model.get(), &places.points, nullptr, &projection, nullptr, check.error()));
     return output.bytes();
 }
 
@@ -69,13 +69,13 @@ Bytes curvature(const Scene& scene) {
     scenes::Check check;
     const Places places;
     Output output;
-    const hrbfnpr_array_out k1 = output.add(point_count, 1);
-    const hrbfnpr_array_out k2 = output.add(point_count, 1);
-    const hrbfnpr_array_out d1 = output.add(point_count, 3);
-    const hrbfnpr_array_out d2 = output.add(point_count, 3);
-    const hrbfnpr_array_out sure = output.add(point_count, 1);
-    check(
-        hrbfnpr_model_curvature(scene.model.get(), &places.points, &k1, &k2, &d1, &d2, &sure, nullptr, check.error()));
+    auto result = made(hrbfnpr_curvature_init);
+    result.k1 = output.add(point_count, 1);
+    result.k2 = output.add(point_count, 1);
+    result.d1 = output.add(point_count, 3);
+    result.d2 = output.add(point_count, 3);
+    result.confidence = output.add(point_count, 1);
+    check(hrbfnpr_model_curvature(scene.model.get(), &places.points, &result, nullptr, check.error()));
     return output.bytes();
 }
 
@@ -87,14 +87,15 @@ Bytes cast_rays(const Scene& scene) {
     desc.maximum_hits = 3;
     desc.t_min = -5.0;
     check(hrbfnpr_model_lipschitz(scene.model.get(), &desc.lipschitz, nullptr, check.error()));
-    const hrbfnpr_array_out hits = output.add(point_count, 1, HRBFNPR_SCALAR_UINT32);
-    const hrbfnpr_array_out t = output.add(point_count, 3);
-    const hrbfnpr_array_out position = output.add(point_count, 9);
-    const hrbfnpr_array_out normal = output.add(point_count, 9);
-    const hrbfnpr_array_out entering = output.add(point_count, 3, HRBFNPR_SCALAR_UINT8);
-    const hrbfnpr_array_out status = output.add(point_count, 1, HRBFNPR_SCALAR_UINT8);
-    check(hrbfnpr_model_cast_rays(scene.model.get(), &places.points, &places.directions, &desc, &hits, &t, &position,
-                                  &normal, &entering, &status, nullptr, nullptr, check.error()));
+    auto hits = made(hrbfnpr_ray_hits_init);
+    hits.count = output.add(point_count, 1, HRBFNPR_SCALAR_UINT32);
+    hits.t = output.add(point_count, 3);
+    hits.position = output.add(point_count, 9);
+    hits.normal = output.add(point_count, 9);
+    hits.entering = output.add(point_count, 3, HRBFNPR_SCALAR_UINT8);
+    hits.status = output.add(point_count, 1, HRBFNPR_SCALAR_UINT8);
+    check(hrbfnpr_model_cast_rays(scene.model.get(), &places.points, &places.directions, &desc, &hits, nullptr,
+                                  check.error()));
     return output.bytes();
 }
 

@@ -155,8 +155,9 @@ def abi_version(root):
     cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
     in_header = numbers(header, r"HRBFNPR_ABI_VERSION = (\d+)")
     in_cmake = numbers(cmake, r"set\(HRBFNPR_ABI_VERSION (\d+)\)")
-    if len(in_header) != 1 or in_header != in_cmake:
-        yield f"HRBFNPR_ABI_VERSION is {in_header} in hrbfnpr.h and {in_cmake} in CMakeLists.txt"
+    in_map = numbers((root / "src/hrbfnpr.map").read_text(encoding="utf-8"), r"(?m)^HRBFNPR_(\d+) \{")
+    if len(in_header) != 1 or in_header != in_cmake or in_header != in_map:
+        yield f"HRBFNPR_ABI_VERSION is {in_header} in hrbfnpr.h, {in_cmake} in CMakeLists.txt, {in_map} in hrbfnpr.map"
     version = re.findall(r"^\s*VERSION (\d+)\.(\d+)\.(\d+)$", cmake, re.MULTILINE)
     parts = [numbers(header, rf"HRBFNPR_VERSION_{part} = (\d+)") for part in ("MAJOR", "MINOR", "PATCH")]
     if [[int(number)] for number in (version[0] if version else ())] != parts:

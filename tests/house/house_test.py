@@ -15,6 +15,7 @@ CLEAN = {
     "CMakePresets.json": "{}\n",
     "include/hrbfnpr.h": "HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0,\n"
     "HRBFNPR_ABI_VERSION = 3\n",
+    "src/hrbfnpr.map": "HRBFNPR_3 {\n};\n",
     "src/base/status.h": "#pragma once\n",
     "src/base/parallel_openmp.cpp": '#include "base/status.h"\n#pragma omp parallel for\n',
     "src/implicit/implicit.h": '#pragma once\n#include "base/status.h"\n',
@@ -62,6 +63,7 @@ BREAKS = [
     ("spdx", "scripts/new", "#!/usr/bin/env bash\nset -e\n"),
     ("spdx", "bindings/new.py", "\n" * spdx.FIRST_LINES + f"# {MIT}\n"),
     ("spdx", "bindings/new.h", "// Made by make_new.py; do not edit.\n"),
+    ("abi_version", "src/hrbfnpr.map", "HRBFNPR_4 {\n};\n"),
     ("format", "src/fit/fit.cpp", "int   a ;\n"),
 ]
 

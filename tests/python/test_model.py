@@ -112,7 +112,7 @@ GOOD = fibonacci_sphere(20)
         (GOOD, GOOD, {"tolerance": -1}, hrbfnpr.InvalidArgumentError, "tolerance"),
         (GOOD, GOOD, {"outliers": "reorient"}, hrbfnpr.InvalidArgumentError, "outliers"),
         (GOOD, GOOD, {"flipped_normals": "fix"}, ValueError, "flipped_normals.*reorient"),
-        (GOOD, GOOD, {"solver_iterations": -1}, hrbfnpr.InvalidArgumentError, "solver_iterations"),
+        (GOOD, GOOD, {"iteration_limit": 0}, hrbfnpr.InvalidArgumentError, "iteration_limit"),
         (GOOD, GOOD, {"regularization": "some"}, TypeError, ""),
         (GOOD, GOOD, {"kernel": "cubic"}, ValueError, "kernel.*triharmonic"),
         (GOOD, GOOD, {"kernel": 0}, ValueError, "kernel"),
@@ -298,7 +298,7 @@ def test_project(sphere):
     assert result.converged == 40 and (result.status == hrbfnpr.PROJECTION_STATUS["converged"]).all()
     assert np.abs(sphere.evaluate(result.position).value).max() < 1e-8
     np.testing.assert_allclose(np.linalg.norm(result.normal, axis=1), 1)
-    tight = sphere.project(WHERE, iteration_limit=1, tolerance=1e-15)
+    tight = sphere.project(WHERE, evaluation_limit=1, tolerance=1e-15)
     assert tight.converged < 40 and (tight.status == hrbfnpr.PROJECTION_STATUS["not_converged"]).any()
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="armijo_factor"):
         sphere.project(WHERE, armijo_factor=2)

@@ -166,6 +166,16 @@ def test_ctrl_c_in_a_process_of_its_own():
     assert result.stdout == "interrupted\n" and result.stderr == ""
 
 
+@pytest.mark.parametrize("level, wanted", [("debug", {"info", "warning"}), ("warning", {"warning"})])
+def test_log_level(level, wanted):
+    points = np.random.default_rng(3).normal(size=(60, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    heard = set()
+    context = hrbfnpr.Context(1, log=lambda level, message: heard.add(level), log_level=level)
+    hrbfnpr.Model.fit(points, 2 * points, context=context)
+    assert heard == wanted
+
+
 def test_log_and_run_tasks(ring):
     from concurrent.futures import ThreadPoolExecutor
 

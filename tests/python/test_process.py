@@ -124,7 +124,7 @@ def test_a_library_that_is_not_there():
 @pytest.mark.parametrize(
     "source, words",
     [
-        ("unsigned hrbfnpr_abi_version(void) { return 4711; }", "has ABI version 4711, this package needs 0"),
+        ("unsigned hrbfnpr_abi_version(void) { return 4711; }", "has ABI version 4711, this package needs 1"),
         ("int something_else(void) { return 0; }", "is not a hrbfnpr library"),
     ],
 )

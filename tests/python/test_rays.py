@@ -95,7 +95,7 @@ def test_the_bound_can_be_passed_on(ball):
         ({"lipschitz": -1}, "lipschitz is -1"),
         ({"smallest_step": 0}, "smallest_step is 0"),
         ({"tolerance": 0}, "tolerance is 0"),
-        ({"iteration_limit": 0}, "iteration_limit is 0"),
+        ({"evaluation_limit": 0}, "evaluation_limit is 0"),
     ],
 )
 def test_bad_arguments(ball, change, words):

@@ -310,18 +310,18 @@ TEST(CastRays, TheSmallestStepIsWhatMayBeSteppedOver) {
     EXPECT_NE(cast(slab, {{{0, 0, -1}, {0, 0, 1}}}, settings).status[0], RayStatus::not_finite);
 }
 
-TEST(CastRays, IterationLimitCountsEvaluationsAndKeepsHits) {
+TEST(CastRays, EvaluationLimitKeepsHits) {
     const Sphere sphere;
     RaySettings settings = at_most(2);
     settings.lipschitz = 1.0;
     for (const int limit : {1, 2, 4}) {
-        settings.iteration_limit = limit;
+        settings.evaluation_limit = limit;
         sphere.evaluations = 0;
         const RayHits hits = cast(sphere, {{{-3, 0, 0.3}, {1, 0, 0}}}, settings);
-        EXPECT_EQ(hits.status[0], RayStatus::iteration_limit);
+        EXPECT_EQ(hits.status[0], RayStatus::evaluation_limit);
         EXPECT_EQ(sphere.evaluations, limit);
     }
-    settings.iteration_limit = 1000;
+    settings.evaluation_limit = 1000;
     sphere.evaluations = 0;
     EXPECT_EQ(cast(sphere, {{{-3, 0, 0.3}, {1, 0, 0}}}, settings).count[0], 2);
     EXPECT_LT(sphere.evaluations, 60);

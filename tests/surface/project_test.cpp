@@ -128,22 +128,22 @@ TEST(Project, ArmijoSlopeIsTheOneOfTheRule) {
         return {p.x * p.x - 1.0, {2.0 * p.x, 0.0, 0.0}, {}};
     });
     ProjectionSettings settings;
-    settings.iteration_limit = 2;
+    settings.evaluation_limit = 2;
     settings.armijo_slope = 0.48; // wants f^2 <= 4 %: taken
     EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 1.25, 1e-14);
     settings.armijo_slope = 0.49; // wants f^2 <= 2 %: not taken
     EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 2.0, 1e-14);
-    settings.iteration_limit = 3; // half the step, to 1.625: f^2 = 2.69 is 30 % and 51 % will do
+    settings.evaluation_limit = 3; // half the step, to 1.625: f^2 = 2.69 is 30 % and 51 % will do
     EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 1.625, 1e-14);
     settings.armijo_factor = 0.25;
     EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 1.8125, 1e-14);
 }
 
-TEST(Project, IterationLimitCountsEvaluations) {
+TEST(Project, EvaluationLimitIsKept) {
     const SquareSphere sphere(1.0);
     ProjectionSettings settings;
     for (const int limit : {1, 2, 5}) {
-        settings.iteration_limit = limit;
+        settings.evaluation_limit = limit;
         sphere.evaluations = 0;
         const Projection p = run(sphere, {{100.0, 0.0, 0.0}}, settings);
         EXPECT_EQ(p.status[0], ProjectionStatus::not_converged);

@@ -28,6 +28,9 @@ namespace HrbfNpr
         /// <summary>Called on the thread that made a call; what it throws is ignored.</summary>
         public LogFunction Log { get; set; }
 
+        /// <summary>Lines of a lower level than this are not reported; all are by default.</summary>
+        public LogLevel LogLevel { get; set; }
+
         /// <summary>Replaces the library's own threads, for instance by <c>Parallel.For</c>.</summary>
         public TaskRunner RunTasks { get; set; }
 
@@ -108,6 +111,7 @@ namespace HrbfNpr
             desc.thread_count = options.ThreadCount;
             desc.thread_backend = (uint)options.ThreadBackend;
             desc.highest_instruction_set = (uint)options.HighestInstructionSet;
+            desc.log_level = (int)options.LogLevel;
             desc.allocate = options.Allocate;
             desc.deallocate = options.Deallocate;
             desc.allocator_user = options.AllocatorUser;

@@ -195,7 +195,7 @@ namespace HrbfNpr
         /// <summary>There are more hits than were asked for (two or more).</summary>
         Truncated = 2,
         /// <summary>Given up on; what was found before is kept.</summary>
-        IterationLimit = 3,
+        EvaluationLimit = 3,
         /// <summary>f or its gradient was not finite; what was found before is kept.</summary>
         NotFinite = 4,
     }

@@ -12,14 +12,17 @@ namespace HrbfNpr
         /// <summary>-1 (none) to 3; 1.  The r^3 kernel is well-posed from 1 on.</summary>
         public int PolynomialDegree { get; set; } = 1;
 
-        /// <summary>Auto by default.</summary>
-        public Solver Solver { get; set; }
-
         /// <summary>0 interpolates (default); more is smoother.  Not below 0.</summary>
         public double Regularization { get; set; }
 
         /// <summary>Auto takes the regularization from the noise of the samples; Given by default.</summary>
         public RegularizationMode RegularizationMode { get; set; }
+
+        /// <summary>What becomes of samples far from all others: kept (default) or dropped.</summary>
+        public Repair Outliers { get; set; }
+
+        /// <summary>What becomes of samples whose normal is against those around them; kept by default.</summary>
+        public Repair FlippedNormals { get; set; }
 
         /// <summary>
         /// Above 0: samples are chosen as centres until all lie this near to the surface, in the unit of the points;
@@ -30,48 +33,45 @@ namespace HrbfNpr
         /// <summary>Above 0: no more samples than this are chosen as centres; 0 = no limit (default).</summary>
         public long MaximumCentres { get; set; }
 
-        /// <summary>Steps of iterative refinement after a direct solve; 2.</summary>
-        public int IterationLimit { get; set; } = 2;
+        /// <summary>Auto by default.</summary>
+        public Solver Solver { get; set; }
 
-        /// <summary>What becomes of samples far from all others: kept (default) or dropped.</summary>
-        public Repair Outliers { get; set; }
-
-        /// <summary>What becomes of samples whose normal is against those around them; kept by default.</summary>
-        public Repair FlippedNormals { get; set; }
-
-        /// <summary>Of the iterative solver, 1 to 48; 0 = automatic (default).</summary>
-        public int PreconditionerNeighbours { get; set; }
+        /// <summary>Steps of iterative refinement after a direct solve, 0 to 20; 2.</summary>
+        public int RefinementSteps { get; set; } = 2;
 
         /// <summary>Relative residual at which the iterative solver ends; 0 = automatic (default).</summary>
         public double SolverTolerance { get; set; }
 
-        /// <summary>Most iterations of the iterative solver; 0 = 200 (default).</summary>
-        public int SolverIterations { get; set; }
+        /// <summary>Most iterations of the iterative solver; 200.</summary>
+        public int IterationLimit { get; set; } = 200;
+
+        /// <summary>Of the iterative solver, 1 to 48; 0 = automatic (default).</summary>
+        public int PreconditionerNeighbours { get; set; }
 
         internal void Write(ref hrbfnpr_fit_desc desc)
         {
             desc.kernel = (uint)Kernel;
             desc.kernel_radius = KernelRadius;
             desc.polynomial_degree = PolynomialDegree;
-            desc.solver = (uint)Solver;
-            desc.regularization = Regularization;
             desc.regularization_mode = (uint)RegularizationMode;
-            desc.tolerance = Tolerance;
-            desc.maximum_centres = MaximumCentres;
-            desc.iteration_limit = IterationLimit;
+            desc.regularization = Regularization;
             desc.outliers = (uint)Outliers;
             desc.flipped_normals = (uint)FlippedNormals;
-            desc.preconditioner_neighbours = unchecked((uint)PreconditionerNeighbours);
+            desc.tolerance = Tolerance;
+            desc.maximum_centres = MaximumCentres;
+            desc.solver = (uint)Solver;
+            desc.refinement_steps = RefinementSteps;
             desc.solver_tolerance = SolverTolerance;
-            desc.solver_iterations = SolverIterations;
+            desc.iteration_limit = IterationLimit;
+            desc.preconditioner_neighbours = unchecked((uint)PreconditionerNeighbours);
         }
     }
 
     /// <summary>How points are projected on a surface.</summary>
     public sealed class ProjectOptions
     {
-        /// <summary>Evaluations per point, 1 to 1000; 50.</summary>
-        public int IterationLimit { get; set; } = 50;
+        /// <summary>Evaluations of f at each point, 1 to 1000; 50.</summary>
+        public int EvaluationLimit { get; set; } = 50;
 
         /// <summary>A point has converged when |f| / |grad f| is at most this share of the diagonal; 1e-9.</summary>
         public double Tolerance { get; set; } = 1e-9;
@@ -84,7 +84,7 @@ namespace HrbfNpr
 
         internal void Write(ref hrbfnpr_project_desc desc)
         {
-            desc.iteration_limit = IterationLimit;
+            desc.evaluation_limit = EvaluationLimit;
             desc.tolerance = Tolerance;
             desc.armijo_slope = ArmijoSlope;
             desc.armijo_factor = ArmijoFactor;
@@ -97,8 +97,8 @@ namespace HrbfNpr
         /// <summary>Hits to find on a ray, 1 to 256; 1 is the first.</summary>
         public int MaximumHits { get; set; } = 1;
 
-        /// <summary>Evaluations per ray, 1 to 1000000; 20000.</summary>
-        public int IterationLimit { get; set; } = 20000;
+        /// <summary>Evaluations of f on each ray, 1 to 1000000; 20000.</summary>
+        public int EvaluationLimit { get; set; } = 20000;
 
         /// <summary>Where rays begin, in lengths of their direction; 0.</summary>
         public double TMin { get; set; }
@@ -118,7 +118,7 @@ namespace HrbfNpr
         internal void Write(ref hrbfnpr_cast_desc desc)
         {
             desc.maximum_hits = MaximumHits;
-            desc.iteration_limit = IterationLimit;
+            desc.evaluation_limit = EvaluationLimit;
             desc.t_min = TMin;
             desc.t_max = TMax;
             desc.lipschitz = Lipschitz;

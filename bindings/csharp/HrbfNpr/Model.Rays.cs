@@ -29,19 +29,19 @@ namespace HrbfNpr
             {
                 hrbfnpr_array from = origins.ToNative(pins, 3, nameof(origins));
                 hrbfnpr_array along = directions.ToNative(pins, 3, nameof(directions));
-                hrbfnpr_array hits = ((ArrayView)result.Hits).ToNative(pins, 1, "hits");
-                hrbfnpr_array t = ((ArrayView)result.T).ToNative(pins, result.Room, "t");
-                hrbfnpr_array position = ((ArrayView)result.Position).ToNative(pins, result.Room * 3, "position");
-                hrbfnpr_array normal = ((ArrayView)result.Normal).ToNative(pins, result.Room * 3, "normal");
-                hrbfnpr_array entering = ((ArrayView)result.Entering).ToNative(pins, result.Room, "entering");
-                hrbfnpr_array status = ArrayView.OfBytes(result.Status).ToNative(pins, 1, "status");
-                long hitRays;
+                hrbfnpr_ray_hits hits;
+                Errors.Check(NativeMethods.hrbfnpr_ray_hits_init(&hits, (uint)sizeof(hrbfnpr_ray_hits)));
+                hits.count = ((ArrayView)result.Hits).ToNative(pins, 1, "hits");
+                hits.t = ((ArrayView)result.T).ToNative(pins, result.Room, "t");
+                hits.position = ((ArrayView)result.Position).ToNative(pins, result.Room * 3, "position");
+                hits.normal = ((ArrayView)result.Normal).ToNative(pins, result.Room * 3, "normal");
+                hits.entering = ((ArrayView)result.Entering).ToNative(pins, result.Room, "entering");
+                hits.status = ArrayView.OfBytes(result.Status).ToNative(pins, 1, "status");
                 hrbfnpr_error error = Errors.New();
                 int failed = NativeMethods.hrbfnpr_model_cast_rays(
-                    handle, &from, &along, &desc, &hits, &t, &position, &normal, &entering, &status, &hitRays,
-                    call.Operation, &error);
+                    handle, &from, &along, &desc, &hits, call.Operation, &error);
                 call.Check(failed, &error, function);
-                result.HitRays = hitRays;
+                result.HitRays = hits.hit_rays;
             }
             return result;
         }

@@ -234,16 +234,16 @@ namespace HrbfNpr
             using (var call = new LongCall(handle, progress, cancellationToken))
             {
                 hrbfnpr_array at = points.ToNative(pins, 3, nameof(points));
-                hrbfnpr_array positions = position.ToNative(pins, 3, nameof(position));
-                hrbfnpr_array normals = normal.ToNative(pins, 3, nameof(normal));
-                hrbfnpr_array statuses = status.ToNative(pins, 1, nameof(status));
-                long converged;
+                hrbfnpr_projection result;
+                Errors.Check(NativeMethods.hrbfnpr_projection_init(&result, (uint)sizeof(hrbfnpr_projection)));
+                result.position = position.ToNative(pins, 3, nameof(position));
+                result.normal = normal.ToNative(pins, 3, nameof(normal));
+                result.status = status.ToNative(pins, 1, nameof(status));
                 hrbfnpr_error error = Errors.New();
-                int result = NativeMethods.hrbfnpr_model_project(
-                    handle, &at, &desc, position.IsGiven ? &positions : null, normal.IsGiven ? &normals : null,
-                    status.IsGiven ? &statuses : null, &converged, call.Operation, &error);
-                call.Check(result, &error, function);
-                return converged;
+                int failed = NativeMethods.hrbfnpr_model_project(
+                    handle, &at, &desc, &result, call.Operation, &error);
+                call.Check(failed, &error, function);
+                return result.converged;
             }
         }
 
@@ -280,15 +280,15 @@ namespace HrbfNpr
             using (var call = new LongCall(handle, progress, cancellationToken))
             {
                 hrbfnpr_array at = points.ToNative(pins, 3, nameof(points));
-                hrbfnpr_array k1s = k1.ToNative(pins, 1, nameof(k1));
-                hrbfnpr_array k2s = k2.ToNative(pins, 1, nameof(k2));
-                hrbfnpr_array d1s = d1.ToNative(pins, 3, nameof(d1));
-                hrbfnpr_array d2s = d2.ToNative(pins, 3, nameof(d2));
-                hrbfnpr_array confidences = confidence.ToNative(pins, 1, nameof(confidence));
+                hrbfnpr_curvature result;
+                Errors.Check(NativeMethods.hrbfnpr_curvature_init(&result, (uint)sizeof(hrbfnpr_curvature)));
+                result.k1 = k1.ToNative(pins, 1, nameof(k1));
+                result.k2 = k2.ToNative(pins, 1, nameof(k2));
+                result.d1 = d1.ToNative(pins, 3, nameof(d1));
+                result.d2 = d2.ToNative(pins, 3, nameof(d2));
+                result.confidence = confidence.ToNative(pins, 1, nameof(confidence));
                 hrbfnpr_error error = Errors.New();
-                int status = NativeMethods.hrbfnpr_model_curvature(
-                    handle, &at, k1.IsGiven ? &k1s : null, k2.IsGiven ? &k2s : null, d1.IsGiven ? &d1s : null,
-                    d2.IsGiven ? &d2s : null, confidence.IsGiven ? &confidences : null, call.Operation, &error);
+                int status = NativeMethods.hrbfnpr_model_curvature(handle, &at, &result, call.Operation, &error);
                 call.Check(status, &error, function);
             }
         }

@@ -12,7 +12,8 @@ namespace HrbfNpr
         /// <summary>-1 (none) to 3.</summary>
         public readonly int PolynomialDegree;
 
-        private readonly uint solver;
+        /// <summary>Fits made to choose the centres; 0 if all samples are centres.</summary>
+        public readonly int ChoiceRounds;
 
         /// <summary>Samples, as given.</summary>
         public readonly long Samples;
@@ -23,8 +24,23 @@ namespace HrbfNpr
         /// <summary>Samples that were merged into another.</summary>
         public readonly long MergedSamples;
 
+        /// <summary>Samples much nearer to another than the spacing, merged into it.</summary>
+        public readonly long NearDuplicates;
+
         /// <summary>Normals whose length was off 1 by more than 1e-4.</summary>
         public readonly long RescaledNormals;
+
+        /// <summary>Samples that look like outliers.</summary>
+        public readonly long OutliersFound;
+
+        /// <summary>Those that were dropped.</summary>
+        public readonly long OutliersDropped;
+
+        /// <summary>Normals against those of their neighbours.</summary>
+        public readonly long FlippedFound;
+
+        /// <summary>Of these, dropped or turned round.</summary>
+        public readonly long FlippedRepaired;
 
         /// <summary>Corner of the samples' box, or of the function's bounds.</summary>
         public readonly Vector3d BoundsMin;
@@ -41,6 +57,9 @@ namespace HrbfNpr
         /// <summary>As used; of Auto, that of the values.</summary>
         public readonly double Regularization;
 
+        /// <summary>Standard deviation of the samples off their surface; 0 if none is seen or nobody asked.</summary>
+        public readonly double NoiseEstimate;
+
         /// <summary>The largest |f| at a centre, in the unit of the points.</summary>
         public readonly double ValueResidualMax;
 
@@ -53,47 +72,6 @@ namespace HrbfNpr
         /// <summary>Its root mean square.</summary>
         public readonly double GradientResidualRms;
 
-        /// <summary>Relative residual of the linear system, 2-norm.</summary>
-        public readonly double SolverResidual;
-
-        /// <summary>Of the matrix, 1-norm (direct), or of the preconditioned one, 2-norm (iterative).</summary>
-        public readonly double ConditionEstimate;
-
-        /// <summary>Refinement steps of the direct solver, steps of the iterative one.</summary>
-        public readonly int Iterations;
-
-        private readonly uint fallback;
-
-        /// <summary>Seconds to assemble the system.</summary>
-        public readonly double SecondsAssemble;
-
-        /// <summary>Seconds to solve it.</summary>
-        public readonly double SecondsSolve;
-
-        /// <summary>Seconds of the whole fit.</summary>
-        public readonly double SecondsTotal;
-
-        /// <summary>Bytes kept by the model.</summary>
-        public readonly long Bytes;
-
-        /// <summary>Samples that look like outliers.</summary>
-        public readonly long OutliersFound;
-
-        /// <summary>Those that were dropped.</summary>
-        public readonly long OutliersDropped;
-
-        /// <summary>Normals against those of their neighbours.</summary>
-        public readonly long FlippedFound;
-
-        /// <summary>Of these, dropped or turned round.</summary>
-        public readonly long FlippedRepaired;
-
-        /// <summary>Samples much nearer to another than the spacing, merged into it.</summary>
-        public readonly long NearDuplicates;
-
-        /// <summary>Standard deviation of the samples off their surface; 0 if none is seen or nobody asked.</summary>
-        public readonly double NoiseEstimate;
-
         /// <summary>Largest distance of a sample that was not dropped from the surface, |f| / |grad f|.</summary>
         public readonly double InputDistanceMax;
 
@@ -103,10 +81,20 @@ namespace HrbfNpr
         /// <summary>Share of all samples that lie within the tolerance; 0 with tolerance 0.</summary>
         public readonly double InputShareWithin;
 
-        /// <summary>Fits made to choose the centres; 0 if all samples are centres.</summary>
-        public readonly int ChoiceRounds;
+        private readonly uint solver;
 
         private readonly uint solverReason;
+
+        /// <summary>Refinement steps of the direct solver, steps of the iterative one.</summary>
+        public readonly int Iterations;
+
+        private readonly uint fallback;
+
+        /// <summary>Relative residual of the linear system, 2-norm.</summary>
+        public readonly double SolverResidual;
+
+        /// <summary>Of the matrix, 1-norm (direct), or of the preconditioned one, 2-norm (iterative).</summary>
+        public readonly double ConditionEstimate;
 
         /// <summary>Seconds to look for samples that look wrong.</summary>
         public readonly double SecondsClean;
@@ -114,8 +102,20 @@ namespace HrbfNpr
         /// <summary>Seconds of all rounds but the last fit.</summary>
         public readonly double SecondsChoose;
 
+        /// <summary>Seconds to assemble the system.</summary>
+        public readonly double SecondsAssemble;
+
         /// <summary>Seconds to make the preconditioner.</summary>
         public readonly double SecondsPrecondition;
+
+        /// <summary>Seconds to solve it.</summary>
+        public readonly double SecondsSolve;
+
+        /// <summary>Seconds of the whole fit.</summary>
+        public readonly double SecondsTotal;
+
+        /// <summary>Bytes kept by the model.</summary>
+        public readonly long Bytes;
 
         /// <summary>Most bytes that the context had given out at a time, up to the fit's end.</summary>
         public readonly long PeakBytes;

@@ -206,6 +206,13 @@ def output(argument: str, given: Any, shape: Sequence[int], components: int, cod
     return given, block.view("hrbfnpr_array_out")
 
 
+def output_field(result: Any, field: str, shape: Sequence[int], components: int, code: str) -> Array:
+    """A new output array, as the field of a result struct."""
+    array, view = output(field, None, shape, components, code)
+    setattr(result, field, view[0])
+    return array
+
+
 def wrap(view: Any, owner: Any) -> Array:
     """A read-only array on the library's memory, which `owner` keeps alive; nothing is copied."""
     code = _CODES[view.scalar]

@@ -78,6 +78,8 @@ class Context(Owner):
         The highest to use: ``"auto"`` (default), ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"``.
     log : callable, optional
         Called as ``log(level, message)`` with a level of ``"debug"``, ``"info"`` or ``"warning"``.
+    log_level : str, optional
+        Less important lines than this are not reported: ``"debug"`` (default), ``"info"`` or ``"warning"``.
     run_tasks : callable, optional
         Runs the library's work in place of its own threads.  Called as ``run_tasks(task, count)``
         it must call ``task(i)`` once for each i in ``range(count)``, on any threads, and return
@@ -102,12 +104,14 @@ class Context(Owner):
         thread_backend: str = "auto",
         instruction_set: str = "auto",
         log: Optional[Callable[[str, str], Any]] = None,
+        log_level: str = "debug",
         run_tasks: Optional[RunTasks] = None,
     ) -> None:
         desc = new_struct("hrbfnpr_context_desc")
         desc.thread_count = thread_count
         desc.thread_backend = number_of("thread_backend", THREAD_BACKENDS, thread_backend)
         desc.highest_instruction_set = number_of("instruction_set", INSTRUCTION_SETS, instruction_set)
+        desc.log_level = number_of("log_level", LOG_LEVELS, log_level)
         keep = []
         if log is not None:
             keep.append(CallbackState(log).new_handle())

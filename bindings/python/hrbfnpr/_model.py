@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import Any, Callable, Optional, Tuple, Union
 
 from . import _streams
-from ._arrays import Array, block_in, output, vector, wrap
+from ._arrays import Array, block_in, output, output_field, vector, wrap
 from ._callbacks import CallbackState, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
@@ -55,14 +55,14 @@ class Model(Owner):
         kernel_radius: float = 0.0,
         polynomial_degree: int = 1,
         regularization: Union[float, str] = 0.0,
-        solver: str = "auto",
-        tolerance: float = 0.0,
-        maximum_centres: int = 0,
-        iteration_limit: int = 2,
         outliers: str = "keep",
         flipped_normals: str = "keep",
+        tolerance: float = 0.0,
+        maximum_centres: int = 0,
+        solver: str = "auto",
+        refinement_steps: int = 2,
         solver_tolerance: float = 0.0,
-        solver_iterations: int = 0,
+        iteration_limit: int = 200,
         preconditioner_neighbours: int = 0,
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
@@ -83,22 +83,25 @@ class Model(Owner):
             -1 (none) to 3.
         regularization : float or "auto"
             0 interpolates (default); more is smoother; "auto" takes it from the noise of the samples.
-        solver : {"auto", "direct", "iterative"}
-            "direct" is a dense factorisation: about 64 N^2 bytes, time N^3.
+        outliers : {"keep", "drop"}
+            What becomes of samples far from all others, or from the plane of those around them.
+        flipped_normals : {"keep", "drop", "reorient"}
+            What becomes of samples whose normal is against those around them.
         tolerance : float
             Choose samples as centres until all lie this near to the surface; 0 = no such end.
         maximum_centres : int
             Choose no more samples than this as centres; 0 = no limit.  With tolerance 0, too, every
             sample is a centre.
+        solver : {"auto", "direct", "iterative"}
+            "direct" is a dense factorisation: about 64 N^2 bytes, time N^3.
+        refinement_steps : int
+            Of iterative refinement after a direct solve, 0 to 20.
+        solver_tolerance : float
+            Relative residual at which the iterative solver ends; 0 = automatic.
         iteration_limit : int
-            Steps of iterative refinement after a direct solve.
-        outliers : {"keep", "drop"}
-            What becomes of samples far from all others, or from the plane of those around them.
-        flipped_normals : {"keep", "drop", "reorient"}
-            What becomes of samples whose normal is against those around them.
-        solver_tolerance, solver_iterations, preconditioner_neighbours
-            Of the iterative solver: the relative residual at which it ends, its most iterations, and
-            the size of its local problems; 0 = automatic.
+            Most iterations of the iterative solver.
+        preconditioner_neighbours : int
+            Size of the iterative solver's local problems, 1 to 48; 0 = automatic.
         progress : callable or progress bar, optional
             See `Operation`.
         operation : Operation, optional
@@ -120,18 +123,18 @@ class Model(Owner):
         keep = [block_in("points", points).fill(desc.points), block_in("normals", normals).fill(desc.normals)]
         desc.kernel_radius = kernel_radius
         desc.polynomial_degree = polynomial_degree
-        desc.solver = number_of("solver", SOLVERS, solver)
         if regularization == "auto":
             desc.regularization_mode = ffi.integer_const("HRBFNPR_REGULARIZATION_AUTO")
         else:
             desc.regularization = regularization
-        desc.tolerance = tolerance
-        desc.maximum_centres = maximum_centres
-        desc.iteration_limit = iteration_limit
         desc.outliers = number_of("outliers", REPAIRS, outliers)
         desc.flipped_normals = number_of("flipped_normals", REPAIRS, flipped_normals)
+        desc.tolerance = tolerance
+        desc.maximum_centres = maximum_centres
+        desc.solver = number_of("solver", SOLVERS, solver)
+        desc.refinement_steps = refinement_steps
         desc.solver_tolerance = solver_tolerance
-        desc.solver_iterations = solver_iterations
+        desc.iteration_limit = iteration_limit
         desc.preconditioner_neighbours = preconditioner_neighbours
         out, error = ffi.new("hrbfnpr_model **"), new_error()
         with running(operation, progress, context._handle) as (handle, state):
@@ -239,7 +242,7 @@ class Model(Owner):
         self,
         points: Array,
         *,
-        iteration_limit: int = 50,
+        evaluation_limit: int = 50,
         tolerance: float = 1e-9,
         armijo_slope: float = 1e-4,
         armijo_factor: float = 0.5,
@@ -252,8 +255,8 @@ class Model(Owner):
         Parameters
         ----------
         points : array of float, shape (..., 3)
-        iteration_limit : int
-            Evaluations per point, 1 to 1000.
+        evaluation_limit : int
+            Evaluations of f at each point, 1 to 1000.
         tolerance : float
             A point has converged when abs(f) / abs(grad f) is at most this share of the diagonal.
         armijo_slope, armijo_factor : float
@@ -268,19 +271,17 @@ class Model(Owner):
         """
         block = block_in("points", points)
         desc = new_struct("hrbfnpr_project_desc")
-        desc.iteration_limit, desc.tolerance = iteration_limit, tolerance
+        desc.evaluation_limit, desc.tolerance = evaluation_limit, tolerance
         desc.armijo_slope, desc.armijo_factor = armijo_slope, armijo_factor
         code = _float_code(dtype)
-        position, position_out = output("position", None, block.shape, 3, code)
-        normal, normal_out = output("normal", None, block.shape, 3, code)
-        status, status_out = output("status", None, block.shape, 1, "B")
-        converged, error = ffi.new("int64_t *"), new_error()
+        result, error = new_struct("hrbfnpr_projection"), new_error()
+        position = output_field(result, "position", block.shape, 3, code)
+        normal = output_field(result, "normal", block.shape, 3, code)
+        status = output_field(result, "status", block.shape, 1, "B")
         with running(operation, progress, self._context) as (handle, state):
-            result = lib.hrbfnpr_model_project(
-                self._handle, block.view(), desc, position_out, normal_out, status_out, converged, handle, error
-            )
-            self._check(result, error, state)
-        return Projection(position, normal, _scalar(status, block.shape), converged[0])
+            failed = lib.hrbfnpr_model_project(self._handle, block.view(), desc, result, handle, error)
+            self._check(failed, error, state)
+        return Projection(position, normal, _scalar(status, block.shape), result.converged)
 
     def curvature(
         self,
@@ -305,16 +306,13 @@ class Model(Owner):
             in [0, 1]: 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
         """
         block = block_in("points", points)
-        arrays, views = [], []
-        for name, size in zip(Curvature._fields, (1, 1, 3, 3, 1)):
-            array, view = output(name, None, block.shape, size, _float_code(dtype))
-            arrays.append(array)
-            views.append(view)
-        error = new_error()
+        code = _float_code(dtype)
+        result, error = new_struct("hrbfnpr_curvature"), new_error()
+        sizes = zip(Curvature._fields, (1, 1, 3, 3, 1))
+        k1, k2, d1, d2, confidence = (output_field(result, name, block.shape, size, code) for name, size in sizes)
         with running(operation, progress, self._context) as (handle, state):
-            status = lib.hrbfnpr_model_curvature(self._handle, block.view(), *views, handle, error)
+            status = lib.hrbfnpr_model_curvature(self._handle, block.view(), result, handle, error)
             self._check(status, error, state)
-        k1, k2, d1, d2, confidence = arrays
         one = block.shape
         return Curvature(_scalar(k1, one), _scalar(k2, one), d1, d2, _scalar(confidence, one))
 
@@ -329,7 +327,7 @@ class Model(Owner):
         lipschitz: float = 0.0,
         smallest_step: float = 1e-4,
         tolerance: float = 1e-9,
-        iteration_limit: int = 20000,
+        evaluation_limit: int = 20000,
         dtype: str = "float64",
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
@@ -354,7 +352,8 @@ class Model(Owner):
             grazing rays, and thinner sheets.
         tolerance : float
             On the place of a hit along the ray, in diagonals.
-        iteration_limit : int
+        evaluation_limit : int
+            Evaluations of f on each ray, 1 to 1000000.
         dtype : {"float64", "float32"}
 
         Returns
@@ -368,18 +367,18 @@ class Model(Owner):
         start, along = pairs(origins, directions)
         room = 1 if maximum_hits is None else maximum_hits
         desc = new_struct("hrbfnpr_cast_desc")
-        desc.maximum_hits, desc.iteration_limit = room, iteration_limit
+        desc.maximum_hits, desc.evaluation_limit = room, evaluation_limit
         desc.t_min, desc.t_max, desc.lipschitz = t_min, t_max, lipschitz
         desc.smallest_step, desc.tolerance = smallest_step, tolerance
         made = HitArrays(start.count, max(room, 0), _float_code(dtype))
-        hit_rays, error = ffi.new("int64_t *"), new_error()
+        error = new_error()
         with running(operation, progress, self._context) as (handle, state):
             status = lib.hrbfnpr_model_cast_rays(
-                self._handle, start.view(), along.view(), desc, *made.views, hit_rays, handle, error
+                self._handle, start.view(), along.view(), desc, made.struct, handle, error
             )
             self._check(status, error, state)
         each = start.shape if maximum_hits is None else (*start.shape, room)
-        return RayHits(**made.shaped(start.shape, each), hit_rays=hit_rays[0])
+        return RayHits(**made.shaped(start.shape, each), hit_rays=made.struct.hit_rays)
 
     def lipschitz(self, *, progress: Optional[Progress] = None, operation: Optional[Operation] = None) -> float:
         """The bound that `cast_rays` takes: the largest length of grad f at 24^3 points, times 1.5.

@@ -16,88 +16,91 @@ class ModelInfo:
 
     Attributes
     ----------
-    kernel, polynomial_degree, solver
+    kernel, polynomial_degree
         As used.
-    samples, centres, merged_samples : int
-        Samples given; centres after merging, cleaning and choosing; how many coincided and were merged.
+    choice_rounds : int
+        Fits made to choose the centres; 0 if all samples are centres.
+    samples, centres : int
+        Samples given; centres after merging, cleaning and choosing.
+    merged_samples, near_duplicates : int
+        Samples that coincided, or nearly, with another and were merged into it.
     rescaled_normals : int
         Normals whose length was off 1 by more than 1e-4.
+    outliers_found, outliers_dropped, flipped_found, flipped_repaired : int
+        What looked wrong with the samples, and what was done about it.
     bounds_min, bounds_max : tuple of float
         Box of the samples.
     spacing : float
         Mean distance of a sample to its nearest neighbour.
     kernel_radius, regularization : float
         As used.
+    noise_estimate : float
+        Standard deviation of the samples off their surface; 0 if none is seen or nobody asked.
     value_residual_max, value_residual_rms : float
         Of abs(f(x_i)).
     gradient_residual_max, gradient_residual_rms : float
         Of the length of grad f(x_i) - n_i.
-    solver_residual : float
-        Relative residual of the linear system in the 2-norm.
-    condition_estimate : float
-        1-norm condition number of the factored matrix.
-    iterations : int
-        Refinement steps taken.
-    fallback : bool
-        Whether the matrix was not definite and a pivoted LU was used.
-    seconds_assemble, seconds_solve, seconds_total : float
-    bytes : int
-        Memory kept by the model.
-    outliers_found, outliers_dropped, flipped_found, flipped_repaired, near_duplicates : int
-        What looked wrong with the samples, and what was done about it.
-    noise_estimate : float
-        Standard deviation of the samples off their surface; 0 if none is seen or nobody asked.
     input_distance_max, input_distance_rms : float
         Distance of all samples, but dropped ones, from the surface: abs(f) / abs(grad f).
     input_share_within : float
         Share of all samples within the tolerance; a dropped one counts as outside.
-    choice_rounds : int
-        Fits made to choose the centres; 0 if all samples are centres.
+    solver : str
+        The one used.
     solver_reason : str
         "requested", "small", "large", "not_converged" or "not_definite".
-    seconds_clean, seconds_choose, seconds_precondition : float
+    iterations : int
+        Refinement steps of "direct", steps of "iterative".
+    fallback : bool
+        Whether the matrix was not definite and a pivoted LU was used.
+    solver_residual : float
+        Relative residual of the linear system in the 2-norm.
+    condition_estimate : float
+        Of the matrix, 1-norm ("direct"), or of the preconditioned one, 2-norm ("iterative").
+    seconds_clean, seconds_choose, seconds_assemble, seconds_precondition, seconds_solve, seconds_total : float
+    bytes : int
+        Memory kept by the model.
     peak_bytes : int
         The most that the context had allocated at a time, up to the fit's end.
     """
 
     kernel: str
     polynomial_degree: int
-    solver: str
+    choice_rounds: int
     samples: int
     centres: int
     merged_samples: int
+    near_duplicates: int
     rescaled_normals: int
+    outliers_found: int
+    outliers_dropped: int
+    flipped_found: int
+    flipped_repaired: int
     bounds_min: Vector
     bounds_max: Vector
     spacing: float
     kernel_radius: float
     regularization: float
+    noise_estimate: float
     value_residual_max: float
     value_residual_rms: float
     gradient_residual_max: float
     gradient_residual_rms: float
-    solver_residual: float
-    condition_estimate: float
-    iterations: int
-    fallback: bool
-    seconds_assemble: float
-    seconds_solve: float
-    seconds_total: float
-    bytes: int
-    outliers_found: int
-    outliers_dropped: int
-    flipped_found: int
-    flipped_repaired: int
-    near_duplicates: int
-    noise_estimate: float
     input_distance_max: float
     input_distance_rms: float
     input_share_within: float
-    choice_rounds: int
+    solver: str
     solver_reason: str
+    iterations: int
+    fallback: bool
+    solver_residual: float
+    condition_estimate: float
     seconds_clean: float
     seconds_choose: float
+    seconds_assemble: float
     seconds_precondition: float
+    seconds_solve: float
+    seconds_total: float
+    bytes: int
     peak_bytes: int
 
 

@@ -2,14 +2,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, Dict, List, Tuple
+from typing import Dict, Tuple
 
-from ._arrays import Array, Block, block_in, output, reshaped
+from ._arrays import Array, Block, block_in, output_field, reshaped
+from ._errors import new_struct
 from ._numpy import np
 
-# Of the function's outputs, in its order: numbers for a hit (0: one for the ray), type ("": the caller's).
+# Of hrbfnpr_ray_hits: numbers for a hit (0: one for the ray), type ("": the caller's).
 _OUTPUTS = {
-    "hits": (0, "I"),
+    "count": (0, "I"),
     "t": (1, ""),
     "position": (3, ""),
     "normal": (3, ""),
@@ -41,12 +42,11 @@ class HitArrays:
     """The outputs for `count` rays with room for some hits of each."""
 
     def __init__(self, count: int, room: int, code: str) -> None:
-        self._arrays: Dict[str, Array] = {}
-        self.views: List[Any] = []
-        for name, (size, kind) in _OUTPUTS.items():
-            array, view = output(name, None, (count,), max(1, size * room), kind or code)
-            self._arrays[name] = array
-            self.views.append(view)
+        self.struct = new_struct("hrbfnpr_ray_hits")
+        self._arrays: Dict[str, Array] = {
+            name: output_field(self.struct, name, (count,), max(1, size * room), kind or code)
+            for name, (size, kind) in _OUTPUTS.items()
+        }
 
     def shaped(self, rays: Tuple[int, ...], hits: Tuple[int, ...]) -> Dict[str, Array]:
         """By name: of shape `rays` what a ray has one of, of shape `hits` what each hit has."""
@@ -54,5 +54,5 @@ class HitArrays:
         for name, (size, _) in _OUTPUTS.items():
             shape = rays if size == 0 else hits if size == 1 else (*hits, size)
             array = reshaped(self._arrays[name], shape)
-            result[name] = array[()] if np is not None and shape == () else array
+            result["hits" if name == "count" else name] = array[()] if np is not None and shape == () else array
         return result

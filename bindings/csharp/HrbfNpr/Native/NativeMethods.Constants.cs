@@ -4,6 +4,6 @@ namespace HrbfNpr
     internal static unsafe partial class NativeMethods
     {
         /// <summary>The ABI version that this assembly was made for.</summary>
-        internal const uint AbiVersion = 0;
+        internal const uint AbiVersion = 1;
     }
 }

@@ -53,6 +53,9 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_operation_retain(IntPtr operation);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_operation_release(IntPtr operation);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
@@ -107,23 +110,30 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_projection_init(hrbfnpr_projection* projection, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_model_project(ModelHandle model, hrbfnpr_array* points,
-            hrbfnpr_project_desc* desc, hrbfnpr_array* position, hrbfnpr_array* normal, hrbfnpr_array* status,
-            long* converged, OperationHandle operation, hrbfnpr_error* error);
+            hrbfnpr_project_desc* desc, hrbfnpr_projection* projection, OperationHandle operation,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_model_curvature(ModelHandle model, hrbfnpr_array* points,
-            hrbfnpr_array* k1, hrbfnpr_array* k2, hrbfnpr_array* d1, hrbfnpr_array* d2, hrbfnpr_array* confidence,
-            OperationHandle operation, hrbfnpr_error* error);
+            hrbfnpr_curvature* curvature, OperationHandle operation, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_model_cast_rays(ModelHandle model, hrbfnpr_array* origins,
-            hrbfnpr_array* directions, hrbfnpr_cast_desc* desc, hrbfnpr_array* hits, hrbfnpr_array* t,
-            hrbfnpr_array* position, hrbfnpr_array* normal, hrbfnpr_array* entering, hrbfnpr_array* status,
-            long* hit_rays, OperationHandle operation, hrbfnpr_error* error);
+            hrbfnpr_array* directions, hrbfnpr_cast_desc* desc, hrbfnpr_ray_hits* hits, OperationHandle operation,
+            hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_model_lipschitz(ModelHandle model, double* lipschitz,
@@ -239,6 +249,9 @@ namespace HrbfNpr
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_renderer_create(ContextHandle context, out IntPtr out_renderer,
             hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_renderer_retain(IntPtr renderer);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_renderer_release(IntPtr renderer);

@@ -51,13 +51,15 @@ namespace HrbfNpr
         internal uint abi_version;
         internal int thread_count;
         internal uint flags;
-        internal uint highest_instruction_set;
         internal uint thread_backend;
+        internal uint highest_instruction_set;
         internal IntPtr allocate;
         internal IntPtr deallocate;
         internal IntPtr allocator_user;
         internal IntPtr log;
         internal IntPtr log_user;
+        internal int log_level;
+        internal uint reserved;
         internal IntPtr run_tasks;
         internal IntPtr run_tasks_user;
     }
@@ -71,19 +73,17 @@ namespace HrbfNpr
         internal hrbfnpr_array normals;
         internal double kernel_radius;
         internal int polynomial_degree;
-        internal uint solver;
+        internal uint regularization_mode;
         internal double regularization;
-        internal double tolerance;
-        internal long maximum_centres;
-        internal int iteration_limit;
-        internal uint reserved;
         internal uint outliers;
         internal uint flipped_normals;
-        internal uint regularization_mode;
-        internal uint preconditioner_neighbours;
+        internal double tolerance;
+        internal long maximum_centres;
+        internal uint solver;
+        internal int refinement_steps;
         internal double solver_tolerance;
-        internal int solver_iterations;
-        internal uint reserved2;
+        internal int iteration_limit;
+        internal uint preconditioner_neighbours;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_custom_desc")]
@@ -103,10 +103,33 @@ namespace HrbfNpr
     internal unsafe struct hrbfnpr_project_desc
     {
         internal uint struct_size;
-        internal int iteration_limit;
+        internal int evaluation_limit;
         internal double tolerance;
         internal double armijo_slope;
         internal double armijo_factor;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_projection")]
+    internal unsafe struct hrbfnpr_projection
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal hrbfnpr_array position;
+        internal hrbfnpr_array normal;
+        internal hrbfnpr_array status;
+        internal long converged;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_curvature")]
+    internal unsafe struct hrbfnpr_curvature
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal hrbfnpr_array k1;
+        internal hrbfnpr_array k2;
+        internal hrbfnpr_array d1;
+        internal hrbfnpr_array d2;
+        internal hrbfnpr_array confidence;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_cast_desc")]
@@ -114,13 +137,27 @@ namespace HrbfNpr
     {
         internal uint struct_size;
         internal int maximum_hits;
-        internal int iteration_limit;
+        internal int evaluation_limit;
         internal uint reserved;
         internal double t_min;
         internal double t_max;
         internal double lipschitz;
         internal double smallest_step;
         internal double tolerance;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_ray_hits")]
+    internal unsafe struct hrbfnpr_ray_hits
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal hrbfnpr_array count;
+        internal hrbfnpr_array t;
+        internal hrbfnpr_array position;
+        internal hrbfnpr_array normal;
+        internal hrbfnpr_array entering;
+        internal hrbfnpr_array status;
+        internal long hit_rays;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_group_desc")]

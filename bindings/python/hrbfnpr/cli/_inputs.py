@@ -16,7 +16,7 @@ MOST_SAMPLES = 4096  # a direct fit of more takes minutes and gigabytes
 
 FIT = (
     "kernel", "kernel_radius", "polynomial_degree", "regularization", "solver", "tolerance", "maximum_centres",
-    "iteration_limit", "outliers", "flipped_normals",
+    "refinement_steps", "outliers", "flipped_normals",
 )  # fmt: skip
 
 

@@ -96,7 +96,7 @@ def _add_fit(parser: Parser) -> None:
     _add(group, "--max-centres", "maximum_centres", values.count(0), "N", "choose no more samples than this as centres")
     _add_choice(group, "--outliers", "outliers", ("keep", "drop"), "what becomes of stray samples")
     _add_choice(group, "--flipped-normals", "flipped_normals", tuple(REPAIRS), "what becomes of them")
-    _add(group, "--refinement-steps", "iteration_limit", values.count(0), "N", "after a direct solve; 2")
+    _add(group, "--refinement-steps", "refinement_steps", values.count(0, 20), "N", "after a direct solve; 2")
 
 
 def _add_marks(parser: Parser) -> None:

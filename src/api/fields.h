@@ -1,0 +1,227 @@
+// One table of a struct's fields in the place of three lists: defaults, checks, and the copy into what the room below
+// takes.  A row has a field's name, its member, the member of the room's settings that keeps it, and a rule:
+//
+//   constexpr auto project_fields() noexcept {
+//       return FieldTable{
+//           field("tolerance", &hrbfnpr_project_desc::tolerance, &ProjectionSettings::tolerance, rule::Positive{}),
+//           reserved("reserved", &hrbfnpr_project_desc::reserved)};
+//   }
+//   static_assert(project_fields().covers<hrbfnpr_project_desc>());
+//
+// Rules between fields are written out beside the table.  A function, because GCC puts a tuple that is a constant
+// among the writable ones.
+#pragma once
+
+#include "api/checks.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <tuple>
+#include <type_traits>
+
+namespace hrbfnpr::api {
+
+// What a field may be.  A rule is called with the checks, the field's name, and its value.
+namespace rule {
+
+struct Any { // or checked with others
+    template <class T>
+    void operator()(const Checks& /*checks*/, const char* /*field*/, const T& /*value*/) const noexcept {}
+};
+
+struct Finite {
+    template <class T>
+    void operator()(const Checks& checks, const char* field, T value) const {
+        checks.finite(field, static_cast<double>(value));
+    }
+};
+
+struct AtLeast {
+    double low;
+    template <class T>
+    void operator()(const Checks& checks, const char* field, T value) const {
+        checks.at_least(field, static_cast<double>(value), low);
+    }
+};
+
+struct Positive {
+    template <class T>
+    void operator()(const Checks& checks, const char* field, T value) const {
+        checks.positive(field, static_cast<double>(value));
+    }
+};
+
+struct PositiveUpTo {
+    double high;
+    template <class T>
+    void operator()(const Checks& checks, const char* field, T value) const {
+        checks.positive(field, static_cast<double>(value));
+        checks.between(field, static_cast<double>(value), 0.0, high);
+    }
+};
+
+struct Between { // or one of the ends
+    double low, high;
+    template <class T>
+    void operator()(const Checks& checks, const char* field, T value) const {
+        checks.between(field, static_cast<double>(value), low, high);
+    }
+};
+
+struct Inside { // and neither end
+    double low, high;
+    template <class T>
+    void operator()(const Checks& checks, const char* field, T value) const {
+        checks.inside(field, static_cast<double>(value), low, high);
+    }
+};
+
+struct OneOf { // an enumeration 0 .. last
+    std::uint32_t last;
+    const char* names;
+    void operator()(const Checks& checks, const char* field, std::int64_t value) const {
+        checks.one_of(field, value, last + 1, names);
+    }
+};
+
+struct Flags {
+    std::uint32_t known;
+    void operator()(const Checks& checks, const char* field, std::uint32_t value) const {
+        checks.flags(field, value, known);
+    }
+};
+
+struct Zero {
+    void operator()(const Checks& checks, const char* field, std::uint32_t value) const { checks.zero(field, value); }
+};
+
+struct Given { // a pointer
+    template <class T>
+    void operator()(const Checks& checks, const char* field, T* value) const {
+        checks.given(field, value != nullptr);
+    }
+};
+
+template <class Rule>
+struct All { // numbers of an array, under one name
+    Rule rule;
+    template <class T, std::size_t count>
+    void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {
+        for (const T& value : values) rule(checks, field, value);
+    }
+};
+template <class Rule>
+All(Rule) -> All<Rule>;
+
+template <class Rule>
+struct Each { // ... each under its own, "field[2]"
+    Rule rule;
+    template <class T, std::size_t count>
+    void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {
+        for (std::size_t i = 0; i < count; ++i) {
+            char name[48];
+            std::snprintf(name, sizeof name, "%s[%d]", field, static_cast<int>(i));
+            rule(checks, name, values[i]);
+        }
+    }
+};
+template <class Rule>
+Each(Rule) -> Each<Rule>;
+
+} // namespace rule
+
+// Between a struct's number, or array of numbers, and what a room keeps of it.
+template <class To, class From>
+void assign_field(To& to, const From& from) noexcept {
+    if constexpr (std::is_array_v<To> || std::is_array_v<From>) {
+        constexpr auto count = static_cast<int>(std::is_array_v<To> ? std::extent_v<To> : std::extent_v<From>);
+        for (int i = 0; i < count; ++i) to[i] = from[i];
+    } else {
+        to = static_cast<To>(from);
+    }
+}
+
+// A field that a room keeps.
+template <class Struct, class Value, class Settings, class Kept, class Rule>
+struct KeptField {
+    static constexpr std::size_t bytes = sizeof(Value);
+    const char* name;
+    Value Struct::*member;
+    Kept Settings::*kept;
+    Rule rule;
+
+    void set_default(const Settings& from, Struct& to) const noexcept { assign_field(to.*member, from.*kept); }
+    void check(const Checks& checks, const Struct& given) const { rule(checks, name, given.*member); }
+    void copy(const Struct& from, Settings& to) const noexcept { assign_field(to.*kept, from.*member); }
+};
+
+// A field that is looked at here and nowhere else, or copied by hand; 0 by default.
+template <class Struct, class Value, class Rule>
+struct CheckedField {
+    static constexpr std::size_t bytes = sizeof(Value);
+    const char* name;
+    Value Struct::*member;
+    Rule rule;
+
+    template <class Settings>
+    void set_default(const Settings& /*from*/, Struct& /*to*/) const noexcept {}
+    void check(const Checks& checks, const Struct& given) const { rule(checks, name, given.*member); }
+    template <class Settings>
+    void copy(const Struct& /*from*/, Settings& /*to*/) const noexcept {}
+};
+
+template <class Struct, class Value, class Settings, class Kept, class Rule>
+[[nodiscard]] constexpr KeptField<Struct, Value, Settings, Kept, Rule> field(const char* name, Value Struct::*member,
+                                                                             Kept Settings::*kept, Rule rule) noexcept {
+    return {name, member, kept, rule};
+}
+
+template <class Struct, class Value, class Rule>
+[[nodiscard]] constexpr CheckedField<Struct, Value, Rule> field(const char* name, Value Struct::*member,
+                                                                Rule rule) noexcept {
+    return {name, member, rule};
+}
+
+template <class Struct>
+[[nodiscard]] constexpr auto reserved(const char* name, std::uint32_t Struct::*member) noexcept {
+    return field(name, member, rule::Zero{});
+}
+
+template <class... Fields>
+class FieldTable {
+public:
+    constexpr explicit FieldTable(Fields... fields) noexcept : fields_(fields...) {}
+
+    // Whether no field of the struct was forgotten: where pointers have 8 bytes, public structs have no gaps.
+    template <class Struct>
+    [[nodiscard]] constexpr bool covers() const noexcept {
+        std::size_t bytes = (Fields::bytes + ... + 0);
+        if constexpr (requires(Struct given) { given.struct_size; }) bytes += sizeof(Struct::struct_size);
+        return bytes == sizeof(Struct) || sizeof(void*) != 8;
+    }
+
+    // The struct's fields as the settings are.
+    template <class Settings, class Struct>
+    void set_defaults(const Settings& from, Struct& to) const noexcept {
+        std::apply([&](const auto&... row) { (row.set_default(from, to), ...); }, fields_);
+    }
+
+    // owner: what the fields belong to, as in Checks.
+    template <class Struct>
+    void check(const char* owner, const Struct& given) const {
+        const Checks checks(owner);
+        std::apply([&](const auto&... row) { (row.check(checks, given), ...); }, fields_);
+    }
+
+    // After check().
+    template <class Struct, class Settings>
+    void copy(const Struct& from, Settings& to) const noexcept {
+        std::apply([&](const auto&... row) { (row.copy(from, to), ...); }, fields_);
+    }
+
+private:
+    std::tuple<Fields...> fields_;
+};
+
+} // namespace hrbfnpr::api
