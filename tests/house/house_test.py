@@ -73,7 +73,8 @@ class House(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.root = Path(self.folder.name)
         for name, text in CLEAN.items():
-            self.write(name, text if name.endswith(".json") else spdx.with_line(Path(name), text))
+            plain = spdx.comment_of(Path(name), text) is None
+            self.write(name, text if plain else spdx.with_line(Path(name), text))
 
     def tearDown(self):
         self.folder.cleanup()
