@@ -71,7 +71,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_context_desc>() == either(80, 52, 52));
+    assert!(size_of::<hrbfnpr_context_desc>() == either(88, 60, 60));
     assert!(align_of::<hrbfnpr_context_desc>() == either(8, 4, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -81,15 +81,17 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_context_desc, abi_version) == 4);
     assert!(offset_of!(hrbfnpr_context_desc, thread_count) == 8);
     assert!(offset_of!(hrbfnpr_context_desc, flags) == 12);
-    assert!(offset_of!(hrbfnpr_context_desc, highest_instruction_set) == 16);
-    assert!(offset_of!(hrbfnpr_context_desc, thread_backend) == 20);
+    assert!(offset_of!(hrbfnpr_context_desc, thread_backend) == 16);
+    assert!(offset_of!(hrbfnpr_context_desc, highest_instruction_set) == 20);
     assert!(offset_of!(hrbfnpr_context_desc, allocate) == 24);
     assert!(offset_of!(hrbfnpr_context_desc, deallocate) == either(32, 28, 28));
     assert!(offset_of!(hrbfnpr_context_desc, allocator_user) == either(40, 32, 32));
     assert!(offset_of!(hrbfnpr_context_desc, log) == either(48, 36, 36));
     assert!(offset_of!(hrbfnpr_context_desc, log_user) == either(56, 40, 40));
-    assert!(offset_of!(hrbfnpr_context_desc, run_tasks) == either(64, 44, 44));
-    assert!(offset_of!(hrbfnpr_context_desc, run_tasks_user) == either(72, 48, 48));
+    assert!(offset_of!(hrbfnpr_context_desc, log_level) == either(64, 44, 44));
+    assert!(offset_of!(hrbfnpr_context_desc, reserved) == either(68, 48, 48));
+    assert!(offset_of!(hrbfnpr_context_desc, run_tasks) == either(72, 52, 52));
+    assert!(offset_of!(hrbfnpr_context_desc, run_tasks_user) == either(80, 56, 56));
 };
 
 const _: () = {
@@ -108,7 +110,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_fit_desc>() == either(152, 152, 144));
+    assert!(size_of::<hrbfnpr_fit_desc>() == either(144, 144, 136));
     assert!(align_of::<hrbfnpr_fit_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -120,19 +122,17 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_fit_desc, normals) == either(40, 40, 36));
     assert!(offset_of!(hrbfnpr_fit_desc, kernel_radius) == either(72, 72, 64));
     assert!(offset_of!(hrbfnpr_fit_desc, polynomial_degree) == either(80, 80, 72));
-    assert!(offset_of!(hrbfnpr_fit_desc, solver) == either(84, 84, 76));
+    assert!(offset_of!(hrbfnpr_fit_desc, regularization_mode) == either(84, 84, 76));
     assert!(offset_of!(hrbfnpr_fit_desc, regularization) == either(88, 88, 80));
-    assert!(offset_of!(hrbfnpr_fit_desc, tolerance) == either(96, 96, 88));
-    assert!(offset_of!(hrbfnpr_fit_desc, maximum_centres) == either(104, 104, 96));
-    assert!(offset_of!(hrbfnpr_fit_desc, iteration_limit) == either(112, 112, 104));
-    assert!(offset_of!(hrbfnpr_fit_desc, reserved) == either(116, 116, 108));
-    assert!(offset_of!(hrbfnpr_fit_desc, outliers) == either(120, 120, 112));
-    assert!(offset_of!(hrbfnpr_fit_desc, flipped_normals) == either(124, 124, 116));
-    assert!(offset_of!(hrbfnpr_fit_desc, regularization_mode) == either(128, 128, 120));
-    assert!(offset_of!(hrbfnpr_fit_desc, preconditioner_neighbours) == either(132, 132, 124));
-    assert!(offset_of!(hrbfnpr_fit_desc, solver_tolerance) == either(136, 136, 128));
-    assert!(offset_of!(hrbfnpr_fit_desc, solver_iterations) == either(144, 144, 136));
-    assert!(offset_of!(hrbfnpr_fit_desc, reserved2) == either(148, 148, 140));
+    assert!(offset_of!(hrbfnpr_fit_desc, outliers) == either(96, 96, 88));
+    assert!(offset_of!(hrbfnpr_fit_desc, flipped_normals) == either(100, 100, 92));
+    assert!(offset_of!(hrbfnpr_fit_desc, tolerance) == either(104, 104, 96));
+    assert!(offset_of!(hrbfnpr_fit_desc, maximum_centres) == either(112, 112, 104));
+    assert!(offset_of!(hrbfnpr_fit_desc, solver) == either(120, 120, 112));
+    assert!(offset_of!(hrbfnpr_fit_desc, refinement_steps) == either(124, 124, 116));
+    assert!(offset_of!(hrbfnpr_fit_desc, solver_tolerance) == either(128, 128, 120));
+    assert!(offset_of!(hrbfnpr_fit_desc, iteration_limit) == either(136, 136, 128));
+    assert!(offset_of!(hrbfnpr_fit_desc, preconditioner_neighbours) == either(140, 140, 132));
 };
 
 const _: () = {
@@ -162,42 +162,42 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_model_info, struct_size) == 0);
     assert!(offset_of!(hrbfnpr_model_info, kernel) == 4);
     assert!(offset_of!(hrbfnpr_model_info, polynomial_degree) == 8);
-    assert!(offset_of!(hrbfnpr_model_info, solver) == 12);
+    assert!(offset_of!(hrbfnpr_model_info, choice_rounds) == 12);
     assert!(offset_of!(hrbfnpr_model_info, samples) == 16);
     assert!(offset_of!(hrbfnpr_model_info, centres) == 24);
     assert!(offset_of!(hrbfnpr_model_info, merged_samples) == 32);
-    assert!(offset_of!(hrbfnpr_model_info, rescaled_normals) == 40);
-    assert!(offset_of!(hrbfnpr_model_info, bounds_min) == 48);
-    assert!(offset_of!(hrbfnpr_model_info, bounds_max) == 72);
-    assert!(offset_of!(hrbfnpr_model_info, spacing) == 96);
-    assert!(offset_of!(hrbfnpr_model_info, kernel_radius) == 104);
-    assert!(offset_of!(hrbfnpr_model_info, regularization) == 112);
-    assert!(offset_of!(hrbfnpr_model_info, value_residual_max) == 120);
-    assert!(offset_of!(hrbfnpr_model_info, value_residual_rms) == 128);
-    assert!(offset_of!(hrbfnpr_model_info, gradient_residual_max) == 136);
-    assert!(offset_of!(hrbfnpr_model_info, gradient_residual_rms) == 144);
-    assert!(offset_of!(hrbfnpr_model_info, solver_residual) == 152);
-    assert!(offset_of!(hrbfnpr_model_info, condition_estimate) == 160);
-    assert!(offset_of!(hrbfnpr_model_info, iterations) == 168);
-    assert!(offset_of!(hrbfnpr_model_info, fallback) == 172);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_assemble) == 176);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_solve) == 184);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_total) == 192);
-    assert!(offset_of!(hrbfnpr_model_info, bytes) == 200);
-    assert!(offset_of!(hrbfnpr_model_info, outliers_found) == 208);
-    assert!(offset_of!(hrbfnpr_model_info, outliers_dropped) == 216);
-    assert!(offset_of!(hrbfnpr_model_info, flipped_found) == 224);
-    assert!(offset_of!(hrbfnpr_model_info, flipped_repaired) == 232);
-    assert!(offset_of!(hrbfnpr_model_info, near_duplicates) == 240);
-    assert!(offset_of!(hrbfnpr_model_info, noise_estimate) == 248);
-    assert!(offset_of!(hrbfnpr_model_info, input_distance_max) == 256);
-    assert!(offset_of!(hrbfnpr_model_info, input_distance_rms) == 264);
-    assert!(offset_of!(hrbfnpr_model_info, input_share_within) == 272);
-    assert!(offset_of!(hrbfnpr_model_info, choice_rounds) == 280);
-    assert!(offset_of!(hrbfnpr_model_info, solver_reason) == 284);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_clean) == 288);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_choose) == 296);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_precondition) == 304);
+    assert!(offset_of!(hrbfnpr_model_info, near_duplicates) == 40);
+    assert!(offset_of!(hrbfnpr_model_info, rescaled_normals) == 48);
+    assert!(offset_of!(hrbfnpr_model_info, outliers_found) == 56);
+    assert!(offset_of!(hrbfnpr_model_info, outliers_dropped) == 64);
+    assert!(offset_of!(hrbfnpr_model_info, flipped_found) == 72);
+    assert!(offset_of!(hrbfnpr_model_info, flipped_repaired) == 80);
+    assert!(offset_of!(hrbfnpr_model_info, bounds_min) == 88);
+    assert!(offset_of!(hrbfnpr_model_info, bounds_max) == 112);
+    assert!(offset_of!(hrbfnpr_model_info, spacing) == 136);
+    assert!(offset_of!(hrbfnpr_model_info, kernel_radius) == 144);
+    assert!(offset_of!(hrbfnpr_model_info, regularization) == 152);
+    assert!(offset_of!(hrbfnpr_model_info, noise_estimate) == 160);
+    assert!(offset_of!(hrbfnpr_model_info, value_residual_max) == 168);
+    assert!(offset_of!(hrbfnpr_model_info, value_residual_rms) == 176);
+    assert!(offset_of!(hrbfnpr_model_info, gradient_residual_max) == 184);
+    assert!(offset_of!(hrbfnpr_model_info, gradient_residual_rms) == 192);
+    assert!(offset_of!(hrbfnpr_model_info, input_distance_max) == 200);
+    assert!(offset_of!(hrbfnpr_model_info, input_distance_rms) == 208);
+    assert!(offset_of!(hrbfnpr_model_info, input_share_within) == 216);
+    assert!(offset_of!(hrbfnpr_model_info, solver) == 224);
+    assert!(offset_of!(hrbfnpr_model_info, solver_reason) == 228);
+    assert!(offset_of!(hrbfnpr_model_info, iterations) == 232);
+    assert!(offset_of!(hrbfnpr_model_info, fallback) == 236);
+    assert!(offset_of!(hrbfnpr_model_info, solver_residual) == 240);
+    assert!(offset_of!(hrbfnpr_model_info, condition_estimate) == 248);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_clean) == 256);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_choose) == 264);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_assemble) == 272);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_precondition) == 280);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_solve) == 288);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_total) == 296);
+    assert!(offset_of!(hrbfnpr_model_info, bytes) == 304);
     assert!(offset_of!(hrbfnpr_model_info, peak_bytes) == 312);
 };
 
@@ -209,10 +209,41 @@ const _: () = {
 const _: () = {
     use core::mem::offset_of;
     assert!(offset_of!(hrbfnpr_project_desc, struct_size) == 0);
-    assert!(offset_of!(hrbfnpr_project_desc, iteration_limit) == 4);
+    assert!(offset_of!(hrbfnpr_project_desc, evaluation_limit) == 4);
     assert!(offset_of!(hrbfnpr_project_desc, tolerance) == 8);
     assert!(offset_of!(hrbfnpr_project_desc, armijo_slope) == 16);
     assert!(offset_of!(hrbfnpr_project_desc, armijo_factor) == 24);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_projection>() == either(112, 112, 100));
+    assert!(align_of::<hrbfnpr_projection>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_projection, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_projection, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_projection, position) == 8);
+    assert!(offset_of!(hrbfnpr_projection, normal) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_projection, status) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_projection, converged) == either(104, 104, 92));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_curvature>() == either(168, 168, 148));
+    assert!(align_of::<hrbfnpr_curvature>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_curvature, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_curvature, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_curvature, k1) == 8);
+    assert!(offset_of!(hrbfnpr_curvature, k2) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_curvature, d1) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_curvature, d2) == either(104, 104, 92));
+    assert!(offset_of!(hrbfnpr_curvature, confidence) == either(136, 136, 120));
 };
 
 const _: () = {
@@ -224,13 +255,31 @@ const _: () = {
     use core::mem::offset_of;
     assert!(offset_of!(hrbfnpr_cast_desc, struct_size) == 0);
     assert!(offset_of!(hrbfnpr_cast_desc, maximum_hits) == 4);
-    assert!(offset_of!(hrbfnpr_cast_desc, iteration_limit) == 8);
+    assert!(offset_of!(hrbfnpr_cast_desc, evaluation_limit) == 8);
     assert!(offset_of!(hrbfnpr_cast_desc, reserved) == 12);
     assert!(offset_of!(hrbfnpr_cast_desc, t_min) == 16);
     assert!(offset_of!(hrbfnpr_cast_desc, t_max) == 24);
     assert!(offset_of!(hrbfnpr_cast_desc, lipschitz) == 32);
     assert!(offset_of!(hrbfnpr_cast_desc, smallest_step) == 40);
     assert!(offset_of!(hrbfnpr_cast_desc, tolerance) == 48);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_ray_hits>() == either(208, 208, 184));
+    assert!(align_of::<hrbfnpr_ray_hits>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_ray_hits, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_ray_hits, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_ray_hits, count) == 8);
+    assert!(offset_of!(hrbfnpr_ray_hits, t) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_ray_hits, position) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_ray_hits, normal) == either(104, 104, 92));
+    assert!(offset_of!(hrbfnpr_ray_hits, entering) == either(136, 136, 120));
+    assert!(offset_of!(hrbfnpr_ray_hits, status) == either(168, 168, 148));
+    assert!(offset_of!(hrbfnpr_ray_hits, hit_rays) == either(200, 200, 176));
 };
 
 const _: () = {

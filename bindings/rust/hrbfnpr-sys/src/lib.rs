@@ -34,9 +34,16 @@
 //!   defaults for the fields it lacks; a longer (newer) one is refused with
 //!   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
 //!   zero.  Output structs (`_info`) are filled up to their `struct_size`.
+//!   Result structs (_projection, _curvature, _ray_hits) are descriptors of the
+//!   caller's arrays; the numbers in them are written where there is room.
 //!   A struct_size below 8 or above 65536 was never set up, and is refused
 //!   with the same status; `_init` of NULL is INVALID_ARGUMENT.
 //!   Fields named `reserved` must be zero.
+//!
+//! Lists.  A list of structs is a pointer, a count and a stride: bytes from one
+//!   element to the next, 0 = the first one's struct_size.  Each element is a
+//!   descriptor with a struct_size of its own.  Lists have no largest length
+//!   but the one that a message names.
 //!
 //! Failure.  Calls that can fail return a status and take, last, a nullable
 //!   hrbfnpr_error.  A failed call leaves caller's arrays and output structs
@@ -44,7 +51,7 @@
 //!   argument was wrong, how, and what would be right.  No C++ exception, no
 //!   abort and no signal leaves the library; it prints nothing.  One
 //!   exception is stated: a CANCELLED or failed batch call (evaluate, project,
-//!   curvature, cast_rays, contains) may already have written a part of its output arrays.
+//!   curvature, cast_rays, contains) may already have written a part of its arrays.
 //!
 //! Arrays.  Strides are in bytes and may be negative or larger than the
 //!   element; 0 means packed.  Elements need no alignment beyond one byte.
@@ -111,7 +118,7 @@ mod layout;
 pub const HRBFNPR_VERSION_MAJOR: u32 = 0;
 pub const HRBFNPR_VERSION_MINOR: u32 = 1;
 pub const HRBFNPR_VERSION_PATCH: u32 = 0;
-pub const HRBFNPR_ABI_VERSION: u32 = 0;
+pub const HRBFNPR_ABI_VERSION: u32 = 1;
 
 extern "C" {
     /// The library's version as major * 10000 + minor * 100 + patch.
@@ -264,7 +271,7 @@ pub type hrbfnpr_allocate_fn =
 pub type hrbfnpr_deallocate_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, memory: *mut c_void, size: u64, alignment: u64)>;
 
-pub const HRBFNPR_LOG_DEBUG: u32 = 0;
+pub const HRBFNPR_LOG_DEBUG: i32 = 0;
 pub const HRBFNPR_LOG_INFO: u32 = 1;
 pub const HRBFNPR_LOG_WARNING: u32 = 2;
 
@@ -303,7 +310,7 @@ pub const HRBFNPR_INSTRUCTION_SET_NEON: u32 = 4;
 pub const HRBFNPR_THREAD_BACKEND_AUTO: u32 = 0;
 /// threads of the context's own. The calling thread takes part and waits only for tasks that
 /// others have begun, so a processor that is busy elsewhere costs little; idle threads sleep
-/// after 20 microseconds
+/// (docs/hosts.md)
 pub const HRBFNPR_THREAD_BACKEND_POOL: u32 = 1;
 /// the OpenMP runtime's, shared with a host that uses it; serial in a forked child. For
 /// processors that nobody else wants. INVALID_ARGUMENT in a build without it
@@ -324,10 +331,10 @@ pub struct hrbfnpr_context_desc {
     pub thread_count: i32,
     /// must be 0
     pub flags: u32,
-    /// HRBFNPR_INSTRUCTION_SET_...; AUTO
-    pub highest_instruction_set: u32,
     /// HRBFNPR_THREAD_BACKEND_...; AUTO
     pub thread_backend: u32,
+    /// HRBFNPR_INSTRUCTION_SET_...; AUTO
+    pub highest_instruction_set: u32,
     /// both or none; none = aligned operator new
     pub allocate: hrbfnpr_allocate_fn,
     pub deallocate: hrbfnpr_deallocate_fn,
@@ -335,6 +342,9 @@ pub struct hrbfnpr_context_desc {
     /// may be NULL
     pub log: hrbfnpr_log_fn,
     pub log_user: *mut c_void,
+    /// HRBFNPR_LOG_...: less than this is not reported; DEBUG
+    pub log_level: i32,
+    pub reserved: u32,
     /// may be NULL; only with thread_backend AUTO or RUN_TASKS
     pub run_tasks: hrbfnpr_run_tasks_fn,
     pub run_tasks_user: *mut c_void,
@@ -406,6 +416,9 @@ extern "C" {
         out_operation: *mut *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_operation_retain(operation: *mut hrbfnpr_operation);
+    /// any thread; NULL is ignored
     pub fn hrbfnpr_operation_release(operation: *mut hrbfnpr_operation);
     /// Any thread, any time, more than once; NULL is ignored.
     pub fn hrbfnpr_operation_cancel(operation: *mut hrbfnpr_operation);
@@ -450,11 +463,11 @@ pub const HRBFNPR_KERNEL_WENDLAND_C2: u32 = 2;
 pub const HRBFNPR_KERNEL_CUSTOM: u32 = 3;
 
 pub const HRBFNPR_SOLVER_AUTO: u32 = 0;
-/// dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3)
+/// dense factorisation; memory O(N^2), time O(N^3): docs/fitting.md has figures
 pub const HRBFNPR_SOLVER_DIRECT: u32 = 1;
 /// conjugate gradients, preconditioned by a sparse factor of the inverse (Schaefer, Katzfuss,
-/// Owhadi 2021), with a fast multipole method for many samples; memory O(N), about 2 to 6 kB
-/// a sample. TRIHARMONIC needs polynomial_degree >= 1
+/// Owhadi 2021), with a fast multipole method for many samples; memory O(N). TRIHARMONIC
+/// needs polynomial_degree >= 1
 pub const HRBFNPR_SOLVER_ITERATIVE: u32 = 2;
 
 // Why the solver that was used is the one.
@@ -488,9 +501,9 @@ pub const HRBFNPR_REGULARIZATION_AUTO: u32 = 1;
 /// samples that coincide (within 1e-9 diagonals) and agree in their normal
 /// (within 1 degree) are merged, and so are, of 33 samples and more, near
 /// duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
-/// Of more than 6000, samples that contradict each other so much (slivers of a
-/// mesh in single precision) that the iterations break down get a little
-/// regularization, 1 cubic spacing, and a solver tolerance of 3e-4; the log and
+/// Many samples that contradict each other so much (slivers of a mesh in single
+/// precision) that the iterations break down get a little regularization and a
+/// larger solver tolerance (docs/fitting.md); the log and
 /// hrbfnpr_model_info.regularization say so.
 /// Samples that coincide and disagree are an INVALID_ARGUMENT that names both
 /// indices, as are NaN, infinity, zero normals, and an empty or mismatched
@@ -536,35 +549,33 @@ pub struct hrbfnpr_fit_desc {
     /// -1 (none) .. 3; 1. TRIHARMONIC is well-posed from 1 on (Duchon 1977); below that a pivoted
     /// LU is tried.
     pub polynomial_degree: i32,
-    /// HRBFNPR_SOLVER_...; AUTO
-    pub solver: u32,
+    /// HRBFNPR_REGULARIZATION_...; GIVEN. AUTO needs regularization 0
+    pub regularization_mode: u32,
     /// >= 0; 0 interpolates. Added to the diagonal of the system in coordinates whose diagonal is
     /// 1: larger is smoother
     pub regularization: f64,
+    /// HRBFNPR_REPAIR_KEEP or DROP; KEEP
+    pub outliers: u32,
+    /// HRBFNPR_REPAIR_...; KEEP
+    pub flipped_normals: u32,
     /// > 0: samples are chosen as centres until all lie this near to the surface, in units of the
     /// points; 0: no such end
     pub tolerance: f64,
     /// > 0: no more samples than this are chosen as centres; 0: no limit. With tolerance 0, too,
     /// every sample is a centre
     pub maximum_centres: i64,
-    /// steps of iterative refinement after a direct solve; 2
-    pub iteration_limit: i32,
-    pub reserved: u32,
-    /// HRBFNPR_REPAIR_KEEP or DROP; KEEP
-    pub outliers: u32,
-    /// HRBFNPR_REPAIR_...; KEEP
-    pub flipped_normals: u32,
-    /// HRBFNPR_REGULARIZATION_...; GIVEN. AUTO needs regularization 0
-    pub regularization_mode: u32,
-    /// of ITERATIVE, 1 .. 48: more are fewer iterations and more setup; 0 = 16 to 32 as samples
-    /// are many (GAUSSIAN 40)
-    pub preconditioner_neighbours: u32,
+    /// HRBFNPR_SOLVER_...; AUTO
+    pub solver: u32,
+    /// of iterative refinement after a DIRECT solve, 0 .. 20; 2
+    pub refinement_steps: i32,
     /// relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and fewer 1e-10; or,
     /// where rounding allows no more, 1e-6, with a warning
     pub solver_tolerance: f64,
-    /// most iterations of ITERATIVE; 0 = 200
-    pub solver_iterations: i32,
-    pub reserved2: u32,
+    /// most iterations of ITERATIVE, 1 .. 1000000; 200
+    pub iteration_limit: i32,
+    /// of ITERATIVE, 1 .. 48: more are fewer iterations and more setup; 0 = by kernel and number
+    /// of samples
+    pub preconditioner_neighbours: u32,
 }
 
 extern "C" {
@@ -603,7 +614,7 @@ pub type hrbfnpr_implicit_fn = Option<
 pub const HRBFNPR_CUSTOM_HAS_GRADIENT: u32 = 1;
 /// else hessian is always NULL and differenced
 pub const HRBFNPR_CUSTOM_HAS_HESSIAN: u32 = 2;
-/// may be called from several threads at once
+/// may be called from several threads at once; else one calls at a time
 pub const HRBFNPR_CUSTOM_THREAD_SAFE: u32 = 4;
 
 /// Any implicit function in place of a fit: every operator below works on it
@@ -654,16 +665,24 @@ pub struct hrbfnpr_model_info {
     pub struct_size: u32,
     pub kernel: u32,
     pub polynomial_degree: i32,
-    /// the one used
-    pub solver: u32,
+    /// fits made to choose the centres; 0 if all samples are centres
+    pub choice_rounds: i32,
     /// as given
     pub samples: i64,
     /// after merging, cleaning and choosing
     pub centres: i64,
     /// samples that were merged into another
     pub merged_samples: i64,
+    /// samples much nearer to another than the spacing, merged into it
+    pub near_duplicates: i64,
     /// normals whose length was off 1 by more than 1e-4
     pub rescaled_normals: i64,
+    pub outliers_found: i64,
+    pub outliers_dropped: i64,
+    /// normals against those of their neighbours
+    pub flipped_found: i64,
+    /// of these, dropped or turned round
+    pub flipped_repaired: i64,
     /// of the samples
     pub bounds_min: [f64; 3],
     pub bounds_max: [f64; 3],
@@ -673,50 +692,42 @@ pub struct hrbfnpr_model_info {
     pub kernel_radius: f64,
     /// as used; of AUTO, that of the values
     pub regularization: f64,
+    /// standard deviation of the samples off their surface, in units of the points; 0 if none is
+    /// seen, or nobody asked (regularization GIVEN)
+    pub noise_estimate: f64,
     /// max |f(x_i)|, in units of the points
     pub value_residual_max: f64,
     pub value_residual_rms: f64,
     /// max |grad f(x_i) - n_i|
     pub gradient_residual_max: f64,
     pub gradient_residual_rms: f64,
-    /// relative residual of the linear system, 2-norm
-    pub solver_residual: f64,
-    /// DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm
-    pub condition_estimate: f64,
-    /// refinement steps of DIRECT, steps of ITERATIVE
-    pub iterations: i32,
-    /// 1: the matrix was not definite and a pivoted LU was used
-    pub fallback: u32,
-    pub seconds_assemble: f64,
-    pub seconds_solve: f64,
-    pub seconds_total: f64,
-    /// kept by the model
-    pub bytes: i64,
-    pub outliers_found: i64,
-    pub outliers_dropped: i64,
-    /// normals against those of their neighbours
-    pub flipped_found: i64,
-    /// of these, dropped or turned round
-    pub flipped_repaired: i64,
-    /// samples much nearer to another than the spacing, merged into it
-    pub near_duplicates: i64,
-    /// standard deviation of the samples off their surface, in units of the points; 0 if none is
-    /// seen, or nobody asked (regularization GIVEN)
-    pub noise_estimate: f64,
     /// of all samples but dropped ones from the surface, |f| / |grad f|
     pub input_distance_max: f64,
     pub input_distance_rms: f64,
     /// share of all samples that lie within the tolerance; a dropped one counts as outside; 0
     /// with tolerance 0
     pub input_share_within: f64,
-    /// fits made to choose the centres; 0 if all samples are centres
-    pub choice_rounds: i32,
+    /// the one used
+    pub solver: u32,
     /// HRBFNPR_SOLVER_REASON_...
     pub solver_reason: u32,
+    /// refinement steps of DIRECT, steps of ITERATIVE
+    pub iterations: i32,
+    /// 1: the matrix was not definite and a pivoted LU was used
+    pub fallback: u32,
+    /// relative residual of the linear system, 2-norm
+    pub solver_residual: f64,
+    /// DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm
+    pub condition_estimate: f64,
     pub seconds_clean: f64,
     /// of all rounds but the last fit
     pub seconds_choose: f64,
+    pub seconds_assemble: f64,
     pub seconds_precondition: f64,
+    pub seconds_solve: f64,
+    pub seconds_total: f64,
+    /// kept by the model
+    pub bytes: i64,
     /// most that the context's allocator had given out at a time, up to the fit's end
     pub peak_bytes: i64,
 }
@@ -758,16 +769,14 @@ extern "C" {
     /// A finite answer that does not fit into a FLOAT32 array, of whatever call, is
     /// INVALID_ARGUMENT.  What a custom function itself gives (NaN, say) is passed on.
     ///
-    /// Preparing.  Where there are so many points that it pays (of r^3 and 512
-    /// centres on: n N above 1.3e9 + 8e4 N, a Hessian counting as 2.5 points), the
-    /// first such call of a model takes some tenths of a second, or 2 s with 65 000
-    /// centres, to sum up what is far into polynomials, which the model keeps (1 to
-    /// 4 kB a centre; the log says how much, and what values and gradients are off
-    /// by, which is measured); after that a point
-    /// hardly costs more with more centres.  f is then within 1e-9 diagonals of the
-    /// sum over all centres, its gradient within 1e-7; of rough, uneven samples
-    /// within 20 times that, or all centres are summed.  What a call gives depends
-    /// on its n, never on calls before it.  _project, _curvature and
+    /// Preparing.  Where there are so many points that it pays, the first such call
+    /// of a model takes longer, to sum up what is far into polynomials, which the
+    /// model keeps (docs/accuracy.md: when, how long, how much memory; the log says
+    /// how much, and what values and gradients are off by, which is measured); after
+    /// that a point hardly costs more with more centres.  f is then within 1e-9
+    /// diagonals of the sum over all centres, its gradient within 1e-7; of rough,
+    /// uneven samples within 20 times that, or all centres are summed.  What a call
+    /// gives depends on its n, never on calls before it.  _project, _curvature and
     /// hrbfnpr_point_set_generate do the same.
     pub fn hrbfnpr_model_evaluate(
         model: *const hrbfnpr_model,
@@ -781,7 +790,7 @@ extern "C" {
 }
 
 pub const HRBFNPR_PROJECTION_CONVERGED: u32 = 0;
-/// iteration limit, or no step lowers f^2
+/// evaluation limit, or no step lowers f^2
 pub const HRBFNPR_PROJECTION_NOT_CONVERGED: u32 = 1;
 /// stuck at a critical point off the surface
 pub const HRBFNPR_PROJECTION_ZERO_GRADIENT: u32 = 2;
@@ -792,8 +801,8 @@ pub const HRBFNPR_PROJECTION_NOT_FINITE: u32 = 3;
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_project_desc {
     pub struct_size: u32,
-    /// evaluations per point, 1 .. 1000; 50
-    pub iteration_limit: i32,
+    /// of f at each point, 1 .. 1000; 50
+    pub evaluation_limit: i32,
     /// stop when |f| / |grad f| <= tolerance * diagonal; 1e-9
     pub tolerance: f64,
     /// sigma in (0, 0.5); 1e-4
@@ -807,40 +816,77 @@ extern "C" {
         desc: *mut hrbfnpr_project_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
+}
+
+/// Where _project puts its results: arrays of the caller's, each of n elements,
+/// or not given (all zero).
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_projection {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// n x 3, FLOAT32 or FLOAT64; may be the points themselves
+    pub position: hrbfnpr_array_out,
+    /// n x 3, FLOAT32 or FLOAT64: the unit gradient
+    pub normal: hrbfnpr_array_out,
+    /// n x 1, UINT8 or UINT32: HRBFNPR_PROJECTION_...
+    pub status: hrbfnpr_array_out,
+    /// written: how many points converged
+    pub converged: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_projection_init(
+        projection: *mut hrbfnpr_projection,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
     /// Projects n points on the surface by steepest descent on f^2 with Armijo's
     /// rule, first step f^2's Newton step along the gradient [NPAR 4.2].
-    /// desc may be NULL.  position and normal (the unit gradient): n x 3, FLOAT32
-    /// or FLOAT64, or NULL; status: n x 1, UINT8 or UINT32 (HRBFNPR_PROJECTION_...),
-    /// or NULL; converged (nullable) gets the number that converged.
-    /// A point that fails keeps its last iterate.  position may be points itself.
+    /// points: n x 3, FLOAT32 or FLOAT64.  desc may be NULL.
+    /// A point that fails keeps its last iterate.
     pub fn hrbfnpr_model_project(
         model: *const hrbfnpr_model,
         points: *const hrbfnpr_array,
         desc: *const hrbfnpr_project_desc,
-        position: *const hrbfnpr_array_out,
-        normal: *const hrbfnpr_array_out,
-        status: *const hrbfnpr_array_out,
-        converged: *mut i64,
+        projection: *mut hrbfnpr_projection,
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// Where _curvature puts its results: arrays of the caller's, each of n
+/// elements, FLOAT32 or FLOAT64, or not given (all zero).
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_curvature {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// n x 1: the larger principal curvature
+    pub k1: hrbfnpr_array_out,
+    /// n x 1
+    pub k2: hrbfnpr_array_out,
+    /// n x 3: their directions, unit, orthogonal, tangent, of arbitrary sign
+    pub d1: hrbfnpr_array_out,
+    pub d2: hrbfnpr_array_out,
+    /// n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), in [0,1]
+    pub confidence: hrbfnpr_array_out,
+}
+
+extern "C" {
+    pub fn hrbfnpr_curvature_init(
+        curvature: *mut hrbfnpr_curvature,
+        struct_size: u32,
     ) -> hrbfnpr_status;
     /// Principal curvatures and directions of the level set through each of n
     /// points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
     /// G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
     /// from its normal (a sphere with outward normals) has negative curvature,
-    /// -1/radius.  d1, d2: unit, orthogonal, tangent, of arbitrary sign.
-    /// confidence = (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal) clamped to [0,1]:
-    /// 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
-    /// k1, k2, confidence: n x 1; d1, d2: n x 3; FLOAT32 or FLOAT64; each or NULL.
-    /// Where the gradient vanishes all of them are 0.
+    /// -1/radius.  The confidence is 0 at umbilics and on planes, where d1 and d2
+    /// fall back to a smooth field.  Where the gradient vanishes all are 0.
     pub fn hrbfnpr_model_curvature(
         model: *const hrbfnpr_model,
         points: *const hrbfnpr_array,
-        k1: *const hrbfnpr_array_out,
-        k2: *const hrbfnpr_array_out,
-        d1: *const hrbfnpr_array_out,
-        d2: *const hrbfnpr_array_out,
-        confidence: *const hrbfnpr_array_out,
+        curvature: *mut hrbfnpr_curvature,
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
@@ -853,7 +899,7 @@ pub const HRBFNPR_RAY_MISS: u32 = 1;
 /// maximum_hits of 2 or more, and there is a further one
 pub const HRBFNPR_RAY_TRUNCATED: u32 = 2;
 /// given up on; what was found before is kept
-pub const HRBFNPR_RAY_ITERATION_LIMIT: u32 = 3;
+pub const HRBFNPR_RAY_EVALUATION_LIMIT: u32 = 3;
 /// f or its gradient was not finite; what was found before is kept
 pub const HRBFNPR_RAY_NOT_FINITE: u32 = 4;
 
@@ -863,8 +909,8 @@ pub struct hrbfnpr_cast_desc {
     pub struct_size: u32,
     /// to find on a ray, 1 .. 256; 1: the first
     pub maximum_hits: i32,
-    /// evaluations per ray, 1 .. 1000000; 20000
-    pub iteration_limit: i32,
+    /// of f on each ray, 1 .. 1000000; 20000
+    pub evaluation_limit: i32,
     pub reserved: u32,
     /// where a ray begins and ends, in lengths of its direction: t_min finite, 0
     pub t_min: f64,
@@ -880,6 +926,35 @@ pub struct hrbfnpr_cast_desc {
 
 extern "C" {
     pub fn hrbfnpr_cast_desc_init(desc: *mut hrbfnpr_cast_desc, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// Where _cast_rays puts its results: arrays of the caller's, each of n
+/// elements, or not given (all zero).  h = maximum_hits; of each ray its hits
+/// in order.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_ray_hits {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// n x 1, UINT32: how many were found, 0 .. h
+    pub count: hrbfnpr_array_out,
+    /// n x h, FLOAT32 or FLOAT64; infinity after the last
+    pub t: hrbfnpr_array_out,
+    /// n x 3h, FLOAT32 or FLOAT64: x y z of the first hit, then of the second ...; 0 after the
+    /// last. From far origins it is more exact than t, which is rounded
+    pub position: hrbfnpr_array_out,
+    /// n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last
+    pub normal: hrbfnpr_array_out,
+    /// n x h, UINT8: 1 where f goes from + to - along the ray, else 0
+    pub entering: hrbfnpr_array_out,
+    /// n x 1, UINT8 or UINT32: HRBFNPR_RAY_...
+    pub status: hrbfnpr_array_out,
+    /// written: how many rays have a hit
+    pub hit_rays: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_ray_hits_init(hits: *mut hrbfnpr_ray_hits, struct_size: u32) -> hrbfnpr_status;
     /// Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
     /// steps that it cannot lie within [Hart 1996, "Sphere tracing"].
     ///
@@ -898,16 +973,6 @@ extern "C" {
     /// origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
     ///            length but zero, and not so short that the t of a hit is infinite.
     ///            Rays may start inside.
-    /// With h = maximum_hits, for each ray its hits in order; each array or NULL:
-    /// hits:      n x 1, UINT32: how many were found, 0 .. h.
-    /// t:         n x h; infinity after the last.
-    /// position, normal (the unit gradient): n x 3h, x y z of the first hit, then of
-    ///            the second ...; 0 after the last.  t, position and normal FLOAT32
-    ///            or FLOAT64.  From far origins position is the exacter one: t is
-    ///            rounded.
-    /// entering:  n x h, UINT8: 1 where f goes from + to - along the ray, else 0.
-    /// status:    n x 1, UINT8 or UINT32 (HRBFNPR_RAY_...).
-    /// hit_rays (nullable) gets the number of rays with a hit.
     /// desc may be NULL.  A ray that starts on the surface may or may not meet it
     /// there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
     /// numbers of directions and origins that differ, and fields out of their range
@@ -917,13 +982,7 @@ extern "C" {
         origins: *const hrbfnpr_array,
         directions: *const hrbfnpr_array,
         desc: *const hrbfnpr_cast_desc,
-        hits: *const hrbfnpr_array_out,
-        t: *const hrbfnpr_array_out,
-        position: *const hrbfnpr_array_out,
-        normal: *const hrbfnpr_array_out,
-        entering: *const hrbfnpr_array_out,
-        status: *const hrbfnpr_array_out,
-        hit_rays: *mut i64,
+        hits: *mut hrbfnpr_ray_hits,
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
@@ -1690,6 +1749,9 @@ extern "C" {
         out_renderer: *mut *mut hrbfnpr_renderer,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_renderer_retain(renderer: *mut hrbfnpr_renderer);
+    /// any thread; NULL is ignored
     pub fn hrbfnpr_renderer_release(renderer: *mut hrbfnpr_renderer);
 }
 
