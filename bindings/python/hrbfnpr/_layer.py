@@ -130,21 +130,22 @@ class Layer:
         desc.start, desc.start_level = number_of("start", STROKE_STARTS, self.start), self.start_level
         if self.levels is not None:
             desc.levels = self.levels
-        keep = [c_name(desc, self.name)]
         states: List[Optional[CallbackState]] = []
+        keep = [c_name(desc, self.name)]
+
+        def user(function: Callable[..., Any]) -> Any:
+            states.append(state := CallbackState(function))
+            keep.append(handle := state.new_handle())
+            return handle
+
         if callable(self.density):
             desc.density, desc.density_function = DENSITIES["callback"], _on_density
-            states.append(CallbackState(self.density))
-            desc.density_user = states[-1].new_handle()  # type: ignore[union-attr]
-            keep.append(desc.density_user)
+            desc.density_user = user(self.density)
         else:
             plain = {name: number for name, number in DENSITIES.items() if name != "callback"}
             desc.density = number_of("density", plain, self.density)
         if self.direction is not None:
-            desc.direction_function = _on_direction
-            states.append(CallbackState(self.direction))
-            desc.direction_user = states[-1].new_handle()  # type: ignore[union-attr]
-            keep.append(desc.direction_user)
+            desc.direction_function, desc.direction_user = _on_direction, user(self.direction)
         return states, keep
 
 
@@ -181,6 +182,12 @@ def layers_to_make(layers: Optional[LayersToMake], preset: Optional[str], shared
         given = ["stipples" if layers is None else layers]
     else:
         given = list(layers)
+    if not given:
+        raise ValueError("layers must name one layer or more")
+    kinds = {layer.replace("-", "_").lower() for layer in given if isinstance(layer, str)}
+    for name in shared:
+        if not kinds & set(_OF_KINDS.get(name, kinds)):
+            raise ValueError(f"{name} means nothing to the layers that are given by name")
     result = []
     for layer in given:
         if isinstance(layer, str):
