@@ -43,7 +43,7 @@ def ring():
 
 @pytest.fixture(scope="session")
 def marks(ring):
-    return hrbfnpr.PointSet.generate(ring, ("stipple", "curvature", "combing"), budget=3000)
+    return hrbfnpr.PointSet.generate(ring, ("stipples", "principal", "combing"), budget=3000)
 
 
 @pytest.fixture(scope="session")

@@ -129,7 +129,7 @@ def test_float32_results(sphere):
 
 
 def test_views_are_the_librarys_memory(marks):
-    first, second = marks.positions("stipple"), marks.positions("stipple")
+    first, second = marks.layers[0].positions, marks.layer("stipples").positions
     assert first.__array_interface__["data"] == second.__array_interface__["data"]
     assert first.dtype == np.float32 and not first.flags.writeable and not first.flags.owndata
     with pytest.raises(ValueError):
@@ -144,7 +144,7 @@ def test_views_outlive_what_they_came_from(ring):
     del model
     np.testing.assert_array_equal(points, wanted)
     marks = hrbfnpr.PointSet.generate(ring, budget=500)
-    normals = marks.normals("stipple")
+    normals = marks.layers[0].normals
     with marks:
         pass
     assert marks.closed

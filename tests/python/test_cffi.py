@@ -80,9 +80,11 @@ def test_dataclasses_hold_every_field_of_their_structs():
         "hrbfnpr_context_info": hrbfnpr.ContextInfo,
         "hrbfnpr_model_info": hrbfnpr.ModelInfo,
         "hrbfnpr_point_set_info": hrbfnpr.PointSetInfo,
-        "hrbfnpr_group_info": hrbfnpr.GroupInfo,
-        "hrbfnpr_level_info": hrbfnpr.LevelInfo,
-        "hrbfnpr_frame_info": hrbfnpr.FrameInfo,
+        "hrbfnpr_layer_info": hrbfnpr.LayerInfo,
+        "hrbfnpr_placement_info": hrbfnpr.PlacementInfo,
+        "hrbfnpr_drawing_info": hrbfnpr.DrawingInfo,
+        "hrbfnpr_drawing_layer_info": hrbfnpr.DrawingLayerInfo,
+        "hrbfnpr_mark_identity": hrbfnpr.MarkIdentity,
     }
     for struct, kind in pairs.items():
         theirs = {name for name, _ in ffi.typeof(struct).fields} - {"struct_size", "reserved", "reserved2"}
@@ -92,10 +94,10 @@ def test_dataclasses_hold_every_field_of_their_structs():
 def test_style_has_every_field_of_its_struct():
     import hrbfnpr
 
-    groups = {name for name, _ in ffi.typeof("hrbfnpr_group_style").fields}
-    assert set(hrbfnpr.GroupStyle.fields()) == groups
+    layers = {name for name, _ in ffi.typeof("hrbfnpr_layer_style").fields} - {"struct_size", "reserved"}
+    assert {*hrbfnpr.LayerStyle.fields(), "name"} == layers
     theirs = {name for name, _ in ffi.typeof("hrbfnpr_style").fields}
-    theirs -= {"struct_size", "reserved", "tone_function", "tone_user", "group"}
+    theirs -= {"struct_size", "reserved", "tone_function", "tone_user", "layers", "layer_count", "layer_stride"}
     assert {*hrbfnpr.Style.fields(), "tone"} == theirs
 
 
@@ -105,6 +107,7 @@ def test_style_has_every_field_of_its_struct():
         ("Model.fit", "hrbfnpr_fit_desc"),
         ("Model.project", "hrbfnpr_project_desc"),
         ("PointSet.generate", "hrbfnpr_generate_desc"),
+        ("Layer.__init__", "hrbfnpr_layer_desc"),
     ],
 )
 def test_default_arguments_are_the_librarys(function, struct):

@@ -77,27 +77,30 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
     [
         ["--kernel", "gaussian", "--kernel-radius", "0.5", "--degree", "0"],
         ["--kernel", "wendland-c2", "--regularization", "0.01", "--solver", "direct", "--refinement-steps", "1"],
-        ["--distribution", "paper", "--seeds", "box", "--box-resolution", "6", "--box-jitter", "0.1"],
-        ["--distribution", "paper", "--levels", "stipple=2,curvature=1", "--groups", "stipple,curvature"],
-        ["--distribution", "paper", "--stroke-seeds", "stipples", "--seed-level", "1", "--style", "combing"],
+        ["--distribution", "published", "--seeds", "box", "--box-resolution", "6", "--box-jitter", "0.1"],
+        ["--distribution", "published", "--levels", "stipples=2,principal=1", "--layers", "stipples,principal"],
+        ["--distribution", "published", "--stroke-start", "stipples", "--start-level", "1", "--style", "combing"],
         ["--separation", "0.1", "--stroke-step", "0.03", "--style", "hatch", "--projection-tolerance", "1e-6"],
-        ["--stroke-field", "line", "--stroke-length", "0.5", "--style", "combing"],
-        ["--seed-points", "{xyz}", "--distribution", "paper", "--levels", "1"],
-        ["--marks", "stipple=800", "--random-seed", "9", "--curvature-of", "stipple,combing"],
+        ["--symmetry", "line", "--stroke-length", "0.5", "--style", "combing"],
+        ["--seed-points", "{xyz}", "--distribution", "published", "--levels", "1"],
+        ["--marks", "stipples=800", "--random-seed", "9", "--curvature-of", "stipples,combing"],
         ["--direction", "-1,-1,-0.5", "--up", "-z", "--fov", "0", "--margin", "0.2"],
         ["--azimuth", "-45", "--elevation", "60", "--up", "z", "--fov", "60"],
         ["--eye", "3,2,3", "--target", "0,0,0", "--fov", "40"],
         ["--eye", "-3,2,3", "--fov", "0"],
-        ["--light", "-1,0,0", "--light-space", "world", "--tone-exponent", "2", "--tone-rule", "paper"],
+        ["--light", "-1,0,0", "--light-space", "world", "--tone-exponent", "2", "--tone-rule", "published"],
         ["--tone", "none", "--share", "0.5", "--mark-radius", "0.6", "--ink", "#203040", "--paper", "1,0.9,0.8"],
-        ["--hidden-lines", "hide", "--delta", "0.3", "--halo", "4", "--cover-radius", "3", "--cover-layers", "0"],
-        ["--visibility", "painted", "--tone-curve", "linear", "--silhouette-law", "angle", "--tone-fade", "0"],
-        ["--visibility", "sheets", "--tone-curve", "coverage", "--silhouette-law", "width", "--silhouette-width", "2"],
+        ["--hidden-lines", "hide", "--delta", "0.3", "--halo", "4", "--splat-radius", "3", "--splat-overlap", "0"],
+        ["--visibility", "published", "--tone-curve", "linear", "--silhouette-law", "angle", "--tone-fade", "0"],
+        ["--visibility", "depth-layers", "--tone-curve", "coverage", "--silhouette-law", "width", "--silhouette-width", "2"],
         ["--attenuation-front", "0.5", "--attenuation-back", "0.2", "--style", "silhouette"],
         ["--depth-range", "2,9", "--zoom-reference", "50", "--zoom-exponent", "1"],
-        ["--silhouette-ink", "#ff0000", "--silhouette-radius", "2", "--silhouette-groups", "stipple"],
-        ["--set", "stipple.radius=2", "--set", "stipple.shown=true", "--set", "curvature.sets=1", "--set", "tone=none"],
-        ["--set", "light=y", "--set", "stipple.ink=#ff0000", "--set", "silhouette_groups=stipple"],
+        ["--silhouette-ink", "#ff0000", "--silhouette-radius", "2", "--contours-of", "stipples"],
+        ["--set", "stipples.radius=2", "--set", "stipples.shown=true", "--set", "principal.directions=first", "--set", "tone=none"],
+        ["--set", "light=y", "--set", "stipples.ink=#ff0000", "--set", "combing.contours=0"],
+        ["--shape", "strokes", "--style", "hatch"],
+        ["--tone-ranges", "in-turn", "--style", "full", "--set", "principal.shape=strokes"],
+        ["--tone-ranges", "in-turn", "--shared-marks", "3000", "--layers", "stipples,principal,combing"],
         ["--crease", "30", "--threads", "1", "--max-centres", "100"],
     ],
 )  # fmt: skip
@@ -105,7 +108,7 @@ def test_every_option(files, tmp_path, options, capsys):
     options = [word.format(**files) for word in options]
     output = tmp_path / "out.png"
     code = main(["draw", str(files["xyz"]), str(output), *QUICK, *options])
-    if options[:2] == ["--set", "stipple.radius=2"]:  # "tone" is no plain field
+    if options[:2] == ["--set", "stipples.radius=2"]:  # "tone" is no plain field
         assert code == 2
         return
     assert code == 0, capsys.readouterr().err
@@ -139,13 +142,13 @@ def test_fit_points_draw_and_info(files, tmp_path, capsys):
     model, marks, ply = (str(tmp_path / name) for name in ("m.hrbf", "m.hrbp", "m.ply"))
     assert main(["fit", str(files["xyz"]), model]) == 0
     assert "72 centres" in capsys.readouterr().out
-    assert main(["points", model, marks, "--groups", "stipple,combing", "--marks", "900", "--levels", "2"]) == 0
+    assert main(["points", model, marks, "--layers", "stipples,combing", "--marks", "900", "--levels", "2"]) == 0
     assert "marks" in capsys.readouterr().out
     assert main(["points", model, ply, "--marks", "900", "-q"]) == 0
     saved = hrbfnpr.PointSet.load(marks)
-    assert saved.groups == ("stipple", "combing")
+    assert [layer.name for layer in saved.layers] == ["stipples", "combing"]
     exported = hrbfnpr.shapes.read(ply)
-    assert len(exported.points) == saved.info.group["stipple"].count and exported.normals is not None
+    assert len(exported.points) == len(saved.layer("stipples")) and exported.normals is not None
     first, second = str(tmp_path / "1.png"), str(tmp_path / "2.png")
     again = str(tmp_path / "again.hrbp")
     assert main(["draw", model, first, *QUICK, "--save-points", again, "--save-model", model + "2"]) == 0
@@ -216,12 +219,12 @@ def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
         (["draw", "{xyz}", "--up", "up"], 2, "3 numbers"),
         (["draw", "{xyz}", "--ink", "blue"], 2, "#rrggbb"),
         (["draw", "{xyz}", "--depth-range", "5,1"], 2, "MIN < MAX"),
-        (["draw", "{xyz}", "--marks", "dots=3"], 2, "groups must be one of"),
+        (["draw", "{xyz}", "--marks", "dots=3"], 2, "layers must be of stipples"),
         (["draw", "{xyz}", "--kernel-radius", "nan"], 2, "finite"),
         (["draw", "{xyz}", "--set", "colour=3"], 2, "no field 'colour'"),
         (["draw", "{xyz}", "--set", "radius"], 2, "FIELD=VALUE"),
         (["draw", "{xyz}", "--set", "tone_exponent=x"], 2, "number is needed"),
-        (["draw", "{xyz}", "--set", "stipple.shown=maybe"], 2, "true or false"),
+        (["draw", "{xyz}", "--set", "stipples.shown=maybe"], 2, "true or false"),
         (["draw", "{xyz}", "--degree", "-2"], 2, "-1 to 3"),
         (["draw", "{xyz}", "--unknown"], 2, "unrecognized"),
         (["draw", "missing.xyz"], 1, "missing.xyz: No such file"),

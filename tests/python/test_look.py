@@ -80,9 +80,10 @@ def test_presets():
     )  # fmt: skip
     for name in hrbfnpr.PRESETS:
         style = hrbfnpr.Style(name)
-        assert style.preset == name and style.groups
+        assert style.preset == name and style.layers and hrbfnpr.preset_layers(name)
         assert style == hrbfnpr.Style(name)
-    assert "curvature" in hrbfnpr.Style("hatch").groups and "combing" in hrbfnpr.Style("combing").groups
+    assert [layer.kind for layer in hrbfnpr.preset_layers("hatch")] == ["stipples", "principal"]
+    assert hrbfnpr.preset_layers("combing")[1] == hrbfnpr.Layer("combing")
     assert hrbfnpr.Style("xray").hidden_lines == "show"
     assert hrbfnpr.Style().preset is None and hrbfnpr.Style().tone == "light"
     with pytest.raises(ValueError, match="preset must be one of 'stipple'"):
@@ -99,7 +100,7 @@ def test_every_field_can_be_read_and_written():
         setattr(style, name, 0.75)
         assert getattr(style, name) == 0.75
     for name, numbers in {
-        "visibility": {"sheets": 0, "painted": 1},
+        "visibility": {"depth_layers": 0, "published": 1},
         "tone_curve": {"coverage": 0, "linear": 1},
         "silhouette_law": {"width": 0, "angle": 1},
     }.items():
@@ -112,30 +113,55 @@ def test_every_field_can_be_read_and_written():
     assert (style._prepared()[0].tone_fade, style._prepared()[0].silhouette_width) == (0.5, 2.5)
     style.hidden_lines = "hide"
     style.light = (1, 2, 3)
-    style.silhouette_groups = ("curvature",)
     style.paper = "#ff000080"
-    assert (style.hidden_lines, style.light, style.silhouette_groups) == ("hide", (1, 2, 3), ("curvature",))
+    assert (style.hidden_lines, style.light) == ("hide", (1, 2, 3))
     np.testing.assert_allclose(style.paper, (1, 0, 0, 128 / 255), atol=1e-6)
 
 
-def test_groups_of_a_style():
-    style = hrbfnpr.Style("hatch", curvature={"radius": 2.5, "ink": (0.1, 0.2, 0.3)}, tone_exponent=3)
-    assert style.curvature.radius == 2.5 and style.tone_exponent == 3
-    np.testing.assert_allclose(style.curvature.ink, (0.1, 0.2, 0.3, 1), atol=1e-6)
-    group = style.stipple
-    group.shown, group.share, group.sets = True, 0.5, 1
-    assert style.stipple.shown is True and style.stipple.share == 0.5 and "share=0.5" in repr(group)
+def test_layers_of_a_style():
+    style = hrbfnpr.Style("hatch", principal={"radius": 2.5, "ink": (0.1, 0.2, 0.3)}, tone_exponent=3)
+    assert style.layer("principal").radius == 2.5 and style.tone_exponent == 3
+    np.testing.assert_allclose(style.layer("principal").ink, (0.1, 0.2, 0.3, 1), atol=1e-6)
+    layer = style.layer("stipples")
+    layer.shown, layer.share, layer.directions = True, 0.5, "first"
+    assert style.layers[0] is layer and "share=0.5" in repr(layer) and layer.directions == ("first",)
     del style
-    assert group.share == 0.5  # the group keeps its style's memory
+    assert layer.share == 0.5
     style = hrbfnpr.Style(ink="#102030")
-    assert style.stipple.ink == style.silhouette_ink == style.combing.ink
+    assert style.style_of("stipples").ink == style.silhouette_ink == style.style_of("own", "fur").ink
+    # The library's constants are not changed.
+    hrbfnpr.Style("hatch").layers[0].radius = 9
+    assert hrbfnpr.Style("hatch").layers[0].radius != 9
+
+
+def test_what_a_layer_takes():
+    style = hrbfnpr.Style()
+    assert style.layers == [] and style.style_of("combing") == hrbfnpr.LayerStyle("combing")
+    style.layers = [hrbfnpr.LayerStyle(name="fur", radius=2), hrbfnpr.LayerStyle(shape="strokes", radius=3)]
+    assert style.style_of("own", "fur").radius == 2 and style.style_of("field", "grass").radius == 3
+    combing = style.layer("combing")  # of its own, in front of what it took
+    combing.radius = 4
+    assert [layer.kind for layer in style.layers] == ["any", "combing", "any"] and combing.shape == "strokes"
+    assert style.style_of("combing").radius == 4 and style.style_of("field").radius == 3
+    assert style.layer("combing") is combing and style.layer("any") is style.layers[2]
+    assert style.layer("fur") is style.layers[0]
+    grass = style.layer("grass")
+    assert style.layers[0] is grass and (grass.kind, grass.name, grass.radius) == ("any", "grass", 3)
+    assert pickle.loads(pickle.dumps(grass)) == grass and grass.copy(radius=1).radius == 1
+    struct, _, keep = style._prepared()
+    assert struct.layer_count == 4 and hrbfnpr._style.ffi.string(struct.layers[0].name) == b"grass"
+    assert struct.layers[2].name == hrbfnpr._style.ffi.NULL
 
 
 @pytest.mark.parametrize(
     "change, kind",
     [
         (lambda s: setattr(s, "halo", 3), AttributeError),
-        (lambda s: setattr(s.stipple, "colour", "#000000"), AttributeError),
+        (lambda s: setattr(s.layer("stipples"), "colour", "#000000"), AttributeError),
+        (lambda s: setattr(s.layer("stipples"), "shape", "round"), ValueError),
+        (lambda s: setattr(s.layer("stipples"), "directions", ["third"]), ValueError),
+        (lambda s: hrbfnpr.LayerStyle("dots"), ValueError),
+        (lambda s: setattr(s, "layers", ["stipples"]), TypeError),
         (lambda s: setattr(s, "paper", "white"), ValueError),
         (lambda s: setattr(s, "paper", (1, 1)), ValueError),
         (lambda s: setattr(s, "light", (1, 1)), ValueError),
@@ -150,7 +176,7 @@ def test_groups_of_a_style():
         (lambda s: setattr(s, "halo_width", "wide"), ValueError),
         (lambda s: s.update(halo=3), TypeError),
         (lambda s: hrbfnpr.Style("stipple", hallo=3), TypeError),
-        (lambda s: s.update(stipple={"colour": 3}), AttributeError),
+        (lambda s: s.update(stipples={"colour": 3}), AttributeError),
     ],
 )
 def test_bad_styles(change, kind):
@@ -163,13 +189,15 @@ def tone(positions, normals):
 
 
 def test_styles_can_be_copied():
-    style = hrbfnpr.Style("full", halo_width=7, visibility="painted", stipple={"radius": 3}, tone=tone)
+    style = hrbfnpr.Style("full", halo_width=7, visibility="published", stipples={"radius": 3}, tone=tone)
     others = [copy.copy(style), copy.deepcopy(style), pickle.loads(pickle.dumps(style)), style.copy()]
     for other in others:
         assert other == style and other is not style
         other.halo_width = 1
         assert style.halo_width == 7 and other != style
-        assert other.groups == style.groups and other.tone is tone
+        assert other.layers == style.layers and other.tone is tone
+        other.layers[0].radius = 5
+        assert style.layers[0].radius == 3
     assert style.copy(halo_width=2).halo_width == 2
     assert "halo_width=7.0" in repr(style) and repr(style).startswith("Style('full'")
 

@@ -1,6 +1,7 @@
 """Point sets: generating, attributes, saving."""
 import io
 import pickle
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,49 +9,137 @@ from conftest import fibonacci_sphere
 
 import hrbfnpr
 
-GROUPS = ("stipple", "curvature", "combing")
+LAYERS = ("stipples", "principal", "combing")
 
 
-def absolute(marks, group):
-    return marks.positions(group).astype(float) + marks.origin
+def absolute(marks, layer):
+    return marks.layer(layer).positions.astype(float) + marks.origin
 
 
 def test_attributes(marks, ring):
-    assert marks.groups == GROUPS and len(marks) == sum(len(marks.ranks(group)) for group in GROUPS)
-    for group in GROUPS:
-        count = marks.info.group[group].count
-        assert 500 < count <= 3000
+    assert [layer.name for layer in marks.layers] == [layer.kind for layer in marks.layers] == list(LAYERS)
+    assert len(marks) == sum(len(layer.ranks) for layer in marks.layers) == marks.info.marks
+    for layer in marks.layers:
+        count = layer.info.marks
+        assert 500 < count <= 3000 and len(layer) == count
         shapes = {"positions": (count, 3), "normals": (count, 3), "directions": (count, 3), "ranks": (count,)}
-        shapes.update(levels=(count,), strokes=(count, 2), widths=(0 if group == "stipple" else count,))
+        shapes.update(levels=(count,), stroke_places=(count, 2), widths=(0 if layer.kind == "stipples" else count,))
+        shapes.update(stroke_order=(0,), stroke_first=(layer.info.strokes + 1 if layer.info.strokes else 0,))
         for name, shape in shapes.items():
-            assert getattr(marks, name)(group).shape == shape
-        assert np.abs(ring.evaluate(absolute(marks, group)).value).max() < 1e-5
-        normals, directions = marks.normals(group), marks.directions(group)
-        np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-5)
-        np.testing.assert_allclose(np.einsum("ij,ij->i", normals, directions), 0, atol=1e-5)
-        assert 0 <= marks.ranks(group).min() and marks.ranks(group).max() < 1
-    assert len(marks.curvatures("stipple")) == 0
-    assert marks.curvatures("curvature").shape == (marks.info.group["curvature"].count, 3)
-    assert marks.levels("stipple").dtype == np.uint8 and marks.strokes("combing").dtype == np.uint32
-    assert "stipple" in repr(marks)
+            assert getattr(layer, name).shape == shape
+        assert np.abs(ring.evaluate(absolute(marks, layer.name)).value).max() < 1e-5
+        np.testing.assert_allclose(np.linalg.norm(layer.normals, axis=1), 1, atol=1e-5)
+        np.testing.assert_allclose(np.einsum("ij,ij->i", layer.normals, layer.directions), 0, atol=1e-5)
+        assert 0 <= layer.ranks.min() and layer.ranks.max() < 1
+    stipples, principal, combing = marks.layers
+    assert len(stipples.curvatures) == 0 and stipples.info.strokes == 0 and stipples.strokes() == []
+    assert principal.curvatures.shape == (len(principal), 3)
+    assert stipples.levels.dtype == np.uint8 and combing.stroke_places.dtype == np.uint32
+    assert "stipples" in repr(marks) and "combing" in repr(combing)
+    assert marks.layer(1).number == marks.layer("principal").number == 1
+    for which, error in ((3, IndexError), ("field", KeyError)):
+        with pytest.raises(error):
+            marks.layer(which)
+
+
+def test_strokes(marks):
+    for layer in marks.layers[1:]:
+        strokes = layer.strokes()
+        assert len(strokes) == layer.info.strokes > 5
+        np.testing.assert_array_equal(np.concatenate(strokes), np.arange(len(layer)))
+        for stroke in strokes:
+            numbers, places = layer.stroke_places[stroke].T
+            assert len(set(numbers)) == 1
+            np.testing.assert_array_equal(places, np.arange(len(stroke)))
+
+
+def test_layers_outlive_their_set(ring):
+    marks = ring.generate(budget=300)
+    layer = marks.layers[0]
+    wanted = layer.positions.copy()
+    marks.close()
+    np.testing.assert_array_equal(layer.positions, wanted)
+    for use in (lambda: marks.layers, lambda: marks.layer(0)):
+        with pytest.raises(ValueError, match="closed"):
+            use()
 
 
 def test_the_published_recursion():
     points = fibonacci_sphere(6)
     model = hrbfnpr.Model.fit(points, points)
-    marks = hrbfnpr.PointSet.generate(
-        model, GROUPS, distribution="paper", seed_source="samples", levels={"stipple": 4, "curvature": 2, "combing": 3}
-    )
-    info = marks.info
-    assert info.distribution == "paper" and info.seed_source == "samples"
-    assert [info.group[name].full_count for name in GROUPS] == [3750, 6 * 2 * 9, 6 * 2 * 27]
-    for name in GROUPS:
+    layers = [hrbfnpr.Layer(kind, levels=levels) for kind, levels in zip(LAYERS, (4, 2, 3))]
+    marks = model.generate(layers, distribution="published", seed_source="samples")
+    assert marks.info.distribution == "published" and marks.info.seed_source == "samples"
+    assert [layer.info.full_count for layer in marks.layers] == [3750, 6 * 2 * 9, 6 * 2 * 27]
+    for layer in marks.layers:
         dropped = sum(
             level.dropped_not_converged + level.dropped_strayed + level.dropped_degenerate + level.dropped_budget
-            for level in info.group[name].level
+            for level in layer.placement
         )
-        assert sum(level.attempted for level in info.group[name].level) == info.group[name].count + dropped
-        assert len(info.group[name].level) == info.group[name].levels + 1
+        assert sum(level.attempted for level in layer.placement) == len(layer) + dropped
+        assert len(layer.placement) == layer.info.levels + 1
+    assert marks.seed_placement.placed == 6
+    combing = marks.layer("combing")
+    assert len(combing.stroke_order) == len(combing)
+    for stroke in combing.strokes():
+        assert len(set(combing.stroke_places[stroke][:, 0])) == 1
+        assert (np.diff(combing.stroke_places[stroke][:, 1].astype(int)) > 0).all()
+
+
+def test_what_layers_can_be_given(ring):
+    kinds = lambda *given, **options: [(layer.kind, layer.name) for layer in ring.generate(*given, budget=200, **options).layers]
+    assert kinds() == kinds("stipples") == kinds(preset="stipple") == [("stipples", "stipples")]
+    assert kinds(preset="full") == kinds(["stipples", "principal"])
+    dense = hrbfnpr.Layer("stipples", name="dense", budget=500)
+    marks = ring.generate(["stipples", dense, hrbfnpr.Layer("stipples", name="d\u00fcnn", budget=50)], budget=200)
+    assert [(layer.name, len(layer)) for layer in marks.layers] == [("stipples", 200), ("dense", 500), ("d\u00fcnn", 50)]
+    # Fields go to the layers that they mean something to.
+    marks = ring.generate(["stipples", "combing"], separation=0.2, with_curvature=True)
+    assert len(marks.layers[0]) == 40000 and marks.layers[1].info.step == 0.2
+    assert all(len(layer.curvatures) == len(layer) for layer in marks.layers)
+
+
+@pytest.mark.parametrize(
+    "arguments, kind, words",
+    [
+        ((["stipples", 3],), TypeError, "layers must be"),
+        (("dots",), ValueError, "kind of a layer must be one of 'stipples'"),
+        (("own",), ValueError, "kind of a layer"),
+        (("field",), ValueError, "direction_function"),
+        ((hrbfnpr.Layer(tone=(0.5, 0.2)),), ValueError, "tone"),
+        ((hrbfnpr.Layer(name=""),), ValueError, "name"),
+        (([],), ValueError, "layers must name one"),
+    ],
+)
+def test_bad_layers(ring, arguments, kind, words):
+    with pytest.raises(kind, match=words):
+        ring.generate(*arguments)
+
+
+def test_bad_arguments_of_generate(ring):
+    with pytest.raises(TypeError, match="unexpected argument 'budgets'"):
+        ring.generate(budgets=3)
+    with pytest.raises(TypeError, match="either layers or preset"):
+        ring.generate("stipples", preset="full")
+    with pytest.raises(ValueError, match="preset must be one of 'stipple'"):
+        ring.generate(preset="watercolour")
+
+
+def test_strokes_along_a_field(ring):
+    around = lambda p: np.cross([0.0, 0.0, 1.0], p)
+    marks = ring.generate(hrbfnpr.Layer("field", direction=lambda p, n: around(p), separation=0.1))
+    (layer,) = marks.layers
+    first = layer.stroke_places[:, 0] % 2 == 0
+    wanted = around(absolute(marks, "field"))
+    wanted /= np.linalg.norm(wanted, axis=1)[:, None]
+    cosine = np.abs(np.einsum("ij,ij->i", wanted, layer.directions))
+    assert np.quantile(cosine[first], 0.05) > 0.99 and np.quantile(cosine[~first], 0.95) < 0.1
+
+    def fails(positions, normals):
+        raise KeyError("no direction today")
+
+    with pytest.raises(hrbfnpr.CallbackError, match="no direction today"):
+        ring.generate(hrbfnpr.Layer("field", direction=fails, budget=500))
 
 
 def torus_samples(along, around):
@@ -63,39 +152,38 @@ def torus_samples(along, around):
 def test_strokes_follow_the_principal_directions_of_a_fitted_torus():
     model = hrbfnpr.Model.fit(*torus_samples(128, 32))
     for field in ("line", "cross"):
-        marks = hrbfnpr.PointSet.generate(model, "curvature", budget=30000, stroke_field=field)
-        p, d = absolute(marks, "curvature"), marks.directions("curvature").astype(float)
+        marks = model.generate("principal", budget=30000, symmetry=field)
+        p, d = absolute(marks, "principal"), marks.layers[0].directions.astype(float)
         around = np.stack([-p[:, 1], p[:, 0], 0 * p[:, 0]], axis=1) / np.hypot(p[:, 0], p[:, 1])[:, None]
         cosine = np.abs(np.einsum("ij,ij->i", around, d))
         sine = np.linalg.norm(d - np.einsum("ij,ij->i", around, d)[:, None] * around, axis=1)
-        first = marks.strokes("curvature")[:, 0] % 2 == 0  # k2, the smaller one by sign, is the tube's
+        first = marks.layers[0].stroke_places[:, 0] % 2 == 0  # k2, the smaller one by sign, is the tube's
         error = np.degrees(np.where(first, np.arctan2(sine, cosine), np.arctan2(cosine, sine)))
         assert error.mean() <= 0.05 and np.quantile(error, 0.95) <= 0.2
 
 
 def test_separation_step_and_length_of_strokes(ring):
     marks = hrbfnpr.PointSet.generate(
-        ring, "combing", stroke_separation=0.08, stroke_step=0.02, stroke_length=0.6, stroke_field="line"
+        ring, "combing", separation=0.08, step=0.02, length=0.6, symmetry="line"
     )
-    strokes, p = marks.strokes("combing"), absolute(marks, "combing")
+    strokes, p = marks.layers[0].stroke_places, absolute(marks, "combing")
     steps = np.linalg.norm(np.diff(p, axis=0), axis=1)[np.diff(strokes[:, 0].astype(int)) == 0]
     assert abs(steps / 0.02 - 1).max() < 0.25
     assert strokes[:, 1].max() <= 31
-    assert marks.info.group["combing"].step == 0.08
-    widths = marks.widths("combing")
+    assert marks.layers[0].info.step == 0.08
+    widths = marks.layer("combing").widths
     assert 0 < widths.min() < 0.5 and widths.max() == 1
     again = hrbfnpr.PointSet.load(marks.to_bytes())
-    np.testing.assert_array_equal(again.widths("combing"), widths)
+    np.testing.assert_array_equal(again.layers[0].widths, widths)
 
 
 def test_strokes_from_stipples():
     points = fibonacci_sphere(12)
     model = hrbfnpr.Model.fit(points, points)
-    marks = hrbfnpr.PointSet.generate(
-        model, ("stipple", "combing"), distribution="paper", levels={"stipple": 1, "combing": 1},
-        stroke_seeds="stipples", seed_level=1, seed_source="samples",
-    )  # fmt: skip
-    assert marks.info.group["combing"].full_count == 12 * 5 * 2 * 3
+    marks = model.generate(
+        ("stipples", "combing"), distribution="published", levels=1, start="stipples", start_level=1, seed_source="samples"
+    )
+    assert marks.layer("combing").info.full_count == 12 * 5 * 2 * 3
 
 
 def test_densities(ring):
@@ -105,7 +193,7 @@ def test_densities(ring):
 
     marks = hrbfnpr.PointSet.generate(ring, budget=500, density=upper)
     assert len(marks) == 500
-    assert (marks.positions("stipple")[:, 2] + marks.origin[2]).min() > -1e-3
+    assert (marks.layers[0].positions[:, 2] + marks.origin[2]).min() > -1e-3
     assert len(hrbfnpr.PointSet.generate(ring, budget=500, density="curvature", density_strength=1.0)) == 500
 
     def fails(points, normals):
@@ -116,54 +204,56 @@ def test_densities(ring):
 
 
 def test_layers_share_a_budget(ring):
-    marks = hrbfnpr.PointSet.generate(ring, ("stipple", "curvature"), order="layered", shared_budget=9000)
-    assert len(marks.positions("stipple")) == pytest.approx(3000, rel=0.02)
-    assert len(marks.positions("curvature")) == pytest.approx(6000, rel=0.1)
-    assert marks.ranks("stipple").min() >= 2 / 3 - 1e-6
-    ranks, second = marks.ranks("curvature"), marks.strokes("curvature")[:, 0] % 2 == 1
+    marks = ring.generate(("stipples", "principal"), tone_ranges="in_turn", shared_budget=9000)
+    stipples, principal = marks.layers
+    assert len(stipples) == pytest.approx(3000, rel=0.02)
+    assert len(principal) == pytest.approx(6000, rel=0.1)
+    assert stipples.ranks.min() >= 2 / 3 - 1e-6
+    ranks, second = principal.ranks, principal.stroke_places[:, 0] % 2 == 1
     assert 1 / 3 - 1e-6 <= ranks[~second].min() and ranks[~second].max() <= 2 / 3 + 1e-6
     assert ranks[second].max() <= 1 / 3 + 1e-6
-    chosen = hrbfnpr.PointSet.generate(ring, budget=100, layers={"stipple": (0.25, 0.5)})
-    assert 0.5 - 1e-6 <= chosen.ranks("stipple").min() and chosen.ranks("stipple").max() <= 0.75
+    chosen = ring.generate(budget=100, tone=(0.25, 0.5)).layers[0]
+    assert 0.5 - 1e-6 <= chosen.ranks.min() and chosen.ranks.max() <= 0.75
+    chosen = ring.generate("combing", budget=900, tone=(0, 0.5), second_tone=(0.5, 1)).layers[0]
+    second = chosen.stroke_places[:, 0] % 2 == 1
+    assert chosen.ranks[~second].min() >= 0.5 - 1e-6 and chosen.ranks[second].max() <= 0.5
 
 
 def test_options_arrive(ring):
-    marks = hrbfnpr.PointSet.generate(ring, budget=200, curvature_of="stipple", initial_step=0.1, random_seed=7)
-    assert marks.info.group["stipple"].count <= 200
-    assert marks.curvatures("stipple").shape == (marks.info.group["stipple"].count, 3)
+    marks = hrbfnpr.PointSet.generate(ring, budget=200, with_curvature=True, initial_step=0.1, random_seed=7)
+    assert len(marks) <= 200
+    assert marks.layers[0].curvatures.shape == (len(marks), 3)
     again = hrbfnpr.PointSet.generate(ring, budget=200, random_seed=7)
     other = hrbfnpr.PointSet.generate(ring, budget=200, random_seed=8)
-    np.testing.assert_array_equal(marks.positions("stipple"), again.positions("stipple"))
-    assert not np.array_equal(again.positions("stipple"), other.positions("stipple"))
-    box = hrbfnpr.PointSet.generate(ring, distribution="paper", seed_source="box", box_resolution=4, levels=1)
+    np.testing.assert_array_equal(marks.layers[0].positions, again.layers[0].positions)
+    assert not np.array_equal(again.layers[0].positions, other.layers[0].positions)
+    box = hrbfnpr.PointSet.generate(ring, distribution="published", seed_source="box", box_resolution=4, levels=1)
     assert box.info.seed_source == "box"
-    given = hrbfnpr.PointSet.generate(ring, distribution="paper", seed_points=[[1.4, 0, 0], [0, 1.4, 0]], levels=1)
-    assert given.info.seed_source == "points" and given.info.group["stipple"].full_count == 10
+    given = hrbfnpr.PointSet.generate(ring, distribution="published", seed_points=[[1.4, 0, 0], [0, 1.4, 0]], levels=1)
+    assert given.info.seed_source == "points" and given.layers[0].info.full_count == 10
 
 
 @pytest.mark.parametrize(
     "options, kind, words",
     [
-        ({"groups": ("dots",)}, ValueError, "groups.*stipple"),
-        ({"groups": ()}, hrbfnpr.InvalidArgumentError, "groups"),
+        ({"layers": ("dots",)}, ValueError, "layer.*stipples"),
         ({"distribution": "white"}, ValueError, "distribution"),
         ({"box_jitter": 0.7}, hrbfnpr.InvalidArgumentError, "box_jitter"),
         ({"box_resolution": 0}, hrbfnpr.InvalidArgumentError, "box_resolution"),
         ({"levels": 13}, hrbfnpr.InvalidArgumentError, "levels"),
-        ({"levels": {"dots": 1}}, ValueError, "levels"),
         ({"budget": -1}, hrbfnpr.InvalidArgumentError, "budget"),
-        ({"stroke_separation": -1}, hrbfnpr.InvalidArgumentError, "stroke_separation"),
-        ({"stroke_step": float("inf")}, hrbfnpr.InvalidArgumentError, "stroke_step"),
-        ({"stroke_length": float("nan")}, hrbfnpr.InvalidArgumentError, "stroke_length"),
-        ({"stroke_field": "curl"}, ValueError, "stroke_field"),
+        ({"layers": "combing", "separation": -1}, hrbfnpr.InvalidArgumentError, "separation"),
+        ({"layers": "combing", "step": float("inf")}, hrbfnpr.InvalidArgumentError, "step"),
+        ({"layers": "combing", "length": float("nan")}, hrbfnpr.InvalidArgumentError, "length"),
+        ({"layers": "combing", "symmetry": "curl"}, ValueError, "symmetry"),
         ({"density": "thick"}, ValueError, "density"),
         ({"density_strength": 1.5}, hrbfnpr.InvalidArgumentError, "density_strength"),
-        ({"order": "random"}, ValueError, "order"),
-        ({"layers": {"hair": (0, 1)}}, ValueError, "layers"),
-        ({"layers": {"stipple": (0.5, 0.5)}}, hrbfnpr.InvalidArgumentError, r"layer\[0\]"),
-        ({"layers": {"stipple": (0.0, 1.5)}}, hrbfnpr.InvalidArgumentError, r"layer\[0\]"),
+        ({"tone_ranges": "random"}, ValueError, "tone_ranges"),
+        ({"tone": (0.5, 0.5)}, hrbfnpr.InvalidArgumentError, r"layers\[0\].*tone"),
+        ({"tone": (0.0, 1.5)}, hrbfnpr.InvalidArgumentError, r"layers\[0\].*tone"),
         ({"shared_budget": -1}, hrbfnpr.InvalidArgumentError, "shared_budget"),
-        ({"shared_budget": 100, "budget": 50}, hrbfnpr.InvalidArgumentError, r"shared_budget.*group\[0\]"),
+        ({"separation": 1}, ValueError, "separation means nothing"),
+        ({"layers": hrbfnpr.Layer(), "budget": 5}, ValueError, "budget means nothing"),
         ({"initial_step": float("nan")}, hrbfnpr.InvalidArgumentError, "initial_step"),
         ({"seed_points": [[0, 0]]}, ValueError, "seed_points"),
         ({"seed_source": "points"}, hrbfnpr.InvalidArgumentError, "seed_points"),
@@ -175,43 +265,89 @@ def test_bad_options(ring, options, kind, words):
         hrbfnpr.PointSet.generate(ring, **options)
 
 
-def test_from_arrays():
+def test_own_layers():
     points = fibonacci_sphere(200)
-    marks = hrbfnpr.PointSet.from_arrays(
-        {
-            "stipple": {"position": points + 50, "normal": points.astype("f4")},
-            "combing": {
-                "position": points,
-                "normal": points,
-                "direction": np.cross(points, [0.3, 0.2, 1]),
-                "rank": np.arange(200) / 200,
-                "level": np.arange(200) % 3,
-                "stroke": np.column_stack([np.arange(200) // 10, np.arange(200) % 10]),
-            },
-        }
+    marks = hrbfnpr.PointSet.create(
+        [
+            hrbfnpr.OwnLayer(points + 50, points.astype("f4"), name="dots"),
+            hrbfnpr.OwnLayer(
+                points,
+                points,
+                kind="combing",
+                directions=np.cross(points, [0.3, 0.2, 1]),
+                ranks=np.arange(200) / 200,
+                levels=np.arange(200) % 3,
+                widths=np.full(200, 0.5),
+                stroke_first=np.arange(0, 201, 10),
+                stroke_directions=np.arange(20) % 2,
+            ),
+        ]
     )
-    assert marks.groups == ("stipple", "combing")
-    np.testing.assert_allclose(absolute(marks, "stipple"), points + 50, atol=1e-5)
-    np.testing.assert_allclose(marks.ranks("combing"), np.arange(200) / 200, atol=1e-7)
-    np.testing.assert_array_equal(marks.levels("combing"), np.arange(200) % 3)
-    np.testing.assert_array_equal(marks.strokes("combing")[:, 0], np.arange(200) // 10)
+    dots, strokes = marks.layers
+    assert [(layer.kind, layer.name) for layer in marks.layers] == [("own", "dots"), ("combing", "combing")]
+    np.testing.assert_allclose(absolute(marks, "dots"), points + 50, atol=1e-5)
+    assert len(set(dots.ranks)) > 190 and len(dots.stroke_first) == 0
+    np.testing.assert_allclose(strokes.ranks, np.arange(200) / 200, atol=1e-7)
+    np.testing.assert_array_equal(strokes.levels, np.arange(200) % 3)
+    np.testing.assert_array_equal(strokes.widths, np.full(200, 0.5))
+    np.testing.assert_array_equal(strokes.stroke_first, np.arange(0, 201, 10))
+    np.testing.assert_array_equal(strokes.stroke_places[:, 0], 2 * (np.arange(200) // 10) + np.arange(200) // 10 % 2)
+    np.testing.assert_array_equal(strokes.stroke_places[:, 1], np.arange(200) % 10)
+    assert len(strokes.strokes()) == 20
+
+
+def test_own_strokes_have_one_rank_and_follow_themselves():
+    angle = np.linspace(0, np.pi, 30)
+    arc = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
+    marks = hrbfnpr.PointSet.create(
+        hrbfnpr.OwnLayer(np.concatenate([arc, 2 * arc]), np.concatenate([arc, arc]), stroke_first=[0, 30, 60])
+    )
+    (layer,) = marks.layers
+    assert layer.kind == layer.name == "own" and layer.info.strokes == 2
+    assert len(set(layer.ranks[:30])) == len(set(layer.ranks[30:])) == 1
+    along = np.column_stack([-np.sin(angle), np.cos(angle), 0 * angle])
+    np.testing.assert_allclose(np.abs(np.einsum("ij,ij->i", layer.directions[:30], along))[1:-1], 1, atol=1e-4)
+
+
+def test_own_layers_beside_those_of_another_set(marks, ring):
+    points = fibonacci_sphere(40)
+    both = hrbfnpr.PointSet.create(hrbfnpr.OwnLayer(points, points, name="spikes"), base=marks)
+    assert [layer.name for layer in both.layers] == [*LAYERS, "spikes"] and len(both) == len(marks) + 40
+    assert both.origin == marks.origin and both.info.spacing == marks.info.spacing
+    for one, other in zip(marks.layers, both.layers):
+        np.testing.assert_array_equal(one.positions, other.positions)
+        np.testing.assert_array_equal(one.stroke_places, other.stroke_places)
+    np.testing.assert_allclose(absolute(both, "spikes"), points, atol=1e-6)
+    again = hrbfnpr.PointSet.load(both.to_bytes())
+    assert [layer.name for layer in again.layers] == [layer.name for layer in both.layers]
+    np.testing.assert_array_equal(again.layer("spikes").ranks, both.layer("spikes").ranks)
+    copy = hrbfnpr.PointSet.create(base=marks)
+    assert len(copy) == len(marks)
+
+
+def own(**arrays):
+    return [hrbfnpr.OwnLayer(**{"positions": np.ones((3, 3)), "normals": np.ones((3, 3)) / 3**0.5, **arrays})]
 
 
 @pytest.mark.parametrize(
-    "groups, words",
+    "layers, words",
     [
-        ({"stipple": {"position": np.zeros((3, 3))}}, "normal"),
-        ({"stipple": {"position": np.zeros((3, 3)), "normal": np.zeros((3, 3))}}, "normal.*0"),
-        ({"stipple": {"position": np.ones((3, 3)), "normal": np.ones((2, 3))}}, "normal"),
-        ({"stipple": {"position": np.full((3, 3), np.nan), "normal": np.ones((3, 3))}}, "position.*0"),
-        ({"stipple": {"place": np.zeros((3, 3))}}, "no attribute 'place'"),
-        ({"dots": {}}, "group must be one of"),
-        ({}, "."),
+        (own(normals=np.empty((0, 3))), "normal"),
+        (own(normals=np.zeros((3, 3))), "normal.*0"),
+        (own(normals=np.ones((2, 3))), "normal"),
+        (own(positions=np.full((3, 3), np.nan)), "position.*0"),
+        (own(positions=np.zeros((3, 2))), "own.positions must have the shape"),
+        (own(name="fur", ranks=np.zeros((3, 2))), "layers.0.*rank|rank"),
+        (own(kind="dots"), "the kind of a layer must be one of"),
+        (own(stroke_first=[0, 2]), "stroke_first"),
+        (own(stroke_first=[0, 2, 1, 3]), "stroke_first"),
+        (own(widths=[0.5, 2, 0.5]), "width"),
+        ([], "."),
     ],
 )
-def test_bad_arrays(groups, words):
+def test_bad_own_layers(layers, words):
     with pytest.raises(ValueError, match=words):
-        hrbfnpr.PointSet.from_arrays(groups)
+        hrbfnpr.PointSet.create(layers)
 
 
 def test_step_patches(ring):
@@ -233,10 +369,11 @@ def test_save_load_pickle(marks, tmp_path):
         hrbfnpr.PointSet.load(tmp_path / "marks.hrbp"),
         pickle.loads(pickle.dumps(marks)),
     ):
-        assert other.origin == marks.origin and other.groups == marks.groups
-        for group in GROUPS:
-            np.testing.assert_array_equal(other.positions(group), marks.positions(group))
-            np.testing.assert_array_equal(other.ranks(group), marks.ranks(group))
+        assert other.origin == marks.origin and replace(other.info, bytes=marks.info.bytes) == marks.info
+        for one, layer in zip(other.layers, marks.layers):
+            assert one.info == layer.info
+            for name in ("positions", "ranks", "stroke_places", "stroke_first", "curvatures", "widths"):
+                np.testing.assert_array_equal(getattr(one, name), getattr(layer, name))
     with pytest.raises(hrbfnpr.CorruptDataError):
         hrbfnpr.PointSet.load(marks.to_bytes()[:-3])
 

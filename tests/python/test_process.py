@@ -49,14 +49,24 @@ assert abs(rays.t[0, 1] - 4) < 1e-8 and abs(rays.position[0, 0, 1] - 1) < 1e-8 a
 assert list(rays.hits) == [2, 0] and list(ball.contains([(0, 0.9, 0), (0, 1.1, 0)])) == [1, 0]
 assert ball.cast_rays([(0, 3, 0)], [(0, -1, 0)]).position.shape == (1, 3)
 marks = hrbfnpr.PointSet.generate(model, budget=500)
-assert marks.positions("stipple").shape == (len(marks), 3)
+assert marks.layers[0].positions.shape == (len(marks), 3)
+strokes = model.generate("combing", budget=500).layers[0]
+assert [sum(map(len, strokes.strokes())), len(strokes.strokes())] == [len(strokes), strokes.info.strokes]
+own = hrbfnpr.PointSet.create(hrbfnpr.OwnLayer([(1, 0, 0), (0, 1, 0)], [(1, 0, 0), (0, 1, 0)], stroke_first=[0, 2]))
+assert list(own.layers[0].stroke_first) == [0, 2] and list(own.layers[0].strokes()[0]) == [0, 1]
 style = hrbfnpr.Style("stipple", tone=lambda positions, normals: [0.0] * len(normals))
 camera = hrbfnpr.Camera.fit(marks, size=(60, 40))
 assert camera.view[3, 3] == 1.0
-image = hrbfnpr.Renderer().draw((marks, style), camera)
+drawing = hrbfnpr.Renderer().draw((marks, style), camera)
+image = drawing.image()
 assert image.shape == (40, 60, 4) and min(image.tobytes()) < 100
-vertices = hrbfnpr.Renderer().vertices((marks, style), camera)
-assert vertices.shape[1] == 24 and len(vertices) > 100
+assert drawing.image(format="coverage8").shape == (40, 60)
+assert drawing.image(format="rgba32f").format == "f" and drawing.raster().depth.shape == (40, 60)
+vertices, indices = drawing.vertices()
+assert vertices.shape[1] == 24 and len(vertices) > 100 and list(indices) == list(range(len(vertices)))
+shown = drawing.mark_results().shown
+assert sum(map(bool, shown)) == drawing.info.shown == len(drawing.mark_indices())
+assert len(drawing.vertices("line_strips").indices) == 0
 assert hrbfnpr.Camera(camera.view, camera.projection, camera.viewport) == camera
 for bad in ([(1, 2)], [(1, 2, 3), (1, 2)], "abc"):
     try:
@@ -86,7 +96,7 @@ def work(i):
     other = hrbfnpr.Model.fit(points, points)
     marks = hrbfnpr.PointSet.generate(other, budget=400)
     style = hrbfnpr.Style("stipple")
-    picture = renderer.draw((marks, style), hrbfnpr.Camera.fit(model, size=(50, 50)))
+    picture = renderer.draw((marks, style), hrbfnpr.Camera.fit(model, size=(50, 50))).image()
     return model.evaluate(points * 1.1).value, picture
 
 if __name__ == "__main__":
@@ -156,8 +166,8 @@ def test_the_interpreter_ends_with_everything_alive():
         "context = hrbfnpr.Context(2, log=print)\n"
         "model = hrbfnpr.Model.from_function(lambda p: p[:, 0], bounds=((0, 0, 0), (1, 1, 1)), context=context)\n"
         "marks = hrbfnpr.PointSet.generate(model, budget=100, context=context)\n"
-        "view = marks.positions('stipple')\n"
+        "view = marks.layers[0].positions\n"
         "renderer = hrbfnpr.Renderer(context=context)\n"
-        "renderer.prepare(marks, hrbfnpr.Camera.fit(marks))\n"
+        "drawing = renderer.draw(marks, hrbfnpr.Camera.fit(marks, size=(50, 50)))\n"
     )
     assert (result.returncode, result.stderr) == (0, "")

@@ -1,45 +1,301 @@
-"""A finished drawing."""
+"""Drawings: a picture as a value."""
 from __future__ import annotations
 
 import io
 import os
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, BinaryIO, Optional, Union
+from typing import Any, BinaryIO, List, NamedTuple, Optional, Sequence, Tuple, Union
 
-from ._arrays import Array
-from ._streams import write_atomically
+from . import _images, _pictures
+from ._arrays import Array, block_in, new_array, output, output_field
+from ._callbacks import check
+from ._drawing_info import DrawingInfo, DrawingLayerInfo, MarkIdentity, read_drawing_layer
+from ._errors import new_error, new_struct
+from ._handles import Owner
+from ._library import ffi, lib
+from ._marks import MarkLayer
+from ._names import CLASSES, PRIMITIVES, number_of
+from ._structs import read_struct
+from ._vertices import layout_of, vertex_array
 
-if TYPE_CHECKING:
-    from ._renderer import FrameInfo
 
-
-@dataclass(frozen=True)
-class Drawing:
-    """A picture that shows itself in a notebook.
-
-    Attributes
-    ----------
-    image : array of uint8, shape (height, width, 4)
-        Straight RGBA, sRGB-encoded.
-    depth, id, class_ : arrays, shape (height, width), or None
-        See `Renderer.draw`.
-    info : FrameInfo or None
-    """
+class Raster(NamedTuple):
+    """Result of `Drawing.raster`; what was not asked for is None."""
 
     image: Array
-    depth: Optional[Array] = None
-    id: Optional[Array] = None
-    class_: Optional[Array] = None
-    info: Optional[FrameInfo] = None
+    depth: Optional[Array]
+    id: Optional[Array]
+    class_: Optional[Array]
+
+
+class Vertices(NamedTuple):
+    """Result of `Drawing.vertices`."""
+
+    vertices: Array
+    indices: Array
+
+
+class MarkResults(NamedTuple):
+    """Result of `Drawing.mark_results`."""
+
+    shown: Array
+    radius: Array
+    opacity: Array
+
+
+class Drawing(Owner):
+    """Dots and strokes in window coordinates, as `Renderer.draw` made them; shows itself in a notebook.
+
+    Immutable: any number of threads may read one drawing at a time.
+    """
+
+    def __init__(self, handle: Any, size: Tuple[int, int], layers: Sequence[Tuple[MarkLayer, ...]]) -> None:
+        super().__init__(handle)
+        self._size = size
+        self._marks = tuple(layers)  # of each item's point set
+
+    @property
+    def size(self) -> Tuple[int, int]:
+        """Width and height of an image that just holds the camera's viewport."""
+        return self._size
+
+    @property
+    def info(self) -> DrawingInfo:
+        """What it holds, and what making it did."""
+        info, error = new_struct("hrbfnpr_drawing_info"), new_error()
+        check(lib.hrbfnpr_drawing_get_info(self._handle, info, error), error)
+        return read_struct(DrawingInfo, info)
+
+    @property
+    def layers(self) -> Tuple[DrawingLayerInfo, ...]:
+        """Its layers: ink of one layer of marks each, of the front or of contours."""
+        handle, result = self._handle, []
+        info, error = new_struct("hrbfnpr_drawing_layer_info"), new_error()
+        for number in range(self.info.layers):
+            check(lib.hrbfnpr_drawing_get_layer_info(handle, number, info, error), error)
+            result.append(read_drawing_layer(info))
+        return tuple(result)
+
+    def image(
+        self,
+        width: Optional[int] = None,
+        height: Optional[int] = None,
+        *,
+        out: Optional[Array] = None,
+        format: str = "rgba8",
+        over: bool = False,
+        linear_light: bool = False,
+        host_depth: Optional[Array] = None,
+        depth: Optional[Array] = None,
+        id: Optional[Array] = None,
+        class_: Optional[Array] = None,
+    ) -> Array:
+        """The drawing as pixels.
+
+        Parameters
+        ----------
+        width, height : int, optional
+            Of the image; by default it just holds the camera's viewport.
+        out : array of uint8 or float32, shape (height, width, 4) or (height, width), optional
+            The image to draw into, for instance a mapped texture; rows may have any stride.
+        format : str
+            "rgba8", "bgra8", "rgba8_premultiplied", "bgra8_premultiplied": uint8 (height, width, 4);
+            "rgba32f", "rgba32f_premultiplied": float32 in [0, 1] of this shape; "coverage8": uint8
+            (height, width), how much of a pixel ink covers, whatever its colour.
+        over : bool
+            Lay the drawing over the image's contents; wants a style with transparent paper.
+        linear_light : bool
+            Blend in linear light (sRGB decoded), not in encoded values.
+        host_depth : array of float32, shape (height, width), optional
+            Depth buffer of the host's scene, in the camera's convention: hides ink behind it.
+        depth, id, class_ : arrays, shape (height, width), optional
+            To be filled: float32 depth of the nearest surface; uint32 id of the nearest drawn mark, 0 = none
+            (see `identify`); uint8 or uint32 class of that mark (`hrbfnpr.CLASSES`).
+
+        Returns
+        -------
+        array
+            `out`, or a new array.
+        """
+        if (width is None) != (height is None):
+            raise TypeError("give both width and height, or neither")
+        size = None if width is None or height is None else (width, height)
+        pixels, image = _images.image_for(format, out, size, self._size)
+        shape = tuple(pixels.shape[:2])
+        desc = new_struct("hrbfnpr_raster_desc")
+        for flag, wanted in (("OVER", over), ("LINEAR_LIGHT", linear_light)):
+            if wanted:
+                desc.flags |= ffi.integer_const(f"HRBFNPR_RASTER_{flag}")
+        keep: List[Any] = []
+        if host_depth is not None:
+            block = block_in("host_depth", host_depth, 1, "f")
+            if block.shape != shape:
+                raise ValueError(f"host_depth must have the shape {shape}, not {block.shape}")
+            keep.append(block.fill(desc.host_depth))
+        for name, field, target, codes in (
+            ("depth", "depth", depth, "f"), ("id", "id", id, "I"), ("class_", "mark_class", class_, "BI"),
+        ):  # fmt: skip
+            if target is not None:
+                _, view = output(name, target, shape, 1, codes)
+                keep.append(view)
+                setattr(desc, field, view[0])
+        error = new_error()
+        check(lib.hrbfnpr_drawing_rasterize(self._handle, image, desc, error), error)
+        del keep
+        return pixels if out is None else out
+
+    def raster(
+        self,
+        width: Optional[int] = None,
+        height: Optional[int] = None,
+        *,
+        depth: bool = True,
+        id: bool = True,
+        class_: bool = True,
+        **options: Any,
+    ) -> Raster:
+        """The image, and what is known of each pixel, as new arrays.
+
+        Parameters
+        ----------
+        width, height : int, optional
+            As in `image`.
+        depth, id, class_ : bool
+            Which arrays to make beside the image.
+        **options
+            `format`, `out`, `over`, `linear_light` and `host_depth` of `image`.
+        """
+        out = options.get("out")
+        if out is not None:
+            shape: Tuple[int, ...] = tuple(out.shape[:2])
+        else:
+            shape = self._size[::-1] if width is None or height is None else (height, width)
+        wanted = (("depth", depth, "f"), ("id", id, "I"), ("class_", class_, "B"))
+        arrays = {name: new_array(shape, code) if want else None for name, want, code in wanted}
+        return Raster(self.image(width, height, **arrays, **options), **arrays)
+
+    def vertices(
+        self,
+        primitive: str = "points",
+        attributes: Sequence[str] = ("position", "radius", "color", "is_paper"),
+    ) -> Vertices:
+        """The dots or the strokes as vertices, far to near.
+
+        Points, painted in this order as round ones with "source over" blending, give the dots of `image`.
+
+        Parameters
+        ----------
+        primitive : {"points", "line_strips", "triangle_strips"}
+            The dots, of paper and of ink; or the strokes, with one vertex for each of their points, or two,
+            on their left and right side.
+        attributes : sequence of str
+            Of "position" (3 float32), "window" (pixel x, y and depth: 3 float32), "radius" (pixels:
+            float32), "color" (straight RGBA: 4 uint8), "normal", "direction" (3 float32), "id" (uint32),
+            "class", "is_paper" (uint8), "layer" (of the drawing: uint32) and "length" (along its stroke,
+            pixels: float32).
+
+        Returns
+        -------
+        Vertices
+            A structured array, shape (n,), with the attributes as fields (without NumPy a memoryview of
+            bytes, shape (n, stride)); and the indices of the vertices, uint32, where 0xFFFFFFFF ends a strip.
+        """
+        number = number_of("primitive", PRIMITIVES, primitive)
+        layout, fields, keep = layout_of(number, attributes)
+        error, counts = new_error(), ffi.new("int64_t[2]")
+        handle = self._handle
+        check(lib.hrbfnpr_drawing_vertex_bound(handle, number, counts, counts + 1, error), error)
+        array, address = vertex_array(counts[0], layout, fields)
+        indices, view = output("indices", None, (counts[1],), 1, "I")
+        status = lib.hrbfnpr_drawing_write_vertices(
+            handle, layout, address, counts[0], counts, ffi.cast("uint32_t *", view.data), counts[1], counts + 1, error
+        )
+        check(status, error)
+        del keep
+        return Vertices(array[: counts[0]], indices[: counts[1]])
+
+    def _layer(self, item: int, layer: Union[int, str]) -> MarkLayer:
+        """A layer of marks by its number or name."""
+        if not 0 <= item < len(self._marks):
+            raise IndexError(f"item must be 0 to {len(self._marks) - 1}, not {item}")
+        layers = self._marks[item]
+        if isinstance(layer, str):
+            found = next((one for one in layers if one.name == layer), None)
+            if found is None:
+                raise KeyError(f"there is no layer {layer!r}; there are {', '.join(repr(one.name) for one in layers)}")
+            return found
+        if not 0 <= layer < len(layers):
+            raise IndexError(f"layer must be 0 to {len(layers) - 1}, not {layer}")
+        return layers[layer]
+
+    def mark_results(self, item: int = 0, layer: Union[int, str] = 0) -> MarkResults:
+        """How each mark of a layer is drawn, in the order of the set: to be uploaded frame by frame.
+
+        Parameters
+        ----------
+        item : int
+            Number of the item, in the order of `Renderer.draw`.
+        layer : int or str
+            Number or name of a layer of its point set; it need not be drawn.
+
+        Returns
+        -------
+        MarkResults
+            shown (n,), uint8: the class that a mark is drawn as, 0 = it is not; radius (n,), float32,
+            pixels; opacity (n,), float32: the ink's alpha times what is let through.
+        """
+        marks = self._layer(item, layer)
+        results, error, shape = new_struct("hrbfnpr_mark_results"), new_error(), (len(marks),)
+        shown = output_field(results, "shown", shape, 1, "B")
+        radius = output_field(results, "radius", shape, 1, "f")
+        opacity = output_field(results, "opacity", shape, 1, "f")
+        check(lib.hrbfnpr_drawing_mark_results(self._handle, item, marks.number, results, error), error)
+        return MarkResults(shown, radius, opacity)
+
+    def mark_indices(
+        self,
+        item: int = 0,
+        layer: Union[int, str] = 0,
+        class_: str = "front",
+        primitive: str = "points",
+    ) -> Array:
+        """Which marks of a layer are drawn: their numbers, uint32.
+
+        Parameters
+        ----------
+        item, layer
+            As in `mark_results`.
+        class_ : {"front", "silhouette"}
+        primitive : {"points", "line_strips", "triangle_strips"}
+            The marks far to near; or runs of shown marks along strokes, each ended by 0xFFFFFFFF; or the
+            same with 2 number and 2 number + 1 for each mark.
+        """
+        marks = self._layer(item, layer)
+        handle, error, count = self._handle, new_error(), ffi.new("int64_t *")
+        numbers = number_of("class_", CLASSES, class_), number_of("primitive", PRIMITIVES, primitive)
+        place = handle, item, marks.number, *numbers
+        status = lib.hrbfnpr_drawing_write_mark_indices(*place, ffi.NULL, 0, count, error)
+        if status != ffi.integer_const("HRBFNPR_STATUS_BUFFER_TOO_SMALL"):
+            check(status, error)
+        indices, view = output("indices", None, (count[0],), 1, "I")
+        target = ffi.cast("uint32_t *", view.data) if count[0] else ffi.NULL
+        check(lib.hrbfnpr_drawing_write_mark_indices(*place, target, count[0], count, error), error)
+        return indices
+
+    def identify(self, id: int) -> MarkIdentity:
+        """What an id stands for: of a pixel, or of a vertex.
+
+        Raises
+        ------
+        InvalidArgumentError
+            For an id that is no mark's.
+        """
+        identity, error = new_struct("hrbfnpr_mark_identity"), new_error()
+        check(lib.hrbfnpr_drawing_identify(self._handle, int(id), identity, error), error)
+        return read_struct(MarkIdentity, identity)
 
     def to_pil(self) -> Any:
         """A PIL.Image.  Needs Pillow."""
-        try:
-            from PIL import Image
-        except ImportError as error:
-            raise ImportError("making a PNG needs Pillow (Debian: python3-pil)") from error
-        height, width = self.image.shape[:2]
-        return Image.frombytes("RGBA", (width, height), bytes(self.image))
+        return _pictures.to_pil(self.image())
 
     def save(self, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str] = None) -> None:
         """Write a picture to a path (atomically) or a binary file object.  Needs Pillow.
@@ -50,22 +306,7 @@ class Drawing:
         format : str, optional
             One of Pillow's, such as "PNG"; by default as the path's ending says, or PNG.
         """
-        from PIL import Image
-
-        if format is None:
-            ending = ""
-            if isinstance(target, (str, os.PathLike)):
-                ending = os.path.splitext(os.fspath(target))[1].lower()
-            format = Image.registered_extensions().get(ending, "PNG" if not ending else None)
-            if format is None:
-                raise ValueError(f"no picture format is known for the ending {ending!r}; use .png")
-        picture = self.to_pil()
-        if format == "JPEG":
-            picture = picture.convert("RGB")
-        if isinstance(target, (str, os.PathLike)):
-            write_atomically(target, lambda file: picture.save(file, format))
-        else:
-            picture.save(target, format)
+        _pictures.save(self.to_pil(), target, format)
 
     def to_png(self) -> bytes:
         """The bytes of a PNG file.  Needs Pillow."""
@@ -75,3 +316,9 @@ class Drawing:
 
     def _repr_png_(self) -> bytes:
         return self.to_png()
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "<hrbfnpr.Drawing closed>"
+        info = self.info
+        return f"<hrbfnpr.Drawing {self._size[0]}x{self._size[1]}, {info.dots} dots, {info.strokes} strokes>"

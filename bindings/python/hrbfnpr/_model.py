@@ -1,7 +1,7 @@
 """Models: implicit surfaces f = 0."""
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Optional, Tuple, Union
 
 from . import _streams
 from ._arrays import Array, block_in, output, output_field, vector, wrap
@@ -17,6 +17,10 @@ from ._numpy import np
 from ._operation import Operation, Progress, running
 from ._rays import HitArrays, pairs
 from ._structs import read_struct
+
+if TYPE_CHECKING:
+    from ._layer import LayersToMake
+    from ._point_set import PointSet
 
 Function = Callable[[Array], Any]
 
@@ -405,6 +409,18 @@ class Model(Owner):
             status = lib.hrbfnpr_model_contains(self._handle, block.view(), inside_out, ffi.NULL, handle, error)
             self._check(status, error, state)
         return _scalar(inside if np is None else inside.view(bool), block.shape)
+
+    def generate(self, layers: Optional[LayersToMake] = None, **options: Any) -> PointSet:
+        """Place marks on the surface: `PointSet.generate` with this model.
+
+        Examples
+        --------
+        >>> marks = model.generate(preset="full", budget=60000)
+        >>> marks = model.generate(["stipples", hrbfnpr.Layer("principal", separation=0.02)])
+        """
+        from ._point_set import PointSet
+
+        return PointSet.generate(self, layers, **options)
 
     @property
     def info(self) -> ModelInfo:

@@ -1,9 +1,9 @@
 """Names of the library's numbers: every choice is a lower-case string in Python."""
 from __future__ import annotations
 
-from typing import Dict, Iterable, Tuple, Union
+from typing import Dict, Tuple
 
-from ._library import ffi
+from ._library import ffi, lib
 
 
 def _numbers(prefix: str, *names: str) -> Dict[str, int]:
@@ -19,25 +19,27 @@ SOLVER_REASONS = _numbers("SOLVER_REASON", "requested", "small", "large", "not_c
 REPAIRS = _numbers("REPAIR", "keep", "drop", "reorient")
 PROJECTION = _numbers("PROJECTION", "converged", "not_converged", "zero_gradient", "not_finite")
 RAY = _numbers("RAY", "hit", "miss", "truncated", "evaluation_limit", "not_finite")
-GROUPS = _numbers("GROUP", "stipple", "curvature", "combing")
-DISTRIBUTIONS = _numbers("DISTRIBUTION", "blue_noise", "paper")
+LAYER_KINDS = _numbers("LAYER_KIND", "any", "stipples", "principal", "combing", "field", "own")
+DISTRIBUTIONS = _numbers("DISTRIBUTION", "blue_noise", "published")
 SEED_SOURCES = _numbers("SEED", "auto", "samples", "box", "points")
-STROKE_FIELDS = _numbers("STROKE_FIELD", "line", "cross")
+SYMMETRIES = _numbers("SYMMETRY", "line", "cross")
 DENSITIES = _numbers("DENSITY", "uniform", "curvature", "callback")
-ORDERS = _numbers("ORDER", "separate", "layered")
-LAYERS = _numbers(
-    "LAYER", "stipple", "curvature_first", "curvature_second", "combing_first", "combing_second"
-)
-GROUP_SEEDS = _numbers("GROUP_SEED", "seeds", "stipples")
+TONE_RANGES = _numbers("TONE_RANGES", "full", "in_turn")
+STROKE_STARTS = _numbers("STROKE_START", "seeds", "stipples")
 DEPTH_CONVENTIONS = _numbers("DEPTH", "negative_one_to_one", "zero_to_one", "reversed")
 HIDDEN_LINES = _numbers("HIDDEN_LINES", "attenuate", "hide", "show")
-VISIBILITIES = _numbers("VISIBILITY", "sheets", "painted")
+VISIBILITIES = _numbers("VISIBILITY", "depth_layers", "published")
 TONES = _numbers("TONE", "none", "light", "callback")
-TONE_RULES = _numbers("TONE_RULE", "share", "paper")
+TONE_RULES = _numbers("TONE_RULE", "share", "published")
 TONE_CURVES = _numbers("TONE_CURVE", "coverage", "linear")
 SILHOUETTE_LAWS = _numbers("SILHOUETTE_LAW", "width", "angle")
 LIGHT_SPACES = _numbers("LIGHT", "world", "camera")
-FORMATS = _numbers("FORMAT", "rgba8", "bgra8", "rgba8_premultiplied", "bgra8_premultiplied")
+SHAPES = _numbers("SHAPE", "dots", "strokes")
+FORMATS = _numbers(
+    "FORMAT", "rgba8", "bgra8", "rgba8_premultiplied", "bgra8_premultiplied", "rgba32f", "rgba32f_premultiplied",
+    "coverage8",
+)  # fmt: skip
+PRIMITIVES = _numbers("PRIMITIVE", "points", "line_strips", "triangle_strips")
 CLASSES = _numbers("CLASS", "none", "front", "back", "silhouette")
 
 
@@ -58,15 +60,18 @@ def name_of(numbers: Dict[str, int], number: int) -> str:
     return str(number)
 
 
-def group_bits(groups: Union[str, Iterable[str]]) -> int:
-    """The bits of some groups' names."""
-    names = [groups] if isinstance(groups, str) else groups
-    bits = 0
-    for name in names:
-        bits |= 1 << number_of("groups", GROUPS, name)
-    return bits
+def preset_names() -> Tuple[str, ...]:
+    """Names of the presets that the library knows, by number."""
+    names = []
+    while (name := lib.hrbfnpr_preset_name(len(names))) != ffi.NULL:
+        names.append(ffi.string(name).decode())
+    return tuple(names)
 
 
-def group_names(bits: int) -> Tuple[str, ...]:
-    """The names of some groups' bits."""
-    return tuple(name for name, number in GROUPS.items() if bits >> number & 1)
+PRESETS = preset_names()
+"""Names of the presets that `Style` and `PointSet.generate` know."""
+
+# Kinds that layers of marks have, and those of strokes that the library makes.
+MARK_KINDS = tuple(name for name in LAYER_KINDS if name != "any")
+MADE_KINDS = tuple(name for name in MARK_KINDS if name != "own")
+STROKE_KINDS = tuple(name for name in MADE_KINDS if name != "stipples")

@@ -2,17 +2,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping, Tuple
+from typing import Any, Tuple
 
-from ._names import DISTRIBUTIONS, GROUPS, SEED_SOURCES, name_of
+from ._library import ffi
+from ._names import DISTRIBUTIONS, LAYER_KINDS, SEED_SOURCES, name_of
 from ._structs import read_struct
 
 Vector = Tuple[float, float, float]
 
 
 @dataclass(frozen=True)
-class LevelInfo:
-    """What became of one level's candidates: attempted = placed + all dropped."""
+class PlacementInfo:
+    """What became of candidates for marks: attempted = placed + all dropped."""
 
     attempted: int
     placed: int
@@ -23,31 +24,32 @@ class LevelInfo:
 
 
 @dataclass(frozen=True)
-class GroupInfo:
-    """One group of marks.
+class LayerInfo:
+    """One layer of marks.
 
     Attributes
     ----------
-    count, strokes : int
-        Marks, and strokes that they belong to (0 for stipples).
+    kind, name : str
+    marks, strokes : int
+        Marks, and strokes that they form (0 for stipples).
     full_count : int
-        What the count would be if nothing had been dropped (distribution "paper").
+        What `marks` would be if nothing had been dropped (distribution "published"), or left out for the
+        budget (strokes of "blue_noise").
     levels : int
-        Refinement steps taken.
+        Refinement steps taken; of "blue_noise" strokes the last pass.
     step : float
-        The initial step used.
+        The initial step used; of "blue_noise" strokes the separation.
     seconds : float
-    level : tuple of LevelInfo
-        One for the seeds and one for each refinement step.
     """
 
-    count: int
+    kind: str
+    name: str
+    marks: int
     strokes: int
     full_count: int
     levels: int
     step: float
     seconds: float
-    level: Tuple[LevelInfo, ...]
 
 
 @dataclass(frozen=True)
@@ -58,22 +60,23 @@ class PointSetInfo:
     ----------
     distribution, seed_source : str
         As used.
+    layers, marks : int
+        How many layers, and marks in all of them.
     origin : tuple of float
         Add it to positions.
     bounds_min, bounds_max : tuple of float
         Box of all marks.
     spacing : float
-        sqrt(area per mark) of the largest group, estimated.
+        sqrt(area per mark) of the largest layer, estimated.
     seconds_seeds, seconds_total : float
     bytes : int
         Memory kept by the set.
-    seeds : LevelInfo
-    group : mapping of str to GroupInfo
-        By the name of the group.
     """
 
     distribution: str
     seed_source: str
+    layers: int
+    marks: int
     origin: Vector
     bounds_min: Vector
     bounds_max: Vector
@@ -81,30 +84,25 @@ class PointSetInfo:
     seconds_seeds: float
     seconds_total: float
     bytes: int
-    seeds: LevelInfo
-    group: Mapping[str, GroupInfo]
 
 
-def _level(struct: Any) -> LevelInfo:
-    return read_struct(LevelInfo, struct)
+def text(characters: Any) -> str:
+    """Of a terminated array of characters."""
+    return str(ffi.string(characters).decode())
 
 
-def _group(struct: Any) -> GroupInfo:
-    def used(levels: Any) -> Tuple[LevelInfo, ...]:
-        return tuple(_level(levels[i]) for i in range(struct.levels + 1))
+def kind_name(number: int) -> str:
+    """Of a layer's kind; one that we do not know is to be treated like "own"."""
+    return name_of(LAYER_KINDS, number) if number in LAYER_KINDS.values() else "own"
 
-    return read_struct(GroupInfo, struct, {"level": used})
+
+def read_layer_info(struct: Any) -> LayerInfo:
+    """From a filled hrbfnpr_layer_info."""
+    return read_struct(LayerInfo, struct, {"kind": kind_name, "name": text})
 
 
 def read_info(struct: Any) -> PointSetInfo:
     """From a filled hrbfnpr_point_set_info."""
-    return read_struct(
-        PointSetInfo,
-        struct,
-        {
-            "distribution": lambda number: name_of(DISTRIBUTIONS, number),
-            "seed_source": lambda number: name_of(SEED_SOURCES, number),
-            "seeds": _level,
-            "group": lambda groups: {name: _group(groups[number]) for name, number in GROUPS.items()},
-        },
-    )
+    names = {"distribution": DISTRIBUTIONS, "seed_source": SEED_SOURCES}
+    convert = {key: (lambda number, table=table: name_of(table, number)) for key, table in names.items()}
+    return read_struct(PointSetInfo, struct, convert)

@@ -1,23 +1,24 @@
 """Styles: how a point set is drawn."""
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Generic, Iterable, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Generic, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 from ._arrays import Array, store, vector
 from ._callbacks import CallbackState, callback
 from ._errors import check, new_error, new_struct
+from ._layer import c_name, new_list
 from ._library import ffi, lib
 from ._names import (
-    GROUPS,
     HIDDEN_LINES,
+    LAYER_KINDS,
     LIGHT_SPACES,
+    PRESETS,
+    SHAPES,
     SILHOUETTE_LAWS,
     TONE_CURVES,
     TONE_RULES,
     TONES,
     VISIBILITIES,
-    group_bits,
-    group_names,
     name_of,
     number_of,
 )
@@ -27,12 +28,6 @@ Get = TypeVar("Get")
 Set = TypeVar("Set")
 Color = Union[str, Tuple[float, ...]]
 ToneFunction = Callable[[Array, Array], Any]
-
-PRESETS: Tuple[str, ...] = tuple(
-    ffi.string(lib.hrbfnpr_style_preset_name(number)).decode()
-    for number in range(ffi.integer_const("HRBFNPR_STYLE_COUNT"))
-)
-"""Names of the styles that `Style` knows."""
 
 
 def color(argument: str, value: Color) -> Tuple[float, float, float, float]:
@@ -95,25 +90,101 @@ class _Attributes:
         return tuple(name for name, value in vars(cls).items() if isinstance(value, _Field))
 
 
-class GroupStyle(_Attributes):
-    """One group's ink; the `stipple`, `curvature` or `combing` of a `Style`."""
+def _flag(doc: str) -> _Field[bool, bool]:
+    return _Field(lambda name, value: int(bool(value)), bool, doc)
 
-    shown = _Field[bool, bool](lambda name, value: int(bool(value)), bool, "Whether its front marks are drawn.")
-    sets = _Field[int, int](lambda name, value: int(value), int, "Bit 0: first directions, bit 1: second.")
-    share = _number("Share of the group's marks that is used at all, 0 to 1.")
-    radius = _number("Of a mark, pixels.")
+
+def _directions(name: str, value: Union[int, str, Iterable[str]]) -> int:
+    """Bits of directions: the bits themselves, or names."""
+    if isinstance(value, int):
+        return value
+    names = {"first": 1, "second": 2}
+    return sum({number_of(name, names, part) for part in ([value] if isinstance(value, str) else value)})
+
+
+class LayerStyle(_Attributes):
+    """How layers of marks are drawn; an element of `Style.layers`.
+
+    Parameters
+    ----------
+    kind : {"any", "stipples", "principal", "combing", "field", "own"}
+        The layers that this is for ...
+    name : str, optional
+        ... and are called so; None: whatever they are called.
+    **fields
+        Other fields to change.
+    """
+
+    kind = _choice(LAYER_KINDS, "The layers that this is for: a kind of them, or \"any\" ...")
+    shown = _flag("Whether front marks are drawn.")
+    contours = _flag("Whether marks near a contour draw it.")
+    directions = _Field[Tuple[str, ...], Union[int, str, Iterable[str]]](
+        _directions,
+        lambda bits: tuple(name for bit, name in enumerate(("first", "second")) if bits >> bit & 1),
+        'Of strokes: those of ("first", "second") that are drawn.',
+    )
+    shape = _choice(SHAPES, '"dots", or "strokes": marks that follow each other along a stroke are one line.')
+    share = _number("Share of the layer's marks that is used at all, 0 to 1.")
+    radius = _number("Of a mark, half the width of a stroke, pixels.")
     radius_zoom = _number("0: radius is in pixels at any zoom; 1: grows with the zoom; or between.")
     ink = _color("Straight RGBA in [0, 1], or '#rrggbb'.")
 
-    def __init__(self, struct: Any, style: Style) -> None:
-        self._struct = struct
-        self._style = style  # owns the memory of the struct
+    def __init__(self, kind: str = "any", name: Optional[str] = None, **fields: Any) -> None:
+        self._struct = new_struct("hrbfnpr_layer_style")
+        self.kind = kind
+        self.name = name
+        for field, value in fields.items():
+            setattr(self, field, value)
+
+    @property
+    def name(self) -> Optional[str]:
+        """... and are called so; None: whatever they are called."""
+        return self._name
+
+    @name.setter
+    def name(self, value: Optional[str]) -> None:
+        self._name = value
+
+    @classmethod
+    def _from_struct(cls, struct: Any) -> LayerStyle:
+        made = cls()
+        made._struct[0] = struct
+        made._struct.struct_size = ffi.sizeof("hrbfnpr_layer_style")
+        made._name = None if struct.name == ffi.NULL else ffi.string(struct.name).decode()
+        made._struct.name = ffi.NULL
+        return made
+
+    def copy(self, **fields: Any) -> LayerStyle:
+        """Another one like this, with some fields changed."""
+        return LayerStyle(**{**self._values(), **fields})
 
     def _values(self) -> Dict[str, Any]:
-        return {name: getattr(self, name) for name in self.fields()}
+        return {"name": self.name, **{name: getattr(self, name) for name in self.fields()}}
+
+    def _is_for(self, kind: str, name: Optional[str]) -> bool:
+        return self.kind in ("any", kind) and self.name in (None, name)
+
+    def _fill(self, target: Any) -> Any:
+        """Write a hrbfnpr_layer_style; returns what must be kept alive."""
+        target[0] = self._struct[0]
+        return c_name(target, self._name)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, LayerStyle) and self._values() == other._values()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> Any:
+        return _restore_layer, (self._values(),)
 
     def __repr__(self) -> str:
-        return "GroupStyle(" + ", ".join(f"{k}={v!r}" for k, v in self._values().items()) + ")"
+        base = LayerStyle()._values()
+        changed = [f"{k}={v!r}" for k, v in self._values().items() if v != base[k] and k != "kind"]
+        return f"LayerStyle({', '.join([repr(self.kind), *changed])})"
+
+
+def _restore_layer(values: Mapping[str, Any]) -> LayerStyle:
+    return LayerStyle(**values)
 
 
 class Style(_Attributes):
@@ -124,19 +195,26 @@ class Style(_Attributes):
     preset : str, optional
         One of `hrbfnpr.PRESETS`; the library's default style if omitted.
     **fields
-        Fields to change; a group's as a mapping.
+        Fields to change; `ink` is that of all layers and contours, and a kind of layers (`stipples`,
+        `principal`, ...) takes a mapping of fields of its `LayerStyle`.
+
+    Attributes
+    ----------
+    layers : list of LayerStyle
+        A layer of marks takes the first that is for it, or the defaults.
 
     Examples
     --------
-    >>> style = hrbfnpr.Style("hatch", tone_exponent=1.5, ink="#402010", curvature={"radius": 1.5})
-    >>> style.stipple.shown = True
+    >>> style = hrbfnpr.Style("hatch", tone_exponent=1.5, ink="#402010", principal={"radius": 1.5})
+    >>> style.layer("stipples").shown = True
+    >>> style.layers.insert(0, hrbfnpr.LayerStyle(name="fur", shape="strokes", ink="#402010"))
     """
 
-    hidden_lines = _choice(HIDDEN_LINES, '"attenuate" (painted over by paper), "hide" or "show" [NPAR 6.1].')
+    hidden_lines = _choice(HIDDEN_LINES, '"attenuate" (seen faintly through what is in front), "hide" or "show" [NPAR 6.1].')
     visibility = _choice(
         VISIBILITIES,
-        '"sheets": marks are seen through the sheets of surface in front of them, whatever their number; "painted": '
-        "paper and ink from far to near [NPAR 6.1].  One for all styles of a frame.",
+        '"depth_layers": marks are seen through the layers of surface in front of them, whatever the number of marks; '
+        '"published": paper and ink from far to near [NPAR 6.1].  One for all styles of a drawing.',
     )
     silhouette_threshold = _number(
         'delta in (0, 1): marks with abs(n . v) below it are silhouettes [NPAR 6]; of silhouette_law "width" only a '
@@ -148,13 +226,13 @@ class Style(_Attributes):
     silhouette_width = _number('Of silhouette_law "width": pixels on either side of the contour.')
     attenuation_front = _number("lambda of alpha_f = nu^2 lambda.")
     attenuation_back = _number("lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda.")
-    cover_radius = _number("Of the paper that front marks paint, pixels; 0 = from the marks' spacing.")
+    splat_radius = _number("Of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing.")
     halo_width = _number(
-        'Pixels; of visibility "sheets" how far beyond its contour a surface hides what lies behind, else how much '
+        'Pixels; of visibility "depth_layers" how far beyond its contour a surface hides what lies behind, else how much '
         "wider the paper of back marks is."
     )
-    cover_layers = _number("n > 0: a sheet is as opaque as n overlapping marks; 0: as published.")
-    tone_rule = _choice(TONE_RULES, '"share" or "paper": how tone, depth, zoom and share are combined.')
+    splat_overlap = _number("n > 0: a depth layer is as opaque as n overlapping splats; 0: as published.")
+    tone_rule = _choice(TONE_RULES, '"share" or "published": how tone, depth, zoom and share are combined.')
     tone_curve = _choice(
         TONE_CURVES,
         'Of tone_rule "share".  "coverage": marks cover 1 - tau of the paper at any zoom and number of marks; '
@@ -172,16 +250,13 @@ class Style(_Attributes):
     paper = _color("Straight RGBA in [0, 1], or '#rrggbb'; alpha 0 = transparent.")
     silhouette_ink = _color("Of silhouette marks.")
     silhouette_radius = _number("Of silhouette marks, pixels.")
-    silhouette_radius_zoom = _number("As a group's radius_zoom.")
+    silhouette_radius_zoom = _number("As radius_zoom of a `LayerStyle`.")
     light = _Field[Tuple[float, ...], Sequence[float]](vector, tuple, "Towards the light; normalised on use.")
-    silhouette_groups = _Field[Tuple[str, ...], Union[str, Iterable[str]]](
-        lambda name, value: group_bits(value), group_names, "Groups whose silhouette marks are drawn."
-    )
 
     def __init__(self, preset: Optional[str] = None, **fields: Any) -> None:
         self._preset = preset
         self._tone: Optional[ToneFunction] = None
-        self._groups = (1 << len(GROUPS)) - 1
+        self._layers: List[LayerStyle] = []
         if preset is None:
             self._struct = new_struct("hrbfnpr_style")
         else:
@@ -191,40 +266,62 @@ class Style(_Attributes):
     def _init_preset(self, preset: str) -> None:
         if preset not in PRESETS:
             raise ValueError(f"preset must be one of {', '.join(map(repr, PRESETS))}, not {preset!r}")
-        self._struct = ffi.new("hrbfnpr_style *")
-        groups, error = ffi.new("uint32_t *"), new_error()
-        size = ffi.sizeof("hrbfnpr_style")
-        status = lib.hrbfnpr_style_init_preset(self._struct, size, PRESETS.index(preset), groups, error)
+        self._struct = struct = ffi.new("hrbfnpr_style *")
+        error = new_error()
+        status = lib.hrbfnpr_style_init_preset(struct, ffi.sizeof("hrbfnpr_style"), PRESETS.index(preset), error)
         check(status, error)
-        self._groups = groups[0]
+        # Copied, so that they can be changed.
+        first, stride = ffi.cast("char *", struct.layers), struct.layer_stride
+        if struct.layer_count and not stride:
+            stride = struct.layers.struct_size
+        self._layers = [
+            LayerStyle._from_struct(ffi.cast("hrbfnpr_layer_style *", first + i * stride)[0])
+            for i in range(struct.layer_count)
+        ]
+        struct.layers, struct.layer_count, struct.layer_stride = ffi.NULL, 0, 0
 
     @property
     def preset(self) -> Optional[str]:
-        """The name it was made from."""
+        """The name it was made from: what to give to `PointSet.generate`."""
         return self._preset
 
     @property
-    def groups(self) -> Tuple[str, ...]:
-        """The groups of marks that the preset draws: what to give to `PointSet.generate`."""
-        return group_names(self._groups)
+    def layers(self) -> List[LayerStyle]:
+        """A layer of marks takes the first that is for it, or the defaults of `LayerStyle`."""
+        return self._layers
 
-    def _group(self, name: str) -> GroupStyle:
-        return GroupStyle(self._struct.group[GROUPS[name]], self)
+    @layers.setter
+    def layers(self, value: Iterable[LayerStyle]) -> None:
+        layers = list(value)
+        for layer in layers:
+            if not isinstance(layer, LayerStyle):
+                raise TypeError(f"layers must be hrbfnpr.LayerStyle objects, not {type(layer).__name__}")
+        self._layers = layers
 
-    @property
-    def stipple(self) -> GroupStyle:
-        """Ink of the stipples."""
-        return self._group("stipple")
+    def layer(self, which: str) -> LayerStyle:
+        """The element of `layers` for a kind of layers ("any": those that no other is for), or for a name.
 
-    @property
-    def curvature(self) -> GroupStyle:
-        """Ink of the strokes along principal directions."""
-        return self._group("curvature")
+        If what they take so far is for others too, a copy of it for them alone is put in front of it.
+        """
+        if which.replace("-", "_") not in LAYER_KINDS:
+            for style in self._layers:
+                if style.name == which:
+                    return style
+            self._layers.insert(0, self.style_of("any", which).copy(name=which))
+            return self._layers[0]
+        kind = which.replace("-", "_")
+        for place, style in enumerate(self._layers):
+            if style.name is None and style.kind == kind:
+                return style
+            if style.name is None and style.kind == "any":
+                self._layers.insert(place, style.copy(kind=kind))
+                return self._layers[place]
+        self._layers.append(LayerStyle(kind))
+        return self._layers[-1]
 
-    @property
-    def combing(self) -> GroupStyle:
-        """Ink of the combed strokes."""
-        return self._group("combing")
+    def style_of(self, kind: str, name: Optional[str] = None) -> LayerStyle:
+        """What a layer of marks takes: the first of `layers` that is for it, or defaults."""
+        return next((style for style in self._layers if style._is_for(kind, name)), LayerStyle(kind))
 
     @property
     def tone(self) -> Union[str, ToneFunction]:
@@ -246,36 +343,38 @@ class Style(_Attributes):
         self._tone, self._struct.tone = None, number
 
     def set_ink(self, ink: Color) -> None:
-        """Give all groups and the silhouette one ink."""
+        """Give all layers and the contours one ink."""
         self.silhouette_ink = ink
-        for name in GROUPS:
-            self._group(name).ink = ink
+        self.layer("any")
+        for style in self._layers:
+            style.ink = ink
 
     def copy(self, **fields: Any) -> Style:
         """Another style like this one, with some fields changed."""
         copy = Style()
-        copy._preset, copy._groups, copy._tone = self._preset, self._groups, self._tone
+        copy._preset, copy._tone = self._preset, self._tone
+        copy._layers = [style.copy() for style in self._layers]
         copy._struct[0] = self._struct[0]
         copy.update(**fields)
         return copy
 
     def update(self, **fields: Any) -> None:
-        """Change some fields; a group's as a mapping, and `ink` for `set_ink`."""
+        """Change some fields; those of a kind of layers as a mapping, and `ink` for `set_ink`."""
         for name, value in fields.items():
             if name == "ink":
                 self.set_ink(value)
-            elif name in GROUPS:
+            elif name in LAYER_KINDS:
+                layer = self.layer(name)
                 for field, part in dict(value).items():
-                    setattr(self._group(name), field, part)
-            elif name in self.fields() or name == "tone":
+                    setattr(layer, field, part)
+            elif name in self.fields() or name in ("tone", "layers"):
                 setattr(self, name, value)
             else:
                 raise TypeError(f"Style has no field {name!r}")
 
     def _values(self) -> Dict[str, Any]:
         values = {name: getattr(self, name) for name in self.fields()}
-        values.update({name: self._group(name)._values() for name in GROUPS})
-        return {**values, "tone": self.tone}
+        return {**values, "tone": self.tone, "layers": [style.copy() for style in self._layers]}
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Style) and self._values() == other._values()
@@ -291,14 +390,19 @@ class Style(_Attributes):
         return f"Style({', '.join([repr(self._preset), *changed])})"
 
     def _prepared(self) -> Tuple[Any, Optional[CallbackState], Any]:
-        """A copy for one frame, the state of its tone function, and what must be kept alive."""
+        """A copy for one drawing, the state of its tone function, and what must be kept alive."""
         struct = ffi.new("hrbfnpr_style *", self._struct[0])
+        layers = new_list("hrbfnpr_layer_style", len(self._layers))
+        keep = [struct, layers]
+        for i, style in enumerate(self._layers):
+            keep.append(style._fill(ffi.addressof(layers, i)))
+        struct.layers, struct.layer_count = layers, len(self._layers)
         if self._tone is None:
-            return struct, None, struct
+            return struct, None, keep
         state = CallbackState(self._tone)
         user = state.new_handle()
         struct.tone_function, struct.tone_user = _on_tone, user
-        return struct, state, (struct, user)
+        return struct, state, [*keep, user]
 
 
 def _restore(preset: Optional[str], values: Mapping[str, Any]) -> Style:

@@ -5,6 +5,7 @@ from typing import Any, List, Sequence, Tuple
 
 from ._arrays import Array
 from ._errors import new_struct
+from ._layer import new_list
 from ._library import ffi
 from ._numpy import np
 
@@ -19,35 +20,39 @@ _TYPES = {
     "id": ("I", 1),
     "class": ("B", 1),
     "is_paper": ("B", 1),
+    "layer": ("I", 1),
+    "length": ("f", 1),
 }
 _SCALARS = {"f": ("FLOAT32", 4), "B": ("UINT8", 1), "I": ("UINT32", 4)}
 
-Fields = List[Tuple[str, str, int]]
+Fields = List[Tuple[str, str, int, int]]  # name, type code, components, offset
 
 
-def layout_of(attributes: Sequence[str]) -> Tuple[Any, Fields]:
-    """The library's layout, packed but for padding to 4 bytes, and the same as fields."""
+def layout_of(primitive: int, attributes: Sequence[str]) -> Tuple[Any, Fields, Any]:
+    """The library's layout, packed but for padding to 4 bytes; the same as fields; what must be kept alive."""
     layout = new_struct("hrbfnpr_vertex_layout")
     fields: Fields = []
     if isinstance(attributes, str):
         attributes = (attributes,)
-    if not 1 <= len(attributes) <= len(layout.attributes):
-        raise ValueError(f"attributes must be 1 to {len(layout.attributes)} names")
+    if len(attributes) < 1:
+        raise ValueError("attributes must be at least one name")
+    targets = new_list("hrbfnpr_vertex_attribute", len(attributes))
     offset = 0
-    for target, name in zip(layout.attributes, attributes):
+    for target, name in zip(targets, attributes):
         if name not in _TYPES:
             raise ValueError(f"attributes must be of {', '.join(map(repr, _TYPES))}, not {name!r}")
         code, components = _TYPES[name]
         scalar, size = _SCALARS[code]
         offset = (offset + size - 1) // size * size
-        target.attribute = ffi.integer_const(f"HRBFNPR_VERTEX_{name.upper()}")
+        target.attribute = ffi.integer_const(f"HRBFNPR_VERTEX_ATTRIBUTE_{name.upper()}")
         target.scalar = ffi.integer_const(f"HRBFNPR_SCALAR_{scalar}")
         target.offset = offset
-        fields.append((name, code, components))
+        fields.append((name, code, components, offset))
         offset += size * components
-    layout.attribute_count = len(fields)
+    layout.primitive = primitive
+    layout.attributes, layout.attribute_count = targets, len(fields)
     layout.stride = (offset + 3) // 4 * 4
-    return layout, fields
+    return layout, fields, targets
 
 
 def vertex_array(count: int, layout: Any, fields: Fields) -> Tuple[Array, Any]:
@@ -55,9 +60,9 @@ def vertex_array(count: int, layout: Any, fields: Fields) -> Tuple[Array, Any]:
     if np is not None:
         dtype = np.dtype(
             {
-                "names": [name for name, _, _ in fields],
-                "formats": [(code, (n,)) if n > 1 else code for _, code, n in fields],
-                "offsets": [layout.attributes[i].offset for i in range(len(fields))],
+                "names": [name for name, _, _, _ in fields],
+                "formats": [(code, (n,)) if n > 1 else code for _, code, n, _ in fields],
+                "offsets": [offset for _, _, _, offset in fields],
                 "itemsize": layout.stride,
             }
         )

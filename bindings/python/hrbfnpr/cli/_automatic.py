@@ -2,22 +2,24 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, Sequence, Tuple, Union
+from dataclasses import replace
+from typing import Any, Dict, List, Sequence, Tuple, Union
 
 import numpy as np
 
 from .._camera import Camera
 from .._context import Context
+from .._layer import Layer
 from .._model import Model
 from .._point_set import PointSet
 from .._style import Style
 
 LONG_SIDE = 1600
 STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make a line
-MOST_MARKS = {"stipple": 300_000, "curvature": 800_000, "combing": 800_000}
+MOST_MARKS = {"stipples": 300_000, "principal": 800_000, "combing": 800_000}
 
-# Ink over area at the darkest tone; of strokes that of one set, which leaves some paper between its lines.
-_COVERAGE = {"stipple": 0.8, "curvature": 0.55, "combing": 0.55}
+# Ink over area at the darkest tone; of strokes that of one direction, which leaves some paper between its lines.
+_COVERAGE = {"stipples": 0.8, "principal": 0.55, "combing": 0.55}
 
 
 def _unit(v: Any) -> Any:
@@ -76,60 +78,55 @@ def pen_radius(size: Tuple[int, int]) -> float:
 
 def probe(model: Model, context: Context) -> PointSet:
     """A few marks spread evenly over the model, to learn its area and where it is."""
-    return PointSet.generate(model, "stipple", budget=2000, context=context)
+    return PointSet.generate(model, budget=2000, context=context)
 
 
 def positions(marks: PointSet) -> Any:
     """Absolute positions of all marks."""
-    parts = [np.asarray(marks.positions(group), dtype=float) for group in marks.groups]
+    parts = [np.asarray(layer.positions, dtype=float) for layer in marks.layers]
     return np.concatenate(parts) + np.asarray(marks.origin)
 
 
-def marks(
-    groups: Sequence[str], style: Style, area: float, pixels: float, options: Dict[str, Any], centres: int
-) -> Dict[str, Any]:
-    """Arguments of `PointSet.generate` that fill the darkest tone; `options` are those given."""
-    if options.get("distribution") == "paper":
-        return _paper_levels(groups, style, area * pixels**2, options, centres)
-    chosen: Dict[str, Any] = {}
-    budget: Dict[str, int] = {}
-    for name in groups:
-        radius = getattr(style, name).radius
-        if name == "stipple":
-            wanted = _COVERAGE[name] * area * pixels**2 / (math.pi * radius**2)
-        else:
-            # Both sets have area / separation of length each.
-            step = STROKE_SPACING * radius / pixels
-            chosen["stroke_step"] = min(step, chosen.get("stroke_step", step))
-            wanted = 2 * area * pixels * _COVERAGE[name] / (2 * radius) / step
-            if options.get("stroke_separation"):
-                continue  # as many as there are
-        budget[name] = max(1, min(MOST_MARKS[name], round(wanted)))
-    return {**chosen, "budget": {**budget, **options.get("budget", {})}}
+def marks(layers: Sequence[Layer], style: Style, area: float, pixels: float, published: bool, seeds: int) -> List[Layer]:
+    """The layers with what fills the darkest tone, where they do not say themselves."""
+    fill = _published if published else _even
+    return [fill(layer, style.style_of(layer.kind, layer.name).radius, area, pixels, seeds) for layer in layers]
 
 
-def layers(groups: Sequence[str], style: Style) -> Dict[str, Tuple[float, float]]:
-    """Equal parts of the tones for the layers that the style draws; some groups are only there for paper."""
-    drawn = []
-    for name in ("stipple", "curvature", "combing"):
-        if name not in groups or not getattr(style, name).shown:
-            continue
-        if name == "stipple":
-            drawn.append(name)
-        else:
-            sets = getattr(style, name).sets
-            drawn += [f"{name}_{which}" for bit, which in enumerate(("first", "second")) if sets >> bit & 1]
-    return {layer: (k / len(drawn), (k + 1) / len(drawn)) for k, layer in enumerate(drawn)}
+def _even(layer: Layer, radius: float, area: float, pixels: float, seeds: int) -> Layer:
+    if layer.kind == "stipples":
+        wanted = _COVERAGE[layer.kind] * area * pixels**2 / (math.pi * radius**2)
+    else:
+        # Both directions have area / separation of length each.
+        step = STROKE_SPACING * radius / pixels
+        wanted = 2 * area * pixels * _COVERAGE[layer.kind] / (2 * radius) / step
+        layer = replace(layer, step=layer.step or step)
+    if layer.budget is not None or (layer.kind != "stipples" and layer.separation > 0):
+        return layer  # of a separation as many as there are
+    return replace(layer, budget=max(1, min(MOST_MARKS[layer.kind], round(wanted))))
 
 
-def _paper_levels(
-    groups: Sequence[str], style: Style, area_in_pixels: float, options: Dict[str, Any], centres: int
-) -> Dict[str, Any]:
+def _published(layer: Layer, radius: float, area: float, pixels: float, seeds: int) -> Layer:
     """As many refinement steps as do not overfill the picture."""
-    levels = {}
-    for name in groups:
-        wanted = area_in_pixels / (math.pi * getattr(style, name).radius ** 2)
-        seeds, factor = (centres, 5) if name == "stipple" else (2 * centres, 3)
-        steps = math.log(max(wanted, 1) / max(seeds, 1), factor)
-        levels[name] = min(max(round(steps), 1), 6)
-    return {"levels": {**levels, **options.get("levels", {})}}
+    if layer.levels is not None:
+        return layer
+    wanted = area * pixels**2 / (math.pi * radius**2)
+    start, factor = (seeds, 5) if layer.kind == "stipples" else (2 * seeds, 3)
+    steps = math.log(max(wanted, 1) / max(start, 1), factor)
+    return replace(layer, levels=min(max(round(steps), 1), 6))
+
+
+def in_turn(layers: Sequence[Layer], style: Style) -> List[Layer]:
+    """Equal parts of the tones for what the style draws; some layers are only there for contours."""
+    styles = [style.style_of(layer.kind, layer.name) for layer in layers]
+    drawn: List[Tuple[int, str]] = []
+    for i, (layer, how) in enumerate(zip(layers, styles)):
+        if how.shown and layer.kind == "stipples":
+            drawn.append((i, "tone"))
+        elif how.shown:
+            drawn += [(i, {"first": "tone", "second": "second_tone"}[name]) for name in how.directions]
+    result = list(layers)
+    for k, (i, field) in enumerate(drawn):
+        changes: Dict[str, Any] = {field: (k / len(drawn), (k + 1) / len(drawn))}
+        result[i] = replace(result[i], **changes)
+    return result

@@ -3,16 +3,18 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, Dict, Sequence, Tuple, Union
+from typing import Any, List, Sequence, Tuple, Union
 
 import numpy as np
 
 from .. import shapes
 from .._camera import Camera, corners
 from .._context import Context
+from .._layer import Layer, preset_layers
 from .._model import Model
-from .._names import GROUPS
+from .._names import MADE_KINDS
 from .._point_set import PointSet
 from .._renderer import Renderer
 from .._style import Style
@@ -22,28 +24,34 @@ from ._inputs import given
 from ._progress import Reporter
 
 _GENERATE = (
-    "distribution", "budget", "levels", "initial_step", "seed_source", "box_resolution", "box_jitter",
-    "stroke_seeds", "seed_level", "stroke_separation", "stroke_step", "stroke_length", "stroke_field", "density",
-    "density_strength", "order", "shared_budget", "projection_tolerance", "curvature_of", "random_seed",
+    "distribution", "initial_step", "seed_source", "box_resolution", "box_jitter", "tone_ranges", "shared_budget",
+    "projection_tolerance", "random_seed",
 )  # fmt: skip
+_STROKES = ("separation", "step", "length", "symmetry", "start", "start_level")
 _STYLE = (
     "paper", "hidden_lines", "visibility", "silhouette_threshold", "silhouette_law", "silhouette_width",
-    "attenuation_front", "attenuation_back", "cover_radius", "cover_layers", "halo_width", "tone", "tone_rule",
-    "tone_curve", "tone_fade", "tone_exponent", "light", "light_space", "zoom_reference", "zoom_exponent",
-    "silhouette_groups", "ink",
+    "attenuation_front", "attenuation_back", "splat_radius", "splat_overlap", "halo_width", "tone", "tone_rule",
+    "tone_curve", "tone_fade", "tone_exponent", "light", "light_space", "zoom_reference", "zoom_exponent", "ink",
 )  # fmt: skip
 
 
 def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
     """The named style with what was given on the command line, marks sized for the picture."""
     style = Style(arguments.style)
+    style.layer("any")
     # The named styles are made for a pen of one pixel.
     pen = arguments.mark_radius or _automatic.pen_radius(size)
-    for name in GROUPS:
-        getattr(style, name).radius *= pen
+    for layer in style.layers:
+        layer.radius *= pen
         if arguments.share is not None:
-            getattr(style, name).share *= arguments.share
+            layer.share *= arguments.share
+        if arguments.shape is not None:
+            layer.shape = arguments.shape
     style.silhouette_radius *= pen
+    if arguments.contours_of is not None:
+        for kind in MADE_KINDS:
+            style.layer(kind).contours = kind in arguments.contours_of
+        style.layer("any").contours = False
     style.update(**given(arguments, _STYLE))
     style.update(**given(arguments, ("silhouette_ink", "silhouette_radius")))
     if arguments.transparent:
@@ -51,8 +59,8 @@ def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
         style.paper = (red, green, blue, 0.0)
     if arguments.depth_range is not None:
         style.depth_min, style.depth_max = arguments.depth_range
-    for group, field, text in arguments.assignments:
-        values.assign(style, group, field, text)
+    for layer, field, text in arguments.assignments:
+        values.assign(style, layer, field, text)
     return style
 
 
@@ -83,25 +91,25 @@ def _camera_at(arguments: Any, source: Any, up: Any, angle: float, size: Tuple[i
     return camera.perspective(angle, size, max(distance - 2 * radius, distance / 1000), distance + 2 * radius)
 
 
-def generate(
-    arguments: Any,
-    model: Model,
-    groups: Sequence[str],
-    automatic: Dict[str, Any],
-    context: Context,
-    report: Reporter,
-) -> PointSet:
-    """Place the marks; what was given on the command line goes before `automatic`."""
-    options = {**automatic, **given(arguments, _GENERATE)}
-    for name in ("budget", "levels"):  # what was given for some groups leaves the others
-        if isinstance(options.get(name), dict):
-            options[name] = {**automatic.get(name, {}), **options[name]}
-    if options.get("shared_budget"):
-        options.pop("budget", None)
+def make_layers(arguments: Any, kinds: Sequence[str]) -> List[Layer]:
+    """Layers of these kinds with what was given on the command line."""
+    layers = []
+    for kind in kinds:
+        layer = Layer(kind, **given(arguments, ("density", "density_strength") if kind == "stipples" else _STROKES))
+        for field, numbers in (("budget", arguments.budget), ("levels", arguments.levels)):
+            if numbers is not None and kind in numbers:
+                layer = replace(layer, **{field: numbers[kind]})
+        layers.append(replace(layer, with_curvature=kind in (arguments.curvature_of or ())))
+    return layers
+
+
+def generate(arguments: Any, model: Model, layers: Sequence[Layer], context: Context, report: Reporter) -> PointSet:
+    """Place the marks."""
+    options = given(arguments, _GENERATE)
     if arguments.seed_points is not None:
         options["seed_points"] = shapes.read(arguments.seed_points).points
     with report.stage("placing marks") as bar:
-        return PointSet.generate(model, groups, progress=bar, context=context, **options)
+        return PointSet.generate(model, layers, progress=bar, context=context, **options)
 
 
 def draw(arguments: Any, source: Union[Model, PointSet], context: Context, report: Reporter) -> None:
@@ -114,21 +122,21 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
     if isinstance(source, Model):
         if arguments.save_model:
             source.save(arguments.save_model)
-        groups = arguments.groups or style.groups
         low, high = source.bounds
         pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
         area = known.info.spacing**2 * len(known)
-        options = given(arguments, _GENERATE)
-        automatic = _automatic.marks(groups, style, area, pixels, options, max(source.info.centres, 1))
-        if options.get("order") == "layered":
-            automatic["layers"] = _automatic.layers(groups, style)
-        marks = generate(arguments, source, groups, automatic, context, report)
+        published, seeds = arguments.distribution == "published", max(source.info.centres, 1)
+        layers = make_layers(arguments, arguments.layers or [layer.kind for layer in preset_layers(arguments.style)])
+        layers = _automatic.marks(layers, style, area, pixels, published, seeds)
+        if arguments.tone_ranges == "in-turn":
+            layers = _automatic.in_turn(layers, style)
+        marks = generate(arguments, source, layers, context, report)
     else:
         marks = source
     if arguments.save_points:
         marks.save(arguments.save_points)
     with report.stage("drawing"):
-        drawing = Renderer(context=context).drawing((marks, style), camera)
+        drawing = Renderer(context=context).draw((marks, style), camera)
         drawing.save(output)
     if not report.quiet:
         width, height = camera.size

@@ -96,12 +96,12 @@ def _fit(arguments: Any, context: Context, report: Reporter) -> None:
 
 
 def _points(arguments: Any, context: Context, report: Reporter) -> None:
-    from ._draw import generate
+    from ._draw import generate, make_layers
 
     model = _load(arguments, context, report)
     if not isinstance(model, Model):
         raise UsageError(f"{arguments.input} holds a point set already")
-    marks = generate(arguments, model, arguments.groups or ("stipple",), {}, context, report)
+    marks = generate(arguments, model, make_layers(arguments, arguments.layers or ("stipples",)), context, report)
     if arguments.output.lower().endswith(".ply"):
         from ._ply import write_ply
 
@@ -119,7 +119,10 @@ def _describe(path: Path, context: Context) -> Dict[str, Any]:
     saved = load_saved(path, context)
     if saved is not None:
         kind = "model" if isinstance(saved, Model) else "point set"
-        return {"file": str(path), "kind": kind, **dataclasses.asdict(saved.info)}
+        facts = {"file": str(path), "kind": kind, **dataclasses.asdict(saved.info)}
+        if isinstance(saved, PointSet):
+            facts["layers"] = [dataclasses.asdict(layer.info) for layer in saved.layers]
+        return facts
     shape = shapes.read(path)
     return {
         "file": str(path),

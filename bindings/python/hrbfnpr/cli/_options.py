@@ -14,21 +14,22 @@ from .. import __version__
 from .._names import (
     DENSITIES,
     DISTRIBUTIONS,
-    GROUP_SEEDS,
     HIDDEN_LINES,
     KERNELS,
     LIGHT_SPACES,
-    ORDERS,
+    PRESETS,
     REPAIRS,
     SEED_SOURCES,
+    SHAPES,
     SILHOUETTE_LAWS,
     SOLVERS,
-    STROKE_FIELDS,
+    STROKE_STARTS,
+    SYMMETRIES,
     TONE_CURVES,
+    TONE_RANGES,
     TONE_RULES,
     VISIBILITIES,
 )
-from .._style import PRESETS
 from . import _values as values
 
 
@@ -101,32 +102,32 @@ def _add_fit(parser: Parser) -> None:
 
 def _add_marks(parser: Parser) -> None:
     group = parser.add_argument_group("marks")
-    _add(group, "--groups", "groups", values.groups, "NAMES", "stipple,curvature,combing; those the style needs")
+    _add(group, "--layers", "layers", values.layers, "NAMES", "stipples,principal,combing; those the style draws")
     _add_choice(group, "--distribution", "distribution", tuple(DISTRIBUTIONS), "of marks over the surface")
-    _add(group, "--marks", "budget", values.per_group, "N", "the most marks of each group, or GROUP=N,...; enough "
+    _add(group, "--marks", "budget", values.per_layer, "N", "the most marks of each layer, or LAYER=N,...; enough "
          "to make the darkest tone nearly black")  # fmt: skip
-    group.add_argument("--budget", dest="budget", type=values.per_group, help=argparse.SUPPRESS)
-    _add(group, "--levels", "levels", values.per_group, "N", "refinement steps of PAPER, or GROUP=N,...")
-    _add(group, "--step", "initial_step", values.number, "LENGTH", "initial step rho_0 of PAPER")
+    group.add_argument("--budget", dest="budget", type=values.per_layer, help=argparse.SUPPRESS)
+    _add(group, "--levels", "levels", values.per_layer, "N", "refinement steps of published, or LAYER=N,...")
+    _add(group, "--step", "initial_step", values.number, "LENGTH", "initial step rho_0 of published")
     _add_choice(group, "--seeds", "seed_source", tuple(SEED_SOURCES), "where marks start")
     _add(group, "--seed-points", "seed_points", str, "FILE", "points to be the seeds")
     _add(group, "--box-resolution", "box_resolution", values.count(1, 256), "N", "cells of the box of seeds; 8")
     _add(group, "--box-jitter", "box_jitter", values.number, "X", "in cell sides, 0 to 0.5; 0.25")
-    _add_choice(group, "--stroke-seeds", "stroke_seeds", tuple(GROUP_SEEDS), "what strokes of paper start from")
-    _add(group, "--seed-level", "seed_level", values.count(0, 12), "N", "last level of those stipples; 0")
-    _add(group, "--separation", "stroke_separation", values.number, "LENGTH", "of neighbouring strokes")
-    _add(group, "--stroke-step", "stroke_step", values.number, "LENGTH", "of the marks along a stroke")
-    _add(group, "--stroke-length", "stroke_length", values.number, "LENGTH", "of the longest stroke; 0 = no limit")
-    _add_choice(group, "--stroke-field", "stroke_field", tuple(STROKE_FIELDS), "where the directions change places")
+    _add_choice(group, "--stroke-start", "start", tuple(STROKE_STARTS), "what strokes of published start from")
+    _add(group, "--start-level", "start_level", values.count(0, 12), "N", "last level of those stipples; 0")
+    _add(group, "--separation", "separation", values.number, "LENGTH", "of neighbouring strokes")
+    _add(group, "--stroke-step", "step", values.number, "LENGTH", "of the marks along a stroke")
+    _add(group, "--stroke-length", "length", values.number, "LENGTH", "of the longest stroke; 0 = no limit")
+    _add_choice(group, "--symmetry", "symmetry", tuple(SYMMETRIES), "where the directions change places")
     _add_choice(group, "--density", "density", tuple(name for name in DENSITIES if name != "callback"),
                 "where stipples are denser")  # fmt: skip
     _add(group, "--density-strength", "density_strength", values.number, "X", "of curvature, 0 to 1; 0.5")
-    _add_choice(group, "--order", "order", tuple(ORDERS), "whether one layer of marks follows the other from light "
+    _add_choice(group, "--tone-ranges", "tone_ranges", tuple(TONE_RANGES), "whether one layer of marks follows the other from light "
                 "to dark")  # fmt: skip
-    _add(group, "--shared-marks", "shared_budget", values.count(0), "N", "the most marks of all groups together, in "
+    _add(group, "--shared-marks", "shared_budget", values.count(0), "N", "the most marks of all layers together, in "
          "place of --marks")  # fmt: skip
     _add(group, "--projection-tolerance", "projection_tolerance", values.number, "X", "share of the diagonal; 1e-7")
-    _add(group, "--curvature-of", "curvature_of", values.groups, "NAMES", "keep curvatures of these groups too")
+    _add(group, "--curvature-of", "curvature_of", values.layers, "NAMES", "keep curvatures of these layers too")
 
 
 def _add_camera(parser: Parser) -> None:
@@ -157,8 +158,8 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--silhouette-width", "silhouette_width", values.number, "PIXELS", "on either side of the contour")
     _add(group, "--attenuation-front", "attenuation_front", values.number, "LAMBDA", "of what lies behind front marks")
     _add(group, "--attenuation-back", "attenuation_back", values.number, "LAMBDA", "of what lies behind back marks")
-    _add(group, "--cover-radius", "cover_radius", values.number, "PIXELS", "of the paper that marks paint; automatic")
-    _add(group, "--cover-layers", "cover_layers", values.number, "N", "opacity of a sheet in marks; 0 as published")
+    _add(group, "--splat-radius", "splat_radius", values.number, "PIXELS", "of the paper that marks paint; automatic")
+    _add(group, "--splat-overlap", "splat_overlap", values.number, "N", "opacity of a layer of surface in splats; 0 as published")
     _add(group, "--halo", "halo_width", values.number, "PIXELS", "how far beyond its contour a surface hides")
     group.add_argument("--tone", choices=["none", "light"], metavar="NAME", default=None, help="none or light")
     _add_choice(group, "--tone-rule", "tone_rule", tuple(TONE_RULES), "how tone, depth, zoom and share combine")
@@ -172,11 +173,12 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--zoom-exponent", "zoom_exponent", values.number, "X", "how fast they vanish below it")
     _add(group, "--silhouette-ink", "silhouette_ink", values.paint, "COLOUR", "as --ink")
     _add(group, "--silhouette-radius", "silhouette_radius", values.number, "PIXELS", "of silhouette marks")
-    _add(group, "--silhouette-groups", "silhouette_groups", values.groups, "NAMES", "whose silhouettes are drawn")
+    _add(group, "--contours-of", "contours_of", values.layers, "NAMES", "layers whose marks draw contours")
+    _add_choice(group, "--shape", "shape", tuple(SHAPES), "how marks of strokes are drawn")
     _add(group, "--share", "share", values.number, "X", "share of the style's marks that is used, 0 to 1")
     group.add_argument("--set", dest="assignments", action="append", type=values.assignment, default=[],
-                       metavar="[GROUP.]FIELD=VALUE", help="any other field of a style, such as "
-                       "curvature.sets=1 or stipple.ink=#800000; may be repeated")  # fmt: skip
+                       metavar="[LAYER.]FIELD=VALUE", help="any other field of a style, such as "
+                       "principal.directions=first or stipples.ink=#800000; may be repeated")  # fmt: skip
 
 
 def build() -> Parser:

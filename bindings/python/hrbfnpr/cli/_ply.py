@@ -5,29 +5,28 @@ from typing import BinaryIO
 
 import numpy as np
 
-from .._names import GROUPS
 from .._point_set import PointSet
 from .._streams import write_atomically
 
 
 def write_ply(path: str, marks: PointSet) -> None:
-    """Absolute positions, normals, directions, rank and group's number of all marks; binary."""
+    """Absolute positions, normals, directions, rank and layer's number of all marks; binary."""
     fields = [(name, "<f8") for name in "xyz"]
     fields += [(name, "<f4") for name in ("nx", "ny", "nz", "dx", "dy", "dz", "rank")]
     parts = []
-    for group in marks.groups:
-        table = np.zeros(len(marks.ranks(group)), dtype=[*fields, ("group", "u1")])
+    for layer in marks.layers:
+        table = np.zeros(len(layer), dtype=[*fields, ("layer", "u1")])
         for i, axis in enumerate("xyz"):
-            table[axis] = marks.positions(group)[:, i].astype(float) + marks.origin[i]
-            table["n" + axis] = marks.normals(group)[:, i]
-            table["d" + axis] = marks.directions(group)[:, i]
-        table["rank"] = marks.ranks(group)
-        table["group"] = GROUPS[group]
+            table[axis] = layer.positions[:, i].astype(float) + marks.origin[i]
+            table["n" + axis] = layer.normals[:, i]
+            table["d" + axis] = layer.directions[:, i]
+        table["rank"] = layer.ranks
+        table["layer"] = layer.number
         parts.append(table)
     table = np.concatenate(parts)
     types = {"<f8": "double", "<f4": "float", "u1": "uchar"}
     lines = ["ply", "format binary_little_endian 1.0", f"element vertex {len(table)}"]
-    lines += [f"property {types[kind]} {name}" for name, kind in [*fields, ("group", "u1")]]
+    lines += [f"property {types[kind]} {name}" for name, kind in [*fields, ("layer", "u1")]]
 
     def write(file: BinaryIO) -> None:
         file.write("\n".join([*lines, "end_header", ""]).encode())

@@ -5,8 +5,8 @@ import argparse
 import math
 from typing import Callable, Dict, List, Optional, Tuple, Union
 
-from .._names import GROUPS, group_bits
-from .._style import Style, color
+from .._names import LAYER_KINDS, STROKE_KINDS
+from .._style import LayerStyle, Style, color
 
 Vector = Tuple[float, float, float]
 
@@ -89,46 +89,50 @@ def paint(text: str) -> Tuple[float, float, float, float]:
         raise argparse.ArgumentTypeError(str(error)) from None
 
 
-def groups(text: str) -> Tuple[str, ...]:
+MADE = ("stipples", *(kind for kind in STROKE_KINDS if kind != "field"))  # a field is a function
+
+
+def layers(text: str) -> Tuple[str, ...]:
+    """Kinds of layers that the command line can make."""
     names = tuple(name for name in text.split(",") if name)
-    try:
-        group_bits(names)
-    except ValueError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None
+    for name in names:
+        if name not in MADE:
+            raise argparse.ArgumentTypeError(f"layers must be of {', '.join(MADE)}, not {name!r}")
     return names
 
 
-def per_group(text: str) -> Dict[str, int]:
-    """One number for all groups, or GROUP=NUMBER with commas between them."""
+def per_layer(text: str) -> Dict[str, int]:
+    """One number for all layers, or LAYER=NUMBER with commas between them."""
     if "=" not in text:
-        return {name: count()(text) for name in GROUPS}
+        return {name: count()(text) for name in MADE}
     result = {}
     for part in text.split(","):
         name, _, value = part.partition("=")
-        groups(name)
+        layers(name)
         result[name] = count()(value)
     return result
 
 
 def assignment(text: str) -> Tuple[str, str, str]:
-    """FIELD=VALUE or GROUP.FIELD=VALUE, as group (or ""), field and value."""
+    """FIELD=VALUE or LAYER.FIELD=VALUE, as layer (or ""), field and value."""
     name, equals, value = text.partition("=")
-    group, _, field = name.rpartition(".")
-    if not equals or (group and group not in GROUPS):
-        raise argparse.ArgumentTypeError(f"FIELD=VALUE or GROUP.FIELD=VALUE is needed, not {text!r}")
-    owner = getattr(Style(), group) if group else Style()
-    if field not in owner.fields():
-        raise argparse.ArgumentTypeError(f"there is no field {name!r}; there are {', '.join(owner.fields())}")
+    layer, _, field = name.rpartition(".")
+    if not equals or (layer and layer not in LAYER_KINDS):
+        raise argparse.ArgumentTypeError(f"FIELD=VALUE or LAYER.FIELD=VALUE is needed, not {text!r}")
+    fields = LayerStyle.fields() if layer else Style.fields()
+    fields = tuple(field for field in fields if field != "kind")
+    if field not in fields:
+        raise argparse.ArgumentTypeError(f"there is no field {name!r}; there are {', '.join(fields)}")
     try:
-        assign(Style(), group, field, value)
+        assign(Style(), layer, field, value)
     except ValueError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
-    return group, field, value
+    return layer, field, value
 
 
-def assign(style: Style, group: str, field: str, text: str) -> None:
+def assign(style: Style, layer: str, field: str, text: str) -> None:
     """Set a field of a style from text, by the type of its present value."""
-    owner = getattr(style, group) if group else style
+    owner: Union[Style, LayerStyle] = style.layer(layer) if layer else style
     present = getattr(owner, field)
     if isinstance(present, bool):
         if text.lower() not in ("0", "1", "true", "false"):
@@ -136,8 +140,8 @@ def assign(style: Style, group: str, field: str, text: str) -> None:
         setattr(owner, field, text.lower() in ("1", "true"))
     elif isinstance(present, (int, float)):
         setattr(owner, field, type(present)(number(text)))
-    elif field.endswith("groups"):
-        setattr(owner, field, groups(text))
+    elif field == "directions":
+        setattr(owner, field, text.split(","))
     elif field == "light":
         setattr(owner, field, direction(text))
     elif isinstance(present, tuple):

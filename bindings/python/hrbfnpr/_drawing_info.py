@@ -1,0 +1,120 @@
+"""What a drawing is made of, as plain data."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Tuple
+
+from ._names import CLASSES, SHAPES, name_of
+from ._point_set_info import kind_name, text
+from ._structs import read_struct
+
+
+@dataclass(frozen=True)
+class DrawingInfo:
+    """What a drawing holds, and what making it did.
+
+    Attributes
+    ----------
+    items, layers : int
+        Items drawn; layers of the drawing, of one ink and one class each.
+    dots, strokes, stroke_points : int
+        Of ink; points of all strokes.
+    marks, outside : int
+        Marks of the layers that the styles use, and those outside the frustum.
+    front, back, silhouette : int
+        Those inside, by class.
+    culled : int
+        Marks of no class: no tone or contour could show them.  Only with depth layers.
+    shown : int
+        Marks drawn as ink.
+    dropped_tone, dropped_depth, dropped_zoom, dropped_hidden : int
+        Marks that are not shown, by reason.
+    splats : int
+        Discs of paper (visibility "published"), or marks that depth layers were found from.
+    nanoseconds_classify, nanoseconds_visibility, nanoseconds_sort : int
+    bytes, scratch_bytes : int
+        Kept by the drawing, and by its renderer.
+    """
+
+    items: int
+    layers: int
+    dots: int
+    strokes: int
+    stroke_points: int
+    marks: int
+    outside: int
+    front: int
+    back: int
+    silhouette: int
+    culled: int
+    shown: int
+    dropped_tone: int
+    dropped_depth: int
+    dropped_zoom: int
+    dropped_hidden: int
+    splats: int
+    nanoseconds_classify: int
+    nanoseconds_visibility: int
+    nanoseconds_sort: int
+    bytes: int
+    scratch_bytes: int
+
+
+@dataclass(frozen=True)
+class DrawingLayerInfo:
+    """A layer of a drawing: ink of one layer of marks, of the front or of contours.
+
+    Attributes
+    ----------
+    mark_class : {"front", "silhouette"}
+    item, layer : int
+        Number of the item, and of the layer of its point set.
+    kind, name : str
+        Of that layer.
+    shape : {"dots", "strokes"}
+    ink : tuple of float
+        Straight RGBA.
+    dots, strokes : int
+    """
+
+    mark_class: str
+    item: int
+    layer: int
+    kind: str
+    shape: str
+    name: str
+    ink: Tuple[float, float, float, float]
+    dots: int
+    strokes: int
+
+
+@dataclass(frozen=True)
+class MarkIdentity:
+    """The mark that an id stands for.
+
+    Attributes
+    ----------
+    id : int
+    item, layer, mark : int
+        Number of the item, of the layer of its point set, and of the mark in that layer.
+    stroke, place : int
+        Number of its stroke, -1 for none, and its place along it.
+    """
+
+    id: int
+    item: int
+    layer: int
+    mark: int
+    stroke: int
+    place: int
+
+
+def read_drawing_layer(struct: Any) -> DrawingLayerInfo:
+    """From a filled hrbfnpr_drawing_layer_info."""
+    convert = {
+        "mark_class": lambda number: name_of(CLASSES, number),
+        "shape": lambda number: name_of(SHAPES, number),
+        "kind": kind_name,
+        "name": text,
+    }
+    return read_struct(DrawingLayerInfo, struct, convert)

@@ -1,0 +1,37 @@
+"""Pictures as files.  Needs Pillow."""
+from __future__ import annotations
+
+import os
+from typing import Any, BinaryIO, Optional, Union
+
+from ._arrays import Array
+from ._streams import write_atomically
+
+
+def to_pil(image: Array) -> Any:
+    """A PIL.Image of straight RGBA, uint8 (height, width, 4)."""
+    try:
+        from PIL import Image
+    except ImportError as error:
+        raise ImportError("making a PNG needs Pillow (Debian: python3-pil)") from error
+    height, width = image.shape[:2]
+    return Image.frombytes("RGBA", (width, height), bytes(image))
+
+
+def save(picture: Any, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str]) -> None:
+    """Write a PIL.Image to a path (atomically) or a binary file object."""
+    from PIL import Image
+
+    if format is None:
+        ending = ""
+        if isinstance(target, (str, os.PathLike)):
+            ending = os.path.splitext(os.fspath(target))[1].lower()
+        format = Image.registered_extensions().get(ending, "PNG" if not ending else None)
+        if format is None:
+            raise ValueError(f"no picture format is known for the ending {ending!r}; use .png")
+    if format == "JPEG":
+        picture = picture.convert("RGB")
+    if isinstance(target, (str, os.PathLike)):
+        write_atomically(target, lambda file: picture.save(file, format))
+    else:
+        picture.save(target, format)

@@ -1,0 +1,309 @@
+"""Drawings: a value that says how its marks are drawn; strokes, poses, formats."""
+import threading
+
+import numpy as np
+import pytest
+
+import hrbfnpr
+
+RESTART = 0xFFFFFFFF
+
+
+@pytest.fixture(scope="module")
+def renderer():
+    return hrbfnpr.Renderer()
+
+
+@pytest.fixture(scope="module")
+def style():
+    return hrbfnpr.Style("full")
+
+
+@pytest.fixture(scope="module")
+def strokes_style():
+    style = hrbfnpr.Style("full")
+    style.layer("principal").shape = "strokes"
+    return style
+
+
+@pytest.fixture
+def drawing(renderer, marks, camera, style):
+    return renderer.draw((marks, style), camera)
+
+
+@pytest.fixture
+def lines(renderer, marks, camera, strokes_style):
+    return renderer.draw((marks, strokes_style), camera)
+
+
+def flat_strokes():
+    """Three horizontal lines in the plane z = 0, 1, 20 and 40 marks long."""
+    parts = [np.column_stack([np.linspace(-1, 1, n), np.full(n, y), np.zeros(n)]) for n, y in ((1, -0.5), (20, 0), (40, 0.5))]
+    positions = np.concatenate(parts)
+    normals = np.tile([0.0, 0.0, 1.0], (len(positions), 1))
+    return hrbfnpr.OwnLayer(positions, normals, name="lines", stroke_first=[0, 1, 21, 61])
+
+
+def above(width=200, height=100):
+    return hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0)).orthographic(2, (width, height), 1, 10)
+
+
+def test_own_strokes_are_lines(renderer):
+    marks = hrbfnpr.PointSet.create(flat_strokes())
+    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", shape="strokes", contours=False, radius=1.5)])
+    drawing = renderer.draw((marks, style), above())
+    assert (drawing.info.strokes, drawing.info.stroke_points, drawing.info.dots) == (2, 60, 1)
+    dark = drawing.image()[..., 0] < 60
+    # A line from x = 50 to 150, whole, of 3 pixels; beside it paper.
+    assert dark[49:51, 52:148].all() and dark[24:26, 52:148].all()
+    assert not dark[40:46].any() and not dark[54:60].any() and not dark[:, :45].any() and not dark[:, 155:].any()
+    (info,) = (layer for layer in drawing.layers if layer.dots)
+    assert (info.mark_class, info.kind, info.name, info.shape) == ("front", "own", "lines", "strokes")
+    assert (info.item, info.layer, info.dots, info.strokes) == (0, 0, 1, 2)
+
+
+def test_dots_of_the_same_strokes_are_no_lines(renderer):
+    marks = hrbfnpr.PointSet.create(flat_strokes())
+    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", contours=False, radius=1.0)])
+    drawing = renderer.draw((marks, style), above())
+    assert (drawing.info.strokes, drawing.info.dots) == (0, 61)
+    assert not (drawing.image()[49:51, 52:148, 0] < 60).all()
+
+
+def test_line_and_triangle_strips(renderer):
+    marks = hrbfnpr.PointSet.create(flat_strokes())
+    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", shape="strokes", contours=False, radius=1.5)])
+    drawing = renderer.draw((marks, style), above())
+    vertices, indices = drawing.vertices("line_strips", ("position", "window", "radius", "length", "id", "layer"))
+    assert len(vertices) == 60 and len(indices) == 62 and indices.dtype == np.uint32
+    ends = np.flatnonzero(indices == RESTART)
+    strips = [vertices[part] for part in (indices[: ends[0]], indices[ends[0] + 1 : ends[1]])]
+    assert sorted(map(len, strips)) == [20, 40] and ends[1] == len(indices) - 1
+    for strip in strips:
+        x = strip["window"][:, 0]
+        np.testing.assert_allclose(strip["window"][:, 1], strip["window"][0, 1], atol=1e-3)
+        np.testing.assert_allclose(strip["length"], np.abs(x - x[0]), atol=1e-2)
+        np.testing.assert_allclose(strip["radius"], 1.5, rtol=1e-5)
+        for vertex in strip[:: len(strip) - 1]:
+            identity = drawing.identify(vertex["id"])
+            assert identity.item == identity.layer == 0
+            np.testing.assert_allclose(marks.layers[0].positions[identity.mark] + marks.origin, vertex["position"], atol=1e-6)
+    sides, pairs = drawing.vertices("triangle_strips", ("window", "radius"))
+    assert len(sides) == 120 and len(pairs) == 122
+    left, right = sides["window"][0::2], sides["window"][1::2]
+    np.testing.assert_allclose((left + right)[:, :2] / 2, vertices["window"][:, :2], atol=1e-2)
+    np.testing.assert_allclose(np.linalg.norm((left - right)[:, :2], axis=1), 3, atol=1e-2)
+    # The dots are points: the single mark.
+    assert len(drawing.vertices().vertices) == 1
+
+
+def test_strips_of_generated_strokes(lines):
+    vertices, indices = lines.vertices("line-strips", ("window", "id", "length"))
+    info = lines.info
+    assert info.strokes > 5 and len(vertices) == info.stroke_points and (indices == RESTART).sum() == info.strokes
+    np.testing.assert_array_equal(indices[indices != RESTART], np.arange(len(vertices)))
+    assert sum(layer.strokes for layer in lines.layers) == info.strokes
+    assert sum(layer.dots for layer in lines.layers) == info.dots
+    starts = np.flatnonzero(vertices["length"] == 0)
+    assert len(starts) == info.strokes
+
+
+def test_mark_results_are_those_of_the_drawing(drawing, lines, marks):
+    for one in (drawing, lines):
+        vertices = np.concatenate(
+            [one.vertices(kind, ("id", "radius", "color", "class")).vertices for kind in ("points", "line_strips")]
+        )
+        seen = {}
+        for vertex in vertices:
+            identity = one.identify(vertex["id"])
+            seen[identity.layer, identity.mark] = vertex
+        assert len(seen) == one.info.shown > 300
+        shown = 0
+        for layer in marks.layers:
+            results = one.mark_results(0, layer.name)
+            assert all(len(part) == len(layer) for part in results)
+            np.testing.assert_array_equal(results.shown > 0, results.radius > 0)
+            shown += (results.shown > 0).sum()
+            for mark in np.flatnonzero(results.shown):
+                vertex = seen[layer.number, mark]
+                assert vertex["class"] == results.shown[mark]
+                assert vertex["radius"] == pytest.approx(results.radius[mark], rel=1e-5)
+                assert vertex["color"][3] == pytest.approx(255 * results.opacity[mark], abs=0.51)
+        assert shown == len(seen)
+
+
+def test_mark_indices_are_those_that_are_shown(drawing, lines, marks):
+    for one in (drawing, lines):
+        for layer in marks.layers:
+            shown = one.mark_results(0, layer.number).shown
+            for name in ("front", "silhouette"):
+                indices = one.mark_indices(0, layer.name, name)
+                assert indices.dtype == np.uint32
+                np.testing.assert_array_equal(np.sort(indices), np.flatnonzero(shown == hrbfnpr.CLASSES[name]))
+    layer = marks.layer("principal")
+    strips = lines.mark_indices(0, "principal", primitive="line_strips")
+    assert strips[-1] == RESTART
+    along = layer.stroke_places
+    run = []
+    for index in strips:
+        if index == RESTART:
+            places = along[run]
+            assert len(set(places[:, 0])) == 1 and (np.diff(places[:, 1].astype(int)) == 1).all()
+            run = []
+        else:
+            run.append(index)
+    pairs = lines.mark_indices(0, "principal", primitive="triangle_strips")
+    inner = strips[strips != RESTART]
+    np.testing.assert_array_equal(pairs[pairs != RESTART], np.column_stack([2 * inner, 2 * inner + 1]).ravel())
+
+
+def test_identify(drawing, marks):
+    id = drawing.raster().id
+    for number in np.unique(id[id > 0])[::50]:
+        identity = drawing.identify(number)
+        layer = marks.layers[identity.layer]
+        first = sum(len(other) for other in marks.layers[: identity.layer])
+        assert identity.id == number == 1 + first + identity.mark and identity.item == 0
+        if layer.info.strokes:
+            assert (identity.stroke, identity.place) == (
+                layer.stroke_places[identity.mark, 0] // 2, layer.stroke_places[identity.mark, 1],
+            )  # fmt: skip
+            assert layer.strokes()[identity.stroke][identity.place] == identity.mark
+        else:
+            assert identity.stroke == -1
+    for wrong in (0, len(marks) + 1, RESTART):
+        with pytest.raises(hrbfnpr.InvalidArgumentError, match="id"):
+            drawing.identify(wrong)
+
+
+def test_ids_and_layers_of_several_items(renderer, marks, camera, ring):
+    more = ring.generate(budget=100)
+    drawing = renderer.draw([marks, (more, hrbfnpr.Style("stipple"))], camera)
+    assert drawing.info.items == 2
+    identity = drawing.identify(len(marks) + 1)
+    assert (identity.item, identity.layer, identity.mark) == (1, 0, 0)
+    assert len(drawing.mark_results(1).shown) == 100
+    for item, layer, kind in ((2, 0, IndexError), (1, 1, IndexError), (-1, 0, IndexError), (0, "fur", KeyError)):
+        with pytest.raises(kind):
+            drawing.mark_results(item, layer)
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="mark_class"):
+        drawing.mark_indices(0, 0, "back")
+
+
+def test_coverage_is_the_ink_on_white_paper(drawing, lines):
+    for one in (drawing, lines):
+        coverage = one.image(format="coverage8")
+        assert coverage.shape == (120, 160) and coverage.dtype == np.uint8 and coverage.max() > 200
+        left = one.image()[..., 0].astype(int)
+        assert np.abs(255 - left - coverage).max() <= 1
+
+
+@pytest.mark.parametrize("paper", ["#ffffff", "#e0d0b0", (1, 1, 1, 0)])
+def test_the_float_image_is_the_8_bit_one(renderer, marks, camera, strokes_style, paper):
+    drawing = renderer.draw((marks, strokes_style.copy(paper=paper, ink="#203040")), camera)
+    for suffix in ("", "_premultiplied"):
+        image = drawing.image(format="rgba32f" + suffix)
+        assert image.dtype == np.float32 and image.shape == (120, 160, 4) and 0 <= image.min() and image.max() <= 1
+        np.testing.assert_array_equal(np.floor(image * 255 + 0.5), drawing.image(format="rgba8" + suffix))
+    out = np.zeros((125, 170, 4), np.float32)
+    assert drawing.image(out=out[:120, :160], format="rgba32f").base is out
+    np.testing.assert_array_equal(out[:120, :160], drawing.image(format="rgba32f"))
+    assert (out[120:] == 0).all()
+
+
+def test_poses_are_as_good_as_a_set_at_the_new_places(renderer, marks, camera, strokes_style):
+    turn = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1.0]])
+
+    def places(layer, moved):
+        positions = layer.positions.astype(float) + marks.origin
+        parts = positions, layer.normals.astype(float), layer.directions.astype(float)
+        return tuple(part @ turn.T + (0.01 if i == 0 else 0) for i, part in enumerate(parts)) if moved else parts
+
+    def copy(layer, moved):
+        positions, normals, directions = places(layer, moved)
+        made = hrbfnpr.OwnLayer(positions, normals, kind=layer.kind, directions=directions, ranks=layer.ranks)
+        if layer.info.strokes:
+            made.stroke_first, made.widths = layer.stroke_first, layer.widths
+            made.stroke_directions = layer.stroke_places[layer.stroke_first[:-1], 0] % 2
+        if len(layer.curvatures):
+            made.curvatures = layer.curvatures
+        return made
+
+    before, after = (hrbfnpr.PointSet.create([copy(layer, moved) for layer in marks.layers]) for moved in (False, True))
+    poses = {layer.name if layer.number else 0: places(layer, True) for layer in marks.layers}
+    still = renderer.draw((before, strokes_style), camera).image().astype(int)
+    posed = renderer.draw(hrbfnpr.Item(before, strokes_style, poses=poses), camera)
+    drawn = renderer.draw((after, strokes_style), camera)
+    assert drawn.info.shown == pytest.approx(posed.info.shown, rel=0.01)
+    difference = np.abs(drawn.image().astype(int) - posed.image()).mean()
+    assert difference < 0.3 and np.abs(still - posed.image()).mean() > 20 * difference
+    # A pose that moves nothing changes nothing.
+    same = {layer.name: places(layer, False)[:2] for layer in marks.layers}
+    image = renderer.draw(hrbfnpr.Item(before, strokes_style, poses=same), camera).image()
+    assert np.abs(still - image).mean() < 0.3
+
+
+@pytest.mark.parametrize(
+    "pose, kind, words",
+    [
+        ({9: (np.zeros((3, 3)), np.zeros((3, 3)))}, hrbfnpr.InvalidArgumentError, "layer"),
+        ({0: (np.zeros((3, 3)), np.zeros((3, 3)))}, hrbfnpr.InvalidArgumentError, "position"),
+        ({"fur": (np.zeros((3, 3)), np.zeros((3, 3)))}, KeyError, "no layer 'fur'"),
+        ({0: (np.zeros((3, 3)),)}, ValueError, "pose of layer 0"),
+        ({0: (np.zeros((3, 2)), np.zeros((3, 3)))}, ValueError, "positions of the pose of layer 0"),
+    ],
+)
+def test_bad_poses(renderer, marks, camera, pose, kind, words):
+    with pytest.raises(kind, match=words):
+        renderer.draw(hrbfnpr.Item(marks, poses=pose), camera)
+
+
+def test_a_drawing_is_a_value(renderer, marks, camera, style):
+    first = renderer.draw((marks, style), camera)
+    image = first.image()
+    others = [renderer.draw((marks, style.copy(ink="#ff0000")), camera) for _ in range(4)]
+    np.testing.assert_array_equal(first.image(), image)
+    assert not np.array_equal(others[0].image(), image)
+    with renderer.draw((marks, style), camera) as drawing:
+        assert "160x120" in repr(drawing) and drawing.size == (160, 120)
+    assert drawing.closed and "closed" in repr(drawing)
+    for use in (drawing.image, drawing.vertices, drawing.mark_results, drawing.to_png, lambda: drawing.info):
+        with pytest.raises(ValueError, match="closed"):
+            use()
+
+
+def test_a_drawing_outlives_what_it_came_from(ring, camera):
+    context = hrbfnpr.Context(1)
+    own = hrbfnpr.Renderer(context=context)
+    marks = ring.generate(budget=500, context=context)
+    drawing = own.draw(marks, camera)
+    image = drawing.image()
+    own.close(), marks.close(), context.close()
+    del own, marks, context
+    np.testing.assert_array_equal(drawing.image(), image)
+    assert len(drawing.mark_results().shown) == 500
+
+
+def test_threads_read_one_drawing(lines):
+    readers = {
+        "image": lambda: lines.image().tobytes(),
+        "float": lambda: lines.image(format="rgba32f").tobytes(),
+        "raster": lambda: b"".join(part.tobytes() for part in lines.raster()),
+        "points": lambda: lines.vertices().vertices.tobytes(),
+        "strips": lambda: lines.vertices("triangle_strips").vertices.tobytes(),
+        "results": lambda: lines.mark_results(0, 1).radius.tobytes(),
+        "indices": lambda: lines.mark_indices(0, 1, primitive="line_strips").tobytes(),
+    }
+    wanted = {name: read() for name, read in readers.items()}
+    wrong = []
+
+    def work():
+        for _ in range(5):
+            wrong.extend(name for name, read in readers.items() if read() != wanted[name])
+
+    threads = [threading.Thread(target=work) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
