@@ -192,6 +192,10 @@ namespace HrbfNpr
                 native->pose_count = poses;
                 for (int i = 0; i < poses; ++i)
                 {
+                    if (item.Poses[i] == null)
+                    {
+                        throw new ArgumentNullException(nameof(item.Poses));
+                    }
                     item.Poses[i].Write(pose + i, pins);
                 }
             }
