@@ -16,11 +16,11 @@ namespace HrbfNpr.Tests
         {
             using (var context = new Context(new ContextOptions { ThreadCount = 1 }))
             {
-                long idle = context.Info.BytesNow;
                 for (int i = 0; i < 100; ++i)
                 {
                     Cycle(context);
                 }
+                long idle = context.Info.BytesNow; // what reading drawings takes, kept for the next ones
                 long before = ResidentBytes();
                 for (int i = 0; i < 1000; ++i)
                 {
