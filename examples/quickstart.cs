@@ -23,18 +23,18 @@ public static class Quickstart
         }
 
         // Samples become a smooth surface, on which the marks of a style are placed and drawn for a camera.
-        var style = new Style(StylePreset.ContourAndStipple);
         using (Model model = Model.Fit(points, normals))
-        using (PointSet marks = PointSet.Generate(model, new GenerateOptions { Groups = style.Groups }))
+        using (PointSet marks = model.Generate(GenerateOptions.ForPreset(Preset.ContourAndStipple)))
         using (var renderer = new Renderer())
         {
             ModelInfo info = model.Info;
             Camera camera = Camera.FitBounds(
                 info.BoundsMin, info.BoundsMax, (0, 1, -1), (0, 0, 1), 800, 600, 0.5, 0.02);
-            byte[] pixels = renderer.Draw(camera, new Item(marks, style));
-
+            var item = new Item(marks, Style.Preset(Preset.ContourAndStipple));
+            using (Drawing drawing = renderer.Draw(item, camera))
             using (FileStream file = File.Create("torus.ppm"))
             {
+                byte[] pixels = drawing.Rasterize();
                 byte[] header = Encoding.ASCII.GetBytes("P6 800 600 255\n");
                 file.Write(header, 0, header.Length);
                 for (int i = 0; i < pixels.Length; i += 4)

@@ -15,15 +15,18 @@ HANDLES = {
     "hrbfnpr_model": "ModelHandle",
     "hrbfnpr_point_set": "PointSetHandle",
     "hrbfnpr_renderer": "RendererHandle",
+    "hrbfnpr_drawing": "DrawingHandle",
 }
 # Structs that are written by hand.
 BY_HAND = {
     "hrbfnpr_context_info": "ContextInfo",
     "hrbfnpr_model_info": "ModelInfo",
-    "hrbfnpr_level_info": "LevelInfo",
-    "hrbfnpr_group_info": "GroupInfo",
     "hrbfnpr_point_set_info": "PointSetInfo",
-    "hrbfnpr_frame_info": "FrameInfo",
+    "hrbfnpr_layer_info": "LayerInfo",
+    "hrbfnpr_placement_info": "PlacementInfo",
+    "hrbfnpr_drawing_info": "DrawingInfo",
+    "hrbfnpr_drawing_layer_info": "DrawingLayerInfo",
+    "hrbfnpr_mark_identity": "MarkIdentity",
 }
 SCALARS = {
     "int8_t": "sbyte",
@@ -40,6 +43,7 @@ SCALARS = {
     "size_t": "UIntPtr",
     "void": "void",
 }
+KEYWORDS = {"base", "class", "fixed", "in", "out", "params", "ref"}  # as far as a header may use them as names
 NOTE = "// Made by make_native.py from include/hrbfnpr.h; do not edit.\n"
 PRELUDE = "using System;\nusing System.Runtime.InteropServices;\n"
 
@@ -107,6 +111,7 @@ def method_file(functions, condition, attribute, modifiers, usings):
 def fields(struct):
     for field in struct["fields"]:
         name, kind, count = field["name"], field["type"], math.prod(field["array"])
+        name = "@" + name if name in KEYWORDS else name
         pointer = kind["pointers"] or kind["kind"] in ("callback", "function")
         native = "IntPtr" if pointer else value_type(kind)
         if not field["array"]:

@@ -22,7 +22,7 @@ namespace HrbfNpr.Tests
                 Assert.Equal(reports.Seen.OrderBy(at => at).ToArray(), reports.Seen.ToArray());
                 Assert.InRange(reports.Seen.Last(), reports.Seen[0], 1.0);
                 var marking = new Reports();
-                PointSet.Generate(model, new GenerateOptions { Budget = 500 }, null, marking).Dispose();
+                model.Generate(Shapes.Stipples(500), null, marking).Dispose();
                 Assert.True(marking.Seen.Count > 0 && marking.Seen[0] >= 0);
             }
         }
@@ -42,8 +42,8 @@ namespace HrbfNpr.Tests
                 Cancelled(() => model.CastRays(Many, Many, cancellationToken: token));
                 Cancelled(() => model.Contains(Many, cancellationToken: token));
                 Cancelled(() => model.Lipschitz(cancellationToken: token));
-                Cancelled(() => PointSet.Generate(model, cancellationToken: token));
-                Cancelled(() => PointSet.StepPatches(model, 3, cancellationToken: token));
+                Cancelled(() => model.Generate(cancellationToken: token));
+                Cancelled(() => model.StepPatches(3, cancellationToken: token));
             }
         }
 

@@ -53,7 +53,8 @@ namespace HrbfNpr.Tests
             Assert.Throws<InvalidArgumentException>(
                 () => Model.Fit((ArrayView)Shapes.Sphere(10), (ArrayView)Shapes.Sphere(9)));
             Assert.Throws<InvalidArgumentException>(() => new Context(new ContextOptions { ThreadCount = -1 }));
-            Assert.Throws<ArgumentNullException>(() => PointSet.Generate(null));
+            Assert.Throws<ArgumentNullException>(() => PointSet.Create((OwnLayer[])null));
+            Assert.Throws<ArgumentNullException>(() => PointSet.Create(new OwnLayer[] { null }));
             Assert.Throws<ArgumentNullException>(() => Model.Load((byte[])null));
             Assert.Throws<ArgumentNullException>(() => Model.Load((Stream)null));
             Assert.Throws<ArgumentNullException>(() => Model.FromFunction(null, (0, 0, 0), (1, 1, 1)));
@@ -144,23 +145,34 @@ namespace HrbfNpr.Tests
                 Assert.Equal(Status.Callback, thrown.Status);
                 Assert.Contains("my own", thrown.Message);
                 Assert.Same(own, Assert.Throws<CallbackException>(
-                    () => PointSet.Generate(model, new GenerateOptions { Budget = 10 })).InnerException);
+                    () => model.Generate(Shapes.Stipples(10))).InnerException);
             }
             using (Model model = Shapes.FitSphere())
             {
-                var options = new GenerateOptions { Density = Density.Callback, Budget = 50 };
-                options.DensityFunction = (positions, normals, density) => { throw own; };
+                Layer layer = Layer.Stipples(50);
+                var options = new GenerateOptions { Layers = { layer } };
+                layer.Density = Density.Callback;
+                layer.DensityFunction = (positions, normals, density) => { throw own; };
                 Assert.Same(own, Assert.Throws<CallbackException>(
-                    () => PointSet.Generate(model, options)).InnerException);
-                options.DensityFunction = (positions, normals, density) => density[0] = double.NaN;
-                Assert.Null(Assert.Throws<CallbackException>(() => PointSet.Generate(model, options)).InnerException);
+                    () => model.Generate(options)).InnerException);
+                layer.DensityFunction = (positions, normals, density) => density[0] = double.NaN;
+                Assert.Null(Assert.Throws<CallbackException>(() => model.Generate(options)).InnerException);
+                Layer field = Layer.Field((positions, normals, directions) => { throw own; }, 50);
+                CallbackException wrong = Assert.Throws<CallbackException>(
+                    () => model.Generate(new GenerateOptions { Layers = { field } }));
+                Assert.Same(own, wrong.InnerException);
+                Assert.Contains("direction", wrong.Message);
                 using (PointSet marks = Shapes.Stipple(model, 50))
                 using (var renderer = new Renderer())
                 {
                     var style = new Style { Tone = Tone.Callback };
                     style.ToneFunction = (positions, normals, tau) => { throw own; };
                     Assert.Same(own, Assert.Throws<CallbackException>(
-                        () => renderer.Prepare(Shapes.Look(marks, 20), new Item(marks, style))).InnerException);
+                        () => renderer.Draw(new Item(marks, style), Shapes.Look(marks, 20))).InnerException);
+                    Camera camera = Shapes.Look(marks, 20);
+                    style.ToneFunction = (positions, normals, tau) => renderer.Draw(marks, camera);
+                    Assert.IsType<InvalidOperationException>(Assert.Throws<CallbackException>(
+                        () => renderer.Draw(new Item(marks, style), camera)).InnerException);
                 }
                 Assert.Same(own, Assert.Throws<CallbackException>(
                     () => model.Lipschitz(new Reports(at => { throw own; }))).InnerException);
@@ -207,24 +219,31 @@ namespace HrbfNpr.Tests
         {
             Model model = Shapes.FitSphere();
             PointSet marks = Shapes.Stipple(model, 20);
+            MarkLayer layer = marks.Layers[0];
             var renderer = new Renderer();
+            Drawing drawing = renderer.Draw(marks, Shapes.Look(marks, 20));
             var context = new Context();
             model.Dispose();
             model.Dispose();
             marks.Dispose();
             renderer.Dispose();
+            drawing.Dispose();
+            drawing.Dispose();
             context.Dispose();
             Assert.Throws<ObjectDisposedException>(() => model.Info);
             Assert.Throws<ObjectDisposedException>(() => model.Evaluate(new double[3]));
             Assert.Throws<ObjectDisposedException>(() => model.Evaluate(new double[3], progress: new Reports()));
             Assert.Throws<ObjectDisposedException>(() => marks.Info);
-            Assert.Throws<ObjectDisposedException>(() => marks.View(Group.Stipple, MarkAttribute.Normal));
-            Assert.Throws<ObjectDisposedException>(() => renderer.Info);
+            Assert.Throws<ObjectDisposedException>(() => layer.View(MarkAttribute.Normal));
+            Assert.Throws<ObjectDisposedException>(() => layer.Info);
+            Assert.Throws<ObjectDisposedException>(() => renderer.Draw(new Item[0], new Camera()));
+            Assert.Throws<ObjectDisposedException>(() => drawing.Info);
+            Assert.Throws<ObjectDisposedException>(() => drawing.Rasterize());
             Assert.Throws<ObjectDisposedException>(() => context.Info);
             Assert.Throws<ObjectDisposedException>(() => new Renderer(context));
             using (var other = new Renderer())
             {
-                Assert.Throws<ObjectDisposedException>(() => other.Prepare(new Camera(), new Item(marks)));
+                Assert.Throws<ObjectDisposedException>(() => other.Draw(marks, new Camera()));
             }
         }
 

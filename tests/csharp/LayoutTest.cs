@@ -74,10 +74,10 @@ namespace HrbfNpr.Tests
             foreach (string key in facts.Keys.Where(key => key.StartsWith("constant ")))
             {
                 string name = key.Substring(9);
-                // Flags are properties here, and checked by what they do; counts are of C alone.
-                bool elsewhere = name.EndsWith("_COUNT") || name.Contains("VERSION_") || name.EndsWith("ABI_VERSION")
-                    || name.StartsWith("HRBFNPR_CUSTOM_") || name.StartsWith("HRBFNPR_GENERATE_")
-                    || name.StartsWith("HRBFNPR_DRAW_");
+                // Flags are properties here, and checked by what they do.
+                bool elsewhere = name.Contains("VERSION_") || name.EndsWith("ABI_VERSION")
+                    || name.StartsWith("HRBFNPR_CUSTOM_") || name.StartsWith("HRBFNPR_LAYER_WITH_")
+                    || name.StartsWith("HRBFNPR_RASTER_") || name == "HRBFNPR_INDEX_RESTART";
                 if (!elsewhere && !seen.Contains(name))
                 {
                     faults.Add(name + " is missing");
@@ -87,10 +87,10 @@ namespace HrbfNpr.Tests
             Assert.Equal(1L, facts["constant HRBFNPR_CUSTOM_HAS_GRADIENT"]);
             Assert.Equal(2L, facts["constant HRBFNPR_CUSTOM_HAS_HESSIAN"]);
             Assert.Equal(4L, facts["constant HRBFNPR_CUSTOM_THREAD_SAFE"]);
-            Assert.Equal(1L, facts["constant HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES"]);
-            Assert.Equal(2L, facts["constant HRBFNPR_GENERATE_CURVATURE_OF_COMBING"]);
-            Assert.Equal(1L, facts["constant HRBFNPR_DRAW_OVER"]);
-            Assert.Equal(2L, facts["constant HRBFNPR_DRAW_LINEAR_LIGHT"]);
+            Assert.Equal(1L, facts["constant HRBFNPR_LAYER_WITH_CURVATURE"]);
+            Assert.Equal(1L, facts["constant HRBFNPR_RASTER_OVER"]);
+            Assert.Equal(2L, facts["constant HRBFNPR_RASTER_LINEAR_LIGHT"]);
+            Assert.Equal(unchecked((int)Vertices.Restart), (int)facts["constant HRBFNPR_INDEX_RESTART"]);
         }
 
         [Fact]
@@ -102,13 +102,17 @@ namespace HrbfNpr.Tests
             faults.AddRange(Unseen(typeof(hrbfnpr_cast_desc), typeof(CastOptions)));
             faults.AddRange(Unseen(typeof(hrbfnpr_custom_desc), typeof(FunctionOptions),
                 "flags", "function", "user", "release", "bounds_min", "bounds_max"));
-            faults.AddRange(Unseen(typeof(hrbfnpr_group_desc), typeof(GroupOptions)));
-            faults.AddRange(Unseen(typeof(hrbfnpr_generate_desc), typeof(GenerateOptions), "flags", "density_user"));
-            faults.AddRange(Unseen(typeof(hrbfnpr_group_arrays), typeof(GroupArrays)));
-            faults.AddRange(Unseen(typeof(hrbfnpr_group_style), typeof(GroupStyle)));
-            faults.AddRange(Unseen(typeof(hrbfnpr_style), typeof(Style), "tone_user"));
-            faults.AddRange(Unseen(typeof(hrbfnpr_item), typeof(Item)));
-            faults.AddRange(Unseen(typeof(hrbfnpr_draw_desc), typeof(DrawOptions), "flags", "class_"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_layer_desc), typeof(Layer), "flags", "density_user", "direction_user"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_generate_desc), typeof(GenerateOptions), "layer_count", "layer_stride"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_layer_arrays), typeof(OwnLayer)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_layer_style), typeof(LayerStyle)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_style), typeof(Style), "tone_user", "layer_count", "layer_stride"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_layer_pose), typeof(LayerPose)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_item), typeof(Item), "pose_count", "pose_stride"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_raster_desc), typeof(RasterOptions), "flags"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_mark_results), typeof(MarkResults)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_vertex_layout), typeof(VertexLayout),
+                "attributes", "attribute_count", "attribute_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_context_desc), typeof(ContextOptions),
                 "abi_version", "flags", "log_user", "run_tasks_user"));
             Assert.Empty(faults);
@@ -120,7 +124,7 @@ namespace HrbfNpr.Tests
             var properties = new HashSet<string>(shown.GetProperties().Select(property => Plain(property.Name)));
             foreach (FieldInfo field in native.GetFields(Fields))
             {
-                bool array = char.IsDigit(field.Name[field.Name.Length - 1]); // group0, layer0: each has a name here
+                bool array = char.IsDigit(field.Name[field.Name.Length - 1]); // each has a name here
                 bool plain = field.Name == "struct_size" || field.Name.StartsWith("reserved");
                 if (!array && !plain && !otherwise.Contains(field.Name) && !properties.Contains(Plain(field.Name)))
                 {

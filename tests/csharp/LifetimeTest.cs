@@ -16,11 +16,11 @@ namespace HrbfNpr.Tests
         {
             using (var context = new Context(new ContextOptions { ThreadCount = 1 }))
             {
-                long idle = context.Info.BytesNow;
                 for (int i = 0; i < 100; ++i)
                 {
                     Cycle(context);
                 }
+                long idle = context.Info.BytesNow; // what reading drawings takes, kept for the next ones
                 long before = ResidentBytes();
                 for (int i = 0; i < 1000; ++i)
                 {
@@ -81,14 +81,16 @@ namespace HrbfNpr.Tests
             Model model = Shapes.FitSphere(context);
             PointSet marks = Shapes.Stipple(model, 100, context);
             var renderer = new Renderer(context);
-            renderer.Prepare(Shapes.Look(marks, 20), marks);
+            Drawing drawing = renderer.Draw(marks, Shapes.Look(marks, 20));
+            long count = marks.Count;
             context.Dispose();
             model.Dispose();
-            Camera camera = Shapes.Look(marks, 20);
             marks.Dispose();
-            renderer.Draw(new byte[1600], 20, 20); // the frame keeps its marks
             renderer.Dispose();
-            Assert.Equal(20, camera.Width);
+            Assert.Equal(1600, drawing.Rasterize().Length); // the drawing keeps its marks
+            Assert.Equal(20, drawing.Width);
+            Assert.Equal(count - 1, drawing.Identify((uint)count).Mark);
+            drawing.Dispose();
         }
 
         [Fact]
@@ -185,7 +187,7 @@ namespace HrbfNpr.Tests
             double[] points = Shapes.Sphere(300);
             using (var context = new Context(options))
             using (Model model = Model.Fit((ArrayView)points, (ArrayView)points, null, context))
-            using (PointSet marks = PointSet.Generate(model, null, context))
+            using (PointSet marks = model.Generate(null, context))
             {
                 Assert.True(lines.Count > 0);
                 Assert.True(lines.All(line => line.Length > 8));
@@ -226,7 +228,7 @@ namespace HrbfNpr.Tests
                     using (PointSet marks = Shapes.Stipple(model, 100))
                     {
                         same[index] = model.Evaluate(at).Value.SequenceEqual(expected)
-                            && renderer.Draw(Shapes.Look(marks, 20), marks).Length == 1600;
+                            && Shapes.Draw(renderer, marks, Shapes.Look(marks, 20)).Length == 1600;
                     }
                 });
                 Assert.True(same.All(one => one));
@@ -269,11 +271,11 @@ namespace HrbfNpr.Tests
             using (Model model = Shapes.FitSphere(context))
             using (PointSet marks = Shapes.Stipple(model, 20, context))
             using (var renderer = new Renderer(context))
-            using (NativeView view = marks.View(Group.Stipple, MarkAttribute.Position))
+            using (NativeView view = marks.Layers[0].View(MarkAttribute.Position))
             using (Model function = Model.FromFunction((p, v, g, h) => { }, (0, 0, 0), (1, 1, 1), null, context))
             using (var other = new Context(new ContextOptions { ThreadCount = 1, Log = (level, message) => { } }))
             {
-                renderer.Draw(Shapes.Look(marks, 8), marks);
+                Shapes.Draw(renderer, marks, Shapes.Look(marks, 8));
                 model.Evaluate(Shapes.Sphere6, progress: new Reports());
             }
         }
@@ -287,9 +289,9 @@ namespace HrbfNpr.Tests
                 Model model = Shapes.FitSphere(context);
                 PointSet marks = Shapes.Stipple(model, 100, context);
                 var renderer = new Renderer(context);
-                renderer.Prepare(Shapes.Look(marks, 8), marks);
-                NativeView view = marks.View(Group.Stipple, MarkAttribute.Rank);
-                object[] all = { model, marks, renderer, view };
+                Drawing drawing = renderer.Draw(marks, Shapes.Look(marks, 8));
+                NativeView view = marks.Layers[0].View(MarkAttribute.Rank);
+                object[] all = { model, marks, renderer, drawing, view };
                 kept.AddRange(i % 2 == 0 ? all : all.Reverse());
             }
         }

@@ -37,15 +37,36 @@ namespace HrbfNpr.Tests
             return Model.Fit((ArrayView)Sphere6, (ArrayView)Sphere6, null, context);
         }
 
+        internal static GenerateOptions Stipples(long budget)
+        {
+            return new GenerateOptions { Layers = { Layer.Stipples(budget) } };
+        }
+
         internal static PointSet Stipple(Model model, long budget, Context context = null)
         {
-            return PointSet.Generate(model, new GenerateOptions { Budget = budget }, context);
+            return model.Generate(Stipples(budget), context);
         }
 
         internal static Camera Look(PointSet marks, int size)
         {
             PointSetInfo info = marks.Info;
             return Camera.FitBounds(info.BoundsMin, info.BoundsMax, (0, -0.3, -1), (0, 1, 0), size, size, 0.6);
+        }
+
+        internal static byte[] Draw(Renderer renderer, Item item, Camera camera)
+        {
+            using (Drawing drawing = renderer.Draw(item, camera))
+            {
+                return drawing.Rasterize();
+            }
+        }
+
+        internal static DrawingInfo Count(Renderer renderer, Camera camera, params Item[] items)
+        {
+            using (Drawing drawing = renderer.Draw(items, camera))
+            {
+                return drawing.Info;
+            }
         }
 
         internal static double Length(IList<double> numbers, int index)

@@ -35,18 +35,77 @@ namespace HrbfNpr.Tests
             using PointSet marks = Shapes.Stipple(model, 500);
             using var renderer = new Renderer();
             Camera camera = Shapes.Look(marks, 32);
-            byte[] expected = renderer.Draw(camera, marks);
+            using Drawing drawing = renderer.Draw(marks, camera);
+            byte[] expected = drawing.Rasterize();
             var memory = new byte[expected.Length + 100];
-            renderer.Draw(memory.AsSpan(50, expected.Length), 32, 32);
+            drawing.Rasterize(memory.AsSpan(50, expected.Length), 32, 32);
             Assert.Equal(expected, memory.Skip(50).Take(expected.Length).ToArray());
             Assert.True(memory.Take(50).All(value => value == 0));
-            Assert.Throws<InvalidArgumentException>(() => renderer.Draw(memory.AsSpan(0, 100), 32, 32));
+            Assert.Throws<InvalidArgumentException>(() => drawing.Rasterize(memory.AsSpan(0, 100), 32, 32));
             var layout = new VertexLayout().Add(VertexAttribute.Window);
-            byte[] vertices = renderer.Vertices(layout);
-            var same = new byte[vertices.Length];
-            Assert.Equal(vertices.Length / 12, renderer.WriteVertices(layout, same.AsSpan()));
-            Assert.Equal(vertices, same);
-            Assert.Throws<BufferTooSmallException>(() => renderer.WriteVertices(layout, same.AsSpan(0, 12)));
+            Vertices vertices = drawing.Vertices(layout);
+            var same = new byte[vertices.Data.Length];
+            Assert.Equal(vertices.Count, drawing.WriteVertices(layout, same.AsSpan()).Vertices);
+            Assert.Equal(vertices.Data, same);
+            var structs = new Point[vertices.Count];
+            var indices = new uint[vertices.Count];
+            Assert.Equal(vertices.Count, drawing.WriteVertices(layout, structs.AsSpan(), indices).Indices);
+            Assert.Equal(BitConverter.ToSingle(same, 4), structs[0].Y);
+            Assert.Equal(vertices.Indices, indices);
+            Assert.Throws<BufferTooSmallException>(() => drawing.WriteVertices(layout, same.AsSpan(0, 12)));
+            var floats = new float[32 * 32 * 4];
+            drawing.Rasterize(floats, 32, 32);
+            var inside = new float[floats.Length + 8];
+            drawing.Rasterize(inside.AsSpan(4, floats.Length), 32, 32);
+            Assert.Equal(floats, inside.Skip(4).Take(floats.Length).ToArray());
+            var shown = new MarkClass[marks.Count];
+            drawing.MarkResults(0, 0, shown);
+            Assert.Equal(drawing.MarkResults(0, marks.Layers[0]).Shown, shown);
+            var drawn = new uint[marks.Count];
+            long count = drawing.WriteMarkIndices(0, 0, MarkClass.Front, Primitive.Points, drawn.AsSpan());
+            Assert.Equal(shown.Count(one => one == MarkClass.Front), count);
+            Assert.Equal(drawing.MarkIndices(0, 0), drawn.Take((int)count).ToArray());
+            Assert.Throws<BufferTooSmallException>(
+                () => drawing.WriteMarkIndices(0, 0, MarkClass.Front, Primitive.Points, drawn.AsSpan(0, 1)));
+        }
+
+        [Fact]
+        public void ALoopThatDrawsAllocatesNearlyNothing()
+        {
+            using Model model = Shapes.FitSphere();
+            using PointSet marks = Shapes.Stipple(model, 500);
+            using var context = new Context(new ContextOptions { ThreadCount = 1 });
+            using var renderer = new Renderer(context);
+            Style style = Style.Preset(Preset.ContourAndStipple);
+            style.Layers[0].Name = "stipples";
+            style.Layers.Add(new LayerStyle());
+            var item = new Item(marks, style);
+            Camera camera = Shapes.Look(marks, 32);
+            var pixels = new byte[32 * 32 * 4];
+            void Draw(int times)
+            {
+                for (int i = 0; i < times; ++i)
+                {
+                    using Drawing drawing = renderer.Draw(item, camera);
+                    drawing.Rasterize(pixels, 32, 32);
+                }
+            }
+            Draw(50);
+            long managed = GC.GetAllocatedBytesForCurrentThread(), native = context.Info.BytesPeak;
+            long now = context.Info.BytesNow;
+            Draw(200);
+            managed = GC.GetAllocatedBytesForCurrentThread() - managed;
+            // A drawing and its handle.
+            Assert.True(managed / 200 <= 160, $"{managed / 200} bytes each time");
+            Assert.Equal(native, context.Info.BytesPeak);
+            Assert.Equal(now, context.Info.BytesNow);
+        }
+
+        private struct Point
+        {
+            internal float X;
+            internal float Y;
+            internal float Depth;
         }
 
         [Fact]
@@ -54,8 +113,12 @@ namespace HrbfNpr.Tests
         {
             using Model model = Shapes.FitSphere();
             using PointSet marks = Shapes.Stipple(model, 100);
-            using NativeView view = marks.View(Group.Stipple, MarkAttribute.Normal);
+            MarkLayer layer = marks.Layers[0];
+            using NativeView view = layer.View(MarkAttribute.Normal);
             Assert.Equal(view.ToArray<float>(), view.AsSpan<float>().ToArray());
+            Assert.Equal(view.ToArray<float>(), layer.AsSpan<float>(MarkAttribute.Normal).ToArray());
+            Assert.Equal(0, layer.AsSpan<uint>(MarkAttribute.StrokeFirst).Length);
+            Assert.Throws<InvalidCastException>(() => layer.AsSpan<uint>(MarkAttribute.Normal).Length);
             Assert.Throws<InvalidCastException>(() => view.AsSpan<double>().Length);
             Assert.Equal(marks.Count, PointSet.Load(marks.ToBytes().AsSpan()).Count);
         }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Runtime.InteropServices;
+using System.Text;
 
 namespace HrbfNpr
 {
@@ -144,6 +145,12 @@ namespace HrbfNpr
             GCHandle handle = GCHandle.Alloc(array, GCHandleType.Pinned);
             handles.Add(handle);
             return handle.AddrOfPinnedObject();
+        }
+
+        /// <summary>UTF-8 with a zero behind it; null for null.</summary>
+        internal IntPtr Text(string text)
+        {
+            return text == null ? IntPtr.Zero : Pin(Encoding.UTF8.GetBytes(text + "\0"));
         }
 
         public void Dispose()

@@ -96,8 +96,10 @@ namespace HrbfNpr
         {
             get
             {
-                double[] viewport = Viewport;
-                return (int)Math.Ceiling(viewport[0] + viewport[2]);
+                fixed (double* viewport = native.viewport)
+                {
+                    return (int)Math.Ceiling(viewport[0] + viewport[2]);
+                }
             }
         }
 
@@ -106,8 +108,10 @@ namespace HrbfNpr
         {
             get
             {
-                double[] viewport = Viewport;
-                return (int)Math.Ceiling(viewport[1] + viewport[3]);
+                fixed (double* viewport = native.viewport)
+                {
+                    return (int)Math.Ceiling(viewport[1] + viewport[3]);
+                }
             }
         }
 

@@ -48,7 +48,7 @@ namespace HrbfNpr
         Uint32 = 4,
     }
 
-    /// <summary>Byte order of pixels in memory; 8 bits a channel.</summary>
+    /// <summary>Channels of pixels in the order of memory, sRGB-encoded.</summary>
     [NativeConstants("HRBFNPR_FORMAT_")]
     public enum PixelFormat
     {
@@ -60,6 +60,12 @@ namespace HrbfNpr
         Rgba8Premultiplied = 3,
         /// <summary>BGRA, colour times alpha.</summary>
         Bgra8Premultiplied = 4,
+        /// <summary>Straight RGBA, 4 float in [0, 1], aligned to 4 bytes.</summary>
+        Rgba32f = 5,
+        /// <summary>The same, colour times alpha.</summary>
+        Rgba32fPremultiplied = 6,
+        /// <summary>1 byte: how much of the pixel ink covers, whatever its colour.</summary>
+        Coverage8 = 7,
     }
 
     /// <summary>How important a line of the log is.</summary>
@@ -176,7 +182,7 @@ namespace HrbfNpr
     {
         /// <summary>It lies on the surface.</summary>
         Converged = 0,
-        /// <summary>Iteration limit, or no step lowers f^2.</summary>
+        /// <summary>Evaluation limit, or no step lowers f^2.</summary>
         NotConverged = 1,
         /// <summary>Stuck at a critical point off the surface.</summary>
         ZeroGradient = 2,
@@ -200,32 +206,22 @@ namespace HrbfNpr
         NotFinite = 4,
     }
 
-    /// <summary>The three groups of marks [NPAR 5].</summary>
-    [NativeConstants("HRBFNPR_GROUP_")]
-    public enum Group
+    /// <summary>What the marks of a layer are.  More kinds may come: treat an unknown one like Own.</summary>
+    [NativeConstants("HRBFNPR_LAYER_KIND_")]
+    public enum LayerKind
     {
+        /// <summary>In styles only: layers of every kind.</summary>
+        Any = 0,
         /// <summary>Scattered marks.</summary>
-        Stipple = 0,
-        /// <summary>Strokes along the principal directions: d1 (set 0) and d2 (set 1).</summary>
-        Curvature = 1,
-        /// <summary>Strokes along Stark's two directions: r (set 0) and u (set 1).</summary>
-        Combing = 2,
-    }
-
-    /// <summary>Any of the three groups of marks.</summary>
-    [Flags]
-    public enum Groups
-    {
-        /// <summary>No group.</summary>
-        None = 0,
-        /// <summary><see cref="Group.Stipple"/>.</summary>
-        Stipple = 1,
-        /// <summary><see cref="Group.Curvature"/>.</summary>
-        Curvature = 2,
-        /// <summary><see cref="Group.Combing"/>.</summary>
-        Combing = 4,
-        /// <summary>All three.</summary>
-        All = 7,
+        Stipples = 1,
+        /// <summary>Strokes along the principal directions, d1 (the first) and d2 (the second).</summary>
+        Principal = 2,
+        /// <summary>Strokes along Stark's two directions, r (the first) and u (the second) [NPAR 5.3].</summary>
+        Combing = 3,
+        /// <summary>Strokes along a field of the program's, and across it.</summary>
+        Field = 4,
+        /// <summary>Marks or strokes of the program's own.</summary>
+        Own = 5,
     }
 
     /// <summary>How marks are spread.</summary>
@@ -235,14 +231,14 @@ namespace HrbfNpr
         /// <summary>Evenly, in a progressive order each prefix of which is even (default).</summary>
         BlueNoise = 0,
         /// <summary>The published recursion, with random ranks [NPAR 5, 6.2].</summary>
-        Paper = 1,
+        Published = 1,
     }
 
     /// <summary>What the strokes of <see cref="Distribution.BlueNoise"/> follow.</summary>
-    [NativeConstants("HRBFNPR_STROKE_FIELD_")]
-    public enum StrokeField
+    [NativeConstants("HRBFNPR_SYMMETRY_")]
+    public enum Symmetry
     {
-        /// <summary>A field for each set: a stroke turns with its own direction.</summary>
+        /// <summary>A field for each direction: a stroke turns with its own direction.</summary>
         Line = 0,
         /// <summary>One field of crosses: strokes go straight on where directions change places (default).</summary>
         Cross = 1,
@@ -262,9 +258,9 @@ namespace HrbfNpr
         Points = 3,
     }
 
-    /// <summary>What the strokes of <see cref="Distribution.Paper"/> start from.</summary>
-    [NativeConstants("HRBFNPR_GROUP_SEED_")]
-    public enum StrokeSeeds
+    /// <summary>What the strokes of <see cref="Distribution.Published"/> start from.</summary>
+    [NativeConstants("HRBFNPR_STROKE_START_")]
+    public enum StrokeStart
     {
         /// <summary>The seeds (default).</summary>
         Seeds = 0,
@@ -280,45 +276,29 @@ namespace HrbfNpr
         Uniform = 0,
         /// <summary>More where the surface bends.</summary>
         Curvature = 1,
-        /// <summary>As <see cref="GenerateOptions.DensityFunction"/> says.</summary>
+        /// <summary>As <see cref="Layer.DensityFunction"/> says.</summary>
         Callback = 2,
     }
 
-    /// <summary>In which order layers of marks appear from light to dark.</summary>
-    [NativeConstants("HRBFNPR_ORDER_")]
-    public enum LayerOrder
+    /// <summary>Which tones the ranks of each layer cover.</summary>
+    [NativeConstants("HRBFNPR_TONE_RANGES_")]
+    public enum ToneRanges
     {
-        /// <summary>The ranks of each layer cover all tones (default).</summary>
-        Separate = 0,
-        /// <summary>One layer after the other.</summary>
-        Layered = 1,
+        /// <summary>Each layer's ranks cover all tones (default).</summary>
+        Full = 0,
+        /// <summary>One layer, or direction of strokes, after the other: hatching builds up from light to dark.</summary>
+        InTurn = 1,
     }
 
-    /// <summary>Layers of marks that hold ranks of their own.</summary>
-    [NativeConstants("HRBFNPR_LAYER_")]
-    public enum Layer
-    {
-        /// <summary>Stipples.</summary>
-        Stipple = 0,
-        /// <summary>Strokes along the first principal direction.</summary>
-        CurvatureFirst = 1,
-        /// <summary>Strokes along the second principal direction.</summary>
-        CurvatureSecond = 2,
-        /// <summary>Strokes along the first combing direction.</summary>
-        CombingFirst = 3,
-        /// <summary>Strokes along the second combing direction.</summary>
-        CombingSecond = 4,
-    }
-
-    /// <summary>What is known of each mark, per group.</summary>
-    [NativeConstants("HRBFNPR_ATTRIBUTE_")]
+    /// <summary>What is known of each mark of a layer, and of each of its S strokes.</summary>
+    [NativeConstants("HRBFNPR_MARK_ATTRIBUTE_")]
     public enum MarkAttribute
     {
         /// <summary>3 float, relative to <see cref="PointSetInfo.Origin"/>.</summary>
         Position = 0,
         /// <summary>3 float, unit, outward.</summary>
         Normal = 1,
-        /// <summary>3 float, unit, tangent: along the stroke; for a stipple the u of its basis [NPAR 5.2].</summary>
+        /// <summary>3 float, unit, tangent: along the stroke; for a mark of none the u of its basis [NPAR 5.2].</summary>
         Direction = 2,
         /// <summary>3 float: k1, k2, confidence; absent where not generated.</summary>
         Curvature = 3,
@@ -326,10 +306,16 @@ namespace HrbfNpr
         Rank = 4,
         /// <summary>1 byte: the refinement step, or the pass of strokes, that placed the mark.</summary>
         Level = 5,
-        /// <summary>2 uint: stroke (2 number + set) and the mark's place along it; a stipple's seed and 0.</summary>
+        /// <summary>2 uint: stroke (2 number + direction, 0 or 1) and the mark's place along it.</summary>
         Stroke = 6,
         /// <summary>1 float in (0, 1]: relative width; absent where all are 1.</summary>
         Width = 7,
+        /// <summary>
+        /// S + 1 uint: stroke s has the marks order[first[s]] to order[first[s + 1] - 1]; absent without strokes.
+        /// </summary>
+        StrokeFirst = 8,
+        /// <summary>1 uint: that order; absent where marks stand stroke by stroke already.</summary>
+        StrokeOrder = 9,
     }
 
     /// <summary>What a model keeps of its samples and of its fit.</summary>
@@ -360,22 +346,46 @@ namespace HrbfNpr
     [NativeConstants("HRBFNPR_HIDDEN_LINES_")]
     public enum HiddenLines
     {
-        /// <summary>Painted over by paper, layer by layer.</summary>
+        /// <summary>Seen faintly through the surface in front.</summary>
         Attenuate = 0,
         /// <summary>Not drawn.</summary>
         Hide = 1,
-        /// <summary>Nothing is painted over.</summary>
+        /// <summary>Drawn as if nothing were in front.</summary>
         Show = 2,
     }
 
-    /// <summary>How it is found what lies in front of a mark; one for all styles of a frame.</summary>
+    /// <summary>How it is found what lies in front of a mark; one for all styles of a drawing.</summary>
     [NativeConstants("HRBFNPR_VISIBILITY_")]
     public enum Visibility
     {
-        /// <summary>Marks are seen through the sheets of surface in front of them, whatever their number.</summary>
-        Sheets = 0,
+        /// <summary>Marks are seen through the depth layers of surface in front of them, whatever their number.</summary>
+        DepthLayers = 0,
         /// <summary>As published: discs of paper and of ink, from far to near [NPAR 6.1].</summary>
-        Painted = 1,
+        Published = 1,
+    }
+
+    /// <summary>How the front marks of a layer of strokes are drawn.</summary>
+    [NativeConstants("HRBFNPR_SHAPE_")]
+    public enum Shape
+    {
+        /// <summary>Each mark is a dot.</summary>
+        Dots = 0,
+        /// <summary>Marks that follow each other along a stroke, and are shown, are one line.</summary>
+        Strokes = 1,
+    }
+
+    /// <summary>Directions of strokes.</summary>
+    [Flags]
+    public enum StrokeDirections
+    {
+        /// <summary>None.</summary>
+        None = 0,
+        /// <summary>The first direction.</summary>
+        First = 1,
+        /// <summary>The second direction.</summary>
+        Second = 2,
+        /// <summary>Both.</summary>
+        Both = 3,
     }
 
     /// <summary>How many marks a tone takes; of <see cref="ToneRule.Share"/>.</summary>
@@ -417,7 +427,7 @@ namespace HrbfNpr
         /// <summary>All effects thin one and the same order of marks.</summary>
         Share = 0,
         /// <summary>As published, test by test.</summary>
-        Paper = 1,
+        Published = 1,
     }
 
     /// <summary>What the light of a style moves with.</summary>
@@ -431,8 +441,8 @@ namespace HrbfNpr
     }
 
     /// <summary>Named styles.</summary>
-    [NativeConstants("HRBFNPR_STYLE_")]
-    public enum StylePreset
+    [NativeConstants("HRBFNPR_PRESET_")]
+    public enum Preset
     {
         /// <summary>Stipples by light, no contours.</summary>
         Stipple = 0,
@@ -454,7 +464,7 @@ namespace HrbfNpr
 
     /// <summary>Class of what is nearest at a pixel, and of a vertex.</summary>
     [NativeConstants("HRBFNPR_CLASS_")]
-    public enum MarkClass
+    public enum MarkClass : byte
     {
         /// <summary>Nothing.</summary>
         None = 0,
@@ -466,8 +476,20 @@ namespace HrbfNpr
         Silhouette = 3,
     }
 
+    /// <summary>What the vertices of a drawing are.</summary>
+    [NativeConstants("HRBFNPR_PRIMITIVE_")]
+    public enum Primitive
+    {
+        /// <summary>The dots: one vertex each.</summary>
+        Points = 1,
+        /// <summary>The strokes: one vertex for each of their points.</summary>
+        LineStrips = 2,
+        /// <summary>The strokes: two vertices for each point, on their left and right side.</summary>
+        TriangleStrips = 3,
+    }
+
     /// <summary>What a vertex can carry.</summary>
-    [NativeConstants("HRBFNPR_VERTEX_")]
+    [NativeConstants("HRBFNPR_VERTEX_ATTRIBUTE_")]
     public enum VertexAttribute
     {
         /// <summary>World, 3 float.</summary>
@@ -488,5 +510,9 @@ namespace HrbfNpr
         Class = 7,
         /// <summary>1 = a disc of paper, 0 = ink; 1 byte or 1 uint.</summary>
         IsPaper = 8,
+        /// <summary>Number of the drawing's layer; 1 uint.</summary>
+        Layer = 9,
+        /// <summary>Along its stroke, pixels from its first point, 0 for a dot; 1 float.</summary>
+        Length = 10,
     }
 }

@@ -1,55 +1,28 @@
 using System;
-using System.Runtime.InteropServices;
+using System.Collections.Generic;
 
 namespace HrbfNpr
 {
-    /// <summary>A density on the surface.</summary>
-    /// <param name="positions">3 n numbers, absolute.</param>
-    /// <param name="normals">3 n numbers, unit.</param>
-    /// <param name="density">To be filled: n numbers, 1 where marks are to be densest, 0 where none are wanted.</param>
-    public delegate void DensityFunction(double[] positions, double[] normals, double[] density);
-
-    /// <summary>How one group of marks grows.</summary>
-    public sealed class GroupOptions
-    {
-        /// <summary>Refinement steps of <see cref="Distribution.Paper"/>, 0 to 12; stipples 4, strokes 3.</summary>
-        public int Levels { get; set; }
-
-        /// <summary>What strokes of <see cref="Distribution.Paper"/> start from; not for stipples.</summary>
-        public StrokeSeeds Seeds { get; set; }
-
-        /// <summary>With Stipples, the last stippling level used; 0.</summary>
-        public int SeedLevel { get; set; }
-
-        /// <summary>
-        /// The most marks, of both sets of strokes together; 0 (default) = 40000, or no limit with
-        /// <see cref="Distribution.Paper"/> and for strokes with a separation.
-        /// </summary>
-        public long Budget { get; set; }
-
-        internal hrbfnpr_group_desc ToNative()
-        {
-            return new hrbfnpr_group_desc
-            {
-                levels = Levels,
-                seeds = (uint)Seeds,
-                seed_level = SeedLevel,
-                budget = Budget,
-            };
-        }
-    }
-
     /// <summary>How marks are placed on a surface; a new one holds all defaults.</summary>
+    /// <example>
+    /// <code>
+    /// model.Generate(new GenerateOptions { Layers = { Layer.Stipples(), Layer.Principal(budget: 60000) } });
+    /// model.Generate(GenerateOptions.ForPreset(Preset.Full));
+    /// </code>
+    /// </example>
     public sealed class GenerateOptions
     {
-        private readonly float[] begins = new float[5];
-        private readonly float[] ends = new float[5];
-
-        /// <summary>The groups to make; stipples only.  A style says which it needs: <see cref="Style.Groups"/>.</summary>
-        public Groups Groups { get; set; } = Groups.Stipple;
+        /// <summary>The layers to make, in this order; without any, one of stipples.</summary>
+        public IList<Layer> Layers { get; } = new List<Layer>();
 
         /// <summary>How marks are spread.</summary>
         public Distribution Distribution { get; set; }
+
+        /// <summary>The most marks of all layers together; 0 = each has its own budget (default).</summary>
+        public long SharedBudget { get; set; }
+
+        /// <summary>Which tones the ranks of each layer cover.</summary>
+        public ToneRanges ToneRanges { get; set; }
 
         /// <summary>Where marks start from.</summary>
         public SeedSource SeedSource { get; set; }
@@ -63,7 +36,9 @@ namespace HrbfNpr
         /// <summary>Jitter of the box's seeds in cell sides, 0 to 0.5; 0.25.</summary>
         public double BoxJitter { get; set; } = 0.25;
 
-        /// <summary>rho_0 of <see cref="Distribution.Paper"/>, in the unit of the model; 0 = estimated [NPAR 5.1].</summary>
+        /// <summary>
+        /// rho_0 of <see cref="Distribution.Published"/>, in the unit of the model; 0 = estimated [NPAR 5.1].
+        /// </summary>
         public double InitialStep { get; set; }
 
         /// <summary>As <see cref="ProjectOptions.Tolerance"/>; 1e-7.</summary>
@@ -72,149 +47,120 @@ namespace HrbfNpr
         /// <summary>Any number; 1.</summary>
         public ulong RandomSeed { get; set; } = 1;
 
-        /// <summary>Whether stipples get curvatures too; false.</summary>
-        public bool CurvatureOfStipples { get; set; }
-
-        /// <summary>Whether combing marks get curvatures too; false.</summary>
-        public bool CurvatureOfCombing { get; set; }
-
-        /// <summary>The stipples.</summary>
-        public GroupOptions Stipple { get; } = new GroupOptions { Levels = 4 };
-
-        /// <summary>The strokes along principal directions.</summary>
-        public GroupOptions Curvature { get; } = new GroupOptions { Levels = 3 };
-
-        /// <summary>The combing strokes.</summary>
-        public GroupOptions Combing { get; } = new GroupOptions { Levels = 3 };
-
-        /// <summary>Sets the budget of all three groups.</summary>
-        public long Budget
+        /// <summary>The layers that a preset draws.</summary>
+        /// <param name="preset">As for <see cref="Style.Preset"/>.</param>
+        /// <param name="budget">The most marks of each layer.</param>
+        /// <exception cref="InvalidArgumentException">There is no such preset.</exception>
+        public static unsafe GenerateOptions ForPreset(Preset preset, long budget = Layer.DefaultBudget)
         {
-            set
+            long count;
+            hrbfnpr_layer_desc* layers = NativeMethods.hrbfnpr_preset_layers(unchecked((uint)preset), &count);
+            if (layers == null)
             {
-                Stipple.Budget = value;
-                Curvature.Budget = value;
-                Combing.Budget = value;
+                throw new InvalidArgumentException("there is no preset " + (int)preset);
             }
-        }
-
-        /// <summary>
-        /// Mean distance of neighbouring blue-noise strokes of one set, in the unit of the model; 0 = such that they
-        /// have as many marks as the budget.
-        /// </summary>
-        public double StrokeSeparation { get; set; }
-
-        /// <summary>Distance of the marks of such a stroke; 0 = a fifth of the separation.</summary>
-        public double StrokeStep { get; set; }
-
-        /// <summary>The longest such stroke; 0 = no limit.</summary>
-        public double StrokeLength { get; set; }
-
-        /// <summary>Whether such strokes go straight on where directions change places, or turn.</summary>
-        public StrokeField StrokeField { get; set; } = StrokeField.Cross;
-
-        /// <summary>How dense blue-noise stipples are over the surface.</summary>
-        public Density Density { get; set; }
-
-        /// <summary>Of <see cref="HrbfNpr.Density.Curvature"/>, 0 to 1; 0.5.</summary>
-        public double DensityStrength { get; set; } = 0.5;
-
-        /// <summary>
-        /// For <see cref="HrbfNpr.Density.Callback"/>; called on the thread that generates.  What it throws comes out
-        /// in a <see cref="CallbackException"/>.
-        /// </summary>
-        public DensityFunction DensityFunction { get; set; }
-
-        /// <summary>In which order layers appear from light to dark.</summary>
-        public LayerOrder Order { get; set; }
-
-        /// <summary>The most marks of all groups together; 0 = each has its own budget (default).</summary>
-        public long SharedBudget { get; set; }
-
-        /// <summary>
-        /// The darkness 1 - tau at which the first mark of a layer is shown, and that at which all are: 0 to 1, both 0
-        /// (default) = as <see cref="Order"/> says.
-        /// </summary>
-        public void SetLayer(Layer layer, float begin, float end)
-        {
-            begins[(int)layer] = begin;
-            ends[(int)layer] = end;
-        }
-
-        internal unsafe void Write(hrbfnpr_generate_desc* desc, Pins pins, DensityState density, UserHandle user)
-        {
-            desc->groups = (uint)Groups;
-            desc->distribution = (uint)Distribution;
-            desc->seed_source = (uint)SeedSource;
-            desc->flags = (CurvatureOfStipples ? 1u : 0) | (CurvatureOfCombing ? 2u : 0);
-            desc->box_resolution = unchecked((uint)BoxResolution);
-            desc->box_jitter = BoxJitter;
-            desc->initial_step = InitialStep;
-            desc->projection_tolerance = ProjectionTolerance;
-            desc->random_seed = RandomSeed;
-            desc->seed_points = SeedPoints.ToNative(pins, 3, nameof(SeedPoints));
-            desc->group0 = Stipple.ToNative();
-            desc->group1 = Curvature.ToNative();
-            desc->group2 = Combing.ToNative();
-            desc->stroke_separation = StrokeSeparation;
-            desc->stroke_step = StrokeStep;
-            desc->stroke_length = StrokeLength;
-            desc->stroke_field = (uint)StrokeField;
-            desc->density = (uint)Density;
-            desc->density_strength = DensityStrength;
-            if (density != null)
+            var options = new GenerateOptions();
+            for (long i = 0; i < count; ++i)
             {
-                desc->density_function = DensityState.Function;
-                desc->density_user = user.Pointer;
+                Layer layer = Layer.Read((hrbfnpr_layer_desc*)((byte*)layers + i * layers->struct_size));
+                layer.Budget = budget;
+                options.Layers.Add(layer);
             }
-            desc->order = (uint)Order;
-            desc->shared_budget = SharedBudget;
-            hrbfnpr_layer* layer = &desc->layer0;
-            for (int i = 0; i < begins.Length; ++i)
-            {
-                layer[i].begin = begins[i];
-                layer[i].end = ends[i];
-            }
+            return options;
         }
     }
 
-    /// <summary>The density function of one call.</summary>
-    internal sealed unsafe class DensityState : CallbackState
+    /// <summary>The descriptor of one call, and all that it points to.</summary>
+    internal sealed unsafe class GenerateCall : IDisposable
     {
-        internal static readonly IntPtr Function;
-        private static readonly NativeCallbacks.Density FunctionCallback = OnDensity;
-        private readonly DensityFunction function;
+        internal hrbfnpr_generate_desc Desc;
+        private readonly Pins pins = new Pins();
+        private readonly List<PlaceState> states = new List<PlaceState>();
+        private readonly List<UserHandle> users = new List<UserHandle>();
 
-        static DensityState()
+        internal GenerateCall(GenerateOptions options)
         {
-            Function = Marshal.GetFunctionPointerForDelegate(FunctionCallback);
-        }
-
-        internal DensityState(DensityFunction function)
-        {
-            this.function = function;
-        }
-
-        [MonoPInvokeCallback(typeof(NativeCallbacks.Density))]
-        private static int OnDensity(IntPtr user, long count, double* positions, double* normals, double* density)
-        {
-            var state = From<DensityState>(user);
             try
             {
-                var places = new double[count * 3];
-                var directions = new double[count * 3];
-                var result = new double[count];
-                Marshal.Copy((IntPtr)positions, places, 0, places.Length);
-                Marshal.Copy((IntPtr)normals, directions, 0, directions.Length);
-                state.function(places, directions, result);
-                Marshal.Copy(result, 0, (IntPtr)density, result.Length);
-                return 0;
+                Describe(options ?? new GenerateOptions());
             }
-            catch (Exception exception)
+            catch
             {
-                state.Keep(exception);
-                return 1;
+                Dispose();
+                throw;
             }
+        }
+
+        public void Dispose()
+        {
+            pins.Dispose();
+            foreach (UserHandle user in users)
+            {
+                user.Dispose();
+            }
+            users.Clear();
+        }
+
+        /// <summary>Throws what a function threw, or what the call says.</summary>
+        internal void Check(LongCall call, int status, hrbfnpr_error* error, Model model)
+        {
+            foreach (PlaceState state in states)
+            {
+                Exception thrown = state.TakeException();
+                if (thrown != null)
+                {
+                    throw new CallbackException("the " + state.Name + " function threw: " + thrown.Message, thrown);
+                }
+            }
+            call.Check(status, error, model.Function);
+        }
+
+        private void Describe(GenerateOptions options)
+        {
+            fixed (hrbfnpr_generate_desc* desc = &Desc)
+            {
+                Errors.Check(NativeMethods.hrbfnpr_generate_desc_init(desc, (uint)sizeof(hrbfnpr_generate_desc)));
+            }
+            Desc.distribution = (uint)options.Distribution;
+            Desc.shared_budget = options.SharedBudget;
+            Desc.tone_ranges = (uint)options.ToneRanges;
+            Desc.seed_source = (uint)options.SeedSource;
+            Desc.seed_points = options.SeedPoints.ToNative(pins, 3, nameof(options.SeedPoints));
+            Desc.box_jitter = options.BoxJitter;
+            Desc.box_resolution = unchecked((uint)options.BoxResolution);
+            Desc.initial_step = options.InitialStep;
+            Desc.projection_tolerance = options.ProjectionTolerance;
+            Desc.random_seed = options.RandomSeed;
+            if (options.Layers.Count == 0)
+            {
+                return;
+            }
+            var layers = new hrbfnpr_layer_desc[options.Layers.Count];
+            var first = (hrbfnpr_layer_desc*)pins.Pin(layers);
+            for (int i = 0; i < layers.Length; ++i)
+            {
+                Layer layer = options.Layers[i] ?? throw new ArgumentNullException(nameof(options.Layers));
+                layer.Write(first + i, pins);
+                if (layer.DensityFunction != null)
+                {
+                    first[i].density_function = PlaceState.Density;
+                    first[i].density_user = Add(new PlaceState(layer.DensityFunction));
+                }
+                if (layer.DirectionFunction != null)
+                {
+                    first[i].direction_function = PlaceState.Direction;
+                    first[i].direction_user = Add(new PlaceState(layer.DirectionFunction));
+                }
+            }
+            Desc.layers = (IntPtr)first;
+            Desc.layer_count = layers.Length;
+        }
+
+        private IntPtr Add(PlaceState state)
+        {
+            states.Add(state);
+            users.Add(new UserHandle(state));
+            return users[users.Count - 1].Pointer;
         }
     }
 }

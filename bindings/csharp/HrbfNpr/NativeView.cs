@@ -65,7 +65,7 @@ namespace HrbfNpr
         public T[] ToArray<T>()
             where T : struct
         {
-            CheckType(typeof(T));
+            CheckType(typeof(T), Scalar, Count);
             bool held = false;
             try
             {
@@ -102,11 +102,8 @@ namespace HrbfNpr
         public ReadOnlySpan<T> AsSpan<T>()
             where T : unmanaged
         {
-            CheckType(typeof(T));
-            if (Stride != Components * ScalarSize)
-            {
-                throw new InvalidCastException("the elements of this view do not lie side by side");
-            }
+            CheckType(typeof(T), Scalar, Count);
+            CheckPacked(Stride, Components * ScalarSize);
             return new ReadOnlySpan<T>((void*)Data, checked((int)(Count * Components)));
         }
 #endif
@@ -117,16 +114,26 @@ namespace HrbfNpr
             owner.Dispose();
         }
 
-        private void CheckType(Type type)
+        internal static void CheckType(Type type, ScalarType scalar, long count)
         {
-            Type wanted = Scalar == ScalarType.Float64 ? typeof(double) : Scalar == ScalarType.Float32 ? typeof(float)
-                : Scalar == ScalarType.Uint8 ? typeof(byte) : typeof(uint);
-            if (type != wanted && Count > 0)
+            Type wanted = scalar == ScalarType.Float64 ? typeof(double) : scalar == ScalarType.Float32 ? typeof(float)
+                : scalar == ScalarType.Uint8 ? typeof(byte) : typeof(uint);
+            if (type != wanted && count > 0)
             {
                 throw new InvalidCastException("this view holds numbers of type " + wanted.Name + ", not " + type.Name);
             }
         }
 
+#if NET7_0_OR_GREATER
+        internal static void CheckPacked(long stride, long size)
+        {
+            if (stride != 0 && stride != size)
+            {
+                throw new InvalidCastException("the elements of this view do not lie side by side");
+            }
+        }
+
+#endif
         private void Copy(byte* target)
         {
             long size = Components * ScalarSize;

@@ -1,71 +1,86 @@
 using System;
+using System.Collections.Generic;
+using System.Collections.ObjectModel;
 using System.IO;
-using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>
-    /// One group of ready-made marks for <see cref="PointSet.FromArrays"/>: position and normal are needed.
-    /// </summary>
-    public sealed class GroupArrays
+    /// <summary>A layer of ready-made marks for <c>PointSet.Create</c>: position and normal are needed.</summary>
+    public sealed class OwnLayer
     {
+        /// <summary>Without arrays.</summary>
+        public OwnLayer()
+        {
+        }
+
+        /// <summary>Marks, or strokes.</summary>
+        /// <param name="position">n points, absolute; float or double.</param>
+        /// <param name="normal">n unit normals, outward; float or double.</param>
+        /// <param name="strokeFirst">As <see cref="StrokeFirst"/>; not given for marks that form no strokes.</param>
+        /// <param name="name">"own" if null.</param>
+        public OwnLayer(
+            ArrayView position, ArrayView normal, ArrayView strokeFirst = default(ArrayView), string name = null)
+        {
+            Position = position;
+            Normal = normal;
+            StrokeFirst = strokeFirst;
+            Name = name;
+        }
+
+        /// <summary>What its marks are; Own.</summary>
+        public LayerKind Kind { get; set; } = LayerKind.Own;
+
+        /// <summary>1 to 63 bytes of UTF-8; the kind's name if null.</summary>
+        public string Name { get; set; }
+
         /// <summary>n points, absolute; float or double.</summary>
         public ArrayView Position { get; set; }
 
-        /// <summary>n unit normals; float or double.</summary>
+        /// <summary>n unit normals, outward; float or double.</summary>
         public ArrayView Normal { get; set; }
 
-        /// <summary>n unit tangents; by default the stipple's basis.</summary>
+        /// <summary>
+        /// S + 1 uint, rising from 0 to n: stroke s has the marks first[s] to first[s + 1] - 1 from end to end.  No
+        /// strokes by default.
+        /// </summary>
+        public ArrayView StrokeFirst { get; set; }
+
+        /// <summary>S bytes: 0 the first direction, 1 the second; 0 by default.</summary>
+        public ArrayView StrokeDirection { get; set; }
+
+        /// <summary>n unit tangents; by default along the stroke, or the mark's basis.</summary>
         public ArrayView Direction { get; set; }
 
-        /// <summary>n times k1, k2, confidence; absent by default.</summary>
+        /// <summary>n times k1, k2, confidence; not known by default.</summary>
         public ArrayView Curvature { get; set; }
 
-        /// <summary>n numbers in [0, 1); random by default.</summary>
+        /// <summary>n numbers in [0, 1); random by default, the same for all marks of a stroke.</summary>
         public ArrayView Rank { get; set; }
 
         /// <summary>n bytes; 0 by default.</summary>
         public ArrayView Level { get; set; }
 
-        /// <summary>n pairs of uint; one stroke for each mark by default.</summary>
-        public ArrayView Stroke { get; set; }
-
         /// <summary>n numbers in (0, 1]; 1 by default.</summary>
         public ArrayView Width { get; set; }
 
-        internal hrbfnpr_group_arrays ToNative(Pins pins)
+        internal unsafe void Write(hrbfnpr_layer_arrays* arrays, Pins pins)
         {
-            return new hrbfnpr_group_arrays
-            {
-                position = Position.ToNative(pins, 3, nameof(Position)),
-                normal = Normal.ToNative(pins, 3, nameof(Normal)),
-                direction = Direction.ToNative(pins, 3, nameof(Direction)),
-                curvature = Curvature.ToNative(pins, 3, nameof(Curvature)),
-                rank = Rank.ToNative(pins, 1, nameof(Rank)),
-                level = Level.ToNative(pins, 1, nameof(Level)),
-                stroke = Stroke.ToNative(pins, 2, nameof(Stroke)),
-                width = Width.ToNative(pins, 1, nameof(Width)),
-            };
+            Errors.Check(NativeMethods.hrbfnpr_layer_arrays_init(arrays, (uint)sizeof(hrbfnpr_layer_arrays)));
+            arrays->kind = (uint)Kind;
+            arrays->name = pins.Text(Name);
+            arrays->position = Position.ToNative(pins, 3, nameof(Position));
+            arrays->normal = Normal.ToNative(pins, 3, nameof(Normal));
+            arrays->stroke_first = StrokeFirst.ToNative(pins, 1, nameof(StrokeFirst));
+            arrays->stroke_direction = StrokeDirection.ToNative(pins, 1, nameof(StrokeDirection));
+            arrays->direction = Direction.ToNative(pins, 3, nameof(Direction));
+            arrays->curvature = Curvature.ToNative(pins, 3, nameof(Curvature));
+            arrays->rank = Rank.ToNative(pins, 1, nameof(Rank));
+            arrays->level = Level.ToNative(pins, 1, nameof(Level));
+            arrays->width = Width.ToNative(pins, 1, nameof(Width));
         }
     }
 
-    /// <summary>Result of <see cref="PointSet.StepPatches"/>.</summary>
-    public sealed class StepPatches
-    {
-        internal StepPatches(double[] corners, double step)
-        {
-            Corners = corners;
-            Step = step;
-        }
-
-        /// <summary>Four corners of each patch, counter-clockwise seen from outside: 12 n numbers, absolute.</summary>
-        public double[] Corners { get; }
-
-        /// <summary>The initial step.</summary>
-        public double Step { get; }
-    }
-
-    /// <summary>Marks on a surface: stipples, and strokes along principal or combed directions [NPAR 5].</summary>
+    /// <summary>Layers of marks on a surface: stipples, strokes, and marks of the program's own [NPAR 5].</summary>
     /// <remarks>
     /// Immutable: any number of threads may use a set at a time.  A set that is disposed of or finalised goes on
     /// living where it is still needed.  Positions are float, relative to <see cref="PointSetInfo.Origin"/>.
@@ -73,13 +88,14 @@ namespace HrbfNpr
     public sealed unsafe class PointSet : IDisposable
     {
         private readonly PointSetHandle handle;
+        private ReadOnlyCollection<MarkLayer> layers;
 
-        private PointSet(PointSetHandle handle)
+        internal PointSet(PointSetHandle handle)
         {
             this.handle = handle;
         }
 
-        /// <summary>Counts, steps and seconds, per group and level.</summary>
+        /// <summary>Counts, bounds and seconds.</summary>
         public PointSetInfo Info
         {
             get
@@ -92,10 +108,58 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Marks in all groups.</summary>
+        /// <summary>Marks in all layers.</summary>
         public long Count
         {
-            get { return Info.Count; }
+            get { return Info.Marks; }
+        }
+
+        /// <summary>The layers, by number.</summary>
+        public IReadOnlyList<MarkLayer> Layers
+        {
+            get
+            {
+                if (layers == null)
+                {
+                    var made = new MarkLayer[Info.Layers];
+                    for (int i = 0; i < made.Length; ++i)
+                    {
+                        made[i] = new MarkLayer(this, i);
+                    }
+                    layers = new ReadOnlyCollection<MarkLayer>(made); // any thread may be the first, or the second
+                }
+                return layers;
+            }
+        }
+
+        /// <summary>The first layer of a name.</summary>
+        /// <exception cref="KeyNotFoundException">There is none.</exception>
+        public MarkLayer this[string name]
+        {
+            get
+            {
+                foreach (MarkLayer layer in Layers)
+                {
+                    if (layer.Name == name)
+                    {
+                        return layer;
+                    }
+                }
+                throw new KeyNotFoundException("no layer of the set is called " + name);
+            }
+        }
+
+        /// <summary>What became of the seeds' candidates.</summary>
+        public PlacementInfo SeedPlacement
+        {
+            get
+            {
+                PlacementInfo info;
+                Errors.Check(NativeMethods.hrbfnpr_placement_info_init(&info, (uint)sizeof(PlacementInfo)));
+                hrbfnpr_error error = Errors.New();
+                Errors.Check(NativeMethods.hrbfnpr_point_set_get_seed_placement(handle, &info, &error), &error);
+                return info;
+            }
         }
 
         internal PointSetHandle Handle
@@ -103,144 +167,64 @@ namespace HrbfNpr
             get { return handle; }
         }
 
-        /// <summary>Places marks on the surface of a model.</summary>
-        /// <param name="model">The surface.</param>
-        /// <param name="options">All defaults, stipples, if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
-        /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">An option is out of its range, or does not go with another.</exception>
-        /// <exception cref="NotConvergedException">All seeds were dropped.</exception>
-        /// <exception cref="CancelledException">The call was cancelled.</exception>
-        /// <exception cref="CallbackException">A function of the program threw.</exception>
-        public static PointSet Generate(
-            Model model, GenerateOptions options = null, Context context = null, IProgress<double> progress = null,
-            CancellationToken cancellationToken = default(CancellationToken))
+        /// <summary>A set of the program's marks, which are copied.</summary>
+        /// <param name="layers">One or more.</param>
+        /// <exception cref="InvalidArgumentException">The message names the layer, the array and the index.</exception>
+        public static PointSet Create(params OwnLayer[] layers)
         {
-            if (model == null)
-            {
-                throw new ArgumentNullException(nameof(model));
-            }
-            context = Context.Resolve(context);
-            options = options ?? new GenerateOptions();
-            DensityState density = options.DensityFunction == null ? null : new DensityState(options.DensityFunction);
-            using (var pins = new Pins())
-            using (var user = new UserHandle(density))
-            using (var call = new LongCall(context.Handle, progress, cancellationToken))
-            {
-                hrbfnpr_generate_desc desc = Describe(options, pins, density, user);
-                hrbfnpr_error error = Errors.New();
-                var made = new PointSetHandle();
-                int status = NativeMethods.hrbfnpr_point_set_generate(
-                    context.Handle, model.Handle, &desc, call.Operation, out IntPtr created, &error);
-                made.Take(created, context.Anchor);
-                try
-                {
-                    Check(call, status, &error, density, model);
-                    return new PointSet(made);
-                }
-                catch
-                {
-                    made.Dispose();
-                    throw;
-                }
-            }
+            return Create(layers, null);
         }
 
-        /// <summary>Marks from arrays, which are copied.</summary>
-        /// <param name="stipple">Null for none.</param>
-        /// <param name="curvature">Null for none.</param>
-        /// <param name="combing">Null for none.</param>
+        /// <summary>A set of another set's layers, followed by the program's.</summary>
+        /// <param name="basis">Its layers come first; null for none.</param>
+        /// <param name="layers">The layers that follow.</param>
+        /// <exception cref="InvalidArgumentException">The message names the layer, the array and the index.</exception>
+        public static PointSet Create(PointSet basis, params OwnLayer[] layers)
+        {
+            return Create(layers, basis);
+        }
+
+        /// <summary>A set of the program's marks, or of another set's layers and the program's.</summary>
+        /// <param name="layers">The layers that follow.</param>
+        /// <param name="basis">Its layers come first; null for none.</param>
         /// <param name="randomSeed">For ranks that are not given.</param>
         /// <param name="context">The default context if null.</param>
-        /// <exception cref="InvalidArgumentException">The message names the array and the index.</exception>
-        public static PointSet FromArrays(
-            GroupArrays stipple, GroupArrays curvature = null, GroupArrays combing = null, ulong randomSeed = 1,
-            Context context = null)
+        /// <exception cref="InvalidArgumentException">The message names the layer, the array and the index.</exception>
+        public static PointSet Create(
+            IReadOnlyList<OwnLayer> layers, PointSet basis, ulong randomSeed = 1, Context context = null)
         {
+            if (layers == null)
+            {
+                throw new ArgumentNullException(nameof(layers));
+            }
             context = Context.Resolve(context);
             hrbfnpr_point_set_desc desc;
             Errors.Check(NativeMethods.hrbfnpr_point_set_desc_init(&desc, (uint)sizeof(hrbfnpr_point_set_desc)));
             desc.random_seed = randomSeed;
             using (var pins = new Pins())
+            using (var held = new HeldHandles())
             {
-                desc.group0 = (stipple ?? new GroupArrays()).ToNative(pins);
-                desc.group1 = (curvature ?? new GroupArrays()).ToNative(pins);
-                desc.group2 = (combing ?? new GroupArrays()).ToNative(pins);
+                if (basis != null)
+                {
+                    desc.@base = held.Hold(basis.handle);
+                }
+                var arrays = new hrbfnpr_layer_arrays[layers.Count];
+                var first = (hrbfnpr_layer_arrays*)pins.Pin(arrays);
+                for (int i = 0; i < arrays.Length; ++i)
+                {
+                    OwnLayer layer = layers[i] ?? throw new ArgumentNullException(nameof(layers));
+                    layer.Write(first + i, pins);
+                }
+                desc.layers = arrays.Length == 0 ? IntPtr.Zero : (IntPtr)first;
+                desc.layer_count = arrays.Length;
                 hrbfnpr_error error = Errors.New();
                 var made = new PointSetHandle();
-                int status = NativeMethods.hrbfnpr_point_set_create_from_arrays(
+                int status = NativeMethods.hrbfnpr_point_set_create(
                     context.Handle, &desc, out IntPtr created, &error);
                 made.Take(created, context.Anchor);
                 Errors.Check(status, &error);
                 return new PointSet(made);
             }
-        }
-
-        /// <summary>The visual feedback for choosing the initial step [NPAR 5.1, Figure 5].</summary>
-        /// <param name="model">The surface.</param>
-        /// <param name="count">Squares of side 2 steps, in tangent planes of random seeds.</param>
-        /// <param name="options">As for <see cref="Generate"/>, whose seeds and estimate they are.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
-        /// <param name="cancellationToken">Cancels the call.</param>
-        public static StepPatches StepPatches(
-            Model model, int count, GenerateOptions options = null, Context context = null,
-            IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            if (model == null)
-            {
-                throw new ArgumentNullException(nameof(model));
-            }
-            context = Context.Resolve(context);
-            options = options ?? new GenerateOptions();
-            DensityState density = options.DensityFunction == null ? null : new DensityState(options.DensityFunction);
-            var corners = new double[count * 12];
-            double step;
-            using (var pins = new Pins())
-            using (var user = new UserHandle(density))
-            using (var call = new LongCall(context.Handle, progress, cancellationToken))
-            {
-                hrbfnpr_generate_desc desc = Describe(options, pins, density, user);
-                hrbfnpr_array target = ((ArrayView)corners).ToNative(pins, 12, nameof(corners));
-                hrbfnpr_error error = Errors.New();
-                int status = NativeMethods.hrbfnpr_point_set_step_patches(
-                    context.Handle, model.Handle, &desc, &target, &step, call.Operation, &error);
-                Check(call, status, &error, density, model);
-            }
-            return new StepPatches(corners, step);
-        }
-
-        /// <summary>One attribute of one group, in the set's own memory, without a copy.</summary>
-        /// <remarks>Empty for an empty group, and for curvatures or widths where there are none.</remarks>
-        public NativeView View(Group group, MarkAttribute attribute)
-        {
-            hrbfnpr_array view;
-            hrbfnpr_error error = Errors.New();
-            Errors.Check(
-                NativeMethods.hrbfnpr_point_set_view(handle, (uint)group, (uint)attribute, &view, &error), &error);
-            return new NativeView(handle.Share(), view);
-        }
-
-        /// <summary>A copy of an attribute of float numbers.</summary>
-        public float[] Floats(Group group, MarkAttribute attribute)
-        {
-            using (NativeView view = View(group, attribute))
-            {
-                return view.ToArray<float>();
-            }
-        }
-
-        /// <summary>A copy of the positions, 3 n numbers, relative to <see cref="PointSetInfo.Origin"/>.</summary>
-        public float[] Positions(Group group)
-        {
-            return Floats(group, MarkAttribute.Position);
-        }
-
-        /// <summary>A copy of the unit normals, 3 n numbers.</summary>
-        public float[] Normals(Group group)
-        {
-            return Floats(group, MarkAttribute.Normal);
         }
 
         /// <summary>Saves the set; the data is versioned and checksummed.</summary>
@@ -349,26 +333,6 @@ namespace HrbfNpr
             made.Take(created, context.Anchor);
             Errors.Check(status, &error);
             return new PointSet(made);
-        }
-
-        private static hrbfnpr_generate_desc Describe(
-            GenerateOptions options, Pins pins, DensityState density, UserHandle user)
-        {
-            hrbfnpr_generate_desc desc;
-            Errors.Check(NativeMethods.hrbfnpr_generate_desc_init(&desc, (uint)sizeof(hrbfnpr_generate_desc)));
-            options.Write(&desc, pins, density, user);
-            return desc;
-        }
-
-        private static void Check(
-            LongCall call, int status, hrbfnpr_error* error, DensityState density, Model model)
-        {
-            Exception thrown = density == null ? null : density.TakeException();
-            if (thrown != null)
-            {
-                throw new CallbackException("the density function threw: " + thrown.Message, thrown);
-            }
-            call.Check(status, error, model.Function);
         }
     }
 }

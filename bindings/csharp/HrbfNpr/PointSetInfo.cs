@@ -3,10 +3,13 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>What became of one level's candidates: attempted = placed + all dropped.</summary>
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_level_info")]
-    public struct LevelInfo
+    /// <summary>What became of candidates for marks: attempted = placed + all dropped.</summary>
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_placement_info")]
+    public struct PlacementInfo
     {
+        internal uint StructSize;
+        private readonly uint reserved;
+
         /// <summary>Candidates.</summary>
         public readonly long Attempted;
 
@@ -22,18 +25,22 @@ namespace HrbfNpr
         /// <summary>Zero gradient, or not finite.</summary>
         public readonly long DroppedDegenerate;
 
-        /// <summary>Over the group's budget.</summary>
+        /// <summary>Over the layer's budget.</summary>
         public readonly long DroppedBudget;
     }
 
-    /// <summary>One group of marks.</summary>
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_group_info")]
-    public unsafe struct GroupInfo
+    /// <summary>One layer of marks.</summary>
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_info")]
+    public unsafe struct LayerInfo
     {
-        /// <summary>Marks in the group.</summary>
-        public readonly long Count;
+        internal uint StructSize;
+        private readonly uint kind;
+        private fixed byte name[64];
 
-        /// <summary>Strokes in the group; 0 for stipples.</summary>
+        /// <summary>Marks in the layer.</summary>
+        public readonly long Marks;
+
+        /// <summary>Strokes in the layer; 0: its marks form none.</summary>
         public readonly long Strokes;
 
         /// <summary>What the count would be if nothing had been dropped, or left out for the budget.</summary>
@@ -50,20 +57,21 @@ namespace HrbfNpr
         /// <summary>Seconds that it took.</summary>
         public readonly double Seconds;
 
-        private LevelInfo level0, level1, level2, level3, level4, level5, level6, level7, level8, level9, level10;
-        private LevelInfo level11, level12;
-
-        /// <summary>What became of one level's candidates: 0 for the seeds, then each refinement step.</summary>
-        /// <param name="index">0 to 12.</param>
-        public LevelInfo Level(int index)
+        /// <summary>What its marks are.</summary>
+        public LayerKind Kind
         {
-            if (index < 0 || index > 12)
+            get { return (LayerKind)kind; }
+        }
+
+        /// <summary>What it is called.</summary>
+        public string Name
+        {
+            get
             {
-                throw new ArgumentOutOfRangeException(nameof(index));
-            }
-            fixed (LevelInfo* first = &level0)
-            {
-                return first[index];
+                fixed (byte* text = name)
+                {
+                    return Errors.Utf8(text);
+                }
             }
         }
     }
@@ -77,6 +85,12 @@ namespace HrbfNpr
         private readonly uint seedSource;
         private readonly uint reserved;
 
+        /// <summary>How many layers there are.</summary>
+        public readonly long Layers;
+
+        /// <summary>Marks in all layers.</summary>
+        public readonly long Marks;
+
         /// <summary>Add it to positions to get absolute coordinates.</summary>
         public readonly Vector3d Origin;
 
@@ -86,7 +100,7 @@ namespace HrbfNpr
         /// <summary>The opposite corner.</summary>
         public readonly Vector3d BoundsMax;
 
-        /// <summary>sqrt(area per mark) of the largest group, estimated.</summary>
+        /// <summary>sqrt(area per mark) of the largest layer, estimated.</summary>
         public readonly double Spacing;
 
         /// <summary>Seconds to find the seeds.</summary>
@@ -98,11 +112,6 @@ namespace HrbfNpr
         /// <summary>Bytes kept by the set.</summary>
         public readonly long Bytes;
 
-        /// <summary>What became of the seeds' candidates.</summary>
-        public readonly LevelInfo Seeds;
-
-        private readonly GroupInfo group0, group1, group2;
-
         /// <summary>As asked for.</summary>
         public Distribution Distribution
         {
@@ -113,27 +122,6 @@ namespace HrbfNpr
         public SeedSource SeedSource
         {
             get { return (SeedSource)seedSource; }
-        }
-
-        /// <summary>Marks in all groups.</summary>
-        public long Count
-        {
-            get { return group0.Count + group1.Count + group2.Count; }
-        }
-
-        /// <summary>One group of marks.</summary>
-        public GroupInfo this[Group group]
-        {
-            get
-            {
-                switch (group)
-                {
-                    case Group.Stipple: return group0;
-                    case Group.Curvature: return group1;
-                    case Group.Combing: return group2;
-                    default: throw new ArgumentOutOfRangeException(nameof(group));
-                }
-            }
         }
     }
 }

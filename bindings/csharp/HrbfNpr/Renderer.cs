@@ -1,23 +1,34 @@
 using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>Draws point sets with a camera [NPAR 6]: prepare a frame, then draw it or write its vertices.</summary>
+    /// <summary>Makes drawings of point sets for a camera [NPAR 6].</summary>
     /// <remarks>
-    /// It keeps its scratch memory from frame to frame.  Calls of several threads wait for each other: give each
-    /// thread a renderer of its own.
+    /// It keeps its scratch memory, and the memory of drawings that were disposed of, from one drawing to the next.
+    /// Calls of several threads wait for each other: give each thread a renderer of its own.
     /// </remarks>
     /// <example>
     /// <code>
     /// var renderer = new Renderer();
-    /// renderer.Prepare(camera, new Item(marks, style));
-    /// renderer.Draw(pixels, camera.Width, camera.Height); // byte[], Span&lt;byte&gt; or IntPtr
+    /// using (Drawing drawing = renderer.Draw(new Item(marks, style), camera))
+    /// {
+    ///     byte[] pixels = drawing.Rasterize();
+    /// }
     /// </code>
     /// </example>
     public sealed unsafe class Renderer : IDisposable
     {
         private readonly object gate = new object();
         private readonly RendererHandle handle = new RendererHandle();
+        private readonly Item[] single = new Item[1];
+        private readonly Memory memory = new Memory();
+        private readonly HeldHandles held = new HeldHandles();
+        private readonly Pins pins = new Pins();
+        private readonly List<ToneState> tones = new List<ToneState>();
+        private readonly List<UserHandle> users = new List<UserHandle>();
+        private bool drawing;
 
         /// <summary>Makes a renderer.</summary>
         /// <param name="context">The default context if null.</param>
@@ -30,255 +41,133 @@ namespace HrbfNpr
             Errors.Check(status, &error);
         }
 
-        /// <summary>What the last frame did, its drawing included.</summary>
-        public FrameInfo Info
-        {
-            get
-            {
-                FrameInfo info = NewInfo();
-                hrbfnpr_error error = Errors.New();
-                lock (gate)
-                {
-                    Errors.Check(NativeMethods.hrbfnpr_renderer_get_info(handle, &info, &error), &error);
-                }
-                return info;
-            }
-        }
-
-        /// <summary>How many vertices the prepared frame has.</summary>
-        /// <exception cref="InvalidArgumentException">No frame was prepared.</exception>
-        public long VertexBound
-        {
-            get
-            {
-                long count;
-                hrbfnpr_error error = Errors.New();
-                lock (gate)
-                {
-                    Errors.Check(NativeMethods.hrbfnpr_renderer_vertex_bound(handle, &count, &error), &error);
-                }
-                return count;
-            }
-        }
-
-        /// <summary>Classifies, shades and orders the marks of a frame.</summary>
+        /// <summary>Draws one item.</summary>
+        /// <param name="item">What is drawn; a point set stands for itself in the default style.</param>
         /// <param name="camera">Where it is seen from.</param>
-        /// <param name="items">What is drawn; a point set stands for itself in the default style.</param>
+        /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
+        /// <exception cref="InvalidArgumentException">A camera without a viewport, a singular transform, or a style's
+        /// number out of its range.</exception>
+        /// <exception cref="CallbackException">A tone function, or the function of an item's model, threw.</exception>
+        public Drawing Draw(Item item, Camera camera)
+        {
+            lock (gate)
+            {
+                CheckIdle();
+                single[0] = item;
+                try
+                {
+                    return DrawItems(single, camera);
+                }
+                finally
+                {
+                    single[0] = null;
+                }
+            }
+        }
+
+        /// <summary>Draws several items.</summary>
+        /// <param name="items">What is drawn; may be none.</param>
+        /// <param name="camera">Where they are seen from.</param>
+        /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
         /// <exception cref="InvalidArgumentException">A camera without a viewport, a singular transform, a style's
         /// number out of its range, or styles of different paper or visibility.</exception>
         /// <exception cref="CallbackException">A tone function, or the function of an item's model, threw.</exception>
-        public FrameInfo Prepare(Camera camera, params Item[] items)
+        public Drawing Draw(IReadOnlyList<Item> items, Camera camera)
+        {
+            if (items == null)
+            {
+                throw new ArgumentNullException(nameof(items));
+            }
+            lock (gate)
+            {
+                CheckIdle();
+                return DrawItems(items, camera);
+            }
+        }
+
+        /// <summary>Lets go of the renderer's memory; drawings live on.</summary>
+        public void Dispose()
+        {
+            lock (gate)
+            {
+                CheckIdle();
+                handle.Dispose();
+                memory.Dispose();
+            }
+        }
+
+        private static long Size(Item item)
+        {
+            long size = Memory.Rounded(sizeof(hrbfnpr_item))
+                + Memory.Rounded((long)item.Poses.Count * sizeof(hrbfnpr_layer_pose));
+            if (item.Style == null)
+            {
+                return size;
+            }
+            IList<LayerStyle> layers = item.Style.Layers;
+            size += sizeof(hrbfnpr_style) + (long)layers.Count * sizeof(hrbfnpr_layer_style) + 16;
+            for (int i = 0; i < layers.Count; ++i)
+            {
+                if (layers[i] == null)
+                {
+                    throw new ArgumentNullException(nameof(Style.Layers));
+                }
+                size += layers[i].NameUtf8 == null ? 0 : Memory.Rounded(layers[i].NameUtf8.Length);
+            }
+            return size;
+        }
+
+        /// <summary>A function that a drawing calls may not draw with the same renderer.</summary>
+        private void CheckIdle()
+        {
+            if (drawing)
+            {
+                throw new InvalidOperationException("the renderer is drawing: a tone function cannot use it");
+            }
+        }
+
+        private Drawing DrawItems(IReadOnlyList<Item> items, Camera camera)
         {
             if (camera == null)
             {
                 throw new ArgumentNullException(nameof(camera));
             }
-            if (items == null || Array.IndexOf(items, null) >= 0)
+            int count = items.Count;
+            long size = 0;
+            for (int i = 0; i < count; ++i)
             {
-                throw new ArgumentNullException(nameof(items));
+                if (items[i] == null)
+                {
+                    throw new ArgumentNullException(nameof(items));
+                }
+                size += Size(items[i]);
             }
-            var structs = new hrbfnpr_item[Math.Max(items.Length, 1)];
-            var styles = new hrbfnpr_style[structs.Length];
-            var users = new UserHandle[structs.Length];
-            var tones = new ToneState[structs.Length];
-            var held = new HeldHandles(2 * structs.Length);
+            drawing = true;
             try
             {
-                fixed (hrbfnpr_item* first = structs)
-                fixed (hrbfnpr_style* style = styles)
+                memory.Begin(size);
+                var first = (hrbfnpr_item*)memory.Take((long)count * sizeof(hrbfnpr_item));
+                for (int i = 0; i < count; ++i)
                 {
-                    for (int i = 0; i < items.Length; ++i)
-                    {
-                        Describe(items[i], first + i, style + i, ref tones[i], ref users[i], ref held);
-                    }
-                    return PrepareItems(camera, items, first, tones);
+                    Describe(items[i], first + i);
                 }
+                return Call(items, camera, first, count);
             }
             finally
             {
+                drawing = false;
                 held.Dispose();
+                pins.Dispose();
+                tones.Clear();
                 foreach (UserHandle user in users)
                 {
                     user.Dispose();
                 }
+                users.Clear();
             }
         }
 
-        /// <summary>Draws the prepared frame; may be called again, also with other images.</summary>
-        /// <param name="pixels">The image, 4 bytes a pixel; what lies outside the viewport is not touched.</param>
-        /// <param name="width">Pixels, 1 to 32768.</param>
-        /// <param name="height">Pixels, 1 to 32768.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <exception cref="InvalidArgumentException">No frame was prepared, the array is too short, or an option does
-        /// not fit.</exception>
-        public void Draw(byte[] pixels, int width, int height, DrawOptions options = null)
-        {
-            if (pixels == null)
-            {
-                throw new ArgumentNullException(nameof(pixels));
-            }
-            long start = Start(pixels.LongLength, width, height, options);
-            fixed (byte* data = pixels)
-            {
-                Draw((IntPtr)(data + start), width, height, options);
-            }
-        }
-
-#if NET7_0_OR_GREATER
-        /// <summary>As the other <c>Draw</c>, into a span.</summary>
-        /// <param name="pixels">The image, 4 bytes a pixel.</param>
-        /// <param name="width">Pixels, 1 to 32768.</param>
-        /// <param name="height">Pixels, 1 to 32768.</param>
-        /// <param name="options">All defaults if null.</param>
-        public void Draw(Span<byte> pixels, int width, int height, DrawOptions options = null)
-        {
-            long start = Start(pixels.Length, width, height, options);
-            fixed (byte* data = pixels)
-            {
-                Draw((IntPtr)(data + start), width, height, options);
-            }
-        }
-
-        /// <summary>As the other <c>WriteVertices</c>, into a span.</summary>
-        /// <param name="layout">What a vertex holds.</param>
-        /// <param name="destination">Memory for whole vertices.</param>
-        /// <returns>How many were written.</returns>
-        public long WriteVertices(VertexLayout layout, Span<byte> destination)
-        {
-            if (layout == null)
-            {
-                throw new ArgumentNullException(nameof(layout));
-            }
-            fixed (byte* data = destination)
-            {
-                return WriteVertices(layout, (IntPtr)data, destination.Length / Math.Max(layout.Stride, 1));
-            }
-        }
-#endif
-
-        /// <summary>As the other <c>Draw</c>, into native memory, such as a texture's or a NativeArray's.</summary>
-        /// <param name="pixels">The top-left pixel, whatever the sign of the row stride.</param>
-        /// <param name="width">Pixels, 1 to 32768.</param>
-        /// <param name="height">Pixels, 1 to 32768.</param>
-        /// <param name="options">All defaults if null.</param>
-        public void Draw(IntPtr pixels, int width, int height, DrawOptions options = null)
-        {
-            hrbfnpr_image image;
-            Errors.Check(NativeMethods.hrbfnpr_image_init(&image, (uint)sizeof(hrbfnpr_image)));
-            image.width = width;
-            image.height = height;
-            image.pixels = pixels;
-            hrbfnpr_error error = Errors.New();
-            if (options == null)
-            {
-                lock (gate)
-                {
-                    Errors.Check(NativeMethods.hrbfnpr_renderer_draw_image(handle, &image, null, &error), &error);
-                }
-                return;
-            }
-            image.format = (uint)options.Format;
-            image.row_stride = options.RowStride;
-            hrbfnpr_draw_desc desc;
-            Errors.Check(NativeMethods.hrbfnpr_draw_desc_init(&desc, (uint)sizeof(hrbfnpr_draw_desc)));
-            using (var pins = new Pins())
-            {
-                options.Write(ref desc, pins);
-                lock (gate)
-                {
-                    Errors.Check(NativeMethods.hrbfnpr_renderer_draw_image(handle, &image, &desc, &error), &error);
-                }
-            }
-        }
-
-        /// <summary>Prepares a frame and draws it into a new image that holds the camera's viewport.</summary>
-        /// <param name="camera">Where it is seen from.</param>
-        /// <param name="items">What is drawn.</param>
-        /// <returns>camera.Width * camera.Height pixels, straight RGBA, 4 bytes each.</returns>
-        public byte[] Draw(Camera camera, params Item[] items)
-        {
-            lock (gate)
-            {
-                Prepare(camera, items);
-                var pixels = new byte[4L * camera.Width * camera.Height];
-                Draw(pixels, camera.Width, camera.Height);
-                return pixels;
-            }
-        }
-
-        /// <summary>
-        /// Writes the prepared frame as points, far to near: discs of paper and of ink.  Painted in this order as round
-        /// points with "source over" blending they give the picture of <c>Draw</c>.
-        /// </summary>
-        /// <param name="layout">What a vertex holds.</param>
-        /// <param name="destination">Memory for <paramref name="capacity"/> vertices.</param>
-        /// <param name="capacity">In vertices; <see cref="VertexBound"/> is always enough.</param>
-        /// <returns>How many were written.</returns>
-        /// <exception cref="BufferTooSmallException">The capacity is too small; nothing was written.</exception>
-        /// <exception cref="InvalidArgumentException">No frame was prepared, or an attribute cannot have its type.</exception>
-        public long WriteVertices(VertexLayout layout, IntPtr destination, long capacity)
-        {
-            if (layout == null)
-            {
-                throw new ArgumentNullException(nameof(layout));
-            }
-            hrbfnpr_vertex_layout native = layout.Native;
-            long count;
-            hrbfnpr_error error = Errors.New();
-            lock (gate)
-            {
-                Errors.Check(
-                    NativeMethods.hrbfnpr_renderer_write_vertices(
-                        handle, &native, (void*)destination, capacity, &count, &error),
-                    &error);
-            }
-            return count;
-        }
-
-        /// <summary>The vertices of the prepared frame, <see cref="VertexLayout.Stride"/> bytes each.</summary>
-        /// <param name="layout">What a vertex holds.</param>
-        public byte[] Vertices(VertexLayout layout)
-        {
-            if (layout == null)
-            {
-                throw new ArgumentNullException(nameof(layout));
-            }
-            lock (gate)
-            {
-                long bound = VertexBound;
-                var data = new byte[Math.Max(bound, 1) * Math.Max(layout.Stride, 1)];
-                long count;
-                fixed (byte* first = data)
-                {
-                    count = WriteVertices(layout, (IntPtr)first, bound);
-                }
-                if (count * layout.Stride != data.LongLength)
-                {
-                    Array.Resize(ref data, checked((int)(count * layout.Stride)));
-                }
-                return data;
-            }
-        }
-
-        /// <summary>Lets go of the renderer's memory, and of the point sets of its frame.</summary>
-        public void Dispose()
-        {
-            lock (gate)
-            {
-                handle.Dispose();
-            }
-        }
-
-        private static FrameInfo NewInfo()
-        {
-            FrameInfo info;
-            Errors.Check(NativeMethods.hrbfnpr_frame_info_init(&info, (uint)sizeof(FrameInfo)));
-            return info;
-        }
-
-        private static void Describe(
-            Item item, hrbfnpr_item* native, hrbfnpr_style* style, ref ToneState tone, ref UserHandle user,
-            ref HeldHandles held)
+        private void Describe(Item item, hrbfnpr_item* native)
         {
             Errors.Check(NativeMethods.hrbfnpr_item_init(native, (uint)sizeof(hrbfnpr_item)));
             native->point_set = held.Hold(item.PointSet.Handle);
@@ -288,73 +177,107 @@ namespace HrbfNpr
             }
             if (item.Style != null)
             {
-                item.Style.Write(style);
-                native->style = (IntPtr)style;
-                if (item.Style.ToneFunction != null)
-                {
-                    tone = new ToneState(item.Style.ToneFunction);
-                    user = new UserHandle(tone);
-                    style->tone_function = ToneState.Function;
-                    style->tone_user = user.Pointer;
-                }
+                native->style = (IntPtr)Describe(item.Style);
             }
             double[] transform = item.Transform;
             for (int i = 0; transform != null && i < 16; ++i)
             {
                 native->transform[i] = transform[i];
             }
-        }
-
-        private static long Start(long length, int width, int height, DrawOptions options)
-        {
-            long stride = options == null || options.RowStride == 0 ? 4L * width : options.RowStride;
-            if (width > 0 && height > 0 && width <= 32768 && height <= 32768)
+            int poses = item.Poses.Count;
+            if (poses > 0)
             {
-                // The bytes from the first one in memory to the last one.
-                bool tooLong = Math.Abs(stride / 4) > int.MaxValue;
-                if (tooLong || Math.Abs(stride) * (height - 1) + 4L * width > length)
+                var pose = (hrbfnpr_layer_pose*)memory.Take((long)poses * sizeof(hrbfnpr_layer_pose));
+                native->poses = (IntPtr)pose;
+                native->pose_count = poses;
+                for (int i = 0; i < poses; ++i)
                 {
-                    throw new InvalidArgumentException(
-                        "pixels has " + length + " bytes, too few for " + width + " x " + height + " pixels");
+                    if (item.Poses[i] == null)
+                    {
+                        throw new ArgumentNullException(nameof(item.Poses));
+                    }
+                    item.Poses[i].Write(pose + i, pins);
                 }
-                return stride < 0 ? -stride * (height - 1) : 0;
             }
-            return 0; // sizes out of range are refused by the library before it writes
         }
 
-        private FrameInfo PrepareItems(Camera camera, Item[] items, hrbfnpr_item* first, ToneState[] tones)
+        private hrbfnpr_style* Describe(Style style)
         {
-            FrameInfo info = NewInfo();
+            var native = (hrbfnpr_style*)memory.Take(sizeof(hrbfnpr_style));
+            style.Write(native);
+            int count = style.Layers.Count;
+            if (count > 0)
+            {
+                var layers = (hrbfnpr_layer_style*)memory.Take((long)count * sizeof(hrbfnpr_layer_style));
+                native->layers = (IntPtr)layers;
+                native->layer_count = count;
+                for (int i = 0; i < count; ++i)
+                {
+                    LayerStyle layer = style.Layers[i];
+                    layer.Write(layers + i);
+                    byte[] name = layer.NameUtf8;
+                    if (name != null)
+                    {
+                        byte* copy = memory.Take(name.Length);
+                        Marshal.Copy(name, 0, (IntPtr)copy, name.Length);
+                        layers[i].name = (IntPtr)copy;
+                    }
+                }
+            }
+            if (style.ToneFunction != null)
+            {
+                var tone = new ToneState(style.ToneFunction);
+                tones.Add(tone);
+                users.Add(new UserHandle(tone));
+                native->tone_function = ToneState.Function;
+                native->tone_user = users[users.Count - 1].Pointer;
+            }
+            return native;
+        }
+
+        private Drawing Call(IReadOnlyList<Item> items, Camera camera, hrbfnpr_item* first, int count)
+        {
             hrbfnpr_camera view = camera.Native;
             hrbfnpr_error error = Errors.New();
-            int status;
-            lock (gate)
+            var made = new DrawingHandle();
+            int status = NativeMethods.hrbfnpr_renderer_draw(
+                handle, first, count, sizeof(hrbfnpr_item), &view, out IntPtr created, &error);
+            if (created != IntPtr.Zero)
             {
-                status = NativeMethods.hrbfnpr_renderer_prepare(
-                    handle, first, items.Length, sizeof(hrbfnpr_item), &view, &info, &error);
+                made.Take(created, handle.Anchor);
             }
+            try
+            {
+                CheckFunctions(items, status);
+                Errors.Check(status, &error);
+                return new Drawing(made, camera.Width, camera.Height);
+            }
+            catch
+            {
+                made.Dispose();
+                throw;
+            }
+        }
+
+        private void CheckFunctions(IReadOnlyList<Item> items, int status)
+        {
             foreach (ToneState tone in tones)
             {
-                Exception thrown = tone == null ? null : tone.TakeException();
+                Exception thrown = tone.TakeException();
                 if (thrown != null)
                 {
                     throw new CallbackException("the tone function threw: " + thrown.Message, thrown);
                 }
             }
-            if (status != 0)
+            for (int i = 0; status != 0 && i < items.Count; ++i)
             {
-                foreach (Item item in items)
+                FunctionState function = items[i].Model == null ? null : items[i].Model.Function;
+                Exception thrown = function == null ? null : function.TakeException();
+                if (thrown != null)
                 {
-                    FunctionState function = item.Model == null ? null : item.Model.Function;
-                    Exception thrown = function == null ? null : function.TakeException();
-                    if (thrown != null)
-                    {
-                        throw new CallbackException("the function of a model threw: " + thrown.Message, thrown);
-                    }
+                    throw new CallbackException("the function of a model threw: " + thrown.Message, thrown);
                 }
             }
-            Errors.Check(status, &error);
-            return info;
         }
     }
 }

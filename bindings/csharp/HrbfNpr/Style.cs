@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 
 namespace HrbfNpr
@@ -9,125 +10,63 @@ namespace HrbfNpr
     /// <param name="tau">To be filled: n numbers, 1 = light, 0 = dark.</param>
     public delegate void ToneFunction(float[] positions, float[] normals, float[] tau);
 
-    /// <summary>One group's ink.</summary>
-    public sealed unsafe class GroupStyle
-    {
-        internal GroupStyle(hrbfnpr_group_style* native)
-        {
-            Shown = native->shown != 0;
-            Sets = (int)native->sets;
-            Share = native->share;
-            Radius = native->radius;
-            RadiusZoom = native->radius_zoom;
-            Ink = Color.Read(native->ink);
-        }
-
-        /// <summary>Whether its front marks are drawn.</summary>
-        public bool Shown { get; set; }
-
-        /// <summary>Bit 0: first directions, bit 1: second.</summary>
-        public int Sets { get; set; }
-
-        /// <summary>Share of the group's marks that is used at all, 0 to 1.</summary>
-        public float Share { get; set; }
-
-        /// <summary>Of a mark, pixels, above 0.</summary>
-        public float Radius { get; set; }
-
-        /// <summary>0: the radius is in pixels at any zoom; 1: it grows with the zoom; or between.</summary>
-        public float RadiusZoom { get; set; }
-
-        /// <summary>Colour of the marks.</summary>
-        public Color Ink { get; set; }
-
-        internal void Write(hrbfnpr_group_style* native)
-        {
-            native->shown = Shown ? 1u : 0;
-            native->sets = unchecked((uint)Sets);
-            native->share = Share;
-            native->radius = Radius;
-            native->radius_zoom = RadiusZoom;
-            Ink.Write(native->ink);
-        }
-
-        internal void CopyTo(GroupStyle other)
-        {
-            other.Shown = Shown;
-            other.Sets = Sets;
-            other.Share = Share;
-            other.Radius = Radius;
-            other.RadiusZoom = RadiusZoom;
-            other.Ink = Ink;
-        }
-    }
-
-    /// <summary>How a point set is drawn.  Plain data: it may be changed at any time, but not while a frame is prepared.</summary>
-    /// <remarks>Numbers out of range are refused by <see cref="Renderer.Prepare"/>.</remarks>
+    /// <summary>How a point set is drawn.  Plain data: it may be changed at any time, but not while something is drawn.</summary>
+    /// <remarks>Numbers out of range are refused by <c>Renderer.Draw</c>.</remarks>
+    /// <example>
+    /// <code>
+    /// var style = Style.Preset(Preset.CrossHatch);
+    /// style.Layers[0].Shape = Shape.Strokes;
+    /// style.Layers.Insert(0, new LayerStyle(LayerKind.Own) { Name = "seam", Ink = Color.Parse("#a02020") });
+    /// </code>
+    /// </example>
     public sealed unsafe class Style
     {
-        private readonly hrbfnpr_style initial;
-
         /// <summary>The library's default style.</summary>
         public Style()
         {
             hrbfnpr_style style;
             Errors.Check(NativeMethods.hrbfnpr_style_init(&style, (uint)sizeof(hrbfnpr_style)));
-            initial = style;
-            Groups = Groups.All;
-            Stipple = new GroupStyle(&style.group0);
-            Curvature = new GroupStyle(&style.group1);
-            Combing = new GroupStyle(&style.group2);
+            Layers = new List<LayerStyle>();
             Read(&style);
         }
 
-        /// <summary>A named style, to be changed further.</summary>
-        /// <exception cref="InvalidArgumentException">There is no such preset.</exception>
-        public Style(StylePreset preset)
+        private Style(hrbfnpr_style* style)
         {
-            hrbfnpr_style style;
-            uint groups;
-            hrbfnpr_error error = Errors.New();
-            Errors.Check(
-                NativeMethods.hrbfnpr_style_init_preset(
-                    &style, (uint)sizeof(hrbfnpr_style), unchecked((uint)preset), &groups, &error),
-                &error);
-            initial = style;
-            Groups = (Groups)groups;
-            Stipple = new GroupStyle(&style.group0);
-            Curvature = new GroupStyle(&style.group1);
-            Combing = new GroupStyle(&style.group2);
-            Read(&style);
+            var layers = new List<LayerStyle>();
+            byte* layer = (byte*)style->layers;
+            for (long i = 0; i < style->layer_count; ++i)
+            {
+                long stride = style->layer_stride;
+                layers.Add(new LayerStyle((hrbfnpr_layer_style*)layer));
+                layer += stride != 0 ? stride : ((hrbfnpr_layer_style*)style->layers)->struct_size;
+            }
+            Layers = layers;
+            Read(style);
         }
 
         private Style(Style other)
         {
-            initial = other.initial;
-            Groups = other.Groups;
-            ToneFunction = other.ToneFunction;
-            hrbfnpr_style style = other.initial;
+            Layers = new List<LayerStyle>();
+            foreach (LayerStyle layer in other.Layers)
+            {
+                Layers.Add(layer.Clone());
+            }
+            hrbfnpr_style style;
             other.Write(&style);
-            Stipple = new GroupStyle(&style.group0);
-            Curvature = new GroupStyle(&style.group1);
-            Combing = new GroupStyle(&style.group2);
             Read(&style);
+            ToneFunction = other.ToneFunction;
         }
 
-        /// <summary>The groups of marks that the preset draws: for <see cref="GenerateOptions.Groups"/>.</summary>
-        public Groups Groups { get; }
-
-        /// <summary>Ink of the stipples.</summary>
-        public GroupStyle Stipple { get; }
-
-        /// <summary>Ink of the strokes along principal directions.</summary>
-        public GroupStyle Curvature { get; }
-
-        /// <summary>Ink of the combing strokes.</summary>
-        public GroupStyle Combing { get; }
+        /// <summary>
+        /// How layers are drawn: a layer of marks takes the first that is for it, or the defaults of a new
+        /// <see cref="LayerStyle"/>.
+        /// </summary>
+        public IList<LayerStyle> Layers { get; }
 
         /// <summary>What becomes of marks behind nearer surfaces.</summary>
         public HiddenLines HiddenLines { get; set; }
 
-        /// <summary>How it is found what lies in front; one for all styles of a frame.</summary>
+        /// <summary>How it is found what lies in front; one for all styles of a drawing.</summary>
         public Visibility Visibility { get; set; }
 
         /// <summary>delta in (0, 1): marks with |n . v| below it are contours [NPAR 6].</summary>
@@ -145,14 +84,14 @@ namespace HrbfNpr
         /// <summary>lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda.</summary>
         public double AttenuationBack { get; set; }
 
-        /// <summary>Of the paper that front marks paint, pixels; 0 = from the marks' spacing.</summary>
-        public float CoverRadius { get; set; }
+        /// <summary>Of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing.</summary>
+        public float SplatRadius { get; set; }
 
         /// <summary>How far beyond its contour a surface hides what lies behind, pixels.</summary>
         public float HaloWidth { get; set; }
 
-        /// <summary>n above 0: a sheet is as opaque as n overlapping marks; 0: as published.</summary>
-        public float CoverLayers { get; set; }
+        /// <summary>n above 0: a depth layer is as opaque as n overlapping splats; 0: as published.</summary>
+        public float SplatOverlap { get; set; }
 
         /// <summary>Where the tone of front marks comes from; a tone function sets it to Callback.</summary>
         public Tone Tone { get; set; }
@@ -170,7 +109,7 @@ namespace HrbfNpr
         public double ToneExponent { get; set; }
 
         /// <summary>
-        /// For <see cref="HrbfNpr.Tone.Callback"/>; called on the thread that prepares.  What it throws comes out in a
+        /// For <see cref="HrbfNpr.Tone.Callback"/>; called on the thread that draws.  What it throws comes out in a
         /// <see cref="CallbackException"/>.
         /// </summary>
         public ToneFunction ToneFunction { get; set; }
@@ -181,16 +120,13 @@ namespace HrbfNpr
         /// <summary>Towards the light; normalised on use.</summary>
         public Vector3d Light { get; set; }
 
-        /// <summary>Groups whose contour marks are drawn.</summary>
-        public Groups SilhouetteGroups { get; set; }
-
         /// <summary>Ink of contour marks.</summary>
         public Color SilhouetteInk { get; set; }
 
         /// <summary>Of contour marks, pixels.</summary>
         public float SilhouetteRadius { get; set; }
 
-        /// <summary>As <see cref="GroupStyle.RadiusZoom"/>.</summary>
+        /// <summary>As <see cref="LayerStyle.RadiusZoom"/>.</summary>
         public float SilhouetteRadiusZoom { get; set; }
 
         /// <summary>Distance from the camera where depth attenuation starts.</summary>
@@ -205,25 +141,44 @@ namespace HrbfNpr
         /// <summary>How fast marks vanish below it, 0 or more; 2 keeps the ink per area.</summary>
         public double ZoomExponent { get; set; }
 
-        /// <summary>Colour of the paper; alpha 0 = transparent.  One for all styles of a frame.</summary>
+        /// <summary>Colour of the paper; alpha 0 = transparent.  One for all styles of a drawing.</summary>
         public Color Paper { get; set; }
 
-        /// <summary>Gives all groups and the contours one ink.</summary>
+        /// <summary>Gives all layers and the contours one ink.</summary>
         public Color Ink
         {
             set
             {
                 SilhouetteInk = value;
-                Stipple.Ink = value;
-                Curvature.Ink = value;
-                Combing.Ink = value;
+                if (Layers.Count == 0)
+                {
+                    Layers.Add(new LayerStyle());
+                }
+                foreach (LayerStyle layer in Layers)
+                {
+                    layer.Ink = value;
+                }
             }
         }
 
-        /// <summary>The name of a preset, such as "cross-hatch"; null for a number out of range.</summary>
-        public static string PresetName(StylePreset preset)
+        /// <summary>A named style, to be changed further.</summary>
+        /// <remarks><see cref="GenerateOptions.ForPreset"/> makes the layers that it draws.</remarks>
+        /// <exception cref="InvalidArgumentException">There is no such preset.</exception>
+        public static Style Preset(Preset preset)
         {
-            byte* name = NativeMethods.hrbfnpr_style_preset_name(unchecked((uint)preset));
+            hrbfnpr_style style;
+            hrbfnpr_error error = Errors.New();
+            Errors.Check(
+                NativeMethods.hrbfnpr_style_init_preset(
+                    &style, (uint)sizeof(hrbfnpr_style), unchecked((uint)preset), &error),
+                &error);
+            return new Style(&style);
+        }
+
+        /// <summary>The name of a preset, such as "cross-hatch"; null for a number that is no preset's.</summary>
+        public static string PresetName(Preset preset)
+        {
+            byte* name = NativeMethods.hrbfnpr_preset_name(unchecked((uint)preset));
             return name == null ? null : Errors.Utf8(name);
         }
 
@@ -233,9 +188,10 @@ namespace HrbfNpr
             return new Style(this);
         }
 
+        /// <summary>Everything but the layers and the tone function.</summary>
         internal void Write(hrbfnpr_style* style)
         {
-            *style = initial;
+            Errors.Check(NativeMethods.hrbfnpr_style_init(style, (uint)sizeof(hrbfnpr_style)));
             style->hidden_lines = (uint)HiddenLines;
             style->visibility = (uint)Visibility;
             style->silhouette_threshold = SilhouetteThreshold;
@@ -243,9 +199,9 @@ namespace HrbfNpr
             style->silhouette_width = SilhouetteWidth;
             style->attenuation_front = AttenuationFront;
             style->attenuation_back = AttenuationBack;
-            style->cover_radius = CoverRadius;
+            style->splat_radius = SplatRadius;
             style->halo_width = HaloWidth;
-            style->cover_layers = CoverLayers;
+            style->splat_overlap = SplatOverlap;
             style->tone = (uint)Tone;
             style->tone_rule = (uint)ToneRule;
             style->tone_curve = (uint)ToneCurve;
@@ -253,7 +209,6 @@ namespace HrbfNpr
             style->tone_exponent = ToneExponent;
             style->light_space = (uint)LightSpace;
             *(Vector3d*)style->light = Light;
-            style->silhouette_groups = (uint)SilhouetteGroups;
             SilhouetteInk.Write(style->silhouette_ink);
             style->silhouette_radius = SilhouetteRadius;
             style->silhouette_radius_zoom = SilhouetteRadiusZoom;
@@ -262,9 +217,6 @@ namespace HrbfNpr
             style->zoom_reference = ZoomReference;
             style->zoom_exponent = ZoomExponent;
             Paper.Write(style->paper);
-            Stipple.Write(&style->group0);
-            Curvature.Write(&style->group1);
-            Combing.Write(&style->group2);
         }
 
         private void Read(hrbfnpr_style* style)
@@ -276,9 +228,9 @@ namespace HrbfNpr
             SilhouetteWidth = style->silhouette_width;
             AttenuationFront = style->attenuation_front;
             AttenuationBack = style->attenuation_back;
-            CoverRadius = style->cover_radius;
+            SplatRadius = style->splat_radius;
             HaloWidth = style->halo_width;
-            CoverLayers = style->cover_layers;
+            SplatOverlap = style->splat_overlap;
             Tone = (Tone)style->tone;
             ToneRule = (ToneRule)style->tone_rule;
             ToneCurve = (ToneCurve)style->tone_curve;
@@ -286,7 +238,6 @@ namespace HrbfNpr
             ToneExponent = style->tone_exponent;
             LightSpace = (LightSpace)style->light_space;
             Light = *(Vector3d*)style->light;
-            SilhouetteGroups = (Groups)style->silhouette_groups;
             SilhouetteInk = Color.Read(style->silhouette_ink);
             SilhouetteRadius = style->silhouette_radius;
             SilhouetteRadiusZoom = style->silhouette_radius_zoom;
@@ -298,7 +249,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>The tone function of one item of a frame.</summary>
+    /// <summary>The tone function of one item of a drawing.</summary>
     internal sealed unsafe class ToneState : CallbackState
     {
         internal static readonly IntPtr Function;

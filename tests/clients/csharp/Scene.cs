@@ -18,15 +18,18 @@ public static class Scene
             Array.Copy(sample, 3, normals, 3 * i, 3);
         }
 
-        var style = new Style(StylePreset.ContourAndStipple);
         using (Model model = Model.Fit(points, normals))
-        using (PointSet marks = PointSet.Generate(model, new GenerateOptions { Groups = style.Groups }))
+        using (PointSet marks = model.Generate(GenerateOptions.ForPreset(Preset.ContourAndStipple)))
         using (var renderer = new Renderer())
         {
             ModelInfo info = model.Info;
             Camera camera = Camera.FitBounds(
                 info.BoundsMin, info.BoundsMax, (0, 1, -1), (0, 0, 1), 640, 480, 0.5, 0.02);
-            File.WriteAllBytes(arguments[1], renderer.Draw(camera, new Item(marks, style)));
+            var item = new Item(marks, Style.Preset(Preset.ContourAndStipple));
+            using (Drawing drawing = renderer.Draw(item, camera))
+            {
+                File.WriteAllBytes(arguments[1], drawing.Rasterize());
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 // As much of xunit as these tests use, for Mono without packages; on .NET they run with xunit itself.
 using System;
 using System.Collections;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.Reflection;
 
@@ -74,6 +75,13 @@ namespace Xunit
             {
                 True(false, "expected nothing, not " + value);
             }
+        }
+
+        public static T Single<T>(IEnumerable<T> values)
+        {
+            var list = new List<T>(values);
+            Equal(1, list.Count);
+            return list[0];
         }
 
         public static void Contains(string part, string text)

@@ -103,6 +103,10 @@ namespace HrbfNpr
         internal delegate int Density(IntPtr user, long count, double* positions, double* normals, double* density);
 
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int Direction(
+            IntPtr user, long count, double* positions, double* normals, double* directions);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int Tone(IntPtr user, long count, float* positions, float* normals, float* tau);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 using System.Threading;
 
@@ -170,32 +171,35 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>Keeps handles alive whose addresses stand in structs of a call.</summary>
-    internal struct HeldHandles : IDisposable
+    internal sealed class DrawingHandle : NativeHandle
     {
-        private readonly SafeHandle[] handles;
-        private int count;
-
-        internal HeldHandles(int capacity)
+        protected override void Free(IntPtr value)
         {
-            handles = new SafeHandle[capacity];
-            count = 0;
+            NativeMethods.hrbfnpr_drawing_release(value);
         }
+    }
+
+    /// <summary>Keeps handles alive whose addresses stand in structs of a call.</summary>
+    internal sealed class HeldHandles : IDisposable
+    {
+        private readonly List<SafeHandle> handles = new List<SafeHandle>();
 
         internal IntPtr Hold(SafeHandle handle)
         {
             bool held = false;
             handle.DangerousAddRef(ref held);
-            handles[count++] = handle;
+            handles.Add(handle);
             return handle.DangerousGetHandle();
         }
 
+        /// <summary>Lets all of them go; then it can be used again.</summary>
         public void Dispose()
         {
-            while (count > 0)
+            foreach (SafeHandle handle in handles)
             {
-                handles[--count].DangerousRelease();
+                handle.DangerousRelease();
             }
+            handles.Clear();
         }
     }
 }

@@ -6,7 +6,7 @@ using UnityEngine;
 /// <summary>Draws the mesh of this object in pen and ink into the main texture of a material.</summary>
 public sealed unsafe class PenAndInk : MonoBehaviour
 {
-    public StylePreset preset = StylePreset.ContourAndStipple;
+    public Preset preset = Preset.ContourAndStipple;
     public int marks = 20000;
     public int size = 512;
     public Material target;
@@ -15,7 +15,8 @@ public sealed unsafe class PenAndInk : MonoBehaviour
     private PointSet pointSet;
     private HrbfNpr.Renderer penAndInk;
     private Texture2D texture;
-    private Style style;
+    private Item item;
+    private readonly RasterOptions upwards = new RasterOptions();
 
     private void Start()
     {
@@ -27,11 +28,12 @@ public sealed unsafe class PenAndInk : MonoBehaviour
             points[i].z = -points[i].z;
             normals[i].z = -normals[i].z;
         }
-        style = new Style(preset);
         model = Model.Fit(
             ArrayView.Of(points, ScalarType.Float32, 3), ArrayView.Of(normals, ScalarType.Float32, 3),
             new FitOptions { MaximumCentres = 1000 });
-        pointSet = PointSet.Generate(model, new GenerateOptions { Groups = style.Groups, Budget = marks });
+        pointSet = model.Generate(GenerateOptions.ForPreset(preset, marks));
+        item = new Item(pointSet, Style.Preset(preset));
+        upwards.RowStride = -4 * size; // the rows of Unity's textures go upwards
         penAndInk = new HrbfNpr.Renderer();
         texture = new Texture2D(size, size, TextureFormat.RGBA32, false);
         target.mainTexture = texture;
@@ -43,12 +45,13 @@ public sealed unsafe class PenAndInk : MonoBehaviour
         float angle = Time.time;
         var camera = HrbfNpr.Camera.FitBounds(
             info.BoundsMin, info.BoundsMax, (Mathf.Sin(angle), -0.3, -Mathf.Cos(angle)), (0, 1, 0), size, size, 0.6);
-        penAndInk.Prepare(camera, new Item(pointSet, style));
         NativeArray<byte> pixels = texture.GetRawTextureData<byte>();
         byte* bottom = (byte*)NativeArrayUnsafeUtility.GetUnsafePtr(pixels);
-        // The rows of Unity's textures go upwards.
-        penAndInk.Draw(
-            (System.IntPtr)(bottom + 4 * size * (size - 1)), size, size, new DrawOptions { RowStride = -4 * size });
+        using (Drawing drawing = penAndInk.Draw(item, camera))
+        {
+            drawing.Rasterize(
+                (System.IntPtr)(bottom + 4 * size * (size - 1)), size, size, PixelFormat.Rgba8, upwards);
+        }
         texture.Apply(false);
     }
 

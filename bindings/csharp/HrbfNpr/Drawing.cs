@@ -1,0 +1,334 @@
+using System;
+using System.Collections.Generic;
+using System.Collections.ObjectModel;
+
+namespace HrbfNpr
+{
+    /// <summary>How each mark of a layer is drawn, in the set's own order.</summary>
+    public sealed class MarkResults
+    {
+        internal MarkResults(long count)
+        {
+            Shown = new MarkClass[count];
+            Radius = new float[count];
+            Opacity = new float[count];
+        }
+
+        /// <summary>The class that it is drawn as, Front or Silhouette; None = it is not drawn.</summary>
+        public MarkClass[] Shown { get; }
+
+        /// <summary>Pixels; 0 = not drawn.</summary>
+        public float[] Radius { get; }
+
+        /// <summary>The ink's alpha times what is let through; 0 = not drawn.</summary>
+        public float[] Opacity { get; }
+    }
+
+    /// <summary>A picture as a value: dots and strokes in layers, to be had as an image, as vertices, or as numbers.</summary>
+    /// <remarks>
+    /// Immutable: any number of threads may read a drawing at a time.  It keeps its point sets alive.  Dispose of it
+    /// as soon as it is used: then its memory serves the renderer again.
+    /// </remarks>
+    public sealed unsafe partial class Drawing : IDisposable
+    {
+        private readonly DrawingHandle handle;
+
+        internal Drawing(DrawingHandle handle, int width, int height)
+        {
+            this.handle = handle;
+            Width = width;
+            Height = height;
+        }
+
+        /// <summary>Width of an image that holds the camera's viewport.</summary>
+        public int Width { get; }
+
+        /// <summary>Height of an image that holds the camera's viewport.</summary>
+        public int Height { get; }
+
+        /// <summary>Counts, times and bytes.</summary>
+        public DrawingInfo Info
+        {
+            get
+            {
+                DrawingInfo info;
+                Errors.Check(NativeMethods.hrbfnpr_drawing_info_init(&info, (uint)sizeof(DrawingInfo)));
+                hrbfnpr_error error = Errors.New();
+                Errors.Check(NativeMethods.hrbfnpr_drawing_get_info(handle, &info, &error), &error);
+                return info;
+            }
+        }
+
+        /// <summary>Its layers of ink; a new list each time.</summary>
+        public IReadOnlyList<DrawingLayerInfo> Layers
+        {
+            get
+            {
+                var layers = new DrawingLayerInfo[Info.Layers];
+                for (int i = 0; i < layers.Length; ++i)
+                {
+                    DrawingLayerInfo info;
+                    Errors.Check(
+                        NativeMethods.hrbfnpr_drawing_layer_info_init(&info, (uint)sizeof(DrawingLayerInfo)));
+                    hrbfnpr_error error = Errors.New();
+                    Errors.Check(NativeMethods.hrbfnpr_drawing_get_layer_info(handle, i, &info, &error), &error);
+                    layers[i] = info;
+                }
+                return new ReadOnlyCollection<DrawingLayerInfo>(layers);
+            }
+        }
+
+        /// <summary>What an id stands for: of <see cref="RasterOptions.Id"/>, or of a vertex.</summary>
+        /// <exception cref="InvalidArgumentException">It is no mark's; 0 is none.</exception>
+        public MarkIdentity Identify(uint id)
+        {
+            MarkIdentity identity;
+            Errors.Check(NativeMethods.hrbfnpr_mark_identity_init(&identity, (uint)sizeof(MarkIdentity)));
+            hrbfnpr_error error = Errors.New();
+            Errors.Check(NativeMethods.hrbfnpr_drawing_identify(handle, id, &identity, &error), &error);
+            return identity;
+        }
+
+        /// <summary>How each mark of a layer is drawn, in the set's own order; also of a layer that is not drawn.</summary>
+        /// <param name="item">Number of the item.</param>
+        /// <param name="layer">A layer of that item's point set.</param>
+        /// <exception cref="InvalidArgumentException">There is no such item, or the layer is not of its set.</exception>
+        public MarkResults MarkResults(int item, MarkLayer layer)
+        {
+            if (layer == null)
+            {
+                throw new ArgumentNullException(nameof(layer));
+            }
+            var results = new MarkResults(layer.Count);
+            MarkResultsInto(item, layer.Number, ArrayView.OfBytes(results.Shown), results.Radius, results.Opacity);
+            return results;
+        }
+
+        /// <summary>As <c>MarkResults</c>, into the caller's memory.</summary>
+        /// <param name="item">Number of the item.</param>
+        /// <param name="layer">Number of the layer in the item's point set.</param>
+        /// <param name="shown">A byte for each mark of the layer (<see cref="MarkClass"/>), or not given.</param>
+        /// <param name="radius">A float for each mark, pixels, or not given.</param>
+        /// <param name="opacity">A float for each mark, or not given.</param>
+        /// <exception cref="InvalidArgumentException">There is no such item or layer, or an array does not fit.</exception>
+        public void MarkResultsInto(
+            int item, int layer, ArrayView shown, ArrayView radius = default(ArrayView),
+            ArrayView opacity = default(ArrayView))
+        {
+            hrbfnpr_mark_results results;
+            Errors.Check(NativeMethods.hrbfnpr_mark_results_init(&results, (uint)sizeof(hrbfnpr_mark_results)));
+            using (var pins = new Pins())
+            {
+                results.shown = shown.ToNative(pins, 1, nameof(shown));
+                results.radius = radius.ToNative(pins, 1, nameof(radius));
+                results.opacity = opacity.ToNative(pins, 1, nameof(opacity));
+                hrbfnpr_error error = Errors.New();
+                Errors.Check(
+                    NativeMethods.hrbfnpr_drawing_mark_results(handle, item, layer, &results, &error), &error);
+            }
+        }
+
+        /// <summary>Which marks of a layer are drawn: numbers of marks, far to near or along strokes.</summary>
+        /// <param name="item">Number of the item.</param>
+        /// <param name="layer">Number of the layer in the item's point set.</param>
+        /// <param name="markClass">Front or Silhouette.</param>
+        /// <param name="primitive">Points: far to near.  LineStrips: along strokes, runs of shown marks, each ended
+        /// by <see cref="HrbfNpr.Vertices.Restart"/>.  TriangleStrips: the same, with 2 number and 2 number + 1.</param>
+        /// <exception cref="InvalidArgumentException">There is no such item, layer or class.</exception>
+        public uint[] MarkIndices(
+            int item, int layer, MarkClass markClass = MarkClass.Front, Primitive primitive = Primitive.Points)
+        {
+            long count = MarkIndexCount(item, layer, markClass, primitive);
+            var indices = new uint[count];
+            fixed (uint* first = indices)
+            {
+                WriteMarkIndices(item, layer, markClass, primitive, (IntPtr)first, count);
+            }
+            return indices;
+        }
+
+        /// <summary>How many indices <c>MarkIndices</c> gives.</summary>
+        /// <param name="item">Number of the item.</param>
+        /// <param name="layer">Number of the layer in the item's point set.</param>
+        /// <param name="markClass">Front or Silhouette.</param>
+        /// <param name="primitive">As for <c>MarkIndices</c>.</param>
+        public long MarkIndexCount(int item, int layer, MarkClass markClass, Primitive primitive)
+        {
+            long count;
+            hrbfnpr_error error = Errors.New();
+            int status = NativeMethods.hrbfnpr_drawing_write_mark_indices(
+                handle, item, layer, (uint)markClass, (uint)primitive, null, 0, &count, &error);
+            if (status != (int)Status.BufferTooSmall)
+            {
+                Errors.Check(status, &error);
+            }
+            return count;
+        }
+
+        /// <summary>As <c>MarkIndices</c>, into native memory.</summary>
+        /// <param name="item">Number of the item.</param>
+        /// <param name="layer">Number of the layer in the item's point set.</param>
+        /// <param name="markClass">Front or Silhouette.</param>
+        /// <param name="primitive">As for <c>MarkIndices</c>.</param>
+        /// <param name="indices">Memory for <paramref name="capacity"/> uints.</param>
+        /// <param name="capacity">In indices; <see cref="MarkIndexCount"/> is enough.</param>
+        /// <returns>How many were written.</returns>
+        /// <exception cref="BufferTooSmallException">The capacity is too small; nothing was written.</exception>
+        public long WriteMarkIndices(
+            int item, int layer, MarkClass markClass, Primitive primitive, IntPtr indices, long capacity)
+        {
+            long count;
+            hrbfnpr_error error = Errors.New();
+            Errors.Check(
+                NativeMethods.hrbfnpr_drawing_write_mark_indices(
+                    handle, item, layer, (uint)markClass, (uint)primitive, (uint*)indices, capacity, &count, &error),
+                &error);
+            return count;
+        }
+
+        /// <summary>How many vertices and indices a primitive has.</summary>
+        public VertexCount VertexBound(Primitive primitive = Primitive.Points)
+        {
+            long vertices, indices;
+            hrbfnpr_error error = Errors.New();
+            Errors.Check(
+                NativeMethods.hrbfnpr_drawing_vertex_bound(handle, (uint)primitive, &vertices, &indices, &error),
+                &error);
+            return new VertexCount(vertices, indices);
+        }
+
+        /// <summary>
+        /// Writes dots or strokes, far to near.  Points are discs of paper and of ink: painted in this order as round
+        /// points with "source over" blending they give the dots of <c>Rasterize</c>.
+        /// </summary>
+        /// <param name="layout">What a vertex holds.</param>
+        /// <param name="vertices">Memory for <paramref name="vertexCapacity"/> vertices.</param>
+        /// <param name="vertexCapacity">In vertices; <see cref="VertexBound"/> is always enough.</param>
+        /// <param name="indices">Memory for <paramref name="indexCapacity"/> uints; zero = not wanted.</param>
+        /// <param name="indexCapacity">In indices.</param>
+        /// <returns>How many were written.</returns>
+        /// <exception cref="BufferTooSmallException">A capacity is too small; nothing was written.</exception>
+        /// <exception cref="InvalidArgumentException">An attribute cannot have its type.</exception>
+        public VertexCount WriteVertices(
+            VertexLayout layout, IntPtr vertices, long vertexCapacity, IntPtr indices = default(IntPtr),
+            long indexCapacity = 0)
+        {
+            if (layout == null)
+            {
+                throw new ArgumentNullException(nameof(layout));
+            }
+            hrbfnpr_vertex_layout native;
+            Errors.Check(NativeMethods.hrbfnpr_vertex_layout_init(&native, (uint)sizeof(hrbfnpr_vertex_layout)));
+            native.primitive = (uint)layout.Primitive;
+            native.stride = layout.Stride;
+            long vertexCount, indexCount;
+            hrbfnpr_error error = Errors.New();
+            fixed (hrbfnpr_vertex_attribute* attributes = layout.Attributes)
+            {
+                native.attributes = (IntPtr)attributes;
+                native.attribute_count = layout.Attributes.Length;
+                Errors.Check(
+                    NativeMethods.hrbfnpr_drawing_write_vertices(
+                        handle, &native, (void*)vertices, vertexCapacity, &vertexCount, (uint*)indices, indexCapacity,
+                        &indexCount, &error),
+                    &error);
+            }
+            return new VertexCount(vertexCount, indices == IntPtr.Zero ? 0 : indexCount);
+        }
+
+        /// <summary>Dots or strokes as vertices and indices, in new arrays.</summary>
+        /// <param name="layout">What a vertex holds.</param>
+        public Vertices Vertices(VertexLayout layout)
+        {
+            if (layout == null)
+            {
+                throw new ArgumentNullException(nameof(layout));
+            }
+            VertexCount bound = VertexBound(layout.Primitive);
+            var data = new byte[bound.Vertices * Math.Max(layout.Stride, 1)];
+            var indices = new uint[bound.Indices];
+            fixed (byte* first = data)
+            fixed (uint* index = indices)
+            {
+                WriteVertices(layout, (IntPtr)first, bound.Vertices, (IntPtr)index, bound.Indices);
+            }
+            return new Vertices(data, indices, bound.Vertices);
+        }
+
+#if NET7_0_OR_GREATER
+        /// <summary>As the other <c>WriteVertices</c>, into spans.</summary>
+        /// <param name="layout">What a vertex holds.</param>
+        /// <param name="vertices">Memory for whole vertices: structs of <see cref="VertexLayout.Stride"/> bytes, or bytes.</param>
+        /// <param name="indices">Memory for indices; empty = not wanted.</param>
+        /// <typeparam name="T">A struct, or byte.</typeparam>
+        /// <returns>How many were written.</returns>
+        public VertexCount WriteVertices<T>(VertexLayout layout, Span<T> vertices, Span<uint> indices = default)
+            where T : unmanaged
+        {
+            if (layout == null)
+            {
+                throw new ArgumentNullException(nameof(layout));
+            }
+            fixed (T* data = vertices)
+            fixed (uint* index = indices)
+            {
+                long capacity = (long)vertices.Length * sizeof(T) / Math.Max(layout.Stride, 1);
+                return WriteVertices(layout, (IntPtr)data, capacity, (IntPtr)index, indices.Length);
+            }
+        }
+
+        /// <summary>As <c>MarkIndices</c>, into a span.</summary>
+        /// <param name="item">Number of the item.</param>
+        /// <param name="layer">Number of the layer in the item's point set.</param>
+        /// <param name="markClass">Front or Silhouette.</param>
+        /// <param name="primitive">As for <c>MarkIndices</c>.</param>
+        /// <param name="indices">Memory for <see cref="MarkIndexCount"/> indices.</param>
+        /// <returns>How many were written.</returns>
+        public long WriteMarkIndices(
+            int item, int layer, MarkClass markClass, Primitive primitive, Span<uint> indices)
+        {
+            fixed (uint* first = indices)
+            {
+                return WriteMarkIndices(item, layer, markClass, primitive, (IntPtr)first, indices.Length);
+            }
+        }
+
+        /// <summary>How each mark of a layer is drawn, into spans.</summary>
+        /// <param name="item">Number of the item.</param>
+        /// <param name="layer">Number of the layer in the item's point set.</param>
+        /// <param name="shown">An element for each mark, or empty.</param>
+        /// <param name="radius">An element for each mark, or empty.</param>
+        /// <param name="opacity">An element for each mark, or empty.</param>
+        public void MarkResults(
+            int item, int layer, Span<MarkClass> shown, Span<float> radius = default, Span<float> opacity = default)
+        {
+            hrbfnpr_mark_results results;
+            Errors.Check(NativeMethods.hrbfnpr_mark_results_init(&results, (uint)sizeof(hrbfnpr_mark_results)));
+            fixed (MarkClass* classes = shown)
+            fixed (float* radii = radius, opacities = opacity)
+            {
+                results.shown = Column(classes, shown.Length, ScalarType.Uint8);
+                results.radius = Column(radii, radius.Length, ScalarType.Float32);
+                results.opacity = Column(opacities, opacity.Length, ScalarType.Float32);
+                hrbfnpr_error error = Errors.New();
+                Errors.Check(
+                    NativeMethods.hrbfnpr_drawing_mark_results(handle, item, layer, &results, &error), &error);
+            }
+        }
+
+        private static hrbfnpr_array Column(void* data, int count, ScalarType scalar)
+        {
+            return data == null ? default : new hrbfnpr_array
+            {
+                data = (IntPtr)data, count = count, scalar = (uint)scalar, components = 1,
+            };
+        }
+#endif
+
+        /// <summary>Lets go of the drawing: its renderer may use its memory again.</summary>
+        public void Dispose()
+        {
+            handle.Dispose();
+        }
+    }
+}

@@ -1,0 +1,256 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace HrbfNpr
+{
+    /// <summary>A density on the surface.</summary>
+    /// <param name="positions">3 n numbers, absolute.</param>
+    /// <param name="normals">3 n numbers, unit.</param>
+    /// <param name="density">To be filled: n numbers, 1 where marks are to be densest, 0 where none are wanted.</param>
+    public delegate void DensityFunction(double[] positions, double[] normals, double[] density);
+
+    /// <summary>A field of directions on the surface.</summary>
+    /// <param name="positions">3 n numbers, absolute.</param>
+    /// <param name="normals">3 n numbers, unit.</param>
+    /// <param name="directions">
+    /// To be filled: 3 n numbers.  A direction is taken into the tangent plane; its sign and length count nothing, and
+    /// 0, 0, 0 means that there is none.
+    /// </param>
+    public delegate void DirectionFunction(double[] positions, double[] normals, double[] directions);
+
+    /// <summary>How one layer of marks is made.</summary>
+    /// <remarks>
+    /// The functions are called on the thread that generates, with some thousand places at a time; what they throw
+    /// comes out in a <see cref="CallbackException"/>.
+    /// </remarks>
+    public sealed class Layer
+    {
+        /// <summary>The most marks where a layer names no number of its own.</summary>
+        public const long DefaultBudget = 40000;
+
+        /// <summary>A layer with all defaults of its kind.</summary>
+        /// <param name="kind">Stipples, Principal, Combing or Field.</param>
+        public Layer(LayerKind kind = LayerKind.Stipples)
+        {
+            Kind = kind;
+        }
+
+        /// <summary>A layer of scattered marks.</summary>
+        /// <param name="budget">The most marks.</param>
+        /// <param name="name">"stipples" if null.</param>
+        public static Layer Stipples(long budget = DefaultBudget, string name = null)
+        {
+            return new Layer(LayerKind.Stipples) { Budget = budget, Name = name };
+        }
+
+        /// <summary>A layer of strokes along the principal directions.</summary>
+        /// <param name="budget">The most marks, of both directions together.</param>
+        /// <param name="name">"principal" if null.</param>
+        public static Layer Principal(long budget = DefaultBudget, string name = null)
+        {
+            return new Layer(LayerKind.Principal) { Budget = budget, Name = name };
+        }
+
+        /// <summary>A layer of strokes along Stark's two directions [NPAR 5.3].</summary>
+        /// <param name="budget">The most marks, of both directions together.</param>
+        /// <param name="name">"combing" if null.</param>
+        public static Layer Combing(long budget = DefaultBudget, string name = null)
+        {
+            return new Layer(LayerKind.Combing) { Budget = budget, Name = name };
+        }
+
+        /// <summary>A layer of strokes along a field of the program's, and across it.</summary>
+        /// <param name="function">The field.</param>
+        /// <param name="budget">The most marks, of both directions together.</param>
+        /// <param name="name">"field" if null.</param>
+        public static Layer Field(DirectionFunction function, long budget = DefaultBudget, string name = null)
+        {
+            return new Layer(LayerKind.Field) { DirectionFunction = function, Budget = budget, Name = name };
+        }
+
+        /// <summary>What its marks are.</summary>
+        public LayerKind Kind { get; set; }
+
+        /// <summary>1 to 63 bytes of UTF-8; the kind's name if null.</summary>
+        public string Name { get; set; }
+
+        /// <summary>
+        /// The most marks, of both directions of strokes together; 40000.  0 = no limit, with
+        /// <see cref="Distribution.Published"/> and for strokes with a separation.
+        /// </summary>
+        public long Budget { get; set; } = DefaultBudget;
+
+        /// <summary>
+        /// The darkness 1 - tau at which the first mark is shown (of strokes: of the first direction), 0 to 1.  Both 0
+        /// (default): as <see cref="GenerateOptions.ToneRanges"/> says.
+        /// </summary>
+        public float ToneBegin { get; set; }
+
+        /// <summary>... and that at which all are shown.</summary>
+        public float ToneEnd { get; set; }
+
+        /// <summary>As <see cref="ToneBegin"/>, for strokes of the second direction.</summary>
+        public float SecondToneBegin { get; set; }
+
+        /// <summary>As <see cref="ToneEnd"/>, for strokes of the second direction.</summary>
+        public float SecondToneEnd { get; set; }
+
+        /// <summary>Whether marks get curvatures; those of Principal always do.</summary>
+        public bool WithCurvature { get; set; }
+
+        /// <summary>How dense blue-noise stipples are over the surface.</summary>
+        public Density Density { get; set; }
+
+        /// <summary>Of <see cref="HrbfNpr.Density.Curvature"/>, 0 to 1; 0.5.</summary>
+        public double DensityStrength { get; set; } = 0.5;
+
+        /// <summary>For <see cref="HrbfNpr.Density.Callback"/>.</summary>
+        public DensityFunction DensityFunction { get; set; }
+
+        /// <summary>
+        /// Mean distance of neighbouring blue-noise strokes of one direction, in the unit of the model; 0 = such that
+        /// they have as many marks as the budget.
+        /// </summary>
+        public double Separation { get; set; }
+
+        /// <summary>Distance of the marks of such a stroke; 0 = a fifth of the separation.</summary>
+        public double Step { get; set; }
+
+        /// <summary>The longest such stroke; 0 = no limit.</summary>
+        public double Length { get; set; }
+
+        /// <summary>For <see cref="LayerKind.Field"/>.</summary>
+        public DirectionFunction DirectionFunction { get; set; }
+
+        /// <summary>Whether such strokes go straight on where directions change places, or turn.</summary>
+        public Symmetry Symmetry { get; set; } = Symmetry.Cross;
+
+        /// <summary>What strokes of <see cref="Distribution.Published"/> start from.</summary>
+        public StrokeStart Start { get; set; }
+
+        /// <summary>With Stipples, the last stippling level used; 0.</summary>
+        public int StartLevel { get; set; }
+
+        /// <summary>
+        /// Refinement steps of <see cref="Distribution.Published"/>, 0 to 12; -1 = 4 for stipples, 3 for strokes.
+        /// </summary>
+        public int Levels { get; set; } = -1;
+
+        internal static unsafe Layer Read(hrbfnpr_layer_desc* desc)
+        {
+            return new Layer((LayerKind)desc->kind)
+            {
+                Name = desc->name == IntPtr.Zero ? null : Errors.Utf8((byte*)desc->name),
+                Budget = desc->budget,
+                ToneBegin = desc->tone_begin,
+                ToneEnd = desc->tone_end,
+                SecondToneBegin = desc->second_tone_begin,
+                SecondToneEnd = desc->second_tone_end,
+                WithCurvature = (desc->flags & 1) != 0,
+                Density = (Density)desc->density,
+                DensityStrength = desc->density_strength,
+                Separation = desc->separation,
+                Step = desc->step,
+                Length = desc->length,
+                Symmetry = (Symmetry)desc->symmetry,
+                Start = (StrokeStart)desc->start,
+                StartLevel = desc->start_level,
+                Levels = desc->levels,
+            };
+        }
+
+        /// <summary>Everything but the functions.</summary>
+        internal unsafe void Write(hrbfnpr_layer_desc* desc, Pins pins)
+        {
+            Errors.Check(NativeMethods.hrbfnpr_layer_desc_init(desc, (uint)sizeof(hrbfnpr_layer_desc)));
+            desc->kind = (uint)Kind;
+            desc->name = pins.Text(Name);
+            desc->budget = Budget;
+            desc->tone_begin = ToneBegin;
+            desc->tone_end = ToneEnd;
+            desc->second_tone_begin = SecondToneBegin;
+            desc->second_tone_end = SecondToneEnd;
+            desc->flags = WithCurvature ? 1u : 0;
+            desc->density = (uint)Density;
+            desc->density_strength = DensityStrength;
+            desc->separation = Separation;
+            desc->step = Step;
+            desc->length = Length;
+            desc->symmetry = (uint)Symmetry;
+            desc->start = (uint)Start;
+            desc->start_level = StartLevel;
+            desc->levels = Levels;
+        }
+    }
+
+    /// <summary>A function of one call that fills an array from places and normals.</summary>
+    internal sealed unsafe class PlaceState : CallbackState
+    {
+        internal static readonly IntPtr Density;
+        internal static readonly IntPtr Direction;
+        private static readonly NativeCallbacks.Density DensityCallback = OnDensity;
+        private static readonly NativeCallbacks.Direction DirectionCallback = OnDirection;
+        private readonly DensityFunction density;
+        private readonly DirectionFunction direction;
+
+        static PlaceState()
+        {
+            Density = Marshal.GetFunctionPointerForDelegate(DensityCallback);
+            Direction = Marshal.GetFunctionPointerForDelegate(DirectionCallback);
+        }
+
+        internal PlaceState(DensityFunction function)
+        {
+            density = function;
+        }
+
+        internal PlaceState(DirectionFunction function)
+        {
+            direction = function;
+        }
+
+        internal string Name
+        {
+            get { return density != null ? "density" : "direction"; }
+        }
+
+        [MonoPInvokeCallback(typeof(NativeCallbacks.Density))]
+        private static int OnDensity(IntPtr user, long count, double* positions, double* normals, double* density)
+        {
+            return From<PlaceState>(user).Call(count, positions, normals, density, 1);
+        }
+
+        [MonoPInvokeCallback(typeof(NativeCallbacks.Direction))]
+        private static int OnDirection(IntPtr user, long count, double* positions, double* normals, double* directions)
+        {
+            return From<PlaceState>(user).Call(count, positions, normals, directions, 3);
+        }
+
+        private int Call(long count, double* positions, double* normals, double* target, int components)
+        {
+            try
+            {
+                var places = new double[count * 3];
+                var upward = new double[count * 3];
+                var result = new double[count * components];
+                Marshal.Copy((IntPtr)positions, places, 0, places.Length);
+                Marshal.Copy((IntPtr)normals, upward, 0, upward.Length);
+                if (density != null)
+                {
+                    density(places, upward, result);
+                }
+                else
+                {
+                    direction(places, upward, result);
+                }
+                Marshal.Copy(result, 0, (IntPtr)target, result.Length);
+                return 0;
+            }
+            catch (Exception exception)
+            {
+                Keep(exception);
+                return 1;
+            }
+        }
+    }
+}

@@ -1,0 +1,123 @@
+using System;
+
+namespace HrbfNpr
+{
+    /// <summary>One layer of a point set: marks of one kind, made in one way and drawn in one style.</summary>
+    /// <remarks>It keeps its set from being finalised; once the set is disposed of, it can no longer be asked.</remarks>
+    public sealed unsafe class MarkLayer
+    {
+        private readonly PointSet pointSet;
+        private readonly string name;
+
+        internal MarkLayer(PointSet pointSet, int number)
+        {
+            this.pointSet = pointSet;
+            Number = number;
+            LayerInfo info = Info;
+            name = info.Name;
+            Kind = info.Kind;
+            Count = info.Marks;
+            Strokes = info.Strokes;
+        }
+
+        /// <summary>Its place in the set's list, from 0.</summary>
+        public int Number { get; }
+
+        /// <summary>What its marks are.</summary>
+        public LayerKind Kind { get; }
+
+        /// <summary>What it is called.</summary>
+        public string Name
+        {
+            get { return name; }
+        }
+
+        /// <summary>Marks in the layer.</summary>
+        public long Count { get; }
+
+        /// <summary>Strokes in the layer; 0: its marks form none.</summary>
+        public long Strokes { get; }
+
+        /// <summary>Counts, step and seconds.</summary>
+        public LayerInfo Info
+        {
+            get
+            {
+                LayerInfo info;
+                Errors.Check(NativeMethods.hrbfnpr_layer_info_init(&info, (uint)sizeof(LayerInfo)));
+                hrbfnpr_error error = Errors.New();
+                Errors.Check(
+                    NativeMethods.hrbfnpr_point_set_get_layer_info(pointSet.Handle, Number, &info, &error), &error);
+                return info;
+            }
+        }
+
+        /// <summary>What became of one level's candidates: 0 for the seeds, then each refinement step.</summary>
+        /// <param name="level">0 to <see cref="LayerInfo.Levels"/>.</param>
+        /// <exception cref="InvalidArgumentException">There is no such level.</exception>
+        public PlacementInfo Placement(int level)
+        {
+            PlacementInfo info;
+            Errors.Check(NativeMethods.hrbfnpr_placement_info_init(&info, (uint)sizeof(PlacementInfo)));
+            hrbfnpr_error error = Errors.New();
+            Errors.Check(
+                NativeMethods.hrbfnpr_point_set_get_placement(pointSet.Handle, Number, level, &info, &error), &error);
+            return info;
+        }
+
+        /// <summary>One attribute, in the set's own memory, without a copy.</summary>
+        /// <remarks>Empty for an empty layer, and for an attribute that it has not.</remarks>
+        public NativeView View(MarkAttribute attribute)
+        {
+            hrbfnpr_array view = Array(attribute);
+            return new NativeView(pointSet.Handle.Share(), view);
+        }
+
+        /// <summary>A copy of an attribute.</summary>
+        /// <typeparam name="T">float, byte or uint, as <see cref="MarkAttribute"/> says.</typeparam>
+        /// <exception cref="InvalidCastException">The numbers are of another type.</exception>
+        public T[] ToArray<T>(MarkAttribute attribute)
+            where T : struct
+        {
+            using (NativeView view = View(attribute))
+            {
+                return view.ToArray<T>();
+            }
+        }
+
+        /// <summary>A copy of the positions, 3 n numbers, relative to <see cref="PointSetInfo.Origin"/>.</summary>
+        public float[] Positions()
+        {
+            return ToArray<float>(MarkAttribute.Position);
+        }
+
+        /// <summary>A copy of the unit normals, 3 n numbers.</summary>
+        public float[] Normals()
+        {
+            return ToArray<float>(MarkAttribute.Normal);
+        }
+
+#if NET7_0_OR_GREATER
+        /// <summary>An attribute in place: the span must not be used after the set is disposed of or finalised.</summary>
+        /// <typeparam name="T">float, byte or uint, as <see cref="MarkAttribute"/> says.</typeparam>
+        /// <exception cref="InvalidCastException">The numbers are of another type.</exception>
+        public ReadOnlySpan<T> AsSpan<T>(MarkAttribute attribute)
+            where T : unmanaged
+        {
+            hrbfnpr_array view = Array(attribute);
+            NativeView.CheckType(typeof(T), (ScalarType)view.scalar, view.count);
+            NativeView.CheckPacked(view.stride, view.components * sizeof(T));
+            return new ReadOnlySpan<T>((void*)view.data, checked((int)(view.count * view.components)));
+        }
+#endif
+
+        private hrbfnpr_array Array(MarkAttribute attribute)
+        {
+            hrbfnpr_array view;
+            hrbfnpr_error error = Errors.New();
+            Errors.Check(
+                NativeMethods.hrbfnpr_point_set_view(pointSet.Handle, Number, (uint)attribute, &view, &error), &error);
+            return view;
+        }
+    }
+}
