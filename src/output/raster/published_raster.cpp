@@ -32,10 +32,10 @@ class Painter {
 public:
     Painter(const drawing::Tiles& bins, const drawing::Drawing& drawing, const Image& image,
             const DrawSettings& settings, const Rect& rect) noexcept
-        : bins_(bins), drawing_(drawing), convention_(drawing.window.depth), coverage_(image.format == Format::coverage8),
+        : bins_(bins), drawing_(drawing), convention_(drawing.window.depth),
+          coverage_(image.format == Format::coverage8),
           paper_(coverage_ ? glm::vec4(0.0F) : in_light(premultiplied(drawing.paper), settings)), image_(image),
-          settings_(settings), rect_(rect),
-          wants_outputs_(settings.depth || settings.id || settings.mark_class) {}
+          settings_(settings), rect_(rect), wants_outputs_(settings.depth || settings.id || settings.mark_class) {}
 
     void operator()(std::int64_t index) const {
         Tile tile;
