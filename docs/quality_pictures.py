@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the pictures of docs/quality.md: PAPER, white noise and BLUE_NOISE beside each other.
+"""Draws the pictures of docs/quality.md: PUBLISHED, white noise and BLUE_NOISE beside each other.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/quality_pictures.py MESH.obj docs/images
 
@@ -36,24 +36,22 @@ def torus() -> hrbfnpr.Model:
 
 def white(model: hrbfnpr.Model) -> hrbfnpr.PointSet:
     """Independent marks: a random part of far more."""
-    many = hrbfnpr.PointSet.generate(model, budget=16 * MARKS)
+    many = model.generate(budget=16 * MARKS)
     chosen = np.random.default_rng(1).choice(len(many), MARKS, replace=False)
-    positions = np.asarray(many.positions("stipple"), dtype=float)[chosen] + np.asarray(many.origin)
-    normals = np.asarray(many.normals("stipple"), dtype=float)[chosen]
-    return hrbfnpr.PointSet.from_arrays({"stipple": {"position": positions, "normal": normals}})
+    positions = np.asarray(many.layers[0].positions, dtype=float)[chosen] + np.asarray(many.origin)
+    normals = np.asarray(many.layers[0].normals, dtype=float)[chosen]
+    return hrbfnpr.PointSet.create(hrbfnpr.OwnLayer(positions, normals, kind="stipples"))
 
 
 def schemes(model: hrbfnpr.Model) -> list:
     """The same number of marks by each scheme."""
-    paper = hrbfnpr.PointSet.generate(
-        model, distribution="paper", seed_source="box", box_resolution=6, levels=6, budget=MARKS
-    )
-    return [paper, white(model), hrbfnpr.PointSet.generate(model, budget=MARKS)]
+    published = model.generate(distribution="published", seed_source="box", box_resolution=6, levels=6, budget=MARKS)
+    return [published, white(model), model.generate(budget=MARKS)]
 
 
 def panel(marks: hrbfnpr.PointSet, style: hrbfnpr.Style, camera: hrbfnpr.Camera) -> Image.Image:
     """One drawing."""
-    return hrbfnpr.Renderer().drawing((marks, style), camera).to_pil()
+    return hrbfnpr.Renderer().draw((marks, style), camera).to_pil()
 
 
 def rows(mesh: str) -> list:
@@ -61,10 +59,10 @@ def rows(mesh: str) -> list:
     flat = schemes(plane())
     above = hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0), (0, 1, 0)).orthographic(1.2, PANEL, 1.0, 10.0)
     even = hrbfnpr.Style("stipple", tone="none", hidden_lines="show")
-    even.stipple.radius = 1.4
+    even.layer("stipples").radius = 1.4
     ramp = even.copy(tone=lambda p, n: 1.0 - 0.5 * (p[:, 0] + 0.6))
     lit = hrbfnpr.Style("stipple")
-    lit.stipple.radius = 1.2
+    lit.layer("stipples").radius = 1.2
     result = [[panel(marks, style, above) for marks in flat] for style in (even, ramp)]
     points, normals = shapes.samples(shapes.read(mesh), 1100)
     for model, direction in (
@@ -98,8 +96,8 @@ def spectra() -> Image.Image:
     model = hrbfnpr.Model.from_function(
         lambda p: p @ normal, gradient=lambda p: np.tile(normal, (len(p), 1)), bounds=((-1, -1, -0.6), (1, 1, 0.6))
     )
-    orders = [hrbfnpr.PointSet.generate(model, budget=40000, random_seed=seed) for seed in range(1, 9)]
-    points = [(np.asarray(o.positions("stipple"), dtype=float) + np.asarray(o.origin)) @ plane_axes for o in orders]
+    orders = [model.generate(budget=40000, random_seed=seed) for seed in range(1, 9)]
+    points = [(np.asarray(o.layers[0].positions, dtype=float) + np.asarray(o.origin)) @ plane_axes for o in orders]
     panels = []
     for share in (0.25, 0.6, 1.0):
         radius = int(1.8 * np.sqrt(share * 40000))

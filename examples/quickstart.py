@@ -9,6 +9,6 @@ points = np.stack([np.cos(a), np.sin(a), 0 * a], axis=-1).reshape(-1, 3) + 0.4 *
 
 model = hrbfnpr.Model.fit(points, normals)  # samples become a smooth surface,
 style = hrbfnpr.Style("contour-and-stipple")
-marks = hrbfnpr.PointSet.generate(model, style.groups)  # on which the marks of a style are placed
+marks = model.generate(preset=style.preset)  # on which the marks of a style are placed
 camera = hrbfnpr.Camera.fit(model, direction=(0, 1, -1), up=(0, 0, 1), size=(800, 600))
-hrbfnpr.Renderer().drawing((marks, style), camera).save("torus.png")  # and drawn for a camera.
+hrbfnpr.Renderer().draw((marks, style), camera).save("torus.png")  # and drawn for a camera.
