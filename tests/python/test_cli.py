@@ -325,7 +325,7 @@ def test_ctrl_c(tmp_path):
     points /= np.linalg.norm(points, axis=1)[:, None]
     path = write(tmp_path, "big.xyz", rows(np.hstack([points, points])))
     output = tmp_path / "out.png"
-    with process("draw", str(path), str(output)) as run:
+    with process("draw", str(path), str(output), "--solver", "direct") as run:
         time.sleep(2.0)
         run.send_signal(signal.SIGINT)
         out, err = run.communicate(timeout=60)
