@@ -35,7 +35,7 @@ class Settings(bpy.types.PropertyGroup):
         description="Points of the surface that the drawing is made from. A mesh is sampled evenly; of vertices with "
                     f"an attribute {NORMAL}, no more than these are chosen")
     budget: IntProperty(
-        name="Marks", default=0, min=0, soft_max=500_000, description="The most marks of each kind; 0: 40000")
+        name="Marks", default=0, min=0, soft_max=500_000, description="The most marks of each layer; 0: 40000")
     width: IntProperty(name="Width", default=640, min=1, max=32768, subtype="PIXEL")
     height: IntProperty(name="Height", default=480, min=1, max=32768, subtype="PIXEL")
     scene_camera: BoolProperty(
@@ -108,24 +108,23 @@ def units_per_pixel(camera, place):
 
 
 def attributes_of(marks, style, pixel):
-    """Name, type and values of what is known of all marks, the groups one after the other."""
+    """Name, type and values of what is known of all marks, the layers one after the other."""
     def joined(values):
-        return np.concatenate([values(group) for group in marks.groups])
+        return np.concatenate([values(layer) for layer in marks.layers])
 
-    def width(group):
-        values = marks.widths(group)
-        return values if len(values) else np.ones(len(marks.ranks(group)), np.float32)
+    def radius(layer):
+        width = layer.widths if len(layer.widths) else np.ones(len(layer), np.float32)
+        return width * style.style_of(layer.kind, layer.name).radius * pixel
 
-    numbers = {"stipple": 0, "curvature": 1, "combing": 2}
     return [
-        (NORMAL, "FLOAT_VECTOR", joined(marks.normals)),
-        ("direction", "FLOAT_VECTOR", joined(marks.directions)),
-        ("rank", "FLOAT", joined(marks.ranks)),
-        ("radius", "FLOAT", joined(lambda group: width(group) * getattr(style, group).radius * pixel)),
-        ("level", "INT", joined(marks.levels)),
-        ("stroke", "INT", joined(lambda group: marks.strokes(group)[:, 0])),
-        ("place", "INT", joined(lambda group: marks.strokes(group)[:, 1])),
-        ("group", "INT", joined(lambda group: np.full(len(marks.ranks(group)), numbers[group]))),
+        (NORMAL, "FLOAT_VECTOR", joined(lambda layer: layer.normals)),
+        ("direction", "FLOAT_VECTOR", joined(lambda layer: layer.directions)),
+        ("rank", "FLOAT", joined(lambda layer: layer.ranks)),
+        ("radius", "FLOAT", joined(radius)),
+        ("level", "INT", joined(lambda layer: layer.levels)),
+        ("stroke", "INT", joined(lambda layer: layer.stroke_places[:, 0])),
+        ("place", "INT", joined(lambda layer: layer.stroke_places[:, 1])),
+        ("layer", "INT", joined(lambda layer: np.full(len(layer), layer.number))),
     ]
 
 
@@ -152,7 +151,7 @@ def points_object(name, marks, attributes):
     """The marks as a point cloud, by way of vertices: Blender 3.4 lets no script say how many points a cloud has."""
     mesh = bpy.data.meshes.new(name)
     mesh.vertices.add(len(marks))
-    positions = np.concatenate([marks.positions(group) for group in marks.groups])
+    positions = np.concatenate([layer.positions for layer in marks.layers])
     mesh.vertices.foreach_set("co", positions.ravel())
     for title, kind, values in attributes:
         data = mesh.attributes.new(title, kind, "POINT").data
@@ -197,8 +196,8 @@ class OfActiveObject:
         points, normals = samples(hrbfnpr, context, settings.samples)
         model = hrbfnpr.Model.fit(points, normals, progress=lambda share: window.progress_update(50 * share))
         style = hrbfnpr.Style(settings.style)
-        marks = hrbfnpr.PointSet.generate(
-            model, style.groups, budget=settings.budget,
+        marks = model.generate(
+            preset=settings.style, budget=settings.budget or None,
             progress=lambda share: window.progress_update(50 + 50 * share))
         return marks, style, camera_for(hrbfnpr, context, model)
 
@@ -210,7 +209,7 @@ class HRBFNPR_OT_draw(OfActiveObject, bpy.types.Operator):
 
     def make(self, hrbfnpr, context):
         marks, style, camera = self.marked(hrbfnpr, context)
-        image = image_of(hrbfnpr.Renderer().draw((marks, style), camera))
+        image = image_of(hrbfnpr.Renderer().draw((marks, style), camera).image())
         self.report({"INFO"}, f'{len(marks)} marks on the image "{image.name}"')
 
 

@@ -58,9 +58,9 @@ thing = bpy.data.objects["samples marks"]
 samples = np.loadtxt(sys.argv[sys.argv.index("--") + 1])
 model = hrbfnpr.Model.fit(samples[:, :3], samples[:, 3:])
 style = hrbfnpr.Style("full")
-marks = hrbfnpr.PointSet.generate(model, style.groups, budget=3000)
-joined = lambda attribute: np.concatenate([getattr(marks, attribute)(group) for group in marks.groups])
-check("as many marks", len(thing.data.vertices) == len(marks) and len(marks.groups) > 1)
+marks = model.generate(preset="full", budget=3000)
+joined = lambda attribute: np.concatenate([getattr(layer, attribute) for layer in marks.layers])
+check("as many marks", len(thing.data.vertices) == len(marks) and len(marks.layers) > 1)
 check("their origin", np.allclose(thing.location, marks.origin))
 positions = np.empty(3 * len(marks), np.float32)
 thing.data.vertices.foreach_get("co", positions)
@@ -70,10 +70,9 @@ check("directions", np.array_equal(values(thing.data, "direction", "vector", 3),
 check("ranks", np.array_equal(values(thing.data, "rank", "value", 1)[:, 0], joined("ranks")))
 check("levels", np.array_equal(values(thing.data, "level", "value", 1, np.int32)[:, 0], joined("levels")))
 for column, name in enumerate(("stroke", "place")):
-    check(name, np.array_equal(values(thing.data, name, "value", 1, np.int32)[:, 0], joined("strokes")[:, column]))
-groups = values(thing.data, "group", "value", 1, np.int32)[:, 0]
-check("groups", [(groups == i).sum() for i in range(3)] ==
-      [len(marks.ranks(group)) for group in ("stipple", "curvature", "combing")])
+    check(name, np.array_equal(values(thing.data, name, "value", 1, np.int32)[:, 0], joined("stroke_places")[:, column]))
+layers = values(thing.data, "layer", "value", 1, np.int32)[:, 0]
+check("layers", [(layers == layer.number).sum() for layer in marks.layers] == [len(layer) for layer in marks.layers])
 radii = values(thing.data, "radius", "value", 1)
 check("radii", 0 < radii.min() and radii.max() < 0.05)
 shown = [instance.object for instance in bpy.context.evaluated_depsgraph_get().object_instances]

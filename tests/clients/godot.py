@@ -18,10 +18,10 @@ import numpy as np, hrbfnpr
 samples = np.loadtxt(sys.argv[1])
 model = hrbfnpr.Model.fit(samples[:, :3], samples[:, 3:])
 style = hrbfnpr.Style("contour-and-stipple")
-marks = hrbfnpr.PointSet.generate(model, style.groups)
+marks = model.generate(preset=style.preset)
 camera = hrbfnpr.Camera.fit(model, direction=(0, 1, -1), up=(0, 0, 1), size=(640, 480), vertical_angle=0.5,
                             margin=0.02)
-points = hrbfnpr.Renderer().vertices((marks, style), camera, ["position"])["position"]
+points = hrbfnpr.Renderer().draw((marks, style), camera).vertices("points", ["position"]).vertices["position"]
 print(len(points), *points.min(axis=0), *np.ptp(points, axis=0))
 """
 MOST_OFF = 0.2  # mean difference of the mesh's picture from the drawing's, of 255; measured 0.05

@@ -92,11 +92,13 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
         ["--tone", "none", "--share", "0.5", "--mark-radius", "0.6", "--ink", "#203040", "--paper", "1,0.9,0.8"],
         ["--hidden-lines", "hide", "--delta", "0.3", "--halo", "4", "--splat-radius", "3", "--splat-overlap", "0"],
         ["--visibility", "published", "--tone-curve", "linear", "--silhouette-law", "angle", "--tone-fade", "0"],
-        ["--visibility", "depth-layers", "--tone-curve", "coverage", "--silhouette-law", "width", "--silhouette-width", "2"],
+        ["--visibility", "depth-layers", "--tone-curve", "coverage", "--silhouette-law", "width",
+         "--silhouette-width", "2"],
         ["--attenuation-front", "0.5", "--attenuation-back", "0.2", "--style", "silhouette"],
         ["--depth-range", "2,9", "--zoom-reference", "50", "--zoom-exponent", "1"],
         ["--silhouette-ink", "#ff0000", "--silhouette-radius", "2", "--contours-of", "stipples"],
-        ["--set", "stipples.radius=2", "--set", "stipples.shown=true", "--set", "principal.directions=first", "--set", "tone=none"],
+        ["--set", "stipples.radius=2", "--set", "stipples.shown=true", "--set", "tone=none"],
+        ["--set", "stipples.shown=true", "--set", "principal.directions=first", "--style", "cross-hatch"],
         ["--set", "light=y", "--set", "stipples.ink=#ff0000", "--set", "combing.contours=0"],
         ["--shape", "strokes", "--style", "hatch"],
         ["--tone-ranges", "in-turn", "--style", "full", "--set", "principal.shape=strokes"],
@@ -323,7 +325,7 @@ def test_ctrl_c(tmp_path):
     points /= np.linalg.norm(points, axis=1)[:, None]
     path = write(tmp_path, "big.xyz", rows(np.hstack([points, points])))
     output = tmp_path / "out.png"
-    with process("draw", str(path), str(output)) as run:
+    with process("draw", str(path), str(output), "--solver", "direct") as run:
         time.sleep(2.0)
         run.send_signal(signal.SIGINT)
         out, err = run.communicate(timeout=60)

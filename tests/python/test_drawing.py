@@ -38,7 +38,8 @@ def lines(renderer, marks, camera, strokes_style):
 
 def flat_strokes():
     """Three horizontal lines in the plane z = 0, 1, 20 and 40 marks long."""
-    parts = [np.column_stack([np.linspace(-1, 1, n), np.full(n, y), np.zeros(n)]) for n, y in ((1, -0.5), (20, 0), (40, 0.5))]
+    lines = ((1, -0.5), (20, 0), (40, 0.5))
+    parts = [np.column_stack([np.linspace(-1, 1, n), np.full(n, y), np.zeros(n)]) for n, y in lines]
     positions = np.concatenate(parts)
     normals = np.tile([0.0, 0.0, 1.0], (len(positions), 1))
     return hrbfnpr.OwnLayer(positions, normals, name="lines", stroke_first=[0, 1, 21, 61])
@@ -87,7 +88,8 @@ def test_line_and_triangle_strips(renderer):
         for vertex in strip[:: len(strip) - 1]:
             identity = drawing.identify(vertex["id"])
             assert identity.item == identity.layer == 0
-            np.testing.assert_allclose(marks.layers[0].positions[identity.mark] + marks.origin, vertex["position"], atol=1e-6)
+            place = marks.layers[0].positions[identity.mark] + marks.origin
+            np.testing.assert_allclose(place, vertex["position"], atol=1e-6)
     sides, pairs = drawing.vertices("triangle_strips", ("window", "radius"))
     assert len(sides) == 120 and len(pairs) == 122
     left, right = sides["window"][0::2], sides["window"][1::2]

@@ -87,7 +87,9 @@ def test_the_published_recursion():
 
 
 def test_what_layers_can_be_given(ring):
-    kinds = lambda *given, **options: [(layer.kind, layer.name) for layer in ring.generate(*given, budget=200, **options).layers]
+    def kinds(*given, **options):
+        return [(layer.kind, layer.name) for layer in ring.generate(*given, budget=200, **options).layers]
+
     assert kinds() == kinds("stipples") == kinds(preset="stipple") == [("stipples", "stipples")]
     assert kinds(preset="full") == kinds(["stipples", "principal"])
     dense = hrbfnpr.Layer("stipples", name="dense", budget=500)
@@ -126,7 +128,9 @@ def test_bad_arguments_of_generate(ring):
 
 
 def test_strokes_along_a_field(ring):
-    around = lambda p: np.cross([0.0, 0.0, 1.0], p)
+    def around(p):
+        return np.cross([0.0, 0.0, 1.0], p)
+
     marks = ring.generate(hrbfnpr.Layer("field", direction=lambda p, n: around(p), separation=0.1))
     (layer,) = marks.layers
     first = layer.stroke_places[:, 0] % 2 == 0

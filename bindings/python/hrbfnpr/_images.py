@@ -32,7 +32,8 @@ def _check(out: Any, layout: Tuple[str, int, int], size: Optional[Tuple[int, int
     if not fits or (channels and out.shape[2] != channels):
         raise ValueError(f"out must be a {_WORDS[code]} array of the shape ({', '.join(map(str, wanted))})")
     if size is not None and (out.shape[1], out.shape[0]) != size:
-        raise ValueError(f"out has {out.shape[1]} x {out.shape[0]} pixels, but the size asked for is {size[0]} x {size[1]}")
+        given_size, wanted_size = (f"{w} x {h}" for w, h in ((out.shape[1], out.shape[0]), size))
+        raise ValueError(f"out has {given_size} pixels, but the size asked for is {wanted_size}")
     packed = (channels * itemsize, itemsize) if channels else (itemsize,)
     packed_rows = out.strides[1:] == packed if np is not None else out.c_contiguous
     writeable = out.flags.writeable if np is not None else not out.readonly

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
-from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 from ._arrays import FLOATS, Array, block_in, store
 from ._callbacks import CallbackState, callback
@@ -153,9 +153,10 @@ LayersToMake = Union[str, Layer, Iterable[Union[str, Layer]]]
 
 _FIELDS = tuple(field.name for field in fields(Layer) if field.name not in ("kind", "name"))
 # Fields that mean something to layers of some kinds only.
-_OF_KINDS = {
-    **dict.fromkeys(("density", "density_strength"), ("stipples",)),
-    **dict.fromkeys(("second_tone", "separation", "step", "length", "symmetry", "start", "start_level"), STROKE_KINDS),
+_OF_KINDS: Dict[str, Tuple[str, ...]] = {
+    **{name: ("stipples",) for name in ("density", "density_strength")},
+    **{name: STROKE_KINDS for name in ("second_tone", "separation", "step", "length", "symmetry")},
+    **{name: STROKE_KINDS for name in ("start", "start_level")},
     "direction": ("field",),
 }
 

@@ -1,7 +1,7 @@
 """Names of the library's numbers: every choice is a lower-case string in Python."""
 from __future__ import annotations
 
-from typing import Dict, Tuple
+from typing import Dict, List, Tuple
 
 from ._library import ffi, lib
 
@@ -62,7 +62,7 @@ def name_of(numbers: Dict[str, int], number: int) -> str:
 
 def preset_names() -> Tuple[str, ...]:
     """Names of the presets that the library knows, by number."""
-    names = []
+    names: List[str] = []
     while (name := lib.hrbfnpr_preset_name(len(names))) != ffi.NULL:
         names.append(ffi.string(name).decode())
     return tuple(names)

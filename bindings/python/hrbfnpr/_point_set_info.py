@@ -103,6 +103,8 @@ def read_layer_info(struct: Any) -> LayerInfo:
 
 def read_info(struct: Any) -> PointSetInfo:
     """From a filled hrbfnpr_point_set_info."""
-    names = {"distribution": DISTRIBUTIONS, "seed_source": SEED_SOURCES}
-    convert = {key: (lambda number, table=table: name_of(table, number)) for key, table in names.items()}
+    convert = {
+        "distribution": lambda number: name_of(DISTRIBUTIONS, number),
+        "seed_source": lambda number: name_of(SEED_SOURCES, number),
+    }
     return read_struct(PointSetInfo, struct, convert)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from typing import Any, Callable, Dict, Optional, Type, TypeVar
+from typing import Any, Callable, Mapping, Optional, Type, TypeVar
 
 from ._library import ffi
 
@@ -10,7 +10,7 @@ T = TypeVar("T")
 Convert = Callable[[Any], Any]
 
 
-def read_struct(kind: Type[T], struct: Any, convert: Optional[Dict[str, Convert]] = None) -> T:
+def read_struct(kind: Type[T], struct: Any, convert: Optional[Mapping[str, Convert]] = None) -> T:
     """Fill a dataclass from the struct's fields; arrays of numbers become tuples."""
     values = {}
     for field in fields(kind):

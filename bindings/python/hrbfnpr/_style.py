@@ -210,7 +210,9 @@ class Style(_Attributes):
     >>> style.layers.insert(0, hrbfnpr.LayerStyle(name="fur", shape="strokes", ink="#402010"))
     """
 
-    hidden_lines = _choice(HIDDEN_LINES, '"attenuate" (seen faintly through what is in front), "hide" or "show" [NPAR 6.1].')
+    hidden_lines = _choice(
+        HIDDEN_LINES, '"attenuate" (seen faintly through what is in front), "hide" or "show" [NPAR 6.1].'
+    )
     visibility = _choice(
         VISIBILITIES,
         '"depth_layers": marks are seen through the layers of surface in front of them, whatever the number of marks; '
@@ -228,8 +230,8 @@ class Style(_Attributes):
     attenuation_back = _number("lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda.")
     splat_radius = _number("Of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing.")
     halo_width = _number(
-        'Pixels; of visibility "depth_layers" how far beyond its contour a surface hides what lies behind, else how much '
-        "wider the paper of back marks is."
+        'Pixels; of visibility "depth_layers" how far beyond its contour a surface hides what lies behind, else how '
+        "much wider the paper of back marks is."
     )
     splat_overlap = _number("n > 0: a depth layer is as opaque as n overlapping splats; 0: as published.")
     tone_rule = _choice(TONE_RULES, '"share" or "published": how tone, depth, zoom and share are combined.')

@@ -87,7 +87,9 @@ def positions(marks: PointSet) -> Any:
     return np.concatenate(parts) + np.asarray(marks.origin)
 
 
-def marks(layers: Sequence[Layer], style: Style, area: float, pixels: float, published: bool, seeds: int) -> List[Layer]:
+def marks(
+    layers: Sequence[Layer], style: Style, area: float, pixels: float, published: bool, seeds: int
+) -> List[Layer]:
     """The layers with what fills the darkest tone, where they do not say themselves."""
     fill = _published if published else _even
     return [fill(layer, style.style_of(layer.kind, layer.name).radius, area, pixels, seeds) for layer in layers]

@@ -59,8 +59,8 @@ def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
         style.paper = (red, green, blue, 0.0)
     if arguments.depth_range is not None:
         style.depth_min, style.depth_max = arguments.depth_range
-    for layer, field, text in arguments.assignments:
-        values.assign(style, layer, field, text)
+    for owner, field, text in arguments.assignments:
+        values.assign(style, owner, field, text)
     return style
 
 

@@ -119,7 +119,7 @@ def _describe(path: Path, context: Context) -> Dict[str, Any]:
     saved = load_saved(path, context)
     if saved is not None:
         kind = "model" if isinstance(saved, Model) else "point set"
-        facts = {"file": str(path), "kind": kind, **dataclasses.asdict(saved.info)}
+        facts: Dict[str, Any] = {"file": str(path), "kind": kind, **dataclasses.asdict(saved.info)}
         if isinstance(saved, PointSet):
             facts["layers"] = [dataclasses.asdict(layer.info) for layer in saved.layers]
         return facts

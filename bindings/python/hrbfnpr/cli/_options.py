@@ -122,8 +122,8 @@ def _add_marks(parser: Parser) -> None:
     _add_choice(group, "--density", "density", tuple(name for name in DENSITIES if name != "callback"),
                 "where stipples are denser")  # fmt: skip
     _add(group, "--density-strength", "density_strength", values.number, "X", "of curvature, 0 to 1; 0.5")
-    _add_choice(group, "--tone-ranges", "tone_ranges", tuple(TONE_RANGES), "whether one layer of marks follows the other from light "
-                "to dark")  # fmt: skip
+    _add_choice(group, "--tone-ranges", "tone_ranges", tuple(TONE_RANGES), "whether one layer of marks follows the "
+                "other from light to dark")  # fmt: skip
     _add(group, "--shared-marks", "shared_budget", values.count(0), "N", "the most marks of all layers together, in "
          "place of --marks")  # fmt: skip
     _add(group, "--projection-tolerance", "projection_tolerance", values.number, "X", "share of the diagonal; 1e-7")
@@ -159,7 +159,7 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--attenuation-front", "attenuation_front", values.number, "LAMBDA", "of what lies behind front marks")
     _add(group, "--attenuation-back", "attenuation_back", values.number, "LAMBDA", "of what lies behind back marks")
     _add(group, "--splat-radius", "splat_radius", values.number, "PIXELS", "of the paper that marks paint; automatic")
-    _add(group, "--splat-overlap", "splat_overlap", values.number, "N", "opacity of a layer of surface in splats; 0 as published")
+    _add(group, "--splat-overlap", "splat_overlap", values.number, "N", "opacity of a layer of surface; 0 as published")
     _add(group, "--halo", "halo_width", values.number, "PIXELS", "how far beyond its contour a surface hides")
     group.add_argument("--tone", choices=["none", "light"], metavar="NAME", default=None, help="none or light")
     _add_choice(group, "--tone-rule", "tone_rule", tuple(TONE_RULES), "how tone, depth, zoom and share combine")
