@@ -2,7 +2,7 @@
 #pragma once
 
 #include "frame/hand_made.h"
-#include "output/raster/draw.h"
+#include "output/raster/raster.h"
 
 #include <cstdio>
 #include <string>
@@ -52,12 +52,12 @@ struct Picture {
 
 // One draw with fresh scratch.
 inline Picture draw(const base::Runtime& runtime, std::span<const frame::Item> items, const frame::Camera& camera,
-                    int width, int height, frame::FrameInfo* info = nullptr) {
-    frame::Frame frame(runtime);
+                    int width, int height, drawing::Counts* info = nullptr) {
+    DrawnFrame frame(runtime);
     frame.prepare(items, camera);
     Picture picture(width, height);
     output::Raster raster(runtime);
-    raster.draw(frame, picture.image(), {});
+    raster.draw(frame.drawing(), picture.image(), {});
     if (info != nullptr) *info = frame.info();
     return picture;
 }
