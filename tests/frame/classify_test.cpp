@@ -9,17 +9,14 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::Disc;
-using frame::Frame;
-using frame::FrameInfo;
+using drawing::Counts;
 using frame::Item;
-using frame::MarkClass;
-using frame::Style;
+using drawing::MarkClass;
 using ::testing::HasSubstr;
 
 class Classify : public ::testing::Test {
 protected:
-    const FrameInfo& prepare(const marks::PointSet& set, const Style& style, const frame::Camera& camera,
+    const Counts& prepare(const marks::PointSet& set, const Style& style, const frame::Camera& camera,
                              const glm::dmat4& transform = glm::dmat4(1.0)) {
         const std::array items{item_of(set, style, transform)};
         frame.prepare(items, camera);
@@ -27,10 +24,10 @@ protected:
     }
 
     base::Runtime runtime;
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
 };
 
-void expect_consistent(const FrameInfo& info) {
+void expect_consistent(const Counts& info) {
     EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette);
 }
 
@@ -40,13 +37,13 @@ TEST_F(Classify, SharesOfASphereSeenFromAfarAreThoseOfItsArea) {
     for (const double threshold : {0.05, 0.2, 0.5}) {
         Style style = plain_style();
         style.silhouette_threshold = threshold;
-        const FrameInfo& info = prepare(set, style, front_camera(100, 100));
+        const Counts& info = prepare(set, style, front_camera(100, 100));
         // n . v is uniform over the area of a sphere.
         EXPECT_NEAR(static_cast<double>(info.front), count * (1.0 - threshold) / 2.0, 3.0);
         EXPECT_NEAR(static_cast<double>(info.back), count * (1.0 - threshold) / 2.0, 3.0);
         EXPECT_NEAR(static_cast<double>(info.silhouette), count * threshold, 3.0);
         EXPECT_EQ(info.shown, info.front + info.silhouette);
-        EXPECT_EQ(info.painted, 0);
+        EXPECT_EQ(info.splats, 0);
         expect_consistent(info);
     }
 }
@@ -59,7 +56,7 @@ TEST_F(Classify, PerspectiveLooksFromTheEye) {
     camera.projection = frame::perspective(1.5, 100, 100, 0.1, 20.0, camera.depth);
     Style style = plain_style();
     style.silhouette_threshold = 1e-4;
-    const FrameInfo& info = prepare(set, style, camera);
+    const Counts& info = prepare(set, style, camera);
     // From a distance of two radii a quarter of the sphere is seen: (1 - 1/2) / 2.
     EXPECT_NEAR(static_cast<double>(info.front), count * 0.25, 8.0);
 }
@@ -71,18 +68,18 @@ TEST_F(Classify, AnOffAxisEyeIsTakenFromTheProjection) {
     frame::Camera camera = front_camera(100, 100);
     camera.view = frame::look_at({0.3, 0.2, 3.0}, {0.1, 0.0, 0.0}, {0.0, 1.0, 0.0});
     camera.projection = frame::perspective(1.0, 100, 100, 0.1, 20.0, camera.depth);
-    const FrameInfo expected = prepare(set, plain_style(), camera);
+    const Counts expected = prepare(set, plain_style(), camera);
     camera.projection = camera.projection * camera.view;
     camera.view = glm::dmat4(1.0);
-    const FrameInfo& info = prepare(set, plain_style(), camera);
+    const Counts& info = prepare(set, plain_style(), camera);
     EXPECT_EQ(info.front, expected.front);
     EXPECT_EQ(info.back, expected.back);
     EXPECT_EQ(info.silhouette, expected.silhouette);
 }
 
 TEST_F(Classify, MarksLandOnTheirPixels) {
-    for (const auto depth : {frame::DepthConvention::negative_one_to_one, frame::DepthConvention::zero_to_one,
-                             frame::DepthConvention::reversed}) {
+    for (const auto depth : {drawing::DepthConvention::negative_one_to_one, drawing::DepthConvention::zero_to_one,
+                             drawing::DepthConvention::reversed}) {
         marks::PointSet set(runtime.memory);
         add_stipple(set, {0.25, 0.5, 1.0}, {0, 0, 1});
         frame::Camera camera = front_camera(200, 100, 1.0);
@@ -95,7 +92,7 @@ TEST_F(Classify, MarksLandOnTheirPixels) {
         EXPECT_FLOAT_EQ(disc.x, 30.0F + 100.0F + 12.5F);
         EXPECT_FLOAT_EQ(disc.y, 40.0F + 50.0F - 25.0F);
         const float from_near = 8.0F / 20.0F; // 9 from the eye
-        EXPECT_NEAR(disc.depth, depth == frame::DepthConvention::reversed ? 1.0F - from_near : from_near, 1e-6F);
+        EXPECT_NEAR(disc.depth, depth == drawing::DepthConvention::reversed ? 1.0F - from_near : from_near, 1e-6F);
         EXPECT_EQ(disc.mark_class, MarkClass::front);
         EXPECT_EQ(disc.id, 1U);
         EXPECT_FALSE(disc.is_paper);
@@ -115,7 +112,7 @@ TEST_F(Classify, MarksOutsideTheFrustumCountAsOutside) {
     add_stipple(set, {0.0, 0.0, 1000.0}, n); // behind the camera
     Style style = plain_style();
     style.group[0].radius = 1.5F;
-    const FrameInfo& info = prepare(set, style, front_camera(200, 200, 1.0));
+    const Counts& info = prepare(set, style, front_camera(200, 200, 1.0));
     EXPECT_EQ(info.marks, 8);
     EXPECT_EQ(info.front, 3);
     EXPECT_EQ(info.outside, 5);
@@ -147,7 +144,7 @@ TEST_F(Classify, MarksThatAreNotNumbersAreOutside) {
     set.layers[0].position[6 + 2] = nan;
     set.layers[0].normal[9 + 1] = nan;
     for (int k = 0; k < 3; ++k) set.layers[0].normal[12 + k] = 0.0F;
-    const FrameInfo& info = prepare(set, Style{}, front_camera(100, 100));
+    const Counts& info = prepare(set, Style{}, front_camera(100, 100));
     EXPECT_EQ(info.outside, 5);
     EXPECT_EQ(info.front, 1);
 }
@@ -164,11 +161,11 @@ TEST_F(Classify, NormalsFollowTheInverseTransposeAlsoUnderMirrors) {
         }
         glm::dmat4 transform(1.0);
         for (int k = 0; k < 3; ++k) transform[k][k] = scale[k];
-        const FrameInfo& info = prepare(set, plain_style(), front_camera(100, 100), transform);
+        const Counts& info = prepare(set, plain_style(), front_camera(100, 100), transform);
         EXPECT_NEAR(static_cast<double>(info.front), count * 0.4, 3.0);
         EXPECT_NEAR(static_cast<double>(info.back), count * 0.4, 3.0);
         for (const Disc& disc : frame.discs()) {
-            const Frame::MarkSource source = frame.source(disc);
+            const drawing::MarkSource source = frame.source(disc);
             ASSERT_NEAR(glm::dot(source.normal, source.position), 1.0F, 1e-4F);
             ASSERT_NEAR(glm::length(source.direction), 1.0F, 1e-5F);
             ASSERT_NEAR(glm::dot(source.normal, source.direction), 0.0F, 1e-4F);
@@ -270,7 +267,7 @@ TEST_F(BadFrame, NamesTheCameraField) {
     bad.projection = glm::dmat4(0.0);
     expect_error(good, bad, "camera.projection is singular");
     bad = camera;
-    bad.depth = static_cast<frame::DepthConvention>(7);
+    bad.depth = static_cast<drawing::DepthConvention>(7);
     expect_error(good, bad, "depth_convention 7");
 }
 

@@ -10,11 +10,8 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::Disc;
-using frame::Frame;
-using frame::MarkClass;
+using drawing::MarkClass;
 using frame::SilhouetteLaw;
-using frame::Style;
 
 constexpr int size = 600;
 constexpr double minor = 0.4;
@@ -156,7 +153,7 @@ protected:
     }
 
     base::Runtime runtime;
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
     frame::HiddenLines hidden_lines = frame::HiddenLines::show;
     float halo = 0.0F;
 };
@@ -250,15 +247,15 @@ TEST(StretchedContours, LieOnTheOutlineOfAnEllipsoid) {
     stretched[0][0] = 1.1;
     stretched[1][1] = 0.8;
     stretched[2][2] = 0.6;
-    frame::Style style = all_front(frame::HiddenLines::show);
+    Style style = all_front(frame::HiddenLines::show);
     style.silhouette_groups = 1;
-    frame::Frame frame(runtime);
+    DrawnFrame frame(runtime);
     const std::array items{layered_item(set, style, stretched)};
     frame.prepare(items, front_camera(600, 600));
     const double pixel = 2.5 / 600.0;
     std::array<int, 90> around{};
-    for (const frame::Disc& disc : frame.discs()) {
-        if (disc.mark_class != frame::MarkClass::silhouette) continue;
+    for (const Disc& disc : frame.discs()) {
+        if (disc.mark_class != drawing::MarkClass::silhouette) continue;
         const double x = (static_cast<double>(disc.x) - 300.0) * pixel;
         const double y = (static_cast<double>(disc.y) - 300.0) * pixel;
         // The outline, to first order.

@@ -13,11 +13,8 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::Disc;
-using frame::Frame;
-using frame::FrameInfo;
-using frame::MarkClass;
-using frame::Style;
+using drawing::Counts;
+using drawing::MarkClass;
 
 constexpr int size = 300;
 
@@ -76,13 +73,13 @@ std::vector<View> views() {
 }
 
 // What a frame makes of each mark, by its id.
-std::map<std::uint32_t, Disc> inks_of(const Frame& frame) {
+std::map<std::uint32_t, Disc> inks_of(const DrawnFrame& frame) {
     std::map<std::uint32_t, Disc> inks;
     for (const Disc& disc : frame.discs()) EXPECT_TRUE(inks.emplace(disc.id, disc).second) << disc.id;
     return inks;
 }
 
-void expect_counts(const FrameInfo& info, const char* name) {
+void expect_counts(const Counts& info, const char* name) {
     EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette + info.culled) << name;
 }
 
@@ -146,7 +143,7 @@ protected:
     marks::PointSet set_of() { return clustered(runtime, torus(runtime.memory, 130)); }
 
     base::Runtime runtime;
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
     marks::PointSet set = set_of();
     marks::PointSet open = set_of();
 };
@@ -190,7 +187,7 @@ TEST_F(Culling, EveryMarkCountsOnceWhileContoursFade) {
     for (const View& view : views()) {
         const std::array items{layered_item(set, styles()[0], view.transform)};
         frame.prepare(items, view.camera);
-        const FrameInfo& info = frame.info();
+        const Counts& info = frame.info();
         EXPECT_EQ(info.shown + info.dropped_tone + info.dropped_depth + info.dropped_zoom + info.dropped_hidden,
                   info.front + info.silhouette)
             << view.name;
@@ -313,7 +310,7 @@ TEST_F(Culling, FrontAndContourMarksAreShownDroppedOrNotDrawn) {
             style.hidden_lines = frame::HiddenLines::hide;
             const std::array items{layered_item(set, style, view.transform)};
             frame.prepare(items, view.camera);
-            const FrameInfo& info = frame.info();
+            const Counts& info = frame.info();
             expect_counts(info, view.name);
             const std::int64_t dropped =
                 info.dropped_tone + info.dropped_depth + info.dropped_zoom + info.dropped_hidden;
@@ -335,14 +332,14 @@ TEST_F(Culling, SameBitsForAnyThreadCountAndInstructionSet) {
         Style own = style;
         own.hidden_lines = frame::HiddenLines::attenuate;
         own.attenuation_front = 0.4;
-        own.cover_layers = 2.0F;
+        own.splat_overlap = 2.0F;
         const std::array items{layered_item(ring, own)};
-        Frame own_frame(other);
+        DrawnFrame own_frame(other);
         own_frame.prepare(items, perspective_from({2.0, -4.0, 3.0}, {0.0, 0.0, 0.0}, 0.5));
         std::vector<float> numbers;
         for (const Disc& d : own_frame.discs())
             numbers.insert(numbers.end(), {d.x, d.y, d.radius, d.depth, d.color.w, static_cast<float>(d.id)});
-        const FrameInfo& info = own_frame.info();
+        const Counts& info = own_frame.info();
         numbers.push_back(static_cast<float>(info.culled + info.shown + info.dropped_hidden));
         std::vector<std::byte> bytes(numbers.size() * sizeof(float));
         std::memcpy(bytes.data(), numbers.data(), bytes.size());

@@ -11,7 +11,6 @@ namespace hrbfnpr::testing {
 namespace {
 
 using frame::HiddenLines;
-using frame::Style;
 
 constexpr int size = 500;
 constexpr double half = 1.6;
@@ -31,7 +30,7 @@ protected:
     base::Runtime runtime;
     test::Torus solid{1.0, 0.45};
     marks::PointSet set = clustered(runtime, torus(runtime.memory, 160));
-    frame::Frame frame{runtime};
+    DrawnFrame frame{runtime};
 };
 
 TEST_F(Exact, FrontMarksAreHiddenAsLinesOfSightSay) {
@@ -94,7 +93,7 @@ TEST_F(Exact, DimsByTheLawsOfTheLayersThatALineCrosses) {
     style.halo_width = 0.0F;
     style.attenuation_front = 0.4;
     style.attenuation_back = 0.3;
-    style.cover_layers = 2.0F;
+    style.splat_overlap = 2.0F;
     const double tilt = 1.25;
     const glm::dvec3 toward(0.0, -std::sin(tilt), std::cos(tilt));
     const frame::Camera camera = camera_from(toward, size, half);
@@ -138,11 +137,11 @@ TEST_F(Exact, ShowDimsNothingAndContoursLieOutside) {
     const std::vector<float> share = shares(style, camera, glm::dmat4(1.0));
     int contours = 0;
     int lost = 0;
-    for (const frame::Disc& disc : frame.discs()) contours += disc.mark_class == frame::MarkClass::silhouette;
+    for (const Disc& disc : frame.discs()) contours += disc.mark_class == drawing::MarkClass::silhouette;
     style.hidden_lines = HiddenLines::show;
     (void)shares(style, camera, glm::dmat4(1.0));
-    for (const frame::Disc& disc : frame.discs()) {
-        if (disc.mark_class != frame::MarkClass::silhouette) continue;
+    for (const Disc& disc : frame.discs()) {
+        if (disc.mark_class != drawing::MarkClass::silhouette) continue;
         const Mark mark = mark_of(set, disc.id - 1);
         const bool free = own_clearance(ring(), mark.position + 3.0 * pixel * mark.normal, toward) > pixel;
         lost += free && !(share[disc.id] > 0.0F);

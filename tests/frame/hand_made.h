@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/random.h"
-#include "frame/frame.h"
 #include "geometry/tangent_frame.h"
 #include "marks/cluster_marks.h"
+#include "support/drawn.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -147,8 +147,8 @@ inline frame::Camera front_camera(int width, int height, double half = 1.25) {
 }
 
 // All marks are ink, nothing is painted.
-inline frame::Style plain_style() {
-    frame::Style style;
+inline Style plain_style() {
+    Style style;
     style.hidden_lines = frame::HiddenLines::show;
     style.tone = frame::Tone::none;
     return style;
@@ -169,6 +169,10 @@ inline frame::Item layered_item(const marks::PointSet& set, const frame::Style& 
     item.transform = transform;
     return item;
 }
+inline frame::Item layered_item(const marks::PointSet& set, const Style& style,
+                                const glm::dmat4& transform = glm::dmat4(1.0)) {
+    return layered_item(set, kept(style), transform);
+}
 
 // Painted as published.
 inline frame::Item item_of(const marks::PointSet& set, const frame::Style& style,
@@ -176,6 +180,10 @@ inline frame::Item item_of(const marks::PointSet& set, const frame::Style& style
     frame::Item item = layered_item(set, style, transform);
     item.style.visibility = frame::Visibility::published;
     return item;
+}
+inline frame::Item item_of(const marks::PointSet& set, const Style& style,
+                           const glm::dmat4& transform = glm::dmat4(1.0)) {
+    return item_of(set, kept(style), transform);
 }
 
 // An allocator that counts what is asked of it.

@@ -9,14 +9,11 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::Disc;
-using frame::Frame;
 using frame::HiddenLines;
-using frame::Style;
 
 class LayersTest : public ::testing::Test {
 protected:
-    const frame::FrameInfo& prepare(std::span<const frame::Item> items, const frame::Camera& camera) {
+    const drawing::Counts& prepare(std::span<const frame::Item> items, const frame::Camera& camera) {
         frame.prepare(items, camera);
         return frame.info();
     }
@@ -27,7 +24,7 @@ protected:
     }
 
     base::Runtime runtime;
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
 };
 
 constexpr HiddenLines hiding[] = {HiddenLines::attenuate, HiddenLines::hide};
@@ -38,10 +35,10 @@ TEST_F(LayersTest, ASphereNeverDimsItsOwnFront) {
         for (const HiddenLines hidden : hiding) {
             for (const double half : {0.6, 1.25, 6.0}) {
                 const std::array items{layered_item(set, all_front(hidden))};
-                const frame::FrameInfo& info = prepare(items, front_camera(500, 500, half));
+                const drawing::Counts& info = prepare(items, front_camera(500, 500, half));
                 EXPECT_EQ(info.dropped_hidden, 0) << count << " " << half;
                 EXPECT_EQ(info.shown, info.front);
-                EXPECT_GT(info.painted, 0);
+                EXPECT_GT(info.splats, 0);
                 for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.color.w, 1.0F) << count << " " << half;
                 frame::Camera near_by = front_camera(500, 500, half);
                 near_by.view = frame::look_at({0.0, 1.0, 2.5}, glm::dvec3(0.0), {0, 1, 0});
@@ -202,7 +199,7 @@ TEST_F(LayersTest, ABallInFrontDimsByTheLawsOfBothItsLayers) {
     Style style = all_front(HiddenLines::attenuate);
     style.attenuation_front = 0.5;
     style.attenuation_back = 0.3;
-    style.cover_layers = 2.0F;
+    style.splat_overlap = 2.0F;
     const std::array items{layered_item(behind, style, shifted({0.0, 0.0, -3.0})), layered_item(front, style)};
     prepare(items, front_camera(800, 800, 1.0));
     const double pixel = 2.0 / 800.0;
@@ -241,7 +238,7 @@ TEST_F(LayersTest, OpenLayersOneBehindTheOtherDimExactly) {
     Style style = all_front(HiddenLines::attenuate);
     style.attenuation_front = 0.4;
     style.attenuation_back = 0.3;
-    style.cover_layers = 1.0F;
+    style.splat_overlap = 1.0F;
     const float front = layer_transmittance(style, -1.0F);
     const float back = layer_transmittance(style, 1.0F);
     struct Case {
@@ -295,7 +292,7 @@ TEST_F(LayersTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
     };
     const std::int64_t all = drawn_of_small(HiddenLines::show, {0.2, 0.0, -2.0});
     EXPECT_EQ(frame.info().dropped_hidden, 0);
-    EXPECT_EQ(frame.info().painted, 0);
+    EXPECT_EQ(frame.info().splats, 0);
     EXPECT_GT(all, 1200); // half of them, without the contour's band
     EXPECT_EQ(drawn_of_small(HiddenLines::hide, {0.2, 0.0, -2.0}), 0);
     EXPECT_EQ(frame.info().dropped_hidden, all);
@@ -337,7 +334,7 @@ TEST_F(LayersTest, InstancesEqualTwoSets) {
     const marks::PointSet same = clustered(runtime, torus(runtime.memory, 80));
     Style first;
     first.attenuation_front = 0.3;
-    first.cover_layers = 2.0F;
+    first.splat_overlap = 2.0F;
     Style second = first;
     second.group[0].radius = 2.0F;
     second.group[0].ink = {0.5F, 0.0F, 0.0F, 1.0F};

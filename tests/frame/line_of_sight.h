@@ -61,15 +61,15 @@ inline Mark mark_of(const marks::PointSet& set, std::int64_t i, std::int64_t lay
 }
 
 // What is seen of each mark's ink, by its id; < 0: it is not drawn.
-inline std::vector<float> seen_share(const frame::Frame& frame, std::int64_t marks) {
+inline std::vector<float> seen_share(const DrawnFrame& frame, std::int64_t marks) {
     std::vector<float> share(static_cast<std::size_t>(marks) + 1, -1.0F);
-    for (const frame::Disc& disc : frame.discs()) share[disc.id] = disc.color.w;
+    for (const Disc& disc : frame.discs()) share[disc.id] = disc.color.w;
     return share;
 }
 
 // All front marks, nothing but hidden surfaces decides.
-inline frame::Style all_front(frame::HiddenLines hidden_lines) {
-    frame::Style style;
+inline Style all_front(frame::HiddenLines hidden_lines) {
+    Style style;
     style.hidden_lines = hidden_lines;
     style.tone = frame::Tone::none;
     style.tone_curve = frame::ToneCurve::linear;

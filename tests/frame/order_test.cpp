@@ -9,10 +9,7 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::Disc;
-using frame::Frame;
 using frame::HiddenLines;
-using frame::Style;
 
 // Slow and plain: the painting order by comparing eye depths.
 TEST(PaintingOrder, IsFarToNearWithInkBeforeItsMarkAndPaperBehindIt) {
@@ -23,10 +20,10 @@ TEST(PaintingOrder, IsFarToNearWithInkBeforeItsMarkAndPaperBehindIt) {
     for (int i = 0; i < 100; ++i) add_stipple(set, {0.0, 0.0, 0.01 * i}, {0.0, 0.0, 1.0});
     Style style;
     style.tone = frame::Tone::none;
-    style.cover_radius = 5.0F; // 0.05 units
+    style.splat_radius = 5.0F; // 0.05 units
     style.group[0].radius = 2.0F;
     const std::array items{item_of(set, style)};
-    Frame frame(runtime);
+    DrawnFrame frame(runtime);
     frame.prepare(items, front_camera(200, 200, 1.0));
     ASSERT_EQ(frame.discs().size(), 200U);
     double before = -100.0;
@@ -40,7 +37,7 @@ TEST(PaintingOrder, IsFarToNearWithInkBeforeItsMarkAndPaperBehindIt) {
 
 class Kept : public ::testing::TestWithParam<HiddenLines> {
 protected:
-    static std::vector<std::byte> bytes_of(const Frame& frame) {
+    static std::vector<std::byte> bytes_of(const DrawnFrame& frame) {
         std::vector<std::byte> bytes;
         for (const Disc& disc : frame.discs()) {
             const float numbers[] = {disc.x,
@@ -75,7 +72,7 @@ TEST_P(Kept, SameBitsForAnyThreadCount) {
                                     base::InstructionSet::automatic, nullptr, nullptr);
         const marks::PointSet set = sphere(runtime.memory, 30000);
         const std::array items{item_of(set, style())};
-        Frame frame(runtime);
+        DrawnFrame frame(runtime);
         frame.prepare(items, front_camera(400, 400));
         const std::vector<std::byte> bytes = bytes_of(frame);
         EXPECT_FALSE(bytes.empty());
@@ -105,7 +102,7 @@ TEST_P(Kept, AllocatesNothingOnceWarm) {
     std::array items{item_of(set, style()), item_of(set, style())};
     items[1].style.tone = frame::Tone::callback;
     items[1].style.tone_function = half_tone;
-    Frame frame(runtime);
+    DrawnFrame frame(runtime);
     frame.prepare(items, orbit(0));
     const std::int64_t warm = counter.calls;
     frame.prepare(items, orbit(0));

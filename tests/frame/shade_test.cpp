@@ -9,9 +9,7 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::Disc;
-using frame::FrameInfo;
-using frame::Style;
+using drawing::Counts;
 using frame::Tone;
 using frame::ToneRule;
 using ::testing::HasSubstr;
@@ -21,11 +19,11 @@ constexpr int side = 150;
 // A plane facing the camera: one tone for all of its marks.
 class Shade : public ::testing::Test {
 protected:
-    const FrameInfo& prepare(const Style& style) { return prepare(style, front_camera(300, 300)); }
-    const FrameInfo& prepare(const Style& style, const frame::Camera& camera) {
+    const Counts& prepare(const Style& style) { return prepare(style, front_camera(300, 300)); }
+    const Counts& prepare(const Style& style, const frame::Camera& camera) {
         const std::array items{item_of(set, style)};
         frame.prepare(items, camera);
-        const FrameInfo& info = frame.info();
+        const Counts& info = frame.info();
         EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette);
         EXPECT_EQ(info.front + info.silhouette,
                   info.shown + info.dropped_tone + info.dropped_zoom + info.dropped_depth + info.dropped_hidden);
@@ -39,7 +37,7 @@ protected:
 
     base::Runtime runtime;
     marks::PointSet set = plane(runtime.memory, side);
-    frame::Frame frame{runtime};
+    DrawnFrame frame{runtime};
 };
 
 TEST_F(Shade, TheShareShownIsOneMinusTheTone) {
@@ -52,7 +50,7 @@ TEST_F(Shade, TheShareShownIsOneMinusTheTone) {
                 style.tone_exponent = exponent;
                 style.light = {3.0 * std::sqrt(1.0 - cosine * cosine), 0.0, 3.0 * cosine};
                 const double expected = 1.0 - std::pow(cosine, exponent);
-                const FrameInfo& info = prepare(style);
+                const Counts& info = prepare(style);
                 EXPECT_NEAR(shown_share(), expected, doubt(expected) + 1e-9);
                 EXPECT_EQ(info.dropped_tone, info.front - info.shown);
             }
@@ -78,7 +76,7 @@ TEST_F(Shade, LightIsInCameraOrWorldSpace) {
 TEST_F(Shade, ShareThinsFrontMarksOnly) {
     Style style = plain_style();
     style.group[0].share = 0.3F;
-    const FrameInfo& info = prepare(style);
+    const Counts& info = prepare(style);
     EXPECT_NEAR(shown_share(), 0.3, doubt(0.3));
     EXPECT_EQ(info.dropped_tone, info.front - info.shown);
     // A plane seen edge-on is all silhouette, and stays.
@@ -97,7 +95,7 @@ TEST_F(Shade, DepthAttenuationThinsFrontAndSilhouetteMarks) {
         style.tone_rule = rule;
         style.depth_min = 5.0;
         style.depth_max = 20.0; // at 10, their geometric mean, a half is left
-        const FrameInfo& info = prepare(style);
+        const Counts& info = prepare(style);
         EXPECT_NEAR(shown_share(), 0.5, doubt(0.5));
         EXPECT_EQ(info.dropped_depth, info.front - info.shown);
         style.depth_min = 9.0;
@@ -136,7 +134,7 @@ TEST_F(Shade, ZoomThinsFrontMarksAndScalesRadii) {
         style.zoom_exponent = 2.0;
         style.group[0].radius = 3.0F;
         style.group[0].radius_zoom = 1.0F;
-        const FrameInfo& info = prepare(style);
+        const Counts& info = prepare(style);
         EXPECT_NEAR(shown_share(), 0.25, doubt(0.25));
         EXPECT_EQ(info.dropped_zoom, info.front - info.shown);
         for (const Disc& disc : frame.discs()) ASSERT_NEAR(disc.radius, 1.5F, 1e-5F);
@@ -203,7 +201,7 @@ TEST_F(Shade, GroupsHaveTheirOwnInk) {
     }
     EXPECT_EQ(frame.discs()[3].color, style.silhouette_ink);
     EXPECT_EQ(frame.discs()[3].radius, 7.0F);
-    EXPECT_EQ(frame.discs()[3].mark_class, frame::MarkClass::silhouette);
+    EXPECT_EQ(frame.discs()[3].mark_class, drawing::MarkClass::silhouette);
 }
 
 TEST_F(Shade, WidthTapersTheInkOfFrontMarksOnly) {
@@ -232,7 +230,8 @@ TEST_F(Shade, SilhouettesComeFromTheirGroupsAndHiddenGroupsStayOut) {
     std::array items{item_of(ball, style)};
     frame.prepare(items, front_camera(100, 100));
     EXPECT_EQ(frame.info().shown, frame.info().silhouette);
-    items[0].style.silhouette_groups = 6;
+    style.silhouette_groups = 6;
+    items[0] = item_of(ball, style);
     frame.prepare(items, front_camera(100, 100));
     EXPECT_EQ(frame.info().marks, 0);
 }
@@ -262,7 +261,7 @@ TEST_F(Shade, ACallbackGivesTheTone) {
     style.tone = Tone::callback;
     style.tone_function = tone_function;
     style.tone_user = &checker;
-    const FrameInfo& info = prepare(style);
+    const Counts& info = prepare(style);
     EXPECT_EQ(checker.marks, side * side);
     EXPECT_LE(checker.most, 4096);
     EXPECT_EQ(info.shown, side * side / 2);

@@ -7,12 +7,9 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::Disc;
-using frame::Frame;
-using frame::FrameInfo;
+using drawing::Counts;
 using frame::HiddenLines;
-using frame::MarkClass;
-using frame::Style;
+using drawing::MarkClass;
 
 Style hiding_style() {
     Style style;
@@ -29,13 +26,13 @@ glm::dmat4 moved(const glm::dvec3& by) {
 
 class Visibility : public ::testing::Test {
 protected:
-    const FrameInfo& prepare(std::span<const frame::Item> items, const frame::Camera& camera) {
+    const Counts& prepare(std::span<const frame::Item> items, const frame::Camera& camera) {
         frame.prepare(items, camera);
         return frame.info();
     }
 
     base::Runtime runtime;
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
 };
 
 TEST_F(Visibility, ALayerDoesNotHideItselfAtAnyTilt) {
@@ -44,10 +41,10 @@ TEST_F(Visibility, ALayerDoesNotHideItselfAtAnyTilt) {
     for (const double tilt : {0.0, 0.3, 0.6, 0.9, 1.2, 1.35}) {
         frame::Camera camera = front_camera(400, 400);
         camera.view = frame::look_at({0.0, -10.0 * std::sin(tilt), 10.0 * std::cos(tilt)}, glm::dvec3(0.0), {1, 0, 0});
-        const FrameInfo& info = prepare(items, camera);
+        const Counts& info = prepare(items, camera);
         EXPECT_EQ(info.shown, 10000) << tilt;
         EXPECT_EQ(info.dropped_hidden, 0);
-        EXPECT_EQ(info.painted, 0);
+        EXPECT_EQ(info.splats, 0);
     }
 }
 
@@ -55,7 +52,7 @@ TEST_F(Visibility, ASphereKeepsItsFrontAndItsContour) {
     for (const int count : {2000, 10000, 50000}) {
         const marks::PointSet set = sphere(runtime.memory, count);
         const std::array items{item_of(set, hiding_style())};
-        const FrameInfo& info = prepare(items, front_camera(600, 600));
+        const Counts& info = prepare(items, front_camera(600, 600));
         std::int64_t front = 0;
         std::int64_t near_silhouette = 0;
         for (const Disc& disc : frame.discs()) {
@@ -95,7 +92,7 @@ TEST_F(Visibility, TheInsideOfAnOpenLayerHidesToo) {
     turned[0][0] = -1.0;
     turned[2][2] = -1.0;
     const std::array items{item_of(set, hiding_style(), turned), item_of(set, hiding_style(), moved({0.0, 0.0, -1.0}))};
-    const FrameInfo& info = prepare(items, front_camera(200, 200));
+    const Counts& info = prepare(items, front_camera(200, 200));
     EXPECT_EQ(info.back, 3600);
     EXPECT_EQ(info.shown, 0);
     EXPECT_EQ(info.dropped_hidden, 3600);
@@ -141,7 +138,7 @@ TEST_F(Visibility, AHugeViewportGetsACoarserMap) {
     const std::array items{item_of(set, hiding_style()), item_of(set, hiding_style(), moved({0.0, 0.0, -3.0}))};
     frame::Camera camera = front_camera(9000, 9000);
     camera.viewport = {-100.0, 50.0, 9000.0, 9000.0};
-    const FrameInfo& info = prepare(items, camera);
+    const Counts& info = prepare(items, camera);
     EXPECT_EQ(info.dropped_hidden + info.shown, info.front + info.silhouette);
     EXPECT_GE(info.dropped_hidden, 200);
     EXPECT_LT(info.scratch_bytes, std::int64_t{100} << 20);
@@ -150,14 +147,14 @@ TEST_F(Visibility, AHugeViewportGetsACoarserMap) {
 TEST_F(Visibility, PaperFollowsTheLawsOfAttenuation) {
     const marks::PointSet set = sphere(runtime.memory, 5000);
     Style style;
-    style.cover_radius = 6.0F;
+    style.splat_radius = 6.0F;
     style.attenuation_front = 0.7;
     style.attenuation_back = 0.4;
     for (const float layers : {0.0F, 5.0F}) {
-        style.cover_layers = layers;
+        style.splat_overlap = layers;
         const std::array items{item_of(set, style)};
-        const FrameInfo& info = prepare(items, front_camera(500, 500));
-        EXPECT_EQ(info.painted, info.front + info.back);
+        const Counts& info = prepare(items, front_camera(500, 500));
+        EXPECT_EQ(info.splats, info.front + info.back);
         std::int64_t painted = 0;
         for (const Disc& disc : frame.discs()) {
             if (!disc.is_paper) continue;
@@ -172,12 +169,12 @@ TEST_F(Visibility, PaperFollowsTheLawsOfAttenuation) {
             ASSERT_NEAR(disc.color.w, expected, 1e-4F);
             ASSERT_EQ(glm::vec3(disc.color), glm::vec3(1.0F));
         }
-        EXPECT_EQ(painted, info.painted);
+        EXPECT_EQ(painted, info.splats);
     }
     style.attenuation_front = 0.0;
     style.attenuation_back = 0.0;
     const std::array items{item_of(set, style)};
-    EXPECT_EQ(prepare(items, front_camera(500, 500)).painted, 0);
+    EXPECT_EQ(prepare(items, front_camera(500, 500)).splats, 0);
 }
 
 TEST_F(Visibility, OneLayerOfMarksPaintsPaperWithLayersAndAllAsPublished) {
@@ -191,7 +188,7 @@ TEST_F(Visibility, OneLayerOfMarksPaintsPaperWithLayersAndAllAsPublished) {
     Style style;
     const auto painted = [&] {
         const std::array items{item_of(set, style)};
-        return prepare(items, front_camera(500, 500)).painted;
+        return prepare(items, front_camera(500, 500)).splats;
     };
     // Stipples are a quarter of the strokes' marks at least: they paint.
     EXPECT_NEAR(static_cast<double>(painted()), 800.0, 4.0);
@@ -200,9 +197,9 @@ TEST_F(Visibility, OneLayerOfMarksPaintsPaperWithLayersAndAllAsPublished) {
         if (disc.is_paper && disc.mark_class == MarkClass::front) radius = disc.radius;
     }
     EXPECT_NEAR(static_cast<double>(radius), 1.5 * std::sqrt(4.0 * pi / 1000.0) * 200.0, 0.01);
-    style.cover_layers = 0.0F;
+    style.splat_overlap = 0.0F;
     EXPECT_NEAR(static_cast<double>(painted()), 3200.0, 8.0);
-    style.cover_layers = 8.0F;
+    style.splat_overlap = 8.0F;
     style.silhouette_groups = 2;
     style.group[0].shown = false;
     EXPECT_NEAR(static_cast<double>(painted()), 2400.0, 6.0);

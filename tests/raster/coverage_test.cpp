@@ -12,9 +12,6 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::Disc;
-using frame::Frame;
-using frame::Style;
 using frame::ToneCurve;
 
 constexpr int size = 400;
@@ -56,7 +53,7 @@ protected:
     }
 
     base::Runtime runtime;
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
 };
 
 // Whether there are marks enough for this tone and for 0.6, and a few to spare.

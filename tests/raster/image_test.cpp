@@ -8,9 +8,7 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::Frame;
-using frame::MarkClass;
-using frame::Style;
+using drawing::MarkClass;
 using output::DrawSettings;
 using output::Format;
 using output::Image;
@@ -26,13 +24,13 @@ protected:
     }
     Picture draw_as(Format format) {
         Picture picture(width, height, format);
-        raster.draw(frame, picture.image(), {});
+        raster.draw(frame.drawing(), picture.image(), {});
         return picture;
     }
 
     base::Runtime runtime;
     marks::PointSet set = sphere(runtime.memory, 3000);
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
     output::Raster raster{runtime};
 };
 
@@ -68,7 +66,7 @@ TEST_F(ImageTest, RowsMayBePaddedOrRunUpward) {
         std::vector<std::byte> memory(static_cast<std::size_t>(pitch * height), std::byte{0xAB});
         Image image{Format::rgba8, width, height, memory.data(), stride};
         if (stride < 0) image.pixels += pitch * (height - 1);
-        raster.draw(frame, image, {});
+        raster.draw(frame.drawing(), image, {});
         for (int y = 0; y < height; ++y) {
             const std::byte* row = image.pixels + y * stride;
             ASSERT_EQ(std::memcmp(row, expected.bytes.data() + std::size_t{4} * width * static_cast<std::size_t>(y),
@@ -89,7 +87,7 @@ TEST_F(ImageTest, AViewportShiftsThePictureAndLeavesTheRestAlone) {
         prepare(Style{}, camera);
         Picture picture(100, 80);
         std::fill(picture.bytes.begin(), picture.bytes.end(), std::byte{0x5A});
-        raster.draw(frame, picture.image(), {});
+        raster.draw(frame.drawing(), picture.image(), {});
         for (int y = 0; y < 80; ++y) {
             for (int x = 0; x < 100; ++x) {
                 const int u = x - at.x;
@@ -116,7 +114,7 @@ TEST_F(ImageTest, OverLaysTheDrawingOnWhatIsThere) {
             const std::uint8_t under[] = {100, 60, 20, 200}; // a legal premultiplied colour, too
             std::memcpy(picture.bytes.data() + i, under, 4);
         }
-        raster.draw(frame, picture.image(), over);
+        raster.draw(frame.drawing(), picture.image(), over);
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
                 const double a = layer.at(x, y, 3) / 255.0; // all ink is black
@@ -142,7 +140,7 @@ TEST_F(ImageTest, OverNothingIsTheLayerItself) {
     Picture picture(width, height);
     DrawSettings over;
     over.over = true;
-    raster.draw(frame, picture.image(), over);
+    raster.draw(frame.drawing(), picture.image(), over);
     EXPECT_EQ(picture.bytes, layer.bytes);
 }
 
@@ -160,10 +158,10 @@ TEST_F(ImageTest, OutputsTellTheNearestSurfaceAndTheTopmostMark) {
     add_stipple(set, {60.5, -50.5, -2.0}, {0.0, 0.0, -1.0}); // back: paper only
     Style style;
     style.tone = frame::Tone::none;
-    style.cover_radius = 3.0F;
+    style.splat_radius = 3.0F;
     style.halo_width = 1.0F;
     style.group[0].radius = 3.0F;
-    for (const auto convention : {frame::DepthConvention::zero_to_one, frame::DepthConvention::reversed}) {
+    for (const auto convention : {drawing::DepthConvention::zero_to_one, drawing::DepthConvention::reversed}) {
         frame::Camera camera = pixel_camera(width, height);
         camera.depth = convention;
         camera.projection = frame::orthographic(height, width, height, 0.0, 20.0, convention);
@@ -176,7 +174,7 @@ TEST_F(ImageTest, OutputsTellTheNearestSurfaceAndTheTopmostMark) {
         settings.id = out_view(id, base::Scalar::uint32);
         settings.mark_class = out_view(mark_class, base::Scalar::uint8);
         Picture picture(width, height);
-        raster.draw(frame, picture.image(), settings);
+        raster.draw(frame.drawing(), picture.image(), settings);
         struct Expected {
             int x, y;
             double eye;
@@ -190,7 +188,7 @@ TEST_F(ImageTest, OutputsTellTheNearestSurfaceAndTheTopmostMark) {
                                   {60, 55, 20.0, 0, MarkClass::none},       {0, 0, 20.0, 0, MarkClass::none}};
         for (const Expected& e : table) {
             const auto i = static_cast<std::size_t>(e.y * width + e.x);
-            const double window = convention == frame::DepthConvention::reversed ? 1.0 - e.eye / 20.0 : e.eye / 20.0;
+            const double window = convention == drawing::DepthConvention::reversed ? 1.0 - e.eye / 20.0 : e.eye / 20.0;
             EXPECT_NEAR(static_cast<double>(depth[i]), window, 1e-6) << e.x << " " << e.y;
             EXPECT_EQ(id[i], e.id) << e.x << " " << e.y;
             EXPECT_EQ(mark_class[i], static_cast<std::uint8_t>(e.mark_class)) << e.x << " " << e.y;
@@ -206,7 +204,7 @@ TEST_F(ImageTest, OutputsOutsideTheViewportStayUntouched) {
     DrawSettings settings;
     settings.mark_class = out_view(mark_class, base::Scalar::uint32);
     Picture picture(width, height);
-    raster.draw(frame, picture.image(), settings);
+    raster.draw(frame.drawing(), picture.image(), settings);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x)
             ASSERT_EQ(mark_class[static_cast<std::size_t>(y * width + x)] == 77, x < 10 || x >= 30 || y >= 20);
@@ -218,12 +216,12 @@ TEST_F(ImageTest, TheHostsDepthHidesMarksPixelByPixel) {
     add_pixel_mark(set, 45.0, 35.0);
     Style style = plain_style();
     style.group[0].radius = 20.0F;
-    for (const auto convention : {frame::DepthConvention::zero_to_one, frame::DepthConvention::reversed}) {
+    for (const auto convention : {drawing::DepthConvention::zero_to_one, drawing::DepthConvention::reversed}) {
         frame::Camera camera = pixel_camera(width, height);
         camera.depth = convention;
         camera.projection = frame::orthographic(height, width, height, 0.0, 20.0, convention);
         prepare(style, camera); // the mark is half-way
-        const bool reversed = convention == frame::DepthConvention::reversed;
+        const bool reversed = convention == drawing::DepthConvention::reversed;
         std::vector<float> host(width * height);
         for (std::size_t i = 0; i < host.size(); ++i) {
             const bool left = i % width < 45;
@@ -236,7 +234,7 @@ TEST_F(ImageTest, TheHostsDepthHidesMarksPixelByPixel) {
         std::vector<std::uint32_t> id(width * height);
         settings.id = out_view(id, base::Scalar::uint32);
         Picture picture(width, height);
-        raster.draw(frame, picture.image(), settings);
+        raster.draw(frame.drawing(), picture.image(), settings);
         for (int x = 27; x < 63; ++x) {
             EXPECT_EQ(picture.at(x, 35, 0), x < 45 ? 255 : 0) << x;
             EXPECT_EQ(id[static_cast<std::size_t>(35 * width + x)], x < 45 ? 0U : 1U);
@@ -247,7 +245,7 @@ TEST_F(ImageTest, TheHostsDepthHidesMarksPixelByPixel) {
 TEST_F(ImageTest, AOnePixelImageIsFine) {
     prepare(Style{}, front_camera(1, 1));
     Picture picture(1, 1);
-    raster.draw(frame, picture.image(), {});
+    raster.draw(frame.drawing(), picture.image(), {});
     EXPECT_EQ(picture.at(0, 0, 3), 255);
 }
 

@@ -7,10 +7,8 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::DepthConvention;
-using frame::Frame;
-using frame::MarkClass;
-using frame::Style;
+using drawing::DepthConvention;
+using drawing::MarkClass;
 using output::DrawSettings;
 
 constexpr int size = 300;
@@ -36,7 +34,7 @@ protected:
         const std::array items{layered_item(set, style, transform)};
         frame.prepare(items, camera);
         Picture picture(size, size);
-        output::Raster(runtime).draw(frame, picture.image(), settings);
+        output::Raster(runtime).draw(frame.drawing(), picture.image(), settings);
     }
     // Units from the eye, which is at z = 10.
     [[nodiscard]] double eye_depth(std::size_t i) const {
@@ -46,7 +44,7 @@ protected:
 
     base::Runtime runtime;
     marks::PointSet set = clustered(runtime, sphere(runtime.memory, 20000));
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
     frame::Camera camera = front_camera(size, size, half);
     std::vector<float> depth = std::vector<float>(size * size, -7.0F);
     std::vector<std::uint32_t> id = std::vector<std::uint32_t>(size * size, 77);
@@ -63,7 +61,7 @@ TEST_P(LayerOutputs, TellTheNearestLayerAndItsMark) {
             const glm::dvec2 at((x + 0.5) * pixel - half, half - (y + 0.5) * pixel);
             const double off = glm::length(at);
             if (off > 1.0 + reach) {
-                ASSERT_EQ(depth[i], frame::far_depth(GetParam()));
+                ASSERT_EQ(depth[i], drawing::far_depth(GetParam()));
                 ASSERT_EQ(id[i], 0U);
                 ASSERT_EQ(mark_class[i], 0);
             } else if (off < 0.9) {

@@ -1,5 +1,4 @@
 // Ink of frames by layers into pixels, against a plain reference in doubles.
-#include "frame/depth_layers/layer_frame.h"
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
 #include "support/runtime.h"
@@ -11,9 +10,7 @@
 namespace hrbfnpr::testing {
 namespace {
 
-using frame::DepthConvention;
-using frame::Frame;
-using frame::Style;
+using drawing::DepthConvention;
 using output::DrawSettings;
 using output::Format;
 
@@ -186,7 +183,7 @@ protected:
             settings.over = true;
             picture.bytes = wanted.under->bytes;
         }
-        raster.draw(frame, picture.image(), settings);
+        raster.draw(frame.drawing(), picture.image(), settings);
         EXPECT_LE(difference(picture, draw_known(known, wanted)), 0.55)
             << what << ", format " << static_cast<int>(format);
     }
@@ -195,7 +192,7 @@ protected:
     std::vector<marks::PointSet> sets;
     std::vector<Style> styles;
     std::vector<Known> known;
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
     output::Raster raster{runtime};
 };
 
@@ -205,7 +202,7 @@ TEST_F(LayerRaster, EqualsThePlainReferenceInOneColour) {
     add_one_color();
     for (const glm::vec4& paper : papers) {
         prepare(paper);
-        ASSERT_TRUE(frame.layer_frame()->one_color());
+        ASSERT_TRUE(frame.drawing().one_color);
         for (const Format format : formats) {
             expect_known({paper, {false}, nullptr, nullptr}, format, "encoded");
             expect_known({paper, {true}, nullptr, nullptr}, format, "linear light");
@@ -217,7 +214,7 @@ TEST_F(LayerRaster, EqualsThePlainReferenceInManyColoursFromFarToNear) {
     add_colors();
     for (const glm::vec4& paper : papers) {
         prepare(paper);
-        ASSERT_FALSE(frame.layer_frame()->one_color());
+        ASSERT_FALSE(frame.drawing().one_color);
         for (const Format format : formats) {
             expect_known({paper, {false}, nullptr, nullptr}, format, "encoded");
             expect_known({paper, {true}, nullptr, nullptr}, format, "linear light");
@@ -271,7 +268,7 @@ TEST_F(LayerRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
             settings.host_depth = {reinterpret_cast<const std::byte*>(host.data()), width * height, sizeof(float),
                                    base::Scalar::float32, 1};
             Picture picture(width, height);
-            raster.draw(frame, picture.image(), settings);
+            raster.draw(frame.drawing(), picture.image(), settings);
             const auto expected = draw_known(known, {papers[1], {false}, nullptr, &ascend});
             EXPECT_LE(difference(picture, expected), 0.55) << static_cast<int>(convention);
         }
@@ -289,7 +286,7 @@ TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
             style.group[0].radius = 1.3F;
             style.attenuation_front = 0.3;
             style.attenuation_back = 0.2;
-            style.cover_layers = 2.0F; // so that hidden ink is seen
+            style.splat_overlap = 2.0F; // so that hidden ink is seen
             if (many) style.silhouette_ink = {0.9F, 0.2F, 0.1F, 0.8F};
             Style other = style;
             if (many) other.group[0].ink = {0.1F, 0.6F, 0.2F, 0.7F};
@@ -297,12 +294,12 @@ TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
             frame::Camera camera = front_camera(width, height);
             camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
             frame.prepare(items, camera);
-            EXPECT_EQ(frame.layer_frame()->one_color(), !many);
+            EXPECT_EQ(frame.drawing().one_color, !many);
             Picture picture(width, height);
-            raster.draw(frame, picture.image(), {});
+            raster.draw(frame.drawing(), picture.image(), {});
             const auto discs = frame.discs();
             EXPECT_TRUE(std::any_of(discs.begin(), discs.end(),
-                                    [](const frame::Disc& d) { return d.color.w > 0.05F && d.color.w < 0.5F; }));
+                                    [](const Disc& d) { return d.color.w > 0.05F && d.color.w < 0.5F; }));
             EXPECT_LE(largest_difference(picture, draw_plainly(reference_discs(discs), width, height, paper)), 0.6);
         }
     }
@@ -331,10 +328,10 @@ TEST_F(LayerRaster, SameBitsForAnyThreadCountAndInstructionSet) {
         Style style;
         style.group[0].radius = 1.7F;
         style.attenuation_front = 0.3;
-        style.cover_layers = 2.0F;
+        style.splat_overlap = 2.0F;
         if (many) style.silhouette_ink = {0.9F, 0.2F, 0.1F, 0.8F};
         const std::array items{layered_item(ball, style), layered_item(ring, style)};
-        Frame own(other);
+        DrawnFrame own(other);
         frame::Camera camera = front_camera(333, 222);
         camera.projection = frame::perspective(0.3, 333, 222, 1.0, 30.0, camera.depth);
         camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
@@ -342,7 +339,7 @@ TEST_F(LayerRaster, SameBitsForAnyThreadCountAndInstructionSet) {
         Picture picture(333, 222);
         DrawSettings settings;
         settings.linear_light = linear;
-        output::Raster(other).draw(own, picture.image(), settings);
+        output::Raster(other).draw(own.drawing(), picture.image(), settings);
         return picture.bytes;
     };
     for (const bool many : {false, true}) {
@@ -360,7 +357,7 @@ TEST_F(LayerRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
     add_colors();
     prepare(papers[0]);
     Picture expected(width, height);
-    raster.draw(frame, expected.image(), {});
+    raster.draw(frame.drawing(), expected.image(), {});
     for (const glm::ivec2 at : {glm::ivec2(13, 7), glm::ivec2(-20, -31), glm::ivec2(160, 120), glm::ivec2(-500, 0)}) {
         std::vector<frame::Item> items;
         for (std::size_t i = 0; i < sets.size(); ++i) items.push_back(layered_item(sets[i], styles[i]));
@@ -369,7 +366,7 @@ TEST_F(LayerRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
         frame.prepare(items, camera);
         Picture picture(220, 170);
         std::fill(picture.bytes.begin(), picture.bytes.end(), std::byte{0x5A});
-        raster.draw(frame, picture.image(), {});
+        raster.draw(frame.drawing(), picture.image(), {});
         for (int y = 0; y < 170; ++y) {
             for (int x = 0; x < 220; ++x) {
                 const int u = x - at.x;
@@ -390,7 +387,7 @@ TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
     const std::array items{layered_item(ring, style)};
     style.silhouette_ink = {1.0F, 0.0F, 0.0F, 1.0F};
     const std::array colored{layered_item(ring, style)};
-    Frame own(counted);
+    DrawnFrame own(counted);
     output::Raster own_raster(counted);
     Picture picture(240, 240);
     std::vector<float> host(240 * 240, 0.6F);
@@ -405,7 +402,7 @@ TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
                 frame::look_at({8.0 * std::sin(angle), 3.0, 8.0 * std::cos(angle)}, glm::dvec3(0.0), {0, 1, 0});
             camera.projection = frame::perspective(0.4, 240, 240, 1.0, 20.0, camera.depth);
             own.prepare(step % 2 == 0 ? items : colored, camera);
-            own_raster.draw(own, picture.image(), settings);
+            own_raster.draw(own.drawing(), picture.image(), settings);
             ASSERT_FALSE(own.discs().empty());
         }
     };
@@ -413,8 +410,7 @@ TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
     const std::int64_t warm = counter.calls;
     round();
     EXPECT_EQ(counter.calls, warm);
-    EXPECT_GT(own_raster.scratch_bytes(), 0);
-    EXPECT_LE(own.info().scratch_bytes + own_raster.scratch_bytes(), counted.memory.bytes_now());
+    EXPECT_LE(own.info().scratch_bytes, counted.memory.bytes_now());
 }
 
 } // namespace

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "frame/hand_made.h"
-#include "output/raster/draw.h"
+#include "output/raster/raster.h"
 
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 namespace hrbfnpr::testing {
@@ -12,13 +13,26 @@ namespace hrbfnpr::testing {
 struct Picture {
     Picture(int width_, int height_, output::Format format_ = output::Format::rgba8)
         : width(width_), height(height_), format(format_),
-          bytes(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4) {}
+          bytes(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
+                static_cast<std::size_t>(output::bytes_of_pixel(format_))) {}
 
-    [[nodiscard]] output::Image image() { return {format, width, height, bytes.data(), std::int64_t{4} * width}; }
+    [[nodiscard]] output::Image image() {
+        return {format, width, height, bytes.data(), output::bytes_of_pixel(format) * width};
+    }
+    // Of formats of four bytes.
     [[nodiscard]] int at(int x, int y, int channel) const {
         return std::to_integer<int>(
             bytes[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 4 +
                   static_cast<std::size_t>(channel)]);
+    }
+    // Channel by channel; 1 is white or opaque.
+    [[nodiscard]] float value(int x, int y, int channel) const {
+        const std::int64_t size = output::bytes_of_pixel(format);
+        const std::byte* const pixel = bytes.data() + size * (std::int64_t{y} * width + x);
+        if (size < 16) return static_cast<float>(std::to_integer<int>(pixel[channel])) / 255.0F;
+        float number;
+        std::memcpy(&number, pixel + 4 * channel, sizeof number);
+        return number;
     }
     // Mean of 1 - red over a rectangle: the share of it that black ink covers on white paper.
     [[nodiscard]] double darkness(int left, int top, int right, int bottom) const {
@@ -52,12 +66,12 @@ struct Picture {
 
 // One draw with fresh scratch.
 inline Picture draw(const base::Runtime& runtime, std::span<const frame::Item> items, const frame::Camera& camera,
-                    int width, int height, frame::FrameInfo* info = nullptr) {
-    frame::Frame frame(runtime);
+                    int width, int height, drawing::Counts* info = nullptr) {
+    DrawnFrame frame(runtime);
     frame.prepare(items, camera);
     Picture picture(width, height);
     output::Raster raster(runtime);
-    raster.draw(frame, picture.image(), {});
+    raster.draw(frame.drawing(), picture.image(), {});
     if (info != nullptr) *info = frame.info();
     return picture;
 }

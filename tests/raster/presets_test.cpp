@@ -17,9 +17,9 @@ TEST_P(Presets, DrawATorus) {
     add_torus_strokes(set, marks::Kind::combing, 1500, 27, 0.3);
     const frame::Preset preset = frame::preset(GetParam());
     const frame::Camera camera = frame::fit_bounds(set.bounds, {0.2, 0.75, -0.6}, {0.0, 0.0, 1.0}, 0.6, 900, 700, 0.05,
-                                                   frame::DepthConvention::negative_one_to_one);
+                                                   drawing::DepthConvention::negative_one_to_one);
     const std::array items{item_of(set, preset.style)};
-    frame::FrameInfo info;
+    drawing::Counts info;
     const Picture picture = draw(runtime, items, camera, 900, 700, &info);
     picture.keep(std::string("torus-") + preset.name);
     EXPECT_GT(info.shown, 1000);
@@ -34,7 +34,8 @@ TEST_P(Presets, DrawASphere) {
     // 240 pixels around the centre.  The light comes from the upper left.
     const double light = picture.darkness(150, 150, 300, 300);
     const double dark = picture.darkness(300, 300, 450, 450);
-    if (preset.style.group[0].shown) {
+    const frame::LayerStyle& stipples = preset.style.of(set.layers[0]);
+    if (stipples.shown) {
         EXPECT_GT(dark, 3.0 * light);
         EXPECT_GT(light, 0.0);
     } else {
@@ -47,7 +48,7 @@ TEST_P(Presets, DrawASphere) {
         const int y = static_cast<int>(300.0 + 238.0 * std::sin(angle));
         rim += (1.0 - picture.at(x, y, 0) / 255.0) / 360.0;
     }
-    if (preset.style.silhouette_groups != 0)
+    if (stipples.contours)
         EXPECT_GT(rim, 0.97);
     else
         EXPECT_LT(rim, 0.85); // no contour: the tone law alone leaves 1 - 0.72/pi = 0.77 of the rim dark

@@ -60,9 +60,9 @@ inline double largest_difference(const Picture& picture, const std::vector<glm::
     return largest;
 }
 
-inline std::vector<ReferenceDisc> reference_discs(std::span<const frame::Disc> discs) {
+inline std::vector<ReferenceDisc> reference_discs(std::span<const Disc> discs) {
     std::vector<ReferenceDisc> result;
-    for (const frame::Disc& disc : discs) result.push_back({disc.x, disc.y, disc.radius, disc.color, disc.is_paper});
+    for (const Disc& disc : discs) result.push_back({disc.x, disc.y, disc.radius, disc.color, disc.is_paper});
     return result;
 }
 

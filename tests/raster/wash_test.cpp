@@ -8,7 +8,6 @@ namespace hrbfnpr::testing {
 namespace {
 
 using frame::HiddenLines;
-using frame::Style;
 
 Style inked(HiddenLines hidden_lines) {
     Style style;
@@ -100,7 +99,7 @@ TEST_F(Wash, AFrontLayerIsAsOpaqueAsAskedWhateverItsDensity) {
         for (const double lambda : {0.1, 0.3}) {
             for (const float layers : {1.0F, 3.0F}) {
                 style.attenuation_front = lambda;
-                style.cover_layers = layers;
+                style.splat_overlap = layers;
                 const double left = darkness_behind(runtime, style, 0.5, side) / bare;
                 EXPECT_NEAR(left, std::pow(1.0 - lambda, static_cast<double>(layers)), 0.03) << side;
             }
@@ -114,7 +113,7 @@ TEST_F(Wash, EveryLayerAttenuatesOnceMore) {
     const marks::PointSet set = plane(runtime.memory, 60);
     Style style = inked(HiddenLines::attenuate);
     style.attenuation_front = 0.3;
-    style.cover_layers = 2.0F;
+    style.splat_overlap = 2.0F;
     Style paper_only = style;
     paper_only.group[0].share = 0.0F;
     std::vector<frame::Item> items{item_of(set, style)};
@@ -137,7 +136,7 @@ TEST_F(Wash, AHaloSurroundsWhatIsInFront) {
     Style blank = style;
     blank.group[0].share = 0.0F;
     blank.silhouette_groups = 0;
-    blank.cover_radius = 1.0F;
+    blank.splat_radius = 1.0F;
     glm::dmat4 behind(1.0);
     behind[3][2] = -2.0;
     const auto ring = [&](float halo) {
@@ -159,7 +158,7 @@ TEST_F(Wash, AHaloSurroundsWhatIsInFront) {
     const double bare = ring(0.0F);
     EXPECT_GT(bare, 0.1);
     EXPECT_LT(ring(10.0F), 0.5 * bare);
-    blank.cover_layers = 0.0F; // as published
+    blank.splat_overlap = 0.0F; // as published
     EXPECT_LT(ring(10.0F), 0.02 * bare);
 }
 

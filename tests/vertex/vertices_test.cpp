@@ -12,9 +12,6 @@ namespace hrbfnpr::testing {
 namespace {
 
 using base::Scalar;
-using frame::Disc;
-using frame::Frame;
-using frame::Style;
 using output::VertexAttribute;
 using output::VertexField;
 
@@ -28,7 +25,9 @@ protected:
     }
     [[nodiscard]] std::vector<std::byte> write(std::span<const VertexField> fields, std::int64_t stride) const {
         std::vector<std::byte> memory(static_cast<std::size_t>(stride) * frame.discs().size(), std::byte{0xCD});
-        output::write_vertices(runtime, frame, fields, stride, memory.data());
+        output::VertexScratch scratch(runtime);
+        output::write_vertices(runtime, frame.drawing(), scratch, {output::Primitive::points, fields, stride},
+                               memory.data(), nullptr);
         return memory;
     }
 
@@ -36,7 +35,7 @@ protected:
     marks::PointSet set = clustered(runtime, sphere(runtime.memory, 1500));
     bool layers = false; // or painted
     glm::dmat4 transform{1.0};
-    Frame frame{runtime};
+    DrawnFrame frame{runtime};
 };
 
 template <class T>
@@ -68,7 +67,11 @@ TEST(VertexFieldSize, KnowsWhichTypesAnAttributeCanHave) {
         EXPECT_EQ(bytes(small, Scalar::uint32), 4);
         EXPECT_EQ(bytes(small, Scalar::float32), 0);
     }
-    EXPECT_EQ(bytes(static_cast<VertexAttribute>(9), Scalar::float32), 0);
+    EXPECT_EQ(bytes(VertexAttribute::layer, Scalar::uint32), 4);
+    EXPECT_EQ(bytes(VertexAttribute::layer, Scalar::uint8), 0);
+    EXPECT_EQ(bytes(VertexAttribute::length, Scalar::float32), 4);
+    EXPECT_EQ(bytes(VertexAttribute::length, Scalar::uint32), 0);
+    EXPECT_EQ(bytes(static_cast<VertexAttribute>(11), Scalar::float32), 0);
 }
 
 class Both : public Vertices, public ::testing::WithParamInterface<bool> {
@@ -140,7 +143,7 @@ TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
         prepare(style);
         Picture picture(size, size);
         output::Raster raster(runtime);
-        raster.draw(frame, picture.image(), {});
+        raster.draw(frame.drawing(), picture.image(), {});
         for (const Scalar scalar : {Scalar::float32, Scalar::uint8}) {
             const std::array fields{VertexField{VertexAttribute::window, Scalar::float32, 0},
                                     VertexField{VertexAttribute::radius, Scalar::float32, 12},
@@ -176,7 +179,8 @@ TEST_F(Vertices, OfLayersAreWrittenWithoutAllocationOnceWarm) {
     const base::Runtime counted = test::with_allocator(counter);
     const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
     const std::array items{layered_item(ring, Style{})};
-    Frame own(counted);
+    DrawnFrame own(counted);
+    output::VertexScratch scratch(counted);
     const std::array fields{VertexField{VertexAttribute::window, Scalar::float32, 0},
                             VertexField{VertexAttribute::normal, Scalar::float32, 12}};
     std::vector<std::byte> memory(24 * static_cast<std::size_t>(ring.layers[0].count()));
@@ -187,7 +191,8 @@ TEST_F(Vertices, OfLayersAreWrittenWithoutAllocationOnceWarm) {
             camera.view = frame::look_at(eye, glm::dvec3(0.0), {0, 1, 0});
             camera.projection = frame::perspective(0.4, size, size, 1.0, 20.0, camera.depth);
             own.prepare(items, camera);
-            output::write_vertices(counted, own, fields, 24, memory.data());
+            output::write_vertices(counted, own.drawing(), scratch, {output::Primitive::points, fields, 24},
+                                   memory.data(), nullptr);
             ASSERT_FALSE(own.discs().empty());
         }
     };

@@ -10,6 +10,16 @@ namespace hrbfnpr::frame {
 using drawing::Stroke;
 using drawing::StrokePoint;
 
+namespace {
+
+// Whether a point is the first of its stroke.  Others may have the length 0, too.
+bool begins_stroke(const drawing::Drawing& drawing, std::int64_t point) noexcept {
+    return std::binary_search(drawing.strokes.begin(), drawing.strokes.end(), Stroke{point},
+                              [](const Stroke& a, const Stroke& b) { return a.first < b.first; });
+}
+
+} // namespace
+
 void StrokeJoiner::run(const Scene& scene, drawing::Drawing& drawing) {
     found_.clear();
     std::int64_t marks = 0;
@@ -89,7 +99,7 @@ void StrokeJoiner::bin(drawing::Drawing& drawing) {
                                     if (i + 1 >= drawing.points.size()) return false;
                                     const StrokePoint& a = drawing.points[i];
                                     const StrokePoint& b = drawing.points[i + 1];
-                                    if (!(b.length > 0.0F)) return false; // the next stroke begins
+                                    if (!(b.length > 0.0F) && begins_stroke(drawing, i + 1)) return false;
                                     const float reach = 0.5F * std::hypot(b.x - a.x, b.y - a.y);
                                     print = {0.5F * (a.x + b.x) - origin.x, 0.5F * (a.y + b.y) - origin.y,
                                              reach + std::max({a.radius, b.radius, smallest_radius}) + soft_rim};

@@ -105,7 +105,7 @@ Pen test_pen() {
     Pen pen;
     pen.spacing = 0.1F;
     pen.halo = 2.0F;
-    pen.largest_cover = 1000.0F;
+    pen.largest_splat = 1000.0F;
     return pen;
 }
 
@@ -124,22 +124,22 @@ TEST(Pen, FollowsTheZoom) {
 
 TEST(Pen, ScalesTheAreaOfBackPaper) {
     Pen pen = test_pen();
-    pen.cover_radius = 6.0F;
-    EXPECT_EQ(pen.front_cover(10.0F), 6.0F);
-    EXPECT_EQ(pen.back_cover(10.0F), 8.0F);
+    pen.splat_radius = 6.0F;
+    EXPECT_EQ(pen.front_splat(10.0F), 6.0F);
+    EXPECT_EQ(pen.back_splat(10.0F), 8.0F);
     pen.zoom_at_one = 1.0F / 40.0F;
     pen.zoom_exponent = 2.0F;
-    EXPECT_EQ(pen.front_cover(10.0F), 6.0F);
-    EXPECT_FLOAT_EQ(pen.back_cover(10.0F), 2.0F); // area times 1/16
-    EXPECT_FLOAT_EQ(pen.back_cover(80.0F), 8.0F);
+    EXPECT_EQ(pen.front_splat(10.0F), 6.0F);
+    EXPECT_FLOAT_EQ(pen.back_splat(10.0F), 2.0F); // area times 1/16
+    EXPECT_FLOAT_EQ(pen.back_splat(80.0F), 8.0F);
 }
 
 TEST(Pen, CoversBySpacingWithNoGaps) {
     Pen pen = test_pen();
-    EXPECT_FLOAT_EQ(pen.front_cover(100.0F), cover_spacings * 10.0F);
-    EXPECT_FLOAT_EQ(pen.back_cover(100.0F), cover_spacings * 10.0F + 2.0F);
-    EXPECT_EQ(pen.front_cover(1.0F), 1.0F); // a pixel at least
-    EXPECT_EQ(pen.front_cover(1e9F), 1000.0F);
+    EXPECT_FLOAT_EQ(pen.front_splat(100.0F), splat_spacings * 10.0F);
+    EXPECT_FLOAT_EQ(pen.back_splat(100.0F), splat_spacings * 10.0F + 2.0F);
+    EXPECT_EQ(pen.front_splat(1.0F), 1.0F); // a pixel at least
+    EXPECT_EQ(pen.front_splat(1e9F), 1000.0F);
 }
 
 TEST(PaperPush, GrowsWithTheTilt) {

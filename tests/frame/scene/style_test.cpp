@@ -6,6 +6,16 @@
 namespace hrbfnpr::frame {
 namespace {
 
+using marks::Kind;
+
+constexpr Kind kinds[] = {Kind::stipples, Kind::principal, Kind::combing, Kind::field, Kind::own};
+
+// What a preset says of the layers of a kind.
+const LayerStyle& of(const Preset& preset, Kind kind) {
+    static base::Memory memory;
+    return preset.style.of(marks::Layer(memory, kind));
+}
+
 TEST(Presets, HaveTheirNames) {
     const char* const names[] = {"stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple",
                                  "xray",    "full"};
@@ -28,16 +38,11 @@ TEST(Presets, AreValidStyles) {
         EXPECT_GT(s.tone_exponent, 0.0);
         EXPECT_GT(s.silhouette_radius, 0.0F);
         EXPECT_EQ(s.paper, glm::vec4(1.0F)) << "styles of one frame need the same paper";
-        EXPECT_NE(p.needed_groups, 0U);
-        EXPECT_LT(p.needed_groups, 8U);
-        for (std::size_t g = 0; g < 3; ++g) {
-            EXPECT_GT(s.group[g].radius, 0.0F);
-            EXPECT_GE(s.group[g].share, 0.0F);
-            EXPECT_LE(s.group[g].share, 1.0F);
-            // What is drawn is asked for.
-            if (s.group[g].shown) {
-                EXPECT_NE(p.needed_groups >> g & 1U, 0U) << p.name;
-            }
+        for (const Kind kind : kinds) {
+            EXPECT_GT(of(p, kind).radius, 0.0F);
+            EXPECT_GE(of(p, kind).share, 0.0F);
+            EXPECT_LE(of(p, kind).share, 1.0F);
+            EXPECT_EQ(of(p, kind).name, nullptr) << p.name;
         }
     }
 }
@@ -45,22 +50,27 @@ TEST(Presets, AreValidStyles) {
 TEST(Presets, AreWhatTheirNamesSay) {
     const auto shown = [](std::uint32_t i) {
         unsigned bits = 0;
-        for (std::size_t g = 0; g < 3; ++g) bits |= preset(i).style.group[g].shown ? 1U << g : 0U;
+        for (std::size_t g = 0; g < 3; ++g) bits |= of(preset(i), kinds[g]).shown ? 1U << g : 0U;
+        return bits;
+    };
+    const auto contours = [](std::uint32_t i) {
+        unsigned bits = 0;
+        for (std::size_t g = 0; g < 3; ++g) bits |= of(preset(i), kinds[g]).contours ? 1U << g : 0U;
         return bits;
     };
     EXPECT_EQ(shown(0), 1U);
-    EXPECT_EQ(preset(0).style.silhouette_groups, 0U);
+    EXPECT_EQ(contours(0), 0U);
     EXPECT_EQ(shown(1), 2U);
-    EXPECT_EQ(preset(1).style.group[1].sets, 2U);
+    EXPECT_EQ(of(preset(1), Kind::principal).directions, 2U);
     EXPECT_EQ(shown(2), 2U);
-    EXPECT_EQ(preset(2).style.group[1].sets, 3U);
+    EXPECT_EQ(of(preset(2), Kind::principal).directions, 3U);
     EXPECT_EQ(shown(3), 4U);
     EXPECT_EQ(shown(4), 0U);
     EXPECT_EQ(shown(5), 1U);
     EXPECT_EQ(shown(6), 0U);
     EXPECT_EQ(preset(6).style.hidden_lines, HiddenLines::show);
     EXPECT_EQ(shown(7), 3U);
-    for (std::uint32_t i = 1; i < preset_count; ++i) EXPECT_NE(preset(i).style.silhouette_groups, 0U);
+    for (std::uint32_t i = 1; i < preset_count; ++i) EXPECT_NE(contours(i), 0U);
 }
 
 } // namespace

@@ -13,15 +13,15 @@
 namespace hrbfnpr::testing {
 namespace {
 
+using drawing::FarToNear;
 using drawing::Tiles;
-using frame::FarToNear;
 
 TEST(FarFirstKey, RisesAsDepthFalls) {
     const float depths[] = {
         std::numeric_limits<float>::infinity(), 1e30F, 2.0F, 1.0F, 1e-30F, 0.0F, -1e-30F, -1.0F, -1e30F};
     for (std::size_t i = 0; i + 1 < std::size(depths); ++i)
-        EXPECT_LT(frame::far_first_key(depths[i], 7), frame::far_first_key(depths[i + 1], 3));
-    EXPECT_EQ(frame::far_first_key(1.0F, 0xFFFFFFFFU) & 0xFFFFFFFFU, 0xFFFFFFFFU);
+        EXPECT_LT(drawing::far_first_key(depths[i], 7), drawing::far_first_key(depths[i + 1], 3));
+    EXPECT_EQ(drawing::far_first_key(1.0F, 0xFFFFFFFFU) & 0xFFFFFFFFU, 0xFFFFFFFFU);
 }
 
 TEST(FarToNearSort, IsAStableSort) {
@@ -35,7 +35,7 @@ TEST(FarToNearSort, IsAStableSort) {
                 const auto u = base::uniform4(3, static_cast<std::uint64_t>(i), base::Purpose::candidate);
                 // Few different depths, so that there are ties.
                 const float depth = std::floor(static_cast<float>(u[0] * 500.0 - 250.0)) * 0.25F;
-                keys.push_back(frame::far_first_key(depth, static_cast<std::uint32_t>(i)));
+                keys.push_back(drawing::far_first_key(depth, static_cast<std::uint32_t>(i)));
             }
             std::vector<std::uint64_t> expected(keys.begin(), keys.end());
             std::stable_sort(expected.begin(), expected.end(),
@@ -46,8 +46,8 @@ TEST(FarToNearSort, IsAStableSort) {
     }
 }
 
-std::vector<drawing::Tiles::Footprint> random_discs(std::int64_t count) {
-    std::vector<drawing::Tiles::Footprint> discs;
+std::vector<Tiles::Footprint> random_discs(std::int64_t count) {
+    std::vector<Tiles::Footprint> discs;
     for (std::int64_t i = 0; i < count; ++i) {
         const auto u = base::uniform4(5, static_cast<std::uint64_t>(i), base::Purpose::candidate);
         const double radius = i % 50 == 0 ? 400.0 * u[2] : 20.0 * u[2]; // some over very many tiles
@@ -57,22 +57,22 @@ std::vector<drawing::Tiles::Footprint> random_discs(std::int64_t count) {
     return discs;
 }
 
-TEST(drawing::Tiles, HoldEveryDiscThatTouchesATileInOrder) {
+TEST(Tiles, HoldEveryDiscThatTouchesATileInOrder) {
     base::Memory memory;
     const std::int32_t width = 1000;
     const std::int32_t height = 700;
-    const std::vector<drawing::Tiles::Footprint> discs = random_discs(20000);
+    const std::vector<Tiles::Footprint> discs = random_discs(20000);
     // Pieces with gaps, and empty ones.
-    const std::array<frame::Piece, 5> pieces{{{0, 0}, {10, 9000}, {9000, 9000}, {9001, 19000}, {19990, 20000}}};
+    const std::array<drawing::Piece, 5> pieces{{{0, 0}, {10, 9000}, {9000, 9000}, {9001, 19000}, {19990, 20000}}};
     const auto taken = [&](std::size_t i) {
         const auto at = static_cast<std::int64_t>(i);
         return i % 3 != 0 && std::any_of(pieces.begin(), pieces.end(),
-                                         [&](const frame::Piece& p) { return p.begin <= at && at < p.end; });
+                                         [&](const drawing::Piece& p) { return p.begin <= at && at < p.end; });
     };
     for (const int threads : {1, 2, 7}) {
-        drawing::Tiles bins(memory, 32);
+        Tiles bins(memory, 32);
         bins.build(base::Parallel(threads, nullptr, nullptr), width, height, pieces,
-                   [&](std::int64_t i, drawing::Tiles::Footprint& print) {
+                   [&](std::int64_t i, Tiles::Footprint& print) {
                        print = discs[static_cast<std::size_t>(i)];
                        return i % 3 != 0;
                    });
@@ -84,7 +84,7 @@ TEST(drawing::Tiles, HoldEveryDiscThatTouchesATileInOrder) {
             const auto tile_side = static_cast<float>(bins.tile_size());
             std::vector<std::uint32_t> expected;
             for (std::size_t i = 0; i < discs.size(); ++i) {
-                const drawing::Tiles::Footprint& d = discs[i];
+                const Tiles::Footprint& d = discs[i];
                 if (taken(i) && d.x + d.radius >= left && d.x - d.radius < left + tile_side && d.y + d.radius >= top &&
                     d.y - d.radius < top + tile_side)
                     expected.push_back(static_cast<std::uint32_t>(i));
@@ -96,24 +96,24 @@ TEST(drawing::Tiles, HoldEveryDiscThatTouchesATileInOrder) {
     }
 }
 
-TEST(drawing::Tiles, BearStrangeFootprints) {
+TEST(Tiles, BearStrangeFootprints) {
     base::Memory memory;
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    const drawing::Tiles::Footprint discs[] = {{nan, 1, 1},
-                                               {1, nan, 1},
-                                               {1, 1, nan},
-                                               {1, 1, -1},
-                                               {1, 1, 0},
-                                               {1, 1, infinity},
-                                               {1e30F, 1, 1},
-                                               {-1e30F, 1, 1},
-                                               {1, 1, 1e30F},
-                                               {infinity, 1, 1},
-                                               {infinity, 1, infinity}};
-    drawing::Tiles bins(memory, 32);
-    const std::array pieces{frame::Piece{0, std::size(discs)}};
-    bins.build(base::Parallel(), 64, 32, pieces, [&](std::int64_t i, drawing::Tiles::Footprint& print) {
+    const Tiles::Footprint discs[] = {{nan, 1, 1},
+                                         {1, nan, 1},
+                                         {1, 1, nan},
+                                         {1, 1, -1},
+                                         {1, 1, 0},
+                                         {1, 1, infinity},
+                                         {1e30F, 1, 1},
+                                         {-1e30F, 1, 1},
+                                         {1, 1, 1e30F},
+                                         {infinity, 1, 1},
+                                         {infinity, 1, infinity}};
+    Tiles bins(memory, 32);
+    const std::array pieces{drawing::Piece{0, std::size(discs)}};
+    bins.build(base::Parallel(), 64, 32, pieces, [&](std::int64_t i, Tiles::Footprint& print) {
         print = discs[i];
         return true;
     });

@@ -1,0 +1,388 @@
+// Strokes into pixels: loops on every instruction set, coverage, joints, the order among dots.
+#include "output/raster/stroke_loops.h"
+#include "raster/reference.h"
+#include "support/instruction_sets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using drawing::StrokePoint;
+using frame::LayerStyle;
+
+constexpr std::int32_t side = 64;
+constexpr std::int32_t stride = side + 16;
+
+// A tile's planes, and a stroke's segments in and around it.
+struct Laid {
+    std::vector<float> transmittance = std::vector<float>(stride * side, 1.0F);
+    std::array<std::vector<float>, 3> color;
+    std::vector<float> host = std::vector<float>(stride * side, 1.0F);
+    std::vector<float> cover = std::vector<float>(stride * side, 0.0F);
+
+    Laid() { color.fill(std::vector<float>(stride * side, 0.0F)); }
+    [[nodiscard]] output::DiscTile tile(bool colors, bool hosted) {
+        output::DiscTile t{side, side, stride, transmittance.data(), {}, nullptr};
+        for (std::size_t c = 0; c < 3 && colors; ++c) t.color[c] = color[c].data();
+        if (hosted) t.host = host.data();
+        return t;
+    }
+    // The tile's own pixels; what stands beyond its width is nobody's.
+    [[nodiscard]] std::vector<float> pixels() const {
+        std::vector<float> all;
+        for (const std::vector<float>* const plane : {&transmittance, &color[0], &color[1], &color[2], &cover})
+            for (int y = 0; y < side; ++y)
+                all.insert(all.end(), plane->begin() + y * stride, plane->begin() + y * stride + side);
+        return all;
+    }
+};
+
+// Ten strokes of 12 points, of very different widths; a few of their segments have no length.
+std::vector<StrokePoint> random_points() {
+    std::vector<StrokePoint> points;
+    for (std::uint64_t s = 0; s < 10; ++s) {
+        StrokePoint p{};
+        const auto start = base::uniform4(21, s, base::Purpose::candidate);
+        p.x = static_cast<float>(140.0 * start[0] + 60.0); // the tile begins at (100, 40)
+        p.y = static_cast<float>(140.0 * start[1]);
+        for (std::uint64_t i = 0; i < 12; ++i) {
+            const auto u = base::uniform4(22, 12 * s + i, base::Purpose::candidate);
+            if (i % 5 != 4) {
+                p.x += static_cast<float>(16.0 * (u[0] - 0.5));
+                p.y += static_cast<float>(16.0 * (u[1] - 0.5));
+            }
+            p.radius = static_cast<float>(s % 2 == 0 ? 1.2 * u[2] : 9.0 * u[2]);
+            p.opacity = static_cast<float>(u[3]);
+            p.window = static_cast<float>(0.2 + 0.6 * u[3]);
+            points.push_back(p);
+        }
+    }
+    return points;
+}
+
+TEST(StrokeLoops, GiveTheSameBitsFromEveryInstructionSet) {
+    const std::vector<StrokePoint> points = random_points();
+    for (const bool colors : {false, true}) {
+        for (const bool hosted : {false, true}) {
+            std::vector<float> expected;
+            for (const base::InstructionSet set : test::instruction_sets()) {
+                Laid laid;
+                for (std::size_t i = 0; i < laid.host.size(); ++i)
+                    laid.host[i] = 0.2F + 0.6F * static_cast<float>(i * 37 % 101) / 101.0F;
+                const output::StrokeLoops loops = output::stroke_loops(set);
+                for (std::uint32_t s = 0; s < 10; ++s) {
+                    std::vector<std::uint32_t> numbers;
+                    for (std::uint32_t i = 0; i < 11; ++i) numbers.push_back(12 * s + i);
+                    const float color[] = {0.1F * static_cast<float>(s), 0.5F, 0.9F, 0.7F};
+                    loops.lay(laid.tile(colors, hosted),
+                              {points.data(), numbers.data(), static_cast<std::int64_t>(numbers.size()), 100.0F, 40.0F,
+                               color, 1.0F},
+                              laid.cover.data());
+                    for (int y = 0; y < side; ++y)
+                        for (int x = 0; x < side; ++x)
+                            ASSERT_EQ(laid.cover[static_cast<std::size_t>(y * stride + x)], 0.0F) << x << " " << y;
+                }
+                const std::vector<float> pixels = laid.pixels();
+                if (expected.empty()) expected = pixels;
+                ASSERT_EQ(std::memcmp(pixels.data(), expected.data(), pixels.size() * sizeof(float)), 0)
+                    << static_cast<int>(set);
+            }
+            EXPECT_GT(std::count_if(expected.begin(), expected.begin() + side * side, [](float t) { return t < 0.9F; }),
+                      side * side / 16);
+        }
+    }
+}
+
+// Against the distance to each segment, in doubles.
+TEST(StrokeLoops, LayTheUnionOfTheSegments) {
+    const std::vector<StrokePoint> points = random_points();
+    for (std::uint32_t s = 0; s < 10; ++s) {
+        Laid laid;
+        std::vector<std::uint32_t> numbers;
+        for (std::uint32_t i = 0; i < 11; ++i) numbers.push_back(12 * s + i);
+        const float color[] = {0.2F, 0.5F, 0.9F, 0.6F};
+        output::stroke_loops(base::InstructionSet::baseline)
+            .lay(laid.tile(true, false), {points.data(), numbers.data(), 11, 100.0F, 40.0F, color, 1.0F},
+                 laid.cover.data());
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) {
+                const glm::dvec2 pixel(100.5 + x, 40.5 + y);
+                double ink = 0.0;
+                for (const std::uint32_t n : numbers) {
+                    const auto end = [](const StrokePoint& p) { return glm::dvec2(p.x, p.y); };
+                    const glm::dvec2 a = end(points[n]);
+                    const glm::dvec2 along = end(points[n + 1]) - a;
+                    const double square = glm::dot(along, along);
+                    const double t = square > 0.0 ? std::clamp(glm::dot(pixel - a, along) / square, 0.0, 1.0) : 0.0;
+                    const auto between = [t](double from, double to) { return from + (to - from) * t; };
+                    const auto radius = [](const StrokePoint& p) {
+                        return std::max(0.5, static_cast<double>(p.radius));
+                    };
+                    const auto opacity = [&](const StrokePoint& p) {
+                        return static_cast<double>(p.opacity) * static_cast<double>(p.radius) / radius(p);
+                    };
+                    const double rim = between(radius(points[n]), radius(points[n + 1])) + 0.5 -
+                                       glm::length(pixel - a - t * along);
+                    ink = std::max(ink, std::clamp(rim, 0.0, 1.0) *
+                                            between(opacity(points[n]), opacity(points[n + 1])));
+                }
+                const auto at = static_cast<std::size_t>(y * stride + x);
+                ASSERT_NEAR(static_cast<double>(laid.transmittance[at]), 1.0 - 0.6 * ink, 1e-4) << x << " " << y;
+                ASSERT_NEAR(static_cast<double>(laid.color[2][at]), 0.9 * 0.6 * ink, 1e-4) << x << " " << y;
+            }
+        }
+    }
+}
+
+TEST(StrokeLoops, LeaveOutWhatTheHostHides) {
+    for (const float toward : {1.0F, -1.0F}) {
+        const StrokePoint ends[] = {{0.0F, 32.5F, 3.0F, 1.0F, 0.0F, 0.2F, 1.0F, 0.0F, 1},
+                                    {64.0F, 32.5F, 3.0F, 1.0F, 0.0F, 0.8F, 1.0F, 64.0F, 2}};
+        const std::uint32_t first = 0;
+        const float color[] = {0.0F, 0.0F, 0.0F, 1.0F};
+        Laid laid;
+        std::fill(laid.host.begin(), laid.host.end(), 0.503F * toward);
+        output::stroke_loops(base::InstructionSet::automatic)
+            .lay(laid.tile(false, true), {ends, &first, 1, 0.0F, 0.0F, color, toward}, laid.cover.data());
+        for (int x = 0; x < side; ++x)
+            EXPECT_EQ(laid.transmittance[static_cast<std::size_t>(32 * stride + x)],
+                      (x < 32) == (toward > 0.0F) ? 0.0F : 1.0F)
+                << x;
+    }
+}
+
+constexpr int width = 200;
+constexpr int height = 100;
+
+// Strokes in pixels, in layers named "a", "b", ...; and dots.
+class StrokePicture : public ::testing::Test {
+protected:
+    void add_line(const char* name, const std::vector<glm::dvec2>& places, double depth, const glm::vec4& ink,
+                  float radius, frame::Shape shape = frame::Shape::strokes) {
+        marks::Layer& layer = set.layers.add(runtime.memory, marks::Kind::own);
+        layer.name = {};
+        std::memcpy(layer.name.data(), name, std::strlen(name));
+        std::uint32_t along = 0;
+        for (const glm::dvec2& p : places) {
+            const glm::dvec3 at(p.x, -p.y, -depth);
+            add_mark(layer, at, {0, 0, 1}, {1, 0, 0}, 0, along++);
+            set.bounds.extend(at);
+        }
+        marks::index_strokes(layer);
+        LayerStyle style;
+        style.name = name;
+        style.contours = false;
+        style.shape = shape;
+        style.radius = radius;
+        for (int c = 0; c < 4; ++c) style.ink[c] = ink[c];
+        styles.push_back(style);
+    }
+    static std::vector<glm::dvec2> straight(double left, double right, double y, int points) {
+        std::vector<glm::dvec2> places;
+        for (int i = 0; i < points; ++i) places.emplace_back(left + (right - left) * i / (points - 1), y);
+        return places;
+    }
+    void draw() {
+        set.spacing = 5.0;
+        set = clustered(runtime, std::move(set));
+        frame::Style style;
+        style.hidden_lines = frame::HiddenLines::show;
+        style.tone = frame::Tone::none;
+        style.tone_curve = frame::ToneCurve::linear;
+        style.tone_fade = 0.0F;
+        style.layers = styles;
+        const std::array items{layered_item(set, style)};
+        frame.prepare(items, pixel_camera(width, height));
+        raster.draw(frame.drawing(), picture.image(), {});
+    }
+    void clear() {
+        set = marks::PointSet(runtime.memory);
+        styles.clear();
+    }
+
+    base::Runtime runtime;
+    marks::PointSet set{runtime.memory};
+    std::vector<LayerStyle> styles;
+    DrawnFrame frame{runtime};
+    output::Raster raster{runtime};
+    Picture picture{width, height};
+};
+
+constexpr glm::vec4 black(0.0F, 0.0F, 0.0F, 1.0F);
+
+TEST_F(StrokePicture, CoversItsWidthTimesItsLength) {
+    for (const float radius : {0.2F, 0.5F, 0.8F, 1.0F, 1.7F, 4.0F, 11.3F}) {
+        for (const double y : {50.0, 50.5, 50.21}) {
+            for (const int points : {2, 9, 161}) {
+                clear();
+                add_line("a", straight(20.0, 180.0, y, points), 0.0, black, radius);
+                draw();
+                ASSERT_EQ(frame.drawing().strokes.size(), 1);
+                const double ink = picture.darkness(40, 0, 160, height) * 120.0 * height;
+                const double expected = 2.0 * static_cast<double>(radius) * 120.0;
+                EXPECT_NEAR(ink, expected, 0.01 * expected) << radius << " " << y << " " << points;
+                // Round ends: half a disc each, whose linear rim adds pi / 12.
+                const double all = picture.darkness() * width * height;
+                const double ends = pi * static_cast<double>(radius * radius) + pi / 12.0;
+                if (radius > 0.9F) {
+                    EXPECT_NEAR(all, 2.0 * static_cast<double>(radius) * 160.0 + ends, 0.5 + 0.03 * ends) << radius;
+                }
+            }
+        }
+    }
+}
+
+TEST_F(StrokePicture, IsNoDarkerWhereItsSegmentsMeet) {
+    for (const float radius : {0.7F, 1.5F, 5.0F}) {
+        clear();
+        std::vector<glm::dvec2> zigzag; // sharp turns, and steps shorter than the stroke is wide
+        for (int i = 0; i < 60; ++i) zigzag.emplace_back(20.0 + 2.5 * i, i % 2 == 0 ? 45.0 : 52.0);
+        add_line("a", zigzag, 0.0, {0.0F, 0.0F, 0.0F, 0.5F}, radius);
+        draw();
+        int darkest = 255;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) darkest = std::min(darkest, picture.at(x, y, 0));
+        EXPECT_EQ(darkest, 128) << radius;
+    }
+    clear();
+    add_line("a", straight(20.0, 180.0, 50.5, 100), 0.0, {0.0F, 0.0F, 0.0F, 0.5F}, 2.0F);
+    draw();
+    for (int x = 25; x < 175; ++x) ASSERT_EQ(picture.at(x, 50, 0), 128) << x;
+}
+
+TEST_F(StrokePicture, TwoStrokesAreDarkerWhereTheyCross) {
+    add_line("a", straight(20.0, 180.0, 50.5, 20), 0.0, {0.0F, 0.0F, 0.0F, 0.5F}, 3.0F);
+    std::vector<glm::dvec2> down;
+    for (int i = 0; i < 9; ++i) down.emplace_back(100.5, 10.0 + 10.0 * i);
+    add_line("b", down, 1.0, {0.0F, 0.0F, 0.0F, 0.5F}, 3.0F);
+    draw();
+    EXPECT_EQ(picture.at(50, 50, 0), 128);
+    EXPECT_EQ(picture.at(100, 20, 0), 128);
+    EXPECT_EQ(picture.at(100, 50, 0), 64);
+}
+
+// Seen from its end a stroke is a dot.
+TEST_F(StrokePicture, KeepsItsInkWhereAllItsMarksAreOnePlace) {
+    for (const int marks_of_it : {2, 5}) {
+        clear();
+        add_line("a", straight(20.0, 180.0, 20.5, 9), 0.0, black, 3.0F);
+        add_line("b", std::vector<glm::dvec2>(static_cast<std::size_t>(marks_of_it), {100.5, 50.5}), 1.0, black, 3.0F);
+        add_line("c", straight(20.0, 180.0, 80.5, 9), 2.0, black, 3.0F);
+        draw();
+        ASSERT_EQ(frame.drawing().strokes.size(), 3);
+        EXPECT_EQ(picture.at(100, 50, 0), 0);
+        EXPECT_EQ(picture.at(100, 65, 0), 255);
+        EXPECT_EQ(picture.at(100, 35, 0), 255);
+        EXPECT_NEAR(picture.darkness(90, 40, 111, 61) * 21.0 * 21.0, pi * 9.0 + pi / 12.0, 0.6);
+    }
+}
+
+// Whichever of three are dots, and in whichever order they stand.
+TEST_F(StrokePicture, StrokesAndDotsOfColoursArePaintedFarToNear) {
+    const glm::vec4 inks[] = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
+    std::array<int, 3> place{0, 1, 2}; // of the depths
+    do {
+        for (int dotted = 0; dotted < 8; ++dotted) { // which of them are dots
+            clear();
+            const char* const names[] = {"a", "b", "c"};
+            for (std::size_t l = 0; l < 3; ++l) {
+                const bool dots = (dotted >> l & 1) != 0;
+                // All cross at (100, 50).
+                std::vector<glm::dvec2> places;
+                for (int i = -8; i <= 8; ++i)
+                    places.emplace_back(100.5 + (l == 1 ? 0.0 : 5.0 * i), 50.5 + (l == 0 ? 0.0 : 5.0 * i));
+                add_line(names[l], places, 2.0 * place[l], inks[l], 4.0F,
+                         dots ? frame::Shape::dots : frame::Shape::strokes);
+            }
+            draw();
+            EXPECT_FALSE(frame.drawing().one_color);
+            const auto nearest = static_cast<std::size_t>(std::find(place.begin(), place.end(), 0) - place.begin());
+            for (int c = 0; c < 3; ++c)
+                EXPECT_EQ(picture.at(100, 50, c), inks[nearest][c] > 0.0F ? 255 : 0) << "nearest " << nearest << " " << dotted;
+            // Away from the others the first is seen whole.
+            EXPECT_EQ(picture.at(140, 50, 0), 255);
+            EXPECT_EQ(picture.at(140, 50, 1), 0);
+        }
+    } while (std::next_permutation(place.begin(), place.end()));
+}
+
+TEST_F(StrokePicture, OfOneColourIsThatOfManyColours) {
+    for (const bool many : {false, true}) {
+        clear();
+        add_line("a", {{20.0, 20.0}, {90.0, 80.0}, {130.0, 30.0}, {128.0, 80.0}}, 1.0, {0.2F, 0.1F, 0.6F, 0.7F}, 2.5F);
+        add_line("b", straight(10.0, 190.0, 40.0, 15), 0.0, {0.2F, 0.1F, 0.6F, 0.7F}, 3.0F, frame::Shape::dots);
+        if (many) add_line("c", {{-500.0, -500.0}, {-490.0, -500.0}}, 0.0, {1, 0, 0, 1}, 1.0F);
+        static std::vector<std::byte> one;
+        draw();
+        EXPECT_EQ(frame.drawing().one_color, !many);
+        if (!many) {
+            one = picture.bytes;
+            continue;
+        }
+        for (std::size_t i = 0; i < one.size(); ++i)
+            ASSERT_NEAR(std::to_integer<int>(picture.bytes[i]), std::to_integer<int>(one[i]), 1) << i;
+    }
+}
+
+TEST_F(StrokePicture, OutputsTellTheMarkAtEachEnd) {
+    add_line("a", straight(20.0, 180.0, 50.5, 9), 0.0, black, 3.0F);
+    draw();
+    std::vector<std::uint32_t> id(width * height, 77);
+    std::vector<std::uint8_t> mark_class(width * height, 77);
+    output::DrawSettings settings;
+    settings.id = {reinterpret_cast<std::byte*>(id.data()), width * height, 4, base::Scalar::uint32, 1};
+    settings.mark_class = {reinterpret_cast<std::byte*>(mark_class.data()), width * height, 1, base::Scalar::uint8, 1};
+    raster.draw(frame.drawing(), picture.image(), settings);
+    for (int x = 18; x < 183; ++x) {
+        const auto at = static_cast<std::size_t>(50 * width + x);
+        const double along = (x + 0.5 - 20.0) / 20.0;
+        if (std::abs(along - std::floor(along) - 0.5) < 0.05) continue;
+        EXPECT_EQ(id[at], static_cast<std::uint32_t>(std::clamp(std::lround(along), 0L, 8L)) + 1U) << x;
+        EXPECT_EQ(mark_class[at], static_cast<std::uint8_t>(drawing::MarkClass::front));
+        EXPECT_EQ(id[at + 4 * width], 0U);
+        EXPECT_EQ(mark_class[at + 4 * width], 0U);
+    }
+}
+
+TEST_F(StrokePicture, SameBitsForAnyThreadCountAndInstructionSet) {
+    const auto picture_of = [](int threads, base::InstructionSet instructions, bool many) {
+        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
+                                  nullptr, nullptr);
+        marks::PointSet ring = torus(other.memory, 60);
+        add_torus_strokes(ring, marks::Kind::combing, 600, 27, 0.3);
+        ring = clustered(other, std::move(ring));
+        std::array<LayerStyle, 2> layers;
+        layers[0].kind = marks::Kind::combing;
+        layers[0].shape = frame::Shape::strokes;
+        layers[0].radius = 1.4F;
+        layers[0].ink[3] = 0.8F;
+        if (many) layers[0].ink[0] = 0.7F;
+        layers[1].kind = marks::Kind::stipples;
+        frame::Style style;
+        style.layers = layers;
+        const std::array items{layered_item(ring, style)};
+        DrawnFrame own(other);
+        frame::Camera camera = front_camera(333, 222, 1.6);
+        camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
+        own.prepare(items, camera);
+        EXPECT_GT(own.drawing().strokes.size(), 100);
+        Picture made(333, 222);
+        output::Raster(other).draw(own.drawing(), made.image(), {});
+        return made.bytes;
+    };
+    for (const bool many : {false, true}) {
+        const auto expected = picture_of(1, base::InstructionSet::automatic, many);
+        for (const int threads : {2, 3, 7})
+            EXPECT_EQ(picture_of(threads, base::InstructionSet::automatic, many), expected) << threads;
+        for (const base::InstructionSet one : test::instruction_sets())
+            EXPECT_EQ(picture_of(2, one, many), expected) << static_cast<int>(one);
+    }
+}
+
+} // namespace
+} // namespace hrbfnpr::testing
