@@ -19,7 +19,8 @@ typedef struct hrbfnpr_array { const void* data; int64_t count; int64_t stride; 
 typedef struct hrbfnpr_array_out { void* data; int64_t count; int64_t stride; uint32_t scalar; uint32_t components;
     } hrbfnpr_array_out;
 enum { HRBFNPR_FORMAT_RGBA8 = 1, HRBFNPR_FORMAT_BGRA8 = 2, HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED = 3,
-    HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4 };
+    HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4, HRBFNPR_FORMAT_RGBA32F = 5, HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED = 6,
+    HRBFNPR_FORMAT_COVERAGE8 = 7 };
 typedef struct hrbfnpr_image { uint32_t struct_size; uint32_t format; int32_t width; int32_t height; void* pixels;
     int64_t row_stride; } hrbfnpr_image;
 hrbfnpr_status hrbfnpr_image_init(hrbfnpr_image* image, uint32_t struct_size);
@@ -88,15 +89,16 @@ hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context, const hrbfn
     hrbfnpr_model** out_model, hrbfnpr_error* error);
 void hrbfnpr_model_retain(const hrbfnpr_model* model);
 void hrbfnpr_model_release(const hrbfnpr_model* model);
-typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32_t polynomial_degree; uint32_t solver;
-    int64_t samples; int64_t centres; int64_t merged_samples; int64_t rescaled_normals; double bounds_min[3];
-    double bounds_max[3]; double spacing; double kernel_radius; double regularization; double value_residual_max;
-    double value_residual_rms; double gradient_residual_max; double gradient_residual_rms; double solver_residual;
-    double condition_estimate; int32_t iterations; uint32_t fallback; double seconds_assemble; double seconds_solve;
-    double seconds_total; int64_t bytes; int64_t outliers_found; int64_t outliers_dropped; int64_t flipped_found;
-    int64_t flipped_repaired; int64_t near_duplicates; double noise_estimate; double input_distance_max;
-    double input_distance_rms; double input_share_within; int32_t choice_rounds; uint32_t solver_reason;
-    double seconds_clean; double seconds_choose; double seconds_precondition; int64_t peak_bytes; } hrbfnpr_model_info;
+typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32_t polynomial_degree;
+    int32_t choice_rounds; int64_t samples; int64_t centres; int64_t merged_samples; int64_t near_duplicates;
+    int64_t rescaled_normals; int64_t outliers_found; int64_t outliers_dropped; int64_t flipped_found;
+    int64_t flipped_repaired; double bounds_min[3]; double bounds_max[3]; double spacing; double kernel_radius;
+    double regularization; double noise_estimate; double value_residual_max; double value_residual_rms;
+    double gradient_residual_max; double gradient_residual_rms; double input_distance_max; double input_distance_rms;
+    double input_share_within; uint32_t solver; uint32_t solver_reason; int32_t iterations; uint32_t fallback;
+    double solver_residual; double condition_estimate; double seconds_clean; double seconds_choose;
+    double seconds_assemble; double seconds_precondition; double seconds_solve; double seconds_total; int64_t bytes;
+    int64_t peak_bytes; } hrbfnpr_model_info;
 hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info, hrbfnpr_error* error);
 enum { HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,
@@ -147,56 +149,69 @@ hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read
 hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
     hrbfnpr_model** out_model, hrbfnpr_error* error);
 typedef struct hrbfnpr_point_set hrbfnpr_point_set;
-enum { HRBFNPR_GROUP_STIPPLE = 0, HRBFNPR_GROUP_CURVATURE = 1, HRBFNPR_GROUP_COMBING = 2, HRBFNPR_GROUP_COUNT = 3 };
-enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PAPER = 1 };
-enum { HRBFNPR_STROKE_FIELD_LINE = 0, HRBFNPR_STROKE_FIELD_CROSS = 1 };
+enum { HRBFNPR_LAYER_KIND_ANY = 0, HRBFNPR_LAYER_KIND_STIPPLES = 1, HRBFNPR_LAYER_KIND_PRINCIPAL = 2,
+    HRBFNPR_LAYER_KIND_COMBING = 3, HRBFNPR_LAYER_KIND_FIELD = 4, HRBFNPR_LAYER_KIND_OWN = 5 };
+enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
+enum { HRBFNPR_SYMMETRY_LINE = 0, HRBFNPR_SYMMETRY_CROSS = 1 };
 enum { HRBFNPR_SEED_AUTO = 0, HRBFNPR_SEED_SAMPLES = 1, HRBFNPR_SEED_BOX = 2, HRBFNPR_SEED_POINTS = 3 };
-enum { HRBFNPR_GROUP_SEED_SEEDS = 0, HRBFNPR_GROUP_SEED_STIPPLES = 1 };
-typedef struct hrbfnpr_group_desc { int32_t levels; uint32_t seeds; int32_t seed_level; uint32_t reserved;
-    int64_t budget; } hrbfnpr_group_desc;
-enum { HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES = 1, HRBFNPR_GENERATE_CURVATURE_OF_COMBING = 2 };
+enum { HRBFNPR_STROKE_START_SEEDS = 0, HRBFNPR_STROKE_START_STIPPLES = 1 };
 enum { HRBFNPR_DENSITY_UNIFORM = 0, HRBFNPR_DENSITY_CURVATURE = 1, HRBFNPR_DENSITY_CALLBACK = 2 };
 typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions, const double* normals,
     double* density);
-enum { HRBFNPR_ORDER_SEPARATE = 0, HRBFNPR_ORDER_LAYERED = 1 };
-enum { HRBFNPR_LAYER_STIPPLE = 0, HRBFNPR_LAYER_CURVATURE_FIRST = 1, HRBFNPR_LAYER_CURVATURE_SECOND = 2,
-    HRBFNPR_LAYER_COMBING_FIRST = 3, HRBFNPR_LAYER_COMBING_SECOND = 4, HRBFNPR_LAYER_COUNT = 5 };
-typedef struct hrbfnpr_layer { float begin; float end; } hrbfnpr_layer;
-typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t groups; uint32_t distribution;
-    uint32_t seed_source; uint32_t flags; uint32_t box_resolution; double box_jitter; double initial_step;
-    double projection_tolerance; uint64_t random_seed; hrbfnpr_array seed_points; hrbfnpr_group_desc group[3];
-    double stroke_separation; double stroke_step; double stroke_length; uint32_t stroke_field; uint32_t density;
-    double density_strength; hrbfnpr_density_fn density_function; void* density_user; uint32_t order;
-    uint32_t reserved2; int64_t shared_budget; hrbfnpr_layer layer[5]; } hrbfnpr_generate_desc;
+typedef int32_t (*hrbfnpr_direction_fn)(void* user, int64_t count, const double* positions, const double* normals,
+    double* directions);
+enum { HRBFNPR_TONE_RANGES_FULL = 0, HRBFNPR_TONE_RANGES_IN_TURN = 1 };
+enum { HRBFNPR_LAYER_WITH_CURVATURE = 1 };
+typedef struct hrbfnpr_layer_desc { uint32_t struct_size; uint32_t kind; const char* name; int64_t budget;
+    float tone_begin; float tone_end; float second_tone_begin; float second_tone_end; uint32_t flags; uint32_t density;
+    double density_strength; hrbfnpr_density_fn density_function; void* density_user; double separation; double step;
+    double length; hrbfnpr_direction_fn direction_function; void* direction_user; uint32_t symmetry; uint32_t start;
+    int32_t start_level; int32_t levels; } hrbfnpr_layer_desc;
+hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t distribution; const hrbfnpr_layer_desc* layers;
+    int64_t layer_count; int64_t layer_stride; int64_t shared_budget; uint32_t tone_ranges; uint32_t seed_source;
+    hrbfnpr_array seed_points; double box_jitter; uint32_t box_resolution; uint32_t reserved; double initial_step;
+    double projection_tolerance; uint64_t random_seed; } hrbfnpr_generate_desc;
 hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, const hrbfnpr_model* model,
     const hrbfnpr_generate_desc* desc, hrbfnpr_operation* operation, hrbfnpr_point_set** out_point_set,
     hrbfnpr_error* error);
-enum { HRBFNPR_ATTRIBUTE_POSITION = 0, HRBFNPR_ATTRIBUTE_NORMAL = 1, HRBFNPR_ATTRIBUTE_DIRECTION = 2,
-    HRBFNPR_ATTRIBUTE_CURVATURE = 3, HRBFNPR_ATTRIBUTE_RANK = 4, HRBFNPR_ATTRIBUTE_LEVEL = 5,
-    HRBFNPR_ATTRIBUTE_STROKE = 6, HRBFNPR_ATTRIBUTE_WIDTH = 7, HRBFNPR_ATTRIBUTE_COUNT = 8 };
-typedef struct hrbfnpr_group_arrays { hrbfnpr_array position; hrbfnpr_array normal; hrbfnpr_array direction;
-    hrbfnpr_array curvature; hrbfnpr_array rank; hrbfnpr_array level; hrbfnpr_array stroke; hrbfnpr_array width;
-    } hrbfnpr_group_arrays;
-typedef struct hrbfnpr_point_set_desc { uint32_t struct_size; uint32_t reserved; uint64_t random_seed;
-    hrbfnpr_group_arrays group[3]; } hrbfnpr_point_set_desc;
+enum { HRBFNPR_MARK_ATTRIBUTE_POSITION = 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL = 1, HRBFNPR_MARK_ATTRIBUTE_DIRECTION = 2,
+    HRBFNPR_MARK_ATTRIBUTE_CURVATURE = 3, HRBFNPR_MARK_ATTRIBUTE_RANK = 4, HRBFNPR_MARK_ATTRIBUTE_LEVEL = 5,
+    HRBFNPR_MARK_ATTRIBUTE_STROKE = 6, HRBFNPR_MARK_ATTRIBUTE_WIDTH = 7, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST = 8,
+    HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER = 9 };
+typedef struct hrbfnpr_layer_arrays { uint32_t struct_size; uint32_t kind; const char* name; hrbfnpr_array position;
+    hrbfnpr_array normal; hrbfnpr_array stroke_first; hrbfnpr_array stroke_direction; hrbfnpr_array direction;
+    hrbfnpr_array curvature; hrbfnpr_array rank; hrbfnpr_array level; hrbfnpr_array width; } hrbfnpr_layer_arrays;
+hrbfnpr_status hrbfnpr_layer_arrays_init(hrbfnpr_layer_arrays* arrays, uint32_t struct_size);
+typedef struct hrbfnpr_point_set_desc { uint32_t struct_size; uint32_t reserved; const hrbfnpr_point_set* base;
+    const hrbfnpr_layer_arrays* layers; int64_t layer_count; int64_t layer_stride; uint64_t random_seed;
+    } hrbfnpr_point_set_desc;
 hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_t struct_size);
-hrbfnpr_status hrbfnpr_point_set_create_from_arrays(hrbfnpr_context* context, const hrbfnpr_point_set_desc* desc,
+hrbfnpr_status hrbfnpr_point_set_create(hrbfnpr_context* context, const hrbfnpr_point_set_desc* desc,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);
 void hrbfnpr_point_set_release(const hrbfnpr_point_set* set);
-typedef struct hrbfnpr_level_info { int64_t attempted; int64_t placed; int64_t dropped_not_converged;
-    int64_t dropped_strayed; int64_t dropped_degenerate; int64_t dropped_budget; } hrbfnpr_level_info;
-typedef struct hrbfnpr_group_info { int64_t count; int64_t strokes; int64_t full_count; int32_t levels;
-    uint32_t reserved; double step; double seconds; hrbfnpr_level_info level[13]; } hrbfnpr_group_info;
 typedef struct hrbfnpr_point_set_info { uint32_t struct_size; uint32_t distribution; uint32_t seed_source;
-    uint32_t reserved; double origin[3]; double bounds_min[3]; double bounds_max[3]; double spacing;
-    double seconds_seeds; double seconds_total; int64_t bytes; hrbfnpr_level_info seeds; hrbfnpr_group_info group[3];
-    } hrbfnpr_point_set_info;
+    uint32_t reserved; int64_t layers; int64_t marks; double origin[3]; double bounds_min[3]; double bounds_max[3];
+    double spacing; double seconds_seeds; double seconds_total; int64_t bytes; } hrbfnpr_point_set_info;
 hrbfnpr_status hrbfnpr_point_set_info_init(hrbfnpr_point_set_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set, hrbfnpr_point_set_info* info,
     hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, uint32_t group, uint32_t attribute,
+typedef struct hrbfnpr_layer_info { uint32_t struct_size; uint32_t kind; char name[64]; int64_t marks; int64_t strokes;
+    int64_t full_count; int32_t levels; uint32_t reserved; double step; double seconds; } hrbfnpr_layer_info;
+hrbfnpr_status hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_point_set_get_layer_info(const hrbfnpr_point_set* set, int64_t layer, hrbfnpr_layer_info* info,
+    hrbfnpr_error* error);
+typedef struct hrbfnpr_placement_info { uint32_t struct_size; uint32_t reserved; int64_t attempted; int64_t placed;
+    int64_t dropped_not_converged; int64_t dropped_strayed; int64_t dropped_degenerate; int64_t dropped_budget;
+    } hrbfnpr_placement_info;
+hrbfnpr_status hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_point_set_get_seed_placement(const hrbfnpr_point_set* set, hrbfnpr_placement_info* info,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_set* set, int64_t layer, int32_t level,
+    hrbfnpr_placement_info* info, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, int64_t layer, uint32_t attribute,
     hrbfnpr_array* out_view, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hrbfnpr_model* model,
     const hrbfnpr_generate_desc* desc, const hrbfnpr_array_out* corners, double* step, hrbfnpr_operation* operation,
@@ -226,61 +241,98 @@ hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, const hrbfnpr_a
     const double* direction, const double* up, double vertical_angle, double width, double height, double margin,
     hrbfnpr_error* error);
 enum { HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, HRBFNPR_HIDDEN_LINES_HIDE = 1, HRBFNPR_HIDDEN_LINES_SHOW = 2 };
-enum { HRBFNPR_VISIBILITY_SHEETS = 0, HRBFNPR_VISIBILITY_PAINTED = 1 };
+enum { HRBFNPR_VISIBILITY_DEPTH_LAYERS = 0, HRBFNPR_VISIBILITY_PUBLISHED = 1 };
 enum { HRBFNPR_TONE_CURVE_COVERAGE = 0, HRBFNPR_TONE_CURVE_LINEAR = 1 };
 enum { HRBFNPR_SILHOUETTE_LAW_WIDTH = 0, HRBFNPR_SILHOUETTE_LAW_ANGLE = 1 };
 enum { HRBFNPR_TONE_NONE = 0, HRBFNPR_TONE_LIGHT = 1, HRBFNPR_TONE_CALLBACK = 2 };
-enum { HRBFNPR_TONE_RULE_SHARE = 0, HRBFNPR_TONE_RULE_PAPER = 1 };
+enum { HRBFNPR_TONE_RULE_SHARE = 0, HRBFNPR_TONE_RULE_PUBLISHED = 1 };
 enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
 typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions, const float* normals, float* tau);
-typedef struct hrbfnpr_group_style { uint32_t shown; uint32_t sets; float share; float radius; float radius_zoom;
-    float ink[4]; } hrbfnpr_group_style;
-typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t hidden_lines; double silhouette_threshold;
-    double attenuation_front; double attenuation_back; float cover_radius; float halo_width; float cover_layers;
-    uint32_t visibility; uint32_t tone; uint32_t tone_rule; uint32_t light_space; uint32_t silhouette_groups;
-    double light[3]; double tone_exponent; hrbfnpr_tone_fn tone_function; void* tone_user; double depth_min;
-    double depth_max; double zoom_reference; double zoom_exponent; float paper[4]; float silhouette_ink[4];
-    float silhouette_radius; float silhouette_radius_zoom; hrbfnpr_group_style group[3]; uint32_t tone_curve;
-    uint32_t silhouette_law; float tone_fade; float silhouette_width; } hrbfnpr_style;
+enum { HRBFNPR_SHAPE_DOTS = 0, HRBFNPR_SHAPE_STROKES = 1 };
+typedef struct hrbfnpr_layer_style { uint32_t struct_size; uint32_t kind; const char* name; uint32_t shown;
+    uint32_t contours; uint32_t directions; uint32_t shape; float share; float radius; float radius_zoom;
+    uint32_t reserved; float ink[4]; } hrbfnpr_layer_style;
+hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
+typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[4]; const hrbfnpr_layer_style* layers;
+    int64_t layer_count; int64_t layer_stride; uint32_t tone_rule; uint32_t tone_curve; double light[3];
+    double tone_exponent; hrbfnpr_tone_fn tone_function; void* tone_user; uint32_t light_space; float tone_fade;
+    uint32_t silhouette_law; float silhouette_width; double silhouette_threshold; float silhouette_radius;
+    float silhouette_radius_zoom; float silhouette_ink[4]; uint32_t visibility; uint32_t hidden_lines;
+    double attenuation_front; double attenuation_back; float splat_radius; float splat_overlap; float halo_width;
+    uint32_t reserved; double depth_min; double depth_max; double zoom_reference; double zoom_exponent; } hrbfnpr_style;
 hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
-enum { HRBFNPR_STYLE_STIPPLE = 0, HRBFNPR_STYLE_HATCH = 1, HRBFNPR_STYLE_CROSS_HATCH = 2, HRBFNPR_STYLE_COMBING = 3,
-    HRBFNPR_STYLE_SILHOUETTE = 4, HRBFNPR_STYLE_CONTOUR_AND_STIPPLE = 5, HRBFNPR_STYLE_XRAY = 6, HRBFNPR_STYLE_FULL = 7,
-    HRBFNPR_STYLE_COUNT = 8 };
+enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
+    HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,
+    HRBFNPR_PRESET_FULL = 7 };
 hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
-    uint32_t* generate_groups, hrbfnpr_error* error);
-const char* hrbfnpr_style_preset_name(uint32_t preset);
+    hrbfnpr_error* error);
+const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
+const char* hrbfnpr_preset_name(uint32_t preset);
 typedef struct hrbfnpr_renderer hrbfnpr_renderer;
+typedef struct hrbfnpr_drawing hrbfnpr_drawing;
 hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer, hrbfnpr_error* error);
 void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer);
 void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
+typedef struct hrbfnpr_layer_pose { uint32_t struct_size; uint32_t reserved; int64_t layer; hrbfnpr_array position;
+    hrbfnpr_array normal; hrbfnpr_array direction; } hrbfnpr_layer_pose;
+hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size);
 typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t reserved; const hrbfnpr_point_set* point_set;
-    const hrbfnpr_style* style; double transform[16]; const hrbfnpr_model* model; } hrbfnpr_item;
+    const hrbfnpr_style* style; const hrbfnpr_model* model; double transform[16]; const hrbfnpr_layer_pose* poses;
+    int64_t pose_count; int64_t pose_stride; } hrbfnpr_item;
 hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
-typedef struct hrbfnpr_frame_info { uint32_t struct_size; uint32_t reserved; int64_t marks; int64_t outside;
-    int64_t front; int64_t back; int64_t silhouette; int64_t shown; int64_t dropped_tone; int64_t dropped_depth;
-    int64_t dropped_zoom; int64_t dropped_hidden; int64_t painted; int64_t nanoseconds_classify;
-    int64_t nanoseconds_visibility; int64_t nanoseconds_sort; int64_t nanoseconds_draw; int64_t scratch_bytes;
-    int64_t culled; } hrbfnpr_frame_info;
-hrbfnpr_status hrbfnpr_frame_info_init(hrbfnpr_frame_info* info, uint32_t struct_size);
-hrbfnpr_status hrbfnpr_renderer_prepare(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t item_count,
-    int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_frame_info* info, hrbfnpr_error* error);
-enum { HRBFNPR_DRAW_OVER = 1, HRBFNPR_DRAW_LINEAR_LIGHT = 2 };
+hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t item_count,
+    int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);
+void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing);
+void hrbfnpr_drawing_release(const hrbfnpr_drawing* drawing);
 enum { HRBFNPR_CLASS_NONE = 0, HRBFNPR_CLASS_FRONT = 1, HRBFNPR_CLASS_BACK = 2, HRBFNPR_CLASS_SILHOUETTE = 3 };
-typedef struct hrbfnpr_draw_desc { uint32_t struct_size; uint32_t flags; hrbfnpr_array host_depth;
-    hrbfnpr_array_out depth; hrbfnpr_array_out id; hrbfnpr_array_out class_; } hrbfnpr_draw_desc;
-hrbfnpr_status hrbfnpr_draw_desc_init(hrbfnpr_draw_desc* desc, uint32_t struct_size);
-hrbfnpr_status hrbfnpr_renderer_draw_image(hrbfnpr_renderer* renderer, const hrbfnpr_image* image,
-    const hrbfnpr_draw_desc* desc, hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_renderer_get_info(const hrbfnpr_renderer* renderer, hrbfnpr_frame_info* info,
+typedef struct hrbfnpr_drawing_info { uint32_t struct_size; uint32_t reserved; int64_t items; int64_t layers;
+    int64_t dots; int64_t strokes; int64_t stroke_points; int64_t marks; int64_t outside; int64_t front; int64_t back;
+    int64_t silhouette; int64_t culled; int64_t shown; int64_t dropped_tone; int64_t dropped_depth;
+    int64_t dropped_zoom; int64_t dropped_hidden; int64_t splats; int64_t nanoseconds_classify;
+    int64_t nanoseconds_visibility; int64_t nanoseconds_sort; int64_t bytes; int64_t scratch_bytes;
+    } hrbfnpr_drawing_info;
+hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
     hrbfnpr_error* error);
-enum { HRBFNPR_VERTEX_POSITION = 0, HRBFNPR_VERTEX_WINDOW = 1, HRBFNPR_VERTEX_RADIUS = 2, HRBFNPR_VERTEX_COLOR = 3,
-    HRBFNPR_VERTEX_NORMAL = 4, HRBFNPR_VERTEX_DIRECTION = 5, HRBFNPR_VERTEX_ID = 6, HRBFNPR_VERTEX_CLASS = 7,
-    HRBFNPR_VERTEX_IS_PAPER = 8, HRBFNPR_VERTEX_ATTRIBUTE_COUNT = 9 };
-typedef struct hrbfnpr_vertex_attribute { uint32_t attribute; uint32_t scalar; uint32_t offset; uint32_t reserved;
+typedef struct hrbfnpr_drawing_layer_info { uint32_t struct_size; uint32_t mark_class; int64_t item; int64_t layer;
+    uint32_t kind; uint32_t shape; char name[64]; float ink[4]; int64_t dots; int64_t strokes;
+    } hrbfnpr_drawing_layer_info;
+hrbfnpr_status hrbfnpr_drawing_layer_info_init(hrbfnpr_drawing_layer_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_drawing_get_layer_info(const hrbfnpr_drawing* drawing, int64_t number,
+    hrbfnpr_drawing_layer_info* info, hrbfnpr_error* error);
+enum { HRBFNPR_RASTER_OVER = 1, HRBFNPR_RASTER_LINEAR_LIGHT = 2 };
+typedef struct hrbfnpr_raster_desc { uint32_t struct_size; uint32_t flags; hrbfnpr_array host_depth;
+    hrbfnpr_array_out depth; hrbfnpr_array_out id; hrbfnpr_array_out mark_class; } hrbfnpr_raster_desc;
+hrbfnpr_status hrbfnpr_raster_desc_init(hrbfnpr_raster_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_drawing_rasterize(const hrbfnpr_drawing* drawing, const hrbfnpr_image* image,
+    const hrbfnpr_raster_desc* desc, hrbfnpr_error* error);
+enum { HRBFNPR_PRIMITIVE_POINTS = 1, HRBFNPR_PRIMITIVE_LINE_STRIPS = 2, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS = 3 };
+enum { HRBFNPR_INDEX_RESTART = -1 };
+enum { HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0, HRBFNPR_VERTEX_ATTRIBUTE_WINDOW = 1, HRBFNPR_VERTEX_ATTRIBUTE_RADIUS = 2,
+    HRBFNPR_VERTEX_ATTRIBUTE_COLOR = 3, HRBFNPR_VERTEX_ATTRIBUTE_NORMAL = 4, HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION = 5,
+    HRBFNPR_VERTEX_ATTRIBUTE_ID = 6, HRBFNPR_VERTEX_ATTRIBUTE_CLASS = 7, HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER = 8,
+    HRBFNPR_VERTEX_ATTRIBUTE_LAYER = 9, HRBFNPR_VERTEX_ATTRIBUTE_LENGTH = 10 };
+typedef struct hrbfnpr_vertex_attribute { uint32_t struct_size; uint32_t attribute; uint32_t scalar; uint32_t offset;
     } hrbfnpr_vertex_attribute;
-typedef struct hrbfnpr_vertex_layout { uint32_t struct_size; uint32_t attribute_count; int64_t stride;
-    hrbfnpr_vertex_attribute attributes[16]; } hrbfnpr_vertex_layout;
+hrbfnpr_status hrbfnpr_vertex_attribute_init(hrbfnpr_vertex_attribute* attribute, uint32_t struct_size);
+typedef struct hrbfnpr_vertex_layout { uint32_t struct_size; uint32_t primitive;
+    const hrbfnpr_vertex_attribute* attributes; int64_t attribute_count; int64_t attribute_stride; int64_t stride;
+    } hrbfnpr_vertex_layout;
 hrbfnpr_status hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint32_t struct_size);
-hrbfnpr_status hrbfnpr_renderer_vertex_bound(const hrbfnpr_renderer* renderer, int64_t* count, hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_renderer_write_vertices(const hrbfnpr_renderer* renderer, const hrbfnpr_vertex_layout* layout,
-    void* destination, int64_t capacity, int64_t* count, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_drawing_vertex_bound(const hrbfnpr_drawing* drawing, uint32_t primitive, int64_t* vertices,
+    int64_t* indices, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_drawing_write_vertices(const hrbfnpr_drawing* drawing, const hrbfnpr_vertex_layout* layout,
+    void* vertices, int64_t vertex_capacity, int64_t* vertex_count, uint32_t* indices, int64_t index_capacity,
+    int64_t* index_count, hrbfnpr_error* error);
+typedef struct hrbfnpr_mark_results { uint32_t struct_size; uint32_t reserved; hrbfnpr_array_out shown;
+    hrbfnpr_array_out radius; hrbfnpr_array_out opacity; } hrbfnpr_mark_results;
+hrbfnpr_status hrbfnpr_mark_results_init(hrbfnpr_mark_results* results, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_drawing_mark_results(const hrbfnpr_drawing* drawing, int64_t item, int64_t layer,
+    hrbfnpr_mark_results* results, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_drawing_write_mark_indices(const hrbfnpr_drawing* drawing, int64_t item, int64_t layer,
+    uint32_t mark_class, uint32_t primitive, uint32_t* indices, int64_t capacity, int64_t* count, hrbfnpr_error* error);
+typedef struct hrbfnpr_mark_identity { uint32_t struct_size; uint32_t id; int64_t item; int64_t layer; int64_t mark;
+    int64_t stroke; int64_t place; } hrbfnpr_mark_identity;
+hrbfnpr_status hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawing, uint32_t id, hrbfnpr_mark_identity* identity,
+    hrbfnpr_error* error);

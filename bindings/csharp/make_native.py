@@ -15,6 +15,7 @@ HANDLES = {
     "hrbfnpr_model": "ModelHandle",
     "hrbfnpr_point_set": "PointSetHandle",
     "hrbfnpr_renderer": "RendererHandle",
+    "hrbfnpr_drawing": "DrawingHandle",
 }
 # Structs that are written by hand.
 BY_HAND = {

@@ -160,6 +160,9 @@ namespace HrbfNpr
             out IntPtr out_model, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
@@ -167,11 +170,14 @@ namespace HrbfNpr
             hrbfnpr_generate_desc* desc, OperationHandle operation, out IntPtr out_point_set, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_layer_arrays_init(hrbfnpr_layer_arrays* arrays, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_point_set_create_from_arrays(ContextHandle context,
-            hrbfnpr_point_set_desc* desc, out IntPtr out_point_set, hrbfnpr_error* error);
+        internal static extern int hrbfnpr_point_set_create(ContextHandle context, hrbfnpr_point_set_desc* desc,
+            out IntPtr out_point_set, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_point_set_retain(IntPtr set);
@@ -187,7 +193,25 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_point_set_view(PointSetHandle set, uint group, uint attribute,
+        internal static extern int hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_get_layer_info(PointSetHandle set, long layer,
+            hrbfnpr_layer_info* info, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_get_seed_placement(PointSetHandle set,
+            hrbfnpr_placement_info* info, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_get_placement(PointSetHandle set, long layer, int level,
+            hrbfnpr_placement_info* info, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_point_set_view(PointSetHandle set, long layer, uint attribute,
             hrbfnpr_array* out_view, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
@@ -237,14 +261,20 @@ namespace HrbfNpr
             double margin, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_style_init(hrbfnpr_style* style, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_style_init_preset(hrbfnpr_style* style, uint struct_size, uint preset,
-            uint* generate_groups, hrbfnpr_error* error);
+            hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern byte* hrbfnpr_style_preset_name(uint preset);
+        internal static extern hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint preset, long* count);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern byte* hrbfnpr_preset_name(uint preset);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_renderer_create(ContextHandle context, out IntPtr out_renderer,
@@ -257,36 +287,76 @@ namespace HrbfNpr
         internal static extern void hrbfnpr_renderer_release(IntPtr renderer);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_item_init(hrbfnpr_item* item, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_frame_info_init(FrameInfo* info, uint struct_size);
+        internal static extern int hrbfnpr_renderer_draw(RendererHandle renderer, hrbfnpr_item* items,
+            long item_count, long item_stride, hrbfnpr_camera* camera, out IntPtr out_drawing, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_renderer_prepare(RendererHandle renderer, hrbfnpr_item* items,
-            long item_count, long item_stride, hrbfnpr_camera* camera, FrameInfo* info, hrbfnpr_error* error);
+        internal static extern void hrbfnpr_drawing_retain(IntPtr drawing);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_draw_desc_init(hrbfnpr_draw_desc* desc, uint struct_size);
+        internal static extern void hrbfnpr_drawing_release(IntPtr drawing);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_renderer_draw_image(RendererHandle renderer, hrbfnpr_image* image,
-            hrbfnpr_draw_desc* desc, hrbfnpr_error* error);
+        internal static extern int hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_renderer_get_info(RendererHandle renderer, FrameInfo* info,
+        internal static extern int hrbfnpr_drawing_get_info(DrawingHandle drawing, hrbfnpr_drawing_info* info,
             hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_drawing_layer_info_init(hrbfnpr_drawing_layer_info* info,
+            uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_drawing_get_layer_info(DrawingHandle drawing, long number,
+            hrbfnpr_drawing_layer_info* info, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_raster_desc_init(hrbfnpr_raster_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_drawing_rasterize(DrawingHandle drawing, hrbfnpr_image* image,
+            hrbfnpr_raster_desc* desc, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_vertex_attribute_init(hrbfnpr_vertex_attribute* attribute,
+            uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_renderer_vertex_bound(RendererHandle renderer, long* count,
-            hrbfnpr_error* error);
+        internal static extern int hrbfnpr_drawing_vertex_bound(DrawingHandle drawing, uint primitive, long* vertices,
+            long* indices, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_renderer_write_vertices(RendererHandle renderer,
-            hrbfnpr_vertex_layout* layout, void* destination, long capacity, long* count, hrbfnpr_error* error);
+        internal static extern int hrbfnpr_drawing_write_vertices(DrawingHandle drawing,
+            hrbfnpr_vertex_layout* layout, void* vertices, long vertex_capacity, long* vertex_count, uint* indices,
+            long index_capacity, long* index_count, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mark_results_init(hrbfnpr_mark_results* results, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_drawing_mark_results(DrawingHandle drawing, long item, long layer,
+            hrbfnpr_mark_results* results, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_drawing_write_mark_indices(DrawingHandle drawing, long item, long layer,
+            uint mark_class, uint primitive, uint* indices, long capacity, long* count, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_drawing_identify(DrawingHandle drawing, uint id,
+            hrbfnpr_mark_identity* identity, hrbfnpr_error* error);
     }
 }
 #endif

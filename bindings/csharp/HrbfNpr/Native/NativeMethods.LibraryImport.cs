@@ -161,6 +161,9 @@ namespace HrbfNpr
             out IntPtr out_model, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
@@ -168,11 +171,14 @@ namespace HrbfNpr
             hrbfnpr_generate_desc* desc, OperationHandle operation, out IntPtr out_point_set, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_layer_arrays_init(hrbfnpr_layer_arrays* arrays, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_point_set_create_from_arrays(ContextHandle context,
-            hrbfnpr_point_set_desc* desc, out IntPtr out_point_set, hrbfnpr_error* error);
+        internal static partial int hrbfnpr_point_set_create(ContextHandle context, hrbfnpr_point_set_desc* desc,
+            out IntPtr out_point_set, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void hrbfnpr_point_set_retain(IntPtr set);
@@ -188,7 +194,25 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_point_set_view(PointSetHandle set, uint group, uint attribute,
+        internal static partial int hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_point_set_get_layer_info(PointSetHandle set, long layer,
+            hrbfnpr_layer_info* info, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_point_set_get_seed_placement(PointSetHandle set,
+            hrbfnpr_placement_info* info, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_point_set_get_placement(PointSetHandle set, long layer, int level,
+            hrbfnpr_placement_info* info, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_point_set_view(PointSetHandle set, long layer, uint attribute,
             hrbfnpr_array* out_view, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
@@ -238,14 +262,20 @@ namespace HrbfNpr
             double margin, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_style_init(hrbfnpr_style* style, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_style_init_preset(hrbfnpr_style* style, uint struct_size, uint preset,
-            uint* generate_groups, hrbfnpr_error* error);
+            hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial byte* hrbfnpr_style_preset_name(uint preset);
+        internal static partial hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint preset, long* count);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial byte* hrbfnpr_preset_name(uint preset);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_renderer_create(ContextHandle context, out IntPtr out_renderer,
@@ -258,36 +288,76 @@ namespace HrbfNpr
         internal static partial void hrbfnpr_renderer_release(IntPtr renderer);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_item_init(hrbfnpr_item* item, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_frame_info_init(FrameInfo* info, uint struct_size);
+        internal static partial int hrbfnpr_renderer_draw(RendererHandle renderer, hrbfnpr_item* items,
+            long item_count, long item_stride, hrbfnpr_camera* camera, out IntPtr out_drawing, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_renderer_prepare(RendererHandle renderer, hrbfnpr_item* items,
-            long item_count, long item_stride, hrbfnpr_camera* camera, FrameInfo* info, hrbfnpr_error* error);
+        internal static partial void hrbfnpr_drawing_retain(IntPtr drawing);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_draw_desc_init(hrbfnpr_draw_desc* desc, uint struct_size);
+        internal static partial void hrbfnpr_drawing_release(IntPtr drawing);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_renderer_draw_image(RendererHandle renderer, hrbfnpr_image* image,
-            hrbfnpr_draw_desc* desc, hrbfnpr_error* error);
+        internal static partial int hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_renderer_get_info(RendererHandle renderer, FrameInfo* info,
+        internal static partial int hrbfnpr_drawing_get_info(DrawingHandle drawing, hrbfnpr_drawing_info* info,
             hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_drawing_layer_info_init(hrbfnpr_drawing_layer_info* info,
+            uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_drawing_get_layer_info(DrawingHandle drawing, long number,
+            hrbfnpr_drawing_layer_info* info, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_raster_desc_init(hrbfnpr_raster_desc* desc, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_drawing_rasterize(DrawingHandle drawing, hrbfnpr_image* image,
+            hrbfnpr_raster_desc* desc, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_vertex_attribute_init(hrbfnpr_vertex_attribute* attribute,
+            uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_renderer_vertex_bound(RendererHandle renderer, long* count,
-            hrbfnpr_error* error);
+        internal static partial int hrbfnpr_drawing_vertex_bound(DrawingHandle drawing, uint primitive,
+            long* vertices, long* indices, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_renderer_write_vertices(RendererHandle renderer,
-            hrbfnpr_vertex_layout* layout, void* destination, long capacity, long* count, hrbfnpr_error* error);
+        internal static partial int hrbfnpr_drawing_write_vertices(DrawingHandle drawing,
+            hrbfnpr_vertex_layout* layout, void* vertices, long vertex_capacity, long* vertex_count, uint* indices,
+            long index_capacity, long* index_count, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_mark_results_init(hrbfnpr_mark_results* results, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_drawing_mark_results(DrawingHandle drawing, long item, long layer,
+            hrbfnpr_mark_results* results, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_drawing_write_mark_indices(DrawingHandle drawing, long item, long layer,
+            uint mark_class, uint primitive, uint* indices, long capacity, long* count, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_drawing_identify(DrawingHandle drawing, uint id,
+            hrbfnpr_mark_identity* identity, hrbfnpr_error* error);
     }
 }
 #endif

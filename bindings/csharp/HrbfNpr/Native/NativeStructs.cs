@@ -160,62 +160,67 @@ namespace HrbfNpr
         internal long hit_rays;
     }
 
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_group_desc")]
-    internal unsafe struct hrbfnpr_group_desc
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_desc")]
+    internal unsafe struct hrbfnpr_layer_desc
     {
-        internal int levels;
-        internal uint seeds;
-        internal int seed_level;
-        internal uint reserved;
+        internal uint struct_size;
+        internal uint kind;
+        internal IntPtr name;
         internal long budget;
-    }
-
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer")]
-    internal unsafe struct hrbfnpr_layer
-    {
-        internal float begin;
-        internal float end;
+        internal float tone_begin;
+        internal float tone_end;
+        internal float second_tone_begin;
+        internal float second_tone_end;
+        internal uint flags;
+        internal uint density;
+        internal double density_strength;
+        internal IntPtr density_function;
+        internal IntPtr density_user;
+        internal double separation;
+        internal double step;
+        internal double length;
+        internal IntPtr direction_function;
+        internal IntPtr direction_user;
+        internal uint symmetry;
+        internal uint start;
+        internal int start_level;
+        internal int levels;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_generate_desc")]
     internal unsafe struct hrbfnpr_generate_desc
     {
         internal uint struct_size;
-        internal uint groups;
         internal uint distribution;
+        internal IntPtr layers;
+        internal long layer_count;
+        internal long layer_stride;
+        internal long shared_budget;
+        internal uint tone_ranges;
         internal uint seed_source;
-        internal uint flags;
-        internal uint box_resolution;
+        internal hrbfnpr_array seed_points;
         internal double box_jitter;
+        internal uint box_resolution;
+        internal uint reserved;
         internal double initial_step;
         internal double projection_tolerance;
         internal ulong random_seed;
-        internal hrbfnpr_array seed_points;
-        internal hrbfnpr_group_desc group0, group1, group2;
-        internal double stroke_separation;
-        internal double stroke_step;
-        internal double stroke_length;
-        internal uint stroke_field;
-        internal uint density;
-        internal double density_strength;
-        internal IntPtr density_function;
-        internal IntPtr density_user;
-        internal uint order;
-        internal uint reserved2;
-        internal long shared_budget;
-        internal hrbfnpr_layer layer0, layer1, layer2, layer3, layer4;
     }
 
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_group_arrays")]
-    internal unsafe struct hrbfnpr_group_arrays
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_arrays")]
+    internal unsafe struct hrbfnpr_layer_arrays
     {
+        internal uint struct_size;
+        internal uint kind;
+        internal IntPtr name;
         internal hrbfnpr_array position;
         internal hrbfnpr_array normal;
+        internal hrbfnpr_array stroke_first;
+        internal hrbfnpr_array stroke_direction;
         internal hrbfnpr_array direction;
         internal hrbfnpr_array curvature;
         internal hrbfnpr_array rank;
         internal hrbfnpr_array level;
-        internal hrbfnpr_array stroke;
         internal hrbfnpr_array width;
     }
 
@@ -224,8 +229,39 @@ namespace HrbfNpr
     {
         internal uint struct_size;
         internal uint reserved;
+        internal IntPtr base;
+        internal IntPtr layers;
+        internal long layer_count;
+        internal long layer_stride;
         internal ulong random_seed;
-        internal hrbfnpr_group_arrays group0, group1, group2;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_info")]
+    internal unsafe struct hrbfnpr_layer_info
+    {
+        internal uint struct_size;
+        internal uint kind;
+        internal fixed byte name[64];
+        internal long marks;
+        internal long strokes;
+        internal long full_count;
+        internal int levels;
+        internal uint reserved;
+        internal double step;
+        internal double seconds;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_placement_info")]
+    internal unsafe struct hrbfnpr_placement_info
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal long attempted;
+        internal long placed;
+        internal long dropped_not_converged;
+        internal long dropped_strayed;
+        internal long dropped_degenerate;
+        internal long dropped_budget;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_camera")]
@@ -238,14 +274,20 @@ namespace HrbfNpr
         internal fixed double viewport[4];
     }
 
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_group_style")]
-    internal unsafe struct hrbfnpr_group_style
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_style")]
+    internal unsafe struct hrbfnpr_layer_style
     {
+        internal uint struct_size;
+        internal uint kind;
+        internal IntPtr name;
         internal uint shown;
-        internal uint sets;
+        internal uint contours;
+        internal uint directions;
+        internal uint shape;
         internal float share;
         internal float radius;
         internal float radius_zoom;
+        internal uint reserved;
         internal fixed float ink[4];
     }
 
@@ -253,35 +295,48 @@ namespace HrbfNpr
     internal unsafe struct hrbfnpr_style
     {
         internal uint struct_size;
-        internal uint hidden_lines;
-        internal double silhouette_threshold;
-        internal double attenuation_front;
-        internal double attenuation_back;
-        internal float cover_radius;
-        internal float halo_width;
-        internal float cover_layers;
-        internal uint visibility;
         internal uint tone;
+        internal fixed float paper[4];
+        internal IntPtr layers;
+        internal long layer_count;
+        internal long layer_stride;
         internal uint tone_rule;
-        internal uint light_space;
-        internal uint silhouette_groups;
+        internal uint tone_curve;
         internal fixed double light[3];
         internal double tone_exponent;
         internal IntPtr tone_function;
         internal IntPtr tone_user;
+        internal uint light_space;
+        internal float tone_fade;
+        internal uint silhouette_law;
+        internal float silhouette_width;
+        internal double silhouette_threshold;
+        internal float silhouette_radius;
+        internal float silhouette_radius_zoom;
+        internal fixed float silhouette_ink[4];
+        internal uint visibility;
+        internal uint hidden_lines;
+        internal double attenuation_front;
+        internal double attenuation_back;
+        internal float splat_radius;
+        internal float splat_overlap;
+        internal float halo_width;
+        internal uint reserved;
         internal double depth_min;
         internal double depth_max;
         internal double zoom_reference;
         internal double zoom_exponent;
-        internal fixed float paper[4];
-        internal fixed float silhouette_ink[4];
-        internal float silhouette_radius;
-        internal float silhouette_radius_zoom;
-        internal hrbfnpr_group_style group0, group1, group2;
-        internal uint tone_curve;
-        internal uint silhouette_law;
-        internal float tone_fade;
-        internal float silhouette_width;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_pose")]
+    internal unsafe struct hrbfnpr_layer_pose
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal long layer;
+        internal hrbfnpr_array position;
+        internal hrbfnpr_array normal;
+        internal hrbfnpr_array direction;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_item")]
@@ -291,38 +346,107 @@ namespace HrbfNpr
         internal uint reserved;
         internal IntPtr point_set;
         internal IntPtr style;
-        internal fixed double transform[16];
         internal IntPtr model;
+        internal fixed double transform[16];
+        internal IntPtr poses;
+        internal long pose_count;
+        internal long pose_stride;
     }
 
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_draw_desc")]
-    internal unsafe struct hrbfnpr_draw_desc
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_drawing_info")]
+    internal unsafe struct hrbfnpr_drawing_info
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal long items;
+        internal long layers;
+        internal long dots;
+        internal long strokes;
+        internal long stroke_points;
+        internal long marks;
+        internal long outside;
+        internal long front;
+        internal long back;
+        internal long silhouette;
+        internal long culled;
+        internal long shown;
+        internal long dropped_tone;
+        internal long dropped_depth;
+        internal long dropped_zoom;
+        internal long dropped_hidden;
+        internal long splats;
+        internal long nanoseconds_classify;
+        internal long nanoseconds_visibility;
+        internal long nanoseconds_sort;
+        internal long bytes;
+        internal long scratch_bytes;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_drawing_layer_info")]
+    internal unsafe struct hrbfnpr_drawing_layer_info
+    {
+        internal uint struct_size;
+        internal uint mark_class;
+        internal long item;
+        internal long layer;
+        internal uint kind;
+        internal uint shape;
+        internal fixed byte name[64];
+        internal fixed float ink[4];
+        internal long dots;
+        internal long strokes;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_raster_desc")]
+    internal unsafe struct hrbfnpr_raster_desc
     {
         internal uint struct_size;
         internal uint flags;
         internal hrbfnpr_array host_depth;
         internal hrbfnpr_array depth;
         internal hrbfnpr_array id;
-        internal hrbfnpr_array class_;
+        internal hrbfnpr_array mark_class;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_vertex_attribute")]
     internal unsafe struct hrbfnpr_vertex_attribute
     {
+        internal uint struct_size;
         internal uint attribute;
         internal uint scalar;
         internal uint offset;
-        internal uint reserved;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_vertex_layout")]
     internal unsafe struct hrbfnpr_vertex_layout
     {
         internal uint struct_size;
-        internal uint attribute_count;
+        internal uint primitive;
+        internal IntPtr attributes;
+        internal long attribute_count;
+        internal long attribute_stride;
         internal long stride;
-        internal hrbfnpr_vertex_attribute attributes0, attributes1, attributes2, attributes3, attributes4,
-            attributes5, attributes6, attributes7, attributes8, attributes9, attributes10, attributes11, attributes12,
-            attributes13, attributes14, attributes15;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mark_results")]
+    internal unsafe struct hrbfnpr_mark_results
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal hrbfnpr_array shown;
+        internal hrbfnpr_array radius;
+        internal hrbfnpr_array opacity;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mark_identity")]
+    internal unsafe struct hrbfnpr_mark_identity
+    {
+        internal uint struct_size;
+        internal uint id;
+        internal long item;
+        internal long layer;
+        internal long mark;
+        internal long stroke;
+        internal long place;
     }
 }

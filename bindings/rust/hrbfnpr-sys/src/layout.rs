@@ -71,7 +71,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_context_desc>() == either(80, 52, 52));
+    assert!(size_of::<hrbfnpr_context_desc>() == either(88, 60, 60));
     assert!(align_of::<hrbfnpr_context_desc>() == either(8, 4, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -81,15 +81,17 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_context_desc, abi_version) == 4);
     assert!(offset_of!(hrbfnpr_context_desc, thread_count) == 8);
     assert!(offset_of!(hrbfnpr_context_desc, flags) == 12);
-    assert!(offset_of!(hrbfnpr_context_desc, highest_instruction_set) == 16);
-    assert!(offset_of!(hrbfnpr_context_desc, thread_backend) == 20);
+    assert!(offset_of!(hrbfnpr_context_desc, thread_backend) == 16);
+    assert!(offset_of!(hrbfnpr_context_desc, highest_instruction_set) == 20);
     assert!(offset_of!(hrbfnpr_context_desc, allocate) == 24);
     assert!(offset_of!(hrbfnpr_context_desc, deallocate) == either(32, 28, 28));
     assert!(offset_of!(hrbfnpr_context_desc, allocator_user) == either(40, 32, 32));
     assert!(offset_of!(hrbfnpr_context_desc, log) == either(48, 36, 36));
     assert!(offset_of!(hrbfnpr_context_desc, log_user) == either(56, 40, 40));
-    assert!(offset_of!(hrbfnpr_context_desc, run_tasks) == either(64, 44, 44));
-    assert!(offset_of!(hrbfnpr_context_desc, run_tasks_user) == either(72, 48, 48));
+    assert!(offset_of!(hrbfnpr_context_desc, log_level) == either(64, 44, 44));
+    assert!(offset_of!(hrbfnpr_context_desc, reserved) == either(68, 48, 48));
+    assert!(offset_of!(hrbfnpr_context_desc, run_tasks) == either(72, 52, 52));
+    assert!(offset_of!(hrbfnpr_context_desc, run_tasks_user) == either(80, 56, 56));
 };
 
 const _: () = {
@@ -108,7 +110,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_fit_desc>() == either(152, 152, 144));
+    assert!(size_of::<hrbfnpr_fit_desc>() == either(144, 144, 136));
     assert!(align_of::<hrbfnpr_fit_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -120,19 +122,17 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_fit_desc, normals) == either(40, 40, 36));
     assert!(offset_of!(hrbfnpr_fit_desc, kernel_radius) == either(72, 72, 64));
     assert!(offset_of!(hrbfnpr_fit_desc, polynomial_degree) == either(80, 80, 72));
-    assert!(offset_of!(hrbfnpr_fit_desc, solver) == either(84, 84, 76));
+    assert!(offset_of!(hrbfnpr_fit_desc, regularization_mode) == either(84, 84, 76));
     assert!(offset_of!(hrbfnpr_fit_desc, regularization) == either(88, 88, 80));
-    assert!(offset_of!(hrbfnpr_fit_desc, tolerance) == either(96, 96, 88));
-    assert!(offset_of!(hrbfnpr_fit_desc, maximum_centres) == either(104, 104, 96));
-    assert!(offset_of!(hrbfnpr_fit_desc, iteration_limit) == either(112, 112, 104));
-    assert!(offset_of!(hrbfnpr_fit_desc, reserved) == either(116, 116, 108));
-    assert!(offset_of!(hrbfnpr_fit_desc, outliers) == either(120, 120, 112));
-    assert!(offset_of!(hrbfnpr_fit_desc, flipped_normals) == either(124, 124, 116));
-    assert!(offset_of!(hrbfnpr_fit_desc, regularization_mode) == either(128, 128, 120));
-    assert!(offset_of!(hrbfnpr_fit_desc, preconditioner_neighbours) == either(132, 132, 124));
-    assert!(offset_of!(hrbfnpr_fit_desc, solver_tolerance) == either(136, 136, 128));
-    assert!(offset_of!(hrbfnpr_fit_desc, solver_iterations) == either(144, 144, 136));
-    assert!(offset_of!(hrbfnpr_fit_desc, reserved2) == either(148, 148, 140));
+    assert!(offset_of!(hrbfnpr_fit_desc, outliers) == either(96, 96, 88));
+    assert!(offset_of!(hrbfnpr_fit_desc, flipped_normals) == either(100, 100, 92));
+    assert!(offset_of!(hrbfnpr_fit_desc, tolerance) == either(104, 104, 96));
+    assert!(offset_of!(hrbfnpr_fit_desc, maximum_centres) == either(112, 112, 104));
+    assert!(offset_of!(hrbfnpr_fit_desc, solver) == either(120, 120, 112));
+    assert!(offset_of!(hrbfnpr_fit_desc, refinement_steps) == either(124, 124, 116));
+    assert!(offset_of!(hrbfnpr_fit_desc, solver_tolerance) == either(128, 128, 120));
+    assert!(offset_of!(hrbfnpr_fit_desc, iteration_limit) == either(136, 136, 128));
+    assert!(offset_of!(hrbfnpr_fit_desc, preconditioner_neighbours) == either(140, 140, 132));
 };
 
 const _: () = {
@@ -162,42 +162,42 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_model_info, struct_size) == 0);
     assert!(offset_of!(hrbfnpr_model_info, kernel) == 4);
     assert!(offset_of!(hrbfnpr_model_info, polynomial_degree) == 8);
-    assert!(offset_of!(hrbfnpr_model_info, solver) == 12);
+    assert!(offset_of!(hrbfnpr_model_info, choice_rounds) == 12);
     assert!(offset_of!(hrbfnpr_model_info, samples) == 16);
     assert!(offset_of!(hrbfnpr_model_info, centres) == 24);
     assert!(offset_of!(hrbfnpr_model_info, merged_samples) == 32);
-    assert!(offset_of!(hrbfnpr_model_info, rescaled_normals) == 40);
-    assert!(offset_of!(hrbfnpr_model_info, bounds_min) == 48);
-    assert!(offset_of!(hrbfnpr_model_info, bounds_max) == 72);
-    assert!(offset_of!(hrbfnpr_model_info, spacing) == 96);
-    assert!(offset_of!(hrbfnpr_model_info, kernel_radius) == 104);
-    assert!(offset_of!(hrbfnpr_model_info, regularization) == 112);
-    assert!(offset_of!(hrbfnpr_model_info, value_residual_max) == 120);
-    assert!(offset_of!(hrbfnpr_model_info, value_residual_rms) == 128);
-    assert!(offset_of!(hrbfnpr_model_info, gradient_residual_max) == 136);
-    assert!(offset_of!(hrbfnpr_model_info, gradient_residual_rms) == 144);
-    assert!(offset_of!(hrbfnpr_model_info, solver_residual) == 152);
-    assert!(offset_of!(hrbfnpr_model_info, condition_estimate) == 160);
-    assert!(offset_of!(hrbfnpr_model_info, iterations) == 168);
-    assert!(offset_of!(hrbfnpr_model_info, fallback) == 172);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_assemble) == 176);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_solve) == 184);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_total) == 192);
-    assert!(offset_of!(hrbfnpr_model_info, bytes) == 200);
-    assert!(offset_of!(hrbfnpr_model_info, outliers_found) == 208);
-    assert!(offset_of!(hrbfnpr_model_info, outliers_dropped) == 216);
-    assert!(offset_of!(hrbfnpr_model_info, flipped_found) == 224);
-    assert!(offset_of!(hrbfnpr_model_info, flipped_repaired) == 232);
-    assert!(offset_of!(hrbfnpr_model_info, near_duplicates) == 240);
-    assert!(offset_of!(hrbfnpr_model_info, noise_estimate) == 248);
-    assert!(offset_of!(hrbfnpr_model_info, input_distance_max) == 256);
-    assert!(offset_of!(hrbfnpr_model_info, input_distance_rms) == 264);
-    assert!(offset_of!(hrbfnpr_model_info, input_share_within) == 272);
-    assert!(offset_of!(hrbfnpr_model_info, choice_rounds) == 280);
-    assert!(offset_of!(hrbfnpr_model_info, solver_reason) == 284);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_clean) == 288);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_choose) == 296);
-    assert!(offset_of!(hrbfnpr_model_info, seconds_precondition) == 304);
+    assert!(offset_of!(hrbfnpr_model_info, near_duplicates) == 40);
+    assert!(offset_of!(hrbfnpr_model_info, rescaled_normals) == 48);
+    assert!(offset_of!(hrbfnpr_model_info, outliers_found) == 56);
+    assert!(offset_of!(hrbfnpr_model_info, outliers_dropped) == 64);
+    assert!(offset_of!(hrbfnpr_model_info, flipped_found) == 72);
+    assert!(offset_of!(hrbfnpr_model_info, flipped_repaired) == 80);
+    assert!(offset_of!(hrbfnpr_model_info, bounds_min) == 88);
+    assert!(offset_of!(hrbfnpr_model_info, bounds_max) == 112);
+    assert!(offset_of!(hrbfnpr_model_info, spacing) == 136);
+    assert!(offset_of!(hrbfnpr_model_info, kernel_radius) == 144);
+    assert!(offset_of!(hrbfnpr_model_info, regularization) == 152);
+    assert!(offset_of!(hrbfnpr_model_info, noise_estimate) == 160);
+    assert!(offset_of!(hrbfnpr_model_info, value_residual_max) == 168);
+    assert!(offset_of!(hrbfnpr_model_info, value_residual_rms) == 176);
+    assert!(offset_of!(hrbfnpr_model_info, gradient_residual_max) == 184);
+    assert!(offset_of!(hrbfnpr_model_info, gradient_residual_rms) == 192);
+    assert!(offset_of!(hrbfnpr_model_info, input_distance_max) == 200);
+    assert!(offset_of!(hrbfnpr_model_info, input_distance_rms) == 208);
+    assert!(offset_of!(hrbfnpr_model_info, input_share_within) == 216);
+    assert!(offset_of!(hrbfnpr_model_info, solver) == 224);
+    assert!(offset_of!(hrbfnpr_model_info, solver_reason) == 228);
+    assert!(offset_of!(hrbfnpr_model_info, iterations) == 232);
+    assert!(offset_of!(hrbfnpr_model_info, fallback) == 236);
+    assert!(offset_of!(hrbfnpr_model_info, solver_residual) == 240);
+    assert!(offset_of!(hrbfnpr_model_info, condition_estimate) == 248);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_clean) == 256);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_choose) == 264);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_assemble) == 272);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_precondition) == 280);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_solve) == 288);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_total) == 296);
+    assert!(offset_of!(hrbfnpr_model_info, bytes) == 304);
     assert!(offset_of!(hrbfnpr_model_info, peak_bytes) == 312);
 };
 
@@ -209,10 +209,41 @@ const _: () = {
 const _: () = {
     use core::mem::offset_of;
     assert!(offset_of!(hrbfnpr_project_desc, struct_size) == 0);
-    assert!(offset_of!(hrbfnpr_project_desc, iteration_limit) == 4);
+    assert!(offset_of!(hrbfnpr_project_desc, evaluation_limit) == 4);
     assert!(offset_of!(hrbfnpr_project_desc, tolerance) == 8);
     assert!(offset_of!(hrbfnpr_project_desc, armijo_slope) == 16);
     assert!(offset_of!(hrbfnpr_project_desc, armijo_factor) == 24);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_projection>() == either(112, 112, 100));
+    assert!(align_of::<hrbfnpr_projection>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_projection, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_projection, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_projection, position) == 8);
+    assert!(offset_of!(hrbfnpr_projection, normal) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_projection, status) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_projection, converged) == either(104, 104, 92));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_curvature>() == either(168, 168, 148));
+    assert!(align_of::<hrbfnpr_curvature>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_curvature, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_curvature, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_curvature, k1) == 8);
+    assert!(offset_of!(hrbfnpr_curvature, k2) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_curvature, d1) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_curvature, d2) == either(104, 104, 92));
+    assert!(offset_of!(hrbfnpr_curvature, confidence) == either(136, 136, 120));
 };
 
 const _: () = {
@@ -224,7 +255,7 @@ const _: () = {
     use core::mem::offset_of;
     assert!(offset_of!(hrbfnpr_cast_desc, struct_size) == 0);
     assert!(offset_of!(hrbfnpr_cast_desc, maximum_hits) == 4);
-    assert!(offset_of!(hrbfnpr_cast_desc, iteration_limit) == 8);
+    assert!(offset_of!(hrbfnpr_cast_desc, evaluation_limit) == 8);
     assert!(offset_of!(hrbfnpr_cast_desc, reserved) == 12);
     assert!(offset_of!(hrbfnpr_cast_desc, t_min) == 16);
     assert!(offset_of!(hrbfnpr_cast_desc, t_max) == 24);
@@ -234,82 +265,101 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_group_desc>() == 24);
-    assert!(align_of::<hrbfnpr_group_desc>() == either(8, 8, 4));
+    assert!(size_of::<hrbfnpr_ray_hits>() == either(208, 208, 184));
+    assert!(align_of::<hrbfnpr_ray_hits>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_group_desc, levels) == 0);
-    assert!(offset_of!(hrbfnpr_group_desc, seeds) == 4);
-    assert!(offset_of!(hrbfnpr_group_desc, seed_level) == 8);
-    assert!(offset_of!(hrbfnpr_group_desc, reserved) == 12);
-    assert!(offset_of!(hrbfnpr_group_desc, budget) == 16);
+    assert!(offset_of!(hrbfnpr_ray_hits, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_ray_hits, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_ray_hits, count) == 8);
+    assert!(offset_of!(hrbfnpr_ray_hits, t) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_ray_hits, position) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_ray_hits, normal) == either(104, 104, 92));
+    assert!(offset_of!(hrbfnpr_ray_hits, entering) == either(136, 136, 120));
+    assert!(offset_of!(hrbfnpr_ray_hits, status) == either(168, 168, 148));
+    assert!(offset_of!(hrbfnpr_ray_hits, hit_rays) == either(200, 200, 176));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer>() == 8);
-    assert!(align_of::<hrbfnpr_layer>() == 4);
+    assert!(size_of::<hrbfnpr_layer_desc>() == either(128, 112, 108));
+    assert!(align_of::<hrbfnpr_layer_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_layer, begin) == 0);
-    assert!(offset_of!(hrbfnpr_layer, end) == 4);
+    assert!(offset_of!(hrbfnpr_layer_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_layer_desc, kind) == 4);
+    assert!(offset_of!(hrbfnpr_layer_desc, name) == 8);
+    assert!(offset_of!(hrbfnpr_layer_desc, budget) == either(16, 16, 12));
+    assert!(offset_of!(hrbfnpr_layer_desc, tone_begin) == either(24, 24, 20));
+    assert!(offset_of!(hrbfnpr_layer_desc, tone_end) == either(28, 28, 24));
+    assert!(offset_of!(hrbfnpr_layer_desc, second_tone_begin) == either(32, 32, 28));
+    assert!(offset_of!(hrbfnpr_layer_desc, second_tone_end) == either(36, 36, 32));
+    assert!(offset_of!(hrbfnpr_layer_desc, flags) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_layer_desc, density) == either(44, 44, 40));
+    assert!(offset_of!(hrbfnpr_layer_desc, density_strength) == either(48, 48, 44));
+    assert!(offset_of!(hrbfnpr_layer_desc, density_function) == either(56, 56, 52));
+    assert!(offset_of!(hrbfnpr_layer_desc, density_user) == either(64, 60, 56));
+    assert!(offset_of!(hrbfnpr_layer_desc, separation) == either(72, 64, 60));
+    assert!(offset_of!(hrbfnpr_layer_desc, step) == either(80, 72, 68));
+    assert!(offset_of!(hrbfnpr_layer_desc, length) == either(88, 80, 76));
+    assert!(offset_of!(hrbfnpr_layer_desc, direction_function) == either(96, 88, 84));
+    assert!(offset_of!(hrbfnpr_layer_desc, direction_user) == either(104, 92, 88));
+    assert!(offset_of!(hrbfnpr_layer_desc, symmetry) == either(112, 96, 92));
+    assert!(offset_of!(hrbfnpr_layer_desc, start) == either(116, 100, 96));
+    assert!(offset_of!(hrbfnpr_layer_desc, start_level) == either(120, 104, 100));
+    assert!(offset_of!(hrbfnpr_layer_desc, levels) == either(124, 108, 104));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_generate_desc>() == either(272, 264, 260));
+    assert!(size_of::<hrbfnpr_generate_desc>() == either(120, 120, 112));
     assert!(align_of::<hrbfnpr_generate_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
     assert!(offset_of!(hrbfnpr_generate_desc, struct_size) == 0);
-    assert!(offset_of!(hrbfnpr_generate_desc, groups) == 4);
-    assert!(offset_of!(hrbfnpr_generate_desc, distribution) == 8);
-    assert!(offset_of!(hrbfnpr_generate_desc, seed_source) == 12);
-    assert!(offset_of!(hrbfnpr_generate_desc, flags) == 16);
-    assert!(offset_of!(hrbfnpr_generate_desc, box_resolution) == 20);
-    assert!(offset_of!(hrbfnpr_generate_desc, box_jitter) == 24);
-    assert!(offset_of!(hrbfnpr_generate_desc, initial_step) == 32);
-    assert!(offset_of!(hrbfnpr_generate_desc, projection_tolerance) == 40);
-    assert!(offset_of!(hrbfnpr_generate_desc, random_seed) == 48);
-    assert!(offset_of!(hrbfnpr_generate_desc, seed_points) == 56);
-    assert!(offset_of!(hrbfnpr_generate_desc, group) == either(88, 88, 84));
-    assert!(offset_of!(hrbfnpr_generate_desc, stroke_separation) == either(160, 160, 156));
-    assert!(offset_of!(hrbfnpr_generate_desc, stroke_step) == either(168, 168, 164));
-    assert!(offset_of!(hrbfnpr_generate_desc, stroke_length) == either(176, 176, 172));
-    assert!(offset_of!(hrbfnpr_generate_desc, stroke_field) == either(184, 184, 180));
-    assert!(offset_of!(hrbfnpr_generate_desc, density) == either(188, 188, 184));
-    assert!(offset_of!(hrbfnpr_generate_desc, density_strength) == either(192, 192, 188));
-    assert!(offset_of!(hrbfnpr_generate_desc, density_function) == either(200, 200, 196));
-    assert!(offset_of!(hrbfnpr_generate_desc, density_user) == either(208, 204, 200));
-    assert!(offset_of!(hrbfnpr_generate_desc, order) == either(216, 208, 204));
-    assert!(offset_of!(hrbfnpr_generate_desc, reserved2) == either(220, 212, 208));
-    assert!(offset_of!(hrbfnpr_generate_desc, shared_budget) == either(224, 216, 212));
-    assert!(offset_of!(hrbfnpr_generate_desc, layer) == either(232, 224, 220));
+    assert!(offset_of!(hrbfnpr_generate_desc, distribution) == 4);
+    assert!(offset_of!(hrbfnpr_generate_desc, layers) == 8);
+    assert!(offset_of!(hrbfnpr_generate_desc, layer_count) == either(16, 16, 12));
+    assert!(offset_of!(hrbfnpr_generate_desc, layer_stride) == either(24, 24, 20));
+    assert!(offset_of!(hrbfnpr_generate_desc, shared_budget) == either(32, 32, 28));
+    assert!(offset_of!(hrbfnpr_generate_desc, tone_ranges) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_generate_desc, seed_source) == either(44, 44, 40));
+    assert!(offset_of!(hrbfnpr_generate_desc, seed_points) == either(48, 48, 44));
+    assert!(offset_of!(hrbfnpr_generate_desc, box_jitter) == either(80, 80, 72));
+    assert!(offset_of!(hrbfnpr_generate_desc, box_resolution) == either(88, 88, 80));
+    assert!(offset_of!(hrbfnpr_generate_desc, reserved) == either(92, 92, 84));
+    assert!(offset_of!(hrbfnpr_generate_desc, initial_step) == either(96, 96, 88));
+    assert!(offset_of!(hrbfnpr_generate_desc, projection_tolerance) == either(104, 104, 96));
+    assert!(offset_of!(hrbfnpr_generate_desc, random_seed) == either(112, 112, 104));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_group_arrays>() == either(256, 256, 224));
-    assert!(align_of::<hrbfnpr_group_arrays>() == either(8, 8, 4));
+    assert!(size_of::<hrbfnpr_layer_arrays>() == either(304, 304, 264));
+    assert!(align_of::<hrbfnpr_layer_arrays>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_group_arrays, position) == 0);
-    assert!(offset_of!(hrbfnpr_group_arrays, normal) == either(32, 32, 28));
-    assert!(offset_of!(hrbfnpr_group_arrays, direction) == either(64, 64, 56));
-    assert!(offset_of!(hrbfnpr_group_arrays, curvature) == either(96, 96, 84));
-    assert!(offset_of!(hrbfnpr_group_arrays, rank) == either(128, 128, 112));
-    assert!(offset_of!(hrbfnpr_group_arrays, level) == either(160, 160, 140));
-    assert!(offset_of!(hrbfnpr_group_arrays, stroke) == either(192, 192, 168));
-    assert!(offset_of!(hrbfnpr_group_arrays, width) == either(224, 224, 196));
+    assert!(offset_of!(hrbfnpr_layer_arrays, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_layer_arrays, kind) == 4);
+    assert!(offset_of!(hrbfnpr_layer_arrays, name) == 8);
+    assert!(offset_of!(hrbfnpr_layer_arrays, position) == either(16, 16, 12));
+    assert!(offset_of!(hrbfnpr_layer_arrays, normal) == either(48, 48, 40));
+    assert!(offset_of!(hrbfnpr_layer_arrays, stroke_first) == either(80, 80, 68));
+    assert!(offset_of!(hrbfnpr_layer_arrays, stroke_direction) == either(112, 112, 96));
+    assert!(offset_of!(hrbfnpr_layer_arrays, direction) == either(144, 144, 124));
+    assert!(offset_of!(hrbfnpr_layer_arrays, curvature) == either(176, 176, 152));
+    assert!(offset_of!(hrbfnpr_layer_arrays, rank) == either(208, 208, 180));
+    assert!(offset_of!(hrbfnpr_layer_arrays, level) == either(240, 240, 208));
+    assert!(offset_of!(hrbfnpr_layer_arrays, width) == either(272, 272, 236));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_point_set_desc>() == either(784, 784, 688));
+    assert!(size_of::<hrbfnpr_point_set_desc>() == either(48, 40, 40));
     assert!(align_of::<hrbfnpr_point_set_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -317,44 +367,15 @@ const _: () = {
     use core::mem::offset_of;
     assert!(offset_of!(hrbfnpr_point_set_desc, struct_size) == 0);
     assert!(offset_of!(hrbfnpr_point_set_desc, reserved) == 4);
-    assert!(offset_of!(hrbfnpr_point_set_desc, random_seed) == 8);
-    assert!(offset_of!(hrbfnpr_point_set_desc, group) == 16);
+    assert!(offset_of!(hrbfnpr_point_set_desc, base) == 8);
+    assert!(offset_of!(hrbfnpr_point_set_desc, layers) == either(16, 12, 12));
+    assert!(offset_of!(hrbfnpr_point_set_desc, layer_count) == either(24, 16, 16));
+    assert!(offset_of!(hrbfnpr_point_set_desc, layer_stride) == either(32, 24, 24));
+    assert!(offset_of!(hrbfnpr_point_set_desc, random_seed) == either(40, 32, 32));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_level_info>() == 48);
-    assert!(align_of::<hrbfnpr_level_info>() == either(8, 8, 4));
-};
-#[cfg(not(hrbfnpr_no_offset_of))]
-const _: () = {
-    use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_level_info, attempted) == 0);
-    assert!(offset_of!(hrbfnpr_level_info, placed) == 8);
-    assert!(offset_of!(hrbfnpr_level_info, dropped_not_converged) == 16);
-    assert!(offset_of!(hrbfnpr_level_info, dropped_strayed) == 24);
-    assert!(offset_of!(hrbfnpr_level_info, dropped_degenerate) == 32);
-    assert!(offset_of!(hrbfnpr_level_info, dropped_budget) == 40);
-};
-
-const _: () = {
-    assert!(size_of::<hrbfnpr_group_info>() == 672);
-    assert!(align_of::<hrbfnpr_group_info>() == either(8, 8, 4));
-};
-#[cfg(not(hrbfnpr_no_offset_of))]
-const _: () = {
-    use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_group_info, count) == 0);
-    assert!(offset_of!(hrbfnpr_group_info, strokes) == 8);
-    assert!(offset_of!(hrbfnpr_group_info, full_count) == 16);
-    assert!(offset_of!(hrbfnpr_group_info, levels) == 24);
-    assert!(offset_of!(hrbfnpr_group_info, reserved) == 28);
-    assert!(offset_of!(hrbfnpr_group_info, step) == 32);
-    assert!(offset_of!(hrbfnpr_group_info, seconds) == 40);
-    assert!(offset_of!(hrbfnpr_group_info, level) == 48);
-};
-
-const _: () = {
-    assert!(size_of::<hrbfnpr_point_set_info>() == 2184);
+    assert!(size_of::<hrbfnpr_point_set_info>() == 136);
     assert!(align_of::<hrbfnpr_point_set_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -364,15 +385,51 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_point_set_info, distribution) == 4);
     assert!(offset_of!(hrbfnpr_point_set_info, seed_source) == 8);
     assert!(offset_of!(hrbfnpr_point_set_info, reserved) == 12);
-    assert!(offset_of!(hrbfnpr_point_set_info, origin) == 16);
-    assert!(offset_of!(hrbfnpr_point_set_info, bounds_min) == 40);
-    assert!(offset_of!(hrbfnpr_point_set_info, bounds_max) == 64);
-    assert!(offset_of!(hrbfnpr_point_set_info, spacing) == 88);
-    assert!(offset_of!(hrbfnpr_point_set_info, seconds_seeds) == 96);
-    assert!(offset_of!(hrbfnpr_point_set_info, seconds_total) == 104);
-    assert!(offset_of!(hrbfnpr_point_set_info, bytes) == 112);
-    assert!(offset_of!(hrbfnpr_point_set_info, seeds) == 120);
-    assert!(offset_of!(hrbfnpr_point_set_info, group) == 168);
+    assert!(offset_of!(hrbfnpr_point_set_info, layers) == 16);
+    assert!(offset_of!(hrbfnpr_point_set_info, marks) == 24);
+    assert!(offset_of!(hrbfnpr_point_set_info, origin) == 32);
+    assert!(offset_of!(hrbfnpr_point_set_info, bounds_min) == 56);
+    assert!(offset_of!(hrbfnpr_point_set_info, bounds_max) == 80);
+    assert!(offset_of!(hrbfnpr_point_set_info, spacing) == 104);
+    assert!(offset_of!(hrbfnpr_point_set_info, seconds_seeds) == 112);
+    assert!(offset_of!(hrbfnpr_point_set_info, seconds_total) == 120);
+    assert!(offset_of!(hrbfnpr_point_set_info, bytes) == 128);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_layer_info>() == 120);
+    assert!(align_of::<hrbfnpr_layer_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_layer_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_layer_info, kind) == 4);
+    assert!(offset_of!(hrbfnpr_layer_info, name) == 8);
+    assert!(offset_of!(hrbfnpr_layer_info, marks) == 72);
+    assert!(offset_of!(hrbfnpr_layer_info, strokes) == 80);
+    assert!(offset_of!(hrbfnpr_layer_info, full_count) == 88);
+    assert!(offset_of!(hrbfnpr_layer_info, levels) == 96);
+    assert!(offset_of!(hrbfnpr_layer_info, reserved) == 100);
+    assert!(offset_of!(hrbfnpr_layer_info, step) == 104);
+    assert!(offset_of!(hrbfnpr_layer_info, seconds) == 112);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_placement_info>() == 56);
+    assert!(align_of::<hrbfnpr_placement_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_placement_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_placement_info, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_placement_info, attempted) == 8);
+    assert!(offset_of!(hrbfnpr_placement_info, placed) == 16);
+    assert!(offset_of!(hrbfnpr_placement_info, dropped_not_converged) == 24);
+    assert!(offset_of!(hrbfnpr_placement_info, dropped_strayed) == 32);
+    assert!(offset_of!(hrbfnpr_placement_info, dropped_degenerate) == 40);
+    assert!(offset_of!(hrbfnpr_placement_info, dropped_budget) == 48);
 };
 
 const _: () = {
@@ -390,61 +447,84 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_group_style>() == 36);
-    assert!(align_of::<hrbfnpr_group_style>() == 4);
+    assert!(size_of::<hrbfnpr_layer_style>() == either(64, 60, 60));
+    assert!(align_of::<hrbfnpr_layer_style>() == either(8, 4, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_group_style, shown) == 0);
-    assert!(offset_of!(hrbfnpr_group_style, sets) == 4);
-    assert!(offset_of!(hrbfnpr_group_style, share) == 8);
-    assert!(offset_of!(hrbfnpr_group_style, radius) == 12);
-    assert!(offset_of!(hrbfnpr_group_style, radius_zoom) == 16);
-    assert!(offset_of!(hrbfnpr_group_style, ink) == 20);
+    assert!(offset_of!(hrbfnpr_layer_style, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_layer_style, kind) == 4);
+    assert!(offset_of!(hrbfnpr_layer_style, name) == 8);
+    assert!(offset_of!(hrbfnpr_layer_style, shown) == either(16, 12, 12));
+    assert!(offset_of!(hrbfnpr_layer_style, contours) == either(20, 16, 16));
+    assert!(offset_of!(hrbfnpr_layer_style, directions) == either(24, 20, 20));
+    assert!(offset_of!(hrbfnpr_layer_style, shape) == either(28, 24, 24));
+    assert!(offset_of!(hrbfnpr_layer_style, share) == either(32, 28, 28));
+    assert!(offset_of!(hrbfnpr_layer_style, radius) == either(36, 32, 32));
+    assert!(offset_of!(hrbfnpr_layer_style, radius_zoom) == either(40, 36, 36));
+    assert!(offset_of!(hrbfnpr_layer_style, reserved) == either(44, 40, 40));
+    assert!(offset_of!(hrbfnpr_layer_style, ink) == either(48, 44, 44));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_style>() == either(312, 304, 300));
+    assert!(size_of::<hrbfnpr_style>() == either(224, 216, 212));
     assert!(align_of::<hrbfnpr_style>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
     assert!(offset_of!(hrbfnpr_style, struct_size) == 0);
-    assert!(offset_of!(hrbfnpr_style, hidden_lines) == 4);
-    assert!(offset_of!(hrbfnpr_style, silhouette_threshold) == 8);
-    assert!(offset_of!(hrbfnpr_style, attenuation_front) == 16);
-    assert!(offset_of!(hrbfnpr_style, attenuation_back) == 24);
-    assert!(offset_of!(hrbfnpr_style, cover_radius) == 32);
-    assert!(offset_of!(hrbfnpr_style, halo_width) == 36);
-    assert!(offset_of!(hrbfnpr_style, cover_layers) == 40);
-    assert!(offset_of!(hrbfnpr_style, visibility) == 44);
-    assert!(offset_of!(hrbfnpr_style, tone) == 48);
-    assert!(offset_of!(hrbfnpr_style, tone_rule) == 52);
-    assert!(offset_of!(hrbfnpr_style, light_space) == 56);
-    assert!(offset_of!(hrbfnpr_style, silhouette_groups) == 60);
-    assert!(offset_of!(hrbfnpr_style, light) == 64);
-    assert!(offset_of!(hrbfnpr_style, tone_exponent) == 88);
-    assert!(offset_of!(hrbfnpr_style, tone_function) == 96);
-    assert!(offset_of!(hrbfnpr_style, tone_user) == either(104, 100, 100));
-    assert!(offset_of!(hrbfnpr_style, depth_min) == either(112, 104, 104));
-    assert!(offset_of!(hrbfnpr_style, depth_max) == either(120, 112, 112));
-    assert!(offset_of!(hrbfnpr_style, zoom_reference) == either(128, 120, 120));
-    assert!(offset_of!(hrbfnpr_style, zoom_exponent) == either(136, 128, 128));
-    assert!(offset_of!(hrbfnpr_style, paper) == either(144, 136, 136));
-    assert!(offset_of!(hrbfnpr_style, silhouette_ink) == either(160, 152, 152));
-    assert!(offset_of!(hrbfnpr_style, silhouette_radius) == either(176, 168, 168));
-    assert!(offset_of!(hrbfnpr_style, silhouette_radius_zoom) == either(180, 172, 172));
-    assert!(offset_of!(hrbfnpr_style, group) == either(184, 176, 176));
-    assert!(offset_of!(hrbfnpr_style, tone_curve) == either(292, 284, 284));
-    assert!(offset_of!(hrbfnpr_style, silhouette_law) == either(296, 288, 288));
-    assert!(offset_of!(hrbfnpr_style, tone_fade) == either(300, 292, 292));
-    assert!(offset_of!(hrbfnpr_style, silhouette_width) == either(304, 296, 296));
+    assert!(offset_of!(hrbfnpr_style, tone) == 4);
+    assert!(offset_of!(hrbfnpr_style, paper) == 8);
+    assert!(offset_of!(hrbfnpr_style, layers) == 24);
+    assert!(offset_of!(hrbfnpr_style, layer_count) == either(32, 32, 28));
+    assert!(offset_of!(hrbfnpr_style, layer_stride) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_style, tone_rule) == either(48, 48, 44));
+    assert!(offset_of!(hrbfnpr_style, tone_curve) == either(52, 52, 48));
+    assert!(offset_of!(hrbfnpr_style, light) == either(56, 56, 52));
+    assert!(offset_of!(hrbfnpr_style, tone_exponent) == either(80, 80, 76));
+    assert!(offset_of!(hrbfnpr_style, tone_function) == either(88, 88, 84));
+    assert!(offset_of!(hrbfnpr_style, tone_user) == either(96, 92, 88));
+    assert!(offset_of!(hrbfnpr_style, light_space) == either(104, 96, 92));
+    assert!(offset_of!(hrbfnpr_style, tone_fade) == either(108, 100, 96));
+    assert!(offset_of!(hrbfnpr_style, silhouette_law) == either(112, 104, 100));
+    assert!(offset_of!(hrbfnpr_style, silhouette_width) == either(116, 108, 104));
+    assert!(offset_of!(hrbfnpr_style, silhouette_threshold) == either(120, 112, 108));
+    assert!(offset_of!(hrbfnpr_style, silhouette_radius) == either(128, 120, 116));
+    assert!(offset_of!(hrbfnpr_style, silhouette_radius_zoom) == either(132, 124, 120));
+    assert!(offset_of!(hrbfnpr_style, silhouette_ink) == either(136, 128, 124));
+    assert!(offset_of!(hrbfnpr_style, visibility) == either(152, 144, 140));
+    assert!(offset_of!(hrbfnpr_style, hidden_lines) == either(156, 148, 144));
+    assert!(offset_of!(hrbfnpr_style, attenuation_front) == either(160, 152, 148));
+    assert!(offset_of!(hrbfnpr_style, attenuation_back) == either(168, 160, 156));
+    assert!(offset_of!(hrbfnpr_style, splat_radius) == either(176, 168, 164));
+    assert!(offset_of!(hrbfnpr_style, splat_overlap) == either(180, 172, 168));
+    assert!(offset_of!(hrbfnpr_style, halo_width) == either(184, 176, 172));
+    assert!(offset_of!(hrbfnpr_style, reserved) == either(188, 180, 176));
+    assert!(offset_of!(hrbfnpr_style, depth_min) == either(192, 184, 180));
+    assert!(offset_of!(hrbfnpr_style, depth_max) == either(200, 192, 188));
+    assert!(offset_of!(hrbfnpr_style, zoom_reference) == either(208, 200, 196));
+    assert!(offset_of!(hrbfnpr_style, zoom_exponent) == either(216, 208, 204));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_item>() == either(160, 152, 148));
+    assert!(size_of::<hrbfnpr_layer_pose>() == either(112, 112, 100));
+    assert!(align_of::<hrbfnpr_layer_pose>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_layer_pose, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_layer_pose, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_layer_pose, layer) == 8);
+    assert!(offset_of!(hrbfnpr_layer_pose, position) == 16);
+    assert!(offset_of!(hrbfnpr_layer_pose, normal) == either(48, 48, 44));
+    assert!(offset_of!(hrbfnpr_layer_pose, direction) == either(80, 80, 72));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_item>() == either(184, 176, 168));
     assert!(align_of::<hrbfnpr_item>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -454,51 +534,78 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_item, reserved) == 4);
     assert!(offset_of!(hrbfnpr_item, point_set) == 8);
     assert!(offset_of!(hrbfnpr_item, style) == either(16, 12, 12));
-    assert!(offset_of!(hrbfnpr_item, transform) == either(24, 16, 16));
-    assert!(offset_of!(hrbfnpr_item, model) == either(152, 144, 144));
+    assert!(offset_of!(hrbfnpr_item, model) == either(24, 16, 16));
+    assert!(offset_of!(hrbfnpr_item, transform) == either(32, 24, 20));
+    assert!(offset_of!(hrbfnpr_item, poses) == either(160, 152, 148));
+    assert!(offset_of!(hrbfnpr_item, pose_count) == either(168, 160, 152));
+    assert!(offset_of!(hrbfnpr_item, pose_stride) == either(176, 168, 160));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_frame_info>() == 144);
-    assert!(align_of::<hrbfnpr_frame_info>() == either(8, 8, 4));
+    assert!(size_of::<hrbfnpr_drawing_info>() == 184);
+    assert!(align_of::<hrbfnpr_drawing_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_frame_info, struct_size) == 0);
-    assert!(offset_of!(hrbfnpr_frame_info, reserved) == 4);
-    assert!(offset_of!(hrbfnpr_frame_info, marks) == 8);
-    assert!(offset_of!(hrbfnpr_frame_info, outside) == 16);
-    assert!(offset_of!(hrbfnpr_frame_info, front) == 24);
-    assert!(offset_of!(hrbfnpr_frame_info, back) == 32);
-    assert!(offset_of!(hrbfnpr_frame_info, silhouette) == 40);
-    assert!(offset_of!(hrbfnpr_frame_info, shown) == 48);
-    assert!(offset_of!(hrbfnpr_frame_info, dropped_tone) == 56);
-    assert!(offset_of!(hrbfnpr_frame_info, dropped_depth) == 64);
-    assert!(offset_of!(hrbfnpr_frame_info, dropped_zoom) == 72);
-    assert!(offset_of!(hrbfnpr_frame_info, dropped_hidden) == 80);
-    assert!(offset_of!(hrbfnpr_frame_info, painted) == 88);
-    assert!(offset_of!(hrbfnpr_frame_info, nanoseconds_classify) == 96);
-    assert!(offset_of!(hrbfnpr_frame_info, nanoseconds_visibility) == 104);
-    assert!(offset_of!(hrbfnpr_frame_info, nanoseconds_sort) == 112);
-    assert!(offset_of!(hrbfnpr_frame_info, nanoseconds_draw) == 120);
-    assert!(offset_of!(hrbfnpr_frame_info, scratch_bytes) == 128);
-    assert!(offset_of!(hrbfnpr_frame_info, culled) == 136);
+    assert!(offset_of!(hrbfnpr_drawing_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_drawing_info, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_drawing_info, items) == 8);
+    assert!(offset_of!(hrbfnpr_drawing_info, layers) == 16);
+    assert!(offset_of!(hrbfnpr_drawing_info, dots) == 24);
+    assert!(offset_of!(hrbfnpr_drawing_info, strokes) == 32);
+    assert!(offset_of!(hrbfnpr_drawing_info, stroke_points) == 40);
+    assert!(offset_of!(hrbfnpr_drawing_info, marks) == 48);
+    assert!(offset_of!(hrbfnpr_drawing_info, outside) == 56);
+    assert!(offset_of!(hrbfnpr_drawing_info, front) == 64);
+    assert!(offset_of!(hrbfnpr_drawing_info, back) == 72);
+    assert!(offset_of!(hrbfnpr_drawing_info, silhouette) == 80);
+    assert!(offset_of!(hrbfnpr_drawing_info, culled) == 88);
+    assert!(offset_of!(hrbfnpr_drawing_info, shown) == 96);
+    assert!(offset_of!(hrbfnpr_drawing_info, dropped_tone) == 104);
+    assert!(offset_of!(hrbfnpr_drawing_info, dropped_depth) == 112);
+    assert!(offset_of!(hrbfnpr_drawing_info, dropped_zoom) == 120);
+    assert!(offset_of!(hrbfnpr_drawing_info, dropped_hidden) == 128);
+    assert!(offset_of!(hrbfnpr_drawing_info, splats) == 136);
+    assert!(offset_of!(hrbfnpr_drawing_info, nanoseconds_classify) == 144);
+    assert!(offset_of!(hrbfnpr_drawing_info, nanoseconds_visibility) == 152);
+    assert!(offset_of!(hrbfnpr_drawing_info, nanoseconds_sort) == 160);
+    assert!(offset_of!(hrbfnpr_drawing_info, bytes) == 168);
+    assert!(offset_of!(hrbfnpr_drawing_info, scratch_bytes) == 176);
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_draw_desc>() == either(136, 136, 120));
-    assert!(align_of::<hrbfnpr_draw_desc>() == either(8, 8, 4));
+    assert!(size_of::<hrbfnpr_drawing_layer_info>() == 128);
+    assert!(align_of::<hrbfnpr_drawing_layer_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_draw_desc, struct_size) == 0);
-    assert!(offset_of!(hrbfnpr_draw_desc, flags) == 4);
-    assert!(offset_of!(hrbfnpr_draw_desc, host_depth) == 8);
-    assert!(offset_of!(hrbfnpr_draw_desc, depth) == either(40, 40, 36));
-    assert!(offset_of!(hrbfnpr_draw_desc, id) == either(72, 72, 64));
-    assert!(offset_of!(hrbfnpr_draw_desc, class_) == either(104, 104, 92));
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, mark_class) == 4);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, item) == 8);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, layer) == 16);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, kind) == 24);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, shape) == 28);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, name) == 32);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, ink) == 96);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, dots) == 112);
+    assert!(offset_of!(hrbfnpr_drawing_layer_info, strokes) == 120);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_raster_desc>() == either(136, 136, 120));
+    assert!(align_of::<hrbfnpr_raster_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_raster_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_raster_desc, flags) == 4);
+    assert!(offset_of!(hrbfnpr_raster_desc, host_depth) == 8);
+    assert!(offset_of!(hrbfnpr_raster_desc, depth) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_raster_desc, id) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_raster_desc, mark_class) == either(104, 104, 92));
 };
 
 const _: () = {
@@ -508,21 +615,53 @@ const _: () = {
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
-    assert!(offset_of!(hrbfnpr_vertex_attribute, attribute) == 0);
-    assert!(offset_of!(hrbfnpr_vertex_attribute, scalar) == 4);
-    assert!(offset_of!(hrbfnpr_vertex_attribute, offset) == 8);
-    assert!(offset_of!(hrbfnpr_vertex_attribute, reserved) == 12);
+    assert!(offset_of!(hrbfnpr_vertex_attribute, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_vertex_attribute, attribute) == 4);
+    assert!(offset_of!(hrbfnpr_vertex_attribute, scalar) == 8);
+    assert!(offset_of!(hrbfnpr_vertex_attribute, offset) == 12);
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_vertex_layout>() == 272);
+    assert!(size_of::<hrbfnpr_vertex_layout>() == either(40, 40, 36));
     assert!(align_of::<hrbfnpr_vertex_layout>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
 const _: () = {
     use core::mem::offset_of;
     assert!(offset_of!(hrbfnpr_vertex_layout, struct_size) == 0);
-    assert!(offset_of!(hrbfnpr_vertex_layout, attribute_count) == 4);
-    assert!(offset_of!(hrbfnpr_vertex_layout, stride) == 8);
-    assert!(offset_of!(hrbfnpr_vertex_layout, attributes) == 16);
+    assert!(offset_of!(hrbfnpr_vertex_layout, primitive) == 4);
+    assert!(offset_of!(hrbfnpr_vertex_layout, attributes) == 8);
+    assert!(offset_of!(hrbfnpr_vertex_layout, attribute_count) == either(16, 16, 12));
+    assert!(offset_of!(hrbfnpr_vertex_layout, attribute_stride) == either(24, 24, 20));
+    assert!(offset_of!(hrbfnpr_vertex_layout, stride) == either(32, 32, 28));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_mark_results>() == either(104, 104, 92));
+    assert!(align_of::<hrbfnpr_mark_results>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_mark_results, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_mark_results, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_mark_results, shown) == 8);
+    assert!(offset_of!(hrbfnpr_mark_results, radius) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_mark_results, opacity) == either(72, 72, 64));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_mark_identity>() == 48);
+    assert!(align_of::<hrbfnpr_mark_identity>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_mark_identity, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_mark_identity, id) == 4);
+    assert!(offset_of!(hrbfnpr_mark_identity, item) == 8);
+    assert!(offset_of!(hrbfnpr_mark_identity, layer) == 16);
+    assert!(offset_of!(hrbfnpr_mark_identity, mark) == 24);
+    assert!(offset_of!(hrbfnpr_mark_identity, stroke) == 32);
+    assert!(offset_of!(hrbfnpr_mark_identity, place) == 40);
 };

@@ -34,9 +34,16 @@
 //!   defaults for the fields it lacks; a longer (newer) one is refused with
 //!   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
 //!   zero.  Output structs (`_info`) are filled up to their `struct_size`.
+//!   Result structs (_projection, _curvature, _ray_hits) are descriptors of the
+//!   caller's arrays; the numbers in them are written where there is room.
 //!   A struct_size below 8 or above 65536 was never set up, and is refused
 //!   with the same status; `_init` of NULL is INVALID_ARGUMENT.
 //!   Fields named `reserved` must be zero.
+//!
+//! Lists.  A list of structs is a pointer, a count and a stride: bytes from one
+//!   element to the next, 0 = the first one's struct_size.  Each element is a
+//!   descriptor with a struct_size of its own.  Lists have no largest length
+//!   but the one that a message names.
 //!
 //! Failure.  Calls that can fail return a status and take, last, a nullable
 //!   hrbfnpr_error.  A failed call leaves caller's arrays and output structs
@@ -44,7 +51,7 @@
 //!   argument was wrong, how, and what would be right.  No C++ exception, no
 //!   abort and no signal leaves the library; it prints nothing.  One
 //!   exception is stated: a CANCELLED or failed batch call (evaluate, project,
-//!   curvature, cast_rays, contains) may already have written a part of its output arrays.
+//!   curvature, cast_rays, contains) may already have written a part of its arrays.
 //!
 //! Arrays.  Strides are in bytes and may be negative or larger than the
 //!   element; 0 means packed.  Elements need no alignment beyond one byte.
@@ -88,6 +95,34 @@
 //! call that it is passed to return CANCELLED at once.
 //!
 //! Streams, for saving and loading.  Both run on the thread that entered.
+//!
+//! # POINT SET: layers of marks on a surface, immutable [NPAR 4.2, 5]
+//!
+//! A point set is a list of layers.  A layer is a list of marks of one kind,
+//! made in one way and drawn in one style; its number is its place in the
+//! list, from 0.  The marks of some layers form strokes.
+//!
+//! # RENDERER: from items and a camera to a drawing [NPAR 6]
+//!
+//! A renderer is the scratch of one thread.  It keeps a few of its last drawings
+//! and makes the next one in the memory of one that nobody else holds: a program
+//! that releases each drawing before it asks for the next but one allocates
+//! nothing once warm.
+//!
+//! # DRAWING: a picture as a value, immutable
+//!
+//! A drawing is dots and strokes in window coordinates, in layers of one ink and
+//! one class each.  A mark's id is 1 + its running number, counted over items
+//! and layers in order.  All that reads a drawing may run on several threads at
+//! the same time.
+//!
+//! ---- As an image ----------------------------------------------------------
+//!
+//! ---- As vertices ----------------------------------------------------------
+//!
+//! ---- As numbers for the marks of a set -------------------------------------
+//!
+//! ---- Picking ---------------------------------------------------------------
 #![no_std]
 #![allow(non_camel_case_types)]
 #![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is none
@@ -111,7 +146,7 @@ mod layout;
 pub const HRBFNPR_VERSION_MAJOR: u32 = 0;
 pub const HRBFNPR_VERSION_MINOR: u32 = 1;
 pub const HRBFNPR_VERSION_PATCH: u32 = 0;
-pub const HRBFNPR_ABI_VERSION: u32 = 0;
+pub const HRBFNPR_ABI_VERSION: u32 = 1;
 
 extern "C" {
     /// The library's version as major * 10000 + minor * 100 + patch.
@@ -221,11 +256,17 @@ pub struct hrbfnpr_array_out {
     pub components: u32,
 }
 
-// Byte order in memory; 8 bits a channel.  PREMULTIPLIED: colour times alpha.
+// Channels in the order of memory, 8 bits each, or floats.  PREMULTIPLIED:
+// colour times alpha.  Colours are sRGB-encoded.
 pub const HRBFNPR_FORMAT_RGBA8: u32 = 1;
 pub const HRBFNPR_FORMAT_BGRA8: u32 = 2;
 pub const HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED: u32 = 3;
 pub const HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED: u32 = 4;
+/// FLOAT32 in [0,1], aligned to 4 bytes
+pub const HRBFNPR_FORMAT_RGBA32F: u32 = 5;
+pub const HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED: u32 = 6;
+/// one byte: how much of the pixel ink covers, whatever its colour
+pub const HRBFNPR_FORMAT_COVERAGE8: u32 = 7;
 
 /// An image of the caller's.  `pixels` is the top-left pixel, whatever the sign
 /// of row_stride; a bottom-up image passes its last row and a negative stride.
@@ -239,7 +280,7 @@ pub struct hrbfnpr_image {
     pub width: i32,
     pub height: i32,
     pub pixels: *mut c_void,
-    /// bytes from a row to the one below; 0 = packed; |row_stride| >= 4 * width
+    /// bytes from a row to the one below; 0 = packed; |row_stride| >= a row's bytes
     pub row_stride: i64,
 }
 
@@ -264,7 +305,7 @@ pub type hrbfnpr_allocate_fn =
 pub type hrbfnpr_deallocate_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, memory: *mut c_void, size: u64, alignment: u64)>;
 
-pub const HRBFNPR_LOG_DEBUG: u32 = 0;
+pub const HRBFNPR_LOG_DEBUG: i32 = 0;
 pub const HRBFNPR_LOG_INFO: u32 = 1;
 pub const HRBFNPR_LOG_WARNING: u32 = 2;
 
@@ -324,10 +365,10 @@ pub struct hrbfnpr_context_desc {
     pub thread_count: i32,
     /// must be 0
     pub flags: u32,
-    /// HRBFNPR_INSTRUCTION_SET_...; AUTO
-    pub highest_instruction_set: u32,
     /// HRBFNPR_THREAD_BACKEND_...; AUTO
     pub thread_backend: u32,
+    /// HRBFNPR_INSTRUCTION_SET_...; AUTO
+    pub highest_instruction_set: u32,
     /// both or none; none = aligned operator new
     pub allocate: hrbfnpr_allocate_fn,
     pub deallocate: hrbfnpr_deallocate_fn,
@@ -335,6 +376,9 @@ pub struct hrbfnpr_context_desc {
     /// may be NULL
     pub log: hrbfnpr_log_fn,
     pub log_user: *mut c_void,
+    /// HRBFNPR_LOG_...: less than this is not reported; DEBUG
+    pub log_level: i32,
+    pub reserved: u32,
     /// may be NULL; only with thread_backend AUTO or RUN_TASKS
     pub run_tasks: hrbfnpr_run_tasks_fn,
     pub run_tasks_user: *mut c_void,
@@ -406,6 +450,9 @@ extern "C" {
         out_operation: *mut *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_operation_retain(operation: *mut hrbfnpr_operation);
+    /// any thread; NULL is ignored
     pub fn hrbfnpr_operation_release(operation: *mut hrbfnpr_operation);
     /// Any thread, any time, more than once; NULL is ignored.
     pub fn hrbfnpr_operation_cancel(operation: *mut hrbfnpr_operation);
@@ -536,35 +583,33 @@ pub struct hrbfnpr_fit_desc {
     /// -1 (none) .. 3; 1. TRIHARMONIC is well-posed from 1 on (Duchon 1977); below that a pivoted
     /// LU is tried.
     pub polynomial_degree: i32,
-    /// HRBFNPR_SOLVER_...; AUTO
-    pub solver: u32,
+    /// HRBFNPR_REGULARIZATION_...; GIVEN. AUTO needs regularization 0
+    pub regularization_mode: u32,
     /// >= 0; 0 interpolates. Added to the diagonal of the system in coordinates whose diagonal is
     /// 1: larger is smoother
     pub regularization: f64,
+    /// HRBFNPR_REPAIR_KEEP or DROP; KEEP
+    pub outliers: u32,
+    /// HRBFNPR_REPAIR_...; KEEP
+    pub flipped_normals: u32,
     /// > 0: samples are chosen as centres until all lie this near to the surface, in units of the
     /// points; 0: no such end
     pub tolerance: f64,
     /// > 0: no more samples than this are chosen as centres; 0: no limit. With tolerance 0, too,
     /// every sample is a centre
     pub maximum_centres: i64,
-    /// steps of iterative refinement after a direct solve; 2
-    pub iteration_limit: i32,
-    pub reserved: u32,
-    /// HRBFNPR_REPAIR_KEEP or DROP; KEEP
-    pub outliers: u32,
-    /// HRBFNPR_REPAIR_...; KEEP
-    pub flipped_normals: u32,
-    /// HRBFNPR_REGULARIZATION_...; GIVEN. AUTO needs regularization 0
-    pub regularization_mode: u32,
-    /// of ITERATIVE, 1 .. 48: more are fewer iterations and more setup; 0 = 16 to 32 as samples
-    /// are many (GAUSSIAN 40)
-    pub preconditioner_neighbours: u32,
+    /// HRBFNPR_SOLVER_...; AUTO
+    pub solver: u32,
+    /// of iterative refinement after a DIRECT solve, 0 .. 20; 2
+    pub refinement_steps: i32,
     /// relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and fewer 1e-10; or,
     /// where rounding allows no more, 1e-6, with a warning
     pub solver_tolerance: f64,
-    /// most iterations of ITERATIVE; 0 = 200
-    pub solver_iterations: i32,
-    pub reserved2: u32,
+    /// most iterations of ITERATIVE, 1 .. 1000000; 200
+    pub iteration_limit: i32,
+    /// of ITERATIVE, 1 .. 48: more are fewer iterations and more setup; 0 = 16 to 32 as samples
+    /// are many (GAUSSIAN 40)
+    pub preconditioner_neighbours: u32,
 }
 
 extern "C" {
@@ -654,16 +699,24 @@ pub struct hrbfnpr_model_info {
     pub struct_size: u32,
     pub kernel: u32,
     pub polynomial_degree: i32,
-    /// the one used
-    pub solver: u32,
+    /// fits made to choose the centres; 0 if all samples are centres
+    pub choice_rounds: i32,
     /// as given
     pub samples: i64,
     /// after merging, cleaning and choosing
     pub centres: i64,
     /// samples that were merged into another
     pub merged_samples: i64,
+    /// samples much nearer to another than the spacing, merged into it
+    pub near_duplicates: i64,
     /// normals whose length was off 1 by more than 1e-4
     pub rescaled_normals: i64,
+    pub outliers_found: i64,
+    pub outliers_dropped: i64,
+    /// normals against those of their neighbours
+    pub flipped_found: i64,
+    /// of these, dropped or turned round
+    pub flipped_repaired: i64,
     /// of the samples
     pub bounds_min: [f64; 3],
     pub bounds_max: [f64; 3],
@@ -673,50 +726,42 @@ pub struct hrbfnpr_model_info {
     pub kernel_radius: f64,
     /// as used; of AUTO, that of the values
     pub regularization: f64,
+    /// standard deviation of the samples off their surface, in units of the points; 0 if none is
+    /// seen, or nobody asked (regularization GIVEN)
+    pub noise_estimate: f64,
     /// max |f(x_i)|, in units of the points
     pub value_residual_max: f64,
     pub value_residual_rms: f64,
     /// max |grad f(x_i) - n_i|
     pub gradient_residual_max: f64,
     pub gradient_residual_rms: f64,
-    /// relative residual of the linear system, 2-norm
-    pub solver_residual: f64,
-    /// DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm
-    pub condition_estimate: f64,
-    /// refinement steps of DIRECT, steps of ITERATIVE
-    pub iterations: i32,
-    /// 1: the matrix was not definite and a pivoted LU was used
-    pub fallback: u32,
-    pub seconds_assemble: f64,
-    pub seconds_solve: f64,
-    pub seconds_total: f64,
-    /// kept by the model
-    pub bytes: i64,
-    pub outliers_found: i64,
-    pub outliers_dropped: i64,
-    /// normals against those of their neighbours
-    pub flipped_found: i64,
-    /// of these, dropped or turned round
-    pub flipped_repaired: i64,
-    /// samples much nearer to another than the spacing, merged into it
-    pub near_duplicates: i64,
-    /// standard deviation of the samples off their surface, in units of the points; 0 if none is
-    /// seen, or nobody asked (regularization GIVEN)
-    pub noise_estimate: f64,
     /// of all samples but dropped ones from the surface, |f| / |grad f|
     pub input_distance_max: f64,
     pub input_distance_rms: f64,
     /// share of all samples that lie within the tolerance; a dropped one counts as outside; 0
     /// with tolerance 0
     pub input_share_within: f64,
-    /// fits made to choose the centres; 0 if all samples are centres
-    pub choice_rounds: i32,
+    /// the one used
+    pub solver: u32,
     /// HRBFNPR_SOLVER_REASON_...
     pub solver_reason: u32,
+    /// refinement steps of DIRECT, steps of ITERATIVE
+    pub iterations: i32,
+    /// 1: the matrix was not definite and a pivoted LU was used
+    pub fallback: u32,
+    /// relative residual of the linear system, 2-norm
+    pub solver_residual: f64,
+    /// DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm
+    pub condition_estimate: f64,
     pub seconds_clean: f64,
     /// of all rounds but the last fit
     pub seconds_choose: f64,
+    pub seconds_assemble: f64,
     pub seconds_precondition: f64,
+    pub seconds_solve: f64,
+    pub seconds_total: f64,
+    /// kept by the model
+    pub bytes: i64,
     /// most that the context's allocator had given out at a time, up to the fit's end
     pub peak_bytes: i64,
 }
@@ -781,7 +826,7 @@ extern "C" {
 }
 
 pub const HRBFNPR_PROJECTION_CONVERGED: u32 = 0;
-/// iteration limit, or no step lowers f^2
+/// evaluation limit, or no step lowers f^2
 pub const HRBFNPR_PROJECTION_NOT_CONVERGED: u32 = 1;
 /// stuck at a critical point off the surface
 pub const HRBFNPR_PROJECTION_ZERO_GRADIENT: u32 = 2;
@@ -792,8 +837,8 @@ pub const HRBFNPR_PROJECTION_NOT_FINITE: u32 = 3;
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_project_desc {
     pub struct_size: u32,
-    /// evaluations per point, 1 .. 1000; 50
-    pub iteration_limit: i32,
+    /// of f at each point, 1 .. 1000; 50
+    pub evaluation_limit: i32,
     /// stop when |f| / |grad f| <= tolerance * diagonal; 1e-9
     pub tolerance: f64,
     /// sigma in (0, 0.5); 1e-4
@@ -807,40 +852,77 @@ extern "C" {
         desc: *mut hrbfnpr_project_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
+}
+
+/// Where _project puts its results: arrays of the caller's, each of n elements,
+/// or not given (all zero).
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_projection {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// n x 3, FLOAT32 or FLOAT64; may be the points themselves
+    pub position: hrbfnpr_array_out,
+    /// n x 3, FLOAT32 or FLOAT64: the unit gradient
+    pub normal: hrbfnpr_array_out,
+    /// n x 1, UINT8 or UINT32: HRBFNPR_PROJECTION_...
+    pub status: hrbfnpr_array_out,
+    /// written: how many points converged
+    pub converged: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_projection_init(
+        projection: *mut hrbfnpr_projection,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
     /// Projects n points on the surface by steepest descent on f^2 with Armijo's
     /// rule, first step f^2's Newton step along the gradient [NPAR 4.2].
-    /// desc may be NULL.  position and normal (the unit gradient): n x 3, FLOAT32
-    /// or FLOAT64, or NULL; status: n x 1, UINT8 or UINT32 (HRBFNPR_PROJECTION_...),
-    /// or NULL; converged (nullable) gets the number that converged.
-    /// A point that fails keeps its last iterate.  position may be points itself.
+    /// points: n x 3, FLOAT32 or FLOAT64.  desc may be NULL.
+    /// A point that fails keeps its last iterate.
     pub fn hrbfnpr_model_project(
         model: *const hrbfnpr_model,
         points: *const hrbfnpr_array,
         desc: *const hrbfnpr_project_desc,
-        position: *const hrbfnpr_array_out,
-        normal: *const hrbfnpr_array_out,
-        status: *const hrbfnpr_array_out,
-        converged: *mut i64,
+        projection: *mut hrbfnpr_projection,
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// Where _curvature puts its results: arrays of the caller's, each of n
+/// elements, FLOAT32 or FLOAT64, or not given (all zero).
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_curvature {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// n x 1: the larger principal curvature
+    pub k1: hrbfnpr_array_out,
+    /// n x 1
+    pub k2: hrbfnpr_array_out,
+    /// n x 3: their directions, unit, orthogonal, tangent, of arbitrary sign
+    pub d1: hrbfnpr_array_out,
+    pub d2: hrbfnpr_array_out,
+    /// n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), in [0,1]
+    pub confidence: hrbfnpr_array_out,
+}
+
+extern "C" {
+    pub fn hrbfnpr_curvature_init(
+        curvature: *mut hrbfnpr_curvature,
+        struct_size: u32,
     ) -> hrbfnpr_status;
     /// Principal curvatures and directions of the level set through each of n
     /// points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
     /// G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
     /// from its normal (a sphere with outward normals) has negative curvature,
-    /// -1/radius.  d1, d2: unit, orthogonal, tangent, of arbitrary sign.
-    /// confidence = (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal) clamped to [0,1]:
-    /// 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
-    /// k1, k2, confidence: n x 1; d1, d2: n x 3; FLOAT32 or FLOAT64; each or NULL.
-    /// Where the gradient vanishes all of them are 0.
+    /// -1/radius.  The confidence is 0 at umbilics and on planes, where d1 and d2
+    /// fall back to a smooth field.  Where the gradient vanishes all are 0.
     pub fn hrbfnpr_model_curvature(
         model: *const hrbfnpr_model,
         points: *const hrbfnpr_array,
-        k1: *const hrbfnpr_array_out,
-        k2: *const hrbfnpr_array_out,
-        d1: *const hrbfnpr_array_out,
-        d2: *const hrbfnpr_array_out,
-        confidence: *const hrbfnpr_array_out,
+        curvature: *mut hrbfnpr_curvature,
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
@@ -853,7 +935,7 @@ pub const HRBFNPR_RAY_MISS: u32 = 1;
 /// maximum_hits of 2 or more, and there is a further one
 pub const HRBFNPR_RAY_TRUNCATED: u32 = 2;
 /// given up on; what was found before is kept
-pub const HRBFNPR_RAY_ITERATION_LIMIT: u32 = 3;
+pub const HRBFNPR_RAY_EVALUATION_LIMIT: u32 = 3;
 /// f or its gradient was not finite; what was found before is kept
 pub const HRBFNPR_RAY_NOT_FINITE: u32 = 4;
 
@@ -863,8 +945,8 @@ pub struct hrbfnpr_cast_desc {
     pub struct_size: u32,
     /// to find on a ray, 1 .. 256; 1: the first
     pub maximum_hits: i32,
-    /// evaluations per ray, 1 .. 1000000; 20000
-    pub iteration_limit: i32,
+    /// of f on each ray, 1 .. 1000000; 20000
+    pub evaluation_limit: i32,
     pub reserved: u32,
     /// where a ray begins and ends, in lengths of its direction: t_min finite, 0
     pub t_min: f64,
@@ -880,6 +962,35 @@ pub struct hrbfnpr_cast_desc {
 
 extern "C" {
     pub fn hrbfnpr_cast_desc_init(desc: *mut hrbfnpr_cast_desc, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// Where _cast_rays puts its results: arrays of the caller's, each of n
+/// elements, or not given (all zero).  h = maximum_hits; of each ray its hits
+/// in order.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_ray_hits {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// n x 1, UINT32: how many were found, 0 .. h
+    pub count: hrbfnpr_array_out,
+    /// n x h, FLOAT32 or FLOAT64; infinity after the last
+    pub t: hrbfnpr_array_out,
+    /// n x 3h, FLOAT32 or FLOAT64: x y z of the first hit, then of the second ...; 0 after the
+    /// last. From far origins it is more exact than t, which is rounded
+    pub position: hrbfnpr_array_out,
+    /// n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last
+    pub normal: hrbfnpr_array_out,
+    /// n x h, UINT8: 1 where f goes from + to - along the ray, else 0
+    pub entering: hrbfnpr_array_out,
+    /// n x 1, UINT8 or UINT32: HRBFNPR_RAY_...
+    pub status: hrbfnpr_array_out,
+    /// written: how many rays have a hit
+    pub hit_rays: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_ray_hits_init(hits: *mut hrbfnpr_ray_hits, struct_size: u32) -> hrbfnpr_status;
     /// Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
     /// steps that it cannot lie within [Hart 1996, "Sphere tracing"].
     ///
@@ -898,16 +1009,6 @@ extern "C" {
     /// origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
     ///            length but zero, and not so short that the t of a hit is infinite.
     ///            Rays may start inside.
-    /// With h = maximum_hits, for each ray its hits in order; each array or NULL:
-    /// hits:      n x 1, UINT32: how many were found, 0 .. h.
-    /// t:         n x h; infinity after the last.
-    /// position, normal (the unit gradient): n x 3h, x y z of the first hit, then of
-    ///            the second ...; 0 after the last.  t, position and normal FLOAT32
-    ///            or FLOAT64.  From far origins position is the exacter one: t is
-    ///            rounded.
-    /// entering:  n x h, UINT8: 1 where f goes from + to - along the ray, else 0.
-    /// status:    n x 1, UINT8 or UINT32 (HRBFNPR_RAY_...).
-    /// hit_rays (nullable) gets the number of rays with a hit.
     /// desc may be NULL.  A ray that starts on the surface may or may not meet it
     /// there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
     /// numbers of directions and origins that differ, and fields out of their range
@@ -917,13 +1018,7 @@ extern "C" {
         origins: *const hrbfnpr_array,
         directions: *const hrbfnpr_array,
         desc: *const hrbfnpr_cast_desc,
-        hits: *const hrbfnpr_array_out,
-        t: *const hrbfnpr_array_out,
-        position: *const hrbfnpr_array_out,
-        normal: *const hrbfnpr_array_out,
-        entering: *const hrbfnpr_array_out,
-        status: *const hrbfnpr_array_out,
-        hit_rays: *mut i64,
+        hits: *mut hrbfnpr_ray_hits,
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
@@ -988,7 +1083,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 7  POINT SET: marks on a surface, immutable [NPAR 4.2, 5]
+// 7  POINT SET: layers of marks on a surface, immutable [NPAR 4.2, 5]
 
 #[repr(C)]
 pub struct hrbfnpr_point_set {
@@ -996,14 +1091,20 @@ pub struct hrbfnpr_point_set {
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-// The three groups of marks [NPAR 5].
+// What the marks of a layer are.  More kinds may come: treat one that is not
+// in this list like OWN.
+/// in styles only: layers of every kind
+pub const HRBFNPR_LAYER_KIND_ANY: u32 = 0;
 /// scattered marks
-pub const HRBFNPR_GROUP_STIPPLE: u32 = 0;
-/// strokes along d1 (set 0) and d2 (set 1)
-pub const HRBFNPR_GROUP_CURVATURE: u32 = 1;
-/// strokes along Stark's two directions, r (set 0), u (set 1)
-pub const HRBFNPR_GROUP_COMBING: u32 = 2;
-pub const HRBFNPR_GROUP_COUNT: u32 = 3;
+pub const HRBFNPR_LAYER_KIND_STIPPLES: u32 = 1;
+/// strokes along the principal directions, d1 (the first) and d2 (the second)
+pub const HRBFNPR_LAYER_KIND_PRINCIPAL: u32 = 2;
+/// strokes along Stark's two directions, r (the first), u (the second) [NPAR 5.3]
+pub const HRBFNPR_LAYER_KIND_COMBING: u32 = 3;
+/// strokes along the caller's field of directions, and across it
+pub const HRBFNPR_LAYER_KIND_FIELD: u32 = 4;
+/// the caller's marks or strokes
+pub const HRBFNPR_LAYER_KIND_OWN: u32 = 5;
 
 /// Stipples evenly spread over the area in a progressive order, each prefix
 /// of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
@@ -1015,18 +1116,18 @@ pub const HRBFNPR_GROUP_COUNT: u32 = 3;
 pub const HRBFNPR_DISTRIBUTION_BLUE_NOISE: u32 = 0;
 /// The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
 /// drawn independently at random [NPAR 5, 6.2].
-pub const HRBFNPR_DISTRIBUTION_PAPER: u32 = 1;
+pub const HRBFNPR_DISTRIBUTION_PUBLISHED: u32 = 1;
 
 // What the strokes of BLUE_NOISE follow: directions as measured where they are
 // sure, and the smoothest field between them where they are not (umbilics, flat
 // parts, borders of the combing field's regions).
-/// Each set has a field of its own.  The sets are kept apart everywhere, and
+/// Each direction has a field of its own.  The strokes of both are kept apart everywhere, and
 /// where two principal directions change places a stroke turns with its own.
-pub const HRBFNPR_STROKE_FIELD_LINE: u32 = 0;
+pub const HRBFNPR_SYMMETRY_LINE: u32 = 0;
 /// One field of crosses, which does not tell one direction from the other:
 /// strokes go straight on where these change places, and a stroke belongs to
-/// the set that it follows for most of its length.
-pub const HRBFNPR_STROKE_FIELD_CROSS: u32 = 1;
+/// the direction that it follows for most of its length.
+pub const HRBFNPR_SYMMETRY_CROSS: u32 = 1;
 
 /// SAMPLES if the model has well-spread ones, else BOX
 pub const HRBFNPR_SEED_AUTO: u32 = 0;
@@ -1037,33 +1138,11 @@ pub const HRBFNPR_SEED_BOX: u32 = 2;
 /// seed_points, projected
 pub const HRBFNPR_SEED_POINTS: u32 = 3;
 
-/// a group starts from the seeds
-pub const HRBFNPR_GROUP_SEED_SEEDS: u32 = 0;
-/// ... from the stipples up to level seed_level
-pub const HRBFNPR_GROUP_SEED_STIPPLES: u32 = 1;
-
-/// How one group grows.
-#[repr(C)]
-#[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_group_desc {
-    /// refinement steps, 0 .. 12; stipples 4, strokes 3. PAPER only; a stroke of it has 3^levels marks
-    pub levels: i32,
-    /// HRBFNPR_GROUP_SEED_...; PAPER only, not for STIPPLE
-    pub seeds: u32,
-    /// with _STIPPLES: the last stippling level used; 0
-    pub seed_level: i32,
-    pub reserved: u32,
-    /// the most marks, of both sets of strokes together, of BLUE_NOISE at most 100000000 (some
-    /// 300 bytes each while they are made); 0 = no limit for PAPER and for strokes with a
-    /// stroke_separation, else 40000. PAPER thins the level that exceeds it at random and stops
-    /// there; BLUE_NOISE leaves out the last strokes of the order
-    pub budget: i64,
-}
-
-/// fill CURVATURE for stipples too
-pub const HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES: u32 = 1;
-/// ... and for combing marks
-pub const HRBFNPR_GENERATE_CURVATURE_OF_COMBING: u32 = 2;
+// Where the strokes of PUBLISHED start.
+/// from the seeds
+pub const HRBFNPR_STROKE_START_SEEDS: u32 = 0;
+/// from the stipples up to level start_level
+pub const HRBFNPR_STROKE_START_STIPPLES: u32 = 1;
 
 /// as many stipples per area everywhere
 pub const HRBFNPR_DENSITY_UNIFORM: u32 = 0;
@@ -1089,90 +1168,134 @@ pub type hrbfnpr_density_fn = Option<
     ) -> i32,
 >;
 
-/// the ranks of each layer of marks cover all tones
-pub const HRBFNPR_ORDER_SEPARATE: u32 = 0;
-/// one layer of those that are made after the other, in the order of HRBFNPR_LAYER_..., each
-/// over an equal part of the tones: cross-hatching builds up from light to dark
-pub const HRBFNPR_ORDER_LAYERED: u32 = 1;
+/// A field of directions on the surface: fills directions (count x 3) from
+/// absolute positions and unit normals (count x 3 each).  A direction is taken
+/// into the tangent plane, its sign and length count nothing; where there is
+/// none it may be 0, 0, 0, and the strokes follow the smoothest field between
+/// those that there are.  NaN or infinity is CALLBACK.  Called with some
+/// thousand places at a time, on the thread that called _generate.  Non-zero
+/// fails it with CALLBACK.
+pub type hrbfnpr_direction_fn = Option<
+    unsafe extern "C" fn(
+        user: *mut c_void,
+        count: i64,
+        positions: *const f64,
+        normals: *const f64,
+        directions: *mut f64,
+    ) -> i32,
+>;
 
-// Layers of marks that hold ranks of their own.
-pub const HRBFNPR_LAYER_STIPPLE: u32 = 0;
-pub const HRBFNPR_LAYER_CURVATURE_FIRST: u32 = 1;
-pub const HRBFNPR_LAYER_CURVATURE_SECOND: u32 = 2;
-pub const HRBFNPR_LAYER_COMBING_FIRST: u32 = 3;
-pub const HRBFNPR_LAYER_COMBING_SECOND: u32 = 4;
-pub const HRBFNPR_LAYER_COUNT: u32 = 5;
+/// each layer's ranks cover all tones
+pub const HRBFNPR_TONE_RANGES_FULL: u32 = 0;
+/// one after the other in the order of the list, the first direction of a layer of strokes
+/// before the second, each over an equal part of the tones: cross-hatching builds up from
+/// light to dark
+pub const HRBFNPR_TONE_RANGES_IN_TURN: u32 = 1;
 
-/// The darkness 1 - tau at which the first mark of a layer is shown, and that
-/// at which all are: rank u becomes 1 - begin - (1 - u) (end - begin).
-/// 0 <= begin < end <= 1, or both 0: as `order` says.
+/// fill the attribute CURVATURE; PRINCIPAL always does
+pub const HRBFNPR_LAYER_WITH_CURVATURE: u32 = 1;
+
+/// How one layer is made.
+///
+/// The darkness 1 - tau at which the first mark of the layer is shown is
+/// tone_begin, that at which all are tone_end: rank u becomes 1 - begin -
+/// (1 - u) (end - begin), 0 <= begin < end <= 1.  Both 0: as
+/// hrbfnpr_generate_desc.tone_ranges says.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_layer {
-    pub begin: f32,
-    pub end: f32,
-}
-
-#[repr(C)]
-#[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_generate_desc {
+pub struct hrbfnpr_layer_desc {
     pub struct_size: u32,
-    /// bit (1 << HRBFNPR_GROUP_...) each; 1 (stipples only)
-    pub groups: u32,
-    /// HRBFNPR_DISTRIBUTION_...; BLUE_NOISE
-    pub distribution: u32,
-    /// HRBFNPR_SEED_...; AUTO
-    pub seed_source: u32,
-    /// HRBFNPR_GENERATE_...; 0
+    /// HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING or FIELD; STIPPLES
+    pub kind: u32,
+    /// UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field"
+    pub name: *const c_char,
+    /// the most marks, of both directions together; at most 100000000 for BLUE_NOISE; 40000. 0 =
+    /// no limit, for PUBLISHED and for strokes with a separation. PUBLISHED thins the level that
+    /// exceeds it at random and stops there; BLUE_NOISE leaves out the last strokes of the order.
+    /// Not used with a shared_budget
+    pub budget: i64,
+    /// of stipples, and of strokes of the first direction; 0 and 0
+    pub tone_begin: f32,
+    pub tone_end: f32,
+    /// of strokes of the second direction; 0 and 0
+    pub second_tone_begin: f32,
+    pub second_tone_end: f32,
+    /// HRBFNPR_LAYER_WITH_...; 0
     pub flags: u32,
-    /// R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2]
-    pub box_resolution: u32,
-    /// alpha: in cell sides, 0 .. 0.5; 0.25
-    pub box_jitter: f64,
-    /// rho_0; 0 = voxel diameter for BOX, mean empty-ball diameter of the seeds for others [NPAR
-    /// 5.1]. PAPER only
-    pub initial_step: f64,
-    /// as in hrbfnpr_project_desc; 1e-7
-    pub projection_tolerance: f64,
-    /// any number; 1
-    pub random_seed: u64,
-    /// for POINTS: n x 3, FLOAT32 or FLOAT64
-    pub seed_points: hrbfnpr_array,
-    pub group: [hrbfnpr_group_desc; 3],
-    /// mean distance of neighbouring strokes of one set; 0 = such that all strokes have as many
-    /// marks as the group's budget
-    ///
-    /// Strokes of BLUE_NOISE, in object units; separation and step 0, or 1e-12 .. 1e9 diagonals (so is
-    /// initial_step); ignored for PAPER.
-    pub stroke_separation: f64,
-    /// distance of the marks of a stroke; 0 = a fifth of the separation
-    pub stroke_step: f64,
-    /// at most; 0 = no limit. Strokes end where they come nearer to another than about two thirds
-    /// of the separation, leave the surface's samples, or meet a singular point of the field; a
-    /// closed one ends at its start
-    pub stroke_length: f64,
-    /// HRBFNPR_STROKE_FIELD_...; CROSS
-    pub stroke_field: u32,
     /// HRBFNPR_DENSITY_...; UNIFORM
     ///
     /// Stipples of BLUE_NOISE, which keep their evenness: a mark is left out where its place in the
-    /// uniform order, divided by the density, is too high.  Ignored for PAPER.
+    /// uniform order, divided by the density, is too high.
     pub density: u32,
     /// of CURVATURE, 0 .. 1; 0.5
     pub density_strength: f64,
     /// for CALLBACK. Where its mean is below 1/16 of 1, fewer marks than the budget are made
     pub density_function: hrbfnpr_density_fn,
     pub density_user: *mut c_void,
-    /// HRBFNPR_ORDER_...; SEPARATE
+    /// mean distance of neighbouring strokes of one direction; 0 = such that all strokes together
+    /// have as many marks as the budget
     ///
-    /// Ranks of all layers, for every distribution.
-    pub order: u32,
-    pub reserved2: u32,
-    /// the most marks of all groups together: each layer gets its part of the tones; 0 = each
-    /// group has its own. Not with budgets of groups
+    /// Strokes of BLUE_NOISE, lengths in object units; separation and step 0, or 1e-12 .. 1e9 diagonals.
+    pub separation: f64,
+    /// distance of the marks of a stroke; 0 = a fifth of the separation
+    pub step: f64,
+    /// of a stroke at most; 0 = no limit. Strokes end where they come nearer to another than
+    /// about two thirds of the separation, leave the surface's samples, or meet a singular point
+    /// of the field; a closed one ends at its start
+    pub length: f64,
+    /// for FIELD
+    pub direction_function: hrbfnpr_direction_fn,
+    pub direction_user: *mut c_void,
+    /// HRBFNPR_SYMMETRY_...; CROSS
+    pub symmetry: u32,
+    /// HRBFNPR_STROKE_START_...; SEEDS. Not for STIPPLES
+    ///
+    /// PUBLISHED.
+    pub start: u32,
+    /// with STROKE_START_STIPPLES: the last stippling level used; 0
+    pub start_level: i32,
+    /// refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have 3^levels marks; -1
+    pub levels: i32,
+}
+
+extern "C" {
+    pub fn hrbfnpr_layer_desc_init(
+        desc: *mut hrbfnpr_layer_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_generate_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_DISTRIBUTION_...; BLUE_NOISE
+    pub distribution: u32,
+    /// a list; NULL and 0 = one layer of stipples
+    pub layers: *const hrbfnpr_layer_desc,
+    pub layer_count: i64,
+    pub layer_stride: i64,
+    /// the most marks of all layers together: each gets its part of the tones; 0 = each layer has
+    /// its own budget
     pub shared_budget: i64,
-    /// HRBFNPR_LAYER_...; all 0
-    pub layer: [hrbfnpr_layer; 5],
+    /// HRBFNPR_TONE_RANGES_...; FULL
+    pub tone_ranges: u32,
+    /// HRBFNPR_SEED_...; AUTO
+    pub seed_source: u32,
+    /// for POINTS: n x 3, FLOAT32 or FLOAT64
+    pub seed_points: hrbfnpr_array,
+    /// alpha: in cell sides, 0 .. 0.5; 0.25
+    pub box_jitter: f64,
+    /// R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2]
+    pub box_resolution: u32,
+    pub reserved: u32,
+    /// rho_0, 0 or 1e-12 .. 1e9 diagonals; 0 = voxel diameter for BOX, mean empty-ball diameter
+    /// of the seeds for others [NPAR 5.1]. PUBLISHED only
+    pub initial_step: f64,
+    /// as in hrbfnpr_project_desc; 1e-7
+    pub projection_tolerance: f64,
+    /// any number; 1
+    pub random_seed: u64,
 }
 
 extern "C" {
@@ -1181,9 +1304,10 @@ extern "C" {
         struct_size: u32,
     ) -> hrbfnpr_status;
     /// Places marks on the surface.  desc may be NULL, operation may be NULL.
-    /// Marks whose projection fails or strays are dropped and counted in the info;
-    /// a set whose seeds are all dropped is an error (NOT_CONVERGED), and so is one
-    /// whose marks are, or that no stroke of a given separation or step fits into.
+    /// Marks whose projection fails or strays are dropped and counted
+    /// (hrbfnpr_placement_info); a set whose seeds are all dropped is an error
+    /// (NOT_CONVERGED), and so is one whose marks are, or that no stroke of a given
+    /// separation or step fits into.
     ///
     /// Sizes.  Marks are float: the diagonal of the model's bounds must be 1e-33 ..
     /// 1e33, in whatever unit.  Beyond 1e-9 .. 1e9 the marks of a model that is
@@ -1203,50 +1327,74 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// What is known of each mark, per group.
+// What is known of each mark of a layer, and of each of its S strokes.
 /// FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin
-pub const HRBFNPR_ATTRIBUTE_POSITION: u32 = 0;
+pub const HRBFNPR_MARK_ATTRIBUTE_POSITION: u32 = 0;
 /// FLOAT32 x 3, unit, outward
-pub const HRBFNPR_ATTRIBUTE_NORMAL: u32 = 1;
-/// FLOAT32 x 3, unit, tangent: along the stroke; for a stipple the u of its basis [NPAR 5.2]
-pub const HRBFNPR_ATTRIBUTE_DIRECTION: u32 = 2;
+pub const HRBFNPR_MARK_ATTRIBUTE_NORMAL: u32 = 1;
+/// FLOAT32 x 3, unit, tangent: along the stroke; for a mark of none the u of its basis [NPAR 5.2]
+pub const HRBFNPR_MARK_ATTRIBUTE_DIRECTION: u32 = 2;
 /// FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature)
-pub const HRBFNPR_ATTRIBUTE_CURVATURE: u32 = 3;
-/// FLOAT32: the u of [NPAR 6.2], uniform in [0,1): a mark is shown where u >= tau.
-/// BLUE_NOISE: all marks of a stroke have the same, and a share of the ranks is that share of
-/// each set's marks
-pub const HRBFNPR_ATTRIBUTE_RANK: u32 = 4;
+pub const HRBFNPR_MARK_ATTRIBUTE_CURVATURE: u32 = 3;
+/// FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is shown where u >= tau. All marks of a
+/// stroke of BLUE_NOISE have the same, and a share of the ranks is that share of each
+/// direction's marks
+pub const HRBFNPR_MARK_ATTRIBUTE_RANK: u32 = 4;
 /// UINT8: the refinement step that placed it, 0 = a seed. BLUE_NOISE strokes: the pass; each
 /// one halves the distance that strokes keep
-pub const HRBFNPR_ATTRIBUTE_LEVEL: u32 = 5;
-/// UINT32 x 2: stroke (2 * number + set), and the mark's place along it. PAPER: the number is
-/// the seed's, places are 0 .. 3^levels - 1, the seed in the middle. BLUE_NOISE: 0 .. n - 1
-/// from end to end; strokes lie one after the other in the arrays. For a stipple its seed and
-/// 0
-pub const HRBFNPR_ATTRIBUTE_STROKE: u32 = 6;
+pub const HRBFNPR_MARK_ATTRIBUTE_LEVEL: u32 = 5;
+/// UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the mark's place along it.
+/// PUBLISHED: the number is the seed's, places are 0 .. 3^levels - 1, the seed in the middle.
+/// Else 0 .. n - 1 from end to end. For a mark of no stroke: 2 * its number (PUBLISHED: its
+/// seed's), and 0
+pub const HRBFNPR_MARK_ATTRIBUTE_STROKE: u32 = 6;
 /// FLOAT32, relative, in (0,1]: 1 in the middle of a stroke, less towards its tapered ends.
-/// The ink of front marks has this much of the style's radius. Count 0 = all 1: stipples,
-/// PAPER
-pub const HRBFNPR_ATTRIBUTE_WIDTH: u32 = 7;
-pub const HRBFNPR_ATTRIBUTE_COUNT: u32 = 8;
+/// The ink of front marks has this much of the style's radius. Count 0 = all 1
+pub const HRBFNPR_MARK_ATTRIBUTE_WIDTH: u32 = 7;
+/// UINT32, S + 1 elements: stroke s has the marks order[first[s]] .. order[first[s + 1] - 1]
+/// from end to end, order being STROKE_ORDER. Count 0 = a layer without strokes
+pub const HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST: u32 = 8;
+/// UINT32: numbers of marks, stroke by stroke. Count 0 = the marks stand stroke by stroke
+/// already: every layer but those of PUBLISHED
+pub const HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER: u32 = 9;
 
-/// A group of ready-made marks.  position and normal are needed; the others may
-/// be left empty: direction = stipple basis, rank = random, level = 0, stroke =
-/// one for each mark, curvature = absent, width = 1 (else in (0,1]).  Types and components as
-/// in the list
-/// above, FLOAT64 accepted for FLOAT32.
+/// A layer of ready-made marks.  Types and components as in the list above,
+/// FLOAT64 accepted for FLOAT32.  position and normal are needed, the others
+/// may be left empty.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_group_arrays {
+pub struct hrbfnpr_layer_arrays {
+    pub struct_size: u32,
+    /// HRBFNPR_LAYER_KIND_... but ANY; OWN
+    pub kind: u32,
+    /// UTF-8, 1 .. 63 bytes, copied; NULL = as in hrbfnpr_layer_desc, "own" for OWN
+    pub name: *const c_char,
     /// absolute, not relative to an origin
     pub position: hrbfnpr_array,
+    /// unit, outward
     pub normal: hrbfnpr_array,
+    /// UINT32, S + 1 elements, rising from 0 to the number of marks: stroke s has the marks
+    /// first[s] .. first[s + 1] - 1 from end to end. Empty = no strokes
+    pub stroke_first: hrbfnpr_array,
+    /// UINT8, S elements: 0 the first direction, 1 the second. Empty = 0
+    pub stroke_direction: hrbfnpr_array,
+    /// empty = along the stroke; of a mark of none its basis
     pub direction: hrbfnpr_array,
+    /// empty = not known
     pub curvature: hrbfnpr_array,
+    /// empty = random, the same for all marks of a stroke
     pub rank: hrbfnpr_array,
+    /// empty = 0
     pub level: hrbfnpr_array,
-    pub stroke: hrbfnpr_array,
+    /// in (0,1]; empty = 1
     pub width: hrbfnpr_array,
+}
+
+extern "C" {
+    pub fn hrbfnpr_layer_arrays_init(
+        arrays: *mut hrbfnpr_layer_arrays,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
 }
 
 #[repr(C)]
@@ -1254,9 +1402,14 @@ pub struct hrbfnpr_group_arrays {
 pub struct hrbfnpr_point_set_desc {
     pub struct_size: u32,
     pub reserved: u32,
+    /// its layers come first; NULL = none. Copied
+    pub base: *const hrbfnpr_point_set,
+    /// a list: the layers that follow
+    pub layers: *const hrbfnpr_layer_arrays,
+    pub layer_count: i64,
+    pub layer_stride: i64,
     /// for ranks that are not given; 1
     pub random_seed: u64,
-    pub group: [hrbfnpr_group_arrays; 3],
 }
 
 extern "C" {
@@ -1264,55 +1417,22 @@ extern "C" {
         desc: *mut hrbfnpr_point_set_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Marks from the caller's arrays (copied).  They are 1e-33 .. 1e33 across, or at
-    /// one place.  Errors: INVALID_ARGUMENT naming the array and the index,
+    /// A set of the caller's marks, or of another set's layers and the caller's.
+    /// They are 1e-33 .. 1e33 across, or at one place.  A set with a base keeps its
+    /// origin, distribution and area: the spacing is smaller only where a new layer
+    /// has more marks than all before.
+    /// Errors: INVALID_ARGUMENT naming the layer, the array and the index,
     /// OUT_OF_MEMORY.
-    pub fn hrbfnpr_point_set_create_from_arrays(
+    pub fn hrbfnpr_point_set_create(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_point_set_desc,
         out_point_set: *mut *mut hrbfnpr_point_set,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread
+    /// any thread; NULL is ignored
     pub fn hrbfnpr_point_set_retain(set: *const hrbfnpr_point_set);
-    /// any thread
+    /// any thread; NULL is ignored
     pub fn hrbfnpr_point_set_release(set: *const hrbfnpr_point_set);
-}
-
-/// What became of one level's candidates: attempted = placed + all dropped.
-#[repr(C)]
-#[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_level_info {
-    pub attempted: i64,
-    pub placed: i64,
-    /// projection ended short of the tolerance
-    pub dropped_not_converged: i64,
-    /// landed farther away than a cell diagonal or the step; or cut off the rest of its stroke by
-    /// one that was dropped
-    pub dropped_strayed: i64,
-    /// zero gradient or not finite
-    pub dropped_degenerate: i64,
-    /// over the group's budget
-    pub dropped_budget: i64,
-}
-
-#[repr(C)]
-#[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_group_info {
-    /// marks in the group
-    pub count: i64,
-    /// strokes in the group; 0 for stipples
-    pub strokes: i64,
-    /// what the counts would be if nothing had been dropped (PAPER), or had been left out for the
-    /// budget (BLUE_NOISE strokes)
-    pub full_count: i64,
-    /// refinement steps taken; BLUE_NOISE strokes: the last pass
-    pub levels: i32,
-    pub reserved: u32,
-    /// initial step rho_0 used; BLUE_NOISE strokes: the separation
-    pub step: f64,
-    pub seconds: f64,
-    pub level: [hrbfnpr_level_info; 13],
 }
 
 #[repr(C)]
@@ -1323,20 +1443,22 @@ pub struct hrbfnpr_point_set_info {
     /// the one used
     pub seed_source: u32,
     pub reserved: u32,
+    /// how many
+    pub layers: i64,
+    /// in all layers
+    pub marks: i64,
     /// add to POSITION
     pub origin: [f64; 3],
     /// of all marks, absolute
     pub bounds_min: [f64; 3],
     pub bounds_max: [f64; 3],
-    /// sqrt(area per mark) of the largest group, estimated: what a frame uses as the size of a
+    /// sqrt(area per mark) of the largest layer, estimated: what a frame uses as the size of a
     /// mark's piece of surface
     pub spacing: f64,
     pub seconds_seeds: f64,
     pub seconds_total: f64,
     /// kept by the set
     pub bytes: i64,
-    pub seeds: hrbfnpr_level_info,
-    pub group: [hrbfnpr_group_info; 3],
 }
 
 extern "C" {
@@ -1349,11 +1471,88 @@ extern "C" {
         info: *mut hrbfnpr_point_set_info,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// A zero-copy view of one attribute of one group, valid while the set lives.
-    /// An empty group, or CURVATURE or WIDTH where there is none, gives count 0.
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_layer_info {
+    pub struct_size: u32,
+    /// HRBFNPR_LAYER_KIND_...
+    pub kind: u32,
+    /// UTF-8, always terminated
+    pub name: [c_char; 64],
+    pub marks: i64,
+    /// 0: its marks form none
+    pub strokes: i64,
+    /// what `marks` would be if nothing had been dropped (PUBLISHED), or had been left out for
+    /// the budget (BLUE_NOISE strokes)
+    pub full_count: i64,
+    /// refinement steps taken; BLUE_NOISE strokes: the last pass
+    pub levels: i32,
+    pub reserved: u32,
+    /// initial step rho_0 used; BLUE_NOISE strokes: the separation
+    pub step: f64,
+    pub seconds: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_layer_info_init(
+        info: *mut hrbfnpr_layer_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// layer: 0 .. hrbfnpr_point_set_info.layers - 1.
+    pub fn hrbfnpr_point_set_get_layer_info(
+        set: *const hrbfnpr_point_set,
+        layer: i64,
+        info: *mut hrbfnpr_layer_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// What became of candidates for marks: attempted = placed + all dropped.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_placement_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub attempted: i64,
+    pub placed: i64,
+    /// projection ended short of the tolerance
+    pub dropped_not_converged: i64,
+    /// landed farther away than a cell diagonal or the step; or cut off the rest of its stroke by
+    /// one that was dropped
+    pub dropped_strayed: i64,
+    /// zero gradient or not finite
+    pub dropped_degenerate: i64,
+    /// over the layer's budget
+    pub dropped_budget: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_placement_info_init(
+        info: *mut hrbfnpr_placement_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Of the seeds.
+    pub fn hrbfnpr_point_set_get_seed_placement(
+        set: *const hrbfnpr_point_set,
+        info: *mut hrbfnpr_placement_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Of one level of one layer; level: 0 .. hrbfnpr_layer_info.levels.
+    pub fn hrbfnpr_point_set_get_placement(
+        set: *const hrbfnpr_point_set,
+        layer: i64,
+        level: i32,
+        info: *mut hrbfnpr_placement_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// A zero-copy view of one attribute (HRBFNPR_MARK_ATTRIBUTE_...) of one layer,
+    /// valid while the set lives.  An empty layer, or an attribute that it has not,
+    /// gives count 0.
     pub fn hrbfnpr_point_set_view(
         set: *const hrbfnpr_point_set,
-        group: u32,
+        layer: i64,
         attribute: u32,
         out_view: *mut hrbfnpr_array,
         error: *mut hrbfnpr_error,
@@ -1431,7 +1630,7 @@ pub struct hrbfnpr_camera {
 }
 
 extern "C" {
-    /// Identity matrices, viewport 0 x 0 (which _prepare refuses).
+    /// Identity matrices, viewport 0 x 0 (which _draw refuses).
     pub fn hrbfnpr_camera_init(camera: *mut hrbfnpr_camera, struct_size: u32) -> hrbfnpr_status;
     /// Sets `view`: from eye towards target, up roughly along `up`; 3 doubles each.
     /// INVALID_ARGUMENT if eye = target or up is parallel to the view.
@@ -1497,19 +1696,19 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// painted over by paper, layer by layer [NPAR 6.1]
+/// seen faintly through the surface in front [NPAR 6.1]
 pub const HRBFNPR_HIDDEN_LINES_ATTENUATE: u32 = 0;
-/// marks behind a nearer sheet are not drawn
+/// marks behind a nearer depth layer are not drawn
 pub const HRBFNPR_HIDDEN_LINES_HIDE: u32 = 1;
-/// nothing is painted over (lambda = 0)
+/// as if nothing were in front (lambda = 0)
 pub const HRBFNPR_HIDDEN_LINES_SHOW: u32 = 2;
 
-/// Each mark of ink is seen through the sheets of surface in front of it, which are found
-/// from the marks: its opacity is multiplied by what they let through.  A sheet never dims its
+/// Each mark of ink is seen through the depth layers of surface in front of it, which are found
+/// from the marks: its opacity is multiplied by their transmittance.  A depth layer never dims its
 /// own ink, and the picture does not depend on the number of marks.
-pub const HRBFNPR_VISIBILITY_SHEETS: u32 = 0;
+pub const HRBFNPR_VISIBILITY_DEPTH_LAYERS: u32 = 0;
 /// As published: marks paint discs of paper and of ink, from far to near [NPAR 6.1].
-pub const HRBFNPR_VISIBILITY_PAINTED: u32 = 1;
+pub const HRBFNPR_VISIBILITY_PUBLISHED: u32 = 1;
 
 /// The coverage of the drawing is the tone that was asked for, 1 - tau: the number of marks
 /// follows from their size, their density on the screen and how they overlap, so that the
@@ -1536,14 +1735,14 @@ pub const HRBFNPR_TONE_CALLBACK: u32 = 2;
 /// one and the same order of marks, so that a blue-noise order stays one.
 pub const HRBFNPR_TONE_RULE_SHARE: u32 = 0;
 /// As published, test by test: u >= tau, u < tau_d, u < scale, u < share.
-pub const HRBFNPR_TONE_RULE_PAPER: u32 = 1;
+pub const HRBFNPR_TONE_RULE_PUBLISHED: u32 = 1;
 
 pub const HRBFNPR_LIGHT_WORLD: u32 = 0;
 pub const HRBFNPR_LIGHT_CAMERA: u32 = 1;
 
 /// Any illumination model: fills tau (count, 1 = light, 0 = dark; clamped to
 /// [0,1], NaN is CALLBACK) from world positions and unit normals (count x 3
-/// each).  Runs on the thread that called _prepare.  Non-zero fails it.
+/// each).  Runs on the thread that called _draw.  Non-zero fails it.
 pub type hrbfnpr_tone_fn = Option<
     unsafe extern "C" fn(
         user: *mut c_void,
@@ -1554,55 +1753,68 @@ pub type hrbfnpr_tone_fn = Option<
     ) -> i32,
 >;
 
-/// One group's ink.  Colours are straight RGBA in [0,1], sRGB-encoded.
+// How the front marks of a layer of strokes are drawn.
+/// each mark is a dot
+pub const HRBFNPR_SHAPE_DOTS: u32 = 0;
+/// marks that follow each other along a stroke, and are shown, are one line whose width and
+/// opacity are theirs; a single one is a dot. Layers without strokes are dots; so is
+/// everything with VISIBILITY_PUBLISHED
+pub const HRBFNPR_SHAPE_STROKES: u32 = 1;
+
+/// How layers are drawn.  Colours are straight RGBA in [0,1], sRGB-encoded.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_group_style {
-    /// 1 or 0: whether front marks of the group are drawn
+pub struct hrbfnpr_layer_style {
+    pub struct_size: u32,
+    /// the layers that this is for: HRBFNPR_LAYER_KIND_...; ANY
+    pub kind: u32,
+    /// ... and are called so; NULL = any name. Read during _draw only
+    pub name: *const c_char,
+    /// 1 or 0: whether front marks are drawn; 1
     pub shown: u32,
-    /// bit 0: first directions, bit 1: second; 3
-    pub sets: u32,
-    /// 0 .. 1: share of the group's marks that is used at all; 1
+    /// 1 or 0: whether marks near a contour draw it; 1
+    pub contours: u32,
+    /// of strokes: bit 0 the first direction, bit 1 the second; 3
+    pub directions: u32,
+    /// HRBFNPR_SHAPE_...; DOTS
+    pub shape: u32,
+    /// 0 .. 1: share of the layer's marks that is used at all; 1
     pub share: f32,
-    /// of a mark, pixels, > 0
+    /// of a mark, half the width of a stroke, pixels, > 0; 1
     pub radius: f32,
-    /// 0: radius is in pixels at any zoom; 1: grows with the zoom; between
+    /// 0: radius is in pixels at any zoom; 1: grows with the zoom; between; 0
     pub radius_zoom: f32,
+    pub reserved: u32,
+    /// black
     pub ink: [f32; 4],
+}
+
+extern "C" {
+    pub fn hrbfnpr_layer_style_init(
+        style: *mut hrbfnpr_layer_style,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
 }
 
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_style {
     pub struct_size: u32,
-    /// HRBFNPR_HIDDEN_LINES_...; ATTENUATE
-    pub hidden_lines: u32,
-    /// delta in (0,1): front n.v < -delta, back n.v > delta, else silhouette, v from the camera
-    /// to the mark [NPAR 6]; 0.2. With SILHOUETTE_LAW_WIDTH only where the curvature is not known
-    pub silhouette_threshold: f64,
-    /// lambda of alpha_f = nu^2 lambda; 1
-    pub attenuation_front: f64,
-    /// lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1
-    pub attenuation_back: f64,
-    /// of the paper that front marks paint, pixels; 0 = from the marks' spacing on the screen
-    pub cover_radius: f32,
-    /// SHEETS: how far beyond its contour a surface hides what lies behind, pixels at any zoom.
-    /// PAINTED: how much wider the paper of back marks is, pixels; 2
-    pub halo_width: f32,
-    /// n > 0: a sheet is as opaque as n overlapping marks of opacity alpha, 1 - (1 - alpha)^n,
-    /// whatever the marks' density and the zoom; 0: each mark paints with alpha itself, as
-    /// published; 8
-    pub cover_layers: f32,
-    /// HRBFNPR_VISIBILITY_...; SHEETS. One for all styles of a frame
-    pub visibility: u32,
     /// HRBFNPR_TONE_...; LIGHT
     pub tone: u32,
+    /// straight RGBA; alpha 0 = transparent; white. One for all styles of a drawing
+    pub paper: [f32; 4],
+    /// a list: a layer of marks takes the first that is for it, or the defaults of
+    /// _layer_style_init; NULL and 0
+    pub layers: *const hrbfnpr_layer_style,
+    pub layer_count: i64,
+    pub layer_stride: i64,
     /// HRBFNPR_TONE_RULE_...; SHARE
+    ///
+    /// Tone.
     pub tone_rule: u32,
-    /// HRBFNPR_LIGHT_...; CAMERA
-    pub light_space: u32,
-    /// groups whose silhouette marks are drawn, bit (1 << group); 7
-    pub silhouette_groups: u32,
+    /// HRBFNPR_TONE_CURVE_...; COVERAGE. For TONE_RULE_SHARE
+    pub tone_curve: u32,
     /// towards the light, normalised on use; (-0.4, 0.6, 0.7)
     pub light: [f64; 3],
     /// lambda of the tone law, > 0; 1
@@ -1610,7 +1822,49 @@ pub struct hrbfnpr_style {
     /// for CALLBACK
     pub tone_function: hrbfnpr_tone_fn,
     pub tone_user: *mut c_void,
+    /// HRBFNPR_LIGHT_...; CAMERA
+    pub light_space: u32,
+    /// 0 .. 1, DEPTH_LAYERS: a mark grows from nothing to its full area over this share of the
+    /// marks shown, instead of popping; 0 = it pops; 0.25
+    pub tone_fade: f32,
+    /// HRBFNPR_SILHOUETTE_LAW_...; WIDTH. For DEPTH_LAYERS; PUBLISHED is ANGLE
+    ///
+    /// Contours.
+    pub silhouette_law: u32,
+    /// of WIDTH: pixels on either side of the contour; 1
+    pub silhouette_width: f32,
+    /// delta in (0,1): front n.v < -delta, back n.v > delta, else silhouette, v from the camera
+    /// to the mark [NPAR 6]; 0.2. With SILHOUETTE_LAW_WIDTH only where the curvature is not known
+    pub silhouette_threshold: f64,
+    /// of a mark, pixels; 1
+    pub silhouette_radius: f32,
+    /// as radius_zoom; 0
+    pub silhouette_radius_zoom: f32,
+    /// black
+    pub silhouette_ink: [f32; 4],
+    /// HRBFNPR_VISIBILITY_...; DEPTH_LAYERS. One for all styles of a drawing
+    ///
+    /// Hidden lines.
+    pub visibility: u32,
+    /// HRBFNPR_HIDDEN_LINES_...; ATTENUATE
+    pub hidden_lines: u32,
+    /// lambda of alpha_f = nu^2 lambda; 1
+    pub attenuation_front: f64,
+    /// lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1
+    pub attenuation_back: f64,
+    /// of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing on the screen
+    pub splat_radius: f32,
+    /// n > 0: a depth layer is as opaque as n overlapping splats of opacity alpha, 1 - (1 -
+    /// alpha)^n, whatever the marks' density and the zoom; 0: each mark paints with alpha itself,
+    /// as published; 8
+    pub splat_overlap: f32,
+    /// DEPTH_LAYERS: how far beyond its contour a surface hides what lies behind, pixels at any
+    /// zoom. PUBLISHED: how much wider the paper of back marks is, pixels; 2
+    pub halo_width: f32,
+    pub reserved: u32,
     /// distance from the camera where depth attenuation starts, > 0
+    ///
+    /// Distance and zoom.
     pub depth_min: f64,
     /// ... and where nothing is shown any more; 0 and 0 = off (default)
     pub depth_max: f64,
@@ -1620,66 +1874,58 @@ pub struct hrbfnpr_style {
     pub zoom_reference: f64,
     /// >= 0; 2 keeps the ink per area
     pub zoom_exponent: f64,
-    /// straight RGBA; alpha 0 = transparent; white
-    pub paper: [f32; 4],
-    pub silhouette_ink: [f32; 4],
-    /// pixels; 1
-    pub silhouette_radius: f32,
-    /// as radius_zoom; 0
-    pub silhouette_radius_zoom: f32,
-    pub group: [hrbfnpr_group_style; 3],
-    /// HRBFNPR_TONE_CURVE_...; COVERAGE. For TONE_RULE_SHARE
-    pub tone_curve: u32,
-    /// HRBFNPR_SILHOUETTE_LAW_...; WIDTH. For SHEETS; PAINTED is ANGLE
-    pub silhouette_law: u32,
-    /// 0 .. 1, SHEETS: a mark grows from nothing to its full area over this share of the marks
-    /// shown, instead of popping; 0 = it pops; 0.25
-    pub tone_fade: f32,
-    /// of WIDTH: pixels on either side of the contour; 1
-    pub silhouette_width: f32,
 }
 
 extern "C" {
     pub fn hrbfnpr_style_init(style: *mut hrbfnpr_style, struct_size: u32) -> hrbfnpr_status;
 }
 
-// Named styles.  Each is a full set of fields that a caller goes on changing.
-// generate_groups: which groups of marks the style needs, as for
-// hrbfnpr_generate_desc.groups.
+// Named styles.
 /// stipples by light, no contours
-pub const HRBFNPR_STYLE_STIPPLE: u32 = 0;
+pub const HRBFNPR_PRESET_STIPPLE: u32 = 0;
 /// second principal direction by light, contours
-pub const HRBFNPR_STYLE_HATCH: u32 = 1;
+pub const HRBFNPR_PRESET_HATCH: u32 = 1;
 /// both principal directions by light, contours
-pub const HRBFNPR_STYLE_CROSS_HATCH: u32 = 2;
+pub const HRBFNPR_PRESET_CROSS_HATCH: u32 = 2;
 /// combing strokes by light, contours
-pub const HRBFNPR_STYLE_COMBING: u32 = 3;
+pub const HRBFNPR_PRESET_COMBING: u32 = 3;
 /// contours only, hidden ones attenuated
-pub const HRBFNPR_STYLE_SILHOUETTE: u32 = 4;
+pub const HRBFNPR_PRESET_SILHOUETTE: u32 = 4;
 /// contours and stipples
-pub const HRBFNPR_STYLE_CONTOUR_AND_STIPPLE: u32 = 5;
+pub const HRBFNPR_PRESET_CONTOUR_AND_STIPPLE: u32 = 5;
 /// contours only, hidden ones shown
-pub const HRBFNPR_STYLE_XRAY: u32 = 6;
+pub const HRBFNPR_PRESET_XRAY: u32 = 6;
 /// stipples, cross hatching, contours and halo: Figure 1 (e)
-pub const HRBFNPR_STYLE_FULL: u32 = 7;
-pub const HRBFNPR_STYLE_COUNT: u32 = 8;
+pub const HRBFNPR_PRESET_FULL: u32 = 7;
 
 extern "C" {
+    /// A full set of fields that a caller goes on changing.  style->layers points to
+    /// constants of the library: copy an element to change it.
     pub fn hrbfnpr_style_init_preset(
         style: *mut hrbfnpr_style,
         struct_size: u32,
         preset: u32,
-        generate_groups: *mut u32,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// "stipple", "hatch", "cross-hatch", ...; NULL for a number out of range.
-    pub fn hrbfnpr_style_preset_name(preset: u32) -> *const c_char;
+    /// The layers that a preset draws, with defaults: a list of constants for
+    /// hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
+    /// NULL and 0 for a number that is no preset's.
+    pub fn hrbfnpr_preset_layers(preset: u32, count: *mut i64) -> *const hrbfnpr_layer_desc;
+    /// "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:
+    /// presets are numbered from 0 without gaps.
+    pub fn hrbfnpr_preset_name(preset: u32) -> *const c_char;
 }
 
-// 9  RENDERER: scratch of one thread [NPAR 6]
+// 9  RENDERER: from items and a camera to a drawing [NPAR 6]
 
 #[repr(C)]
 pub struct hrbfnpr_renderer {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+#[repr(C)]
+pub struct hrbfnpr_drawing {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
@@ -1690,11 +1936,37 @@ extern "C" {
         out_renderer: *mut *mut hrbfnpr_renderer,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_renderer_retain(renderer: *mut hrbfnpr_renderer);
+    /// any thread; NULL is ignored
     pub fn hrbfnpr_renderer_release(renderer: *mut hrbfnpr_renderer);
 }
 
-/// One thing to draw.  Everything it points to is read during _prepare only,
-/// but the point set is retained until the next _prepare or release.
+/// Where the marks of one layer are in this drawing: of an animated surface.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_layer_pose {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// of the item's point set
+    pub layer: i64,
+    /// n x 3, FLOAT32 or FLOAT64, absolute, in the order of the layer's n marks
+    pub position: hrbfnpr_array,
+    /// n x 3, FLOAT32 or FLOAT64, unit, outward
+    pub normal: hrbfnpr_array,
+    /// n x 3, FLOAT32 or FLOAT64, unit; empty = those of the set
+    pub direction: hrbfnpr_array,
+}
+
+extern "C" {
+    pub fn hrbfnpr_layer_pose_init(
+        pose: *mut hrbfnpr_layer_pose,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+/// One thing to draw.  Everything it points to is read during _draw only, but
+/// the drawing retains the point set.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_item {
@@ -1703,25 +1975,63 @@ pub struct hrbfnpr_item {
     pub point_set: *const hrbfnpr_point_set,
     /// NULL = default style
     pub style: *const hrbfnpr_style,
+    /// NULL, or the surface that the marks lie on: with DEPTH_LAYERS, what hides a mark is then
+    /// found by casting a ray from it to the eye, exact but slow
+    pub model: *const hrbfnpr_model,
     /// object to world, column-major, affine, invertible
     pub transform: [f64; 16],
-    /// NULL, or the surface that the marks lie on: with SHEETS, what hides a mark is then found
-    /// by casting a ray from it to the eye, exact but slow (tens of microseconds a mark drawn)
-    pub model: *const hrbfnpr_model,
+    /// a list: layers whose marks have moved; NULL and 0
+    pub poses: *const hrbfnpr_layer_pose,
+    pub pose_count: i64,
+    pub pose_stride: i64,
 }
 
 extern "C" {
     /// NULL pointers and the identity transform.
     pub fn hrbfnpr_item_init(item: *mut hrbfnpr_item, struct_size: u32) -> hrbfnpr_status;
+    /// Classifies, shades and orders the marks of a list of items for one camera.
+    /// Styles of one drawing must have the same paper and visibility.
+    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CALLBACK.
+    pub fn hrbfnpr_renderer_draw(
+        renderer: *mut hrbfnpr_renderer,
+        items: *const hrbfnpr_item,
+        item_count: i64,
+        item_stride: i64,
+        camera: *const hrbfnpr_camera,
+        out_drawing: *mut *mut hrbfnpr_drawing,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
 }
 
-/// What a frame did.
+// 10  DRAWING: a picture as a value, immutable
+
+extern "C" {
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_drawing_retain(drawing: *const hrbfnpr_drawing);
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_drawing_release(drawing: *const hrbfnpr_drawing);
+}
+
+// What a mark is for the camera.
+pub const HRBFNPR_CLASS_NONE: u32 = 0;
+pub const HRBFNPR_CLASS_FRONT: u32 = 1;
+pub const HRBFNPR_CLASS_BACK: u32 = 2;
+pub const HRBFNPR_CLASS_SILHOUETTE: u32 = 3;
+
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_frame_info {
+pub struct hrbfnpr_drawing_info {
     pub struct_size: u32,
     pub reserved: u32,
-    /// in all items, of the groups that the styles use: outside + front + back + silhouette + culled
+    pub items: i64,
+    /// for hrbfnpr_drawing_get_layer_info
+    pub layers: i64,
+    /// of ink
+    pub dots: i64,
+    pub strokes: i64,
+    /// of all strokes
+    pub stroke_points: i64,
+    /// in all items, of the layers that the styles use: outside + front + back + silhouette + culled
     pub marks: i64,
     /// outside the frustum
     pub outside: i64,
@@ -1729,6 +2039,9 @@ pub struct hrbfnpr_frame_info {
     pub front: i64,
     pub back: i64,
     pub silhouette: i64,
+    /// DEPTH_LAYERS: marks that are of no class, since no tone or contour could show them: they
+    /// were not looked at one by one
+    pub culled: i64,
     /// drawn as ink
     pub shown: i64,
     /// front marks not shown because of light or share, and contour marks that a line of even
@@ -1740,161 +2053,284 @@ pub struct hrbfnpr_frame_info {
     pub dropped_zoom: i64,
     /// marks not drawn because nothing of them is seen through what is in front
     pub dropped_hidden: i64,
-    /// PAINTED: discs of paper; SHEETS: marks that sheets were found from
-    pub painted: i64,
+    /// PUBLISHED: discs of paper; DEPTH_LAYERS: marks that depth layers were found from
+    pub splats: i64,
     /// transform, classify, tone
     pub nanoseconds_classify: i64,
     pub nanoseconds_visibility: i64,
     pub nanoseconds_sort: i64,
-    /// the last _draw_image; 0 in _prepare's own info
-    pub nanoseconds_draw: i64,
+    /// kept by the drawing
+    pub bytes: i64,
+    /// kept by its renderer, drawings left out
     pub scratch_bytes: i64,
-    /// SHEETS: marks that are of no class, since no tone or contour could show them: they were
-    /// not looked at one by one
-    pub culled: i64,
 }
 
 extern "C" {
-    pub fn hrbfnpr_frame_info_init(
-        info: *mut hrbfnpr_frame_info,
+    pub fn hrbfnpr_drawing_info_init(
+        info: *mut hrbfnpr_drawing_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Classifies, shades and orders the marks of `item_count` items (items are
-    /// `item_stride` bytes apart, 0 = packed by the first one's struct_size) for
-    /// one camera.  info may be NULL.  Styles of one frame must have the same
-    /// paper; INVALID_ARGUMENT otherwise.
-    pub fn hrbfnpr_renderer_prepare(
-        renderer: *mut hrbfnpr_renderer,
-        items: *const hrbfnpr_item,
-        item_count: i64,
-        item_stride: i64,
-        camera: *const hrbfnpr_camera,
-        info: *mut hrbfnpr_frame_info,
+    pub fn hrbfnpr_drawing_get_info(
+        drawing: *const hrbfnpr_drawing,
+        info: *mut hrbfnpr_drawing_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// A layer of a drawing: ink of one layer of marks, of the front or of contours.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_drawing_layer_info {
+    pub struct_size: u32,
+    /// HRBFNPR_CLASS_FRONT or SILHOUETTE
+    pub mark_class: u32,
+    pub item: i64,
+    /// of the item's point set
+    pub layer: i64,
+    /// HRBFNPR_LAYER_KIND_...
+    pub kind: u32,
+    /// HRBFNPR_SHAPE_...
+    pub shape: u32,
+    pub name: [c_char; 64],
+    /// straight RGBA
+    pub ink: [f32; 4],
+    pub dots: i64,
+    pub strokes: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_drawing_layer_info_init(
+        info: *mut hrbfnpr_drawing_layer_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// number: 0 .. hrbfnpr_drawing_info.layers - 1.
+    pub fn hrbfnpr_drawing_get_layer_info(
+        drawing: *const hrbfnpr_drawing,
+        number: i64,
+        info: *mut hrbfnpr_drawing_layer_info,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
 }
 
 /// lay the drawing over the image's contents instead of replacing them inside the viewport;
 /// wants a style with transparent paper
-pub const HRBFNPR_DRAW_OVER: u32 = 1;
+pub const HRBFNPR_RASTER_OVER: u32 = 1;
 /// blend in linear light (sRGB decoded), not in encoded values
-pub const HRBFNPR_DRAW_LINEAR_LIGHT: u32 = 2;
+pub const HRBFNPR_RASTER_LINEAR_LIGHT: u32 = 2;
 
-// Class of what is nearest at a pixel, in class outputs and vertices.
-pub const HRBFNPR_CLASS_NONE: u32 = 0;
-pub const HRBFNPR_CLASS_FRONT: u32 = 1;
-pub const HRBFNPR_CLASS_BACK: u32 = 2;
-pub const HRBFNPR_CLASS_SILHOUETTE: u32 = 3;
-
-/// Optional inputs and outputs of _draw_image: width * height elements of one
-/// component each, row by row from the top-left pixel of the image, stride
-/// between elements as in every array.  Data NULL and count 0 = not wanted.
+/// Optional inputs and outputs: width * height elements of one component each,
+/// row by row from the top-left pixel of the image, stride between elements as
+/// in every array.  Data NULL and count 0 = not wanted.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct hrbfnpr_draw_desc {
+pub struct hrbfnpr_raster_desc {
     pub struct_size: u32,
-    /// HRBFNPR_DRAW_...; 0
+    /// HRBFNPR_RASTER_...; 0
     pub flags: u32,
-    /// FLOAT32, camera's convention: marks behind it are not drawn
+    /// FLOAT32, camera's convention: ink behind it is not drawn
     pub host_depth: hrbfnpr_array,
     /// FLOAT32, camera's convention: the nearest surface, the far plane where there is none
     pub depth: hrbfnpr_array_out,
-    /// UINT32: 1 + running number of the nearest drawn mark, counted over items and groups in
-    /// order; 0 = none
+    /// UINT32: id of the nearest drawn mark; 0 = none
     pub id: hrbfnpr_array_out,
     /// UINT8 or UINT32: HRBFNPR_CLASS_... of that mark
-    pub class_: hrbfnpr_array_out,
+    pub mark_class: hrbfnpr_array_out,
 }
 
 extern "C" {
-    pub fn hrbfnpr_draw_desc_init(desc: *mut hrbfnpr_draw_desc, struct_size: u32) -> hrbfnpr_status;
-    /// Draws the prepared frame.  The viewport (clipped to the image) is filled
-    /// with paper and marks far to near; pixels outside it are not touched.
-    /// desc may be NULL.  May be called again, also with other images.
-    /// INVALID_ARGUMENT before the first _prepare.
-    pub fn hrbfnpr_renderer_draw_image(
-        renderer: *mut hrbfnpr_renderer,
-        image: *const hrbfnpr_image,
-        desc: *const hrbfnpr_draw_desc,
-        error: *mut hrbfnpr_error,
+    pub fn hrbfnpr_raster_desc_init(
+        desc: *mut hrbfnpr_raster_desc,
+        struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Info of the last _prepare and _draw_image.
-    pub fn hrbfnpr_renderer_get_info(
-        renderer: *const hrbfnpr_renderer,
-        info: *mut hrbfnpr_frame_info,
+    /// Draws into an image.  The viewport (clipped to the image) is filled with
+    /// paper and ink; pixels outside it are not touched.  desc may be NULL.
+    pub fn hrbfnpr_drawing_rasterize(
+        drawing: *const hrbfnpr_drawing,
+        image: *const hrbfnpr_image,
+        desc: *const hrbfnpr_raster_desc,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
 }
 
+/// the dots: one vertex each
+pub const HRBFNPR_PRIMITIVE_POINTS: u32 = 1;
+/// the strokes: one vertex for each of their points
+pub const HRBFNPR_PRIMITIVE_LINE_STRIPS: u32 = 2;
+/// the strokes: two for each point, on their left and right side
+pub const HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS: u32 = 3;
+
+// Ends a strip in an array of indices.
+pub const HRBFNPR_INDEX_RESTART: i32 = -1;
+
 // What a vertex can carry, and the types it can have.
 /// world, FLOAT32 x 3
-pub const HRBFNPR_VERTEX_POSITION: u32 = 0;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_POSITION: u32 = 0;
 /// pixel x, pixel y, depth; FLOAT32 x 3
-pub const HRBFNPR_VERTEX_WINDOW: u32 = 1;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_WINDOW: u32 = 1;
 /// pixels; FLOAT32
-pub const HRBFNPR_VERTEX_RADIUS: u32 = 2;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_RADIUS: u32 = 2;
 /// straight RGBA; FLOAT32 x 4, or UINT8 x 4
-pub const HRBFNPR_VERTEX_COLOR: u32 = 3;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_COLOR: u32 = 3;
 /// world, unit; FLOAT32 x 3
-pub const HRBFNPR_VERTEX_NORMAL: u32 = 4;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_NORMAL: u32 = 4;
 /// world, unit; FLOAT32 x 3
-pub const HRBFNPR_VERTEX_DIRECTION: u32 = 5;
-/// as in hrbfnpr_draw_desc; UINT32
-pub const HRBFNPR_VERTEX_ID: u32 = 6;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION: u32 = 5;
+/// of the mark; UINT32
+pub const HRBFNPR_VERTEX_ATTRIBUTE_ID: u32 = 6;
 /// HRBFNPR_CLASS_...; UINT8 or UINT32
-pub const HRBFNPR_VERTEX_CLASS: u32 = 7;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_CLASS: u32 = 7;
 /// 1 = a disc of paper, 0 = ink; UINT8 or UINT32
-pub const HRBFNPR_VERTEX_IS_PAPER: u32 = 8;
-pub const HRBFNPR_VERTEX_ATTRIBUTE_COUNT: u32 = 9;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER: u32 = 8;
+/// of the drawing; UINT32
+pub const HRBFNPR_VERTEX_ATTRIBUTE_LAYER: u32 = 9;
+/// along its stroke, pixels from its first point; 0 for a dot; FLOAT32
+pub const HRBFNPR_VERTEX_ATTRIBUTE_LENGTH: u32 = 10;
 
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_vertex_attribute {
-    /// HRBFNPR_VERTEX_...
+    pub struct_size: u32,
+    /// HRBFNPR_VERTEX_ATTRIBUTE_...
     pub attribute: u32,
     /// HRBFNPR_SCALAR_...
     pub scalar: u32,
     /// bytes from the start of the vertex
     pub offset: u32,
-    pub reserved: u32,
+}
+
+extern "C" {
+    pub fn hrbfnpr_vertex_attribute_init(
+        attribute: *mut hrbfnpr_vertex_attribute,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
 }
 
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_vertex_layout {
     pub struct_size: u32,
-    /// 1 .. 16
-    pub attribute_count: u32,
+    /// HRBFNPR_PRIMITIVE_...; POINTS
+    pub primitive: u32,
+    /// a list, 1 and more
+    pub attributes: *const hrbfnpr_vertex_attribute,
+    pub attribute_count: i64,
+    pub attribute_stride: i64,
     /// bytes of a vertex; 0 = up to the end of its last attribute
     pub stride: i64,
-    pub attributes: [hrbfnpr_vertex_attribute; 16],
 }
 
 extern "C" {
-    /// No attributes.
+    /// Points, and no attributes.
     pub fn hrbfnpr_vertex_layout_init(
         layout: *mut hrbfnpr_vertex_layout,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// How many vertices the prepared frame has.  This, _write_vertices and _get_info
-    /// may run on several threads at the same time, as all that take a const handle.
-    pub fn hrbfnpr_renderer_vertex_bound(
-        renderer: *const hrbfnpr_renderer,
+    /// How many vertices and indices a primitive has; each may be NULL.
+    pub fn hrbfnpr_drawing_vertex_bound(
+        drawing: *const hrbfnpr_drawing,
+        primitive: u32,
+        vertices: *mut i64,
+        indices: *mut i64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Writes the drawing's dots or strokes, far to near.
+    ///
+    /// POINTS: discs of paper and of ink.  A host that paints them in this order as
+    /// round anti-aliased points with ordinary "source over" blending gets the
+    /// dots of _rasterize (without its host_depth).  With transparent paper, the
+    /// discs of paper must erase: destination times (1 - alpha).
+    /// Strips: `indices` (UINT32, nullable) lists the vertices of one stroke after
+    /// the other, each ended by HRBFNPR_INDEX_RESTART (0xFFFFFFFF); of points it is
+    /// 0, 1, 2 ...
+    /// Capacities are in vertices and in indices; *vertex_count and *index_count
+    /// (nullable) get the numbers written, or needed with BUFFER_TOO_SMALL.
+    pub fn hrbfnpr_drawing_write_vertices(
+        drawing: *const hrbfnpr_drawing,
+        layout: *const hrbfnpr_vertex_layout,
+        vertices: *mut c_void,
+        vertex_capacity: i64,
+        vertex_count: *mut i64,
+        indices: *mut u32,
+        index_capacity: i64,
+        index_count: *mut i64,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// How each mark of a layer is drawn, in the set's own order: a host keeps the
+/// set's arrays on the graphics card and uploads only these.  Arrays of the
+/// caller's, each of as many elements as the layer has marks, or not given.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_mark_results {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// UINT8: the class that it is drawn as, HRBFNPR_CLASS_FRONT or SILHOUETTE; NONE = it is not drawn
+    pub shown: hrbfnpr_array_out,
+    /// FLOAT32, pixels; 0 = not drawn
+    pub radius: hrbfnpr_array_out,
+    /// FLOAT32: the ink's alpha times what is let through; 0 = not drawn
+    pub opacity: hrbfnpr_array_out,
+}
+
+extern "C" {
+    pub fn hrbfnpr_mark_results_init(
+        results: *mut hrbfnpr_mark_results,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Of one layer of one item's point set; also of a layer that is not drawn.
+    pub fn hrbfnpr_drawing_mark_results(
+        drawing: *const hrbfnpr_drawing,
+        item: i64,
+        layer: i64,
+        results: *mut hrbfnpr_mark_results,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Which marks of a layer are drawn: numbers of marks, UINT32.
+    /// POINTS: those that are shown, far to near.  LINE_STRIPS: along strokes, a run
+    /// of shown marks each, ended by HRBFNPR_INDEX_RESTART.  TRIANGLE_STRIPS: the
+    /// same, 2 * number and 2 * number + 1 for each mark.
+    /// mark_class: HRBFNPR_CLASS_FRONT or SILHOUETTE.  *count gets the number written, or needed
+    /// with BUFFER_TOO_SMALL; indices may be NULL when capacity is 0.
+    pub fn hrbfnpr_drawing_write_mark_indices(
+        drawing: *const hrbfnpr_drawing,
+        item: i64,
+        layer: i64,
+        mark_class: u32,
+        primitive: u32,
+        indices: *mut u32,
+        capacity: i64,
         count: *mut i64,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Writes the prepared frame as points, far to near: discs of paper and of ink.
-    /// A host that paints them in this order as round anti-aliased points with
-    /// ordinary "source over" blending gets the picture of _draw_image (without
-    /// its host_depth).  With transparent paper, the discs of paper must erase:
-    /// destination times (1 - alpha).  `capacity` is in vertices; *count gets the number written,
-    /// or needed with BUFFER_TOO_SMALL.
-    pub fn hrbfnpr_renderer_write_vertices(
-        renderer: *const hrbfnpr_renderer,
-        layout: *const hrbfnpr_vertex_layout,
-        destination: *mut c_void,
-        capacity: i64,
-        count: *mut i64,
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_mark_identity {
+    pub struct_size: u32,
+    pub id: u32,
+    pub item: i64,
+    /// of the item's point set
+    pub layer: i64,
+    /// of the layer
+    pub mark: i64,
+    /// of the layer; -1 = of none
+    pub stroke: i64,
+    /// along the stroke
+    pub place: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_mark_identity_init(
+        identity: *mut hrbfnpr_mark_identity,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// What an id stands for.  INVALID_ARGUMENT for one that is no mark's.
+    pub fn hrbfnpr_drawing_identify(
+        drawing: *const hrbfnpr_drawing,
+        id: u32,
+        identity: *mut hrbfnpr_mark_identity,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
 }
