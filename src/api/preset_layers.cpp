@@ -44,3 +44,13 @@ PresetLayers preset_layers(std::uint32_t preset) noexcept {
 }
 
 } // namespace hrbfnpr::api
+
+extern "C" {
+
+const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count) {
+    const hrbfnpr::api::PresetLayers layers = hrbfnpr::api::preset_layers(preset);
+    if (count != nullptr) *count = layers.count;
+    return layers.first;
+}
+
+} // extern "C"
