@@ -82,7 +82,7 @@ TEST(Custom, ThatIsNotThreadSafeIsCalledByOneThreadAtATime) {
             return 0;
         }
     };
-    for (const std::uint32_t flags : {0, HRBFNPR_CUSTOM_THREAD_SAFE}) {
+    for (const std::uint32_t flags : {0U, std::uint32_t{HRBFNPR_CUSTOM_THREAD_SAFE}}) {
         Alone alone;
         Error error;
         const Context context = make_context(1);
@@ -169,9 +169,9 @@ TEST(Custom, AFailureOfTheFunctionFailsTheCall) {
         EXPECT_FAILS(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, nullptr, error),
                      HRBFNPR_STATUS_CALLBACK, words);
         sphere.calls = 0;
-        const hrbfnpr_generate_desc desc = small_desc();
+        Generation desc = small_desc();
         hrbfnpr_point_set* set = nullptr;
-        EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error),
+        EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &set, error),
                      HRBFNPR_STATUS_CALLBACK, words);
         EXPECT_EQ(set, nullptr);
     }
