@@ -89,7 +89,7 @@ TEST(Prepared, MarksAreKeptAndLieOnTheSurface) {
     const Context context = logging_context(2);
     const scenes::Samples samples = scenes::torus(2400);
     const Model model = fit(context, samples);
-    Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 40000);
+    Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 0);
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_POINTS;
     desc.seed_points = in(samples.points);
