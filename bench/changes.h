@@ -31,9 +31,9 @@ public:
         for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
             std::int64_t count = 0;
             std::int64_t widths = 0;
-            const float* position = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION, count);
-            const float* normal = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_NORMAL, count);
-            const float* width = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_WIDTH, widths);
+            const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+            const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+            const float* width = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_WIDTH, widths);
             const hrbfnpr_group_style& pen = style.group[group];
             for (std::int64_t i = 0; i < count; ++i) {
                 const glm::dvec3 place = glm::make_vec3(info.origin) + glm::dvec3(glm::make_vec3(position + 3 * i));
@@ -116,10 +116,10 @@ private:
     for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
         std::int64_t count = 0;
         std::int64_t widths = 0;
-        const float* position = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION, count);
-        const float* normal = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_NORMAL, count);
-        const float* width = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_WIDTH, widths);
-        const std::uint32_t* stroke = attribute<std::uint32_t>(set, group, HRBFNPR_ATTRIBUTE_STROKE, count);
+        const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+        const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+        const float* width = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_WIDTH, widths);
+        const std::uint32_t* stroke = attribute<std::uint32_t>(set, group, HRBFNPR_MARK_ATTRIBUTE_STROKE, count);
         if (count == 0) continue;
         for (std::int64_t i = 0; i < count; ++i) {
             for (int c = 0; c < 3; ++c) places[group].push_back(info.origin[c] + double{position[3 * i + c]});
@@ -137,7 +137,7 @@ private:
     original.clear();
     for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
         std::int64_t count = 0;
-        const std::uint32_t* stroke = attribute<std::uint32_t>(raw, group, HRBFNPR_ATTRIBUTE_STROKE, count);
+        const std::uint32_t* stroke = attribute<std::uint32_t>(raw, group, HRBFNPR_MARK_ATTRIBUTE_STROKE, count);
         for (std::int64_t i = 0; i < count; ++i) original.push_back(stroke[2 * i + 1]);
     }
     return made;

@@ -77,7 +77,7 @@ hrbfnpr_style preset(std::uint32_t number) {
     return style;
 }
 
-hrbfnpr_style full() { return preset(HRBFNPR_STYLE_FULL); }
+hrbfnpr_style full() { return preset(HRBFNPR_PRESET_FULL); }
 
 hrbfnpr_style without_attenuation() {
     hrbfnpr_style style = full();
@@ -88,7 +88,7 @@ hrbfnpr_style without_attenuation() {
 // Tone by the share of marks.
 hrbfnpr_style as_published() {
     hrbfnpr_style style = full();
-    style.visibility = HRBFNPR_VISIBILITY_PAINTED;
+    style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
     style.silhouette_law = HRBFNPR_SILHOUETTE_LAW_ANGLE;
     style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
     return style;
@@ -139,7 +139,7 @@ struct Row {
     const hrbfnpr_point_set* set;
     hrbfnpr_style style;
     double ms = 0.0, best = 0.0, classify = 0.0, visibility = 0.0, sort = 0.0, draw = 0.0;
-    hrbfnpr_frame_info info{};
+    hrbfnpr_drawing_info info{};
 };
 
 void print(const Row& row) {
@@ -169,7 +169,7 @@ void time(hrbfnpr_context* context, std::vector<Row>& rows) {
             b->film();
             for (int frame = 0; frame < frames; ++frame) {
                 b->total.push_back(1e3 * bench::seconds(b->film));
-                const hrbfnpr_frame_info info = b->painter.info();
+                const hrbfnpr_drawing_info info = b->painter.info();
                 b->classify.push_back(1e-6 * static_cast<double>(info.nanoseconds_classify));
                 b->visibility.push_back(1e-6 * static_cast<double>(info.nanoseconds_visibility));
                 b->sort.push_back(1e-6 * static_cast<double>(info.nanoseconds_sort));
@@ -220,11 +220,11 @@ void touch(const hrbfnpr_point_set* set, std::vector<std::uint8_t>& pixels) {
     std::uint32_t sum = 0;
     for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
         for (const std::uint32_t which :
-             {HRBFNPR_ATTRIBUTE_POSITION, HRBFNPR_ATTRIBUTE_NORMAL, HRBFNPR_ATTRIBUTE_RANK}) {
+             {HRBFNPR_MARK_ATTRIBUTE_POSITION, HRBFNPR_MARK_ATTRIBUTE_NORMAL, HRBFNPR_MARK_ATTRIBUTE_RANK}) {
             std::int64_t count = 0;
             // As integers, the sum of which the compiler puts into vectors.
             const auto* numbers = bench::attribute<std::uint32_t>(set, group, which, count);
-            const std::int64_t all = count * (which == HRBFNPR_ATTRIBUTE_RANK ? 1 : 3);
+            const std::int64_t all = count * (which == HRBFNPR_MARK_ATTRIBUTE_RANK ? 1 : 3);
             for (std::int64_t i = 0; i < all; ++i) sum += numbers[i];
         }
     std::fill(pixels.begin(), pixels.end(), std::uint8_t{255});
@@ -401,7 +401,7 @@ void run_silhouettes(Stock& stock, Results& results) {
         const hrbfnpr_camera camera = above_torus(elevation, azimuth);
         const std::vector<double> distances = bench::contour_distances(set.get(), camera);
         for (const std::uint32_t law : {HRBFNPR_SILHOUETTE_LAW_WIDTH, HRBFNPR_SILHOUETTE_LAW_ANGLE}) {
-            hrbfnpr_style style = preset(HRBFNPR_STYLE_SILHOUETTE);
+            hrbfnpr_style style = preset(HRBFNPR_PRESET_SILHOUETTE);
             style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
             style.silhouette_law = law;
             style.silhouette_width = static_cast<float>(width);

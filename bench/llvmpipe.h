@@ -131,7 +131,7 @@ private:
         std::vector<float> places;
         for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
             std::int64_t count = 0;
-            const float* position = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION, count);
+            const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
             places.insert(places.end(), position, position + 3 * count);
         }
         count_ = static_cast<GLsizei>(places.size() / 3);

@@ -44,7 +44,7 @@ struct Stock {
 hrbfnpr_style full() {
     scenes::Check check;
     hrbfnpr_style style;
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_FULL, nullptr, check.error()));
+    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_FULL, nullptr, check.error()));
     return style;
 }
 

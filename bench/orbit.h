@@ -45,7 +45,7 @@ public:
         while (info.group[group].count == 0) ++group;
         scenes::Check check;
         hrbfnpr_array places{};
-        check(hrbfnpr_point_set_view(set, group, HRBFNPR_ATTRIBUTE_POSITION, &places, check.error()));
+        check(hrbfnpr_point_set_view(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, &places, check.error()));
         check(hrbfnpr_camera_init(&start_, sizeof start_));
         const Vec3 direction{-0.3, -0.2, -1.0};
         const Vec3 up{0.0, 1.0, 0.0};

@@ -57,9 +57,9 @@ public:
         discs_.resize(static_cast<std::size_t>(count));
         return discs_;
     }
-    [[nodiscard]] hrbfnpr_frame_info info() {
-        hrbfnpr_frame_info info;
-        check_(hrbfnpr_frame_info_init(&info, sizeof info));
+    [[nodiscard]] hrbfnpr_drawing_info info() {
+        hrbfnpr_drawing_info info;
+        check_(hrbfnpr_drawing_info_init(&info, sizeof info));
         check_(hrbfnpr_renderer_get_info(renderer_.get(), &info, check_.error()));
         return info;
     }
@@ -74,12 +74,12 @@ private:
         const auto add = [&](std::uint32_t attribute, std::uint32_t scalar, std::size_t offset) {
             layout.attributes[layout.attribute_count++] = {attribute, scalar, static_cast<std::uint32_t>(offset), 0};
         };
-        add(HRBFNPR_VERTEX_ID, HRBFNPR_SCALAR_UINT32, offsetof(Disc, id));
-        add(HRBFNPR_VERTEX_RADIUS, HRBFNPR_SCALAR_FLOAT32, offsetof(Disc, radius));
-        add(HRBFNPR_VERTEX_COLOR, HRBFNPR_SCALAR_FLOAT32, offsetof(Disc, color));
-        add(HRBFNPR_VERTEX_CLASS, HRBFNPR_SCALAR_UINT32, offsetof(Disc, mark_class));
-        add(HRBFNPR_VERTEX_IS_PAPER, HRBFNPR_SCALAR_UINT32, offsetof(Disc, is_paper));
-        add(HRBFNPR_VERTEX_WINDOW, HRBFNPR_SCALAR_FLOAT32, offsetof(Disc, window));
+        add(HRBFNPR_VERTEX_ATTRIBUTE_ID, HRBFNPR_SCALAR_UINT32, offsetof(Disc, id));
+        add(HRBFNPR_VERTEX_ATTRIBUTE_RADIUS, HRBFNPR_SCALAR_FLOAT32, offsetof(Disc, radius));
+        add(HRBFNPR_VERTEX_ATTRIBUTE_COLOR, HRBFNPR_SCALAR_FLOAT32, offsetof(Disc, color));
+        add(HRBFNPR_VERTEX_ATTRIBUTE_CLASS, HRBFNPR_SCALAR_UINT32, offsetof(Disc, mark_class));
+        add(HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER, HRBFNPR_SCALAR_UINT32, offsetof(Disc, is_paper));
+        add(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, offsetof(Disc, window));
         return layout;
     }
 

@@ -70,7 +70,7 @@ public:
         hrbfnpr_renderer* renderer = nullptr;
         check_(hrbfnpr_renderer_create(context_.get(), &renderer, check_.error()));
         renderer_.reset(renderer);
-        check_(hrbfnpr_style_init_preset(&style_, sizeof style_, HRBFNPR_STYLE_FULL, &groups_, check_.error()));
+        check_(hrbfnpr_style_init_preset(&style_, sizeof style_, HRBFNPR_PRESET_FULL, &groups_, check_.error()));
         for (std::int64_t i = 0; i < queries; ++i) {
             const auto t = static_cast<double>(i);
             queries_.push_back(torus_at(t * 0.618, t * 0.755));

@@ -21,10 +21,10 @@ public:
         for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
             std::int64_t count = 0;
             std::int64_t widths = 0;
-            const float* position = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION, count);
-            const float* normal = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_NORMAL, count);
-            const float* rank = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_RANK, count);
-            const float* wide = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_WIDTH, widths);
+            const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+            const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+            const float* rank = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_RANK, count);
+            const float* wide = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_WIDTH, widths);
             for (std::int64_t i = 0; i < count; ++i) {
                 const glm::dvec3 place = glm::make_vec3(info.origin) + glm::dvec3(glm::make_vec3(position + 3 * i));
                 marks_.push_back({place, glm::make_vec3(normal + 3 * i), double{rank[i]},

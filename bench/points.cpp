@@ -53,7 +53,7 @@ std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, cons
     hrbfnpr_generate_desc desc;
     check(hrbfnpr_generate_desc_init(&desc, sizeof desc));
     desc.groups = 1U << job.group;
-    desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
+    desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_POINTS;
     desc.seed_points = bench::view(seeds.points);
     desc.group[job.group].levels = job.levels;
@@ -63,7 +63,7 @@ std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, cons
     check(status);
     const scenes::PointSet set(raw);
     hrbfnpr_array positions{};
-    check(hrbfnpr_point_set_view(raw, job.group, HRBFNPR_ATTRIBUTE_POSITION, &positions, check.error()));
+    check(hrbfnpr_point_set_view(raw, job.group, HRBFNPR_MARK_ATTRIBUTE_POSITION, &positions, check.error()));
     return positions.count;
 }
 

@@ -47,9 +47,9 @@ struct Surface {
 // By falling rank.
 std::vector<Mark> ordered(const hrbfnpr_point_set* set, std::uint32_t group) {
     std::int64_t count = 0;
-    const float* position = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION, count);
-    const float* normal = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_NORMAL, count);
-    const float* rank = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_RANK, count);
+    const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+    const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+    const float* rank = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_RANK, count);
     const hrbfnpr_point_set_info info = info_of(set);
     std::vector<std::size_t> order(static_cast<std::size_t>(count));
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -129,7 +129,7 @@ Sets sets_on(hrbfnpr_context* context, const Surface& surface, double& area) {
     std::shuffle(sets.white.begin(), sets.white.end(), random);
     sets.white.resize(static_cast<std::size_t>(measured_marks));
     hrbfnpr_generate_desc desc = marks_of(HRBFNPR_GROUP_STIPPLE, 0);
-    desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
+    desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_BOX;
     desc.box_resolution = 8;
     desc.group[HRBFNPR_GROUP_STIPPLE].levels = 3;
@@ -187,7 +187,7 @@ bench::ToneError run_tone(hrbfnpr_context* context) {
                 static_cast<long long>(budget), pi * 2.25 / (spacing * spacing));
     const bench::ToneError error = error_of(context, blue.get());
     std::printf("%-12s psnr %.2f dB, bias %+.4f\n", "BLUE_NOISE", error.psnr, error.bias);
-    desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
+    desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_BOX;
     desc.group[0].levels = 5;
     const bench::ToneError paper = error_of(context, generate(context, model.get(), desc).get());
@@ -204,8 +204,8 @@ struct Directions {
 // DIRECTION against the nearer of a torus's meridian and parallel.
 Directions run_directions(const hrbfnpr_point_set* set) {
     std::int64_t count = 0;
-    const float* position = attribute<float>(set, HRBFNPR_GROUP_CURVATURE, HRBFNPR_ATTRIBUTE_POSITION, count);
-    const float* direction = attribute<float>(set, HRBFNPR_GROUP_CURVATURE, HRBFNPR_ATTRIBUTE_DIRECTION, count);
+    const float* position = attribute<float>(set, HRBFNPR_GROUP_CURVATURE, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+    const float* direction = attribute<float>(set, HRBFNPR_GROUP_CURVATURE, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, count);
     const hrbfnpr_point_set_info info = info_of(set);
     std::vector<double> errors;
     for (std::int64_t i = 0; i < count; ++i) {
@@ -229,10 +229,10 @@ struct Spacing {
 Spacing run_spacing(const hrbfnpr_point_set* set, double separation) {
     constexpr std::uint32_t group = HRBFNPR_GROUP_CURVATURE;
     std::int64_t count = 0;
-    const float* position = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION, count);
-    const float* normal = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_NORMAL, count);
-    const float* direction = attribute<float>(set, group, HRBFNPR_ATTRIBUTE_DIRECTION, count);
-    const std::uint32_t* stroke = attribute<std::uint32_t>(set, group, HRBFNPR_ATTRIBUTE_STROKE, count);
+    const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+    const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+    const float* direction = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, count);
+    const std::uint32_t* stroke = attribute<std::uint32_t>(set, group, HRBFNPR_MARK_ATTRIBUTE_STROKE, count);
     const auto vec = [](const float* a, std::size_t i) { return Vec3{a[3 * i], a[3 * i + 1], a[3 * i + 2]}; };
     std::vector<Mark> marks;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
@@ -302,7 +302,7 @@ struct OrderTime {
 OrderTime run_time(hrbfnpr_context* context, const Samples& samples) {
     constexpr std::int64_t marks = 512000;
     hrbfnpr_generate_desc paper = marks_of(HRBFNPR_GROUP_STIPPLE, 0);
-    paper.distribution = HRBFNPR_DISTRIBUTION_PAPER;
+    paper.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     paper.seed_source = HRBFNPR_SEED_SAMPLES;
     paper.group[0].levels = 3;
     const hrbfnpr_generate_desc blue = marks_of(HRBFNPR_GROUP_STIPPLE, marks);

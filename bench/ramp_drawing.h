@@ -18,7 +18,7 @@ inline constexpr double ramp_radius = 1.5; // of a mark, pixels
 [[nodiscard]] inline hrbfnpr_style ramp_style(hrbfnpr_tone_fn tone) {
     scenes::Check check;
     hrbfnpr_style style;
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_STIPPLE, nullptr, check.error()));
+    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_STIPPLE, nullptr, check.error()));
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
     style.tone = HRBFNPR_TONE_CALLBACK;
     style.tone_function = tone;

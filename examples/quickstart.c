@@ -30,7 +30,6 @@ static void sample_torus(void) {
 
 int main(void) {
     const double direction[3] = {0, 1, -1}, up[3] = {0, 0, 1};
-    uint32_t groups;
     sample_torus();
     check(hrbfnpr_error_init(&error, sizeof error));
 
@@ -46,10 +45,10 @@ int main(void) {
 
     /* ... on which the marks of a style are placed ... */
     hrbfnpr_style style;
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_CONTOUR_AND_STIPPLE, &groups, &error));
+    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, &error));
     hrbfnpr_generate_desc generate;
     check(hrbfnpr_generate_desc_init(&generate, sizeof generate));
-    generate.groups = groups;
+    generate.layers = hrbfnpr_preset_layers(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, &generate.layer_count);
     hrbfnpr_point_set* marks;
     check(hrbfnpr_point_set_generate(context, model, &generate, NULL, &marks, &error));
 
@@ -67,14 +66,15 @@ int main(void) {
     item.style = &style;
     hrbfnpr_renderer* renderer;
     check(hrbfnpr_renderer_create(context, &renderer, &error));
-    check(hrbfnpr_renderer_prepare(renderer, &item, 1, 0, &camera, NULL, &error));
+    hrbfnpr_drawing* drawing;
+    check(hrbfnpr_renderer_draw(renderer, &item, 1, 0, &camera, &drawing, &error));
     hrbfnpr_image image;
     check(hrbfnpr_image_init(&image, sizeof image));
     image.format = HRBFNPR_FORMAT_RGBA8;
     image.width = WIDTH;
     image.height = HEIGHT;
     image.pixels = pixels;
-    check(hrbfnpr_renderer_draw_image(renderer, &image, NULL, &error));
+    check(hrbfnpr_drawing_rasterize(drawing, &image, NULL, &error));
 
     FILE* file = fopen("torus.ppm", "wb");
     if (file == NULL) return 1;
@@ -82,6 +82,7 @@ int main(void) {
     for (int i = 0; i < WIDTH * HEIGHT; ++i) fwrite(pixels[i / WIDTH][i % WIDTH], 1, 3, file);
     fclose(file);
 
+    hrbfnpr_drawing_release(drawing);
     hrbfnpr_renderer_release(renderer);
     hrbfnpr_point_set_release(marks);
     hrbfnpr_model_release(model);

@@ -58,7 +58,8 @@ void draw_torus(int width, int height) {
     // ... on which the marks of a style are placed ...
     hrbfnpr_style style;
     auto generate = defaults<hrbfnpr_generate_desc>(hrbfnpr_generate_desc_init);
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_CROSS_HATCH, &generate.groups, &error));
+    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_CROSS_HATCH, &error));
+    generate.layers = hrbfnpr_preset_layers(HRBFNPR_PRESET_CROSS_HATCH, &generate.layer_count);
     const auto marks = make<hrbfnpr_point_set>(hrbfnpr_point_set_release, [&](auto out) {
         return hrbfnpr_point_set_generate(context.get(), model.get(), &generate, nullptr, out, &error);
     });
@@ -75,14 +76,16 @@ void draw_torus(int width, int height) {
     item.style = &style;
     const auto renderer = make<hrbfnpr_renderer>(
         hrbfnpr_renderer_release, [&](auto out) { return hrbfnpr_renderer_create(context.get(), out, &error); });
-    check(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, &error));
+    const auto drawing = make<hrbfnpr_drawing>(hrbfnpr_drawing_release, [&](auto out) {
+        return hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, out, &error);
+    });
     std::vector<std::array<char, 4>> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     auto image = defaults<hrbfnpr_image>(hrbfnpr_image_init);
     image.format = HRBFNPR_FORMAT_RGBA8;
     image.width = width;
     image.height = height;
     image.pixels = pixels.data();
-    check(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, &error));
+    check(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, &error));
 
     std::ofstream file("torus.ppm", std::ios::binary);
     file << "P6 " << width << ' ' << height << " 255\n";

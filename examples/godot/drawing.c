@@ -1,8 +1,8 @@
 /* hrbfnpr as a class of scripts for Godot 3: samples in, each frame as pixels and as points of a mesh out.
  *
  *   fit(points: PoolVector3Array, normals: PoolVector3Array) -> bool
- *   mark(style: String, budget: int) -> bool          names as hrbfnpr_style_preset_name; budget 0 is the default
- *   look(direction: Vector3, up: Vector3, zoom: float, width: int, height: int) -> bool     prepares a frame
+ *   mark(style: String, budget: int) -> bool          names as hrbfnpr_preset_name; budget 0 is the default
+ *   look(direction: Vector3, up: Vector3, zoom: float, width: int, height: int) -> bool     draws a frame
  *   eye() -> Vector3, angle() -> float                where the frame is seen from, vertical angle in degrees
  *   pixels() -> PoolByteArray                         the frame, RGBA8
  *   points() -> Array                                 the same frame for ArrayMesh.add_surface_from_arrays, far to
@@ -22,6 +22,7 @@ typedef struct drawing {
     hrbfnpr_model* model;
     hrbfnpr_point_set* marks;
     hrbfnpr_renderer* renderer;
+    hrbfnpr_drawing* frame;
     hrbfnpr_style style;
     hrbfnpr_camera camera;
     hrbfnpr_error error;
@@ -133,18 +134,26 @@ static uint32_t preset_of(const gd_variant* value) {
     gd_char_string utf8 = GD_CALL(core, GD_STRING_UTF8, gd_char_string(*)(const gd_string*))(&string);
     const char* name = GD_CALL(core, GD_CHAR_STRING_DATA, const char* (*)(const gd_char_string*))(&utf8);
     uint32_t preset = 0;
-    while (preset < HRBFNPR_STYLE_COUNT && strcmp(name, hrbfnpr_style_preset_name(preset)) != 0) ++preset;
+    while (hrbfnpr_preset_name(preset) != NULL && strcmp(name, hrbfnpr_preset_name(preset)) != 0) ++preset;
     GD_CALL(core, GD_CHAR_STRING_DESTROY, void (*)(gd_char_string*))(&utf8);
     GD_CALL(core, GD_STRING_DESTROY, void (*)(gd_string*))(&string);
     return preset;
 }
 
 static gd_variant mark(drawing* self, gd_variant** arguments) {
+    enum { MOST_LAYERS = 16 }; /* of a named style */
     hrbfnpr_generate_desc desc;
     hrbfnpr_generate_desc_init(&desc, sizeof desc);
-    hrbfnpr_status status = hrbfnpr_style_init_preset(&self->style, sizeof self->style, preset_of(arguments[0]),
-                                                      &desc.groups, &self->error);
-    for (int i = 0; i < HRBFNPR_GROUP_COUNT; ++i) desc.group[i].budget = as_int(arguments[1]);
+    const uint32_t preset = preset_of(arguments[0]);
+    hrbfnpr_layer_desc layers[MOST_LAYERS];
+    const hrbfnpr_layer_desc* of_preset = hrbfnpr_preset_layers(preset, &desc.layer_count);
+    hrbfnpr_status status = hrbfnpr_style_init_preset(&self->style, sizeof self->style, preset, &self->error);
+    if (desc.layer_count > MOST_LAYERS) desc.layer_count = MOST_LAYERS;
+    for (int64_t i = 0; i < desc.layer_count; ++i) {
+        layers[i] = of_preset[i];
+        if (as_int(arguments[1]) > 0) layers[i].budget = as_int(arguments[1]);
+    }
+    desc.layers = layers;
     hrbfnpr_point_set_release(self->marks);
     self->marks = NULL;
     if (status == HRBFNPR_STATUS_OK) {
@@ -153,7 +162,7 @@ static gd_variant mark(drawing* self, gd_variant** arguments) {
     return boolean(succeeded(self, status, "mark"));
 }
 
-static hrbfnpr_status frame(drawing* self, gd_variant** arguments) {
+static hrbfnpr_status draw(drawing* self, gd_variant** arguments) {
     const double vertical_angle = 0.5, margin = 0.02;
     double direction[3], up[3];
     hrbfnpr_model_info info;
@@ -171,11 +180,12 @@ static hrbfnpr_status frame(drawing* self, gd_variant** arguments) {
     hrbfnpr_item_init(&item, sizeof item);
     item.point_set = self->marks;
     item.style = &self->style;
-    return hrbfnpr_renderer_prepare(self->renderer, &item, 1, 0, &self->camera, NULL, &self->error);
+    hrbfnpr_drawing_release(self->frame);
+    return hrbfnpr_renderer_draw(self->renderer, &item, 1, 0, &self->camera, &self->frame, &self->error);
 }
 
 static gd_variant look(drawing* self, gd_variant** arguments) {
-    return boolean(succeeded(self, frame(self, arguments), "look"));
+    return boolean(succeeded(self, draw(self, arguments), "look"));
 }
 
 static gd_variant eye(drawing* self, gd_variant** arguments) {
@@ -205,7 +215,7 @@ static gd_variant pixels(drawing* self, gd_variant** arguments) {
     image.width = (int32_t)self->camera.viewport[2];
     image.height = (int32_t)self->camera.viewport[3];
     void* access = pool_new(&GD_BYTES, (int64_t)image.width * image.height * 4, &pool, &image.pixels);
-    const hrbfnpr_status status = hrbfnpr_renderer_draw_image(self->renderer, &image, NULL, &self->error);
+    const hrbfnpr_status status = hrbfnpr_drawing_rasterize(self->frame, &image, NULL, &self->error);
     gd_variant result = pool_written(&GD_BYTES, &pool, access);
     if (succeeded(self, status, "pixels")) return result;
     GD_CALL(core, GD_VARIANT_DESTROY, void (*)(gd_variant*))(&result);
@@ -214,18 +224,21 @@ static gd_variant pixels(drawing* self, gd_variant** arguments) {
 
 /* One attribute of all vertices as an array of the engine's; nil after a failure. */
 static gd_variant attribute(drawing* self, const gd_pool_kind* kind, int64_t count, uint32_t which, int64_t stride) {
+    hrbfnpr_vertex_attribute part;
     hrbfnpr_vertex_layout layout;
     gd_pool pool;
     void* data;
+    hrbfnpr_vertex_attribute_init(&part, sizeof part);
+    part.attribute = which;
+    part.scalar = HRBFNPR_SCALAR_FLOAT32;
     hrbfnpr_vertex_layout_init(&layout, sizeof layout);
+    layout.attributes = &part;
     layout.attribute_count = 1;
     layout.stride = stride;
-    layout.attributes[0].attribute = which;
-    layout.attributes[0].scalar = HRBFNPR_SCALAR_FLOAT32;
     void* access = pool_new(kind, count, &pool, &data);
     memset(data, 0, (size_t)(count * stride));
     const hrbfnpr_status status =
-        hrbfnpr_renderer_write_vertices(self->renderer, &layout, data, count, &count, &self->error);
+        hrbfnpr_drawing_write_vertices(self->frame, &layout, data, count, NULL, NULL, 0, NULL, &self->error);
     gd_variant result = pool_written(kind, &pool, access);
     if (succeeded(self, status, "points")) return result;
     GD_CALL(core, GD_VARIANT_DESTROY, void (*)(gd_variant*))(&result);
@@ -238,11 +251,13 @@ static gd_variant points(drawing* self, gd_variant** arguments) {
     gd_array arrays;
     gd_variant result;
     (void)arguments;
-    if (!succeeded(self, hrbfnpr_renderer_vertex_bound(self->renderer, &count, &self->error), "points")) return nil();
+    const hrbfnpr_status status =
+        hrbfnpr_drawing_vertex_bound(self->frame, HRBFNPR_PRIMITIVE_POINTS, &count, NULL, &self->error);
+    if (!succeeded(self, status, "points")) return nil();
     const int place[3] = {ARRAY_VERTEX, ARRAY_COLOR, ARRAY_TEX_UV};
-    gd_variant part[3] = {attribute(self, &GD_VECTORS3, count, HRBFNPR_VERTEX_POSITION, 3 * sizeof(float)),
-                          attribute(self, &GD_COLORS, count, HRBFNPR_VERTEX_COLOR, 4 * sizeof(float)),
-                          attribute(self, &GD_VECTORS2, count, HRBFNPR_VERTEX_RADIUS, 2 * sizeof(float))};
+    gd_variant part[3] = {attribute(self, &GD_VECTORS3, count, HRBFNPR_VERTEX_ATTRIBUTE_POSITION, 3 * sizeof(float)),
+                          attribute(self, &GD_COLORS, count, HRBFNPR_VERTEX_ATTRIBUTE_COLOR, 4 * sizeof(float)),
+                          attribute(self, &GD_VECTORS2, count, HRBFNPR_VERTEX_ATTRIBUTE_RADIUS, 2 * sizeof(float))};
     GD_CALL(core, GD_ARRAY_NEW, void (*)(gd_array*))(&arrays);
     GD_CALL(core, GD_ARRAY_RESIZE, void (*)(gd_array*, int))(&arrays, ARRAY_MAX);
     for (int i = 0; i < 3; ++i) {
@@ -292,6 +307,7 @@ static void destroy(gd_object* instance, void* data, void* user) {
     drawing* self = user;
     (void)instance;
     (void)data;
+    hrbfnpr_drawing_release(self->frame);
     hrbfnpr_renderer_release(self->renderer);
     hrbfnpr_point_set_release(self->marks);
     hrbfnpr_model_release(self->model);

@@ -80,7 +80,8 @@ std::vector<unsigned char> draw(Pool& pool, const std::string& path) {
 
     hrbfnpr_style style;
     auto generate = defaults<hrbfnpr_generate_desc>(hrbfnpr_generate_desc_init);
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_CONTOUR_AND_STIPPLE, &generate.groups, &error));
+    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, &error));
+    generate.layers = hrbfnpr_preset_layers(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, &generate.layer_count);
     const auto marks = make<hrbfnpr_point_set>(hrbfnpr_point_set_release, [&](auto out) {
         return hrbfnpr_point_set_generate(context.get(), model.get(), &generate, nullptr, out, &error);
     });
@@ -96,7 +97,9 @@ std::vector<unsigned char> draw(Pool& pool, const std::string& path) {
     item.style = &style;
     const auto renderer = make<hrbfnpr_renderer>(
         hrbfnpr_renderer_release, [&](auto out) { return hrbfnpr_renderer_create(context.get(), out, &error); });
-    check(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, &error));
+    const auto drawing = make<hrbfnpr_drawing>(hrbfnpr_drawing_release, [&](auto out) {
+        return hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, out, &error);
+    });
 
     std::vector<unsigned char> pixels(std::size_t{4} * width * height);
     auto image = defaults<hrbfnpr_image>(hrbfnpr_image_init);
@@ -104,7 +107,7 @@ std::vector<unsigned char> draw(Pool& pool, const std::string& path) {
     image.width = width;
     image.height = height;
     image.pixels = pixels.data();
-    check(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, &error));
+    check(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, &error));
     return pixels;
 }
 

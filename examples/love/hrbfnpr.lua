@@ -61,17 +61,24 @@ function hrbfnpr.model_info(model)
   return info
 end
 
--- A named style, HRBFNPR_STYLE_..., and the groups of marks that it needs.
+-- A named style, HRBFNPR_PRESET_...
 function hrbfnpr.style(preset)
-  local style, groups = ffi.new "hrbfnpr_style", ffi.new "uint32_t[1]"
-  check(C.hrbfnpr_style_init_preset(style, ffi.sizeof(style), preset, groups, failure))
-  return style, groups[0]
+  local style = ffi.new "hrbfnpr_style"
+  check(C.hrbfnpr_style_init_preset(style, ffi.sizeof(style), preset, failure))
+  return style
 end
 
--- Places marks of these groups on the surface.
-function hrbfnpr.generate(context, model, groups)
-  local desc = hrbfnpr.new "hrbfnpr_generate_desc"
-  desc.groups = groups
+-- The style's name, or nil if no style has this number.
+function hrbfnpr.style_name(preset)
+  local name = C.hrbfnpr_preset_name(preset)
+  if name ~= nil then return ffi.string(name) end
+end
+
+-- Places the marks that a named style draws on the surface.
+function hrbfnpr.generate(context, model, preset)
+  local desc, count = hrbfnpr.new "hrbfnpr_generate_desc", ffi.new "int64_t[1]"
+  desc.layers = C.hrbfnpr_preset_layers(preset, count)
+  desc.layer_count = count[0]
   local out = ffi.new "hrbfnpr_point_set*[1]"
   check(C.hrbfnpr_point_set_generate(context, model, desc, nil, out, failure))
   return ffi.gc(out[0], C.hrbfnpr_point_set_release)
@@ -91,8 +98,11 @@ end
 
 -- Draws an hrbfnpr_item into an hrbfnpr_image.
 function hrbfnpr.draw(renderer, item, camera, image)
-  check(C.hrbfnpr_renderer_prepare(renderer, item, 1, 0, camera, nil, failure))
-  check(C.hrbfnpr_renderer_draw_image(renderer, image, nil, failure))
+  local out = ffi.new "hrbfnpr_drawing*[1]"
+  check(C.hrbfnpr_renderer_draw(renderer, item, 1, 0, camera, out, failure))
+  local status = C.hrbfnpr_drawing_rasterize(out[0], image, nil, failure)
+  C.hrbfnpr_drawing_release(out[0]) -- at once: the next drawing is made in its memory
+  check(status)
 end
 
 return hrbfnpr

@@ -51,9 +51,9 @@ end
 
 -- Shows a scene in the style of this number; where that fails, everything stays as it was.
 local function show(new_scene, preset)
-  local style, groups = hrbfnpr.style(preset)
-  local marks = new_scene.marks[groups] or hrbfnpr.generate(context, new_scene.model, groups)
-  new_scene.marks[groups], new_scene.style, new_scene.preset = marks, style, preset
+  local style = hrbfnpr.style(preset)
+  local marks = new_scene.marks[preset] or hrbfnpr.generate(context, new_scene.model, preset)
+  new_scene.marks[preset], new_scene.style, new_scene.preset = marks, style, preset
   item.style, item.point_set = style, marks
   scene = new_scene
   changed = true
@@ -107,7 +107,7 @@ local function draw_scene()
   place_camera()
   hrbfnpr.draw(renderer, item, camera, image)
   canvas.image:replacePixels(canvas.data)
-  local name = ffi.string(hrbfnpr.C.hrbfnpr_style_preset_name(scene.preset))
+  local name = hrbfnpr.style_name(scene.preset)
   love.window.setTitle(("hrbfnpr: %s, %.1f ms"):format(name, 1000 * (love.timer.getTime() - start)))
 end
 
@@ -130,7 +130,7 @@ end
 
 function love.load()
   make_canvas()
-  show_samples(read_file(samples_path), hrbfnpr.C.HRBFNPR_STYLE_CONTOUR_AND_STIPPLE)
+  show_samples(read_file(samples_path), hrbfnpr.C.HRBFNPR_PRESET_CONTOUR_AND_STIPPLE)
   if screenshot_path then save_and_quit(screenshot_path) end
 end
 
@@ -165,7 +165,7 @@ end
 
 function love.keypressed(key)
   if key == "tab" then
-    show(scene, (scene.preset + 1) % hrbfnpr.C.HRBFNPR_STYLE_COUNT)
+    show(scene, hrbfnpr.style_name(scene.preset + 1) and scene.preset + 1 or 0)
   elseif key == "space" then
     rotating = not rotating
   elseif key == "home" then

@@ -99,7 +99,8 @@ static hrbfnpr_status place_marks(Drawing* d) {
     hrbfnpr_point_set_release(d->marks);
     d->marks = NULL;
     hrbfnpr_generate_desc_init(&desc, sizeof desc);
-    status = hrbfnpr_style_init_preset(&d->style, sizeof d->style, d->preset, &desc.groups, &d->error);
+    desc.layers = hrbfnpr_preset_layers(d->preset, &desc.layer_count);
+    status = hrbfnpr_style_init_preset(&d->style, sizeof d->style, d->preset, &d->error);
     if (status != HRBFNPR_STATUS_OK) return status;
     return hrbfnpr_point_set_generate(d->context, d->model, &desc, d->operation, &d->marks, &d->error);
 }
@@ -123,7 +124,7 @@ static void end_work(App* app) {
     SDL_WaitThread(app->worker, NULL);
     app->worker = NULL;
     check(d->status, &d->error);
-    SDL_SetWindowTitle(app->window, hrbfnpr_style_preset_name(d->preset));
+    SDL_SetWindowTitle(app->window, hrbfnpr_preset_name(d->preset));
     app->is_stale = SDL_TRUE;
 }
 
@@ -133,7 +134,7 @@ static void press_key(App* app, SDL_Keycode key) {
     if (key == SDLK_ESCAPE) app->quits = SDL_TRUE;
     if (key == SDLK_SPACE) app->view.turntable = !app->view.turntable;
     if (key == SDLK_TAB && app->worker == NULL) {
-        app->drawing.preset = (app->drawing.preset + 1) % HRBFNPR_STYLE_COUNT;
+        if (hrbfnpr_preset_name(++app->drawing.preset) == NULL) app->drawing.preset = 0;
         start_work(app);
     }
 }
@@ -210,18 +211,20 @@ static void draw(App* app) {
     const hrbfnpr_camera camera = camera_of(app);
     hrbfnpr_item item;
     hrbfnpr_image image;
+    hrbfnpr_drawing* drawing;
     int pitch;
     hrbfnpr_item_init(&item, sizeof item);
     item.point_set = d->marks;
     item.style = &d->style;
-    check(hrbfnpr_renderer_prepare(app->pen, &item, 1, 0, &camera, NULL, &d->error), &d->error);
+    check(hrbfnpr_renderer_draw(app->pen, &item, 1, 0, &camera, &drawing, &d->error), &d->error);
     hrbfnpr_image_init(&image, sizeof image);
     image.format = HRBFNPR_FORMAT_RGBA8;
     image.width = app->width;
     image.height = app->height;
     check_sdl(SDL_LockTexture(app->texture, NULL, &image.pixels, &pitch) == 0);
     image.row_stride = pitch;
-    check(hrbfnpr_renderer_draw_image(app->pen, &image, NULL, &d->error), &d->error);
+    check(hrbfnpr_drawing_rasterize(drawing, &image, NULL, &d->error), &d->error);
+    hrbfnpr_drawing_release(drawing);
     SDL_UnlockTexture(app->texture);
     SDL_RenderCopy(app->screen, app->texture, NULL, NULL);
 }
@@ -273,7 +276,7 @@ static void run(App* app, const char* screenshot) {
 
 static void set_up(App* app) {
     Drawing* const d = &app->drawing;
-    d->preset = HRBFNPR_STYLE_CONTOUR_AND_STIPPLE;
+    d->preset = HRBFNPR_PRESET_CONTOUR_AND_STIPPLE;
     app->view.height = app->view.zoom = 1;
     hrbfnpr_error_init(&d->error, sizeof d->error);
     check(hrbfnpr_context_create(NULL, &d->context, &d->error), &d->error);

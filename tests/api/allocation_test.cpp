@@ -11,7 +11,9 @@ public:
     Pipeline(const Pipeline&) = delete;
     Pipeline& operator=(const Pipeline&) = delete;
     ~Pipeline() {
+        hrbfnpr_drawing_release(drawing_);
         hrbfnpr_renderer_release(renderer_);
+        hrbfnpr_point_set_release(own_);
         hrbfnpr_point_set_release(set_);
         hrbfnpr_model_release(loaded_);
         hrbfnpr_model_release(model_);
@@ -23,7 +25,7 @@ public:
     hrbfnpr_status run(hrbfnpr_error* error) {
         using Step = hrbfnpr_status (Pipeline::*)(hrbfnpr_error*);
         for (const Step step : {&Pipeline::create, &Pipeline::fit, &Pipeline::query, &Pipeline::reload,
-                                &Pipeline::paper, &Pipeline::patches, &Pipeline::attenuated, &Pipeline::hidden})
+                                &Pipeline::published, &Pipeline::own, &Pipeline::patches, &Pipeline::attenuated, &Pipeline::hidden})
             if (const hrbfnpr_status status = (this->*step)(error); status != HRBFNPR_STATUS_OK) return status;
         return HRBFNPR_STATUS_OK;
     }
@@ -58,13 +60,25 @@ private:
         return status != HRBFNPR_STATUS_OK ? status
                                            : hrbfnpr_model_load_memory(context_, bytes.data(), size, &loaded_, error);
     }
-    hrbfnpr_status recursion(hrbfnpr_error* error) {
-        hrbfnpr_generate_desc desc = small_desc(HRBFNPR_DISTRIBUTION_PAPER);
-        for (hrbfnpr_group_desc& group : desc.group) {
-            group.levels = 1;
-            group.budget = 12;
+    hrbfnpr_status published(hrbfnpr_error* error) {
+        Generation desc = small_desc(HRBFNPR_DISTRIBUTION_PUBLISHED);
+        for (hrbfnpr_layer_desc& layer : desc.layer) {
+            layer.levels = 1;
+            layer.budget = 12;
         }
-        return hrbfnpr_point_set_generate(context_, loaded_, &desc, nullptr, &set_, error);
+        return hrbfnpr_point_set_generate(context_, loaded_, desc.get(), nullptr, &set_, error);
+    }
+    // The layers of the set, and one of own strokes.
+    hrbfnpr_status own(hrbfnpr_error* error) {
+        const std::vector<std::uint32_t> first{0, 3, 6};
+        auto arrays = made(hrbfnpr_layer_arrays_init);
+        arrays.position = arrays.normal = in(samples_.points);
+        arrays.stroke_first = in(first, 1);
+        auto desc = made(hrbfnpr_point_set_desc_init);
+        desc.base = set_;
+        desc.layers = &arrays;
+        desc.layer_count = 1;
+        return hrbfnpr_point_set_create(context_, &desc, &own_, error);
     }
     hrbfnpr_status patches(hrbfnpr_error* error) {
         std::vector<double> corner(24);
@@ -78,15 +92,39 @@ private:
         }
         auto style = made(hrbfnpr_style_init);
         style.hidden_lines = hidden_lines;
+        auto layer = made(hrbfnpr_layer_style_init);
+        layer.shape = HRBFNPR_SHAPE_STROKES;
+        style.layers = &layer;
+        style.layer_count = 1;
         auto item = made(hrbfnpr_item_init);
-        item.point_set = set_;
+        item.point_set = own_;
         item.style = &style;
         const hrbfnpr_camera camera = front_camera(16);
-        const hrbfnpr_status status = hrbfnpr_renderer_prepare(renderer_, &item, 1, 0, &camera, nullptr, error);
-        if (status != HRBFNPR_STATUS_OK) return status;
+        hrbfnpr_drawing_release(drawing_);
+        hrbfnpr_status status = hrbfnpr_renderer_draw(renderer_, &item, 1, 0, &camera, &drawing_, error);
+        return status != HRBFNPR_STATUS_OK ? status : read(error);
+    }
+    // All that a drawing gives.
+    hrbfnpr_status read(hrbfnpr_error* error) {
         std::vector<std::uint8_t> pixels;
         const hrbfnpr_image image = image_of(pixels, 16);
-        return hrbfnpr_renderer_draw_image(renderer_, &image, nullptr, error);
+        if (const auto status = hrbfnpr_drawing_rasterize(drawing_, &image, nullptr, error); status != HRBFNPR_STATUS_OK)
+            return status;
+        Layout layout;
+        layout.add(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, 0);
+        std::vector<float> vertices(30000);
+        std::vector<std::uint32_t> indices(10000);
+        for (const std::uint32_t primitive : {HRBFNPR_PRIMITIVE_POINTS, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS}) {
+            layout.primitive = primitive;
+            hrbfnpr_status status = hrbfnpr_drawing_write_vertices(drawing_, layout.get(), vertices.data(), 10000, nullptr,
+                                                                   nullptr, 0, nullptr, error);
+            std::int64_t count = 0;
+            if (status == HRBFNPR_STATUS_OK)
+                status = hrbfnpr_drawing_write_mark_indices(drawing_, 0, 1, HRBFNPR_CLASS_FRONT, primitive,
+                                                            indices.data(), 10000, &count, error);
+            if (status != HRBFNPR_STATUS_OK) return status;
+        }
+        return HRBFNPR_STATUS_OK;
     }
     hrbfnpr_status attenuated(hrbfnpr_error* error) { return frame(HRBFNPR_HIDDEN_LINES_ATTENUATE, error); }
     hrbfnpr_status hidden(hrbfnpr_error* error) { return frame(HRBFNPR_HIDDEN_LINES_HIDE, error); }
@@ -100,7 +138,9 @@ private:
     hrbfnpr_model* model_ = nullptr;
     hrbfnpr_model* loaded_ = nullptr;
     hrbfnpr_point_set* set_ = nullptr;
+    hrbfnpr_point_set* own_ = nullptr;
     hrbfnpr_renderer* renderer_ = nullptr;
+    hrbfnpr_drawing* drawing_ = nullptr;
 };
 
 std::int64_t allocations_of_a_whole_run() {
@@ -133,8 +173,8 @@ TEST(Allocation, EveryFailureOfBlueNoiseIsCleanToo) {
     const Context context = make_context(allocator_desc(allocator));
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
-    hrbfnpr_generate_desc desc = small_desc();
-    desc.groups = 3;
+    Generation desc = small_desc();
+    desc.layer.pop_back();
     const std::int64_t before = allocator.calls;
     generate(context, model, desc);
     const std::int64_t all = allocator.calls - before;
@@ -143,7 +183,7 @@ TEST(Allocation, EveryFailureOfBlueNoiseIsCleanToo) {
         Error error;
         hrbfnpr_point_set* set = nullptr;
         allocator.refuse_at = allocator.calls + k;
-        ASSERT_EQ(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error),
+        ASSERT_EQ(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &set, error),
                   HRBFNPR_STATUS_OUT_OF_MEMORY)
             << k << " of " << all << ": " << error.record.message;
         ASSERT_EQ(set, nullptr);
@@ -163,7 +203,9 @@ TEST(Allocation, ARendererGoesOnAfterAFailure) {
     const Renderer renderer = make_renderer(context);
     for (int after = 1; after < 40; ++after) {
         allocator.refuse_at = allocator.calls + after;
-        const hrbfnpr_status status = hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, error);
+        hrbfnpr_drawing* drawing = nullptr;
+        const hrbfnpr_status status = hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &drawing, error);
+        hrbfnpr_drawing_release(drawing);
         allocator.refuse_at = 0;
         if (status == HRBFNPR_STATUS_OK) break;
         EXPECT_EQ(status, HRBFNPR_STATUS_OUT_OF_MEMORY);

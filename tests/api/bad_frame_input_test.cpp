@@ -19,15 +19,12 @@ struct Row {
 };
 
 TEST(BadInput, Generate) {
-    using Desc = hrbfnpr_generate_desc;
+    using Desc = Generation;
     static const std::vector<double> bad_point{0, 0, nan};
     static const std::vector<double> far_point{1e3, 1e3, 1e3};
     const std::vector<Row<Desc>> rows = {
-        {[](Desc& d) { d.groups = 0; }, "generate_desc.groups is 0"},
-        {[](Desc& d) { d.groups = 8; }, "generate_desc.groups is 0x8; only the bits of 0x7"},
         {[](Desc& d) { d.distribution = 2; }, "generate_desc.distribution is 2"},
         {[](Desc& d) { d.seed_source = 4; }, "generate_desc.seed_source is 4"},
-        {[](Desc& d) { d.flags = 4; }, "generate_desc.flags is 0x4"},
         {[](Desc& d) { d.box_resolution = 0; }, "generate_desc.box_resolution is 0; it must be from 1 to 256"},
         {[](Desc& d) { d.box_resolution = 257; }, "generate_desc.box_resolution is 257"},
         {[](Desc& d) { d.box_jitter = 0.6; }, "generate_desc.box_jitter is 0.6; it must be from 0 to 0.5"},
@@ -42,57 +39,90 @@ TEST(BadInput, Generate) {
          },
          "seed_points[0] is not finite"},
         {[](Desc& d) { d.seed_points.count = -4; }, "generate_desc.seed_points.count is -4"},
-        {[](Desc& d) { d.group[0].levels = 13; }, "generate_desc.group[0].levels is 13; it must be from 0 to 12"},
-        {[](Desc& d) { d.group[1].levels = -1; }, "generate_desc.group[1].levels is -1"},
-        {[](Desc& d) { d.group[2].budget = -1; }, "generate_desc.group[2].budget is -1"},
-        {[](Desc& d) { d.stroke_separation = -1; }, "generate_desc.stroke_separation is -1"},
-        {[](Desc& d) { d.stroke_separation = 1e-9, d.group[1].budget = 0; }, "raise them or set group[1].budget"},
-        {[](Desc& d) { d.stroke_step = nan; }, "generate_desc.stroke_step is nan"},
-        {[](Desc& d) { d.stroke_length = -0.5; }, "generate_desc.stroke_length is -0.5"},
-        {[](Desc& d) { d.stroke_field = 2; }, "generate_desc.stroke_field is 2"},
-        {[](Desc& d) { d.reserved2 = 1; }, "generate_desc.reserved2 is 1"},
-        {[](Desc& d) { d.group[1].reserved = 1; }, "generate_desc.group[1].reserved is 1"},
-        {[](Desc& d) { d.group[1].seeds = 2; }, "generate_desc.group[1].seeds is 2"},
-        {[](Desc& d) { d.group[1].seeds = 1; },
-         "generate_desc.group[1].seeds is STIPPLES; only the PAPER distribution"},
-        {[](Desc& d) { d.group[0].seeds = 1; }, "generate_desc.group[0].seeds is STIPPLES; the stipples themselves"},
-        {[](Desc& d) { d.group[2].seed_level = 13; }, "generate_desc.group[2].seed_level is 13"},
+        {[](Desc& d) { d.shared_budget = -1; }, "generate_desc.shared_budget is -1"},
+        {[](Desc& d) { d.tone_ranges = 2; }, "generate_desc.tone_ranges is 2"},
+        {[](Desc& d) { d.reserved = 1; }, "generate_desc.reserved is 1"},
+        {[](Desc& d) { d.layer_stride = -8; }, "the stride of generate_desc.layers is -8"},
+        {[](Desc& d) { d.layer[1].struct_size = 3; }, "generate_desc.layers[1].struct_size is 3"},
+        {[](Desc& d) { d.layer[0].kind = HRBFNPR_LAYER_KIND_ANY; }, "generate_desc.layers[0].kind is 0"},
+        {[](Desc& d) { d.layer[2].kind = HRBFNPR_LAYER_KIND_OWN; }, "generate_desc.layers[2].kind is 5"},
+        {[](Desc& d) { d.layer[1].kind = HRBFNPR_LAYER_KIND_FIELD; },
+         "generate_desc.layers[1].direction_function is NULL"},
+        {[](Desc& d) { d.layer[0].name = ""; }, "generate_desc.layers[0].name has no bytes"},
+        {[](Desc& d) { d.layer[0].name = "0123456789012345678901234567890123456789012345678901234567890123"; },
+         "generate_desc.layers[0].name has 64 or more bytes"},
+        {[](Desc& d) { d.layer[0].name = "\xff"; }, "generate_desc.layers[0].name is not UTF-8"},
+        {[](Desc& d) { d.layer[0].tone_begin = 0.5F; }, "generate_desc.layers[0].tone_begin is 0.5 and"},
+        {[](Desc& d) { d.layer[1].second_tone_end = 1.5F; }, "second_tone_end is 1.5"},
+        {[](Desc& d) { d.layer[1].flags = 2; }, "generate_desc.layers[1].flags is 0x2"},
+        {[](Desc& d) { d.layer[0].levels = 13; }, "generate_desc.layers[0].levels is 13; it must be from -1 to 12"},
+        {[](Desc& d) { d.layer[1].levels = -2; }, "generate_desc.layers[1].levels is -2"},
+        {[](Desc& d) { d.layer[2].budget = -1; }, "generate_desc.layers[2].budget is -1"},
+        {[](Desc& d) { d.layer[0].budget = 0; }, "generate_desc.layers[0].budget is 0, no limit"},
+        {[](Desc& d) { d.layer[0].density = 3; }, "generate_desc.layers[0].density is 3"},
+        {[](Desc& d) { d.layer[0].density_strength = 2; }, "generate_desc.layers[0].density_strength is 2"},
+        {[](Desc& d) { d.layer[0].density = HRBFNPR_DENSITY_CALLBACK; },
+         "generate_desc.layers[0].density_function is NULL"},
+        {[](Desc& d) { d.layer[1].separation = -1; }, "generate_desc.layers[1].separation is -1"},
+        {[](Desc& d) { d.layer[1].separation = 1e-9, d.layer[1].budget = 0; }, "raise them or set the layer's budget"},
+        {[](Desc& d) { d.layer[1].step = nan; }, "generate_desc.layers[1].step is nan"},
+        {[](Desc& d) { d.layer[1].length = -0.5; }, "generate_desc.layers[1].length is -0.5"},
+        {[](Desc& d) { d.layer[1].symmetry = 2; }, "generate_desc.layers[1].symmetry is 2"},
+        {[](Desc& d) { d.layer[1].start = 2; }, "generate_desc.layers[1].start is 2"},
+        {[](Desc& d) { d.layer[1].start = 1; },
+         "generate_desc.layers[1].start is STIPPLES; only the PUBLISHED distribution"},
+        {[](Desc& d) { d.layer[0].start = 1; }, "generate_desc.layers[0].start is STIPPLES"},
         {[](Desc& d) {
-             d.distribution = HRBFNPR_DISTRIBUTION_PAPER;
-             d.group[2].seeds = 1;
-             d.group[2].seed_level = 3;
+             d.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
+             d.layer[0].start = 1;
          },
-         "generate_desc.group[2].seed_level is 3, above the 2 levels of the stipples"},
+         "generate_desc.layers[0].start is STIPPLES; the stipples themselves"},
+        {[](Desc& d) { d.layer[2].start_level = 13; }, "generate_desc.layers[2].start_level is 13"},
         {[](Desc& d) {
-             d.distribution = HRBFNPR_DISTRIBUTION_PAPER;
-             d.group[0].levels = 12;
-             d.group[0].budget = 0;
+             d.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
+             d.layer[2].start = 1;
+             d.layer[2].start_level = 3;
          },
-         "group[0].levels = 12 would grow to"}};
+         "generate_desc.layers[2].start_level is 3, above the 2 levels of the stipples"},
+        {[](Desc& d) {
+             d.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
+             d.layer[0].levels = 12;
+             d.layer[0].budget = 0;
+         },
+         "layers[0].levels = 12 would grow to"}};
     const Context context = make_context();
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
     const std::int64_t before = info_of(context).bytes_now;
     for (const auto& row : rows) {
         Error error;
-        hrbfnpr_generate_desc desc = small_desc();
+        Generation desc = small_desc();
         row.change(desc);
         auto* set = reinterpret_cast<hrbfnpr_point_set*>(&desc);
-        EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error), invalid,
-                     row.message);
+        const bool is_size = std::string(row.message).find("struct_size") != std::string::npos;
+        EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &set, error),
+                     is_size ? HRBFNPR_STATUS_UNSUPPORTED_STRUCT : invalid, row.message);
         EXPECT_EQ(set, nullptr) << row.message;
     }
     Error error;
-    hrbfnpr_generate_desc desc = small_desc();
+    Generation desc = small_desc();
     desc.seed_source = HRBFNPR_SEED_POINTS;
     desc.seed_points = in(far_point);
     hrbfnpr_point_set* set = nullptr;
-    EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error),
+    EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &set, error),
                  HRBFNPR_STATUS_NOT_CONVERGED, "none of 1 seeds reached the surface");
-    EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), nullptr, &desc, nullptr, &set, error), invalid,
+    EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), nullptr, desc.get(), nullptr, &set, error), invalid,
                  "model is NULL");
-    EXPECT_FAILS(hrbfnpr_point_set_generate(nullptr, model.get(), &desc, nullptr, &set, error), invalid,
+    EXPECT_FAILS(hrbfnpr_point_set_generate(nullptr, model.get(), desc.get(), nullptr, &set, error), invalid,
                  "context is NULL");
+    desc.get();
+    desc.layer_count = -1;
+    EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error), invalid,
+                 "the number of generate_desc.layers is -1");
+    desc.layer_count = 3;
+    desc.layers = nullptr;
+    EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error), invalid,
+                 "generate_desc.layers is NULL");
     EXPECT_EQ(info_of(context).bytes_now, before);
 }
 
@@ -100,10 +130,19 @@ class BadFrame : public testing::Test {
 protected:
     BadFrame() : model(custom_sphere(context, sphere)), set(generate(context, model, small_desc())) {
         item = item_of(set, &style);
-        EXPECT_OK(prepare());
+        EXPECT_OK(draw());
+        kept = std::move(drawing);
     }
 
-    hrbfnpr_status prepare() { return hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, error); }
+    hrbfnpr_status call(const hrbfnpr_item* items, std::int64_t count, std::int64_t stride) {
+        auto* made_drawing = reinterpret_cast<hrbfnpr_drawing*>(this);
+        const hrbfnpr_status status =
+            hrbfnpr_renderer_draw(renderer.get(), items, count, stride, &camera, &made_drawing, error);
+        EXPECT_EQ(made_drawing != nullptr, status == HRBFNPR_STATUS_OK);
+        drawing.reset(made_drawing);
+        return status;
+    }
+    hrbfnpr_status draw() { return call(&item, 1, 0); }
 
     Error error;
     Context context = make_context();
@@ -114,6 +153,8 @@ protected:
     hrbfnpr_camera camera = front_camera();
     hrbfnpr_style style = made(hrbfnpr_style_init);
     hrbfnpr_item item;
+    Drawing drawing;
+    Drawing kept; // a good one
 };
 
 TEST_F(BadFrame, Style) {
@@ -124,9 +165,9 @@ TEST_F(BadFrame, Style) {
         {[](Style& s) { s.silhouette_threshold = 1; }, "items[0].style.silhouette_threshold is 1"},
         {[](Style& s) { s.attenuation_front = -1; }, "items[0].style.attenuation_front is -1"},
         {[](Style& s) { s.attenuation_back = nan; }, "items[0].style.attenuation_back is nan"},
-        {[](Style& s) { s.cover_radius = -1; }, "items[0].style.cover_radius is -1"},
+        {[](Style& s) { s.splat_radius = -1; }, "items[0].style.splat_radius is -1"},
         {[](Style& s) { s.halo_width = nanf; }, "items[0].style.halo_width is nan"},
-        {[](Style& s) { s.cover_layers = -1; }, "items[0].style.cover_layers is -1"},
+        {[](Style& s) { s.splat_overlap = -1; }, "items[0].style.splat_overlap is -1"},
         {[](Style& s) { s.visibility = 2; }, "items[0].style.visibility is 2"},
         {[](Style& s) { s.tone_curve = 2; }, "items[0].style.tone_curve is 2"},
         {[](Style& s) { s.silhouette_law = 2; }, "items[0].style.silhouette_law is 2"},
@@ -139,7 +180,9 @@ TEST_F(BadFrame, Style) {
         {[](Style& s) { s.light[1] = nan; }, "items[0].style.light is nan"},
         {[](Style& s) { s.light[0] = s.light[1] = s.light[2] = 0; }, "items[0].style.light is zero"},
         {[](Style& s) { s.tone_exponent = 0; }, "items[0].style.tone_exponent is 0"},
-        {[](Style& s) { s.silhouette_groups = 8; }, "items[0].style.silhouette_groups is 0x8"},
+        {[](Style& s) { s.reserved = 1; }, "items[0].style.reserved is 1"},
+        {[](Style& s) { s.layer_count = 1; }, "items[0].style.layers is NULL"},
+        {[](Style& s) { s.layer_count = -1; }, "the number of items[0].style.layers is -1"},
         {[](Style& s) { s.depth_min = 1; }, "items[0].style.depth_min is 1 and depth_max is 0"},
         {[](Style& s) { s.depth_max = 1; }, "it must be 0 < depth_min < depth_max"},
         {[](Style& s) { s.depth_max = nan; }, "items[0].style.depth_max is nan"},
@@ -148,57 +191,127 @@ TEST_F(BadFrame, Style) {
         {[](Style& s) { s.paper[3] = 2; }, "items[0].style.paper[3] is 2; it must be from 0 to 1"},
         {[](Style& s) { s.silhouette_ink[0] = -1; }, "items[0].style.silhouette_ink[0] is -1"},
         {[](Style& s) { s.silhouette_radius = 0; }, "items[0].style.silhouette_radius is 0"},
-        {[](Style& s) { s.silhouette_radius_zoom = 2; }, "items[0].style.silhouette_radius_zoom is 2"},
-        {[](Style& s) { s.group[1].shown = 2; }, "items[0].style.group[1].shown is 2"},
-        {[](Style& s) { s.group[1].sets = 4; }, "items[0].style.group[1].sets is 0x4"},
-        {[](Style& s) { s.group[2].share = 1.5F; }, "items[0].style.group[2].share is 1.5"},
-        {[](Style& s) { s.group[0].radius = 0; }, "items[0].style.group[0].radius is 0"},
-        {[](Style& s) { s.group[0].radius = 1e9F; }, "items[0].style.group[0].radius is 1e+09"},
-        {[](Style& s) { s.group[0].radius_zoom = -1; }, "items[0].style.group[0].radius_zoom is -1"},
-        {[](Style& s) { s.group[0].ink[2] = nanf; }, "items[0].style.group[0].ink[2] is nan"}};
+        {[](Style& s) { s.silhouette_radius_zoom = 2; }, "items[0].style.silhouette_radius_zoom is 2"}};
     const hrbfnpr_style good = style;
     for (const auto& row : rows) {
         style = good;
         row.change(style);
-        EXPECT_FAILS(prepare(), invalid, row.message);
+        EXPECT_FAILS(draw(), invalid, row.message);
     }
     style = good;
     style.struct_size = 2;
-    EXPECT_FAILS(prepare(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "items[0].style.struct_size is 2");
-    // The good frame from before is still there.
-    std::int64_t count = 0;
-    EXPECT_OK(hrbfnpr_renderer_vertex_bound(renderer.get(), &count, error));
-    EXPECT_GT(count, 0);
+    EXPECT_FAILS(draw(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "items[0].style.struct_size is 2");
+    // The good drawing from before is still there.
+    EXPECT_GT(info_of(kept).dots, 0);
+}
+
+TEST_F(BadFrame, LayerStyle) {
+    using Layer = hrbfnpr_layer_style;
+    const std::vector<Row<Layer>> rows = {
+        {[](Layer& l) { l.kind = 6; }, "items[0].style.layers[1].kind is 6"},
+        {[](Layer& l) { l.shown = 2; }, "items[0].style.layers[1].shown is 2"},
+        {[](Layer& l) { l.contours = 2; }, "items[0].style.layers[1].contours is 2"},
+        {[](Layer& l) { l.directions = 4; }, "items[0].style.layers[1].directions is 0x4"},
+        {[](Layer& l) { l.shape = 2; }, "items[0].style.layers[1].shape is 2"},
+        {[](Layer& l) { l.share = 1.5F; }, "items[0].style.layers[1].share is 1.5"},
+        {[](Layer& l) { l.radius = 0; }, "items[0].style.layers[1].radius is 0"},
+        {[](Layer& l) { l.radius = 1e9F; }, "items[0].style.layers[1].radius is 1e+09"},
+        {[](Layer& l) { l.radius_zoom = -1; }, "items[0].style.layers[1].radius_zoom is -1"},
+        {[](Layer& l) { l.reserved = 7; }, "items[0].style.layers[1].reserved is 7"},
+        {[](Layer& l) { l.ink[2] = nanf; }, "items[0].style.layers[1].ink[2] is nan"}};
+    Layer layers[2] = {made(hrbfnpr_layer_style_init), made(hrbfnpr_layer_style_init)};
+    style.layers = layers;
+    style.layer_count = 2;
+    for (const auto& row : rows) {
+        layers[1] = layers[0];
+        row.change(layers[1]);
+        EXPECT_FAILS(draw(), invalid, row.message);
+    }
+    layers[1] = layers[0];
+    EXPECT_OK(draw());
+    layers[1].struct_size = 2;
+    EXPECT_FAILS(draw(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "items[0].style.layers[1].struct_size is 2");
+    style.layer_stride = 4;
+    EXPECT_FAILS(draw(), invalid, "the stride of items[0].style.layers is 4");
+}
+
+TEST_F(BadFrame, Poses) {
+    using Pose = hrbfnpr_layer_pose;
+    static std::vector<float> place, normal;
+    place = attribute<float>(set, principal, HRBFNPR_MARK_ATTRIBUTE_POSITION);
+    normal = attribute<float>(set, principal, HRBFNPR_MARK_ATTRIBUTE_NORMAL);
+    static std::vector<float> bad_place, long_normal;
+    bad_place = place;
+    bad_place[4] = nanf;
+    long_normal = normal;
+    for (float& component : long_normal) component *= 3.0F;
+    auto good = made(hrbfnpr_layer_pose_init);
+    good.layer = principal;
+    good.position = in(place);
+    good.normal = in(normal);
+    Pose pose = good;
+    item.poses = &pose;
+    item.pose_count = 1;
+    EXPECT_OK(draw());
+    const std::vector<Row<Pose>> rows = {
+        {[](Pose& p) { p.layer = -1; }, "items[0].poses[0].layer is -1; the item's point set has 3 layers"},
+        {[](Pose& p) { p.layer = 3; }, "items[0].poses[0].layer is 3"},
+        {[](Pose& p) { p.reserved = 3; }, "items[0].poses[0].reserved is 3"},
+        {[](Pose& p) { --p.position.count; }, "items[0].poses[0].position.count is "},
+        {[](Pose& p) { ++p.normal.count; }, "items[0].poses[0].normal.count is "},
+        {[](Pose& p) { p.normal = {}; }, "items[0].poses[0].position and normal are needed"},
+        {[](Pose& p) { p.position.components = 2; }, "items[0].poses[0].position.components is 2"},
+        {[](Pose& p) { p.position.scalar = HRBFNPR_SCALAR_UINT8; }, "items[0].poses[0].position.scalar is 3"},
+        {[](Pose& p) { p.position = in(bad_place); }, "items[0].poses[0].position[1] is "},
+        {[](Pose& p) { p.normal = in(long_normal); }, "items[0].poses[0].normal[0] has the length 3; it must be 1"},
+        {[](Pose& p) { p.direction = in(long_normal); }, "items[0].poses[0].direction[0] has the length 3"}};
+    for (const auto& row : rows) {
+        pose = good;
+        row.change(pose);
+        EXPECT_FAILS(draw(), invalid, row.message);
+    }
+    pose = good;
+    pose.struct_size = 4;
+    EXPECT_FAILS(draw(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "items[0].poses[0].struct_size is 4");
+    Pose twice[2] = {good, good};
+    item.poses = twice;
+    item.pose_count = 2;
+    EXPECT_FAILS(draw(), invalid, "items[0].poses[1].layer is 1, which");
+    item.pose_count = -1;
+    EXPECT_FAILS(draw(), invalid, "the number of items[0].poses is -1");
+    item.pose_count = 1;
+    item.model = model.get();
+    EXPECT_FAILS(draw(), invalid, "items[0].model is given, and so are poses");
+    item.model = nullptr;
+    item.poses = nullptr;
+    EXPECT_FAILS(draw(), invalid, "items[0].poses is NULL");
 }
 
 TEST_F(BadFrame, ItemsAndCamera) {
-    const auto call = [&](const hrbfnpr_item* items, std::int64_t count, std::int64_t stride) {
-        return hrbfnpr_renderer_prepare(renderer.get(), items, count, stride, &camera, nullptr, error);
-    };
     EXPECT_FAILS(call(nullptr, 1, 0), invalid, "items is NULL");
-    EXPECT_FAILS(call(&item, -1, 0), invalid, "item_count is -1");
+    EXPECT_FAILS(call(&item, -1, 0), invalid, "the number of items is -1");
     EXPECT_FAILS(call(&item, std::numeric_limits<std::int64_t>::max(), 0), invalid,
-                 "item_count is 9223372036854775807");
-    EXPECT_FAILS(call(&item, 1, -8), invalid, "item_stride is -8");
-    EXPECT_FAILS(call(&item, 1, 4), invalid, "item_stride is 4");
+                 "the number of items is 9223372036854775807");
+    EXPECT_FAILS(call(&item, 1, -8), invalid, "the stride of items is -8");
+    EXPECT_FAILS(call(&item, 1, 4), invalid, "the stride of items is 4");
     const hrbfnpr_item good = item;
     item.point_set = nullptr;
-    EXPECT_FAILS(prepare(), invalid, "items[0].point_set is NULL");
+    EXPECT_FAILS(draw(), invalid, "items[0].point_set is NULL");
     item = good;
     item.reserved = 1;
-    EXPECT_FAILS(prepare(), invalid, "items[0].reserved is 1");
+    EXPECT_FAILS(draw(), invalid, "items[0].reserved is 1");
     item = good;
     item.transform[5] = nan;
-    EXPECT_FAILS(prepare(), invalid, "items[0].transform[5] is nan");
+    EXPECT_FAILS(draw(), invalid, "items[0].transform[5] is nan");
     item = good;
     item.transform[3] = 1;
-    EXPECT_FAILS(prepare(), invalid, "items[0].transform is not affine");
+    EXPECT_FAILS(draw(), invalid, "items[0].transform is not affine");
     item = good;
     item.transform[10] = 0;
-    EXPECT_FAILS(prepare(), invalid, "items[0].transform is singular");
+    EXPECT_FAILS(draw(), invalid, "items[0].transform is singular");
     item = good;
     item.struct_size = 1;
-    EXPECT_FAILS(prepare(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "items[0].struct_size is 1");
+    EXPECT_FAILS(draw(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "items[0].struct_size is 1");
     item = good;
     hrbfnpr_item two[2] = {good, good};
     hrbfnpr_style black = style;
@@ -206,25 +319,23 @@ TEST_F(BadFrame, ItemsAndCamera) {
     two[1].style = &black;
     EXPECT_FAILS(call(two, 2, 0), invalid, "items[1].style.paper differs");
     black = style;
-    black.visibility = HRBFNPR_VISIBILITY_PAINTED;
+    black.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
     EXPECT_FAILS(call(two, 2, 0), invalid, "items[1].style.visibility differs");
-    EXPECT_FAILS(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, nullptr, nullptr, error), invalid,
-                 "camera is NULL");
-    EXPECT_FAILS(hrbfnpr_renderer_prepare(nullptr, &item, 1, 0, &camera, nullptr, error), invalid, "renderer is NULL");
+    hrbfnpr_drawing* out = nullptr;
+    EXPECT_FAILS(hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, nullptr, &out, error), invalid, "camera is NULL");
+    EXPECT_FAILS(hrbfnpr_renderer_draw(nullptr, &item, 1, 0, &camera, &out, error), invalid, "renderer is NULL");
+    EXPECT_FAILS(hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, nullptr, error), invalid,
+                 "out_drawing is NULL");
     const hrbfnpr_camera good_camera = camera;
     camera = made(hrbfnpr_camera_init);
-    EXPECT_FAILS(prepare(), invalid, "camera.viewport is 0 x 0 pixels");
+    EXPECT_FAILS(draw(), invalid, "camera.viewport is 0 x 0 pixels");
     camera = good_camera;
     camera.view[7] = nan;
-    EXPECT_FAILS(prepare(), invalid, "camera.view[7] is nan");
+    EXPECT_FAILS(draw(), invalid, "camera.view[7] is nan");
     camera = good_camera;
     camera.depth_convention = 9;
-    EXPECT_FAILS(prepare(), invalid, "camera.depth_convention is 9");
+    EXPECT_FAILS(draw(), invalid, "camera.depth_convention is 9");
     camera = good_camera;
-    hrbfnpr_frame_info info;
-    info.struct_size = 0;
-    EXPECT_FAILS(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, &info, error),
-                 HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "frame_info.struct_size is 0");
 }
 
 TEST_F(BadFrame, Image) {
@@ -232,7 +343,7 @@ TEST_F(BadFrame, Image) {
     hrbfnpr_image good = image_of(pixels, 16);
     const std::vector<Row<hrbfnpr_image>> rows = {
         {[](auto& i) { i.format = 0; }, "image.format is 0; it must be one of HRBFNPR_FORMAT_..."},
-        {[](auto& i) { i.format = 5; }, "image.format is 5"},
+        {[](auto& i) { i.format = 8; }, "image.format is 8"},
         {[](auto& i) { i.width = 0; }, "image.width is 0; it must be from 1 to 32768"},
         {[](auto& i) { i.height = -3; }, "image.height is -3"},
         {[](auto& i) { i.width = 32769; }, "image.width is 32769"},
@@ -245,72 +356,145 @@ TEST_F(BadFrame, Image) {
     for (const auto& row : rows) {
         hrbfnpr_image image = good;
         row.change(image);
-        EXPECT_FAILS(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error), invalid, row.message);
+        EXPECT_FAILS(hrbfnpr_drawing_rasterize(kept.get(), &image, nullptr, error), invalid, row.message);
     }
-    EXPECT_FAILS(hrbfnpr_renderer_draw_image(renderer.get(), nullptr, nullptr, error), invalid, "image is NULL");
+    EXPECT_FAILS(hrbfnpr_drawing_rasterize(kept.get(), nullptr, nullptr, error), invalid, "image is NULL");
+    EXPECT_FAILS(hrbfnpr_drawing_rasterize(nullptr, &good, nullptr, error), invalid, "drawing is NULL");
     EXPECT_EQ(pixels, std::vector<std::uint8_t>(1024, 0));
 }
 
-TEST_F(BadFrame, DrawDesc) {
+TEST_F(BadFrame, RasterDesc) {
     std::vector<std::uint8_t> pixels;
     const hrbfnpr_image image = image_of(pixels, 16);
     std::vector<float> depth(256);
     std::vector<std::uint32_t> id(256);
     const auto call = [&](auto&& change) {
-        auto desc = made(hrbfnpr_draw_desc_init);
+        auto desc = made(hrbfnpr_raster_desc_init);
         change(desc);
-        return hrbfnpr_renderer_draw_image(renderer.get(), &image, &desc, error);
+        return hrbfnpr_drawing_rasterize(kept.get(), &image, &desc, error);
     };
-    EXPECT_FAILS(call([](auto& d) { d.flags = 4; }), invalid, "draw_desc.flags is 0x4");
-    EXPECT_FAILS(call([&](auto& d) { d.depth = out(depth, 2); }), invalid, "draw_desc.depth.components is 2");
+    EXPECT_FAILS(call([](auto& d) { d.flags = 4; }), invalid, "raster_desc.flags is 0x4");
+    EXPECT_FAILS(call([&](auto& d) { d.depth = out(depth, 2); }), invalid, "raster_desc.depth.components is 2");
     EXPECT_FAILS(call([&](auto& d) { d.depth = out(id, 1); }), invalid,
-                 "draw_desc.depth.scalar is 4; it must be HRBFNPR_SCALAR_ FLOAT32");
-    EXPECT_FAILS(call([&](auto& d) { d.id = out(depth, 1); }), invalid, "draw_desc.id.scalar is 1");
-    EXPECT_FAILS(call([&](auto& d) { d.class_ = out(depth, 1); }), invalid, "draw_desc.class_.scalar is 1");
+                 "raster_desc.depth.scalar is 4; it must be HRBFNPR_SCALAR_ FLOAT32");
+    EXPECT_FAILS(call([&](auto& d) { d.id = out(depth, 1); }), invalid, "raster_desc.id.scalar is 1");
+    EXPECT_FAILS(call([&](auto& d) { d.mark_class = out(depth, 1); }), invalid, "raster_desc.mark_class.scalar is 1");
     depth.resize(255);
     EXPECT_FAILS(call([&](auto& d) { d.host_depth = in(depth, 1); }), invalid,
-                 "draw_desc.host_depth.count is 255; it must be 256");
+                 "raster_desc.host_depth.count is 255; it must be 256");
 }
 
 TEST_F(BadFrame, VertexLayout) {
-    using Layout = hrbfnpr_vertex_layout;
-    auto good = made(hrbfnpr_vertex_layout_init);
-    good.attribute_count = 2;
-    good.attributes[0] = {HRBFNPR_VERTEX_POSITION, HRBFNPR_SCALAR_FLOAT32, 0, 0};
-    good.attributes[1] = {HRBFNPR_VERTEX_ID, HRBFNPR_SCALAR_UINT32, 12, 0};
+    Layout good;
+    good.add(HRBFNPR_VERTEX_ATTRIBUTE_POSITION, HRBFNPR_SCALAR_FLOAT32, 0);
+    good.add(HRBFNPR_VERTEX_ATTRIBUTE_ID, HRBFNPR_SCALAR_UINT32, 12);
     const std::vector<Row<Layout>> rows = {
-        {[](Layout& l) { l.attribute_count = 0; }, "layout.attribute_count is 0; it must be from 1 to 16"},
-        {[](Layout& l) { l.attribute_count = 17; }, "layout.attribute_count is 17"},
+        {[](Layout& l) { l.attribute.clear(); }, "layout.attributes is empty"},
+        {[](Layout& l) { l.attribute.resize(65, l.attribute[0]); }, "the number of layout.attributes is 65"},
+        {[](Layout& l) { l.attribute_stride = -24; }, "the stride of layout.attributes is -24"},
+        {[](Layout& l) { l.primitive = 0; }, "layout.primitive is 0; it must be one of HRBFNPR_PRIMITIVE_"},
+        {[](Layout& l) { l.primitive = 4; }, "layout.primitive is 4"},
         {[](Layout& l) { l.stride = 15; }, "layout.stride is 15; the attributes end at 16"},
         {[](Layout& l) { l.stride = -16; }, "layout.stride is -16"},
         {[](Layout& l) { l.stride = std::numeric_limits<std::int64_t>::max(); }, "are beyond the address space"},
-        {[](Layout& l) { l.attributes[1].attribute = 9; }, "layout.attributes[1].attribute is 9"},
-        {[](Layout& l) { l.attributes[1].reserved = 1; }, "layout.attributes[1].reserved is 1"},
-        {[](Layout& l) { l.attributes[0].scalar = HRBFNPR_SCALAR_FLOAT64; },
+        {[](Layout& l) { l.attribute[1].attribute = 11; }, "layout.attributes[1].attribute is 11"},
+        {[](Layout& l) { l.attribute[0].scalar = HRBFNPR_SCALAR_FLOAT64; },
          "layout.attributes[0].scalar is 2; attribute 0 cannot have that type"},
-        {[](Layout& l) { l.attributes[0].scalar = 99; }, "layout.attributes[0].scalar is 99"},
+        {[](Layout& l) { l.attribute[0].scalar = 99; }, "layout.attributes[0].scalar is 99"},
         {[](Layout& l) {
              l.stride = 16;
-             l.attributes[0].offset = 0xFFFFFFFFU;
+             l.attribute[0].offset = 0xFFFFFFFFU;
          },
          "layout.stride is 16; the attributes end at 4294967307"}};
     std::vector<std::uint8_t> room(1 << 20);
     std::int64_t count = -7;
+    const auto write = [&](const hrbfnpr_vertex_layout* layout, void* vertices, std::int64_t capacity,
+                           std::uint32_t* indices = nullptr, std::int64_t index_capacity = 0) {
+        return hrbfnpr_drawing_write_vertices(kept.get(), layout, vertices, capacity, &count, indices, index_capacity,
+                                              nullptr, error);
+    };
     for (const auto& row : rows) {
         Layout layout = good;
         row.change(layout);
-        EXPECT_FAILS(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, room.data(), 65536, &count, error),
-                     invalid, row.message);
+        EXPECT_FAILS(write(layout.get(), room.data(), 65536), invalid, row.message);
         EXPECT_EQ(count, -7);
     }
-    EXPECT_FAILS(hrbfnpr_renderer_write_vertices(renderer.get(), &good, room.data(), 65536, nullptr, error), invalid,
-                 "count is NULL");
-    EXPECT_FAILS(hrbfnpr_renderer_write_vertices(renderer.get(), &good, nullptr, 65536, &count, error), invalid,
-                 "destination is NULL");
-    EXPECT_FAILS(hrbfnpr_renderer_write_vertices(renderer.get(), &good, room.data(), -1, &count, error), invalid,
-                 "capacity is -1");
-    EXPECT_OK(hrbfnpr_renderer_write_vertices(renderer.get(), &good, room.data(), 65536, &count, error));
+    Layout cut = good;
+    cut.attribute[1].struct_size = 4;
+    EXPECT_FAILS(write(cut.get(), room.data(), 65536), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+                 "layout.attributes[1].struct_size is 4");
+    std::uint32_t index = 7;
+    EXPECT_FAILS(write(nullptr, room.data(), 65536), invalid, "layout is NULL");
+    EXPECT_FAILS(write(good.get(), nullptr, 65536), invalid, "vertices is NULL");
+    EXPECT_FAILS(write(good.get(), room.data(), -1), invalid, "vertex_capacity is -1");
+    EXPECT_FAILS(write(good.get(), room.data(), 65536, nullptr, 5), invalid, "indices is NULL");
+    EXPECT_FAILS(write(good.get(), room.data(), 65536, &index, -5), invalid, "index_capacity is -5");
+    EXPECT_EQ(count, -7);
+    EXPECT_FAILS(write(good.get(), room.data(), 65536, &index, 1), HRBFNPR_STATUS_BUFFER_TOO_SMALL, "are needed");
+    EXPECT_EQ(index, 7U);
+    EXPECT_OK(write(good.get(), room.data(), 65536));
     EXPECT_GT(count, 0);
+    EXPECT_FAILS(hrbfnpr_drawing_vertex_bound(kept.get(), 0, &count, nullptr, error), invalid, "primitive is 0");
+    EXPECT_FAILS(hrbfnpr_drawing_vertex_bound(kept.get(), 4, &count, nullptr, error), invalid, "primitive is 4");
+    EXPECT_FAILS(hrbfnpr_drawing_vertex_bound(nullptr, 1, &count, nullptr, error), invalid, "drawing is NULL");
+    EXPECT_OK(hrbfnpr_drawing_vertex_bound(kept.get(), 1, nullptr, nullptr, error));
+}
+
+TEST_F(BadFrame, MarksAndIds) {
+    const std::int64_t marks = layer_info(set, stipples).marks;
+    std::vector<std::uint8_t> shown(static_cast<std::size_t>(marks), 77);
+    std::vector<float> radius(static_cast<std::size_t>(marks));
+    const auto results = [&](std::int64_t item_number, std::int64_t layer, auto&& change) {
+        auto wanted = made(hrbfnpr_mark_results_init);
+        wanted.shown = out(shown, 1);
+        wanted.radius = out(radius, 1);
+        change(wanted);
+        return hrbfnpr_drawing_mark_results(kept.get(), item_number, layer, &wanted, error);
+    };
+    const auto as_is = [](auto&) {};
+    EXPECT_FAILS(results(1, 0, as_is), invalid, "item is 1; the drawing has 1");
+    EXPECT_FAILS(results(-1, 0, as_is), invalid, "item is -1");
+    EXPECT_FAILS(results(0, 3, as_is), invalid, "layer is 3; the point set of item 0 has 3");
+    EXPECT_FAILS(results(0, -1, as_is), invalid, "layer is -1");
+    EXPECT_FAILS(results(0, 0, [](auto& r) { --r.shown.count; }), invalid, "mark_results.shown.count is ");
+    EXPECT_FAILS(results(0, 0, [](auto& r) { r.radius.scalar = HRBFNPR_SCALAR_FLOAT64; }), invalid,
+                 "mark_results.radius.scalar is 2");
+    EXPECT_FAILS(results(0, 0, [](auto& r) { r.reserved = 1; }), invalid, "mark_results.reserved is 1");
+    EXPECT_FAILS(results(0, 0, [](auto& r) { r.struct_size = 3; }), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+                 "mark_results.struct_size is 3");
+    EXPECT_FAILS(hrbfnpr_drawing_mark_results(kept.get(), 0, 0, nullptr, error), invalid, "mark_results is NULL");
+    EXPECT_EQ(shown, std::vector<std::uint8_t>(shown.size(), 77)) << "a failed call wrote something";
+    std::uint32_t index = 0;
+    std::int64_t count = -7;
+    const auto indices = [&](std::int64_t layer, std::uint32_t mark_class, std::uint32_t primitive,
+                             std::uint32_t* to, std::int64_t capacity) {
+        return hrbfnpr_drawing_write_mark_indices(kept.get(), 0, layer, mark_class, primitive, to, capacity, &count,
+                                                  error);
+    };
+    EXPECT_FAILS(indices(3, 1, 1, &index, 1), invalid, "layer is 3");
+    EXPECT_FAILS(indices(0, HRBFNPR_CLASS_BACK, 1, &index, 1), invalid, "mark_class is 2");
+    EXPECT_FAILS(indices(0, HRBFNPR_CLASS_NONE, 1, &index, 1), invalid, "mark_class is 0");
+    EXPECT_FAILS(indices(0, 1, 4, &index, 1), invalid, "primitive is 4");
+    EXPECT_FAILS(indices(0, 1, 1, &index, -1), invalid, "capacity is -1");
+    EXPECT_FAILS(indices(0, 1, 1, nullptr, 1), invalid, "indices is NULL");
+    EXPECT_FAILS(hrbfnpr_drawing_write_mark_indices(kept.get(), 0, 0, 1, 1, &index, 1, nullptr, error), invalid,
+                 "count is NULL");
+    EXPECT_EQ(count, -7);
+    EXPECT_FAILS(indices(0, 1, 1, nullptr, 0), HRBFNPR_STATUS_BUFFER_TOO_SMALL, "indices are needed");
+    EXPECT_GT(count, 0);
+    auto identity = made(hrbfnpr_mark_identity_init);
+    identity.mark = -7;
+    const auto last = static_cast<std::uint32_t>(info_of(set).marks);
+    EXPECT_FAILS(hrbfnpr_drawing_identify(kept.get(), 0, &identity, error), invalid, "id is 0; the drawing's marks");
+    EXPECT_FAILS(hrbfnpr_drawing_identify(kept.get(), last + 1, &identity, error), invalid, "have 1 to ");
+    EXPECT_FAILS(hrbfnpr_drawing_identify(kept.get(), 1, nullptr, error), invalid, "mark_identity is NULL");
+    EXPECT_EQ(identity.mark, -7);
+    EXPECT_OK(hrbfnpr_drawing_identify(kept.get(), last, &identity, error));
+    auto layer = made(hrbfnpr_drawing_layer_info_init);
+    const std::int64_t layers = info_of(kept).layers;
+    EXPECT_FAILS(hrbfnpr_drawing_get_layer_info(kept.get(), layers, &layer, error), invalid, "number is ");
+    EXPECT_FAILS(hrbfnpr_drawing_get_layer_info(kept.get(), -1, &layer, error), invalid, "number is -1");
+    EXPECT_FAILS(hrbfnpr_drawing_get_layer_info(kept.get(), 0, nullptr, error), invalid, "drawing_layer_info is NULL");
 }
 
 } // namespace

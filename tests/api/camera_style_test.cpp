@@ -131,47 +131,101 @@ TEST(Style, DefaultsAreThoseOfTheHeader) {
     EXPECT_EQ(style.attenuation_front, 1.0);
     EXPECT_EQ(style.attenuation_back, 1.0);
     EXPECT_EQ(style.halo_width, 2.0F);
-    EXPECT_EQ(style.cover_layers, 8.0F);
+    EXPECT_EQ(style.splat_overlap, 8.0F);
     EXPECT_EQ(style.tone, static_cast<std::uint32_t>(HRBFNPR_TONE_LIGHT));
     EXPECT_EQ(style.tone_rule, static_cast<std::uint32_t>(HRBFNPR_TONE_RULE_SHARE));
     EXPECT_EQ(style.light_space, static_cast<std::uint32_t>(HRBFNPR_LIGHT_CAMERA));
     EXPECT_EQ(style.light[2], 0.7);
-    EXPECT_EQ(style.silhouette_groups, 7U);
     EXPECT_EQ(style.zoom_exponent, 2.0);
     EXPECT_EQ(style.silhouette_radius, 1.0F);
     EXPECT_EQ(style.paper[0], 1.0F);
-    EXPECT_EQ(style.group[1].sets, 3U);
-    EXPECT_EQ(style.group[2].share, 1.0F);
-    EXPECT_EQ(style.group[0].ink[3], 1.0F);
+    EXPECT_EQ(style.layers, nullptr);
+    EXPECT_EQ(style.layer_count, 0);
+    const auto layer = made(hrbfnpr_layer_style_init);
+    EXPECT_EQ(layer.kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_ANY));
+    EXPECT_EQ(layer.name, nullptr);
+    EXPECT_EQ(layer.shown, 1U);
+    EXPECT_EQ(layer.contours, 1U);
+    EXPECT_EQ(layer.directions, 3U);
+    EXPECT_EQ(layer.shape, static_cast<std::uint32_t>(HRBFNPR_SHAPE_DOTS));
+    EXPECT_EQ(layer.share, 1.0F);
+    EXPECT_EQ(layer.radius, 1.0F);
+    EXPECT_EQ(layer.radius_zoom, 0.0F);
+    EXPECT_EQ(layer.ink[0], 0.0F);
+    EXPECT_EQ(layer.ink[3], 1.0F);
 }
 
-TEST(Style, PresetsHaveNamesAndGroups) {
+// What a style says of a kind of layers: the first that is for it.
+hrbfnpr_layer_style style_for(const hrbfnpr_style& style, std::uint32_t kind) {
+    for (std::int64_t i = 0; i < style.layer_count; ++i)
+        if (style.layers[i].kind == kind || style.layers[i].kind == HRBFNPR_LAYER_KIND_ANY) return style.layers[i];
+    return made(hrbfnpr_layer_style_init);
+}
+
+TEST(Style, PresetsHaveNamesAndLayers) {
     std::set<std::string> names;
-    for (std::uint32_t preset = 0; preset < HRBFNPR_STYLE_COUNT; ++preset) {
+    std::uint32_t presets = 0;
+    for (; hrbfnpr_preset_name(presets) != nullptr; ++presets) {
+        SCOPED_TRACE(hrbfnpr_preset_name(presets));
+        names.insert(hrbfnpr_preset_name(presets));
         Error error;
         hrbfnpr_style style;
-        std::uint32_t groups = 0;
-        EXPECT_OK(hrbfnpr_style_init_preset(&style, sizeof style, preset, &groups, error));
+        EXPECT_OK(hrbfnpr_style_init_preset(&style, sizeof style, presets, error));
         EXPECT_EQ(style.struct_size, sizeof style);
-        EXPECT_GT(groups, 0U);
-        EXPECT_LT(groups, 8U);
-        for (std::uint32_t group = 0; group < 3; ++group) { // what a style shows, it asks for
-            EXPECT_TRUE(style.group[group].shown == 0 || (groups & 1U << group) != 0) << preset;
+        EXPECT_GT(style.layer_count, 0);
+        std::int64_t count = 0;
+        const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(presets, &count);
+        ASSERT_NE(layers, nullptr);
+        ASSERT_GT(count, 0);
+        for (std::int64_t i = 0; i < count; ++i) { // but for the kind they are the defaults
+            auto wanted = made(hrbfnpr_layer_desc_init);
+            wanted.kind = layers[i].kind;
+            EXPECT_EQ(std::memcmp(&layers[i], &wanted, sizeof wanted), 0) << i;
         }
-        ASSERT_NE(hrbfnpr_style_preset_name(preset), nullptr);
-        names.insert(hrbfnpr_style_preset_name(preset));
+        // Of what a program generates for it, the style shows something.
+        bool draws = false;
+        for (std::int64_t i = 0; i < count; ++i) {
+            const hrbfnpr_layer_style layer = style_for(style, layers[i].kind);
+            EXPECT_EQ(layer.struct_size, sizeof layer);
+            draws = draws || layer.shown != 0 || layer.contours != 0;
+        }
+        EXPECT_TRUE(draws);
     }
-    EXPECT_EQ(names.size(), static_cast<std::size_t>(HRBFNPR_STYLE_COUNT));
+    EXPECT_EQ(presets, static_cast<std::uint32_t>(HRBFNPR_PRESET_FULL + 1));
+    EXPECT_EQ(names.size(), presets);
     EXPECT_EQ(names.count("contour-and-stipple"), 1U);
-    EXPECT_EQ(hrbfnpr_style_preset_name(HRBFNPR_STYLE_COUNT), nullptr);
+    EXPECT_EQ(hrbfnpr_preset_name(0xFFFFFFFFU), nullptr);
+    std::int64_t count = 77;
+    EXPECT_EQ(hrbfnpr_preset_layers(presets, &count), nullptr);
+    EXPECT_EQ(count, 0);
     Error error;
     hrbfnpr_style style;
-    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, 8, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "preset is 8; it must be one of HRBFNPR_STYLE_... (0 to 7)");
-    EXPECT_FAILS(hrbfnpr_style_init_preset(nullptr, sizeof style, 0, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, 8, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "preset is 8; it must be one of HRBFNPR_PRESET_... (0 to 7)");
+    EXPECT_FAILS(hrbfnpr_style_init_preset(nullptr, sizeof style, 0, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "style is NULL");
-    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, 4, 0, nullptr, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, 4, 0, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
                  "style.struct_size is 4");
+}
+
+TEST(Style, PresetsAreGeneratedAndDrawn) {
+    Error error;
+    const Context context = make_context();
+    Sphere sphere;
+    const Model model = custom_sphere(context, sphere);
+    const Renderer renderer = make_renderer(context);
+    for (std::uint32_t preset = 0; hrbfnpr_preset_name(preset) != nullptr; ++preset) {
+        auto desc = made(hrbfnpr_generate_desc_init);
+        desc.layers = hrbfnpr_preset_layers(preset, &desc.layer_count); // as they are
+        desc.shared_budget = 2000;
+        hrbfnpr_point_set* raw = nullptr;
+        ASSERT_OK(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &raw, error));
+        const PointSet set(raw);
+        hrbfnpr_style style;
+        ASSERT_OK(hrbfnpr_style_init_preset(&style, sizeof style, preset, error));
+        const Drawing drawing = draw_item(renderer, item_of(set, &style), front_camera());
+        EXPECT_GT(info_of(drawing).dots, 20) << hrbfnpr_preset_name(preset);
+    }
 }
 
 } // namespace

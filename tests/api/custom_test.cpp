@@ -170,9 +170,9 @@ TEST(Custom, AFailureOfTheFunctionFailsTheCall) {
         EXPECT_FAILS(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, nullptr, error),
                      HRBFNPR_STATUS_CALLBACK, words);
         sphere.calls = 0;
-        const hrbfnpr_generate_desc desc = small_desc();
+        Generation desc = small_desc();
         hrbfnpr_point_set* set = nullptr;
-        EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error),
+        EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &set, error),
                      HRBFNPR_STATUS_CALLBACK, words);
         EXPECT_EQ(set, nullptr);
     }

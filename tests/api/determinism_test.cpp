@@ -21,13 +21,15 @@ void append(Bytes& bytes, const std::vector<T>& values) {
 }
 
 void append(Bytes& bytes, const PointSet& set) {
-    for (std::uint32_t group = 0; group < 3; ++group) {
+    for (std::int64_t layer = 0; layer < info_of(set).layers; ++layer) {
         for (const std::uint32_t which :
-             {HRBFNPR_ATTRIBUTE_POSITION, HRBFNPR_ATTRIBUTE_NORMAL, HRBFNPR_ATTRIBUTE_DIRECTION,
-              HRBFNPR_ATTRIBUTE_CURVATURE, HRBFNPR_ATTRIBUTE_RANK})
-            append(bytes, attribute<float>(set, group, which));
-        append(bytes, attribute<std::uint8_t>(set, group, HRBFNPR_ATTRIBUTE_LEVEL));
-        append(bytes, attribute<std::uint32_t>(set, group, HRBFNPR_ATTRIBUTE_STROKE));
+             {HRBFNPR_MARK_ATTRIBUTE_POSITION, HRBFNPR_MARK_ATTRIBUTE_NORMAL, HRBFNPR_MARK_ATTRIBUTE_DIRECTION,
+              HRBFNPR_MARK_ATTRIBUTE_CURVATURE, HRBFNPR_MARK_ATTRIBUTE_RANK, HRBFNPR_MARK_ATTRIBUTE_WIDTH})
+            append(bytes, attribute<float>(set, layer, which));
+        append(bytes, attribute<std::uint8_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_LEVEL));
+        for (const std::uint32_t which : {HRBFNPR_MARK_ATTRIBUTE_STROKE, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST,
+                                          HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER})
+            append(bytes, attribute<std::uint32_t>(set, layer, which));
     }
 }
 
@@ -86,16 +88,43 @@ void append_queries(Bytes& bytes, const Model& model) {
     append(bytes, point);
 }
 
+// Strokes as an image and as triangles.
+void append_strokes(Bytes& bytes, const Context& context, const PointSet& set) {
+    Error error;
+    auto layer = made(hrbfnpr_layer_style_init);
+    layer.shape = HRBFNPR_SHAPE_STROKES;
+    auto style = made(hrbfnpr_style_init);
+    style.layers = &layer;
+    style.layer_count = 1;
+    const Drawing drawing = draw_item(make_renderer(context), item_of(set, &style), front_camera());
+    append(bytes, rasterize(drawing, 64));
+    for (const std::uint32_t primitive : {HRBFNPR_PRIMITIVE_POINTS, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS}) {
+        Layout layout(primitive);
+        layout.add(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, 0);
+        std::int64_t vertices = 0;
+        std::int64_t indices = 0;
+        EXPECT_OK(hrbfnpr_drawing_vertex_bound(drawing.get(), primitive, &vertices, &indices, error));
+        EXPECT_GT(vertices, 0);
+        std::vector<float> vertex(static_cast<std::size_t>(3 * vertices));
+        std::vector<std::uint32_t> index(static_cast<std::size_t>(indices));
+        EXPECT_OK(hrbfnpr_drawing_write_vertices(drawing.get(), layout.get(), vertex.data(), vertices, nullptr,
+                                                 index.data(), indices, nullptr, error));
+        append(bytes, vertex);
+        append(bytes, index);
+    }
+}
+
 // Everything that the library computes, as bytes.
 Bytes everything(const Context& context) {
     Error error;
     Bytes bytes;
     const Model model = fit(context, inputs().samples);
     append_queries(bytes, model);
-    for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PAPER}) {
+    for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PUBLISHED}) {
         const PointSet set = generate(context, model, small_desc(distribution));
         append(bytes, set);
         append(bytes, draw(make_renderer(context), set));
+        append_strokes(bytes, context, set);
     }
     return bytes;
 }

@@ -24,7 +24,7 @@ TEST(EndToEnd, SixSamplesOfASphere) {
 TEST(EndToEnd, Torus) {
     const Context context = make_context();
     const Model model = fit(context, scenes::torus(100));
-    const PointSet set = generate(context, model, small_desc(HRBFNPR_DISTRIBUTION_PAPER));
+    const PointSet set = generate(context, model, small_desc(HRBFNPR_DISTRIBUTION_PUBLISHED));
     expect_a_drawing(draw(make_renderer(context), set));
 }
 

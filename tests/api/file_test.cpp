@@ -86,13 +86,11 @@ TEST(File, ALoadedPointSetDrawsTheSamePicture) {
 TEST(File, ASetWithoutMarksLoads) {
     Error error;
     const Context context = make_context();
-    hrbfnpr_generate_desc desc = small_desc();
-    desc.groups = 1U << HRBFNPR_GROUP_COMBING;
-    desc.group[HRBFNPR_GROUP_COMBING].budget = 24; // fewer than a stroke has
+    const Generation desc = one_layer(HRBFNPR_LAYER_KIND_COMBING, 24); // fewer than a stroke has
     const PointSet set = generate(context, fit(context, scenes::sphere_6()), desc);
-    auto info = made(hrbfnpr_point_set_info_init);
-    EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
-    ASSERT_EQ(info.group[HRBFNPR_GROUP_COMBING].count, 0);
+    const hrbfnpr_point_set_info info = info_of(set);
+    ASSERT_EQ(info.marks, 0);
+    EXPECT_EQ(info.layers, 1);
     EXPECT_EQ(info.origin[0], 0.0);
     EXPECT_EQ(info.spacing, 0.0);
     const Bytes bytes = saved(set);
@@ -110,11 +108,11 @@ TEST(File, WhatIsGeneratedLoadsAtEveryScale) {
         scenes::Samples samples = scenes::sphere_6();
         for (double& coordinate : samples.points) coordinate *= scale;
         const Model model = fit(context, samples);
-        for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_PAPER, HRBFNPR_DISTRIBUTION_BLUE_NOISE}) {
-            const hrbfnpr_generate_desc desc = small_desc(distribution);
+        for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_PUBLISHED, HRBFNPR_DISTRIBUTION_BLUE_NOISE}) {
+            Generation desc = small_desc(distribution);
             hrbfnpr_point_set* made = nullptr;
             const hrbfnpr_status status =
-                hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &made, error);
+                hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &made, error);
             EXPECT_EQ(made != nullptr, status == HRBFNPR_STATUS_OK);
             if (made == nullptr) {
                 EXPECT_TRUE(scale == 1e-90 || scale == 1e90) << scale << ": " << error.record.message;
@@ -219,9 +217,7 @@ TEST(File, TruncationAndFlippedBitsAreFound) {
         return status;
     });
     Sphere sphere;
-    hrbfnpr_generate_desc desc = small_desc();
-    desc.groups = 1;
-    desc.group[0].budget = 3;
+    const Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 3);
     const Bytes small = saved(generate(context, custom_sphere(context, sphere), desc));
     expect_damage_is_found(small, [&](const Bytes& bytes, std::int64_t size) {
         hrbfnpr_point_set* set = nullptr;

@@ -22,6 +22,7 @@ namespace api_test {
 
 using hrbfnpr::test::Allocator;
 using hrbfnpr::test::Context;
+using hrbfnpr::test::Drawing;
 using hrbfnpr::test::made;
 using hrbfnpr::test::Model;
 using hrbfnpr::test::Operation;
@@ -105,23 +106,64 @@ inline Model fit(const Context& context, const scenes::Samples& samples) {
     return Model(model);
 }
 
-// All groups, few marks.
-inline hrbfnpr_generate_desc small_desc(std::uint32_t distribution = HRBFNPR_DISTRIBUTION_BLUE_NOISE) {
-    auto desc = made(hrbfnpr_generate_desc_init);
-    desc.groups = 7;
-    desc.distribution = distribution;
-    for (hrbfnpr_group_desc& group : desc.group) {
-        group.levels = 2;
-        group.budget = distribution == HRBFNPR_DISTRIBUTION_BLUE_NOISE ? 300 : 0;
+// Settings of point sets with the layers that they point to.
+struct Generation : hrbfnpr_generate_desc {
+    std::vector<hrbfnpr_layer_desc> layer;
+
+    Generation() : hrbfnpr_generate_desc(made(hrbfnpr_generate_desc_init)) {}
+    hrbfnpr_layer_desc& add(std::uint32_t kind, std::int64_t budget) {
+        layer.push_back(made(hrbfnpr_layer_desc_init));
+        layer.back().kind = kind;
+        layer.back().budget = budget;
+        return layer.back();
     }
+    // What a call takes.
+    const hrbfnpr_generate_desc* get() {
+        layers = layer.data();
+        layer_count = static_cast<std::int64_t>(layer.size());
+        return this;
+    }
+};
+
+// The layers of small_desc().
+enum : std::int64_t { stipples = 0, principal = 1, combing = 2 };
+
+// Stipples, principal strokes and combing strokes, few marks.
+inline Generation small_desc(std::uint32_t distribution = HRBFNPR_DISTRIBUTION_BLUE_NOISE) {
+    Generation desc;
+    desc.distribution = distribution;
+    for (const std::uint32_t kind :
+         {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL, HRBFNPR_LAYER_KIND_COMBING})
+        desc.add(kind, distribution == HRBFNPR_DISTRIBUTION_BLUE_NOISE ? 300 : 0).levels = 2;
     return desc;
 }
 
-inline PointSet generate(const Context& context, const Model& model, const hrbfnpr_generate_desc& desc) {
+// One layer alone.
+inline Generation one_layer(std::uint32_t kind, std::int64_t budget) {
+    Generation desc;
+    desc.add(kind, budget);
+    return desc;
+}
+
+inline PointSet generate(const Context& context, const Model& model, Generation desc) {
     Error error;
     hrbfnpr_point_set* set = nullptr;
-    EXPECT_OK(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error));
+    EXPECT_OK(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &set, error));
     return PointSet(set);
+}
+
+inline hrbfnpr_point_set_info info_of(const PointSet& set) {
+    Error error;
+    auto info = made(hrbfnpr_point_set_info_init);
+    EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
+    return info;
+}
+
+inline hrbfnpr_layer_info layer_info(const PointSet& set, std::int64_t layer) {
+    Error error;
+    auto info = made(hrbfnpr_layer_info_init);
+    EXPECT_OK(hrbfnpr_point_set_get_layer_info(set.get(), layer, &info, error));
+    return info;
 }
 
 inline Renderer make_renderer(const Context& context) {
@@ -158,17 +200,56 @@ inline hrbfnpr_image image_of(std::vector<std::uint8_t>& pixels, std::int32_t si
     return image;
 }
 
-// The picture of a set, size x size.
-inline std::vector<std::uint8_t> draw(const Renderer& renderer, const PointSet& set, std::int32_t size = 64) {
+// The drawing of one item; NULL, and what is wrong, where it fails.
+inline Drawing draw_item(const Renderer& renderer, const hrbfnpr_item& item, const hrbfnpr_camera& camera) {
     Error error;
-    const hrbfnpr_item item = item_of(set);
-    const hrbfnpr_camera camera = front_camera(size);
-    EXPECT_OK(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, error));
+    hrbfnpr_drawing* drawing = nullptr;
+    EXPECT_OK(hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &drawing, error));
+    return Drawing(drawing);
+}
+
+inline hrbfnpr_drawing_info info_of(const Drawing& drawing) {
+    Error error;
+    auto info = made(hrbfnpr_drawing_info_init);
+    EXPECT_OK(hrbfnpr_drawing_get_info(drawing.get(), &info, error));
+    return info;
+}
+
+// size x size, RGBA.
+inline std::vector<std::uint8_t> rasterize(const Drawing& drawing, std::int32_t size) {
+    Error error;
     std::vector<std::uint8_t> pixels;
     const hrbfnpr_image image = image_of(pixels, size);
-    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error));
     return pixels;
 }
+
+// The picture of a set, size x size.
+inline std::vector<std::uint8_t> draw(const Renderer& renderer, const PointSet& set, std::int32_t size = 64) {
+    return rasterize(draw_item(renderer, item_of(set), front_camera(size)), size);
+}
+
+// A vertex layout with what it points to.
+struct Layout : hrbfnpr_vertex_layout {
+    std::vector<hrbfnpr_vertex_attribute> attribute;
+
+    explicit Layout(std::uint32_t primitive_wanted = HRBFNPR_PRIMITIVE_POINTS)
+        : hrbfnpr_vertex_layout(made(hrbfnpr_vertex_layout_init)) {
+        primitive = primitive_wanted;
+    }
+    Layout& add(std::uint32_t which, std::uint32_t scalar, std::size_t offset) {
+        attribute.push_back(made(hrbfnpr_vertex_attribute_init));
+        attribute.back().attribute = which;
+        attribute.back().scalar = scalar;
+        attribute.back().offset = static_cast<std::uint32_t>(offset);
+        return *this;
+    }
+    const hrbfnpr_vertex_layout* get() {
+        attributes = attribute.data();
+        attribute_count = static_cast<std::int64_t>(attribute.size());
+        return this;
+    }
+};
 
 inline std::vector<std::uint8_t> saved(const Model& model) {
     Error error;
@@ -197,10 +278,10 @@ std::vector<T> elements(const hrbfnpr_array& view) {
 }
 
 template <class T>
-std::vector<T> attribute(const PointSet& set, std::uint32_t group, std::uint32_t which) {
+std::vector<T> attribute(const PointSet& set, std::int64_t layer, std::uint32_t which) {
     Error error;
     hrbfnpr_array view{};
-    EXPECT_OK(hrbfnpr_point_set_view(set.get(), group, which, &view, error));
+    EXPECT_OK(hrbfnpr_point_set_view(set.get(), layer, which, &view, error));
     return elements<T>(view);
 }
 

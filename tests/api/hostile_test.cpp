@@ -52,29 +52,25 @@ Model model_of(const Context& context, Steep& steep, double half = 1.1) {
     return model_in_box(context, steep, -half, half);
 }
 
-hrbfnpr_status generated(const Context& context, const Model& model, const hrbfnpr_generate_desc& desc, Error& error,
+hrbfnpr_status generated(const Context& context, const Model& model, Generation desc, Error& error,
                          PointSet& set, hrbfnpr_operation* operation = nullptr) {
     hrbfnpr_point_set* made_set = nullptr;
     const hrbfnpr_status status =
-        hrbfnpr_point_set_generate(context.get(), model.get(), &desc, operation, &made_set, error);
+        hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), operation, &made_set, error);
     set.reset(made_set);
     return status;
 }
 
-hrbfnpr_generate_desc one_group(std::uint32_t group, std::int64_t budget) {
-    auto desc = made(hrbfnpr_generate_desc_init);
-    desc.groups = 1U << group;
-    desc.group[group].budget = budget;
-    return desc;
-}
+constexpr std::uint32_t kinds[] = {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL,
+                                   HRBFNPR_LAYER_KIND_COMBING};
 
 // Absolute, packed.
-std::vector<double> places(const PointSet& set, std::uint32_t group) {
+std::vector<double> places(const PointSet& set) {
     Error error;
     auto info = made(hrbfnpr_point_set_info_init);
     EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
     std::vector<double> result;
-    for (const float coordinate : attribute<float>(set, group, HRBFNPR_ATTRIBUTE_POSITION))
+    for (const float coordinate : attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION))
         result.push_back(double{coordinate} + info.origin[result.size() % 3]);
     return result;
 }
@@ -89,18 +85,18 @@ TEST(Hostile, GradientsThatAreNoneAreDegenerate) {
         const Model model = model_of(context, steep);
         Error error;
         PointSet set;
-        EXPECT_FAILS(generated(context, model, one_group(HRBFNPR_GROUP_STIPPLE, 500), error, set),
+        EXPECT_FAILS(generated(context, model, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 500), error, set),
                      HRBFNPR_STATUS_NOT_CONVERGED, "degenerate");
         EXPECT_LT(steep.calls, 1000);
         steep.spoils = on_the_right;
-        for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
-            SCOPED_TRACE(testing::Message() << factor << ", group " << group);
-            ASSERT_OK(generated(context, model, one_group(group, 500), error, set));
-            const std::vector<double> position = places(set, group);
-            auto info = made(hrbfnpr_point_set_info_init);
-            ASSERT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
+        for (const std::uint32_t kind : kinds) {
+            SCOPED_TRACE(testing::Message() << factor << ", kind " << kind);
+            ASSERT_OK(generated(context, model, one_layer(kind, 500), error, set));
+            const std::vector<double> position = places(set);
+            auto seeds = made(hrbfnpr_placement_info_init);
+            ASSERT_OK(hrbfnpr_point_set_get_seed_placement(set.get(), &seeds, error));
             EXPECT_GT(position.size(), 3 * 200U);
-            EXPECT_GT(info.seeds.dropped_degenerate, 0);
+            EXPECT_GT(seeds.dropped_degenerate, 0);
             for (std::size_t i = 0; i < position.size(); i += 3)
                 EXPECT_LT(position[i], 0.31) << "a mark where there is no gradient";
         }
@@ -115,7 +111,7 @@ TEST(Hostile, ValuesThatAreNoneToo) {
         const Model model = model_of(context, steep);
         Error error;
         PointSet set;
-        EXPECT_FAILS(generated(context, model, one_group(HRBFNPR_GROUP_STIPPLE, 500), error, set),
+        EXPECT_FAILS(generated(context, model, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 500), error, set),
                      HRBFNPR_STATUS_NOT_CONVERGED, "seeds");
         EXPECT_LT(steep.calls, 4000);
     }
@@ -155,7 +151,7 @@ struct Cancel {
 TEST(Hostile, ACancelEndsAnyFunctionSoon) {
     const Context context = make_context(1);
     for (const double factor : {1.0, infinity, 1e300, 1e-300})
-        for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
+        for (const std::uint32_t kind : kinds)
             for (std::int64_t at = 1; at < 200; at += 1 + at / 2) {
                 Error error;
                 Steep steep{factor, on_the_right};
@@ -167,11 +163,11 @@ TEST(Hostile, ACancelEndsAnyFunctionSoon) {
                 ASSERT_OK(hrbfnpr_operation_set_callback(operation.get(), Cancel::look, &cancel, error));
                 PointSet set;
                 const hrbfnpr_status status =
-                    generated(context, model, one_group(group, 2000), error, set, operation.get());
+                    generated(context, model, one_layer(kind, 2000), error, set, operation.get());
                 if (cancel.looks < at) break;
                 EXPECT_EQ(status, HRBFNPR_STATUS_CANCELLED);
                 EXPECT_LE(cancel.looks, at + 1);
-                EXPECT_LE(steep.calls, cancel.calls_then + 2) << "it went on: group " << group << ", look " << at;
+                EXPECT_LE(steep.calls, cancel.calls_then + 2) << "it went on: kind " << kind << ", look " << at;
             }
 }
 
@@ -179,14 +175,14 @@ TEST(Hostile, ACancelEndsAnyFunctionSoon) {
 
 TEST(Hostile, ABoxThatIsTooWideIsRefusedOrServed) {
     const Context context = make_context(1);
-    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
+    for (const std::uint32_t kind : kinds)
         for (const double half : {100.0, 1e6, 1e12}) {
-            SCOPED_TRACE(testing::Message() << "group " << group << ", box " << half);
+            SCOPED_TRACE(testing::Message() << "kind " << kind << ", box " << half);
             Steep steep;
             const Model model = model_of(context, steep, half);
             Error error;
             PointSet set;
-            const hrbfnpr_status status = generated(context, model, one_group(group, 200), error, set);
+            const hrbfnpr_status status = generated(context, model, one_layer(kind, 200), error, set);
             EXPECT_LT(steep.calls, 10000);
             if (half > 100.0) {
                 EXPECT_EQ(status, HRBFNPR_STATUS_INVALID_ARGUMENT);
@@ -194,8 +190,8 @@ TEST(Hostile, ABoxThatIsTooWideIsRefusedOrServed) {
                 continue;
             }
             ASSERT_OK(status);
-            EXPECT_GT(attribute<float>(set, group, HRBFNPR_ATTRIBUTE_RANK).size(), 120U);
-            const std::vector<double> position = places(set, group);
+            EXPECT_GT(attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_RANK).size(), 120U);
+            const std::vector<double> position = places(set);
             for (std::size_t i = 0; i < position.size(); i += 3)
                 EXPECT_NEAR(std::hypot(position[i], position[i + 1], position[i + 2]), 1.0, 1e-3);
         }
@@ -207,7 +203,7 @@ TEST(Hostile, ABoxThatMissesTheSurface) {
     Steep steep;
     const Model model = model_in_box(context, steep, 100.0, 101.0);
     PointSet set;
-    EXPECT_FAILS(generated(context, model, one_group(HRBFNPR_GROUP_STIPPLE, 500), error, set),
+    EXPECT_FAILS(generated(context, model, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 500), error, set),
                  HRBFNPR_STATUS_NOT_CONVERGED, "seeds");
 }
 
@@ -215,19 +211,19 @@ TEST(Hostile, ABoxThatMissesTheSurface) {
 
 TEST(Hostile, ABudgetThatIsTooLargeIsRefusedBeforeAnyWork) {
     const Context context = make_context(1);
-    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
+    for (const std::uint32_t kind : kinds)
         for (const std::int64_t budget : {std::int64_t{2000000000}, std::int64_t{1} << 40U, std::int64_t{1} << 62U}) {
             Steep steep;
             Error error;
             PointSet set;
-            EXPECT_FAILS(generated(context, model_of(context, steep), one_group(group, budget), error, set),
+            EXPECT_FAILS(generated(context, model_of(context, steep), one_layer(kind, budget), error, set),
                          HRBFNPR_STATUS_INVALID_ARGUMENT, "100000000");
             EXPECT_EQ(steep.calls, 0);
         }
     Steep steep;
     Error error;
     PointSet set;
-    auto desc = made(hrbfnpr_generate_desc_init);
+    Generation desc;
     desc.shared_budget = 2000000000;
     EXPECT_FAILS(generated(context, model_of(context, steep), desc, error, set), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "100000000");
@@ -245,10 +241,10 @@ std::int32_t constant(void* user, std::int64_t count, const double* /*positions*
 hrbfnpr_status with_density(double density, PointSet& set, Error& error) {
     const Context context = make_context(1);
     Steep steep;
-    hrbfnpr_generate_desc desc = one_group(HRBFNPR_GROUP_STIPPLE, 500);
-    desc.density = HRBFNPR_DENSITY_CALLBACK;
-    desc.density_function = constant;
-    desc.density_user = &density;
+    Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 500);
+    desc.layer[0].density = HRBFNPR_DENSITY_CALLBACK;
+    desc.layer[0].density_function = constant;
+    desc.layer[0].density_user = &density;
     return generated(context, model_of(context, steep), desc, error, set);
 }
 
@@ -257,7 +253,7 @@ TEST(Hostile, ADensityIsHeldAgainstOne) {
     for (const double density : {1.0, 1e300, infinity}) {
         Error error;
         ASSERT_OK(with_density(density, set, error));
-        EXPECT_GT(attribute<float>(set, 0, HRBFNPR_ATTRIBUTE_RANK).size(), 490U) << density;
+        EXPECT_GT(attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_RANK).size(), 490U) << density;
     }
     for (const double density : {1e-300, 1e-6, std::numeric_limits<double>::denorm_min()}) {
         Error error;
@@ -278,18 +274,22 @@ TEST(Hostile, LengthsAtTheirLimits) {
         for (const std::uint32_t field : {0U, 1U, 2U}) {
             SCOPED_TRACE(testing::Message() << length << ", field " << field);
             Steep steep;
-            hrbfnpr_generate_desc desc = one_group(HRBFNPR_GROUP_CURVATURE, 300);
-            (field == 0 ? desc.stroke_separation : field == 1 ? desc.stroke_step : desc.stroke_length) = length;
+            Generation desc = one_layer(HRBFNPR_LAYER_KIND_PRINCIPAL, 300);
+            hrbfnpr_layer_desc& layer = desc.layer[0];
+            (field == 0 ? layer.separation : field == 1 ? layer.step : layer.length) = length;
             Error error;
             PointSet set;
             const hrbfnpr_status status = generated(context, model_of(context, steep), desc, error, set);
             EXPECT_LT(steep.calls, 10000);
             if (status == HRBFNPR_STATUS_OK) {
-                EXPECT_FALSE(attribute<float>(set, 1, HRBFNPR_ATTRIBUTE_POSITION).empty());
-                for (const float x : attribute<float>(set, 1, HRBFNPR_ATTRIBUTE_POSITION)) ASSERT_LT(std::abs(x), 1.2F);
+                EXPECT_FALSE(attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION).empty());
+                for (const float x : attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION)) ASSERT_LT(std::abs(x), 1.2F);
             } else {
                 EXPECT_TRUE(status == HRBFNPR_STATUS_INVALID_ARGUMENT || status == HRBFNPR_STATUS_NOT_CONVERGED);
-                EXPECT_NE(std::string(error.record.message).find("stroke_"), std::string::npos) << error.record.message;
+                const std::string message = error.record.message;
+                EXPECT_TRUE(message.find("separation") != std::string::npos ||
+                            message.find("step") != std::string::npos || message.find("length") != std::string::npos)
+                    << message;
             }
         }
 }

@@ -27,10 +27,10 @@ struct Calls {
     }
     Call generate_call(std::uint32_t distribution) {
         return [this, distribution](hrbfnpr_operation* operation, hrbfnpr_error* error) {
-            const hrbfnpr_generate_desc desc = small_desc(distribution);
+            Generation desc = small_desc(distribution);
             hrbfnpr_point_set* set = nullptr;
             const hrbfnpr_status status =
-                hrbfnpr_point_set_generate(context.get(), model.get(), &desc, operation, &set, error);
+                hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), operation, &set, error);
             EXPECT_EQ(set != nullptr, status == HRBFNPR_STATUS_OK);
             hrbfnpr_point_set_release(set);
             return status;
@@ -89,7 +89,7 @@ struct Calls {
     std::vector<std::pair<const char*, Call>> all() {
         return {{"fit", fit_call()},
                 {"generate blue noise", generate_call(HRBFNPR_DISTRIBUTION_BLUE_NOISE)},
-                {"generate paper", generate_call(HRBFNPR_DISTRIBUTION_PAPER)},
+                {"generate published", generate_call(HRBFNPR_DISTRIBUTION_PUBLISHED)},
                 {"evaluate", evaluate_call()},
                 {"project", project_call()},
                 {"curvature", curvature_call()},

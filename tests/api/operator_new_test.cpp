@@ -52,7 +52,7 @@ TEST(OperatorNew, FailuresAreCleanAndLeakNothing) {
     const Context context = make_context(allocator_desc(allocator));
     const scenes::Samples samples = scenes::sphere_6();
     const hrbfnpr_fit_desc desc = fit_desc(samples);
-    const hrbfnpr_generate_desc generate_desc = small_desc(HRBFNPR_DISTRIBUTION_PAPER);
+    Generation generate_desc = small_desc(HRBFNPR_DISTRIBUTION_PUBLISHED);
     std::int64_t refused = refuse_each([&] {
         hrbfnpr_model* model = nullptr;
         const hrbfnpr_status status = hrbfnpr_model_fit(context.get(), &desc, nullptr, &model, error);
@@ -64,7 +64,7 @@ TEST(OperatorNew, FailuresAreCleanAndLeakNothing) {
     refused += refuse_each([&] {
         hrbfnpr_point_set* set = nullptr;
         const hrbfnpr_status status =
-            hrbfnpr_point_set_generate(context.get(), model.get(), &generate_desc, nullptr, &set, error);
+            hrbfnpr_point_set_generate(context.get(), model.get(), generate_desc.get(), nullptr, &set, error);
         hrbfnpr_point_set_release(set);
         return status;
     });

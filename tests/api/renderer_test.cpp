@@ -11,10 +11,15 @@ protected:
         : model(custom_sphere(context, sphere)), set(generate(context, model, small_desc())),
           renderer(make_renderer(context)) {}
 
-    hrbfnpr_status prepare(const hrbfnpr_style* style = nullptr, hrbfnpr_frame_info* info = nullptr) {
+    hrbfnpr_status draw_it(const hrbfnpr_style* style = nullptr, hrbfnpr_drawing_info* info = nullptr) {
         const hrbfnpr_item item = item_of(set, style);
         const hrbfnpr_camera camera = front_camera();
-        return hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, info, error);
+        hrbfnpr_drawing* made_drawing = nullptr;
+        const hrbfnpr_status status =
+            hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &made_drawing, error);
+        drawing.reset(made_drawing);
+        if (info != nullptr && made_drawing != nullptr) *info = info_of(drawing);
+        return status;
     }
 
     Error error;
@@ -23,44 +28,59 @@ protected:
     Model model;
     PointSet set;
     Renderer renderer;
+    Drawing drawing;
 };
 
 TEST_F(RendererTest, CountsWhatItDrew) {
     auto style = made(hrbfnpr_style_init);
-    for (const std::uint32_t visibility : {HRBFNPR_VISIBILITY_SHEETS, HRBFNPR_VISIBILITY_PAINTED}) {
+    for (const std::uint32_t visibility : {HRBFNPR_VISIBILITY_DEPTH_LAYERS, HRBFNPR_VISIBILITY_PUBLISHED}) {
         style.visibility = visibility;
-        auto info = made(hrbfnpr_frame_info_init);
-        EXPECT_OK(prepare(&style, &info));
+        auto info = made(hrbfnpr_drawing_info_init);
+        EXPECT_OK(draw_it(&style, &info));
         EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette + info.culled);
-        EXPECT_EQ(info.culled > 0, visibility == HRBFNPR_VISIBILITY_SHEETS);
+        EXPECT_EQ(info.culled > 0, visibility == HRBFNPR_VISIBILITY_DEPTH_LAYERS);
         EXPECT_GT(info.front, 0);
         EXPECT_GT(info.back, 0);
         EXPECT_GT(info.shown, 0);
-        EXPECT_GT(info.painted, 0);
+        EXPECT_GT(info.splats, 0);
         EXPECT_GT(info.scratch_bytes, 0);
-        EXPECT_EQ(info.nanoseconds_draw, 0);
-        std::vector<std::uint8_t> pixels;
-        const hrbfnpr_image image = image_of(pixels, 64);
-        EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
-        EXPECT_OK(hrbfnpr_renderer_get_info(renderer.get(), &info, error));
-        EXPECT_GT(info.nanoseconds_draw, 0);
+        EXPECT_GT(info.bytes, 0);
+        EXPECT_GT(info.nanoseconds_classify, 0);
+        EXPECT_EQ(info.items, 1);
+        EXPECT_EQ(info.dots, info.shown);
+        EXPECT_EQ(info.strokes, 0);
+        EXPECT_EQ(info.stroke_points, 0);
         std::int64_t vertices = 0;
-        EXPECT_OK(hrbfnpr_renderer_vertex_bound(renderer.get(), &vertices, error));
-        EXPECT_EQ(vertices, visibility == HRBFNPR_VISIBILITY_PAINTED ? info.shown + info.painted : info.shown);
+        std::int64_t indices = 0;
+        EXPECT_OK(hrbfnpr_drawing_vertex_bound(drawing.get(), HRBFNPR_PRIMITIVE_POINTS, &vertices, &indices, error));
+        EXPECT_EQ(vertices, visibility == HRBFNPR_VISIBILITY_PUBLISHED ? info.shown + info.splats : info.shown);
+        EXPECT_EQ(indices, vertices);
+        std::int64_t dots = 0;
+        for (std::int64_t number = 0; number < info.layers; ++number) {
+            auto layer = made(hrbfnpr_drawing_layer_info_init);
+            EXPECT_OK(hrbfnpr_drawing_get_layer_info(drawing.get(), number, &layer, error));
+            EXPECT_EQ(layer.item, 0);
+            EXPECT_STREQ(layer.name, layer_info(set, layer.layer).name);
+            EXPECT_EQ(layer.kind, layer_info(set, layer.layer).kind);
+            EXPECT_TRUE(layer.mark_class == HRBFNPR_CLASS_FRONT || layer.mark_class == HRBFNPR_CLASS_SILHOUETTE);
+            EXPECT_EQ(layer.ink[3], 1.0F);
+            dots += layer.dots;
+        }
+        EXPECT_EQ(dots, info.dots);
     }
 }
 
 TEST_F(RendererTest, DrawsIntoAnyFormatAndStride) {
-    EXPECT_OK(prepare());
+    EXPECT_OK(draw_it());
     std::vector<std::uint8_t> rgba;
     hrbfnpr_image image = image_of(rgba, 64);
-    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error));
     // Bottom-up, with room between the rows.
     std::vector<std::uint8_t> other(64 * 300, 77);
     image.pixels = other.data() + 63 * 300;
     image.row_stride = -300;
     image.format = HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED;
-    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error));
     for (std::size_t y = 0; y < 64; ++y) {
         const std::uint8_t* row = &other[(63 - y) * 300];
         for (std::size_t x = 0; x < 64; ++x) {
@@ -72,17 +92,17 @@ TEST_F(RendererTest, DrawsIntoAnyFormatAndStride) {
 }
 
 TEST_F(RendererTest, FillsDepthIdAndClass) {
-    EXPECT_OK(prepare());
+    EXPECT_OK(draw_it());
     std::vector<std::uint8_t> pixels;
     const hrbfnpr_image image = image_of(pixels, 64);
     std::vector<float> depth(64 * 64, -1.0F);
     std::vector<std::uint32_t> id(64 * 64, 99999);
     std::vector<std::uint8_t> mark_class(64 * 64, 99);
-    auto desc = made(hrbfnpr_draw_desc_init);
+    auto desc = made(hrbfnpr_raster_desc_init);
     desc.depth = out(depth, 1);
     desc.id = out(id, 1);
-    desc.class_ = out(mark_class, 1);
-    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, &desc, error));
+    desc.mark_class = out(mark_class, 1);
+    EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, &desc, error));
     EXPECT_EQ(depth[0], 1.0F);
     EXPECT_EQ(id[0], 0U);
     EXPECT_EQ(mark_class[0], HRBFNPR_CLASS_NONE);
@@ -97,13 +117,13 @@ TEST_F(RendererTest, FillsDepthIdAndClass) {
     // A host's scene in front of everything hides it.
     std::vector<float> host(64 * 64, 0.0F);
     desc.host_depth = in(host, 1);
-    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, &desc, error));
+    EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, &desc, error));
     for (const std::uint32_t value : id) ASSERT_EQ(value, 0U);
     for (std::size_t i = 0; i < pixels.size(); i += 4) ASSERT_EQ(pixels[i], 255);
 }
 
 TEST_F(RendererTest, WritesVertices) {
-    EXPECT_OK(prepare());
+    EXPECT_OK(draw_it());
     struct Vertex {
         float position[3];
         float window[3];
@@ -114,25 +134,24 @@ TEST_F(RendererTest, WritesVertices) {
         std::uint8_t is_paper;
         std::uint8_t untouched[2];
     };
-    auto layout = made(hrbfnpr_vertex_layout_init);
+    Layout layout;
     layout.stride = sizeof(Vertex);
-    const hrbfnpr_vertex_attribute attributes[] = {
-        {HRBFNPR_VERTEX_POSITION, HRBFNPR_SCALAR_FLOAT32, offsetof(Vertex, position), 0},
-        {HRBFNPR_VERTEX_WINDOW, HRBFNPR_SCALAR_FLOAT32, offsetof(Vertex, window), 0},
-        {HRBFNPR_VERTEX_RADIUS, HRBFNPR_SCALAR_FLOAT32, offsetof(Vertex, radius), 0},
-        {HRBFNPR_VERTEX_COLOR, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, color), 0},
-        {HRBFNPR_VERTEX_ID, HRBFNPR_SCALAR_UINT32, offsetof(Vertex, id), 0},
-        {HRBFNPR_VERTEX_CLASS, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, mark_class), 0},
-        {HRBFNPR_VERTEX_IS_PAPER, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, is_paper), 0}};
-    layout.attribute_count = static_cast<std::uint32_t>(std::size(attributes));
-    std::copy(std::begin(attributes), std::end(attributes), layout.attributes);
+    layout.add(HRBFNPR_VERTEX_ATTRIBUTE_POSITION, HRBFNPR_SCALAR_FLOAT32, offsetof(Vertex, position))
+        .add(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, offsetof(Vertex, window))
+        .add(HRBFNPR_VERTEX_ATTRIBUTE_RADIUS, HRBFNPR_SCALAR_FLOAT32, offsetof(Vertex, radius))
+        .add(HRBFNPR_VERTEX_ATTRIBUTE_COLOR, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, color))
+        .add(HRBFNPR_VERTEX_ATTRIBUTE_ID, HRBFNPR_SCALAR_UINT32, offsetof(Vertex, id))
+        .add(HRBFNPR_VERTEX_ATTRIBUTE_CLASS, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, mark_class))
+        .add(HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, is_paper));
     std::int64_t count = -1;
-    EXPECT_FAILS(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, nullptr, 0, &count, error),
-                 HRBFNPR_STATUS_BUFFER_TOO_SMALL, "capacity is 0");
+    EXPECT_FAILS(hrbfnpr_drawing_write_vertices(drawing.get(), layout.get(), nullptr, 0, &count, nullptr, 0, nullptr,
+                                                error),
+                 HRBFNPR_STATUS_BUFFER_TOO_SMALL, "vertex_capacity is 0");
     ASSERT_GT(count, 0);
     std::vector<Vertex> vertices(static_cast<std::size_t>(count) + 1);
     std::memset(vertices.data(), 0x55, vertices.size() * sizeof(Vertex));
-    EXPECT_OK(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, vertices.data(), count + 1, &count, error));
+    EXPECT_OK(hrbfnpr_drawing_write_vertices(drawing.get(), layout.get(), vertices.data(), count + 1, &count, nullptr, 0,
+                                             nullptr, error));
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         const Vertex& v = vertices[i];
         const float* p = v.position;
@@ -161,8 +180,8 @@ TEST_F(RendererTest, AllocatesNothingOnceItIsWarm) {
 }
 
 TEST_F(RendererTest, DrawsSeveralItems) {
-    auto info = made(hrbfnpr_frame_info_init);
-    EXPECT_OK(prepare(nullptr, &info));
+    auto info = made(hrbfnpr_drawing_info_init);
+    EXPECT_OK(draw_it(nullptr, &info));
     const std::int64_t marks = info.marks;
     // Items of a newer caller, whose struct has a tail.
     struct Newer {
@@ -175,25 +194,31 @@ TEST_F(RendererTest, DrawsSeveralItems) {
     }
     items[1].item.transform[12] = 0.5;
     const hrbfnpr_camera camera = front_camera();
-    EXPECT_OK(hrbfnpr_renderer_prepare(renderer.get(), &items[0].item, 2, 0, &camera, &info, error));
-    EXPECT_EQ(info.marks, 2 * marks);
-    EXPECT_OK(hrbfnpr_renderer_prepare(renderer.get(), &items[0].item, 2, sizeof(Newer), &camera, &info, error));
-    EXPECT_EQ(info.marks, 2 * marks);
-    EXPECT_OK(hrbfnpr_renderer_prepare(renderer.get(), nullptr, 0, 0, &camera, &info, error));
-    EXPECT_EQ(info.marks, 0);
+    const auto draw_all = [&](const hrbfnpr_item* first, std::int64_t count, std::int64_t stride) {
+        hrbfnpr_drawing* made_drawing = nullptr;
+        EXPECT_OK(hrbfnpr_renderer_draw(renderer.get(), first, count, stride, &camera, &made_drawing, error));
+        drawing.reset(made_drawing);
+        return info_of(drawing);
+    };
+    EXPECT_EQ(draw_all(&items[0].item, 2, 0).marks, 2 * marks);
+    EXPECT_EQ(draw_all(&items[0].item, 2, sizeof(Newer)).marks, 2 * marks);
+    EXPECT_EQ(draw_all(&items[0].item, 2, sizeof(Newer)).items, 2);
+    EXPECT_EQ(draw_all(nullptr, 0, 0).marks, 0);
     std::vector<std::uint8_t> pixels;
     const hrbfnpr_image image = image_of(pixels, 8);
-    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error));
     EXPECT_EQ(pixels, std::vector<std::uint8_t>(256, 255)); // blank paper
 }
 
-TEST_F(RendererTest, KeepsThePointSetOfItsFrame) {
-    const auto before = draw(renderer, set);
+TEST_F(RendererTest, ADrawingKeepsItsPointSet) {
+    EXPECT_OK(draw_it());
+    const auto before = rasterize(drawing, 64);
     set.reset();
+    renderer.reset();
     model.reset();
     std::vector<std::uint8_t> pixels;
     const hrbfnpr_image image = image_of(pixels, 64);
-    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
+    EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error));
     EXPECT_EQ(pixels, before);
 }
 
@@ -215,48 +240,71 @@ TEST_F(RendererTest, AsksTheToneFunctionOnThisThread) {
     style.tone = HRBFNPR_TONE_CALLBACK;
     style.tone_function = Tone::call;
     style.tone_user = &tone;
-    auto info = made(hrbfnpr_frame_info_init);
-    style.visibility = HRBFNPR_VISIBILITY_PAINTED;
-    EXPECT_OK(prepare(&style, &info));
+    auto info = made(hrbfnpr_drawing_info_init);
+    style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
+    EXPECT_OK(draw_it(&style, &info));
     EXPECT_EQ(tone.marks, info.front);
     EXPECT_EQ(info.dropped_tone, 0); // dark everywhere
     tone.tau = 1.0F;
-    EXPECT_OK(prepare(&style, &info));
+    EXPECT_OK(draw_it(&style, &info));
     EXPECT_EQ(info.dropped_tone, info.front);
-    // By sheets, contours are asked for as well: they fade into the front.
-    style.visibility = HRBFNPR_VISIBILITY_SHEETS;
+    // By depth layers, contours are asked for as well: they fade into the front.
+    style.visibility = HRBFNPR_VISIBILITY_DEPTH_LAYERS;
     style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
-    style.silhouette_groups = 0;
+    auto layer = made(hrbfnpr_layer_style_init);
+    layer.contours = 0;
+    style.layers = &layer;
+    style.layer_count = 1;
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
     tone.marks = 0;
     tone.tau = 0.0F;
-    EXPECT_OK(prepare(&style, &info));
+    EXPECT_OK(draw_it(&style, &info));
     EXPECT_GE(tone.marks, info.front);
     EXPECT_LE(tone.marks, info.front + info.silhouette);
     EXPECT_EQ(info.dropped_tone, 0);
     EXPECT_EQ(info.dropped_hidden, 0);
     EXPECT_GE(info.shown, info.front);
     tone.tau = 1.0F;
-    EXPECT_OK(prepare(&style, &info));
+    EXPECT_OK(draw_it(&style, &info));
     EXPECT_EQ(info.dropped_tone, info.front);
     EXPECT_EQ(info.shown, 0);
     tone.result = 3;
-    EXPECT_FAILS(prepare(&style), HRBFNPR_STATUS_CALLBACK, "tone_function returned 3");
+    EXPECT_FAILS(draw_it(&style), HRBFNPR_STATUS_CALLBACK, "tone_function returned 3");
     tone.result = 0;
     tone.tau = NAN;
-    EXPECT_FAILS(prepare(&style), HRBFNPR_STATUS_CALLBACK, "tone_function");
+    EXPECT_FAILS(draw_it(&style), HRBFNPR_STATUS_CALLBACK, "tone_function");
 }
 
-TEST_F(RendererTest, NeedsAPreparedFrame) {
-    std::vector<std::uint8_t> pixels;
-    const hrbfnpr_image image = image_of(pixels, 8);
-    std::int64_t count = 0;
-    const auto layout = made(hrbfnpr_vertex_layout_init);
-    const auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
-    EXPECT_FAILS(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error), invalid, "no prepared frame");
-    EXPECT_FAILS(hrbfnpr_renderer_vertex_bound(renderer.get(), &count, error), invalid, "no prepared frame");
-    EXPECT_FAILS(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, nullptr, 0, &count, error), invalid,
-                 "no prepared frame");
+// Styles by kind and by name: the first that is for a layer.
+TEST_F(RendererTest, StylesLayersByKindAndName) {
+    Generation desc;
+    desc.add(HRBFNPR_LAYER_KIND_STIPPLES, 300).name = "dark";
+    desc.add(HRBFNPR_LAYER_KIND_STIPPLES, 300).name = "light";
+    desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, 300);
+    set = generate(context, model, desc);
+    hrbfnpr_layer_style layers[3];
+    for (hrbfnpr_layer_style& layer : layers) layer = made(hrbfnpr_layer_style_init);
+    layers[0].name = "light";
+    layers[0].ink[0] = 1.0F;
+    layers[1].kind = HRBFNPR_LAYER_KIND_STIPPLES;
+    layers[1].ink[1] = 1.0F;
+    layers[2].shown = layers[2].contours = 0;
+    auto style = made(hrbfnpr_style_init);
+    style.layers = layers;
+    style.layer_count = 3;
+    EXPECT_OK(draw_it(&style));
+    const hrbfnpr_drawing_info info = info_of(drawing);
+    int fronts = 0;
+    for (std::int64_t number = 0; number < info.layers; ++number) {
+        auto layer = made(hrbfnpr_drawing_layer_info_init);
+        EXPECT_OK(hrbfnpr_drawing_get_layer_info(drawing.get(), number, &layer, error));
+        EXPECT_TRUE(layer.layer != 2 || layer.dots == 0);
+        if (layer.mark_class != HRBFNPR_CLASS_FRONT || layer.dots == 0) continue;
+        EXPECT_EQ(layer.ink[0], layer.layer == 1 ? 1.0F : 0.0F);
+        EXPECT_EQ(layer.ink[1], layer.layer == 0 ? 1.0F : 0.0F);
+        ++fronts;
+    }
+    EXPECT_EQ(fronts, 2);
 }
 
 } // namespace

@@ -14,13 +14,6 @@ scenes::Samples scaled(scenes::Samples samples, double by) {
 
 Model sphere_of(const Context& context, double radius) { return fit(context, scaled(scenes::sphere_6(), radius)); }
 
-hrbfnpr_point_set_info info_of(const PointSet& set) {
-    Error error;
-    auto info = made(hrbfnpr_point_set_info_init);
-    EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
-    return info;
-}
-
 std::vector<float> times(std::vector<float> numbers, double by) {
     for (float& number : numbers) number = static_cast<float>(static_cast<double>(number) * by);
     return numbers;
@@ -35,13 +28,15 @@ std::vector<float> bent(std::vector<float> curvature, double by) {
 
 // All marks of a set are those of another one, this many times as large.
 void expect_times(const PointSet& set, const PointSet& unit, double by) {
-    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
-        const auto of = [&](const PointSet& which, std::uint32_t what) { return attribute<float>(which, group, what); };
-        ASSERT_FALSE(of(unit, HRBFNPR_ATTRIBUTE_POSITION).empty());
-        EXPECT_EQ(of(set, HRBFNPR_ATTRIBUTE_POSITION), times(of(unit, HRBFNPR_ATTRIBUTE_POSITION), by));
-        EXPECT_EQ(of(set, HRBFNPR_ATTRIBUTE_CURVATURE), bent(of(unit, HRBFNPR_ATTRIBUTE_CURVATURE), by));
-        for (const std::uint32_t what : {HRBFNPR_ATTRIBUTE_NORMAL, HRBFNPR_ATTRIBUTE_DIRECTION, HRBFNPR_ATTRIBUTE_RANK})
+    ASSERT_EQ(info_of(set).layers, info_of(unit).layers);
+    for (std::int64_t layer = 0; layer < info_of(set).layers; ++layer) {
+        const auto of = [&](const PointSet& which, std::uint32_t what) { return attribute<float>(which, layer, what); };
+        ASSERT_FALSE(of(unit, HRBFNPR_MARK_ATTRIBUTE_POSITION).empty());
+        EXPECT_EQ(of(set, HRBFNPR_MARK_ATTRIBUTE_POSITION), times(of(unit, HRBFNPR_MARK_ATTRIBUTE_POSITION), by));
+        EXPECT_EQ(of(set, HRBFNPR_MARK_ATTRIBUTE_CURVATURE), bent(of(unit, HRBFNPR_MARK_ATTRIBUTE_CURVATURE), by));
+        for (const std::uint32_t what : {HRBFNPR_MARK_ATTRIBUTE_NORMAL, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, HRBFNPR_MARK_ATTRIBUTE_RANK})
             EXPECT_EQ(of(set, what), of(unit, what));
+        EXPECT_EQ(layer_info(set, layer).step, by * layer_info(unit, layer).step);
     }
     const hrbfnpr_point_set_info info = info_of(set);
     const hrbfnpr_point_set_info expected = info_of(unit);
@@ -50,13 +45,12 @@ void expect_times(const PointSet& set, const PointSet& unit, double by) {
         EXPECT_EQ(info.origin[axis], by * expected.origin[axis]);
         EXPECT_EQ(info.bounds_min[axis], by * expected.bounds_min[axis]);
     }
-    for (std::size_t group = 0; group < 3; ++group) EXPECT_EQ(info.group[group].step, by * expected.group[group].step);
 }
 
 TEST(Scale, APowerOfTwoLeavesNoTraceInTheMarks) {
     const Context context = make_context();
-    for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PAPER}) {
-        const hrbfnpr_generate_desc desc = small_desc(distribution);
+    for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PUBLISHED}) {
+        Generation desc = small_desc(distribution);
         const PointSet unit = generate(context, sphere_of(context, 1.0), desc);
         for (const int power : {-100, -73, -60, 60, 73, 100}) {
             SCOPED_TRACE(power);
@@ -80,15 +74,17 @@ TEST(Scale, LengthsOfTheDescriptorAreInTheSamplesUnit) {
     const Context context = make_context();
     const auto made_at = [&](double scale) {
         const std::vector<double> seeds{scale, 0.0, 0.0, 0.0, 0.0, -scale};
-        hrbfnpr_generate_desc desc = small_desc();
+        Generation desc = small_desc();
         desc.seed_source = HRBFNPR_SEED_POINTS;
         desc.seed_points = in(seeds);
-        desc.stroke_separation = 0.3 * scale;
-        desc.stroke_step = 0.05 * scale;
-        desc.stroke_length = 2.0 * scale;
-        desc.density = HRBFNPR_DENSITY_CALLBACK;
-        desc.density_function = upper_half;
-        desc.density_user = &scale;
+        for (const std::size_t layer : {principal, combing}) {
+            desc.layer[layer].separation = 0.3 * scale;
+            desc.layer[layer].step = 0.05 * scale;
+            desc.layer[layer].length = 2.0 * scale;
+        }
+        desc.layer[stipples].density = HRBFNPR_DENSITY_CALLBACK;
+        desc.layer[stipples].density_function = upper_half;
+        desc.layer[stipples].density_user = &scale;
         return generate(context, sphere_of(context, scale), desc);
     };
     expect_times(made_at(std::ldexp(1.0, -70)), made_at(1.0), std::ldexp(1.0, -70));
@@ -101,8 +97,8 @@ TEST(Scale, StepPatchesToo) {
         std::vector<double> corners(12 * 5);
         const hrbfnpr_array_out to = out(corners, 12);
         double step = 0.0;
-        const hrbfnpr_generate_desc desc = small_desc(HRBFNPR_DISTRIBUTION_PAPER);
-        EXPECT_OK(hrbfnpr_point_set_step_patches(context.get(), sphere_of(context, scale).get(), &desc, &to, &step,
+        Generation desc = small_desc(HRBFNPR_DISTRIBUTION_PUBLISHED);
+        EXPECT_OK(hrbfnpr_point_set_step_patches(context.get(), sphere_of(context, scale).get(), desc.get(), &to, &step,
                                                  nullptr, error));
         corners.push_back(step);
         return corners;
@@ -125,18 +121,13 @@ std::vector<std::uint8_t> picture_of(const Context& context, const PointSet& set
     const Renderer renderer = make_renderer(context);
     hrbfnpr_item item = item_of(set, &style);
     item.model = model;
-    EXPECT_OK(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, error));
-    std::vector<std::uint8_t> pixels;
-    const hrbfnpr_image image = image_of(pixels, 96);
-    EXPECT_OK(hrbfnpr_renderer_draw_image(renderer.get(), &image, nullptr, error));
-    return pixels;
+    return rasterize(draw_item(renderer, item, camera), 96);
 }
 
 hrbfnpr_style preset(std::uint32_t which, std::uint32_t visibility) {
     Error error;
     hrbfnpr_style style;
-    std::uint32_t groups = 0;
-    EXPECT_OK(hrbfnpr_style_init_preset(&style, sizeof style, which, &groups, error));
+    EXPECT_OK(hrbfnpr_style_init_preset(&style, sizeof style, which, error));
     style.visibility = visibility;
     return style;
 }
@@ -149,11 +140,11 @@ double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std
 
 TEST(Scale, PicturesAreThoseOfRadiusOne) {
     const Context context = make_context();
-    const hrbfnpr_generate_desc desc = small_desc();
+    Generation desc = small_desc();
     const auto set_of = [&](double radius) { return generate(context, sphere_of(context, radius), desc); };
     const PointSet unit = set_of(1.0);
-    for (const std::uint32_t visibility : {HRBFNPR_VISIBILITY_SHEETS, HRBFNPR_VISIBILITY_PAINTED}) {
-        const hrbfnpr_style style = preset(HRBFNPR_STYLE_FULL, visibility);
+    for (const std::uint32_t visibility : {HRBFNPR_VISIBILITY_DEPTH_LAYERS, HRBFNPR_VISIBILITY_PUBLISHED}) {
+        const hrbfnpr_style style = preset(HRBFNPR_PRESET_FULL, visibility);
         for (const double angle : {0.0, 0.6}) {
             const std::vector<std::uint8_t> expected = picture_of(context, unit, angle, style);
             ASSERT_GT(mean_difference(expected, std::vector<std::uint8_t>(expected.size(), 255)), 3.0) << "no ink";
@@ -168,7 +159,7 @@ TEST(Scale, PicturesAreThoseOfRadiusOne) {
 
 TEST(Scale, ExactVisibilityToo) {
     const Context context = make_context();
-    const hrbfnpr_style style = preset(HRBFNPR_STYLE_XRAY, HRBFNPR_VISIBILITY_SHEETS);
+    const hrbfnpr_style style = preset(HRBFNPR_PRESET_XRAY, HRBFNPR_VISIBILITY_DEPTH_LAYERS);
     std::vector<std::vector<std::uint8_t>> pictures;
     for (const int power : {0, -90, 90}) {
         const Model model = sphere_of(context, std::ldexp(1.0, power));
@@ -193,16 +184,16 @@ TEST(Scale, VerticesAreFiniteAndUnit) {
     ASSERT_OK(
         hrbfnpr_camera_fit_bounds(&camera, info.bounds_min, info.bounds_max, direction, up, 0.6, 96, 96, 0.05, error));
     const hrbfnpr_item item = item_of(set);
-    ASSERT_OK(hrbfnpr_renderer_prepare(renderer.get(), &item, 1, 0, &camera, nullptr, error));
+    const Drawing drawing = draw_item(renderer, item, camera);
     std::int64_t count = 0;
-    ASSERT_OK(hrbfnpr_renderer_vertex_bound(renderer.get(), &count, error));
+    ASSERT_OK(hrbfnpr_drawing_vertex_bound(drawing.get(), HRBFNPR_PRIMITIVE_POINTS, &count, nullptr, error));
     ASSERT_GT(count, 20);
-    auto layout = made(hrbfnpr_vertex_layout_init);
-    layout.attribute_count = 2;
-    layout.attributes[0] = {HRBFNPR_VERTEX_POSITION, HRBFNPR_SCALAR_FLOAT32, 0, 0};
-    layout.attributes[1] = {HRBFNPR_VERTEX_DIRECTION, HRBFNPR_SCALAR_FLOAT32, 12, 0};
+    Layout layout;
+    layout.add(HRBFNPR_VERTEX_ATTRIBUTE_POSITION, HRBFNPR_SCALAR_FLOAT32, 0);
+    layout.add(HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION, HRBFNPR_SCALAR_FLOAT32, 12);
     std::vector<float> vertices(static_cast<std::size_t>(6 * count));
-    ASSERT_OK(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, vertices.data(), count, &count, error));
+    ASSERT_OK(hrbfnpr_drawing_write_vertices(drawing.get(), layout.get(), vertices.data(), count, &count, nullptr, 0,
+                                             nullptr, error));
     for (std::size_t i = 0; i < vertices.size(); i += 6) {
         EXPECT_NEAR(double{std::hypot(vertices[i], vertices[i + 1], vertices[i + 2])} / scale, 1.0, 0.05);
         EXPECT_NEAR(std::hypot(vertices[i + 3], vertices[i + 4], vertices[i + 5]), 1.0, 1e-5);
@@ -216,10 +207,10 @@ TEST(Scale, WhatFloatsDoNotHoldIsRefusedAtOnce) {
     for (const double radius : {1e-100, 1e-60, 1e-38, 1e38, 1e39, 1e60, 1e99}) {
         Error error;
         const Model model = sphere_of(context, radius);
-        for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PAPER}) {
-            const hrbfnpr_generate_desc desc = small_desc(distribution);
+        for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PUBLISHED}) {
+            Generation desc = small_desc(distribution);
             hrbfnpr_point_set* set = nullptr;
-            EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error),
+            EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &set, error),
                          HRBFNPR_STATUS_INVALID_ARGUMENT, "scale the samples");
             EXPECT_EQ(set, nullptr);
         }
@@ -230,9 +221,9 @@ TEST(Scale, LargeSpheresGetAllTheirMarks) {
     const Context context = make_context();
     for (const double radius : {1e20, 1e30, 1e-20, 1e-22, 1e-30}) {
         const PointSet set = generate(context, sphere_of(context, radius), small_desc());
-        EXPECT_GE(info_of(set).group[0].count, 294) << radius; // of 300
-        for (const float x : attribute<float>(set, 1, HRBFNPR_ATTRIBUTE_CURVATURE)) ASSERT_TRUE(std::isfinite(x));
-        for (const float x : attribute<float>(set, 0, HRBFNPR_ATTRIBUTE_POSITION))
+        EXPECT_GE(layer_info(set, stipples).marks, 294) << radius; // of 300
+        for (const float x : attribute<float>(set, principal, HRBFNPR_MARK_ATTRIBUTE_CURVATURE)) ASSERT_TRUE(std::isfinite(x));
+        for (const float x : attribute<float>(set, stipples, HRBFNPR_MARK_ATTRIBUTE_POSITION))
             ASSERT_LE(std::abs(x), 1.01 * radius);
     }
 }
@@ -241,10 +232,13 @@ hrbfnpr_status from_arrays(const Context& context, const std::vector<double>& po
     std::vector<double> normals;
     for (std::size_t i = 0; i < positions.size(); ++i) normals.push_back(i % 3 == 2 ? 1.0 : 0.0);
     auto desc = made(hrbfnpr_point_set_desc_init);
-    desc.group[0].position = in(positions);
-    desc.group[0].normal = in(normals);
+    auto arrays = made(hrbfnpr_layer_arrays_init);
+    arrays.position = in(positions);
+    arrays.normal = in(normals);
+    desc.layers = &arrays;
+    desc.layer_count = 1;
     hrbfnpr_point_set* set = nullptr;
-    const hrbfnpr_status status = hrbfnpr_point_set_create_from_arrays(context.get(), &desc, &set, error);
+    const hrbfnpr_status status = hrbfnpr_point_set_create(context.get(), &desc, &set, error);
     hrbfnpr_point_set_release(set);
     return status;
 }
@@ -256,7 +250,7 @@ TEST(Scale, ReadyMadeMarksToo) {
         EXPECT_FAILS(from_arrays(context, {0, 0, 0, size, 0, 0, 0, size, 0}, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                      "scale the");
     EXPECT_FAILS(from_arrays(context, {0, 0, 0, 1e300, 0, 0}, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "group[0].position[1]");
+                 "layers[0].position[1]");
     EXPECT_OK(from_arrays(context, {0, 0, 0, 1e-30, 0, 0, 0, 1e-30, 0}, error));
     EXPECT_OK(from_arrays(context, {0, 0, 0, 1e30, 0, 0, 0, 1e30, 0}, error));
     EXPECT_OK(from_arrays(context, {5, 0, 0}, error));
@@ -272,11 +266,11 @@ TEST(Scale, SeedsFarFromTheModelAreRefused) {
     plane.add({0, 1, 0}, {0, 0, 1});
     const Model model = fit(context, plane);
     const std::vector<double> seeds{0.1, 0.1, 0.0, 1e35, 0.0, 0.0};
-    hrbfnpr_generate_desc desc = small_desc();
+    Generation desc = small_desc();
     desc.seed_source = HRBFNPR_SEED_POINTS;
     desc.seed_points = in(seeds);
     hrbfnpr_point_set* set = nullptr;
-    EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error),
+    EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &set, error),
                  HRBFNPR_STATUS_INVALID_ARGUMENT, "seed_points[1]");
 }
 

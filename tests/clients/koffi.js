@@ -101,10 +101,11 @@ function fitted(context, desc) {
 }
 
 function generated(context, model) {
-    const style = make("hrbfnpr_style"), desc = make("hrbfnpr_generate_desc"), groups = [0];
-    check(C.hrbfnpr_style_init_preset(
-        style, koffi.sizeof("hrbfnpr_style"), C.HRBFNPR_STYLE_CONTOUR_AND_STIPPLE, groups, failure));
-    desc.groups = groups[0];
+    const style = make("hrbfnpr_style"), desc = make("hrbfnpr_generate_desc"), count = [0];
+    const preset = C.HRBFNPR_PRESET_CONTOUR_AND_STIPPLE;
+    check(C.hrbfnpr_style_init_preset(style, koffi.sizeof("hrbfnpr_style"), preset, failure));
+    desc.layers = C.hrbfnpr_preset_layers(preset, count);
+    desc.layer_count = count[0];
     return [style, made(C.hrbfnpr_point_set_generate, context, model, desc, null)];
 }
 
@@ -127,10 +128,11 @@ const renderer = made(C.hrbfnpr_renderer_create, context);
 const pixels = Buffer.alloc(4 * WIDTH * HEIGHT);
 const item = { ...make("hrbfnpr_item"), point_set: marks, style };
 const image = { ...make("hrbfnpr_image"), width: WIDTH, height: HEIGHT, pixels };
-check(C.hrbfnpr_renderer_prepare(renderer, item, 1, 0, cameraOf(model), null, failure));
-check(C.hrbfnpr_renderer_draw_image(renderer, image, null, failure));
+const drawing = made(C.hrbfnpr_renderer_draw, renderer, item, 1, 0, cameraOf(model));
+check(C.hrbfnpr_drawing_rasterize(drawing, image, null, failure));
 fs.writeFileSync(picturePath, pixels);
 
+C.hrbfnpr_drawing_release(drawing);
 C.hrbfnpr_renderer_release(renderer);
 C.hrbfnpr_point_set_release(marks);
 C.hrbfnpr_model_release(model);

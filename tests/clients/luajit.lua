@@ -82,10 +82,10 @@ expect_refusal(context, samples, count)
 local model = fitted(context, fit_desc(samples, count))
 
 local style, generate = new "hrbfnpr_style", new "hrbfnpr_generate_desc"
-local groups = ffi.new "uint32_t[1]"
-check(C.hrbfnpr_style_init_preset(
-  style, ffi.sizeof(style), C.HRBFNPR_STYLE_CONTOUR_AND_STIPPLE, groups, failure))
-generate.groups = groups[0]
+local count_of_layers = ffi.new "int64_t[1]"
+check(C.hrbfnpr_style_init_preset(style, ffi.sizeof(style), C.HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, failure))
+generate.layers = C.hrbfnpr_preset_layers(C.HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, count_of_layers)
+generate.layer_count = count_of_layers[0]
 local marks = made("hrbfnpr_point_set", C.hrbfnpr_point_set_release, C.hrbfnpr_point_set_generate,
   context, model, generate, nil)
 
@@ -99,8 +99,9 @@ local pixels = ffi.new("uint8_t[?]", 4 * WIDTH * HEIGHT)
 item.point_set, item.style = marks, style
 image.width, image.height, image.pixels = WIDTH, HEIGHT, pixels
 local renderer = made("hrbfnpr_renderer", C.hrbfnpr_renderer_release, C.hrbfnpr_renderer_create, context)
-check(C.hrbfnpr_renderer_prepare(renderer, item, 1, 0, camera, nil, failure))
-check(C.hrbfnpr_renderer_draw_image(renderer, image, nil, failure))
+local drawing = made("hrbfnpr_drawing", C.hrbfnpr_drawing_release, C.hrbfnpr_renderer_draw,
+  renderer, item, 1, 0, camera)
+check(C.hrbfnpr_drawing_rasterize(drawing, image, nil, failure))
 
 local picture = assert(io.open(picture_path, "wb"))
 assert(picture:write(ffi.string(pixels, ffi.sizeof(pixels))))

@@ -46,7 +46,8 @@ static void draw(hrbfnpr_context* context, hrbfnpr_model* model) {
     hrbfnpr_style style;
     hrbfnpr_generate_desc generate;
     check(hrbfnpr_generate_desc_init(&generate, sizeof generate));
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_STYLE_CONTOUR_AND_STIPPLE, &generate.groups, &error));
+    generate.layers = hrbfnpr_preset_layers(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, &generate.layer_count);
+    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, &error));
     hrbfnpr_point_set* marks;
     check(hrbfnpr_point_set_generate(context, model, &generate, NULL, &marks, &error));
 
@@ -60,17 +61,19 @@ static void draw(hrbfnpr_context* context, hrbfnpr_model* model) {
     hrbfnpr_item item;
     hrbfnpr_image image;
     hrbfnpr_renderer* renderer;
+    hrbfnpr_drawing* drawing;
     check(hrbfnpr_item_init(&item, sizeof item));
     item.point_set = marks;
     item.style = &style;
     check(hrbfnpr_renderer_create(context, &renderer, &error));
-    check(hrbfnpr_renderer_prepare(renderer, &item, 1, 0, &camera, NULL, &error));
+    check(hrbfnpr_renderer_draw(renderer, &item, 1, 0, &camera, &drawing, &error));
     check(hrbfnpr_image_init(&image, sizeof image));
     image.format = HRBFNPR_FORMAT_RGBA8;
     image.width = WIDTH;
     image.height = HEIGHT;
     image.pixels = pixels;
-    check(hrbfnpr_renderer_draw_image(renderer, &image, NULL, &error));
+    check(hrbfnpr_drawing_rasterize(drawing, &image, NULL, &error));
+    hrbfnpr_drawing_release(drawing);
     hrbfnpr_renderer_release(renderer);
     hrbfnpr_point_set_release(marks);
 }

@@ -96,8 +96,9 @@ fn draw(numbers: &[f64]) -> Result<Vec<u8>, String> {
         let context = made(|out, error| hrbfnpr_context_create(null(), out, error))?;
         let model = fit(context, numbers)?;
         let (mut style, mut generate) = (new(hrbfnpr_style_init), new(hrbfnpr_generate_desc_init));
-        let (size, preset) = (size_of::<hrbfnpr_style>() as u32, HRBFNPR_STYLE_CONTOUR_AND_STIPPLE);
-        check(|error| hrbfnpr_style_init_preset(&mut style, size, preset, &mut generate.groups, error))?;
+        let (size, preset) = (size_of::<hrbfnpr_style>() as u32, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE);
+        check(|error| hrbfnpr_style_init_preset(&mut style, size, preset, error))?;
+        generate.layers = hrbfnpr_preset_layers(preset, &mut generate.layer_count);
         let marks =
             made(|out, error| hrbfnpr_point_set_generate(context, model, &generate, null_mut(), out, error))?;
 
@@ -108,8 +109,9 @@ fn draw(numbers: &[f64]) -> Result<Vec<u8>, String> {
         image.height = HEIGHT as i32;
         image.pixels = pixels.as_mut_ptr().cast();
         let renderer = made(|out, error| hrbfnpr_renderer_create(context, out, error))?;
-        check(|error| hrbfnpr_renderer_prepare(renderer, &item, 1, 0, &camera, null_mut(), error))?;
-        check(|error| hrbfnpr_renderer_draw_image(renderer, &image, null(), error))?;
+        let drawing = made(|out, error| hrbfnpr_renderer_draw(renderer, &item, 1, 0, &camera, out, error))?;
+        check(|error| hrbfnpr_drawing_rasterize(drawing, &image, null(), error))?;
+        hrbfnpr_drawing_release(drawing);
         hrbfnpr_renderer_release(renderer);
         hrbfnpr_point_set_release(marks);
         hrbfnpr_model_release(model);

@@ -167,14 +167,16 @@ void contain(const hrbfnpr_model* model, const Vectors& points) {
 void generate(Context& context, const hrbfnpr_model* model, std::uint32_t choice) {
     hrbfnpr_generate_desc desc;
     hrbfnpr_generate_desc_init(&desc, sizeof desc);
-    desc.distribution = choice % 128 != 0 ? HRBFNPR_DISTRIBUTION_PAPER : HRBFNPR_DISTRIBUTION_BLUE_NOISE;
-    desc.groups = 1U << (choice / 128 % HRBFNPR_GROUP_COUNT);
+    desc.distribution = choice % 128 != 0 ? HRBFNPR_DISTRIBUTION_PUBLISHED : HRBFNPR_DISTRIBUTION_BLUE_NOISE;
+    hrbfnpr_layer_desc layer;
+    hrbfnpr_layer_desc_init(&layer, sizeof layer);
+    layer.kind = HRBFNPR_LAYER_KIND_STIPPLES + choice / 128 % 3;
+    layer.levels = 1;
+    layer.budget = 12;
+    desc.layers = &layer;
+    desc.layer_count = 1;
     desc.seed_source = choice / 512 % 3; // automatic, samples, box
     desc.box_resolution = 2;
-    for (hrbfnpr_group_desc& group : desc.group) {
-        group.levels = 1;
-        group.budget = 12;
-    }
     Call call("point_set_generate");
     hrbfnpr_point_set* set = nullptr;
     const bool made =

@@ -31,43 +31,77 @@ hrbfnpr_camera camera_for(const hrbfnpr_point_set* set) {
     return camera;
 }
 
-void draw_image(hrbfnpr_renderer* renderer) {
+void rasterize(const hrbfnpr_drawing* drawing) {
     std::array<std::uint8_t, 4 * side * side> pixels{};
     std::array<float, side * side> depth{};
     hrbfnpr_image image;
     hrbfnpr_image_init(&image, sizeof image);
     image.width = image.height = side;
     image.pixels = pixels.data();
-    hrbfnpr_draw_desc desc;
-    hrbfnpr_draw_desc_init(&desc, sizeof desc);
+    hrbfnpr_raster_desc desc;
+    hrbfnpr_raster_desc_init(&desc, sizeof desc);
     desc.depth = {depth.data(), static_cast<std::int64_t>(depth.size()), 0, HRBFNPR_SCALAR_FLOAT32, 1};
-    Call call("renderer_draw_image");
-    call.expect(hrbfnpr_renderer_draw_image(renderer, &image, &desc, call.error()));
+    Call call("drawing_rasterize");
+    call.expect(hrbfnpr_drawing_rasterize(drawing, &image, &desc, call.error()));
     for (const float distance : depth) require(std::isfinite(distance), "the depth of a picture is finite");
 }
 
-// The vertices of a frame: position, radius, normal and direction.
-void write_vertices(const hrbfnpr_renderer* renderer, std::int64_t shown) {
-    constexpr std::uint32_t floats = 10;
+// The vertices of a drawing: position, normal, direction and radius.
+void write_vertices(const hrbfnpr_drawing* drawing, std::uint32_t primitive) {
+    constexpr std::size_t floats = 10;
+    const std::array<std::uint32_t, 4> which = {HRBFNPR_VERTEX_ATTRIBUTE_POSITION, HRBFNPR_VERTEX_ATTRIBUTE_NORMAL,
+                                                HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION, HRBFNPR_VERTEX_ATTRIBUTE_RADIUS};
+    std::array<hrbfnpr_vertex_attribute, 4> attributes;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        hrbfnpr_vertex_attribute_init(&attributes[i], sizeof attributes[i]);
+        attributes[i].attribute = which[i];
+        attributes[i].scalar = HRBFNPR_SCALAR_FLOAT32;
+        attributes[i].offset = 12 * i;
+    }
     hrbfnpr_vertex_layout layout;
     hrbfnpr_vertex_layout_init(&layout, sizeof layout);
+    layout.primitive = primitive;
+    layout.attributes = attributes.data();
     layout.attribute_count = 4;
-    layout.attributes[0] = {HRBFNPR_VERTEX_POSITION, HRBFNPR_SCALAR_FLOAT32, 0, 0};
-    layout.attributes[1] = {HRBFNPR_VERTEX_NORMAL, HRBFNPR_SCALAR_FLOAT32, 12, 0};
-    layout.attributes[2] = {HRBFNPR_VERTEX_DIRECTION, HRBFNPR_SCALAR_FLOAT32, 24, 0};
-    layout.attributes[3] = {HRBFNPR_VERTEX_RADIUS, HRBFNPR_SCALAR_FLOAT32, 36, 0};
     std::int64_t bound = 0;
-    Call ask("renderer_vertex_bound");
-    ask.expect(hrbfnpr_renderer_vertex_bound(renderer, &bound, ask.error()));
-    require(bound >= shown, "every mark of ink is a vertex");
+    std::int64_t indices = 0;
+    Call ask("drawing_vertex_bound");
+    ask.expect(hrbfnpr_drawing_vertex_bound(drawing, primitive, &bound, &indices, ask.error()));
     std::vector<float> vertices(floats * static_cast<std::size_t>(bound) + 1);
+    std::vector<std::uint32_t> index(static_cast<std::size_t>(indices) + 1);
     std::int64_t written = 0;
-    Call call("renderer_write_vertices");
-    call.expect(hrbfnpr_renderer_write_vertices(renderer, &layout, vertices.data(), bound, &written, call.error()));
+    Call call("drawing_write_vertices");
+    call.expect(hrbfnpr_drawing_write_vertices(drawing, &layout, vertices.data(), bound, &written, index.data(),
+                                               indices, nullptr, call.error()));
     require(written == bound, "the bound of vertices is their number");
     for (std::int64_t i = 0; i < written; ++i) {
         const float* const vertex = &vertices[floats * static_cast<std::size_t>(i)];
         require(std::isfinite(vertex[9]) && vertex[9] >= 0.0F, "the radius of a vertex is finite");
+    }
+    index.pop_back();
+    for (const std::uint32_t i : index)
+        require(i < bound || i == static_cast<std::uint32_t>(HRBFNPR_INDEX_RESTART), "an index is one of a vertex");
+}
+
+// The numbers of the marks that are drawn.
+void write_mark_indices(const hrbfnpr_drawing* drawing, const hrbfnpr_point_set* set, std::uint32_t primitive) {
+    hrbfnpr_point_set_info info;
+    hrbfnpr_point_set_info_init(&info, sizeof info);
+    Call ask("point_set_get_info");
+    ask.expect(hrbfnpr_point_set_get_info(set, &info, ask.error()));
+    for (std::int64_t layer = 0; layer < info.layers; ++layer) {
+        std::int64_t count = 0;
+        Call measure("drawing_write_mark_indices");
+        measure.expect(hrbfnpr_drawing_write_mark_indices(drawing, 0, layer, HRBFNPR_CLASS_FRONT, primitive, nullptr, 0,
+                                                          &count, measure.error()),
+                       {HRBFNPR_STATUS_BUFFER_TOO_SMALL});
+        std::vector<std::uint32_t> index(static_cast<std::size_t>(count));
+        Call call("drawing_write_mark_indices");
+        call.expect(hrbfnpr_drawing_write_mark_indices(drawing, 0, layer, HRBFNPR_CLASS_FRONT, primitive, index.data(),
+                                                       count, &count, call.error()));
+        for (const std::uint32_t i : index)
+            require(i < 2 * info.marks || i == static_cast<std::uint32_t>(HRBFNPR_INDEX_RESTART),
+                    "an index is one of a mark");
     }
 }
 
@@ -78,22 +112,36 @@ void draw(Context& context, const hrbfnpr_point_set* set, std::uint32_t choice) 
     create.expect(hrbfnpr_renderer_create(context.handle, &renderer, create.error()));
     hrbfnpr_style style;
     Call preset("style_init_preset");
-    preset.expect(
-        hrbfnpr_style_init_preset(&style, sizeof style, choice % HRBFNPR_STYLE_COUNT, nullptr, preset.error()));
-    if (choice / 8 % 2 != 0) style.visibility = HRBFNPR_VISIBILITY_PAINTED;
+    preset.expect(hrbfnpr_style_init_preset(&style, sizeof style, choice % (HRBFNPR_PRESET_FULL + 1), preset.error()));
+    if (choice / 8 % 2 != 0) style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
+    hrbfnpr_layer_style strokes;
+    hrbfnpr_layer_style_init(&strokes, sizeof strokes);
+    strokes.shape = HRBFNPR_SHAPE_STROKES;
+    if (choice / 16 % 2 != 0) {
+        style.layers = &strokes;
+        style.layer_count = 1;
+    }
     hrbfnpr_item item;
     hrbfnpr_item_init(&item, sizeof item);
     item.point_set = set;
     item.style = &style;
     const hrbfnpr_camera camera = camera_for(set);
-    hrbfnpr_frame_info info;
-    hrbfnpr_frame_info_init(&info, sizeof info);
-    Call prepare("renderer_prepare");
-    prepare.expect(hrbfnpr_renderer_prepare(renderer, &item, 1, 0, &camera, &info, prepare.error()));
+    hrbfnpr_drawing* drawing = nullptr;
+    Call call("renderer_draw");
+    call.expect(hrbfnpr_renderer_draw(renderer, &item, 1, 0, &camera, &drawing, call.error()));
+    hrbfnpr_drawing_info info;
+    hrbfnpr_drawing_info_init(&info, sizeof info);
+    Call ask("drawing_get_info");
+    ask.expect(hrbfnpr_drawing_get_info(drawing, &info, ask.error()));
     require(info.marks == info.outside + info.front + info.back + info.silhouette + info.culled,
-            "every mark of a frame has a class");
-    draw_image(renderer);
-    write_vertices(renderer, info.shown);
+            "every mark of a drawing has a class");
+    rasterize(drawing);
+    for (const std::uint32_t primitive :
+         {HRBFNPR_PRIMITIVE_POINTS, HRBFNPR_PRIMITIVE_LINE_STRIPS, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS}) {
+        write_vertices(drawing, primitive);
+        write_mark_indices(drawing, set, primitive);
+    }
+    hrbfnpr_drawing_release(drawing);
     hrbfnpr_renderer_release(renderer);
 }
 

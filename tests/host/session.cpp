@@ -35,18 +35,30 @@ Model fit(const Context& context, int samples) {
     return fit(context, fit_desc(torus));
 }
 
-PointSet generate(const Context& context, const Model& model, const hrbfnpr_generate_desc& desc) {
+Generation::Generation(std::int64_t budget) : hrbfnpr_generate_desc(made(hrbfnpr_generate_desc_init)) {
+    for (const std::uint32_t kind :
+         {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL, HRBFNPR_LAYER_KIND_COMBING}) {
+        layer.push_back(made(hrbfnpr_layer_desc_init));
+        layer.back().kind = kind;
+        layer.back().budget = budget;
+    }
+}
+
+const hrbfnpr_generate_desc* Generation::get() {
+    layers = layer.data();
+    layer_count = static_cast<std::int64_t>(layer.size());
+    return this;
+}
+
+PointSet generate(const Context& context, const Model& model, Generation desc) {
     scenes::Check check;
     hrbfnpr_point_set* marks = nullptr;
-    check(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &marks, check.error()));
+    check(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &marks, check.error()));
     return PointSet(marks);
 }
 
 PointSet generate(const Context& context, const Model& model) {
-    auto desc = made(hrbfnpr_generate_desc_init);
-    desc.groups = 7;
-    for (hrbfnpr_group_desc& group : desc.group) group.budget = 1000;
-    return generate(context, model, desc);
+    return generate(context, model, Generation(1000));
 }
 
 Bytes everything(const Scene& scene) {

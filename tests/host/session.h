@@ -12,6 +12,7 @@
 namespace host_test {
 
 using hrbfnpr::test::Context;
+using hrbfnpr::test::Drawing;
 using hrbfnpr::test::made;
 using hrbfnpr::test::Model;
 using hrbfnpr::test::PointSet;
@@ -24,8 +25,14 @@ Context make_context(std::int32_t threads);
 hrbfnpr_fit_desc fit_desc(const scenes::Samples& samples);
 Model fit(const Context& context, const hrbfnpr_fit_desc& desc);
 Model fit(const Context& context, int samples = 192); // of a torus
-PointSet generate(const Context& context, const Model& model, const hrbfnpr_generate_desc& desc);
-PointSet generate(const Context& context, const Model& model); // 1000 marks of each group
+// Settings of point sets with the layers that they point to.
+struct Generation : hrbfnpr_generate_desc {
+    explicit Generation(std::int64_t budget); // stipples, principal and combing strokes, each of this budget
+    const hrbfnpr_generate_desc* get();       // what a call takes
+    std::vector<hrbfnpr_layer_desc> layer;
+};
+PointSet generate(const Context& context, const Model& model, Generation desc);
+PointSet generate(const Context& context, const Model& model); // 1000 marks of each kind
 Bytes draw(const Context& context, const PointSet& marks, const hrbfnpr_style* style = nullptr,
            const hrbfnpr_model* rays = nullptr);
 

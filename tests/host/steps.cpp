@@ -112,10 +112,12 @@ Bytes contains(const Scene& scene) {
 Bytes bytes_of(const PointSet& marks) {
     scenes::Check check;
     Bytes bytes;
-    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
-        for (const std::uint32_t attribute : {HRBFNPR_ATTRIBUTE_POSITION, HRBFNPR_ATTRIBUTE_RANK}) {
+    auto info = made(hrbfnpr_point_set_info_init);
+    check(hrbfnpr_point_set_get_info(marks.get(), &info, check.error()));
+    for (std::int64_t layer = 0; layer < info.layers; ++layer)
+        for (const std::uint32_t attribute : {HRBFNPR_MARK_ATTRIBUTE_POSITION, HRBFNPR_MARK_ATTRIBUTE_RANK}) {
             hrbfnpr_array view{};
-            check(hrbfnpr_point_set_view(marks.get(), group, attribute, &view, check.error()));
+            check(hrbfnpr_point_set_view(marks.get(), layer, attribute, &view, check.error()));
             const auto* data = static_cast<const std::uint8_t*>(view.data);
             if (view.count > 0) bytes.insert(bytes.end(), data, data + view.count * view.components * 4);
         }
@@ -128,29 +130,36 @@ std::int32_t half_density(void* /*user*/, std::int64_t count, const double* posi
     return 0;
 }
 
+std::int32_t along_x(void* /*user*/, std::int64_t count, const double* /*positions*/, const double* /*normals*/,
+                     double* directions) {
+    for (std::int64_t i = 0; i < 3 * count; ++i) directions[i] = i % 3 == 0 ? 1.0 : 0.0;
+    return 0;
+}
+
 Bytes generate_blue_noise(const Scene& scene) {
-    auto desc = made(hrbfnpr_generate_desc_init);
-    desc.groups = 7;
+    Generation desc(0);
     desc.shared_budget = 6000;
-    desc.order = HRBFNPR_ORDER_LAYERED;
-    desc.flags = HRBFNPR_GENERATE_CURVATURE_OF_STIPPLES | HRBFNPR_GENERATE_CURVATURE_OF_COMBING;
-    desc.density = HRBFNPR_DENSITY_CALLBACK;
-    desc.density_function = half_density;
+    desc.tone_ranges = HRBFNPR_TONE_RANGES_IN_TURN;
+    for (hrbfnpr_layer_desc& layer : desc.layer) layer.flags = HRBFNPR_LAYER_WITH_CURVATURE;
+    desc.layer[0].density = HRBFNPR_DENSITY_CALLBACK;
+    desc.layer[0].density_function = half_density;
+    desc.layer.push_back(made(hrbfnpr_layer_desc_init));
+    desc.layer.back().kind = HRBFNPR_LAYER_KIND_FIELD;
+    desc.layer.back().direction_function = along_x;
     Bytes bytes = bytes_of(generate(scene.context, scene.model, desc));
-    desc.stroke_field = HRBFNPR_STROKE_FIELD_LINE;
+    for (hrbfnpr_layer_desc& layer : desc.layer) layer.symmetry = HRBFNPR_SYMMETRY_LINE;
     desc.seed_source = HRBFNPR_SEED_BOX;
-    desc.density = HRBFNPR_DENSITY_CURVATURE;
+    desc.layer[0].density = HRBFNPR_DENSITY_CURVATURE;
     const Bytes more = bytes_of(generate(scene.context, scene.model, desc));
     bytes.insert(bytes.end(), more.begin(), more.end());
     return bytes;
 }
 
-Bytes generate_paper(const Scene& scene) {
-    auto desc = made(hrbfnpr_generate_desc_init);
-    desc.groups = 7;
-    desc.distribution = HRBFNPR_DISTRIBUTION_PAPER;
-    for (hrbfnpr_group_desc& group : desc.group) group.levels = 2;
-    desc.group[HRBFNPR_GROUP_COMBING].seeds = HRBFNPR_GROUP_SEED_STIPPLES;
+Bytes generate_published(const Scene& scene) {
+    Generation desc(40000);
+    desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
+    for (hrbfnpr_layer_desc& layer : desc.layer) layer.levels = 2;
+    desc.layer[2].start = HRBFNPR_STROKE_START_STIPPLES;
     return bytes_of(generate(scene.context, scene.model, desc));
 }
 
@@ -165,12 +174,17 @@ Bytes step_patches(const Scene& scene) {
 
 Bytes marks_from_arrays(const Scene& scene) {
     scenes::Check check;
+    auto arrays = made(hrbfnpr_layer_arrays_init);
+    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_POSITION, &arrays.position, check.error()));
+    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_NORMAL, &arrays.normal, check.error()));
+    const std::vector<std::uint32_t> first{0, 2, static_cast<std::uint32_t>(arrays.position.count)};
+    arrays.stroke_first = {first.data(), 3, 0, HRBFNPR_SCALAR_UINT32, 1};
     auto desc = made(hrbfnpr_point_set_desc_init);
-    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_POSITION, &desc.layers[0].position,
-                             check.error()));
-    check(hrbfnpr_model_view(scene.model.get(), HRBFNPR_MODEL_ATTRIBUTE_NORMAL, &desc.layers[0].normal, check.error()));
+    desc.base = scene.marks.get();
+    desc.layers = &arrays;
+    desc.layer_count = 1;
     hrbfnpr_point_set* marks = nullptr;
-    check(hrbfnpr_point_set_create_from_arrays(scene.context.get(), &desc, &marks, check.error()));
+    check(hrbfnpr_point_set_create(scene.context.get(), &desc, &marks, check.error()));
     return bytes_of(PointSet(marks));
 }
 
@@ -186,50 +200,53 @@ hrbfnpr_camera front_camera() {
     return camera;
 }
 
-Renderer prepared(const Context& context, const PointSet& marks, const hrbfnpr_style* style,
-                  const hrbfnpr_model* rays) {
+Drawing drawing_of(const Context& context, const PointSet& marks, const hrbfnpr_style* style,
+                   const hrbfnpr_model* rays, const hrbfnpr_layer_pose* pose = nullptr) {
     scenes::Check check;
     hrbfnpr_renderer* renderer = nullptr;
     check(hrbfnpr_renderer_create(context.get(), &renderer, check.error()));
-    Renderer owner(renderer);
+    const Renderer owner(renderer);
     auto item = made(hrbfnpr_item_init);
     item.point_set = marks.get();
     item.style = style;
     item.model = rays;
+    item.poses = pose;
+    item.pose_count = pose != nullptr ? 1 : 0;
     const hrbfnpr_camera camera = front_camera();
-    check(hrbfnpr_renderer_prepare(renderer, &item, 1, 0, &camera, nullptr, check.error()));
-    return owner;
+    hrbfnpr_drawing* drawing = nullptr;
+    check(hrbfnpr_renderer_draw(renderer, &item, 1, 0, &camera, &drawing, check.error()));
+    return Drawing(drawing);
 }
 
-Bytes drawn(const Renderer& renderer, const hrbfnpr_draw_desc* desc = nullptr) {
+Bytes drawn(const Drawing& drawing, const hrbfnpr_raster_desc* desc = nullptr) {
     scenes::Check check;
     Bytes pixels(std::size_t{4} * picture_size * picture_size);
     auto image = made(hrbfnpr_image_init);
     image.width = image.height = picture_size;
     image.pixels = pixels.data();
-    check(hrbfnpr_renderer_draw_image(renderer.get(), &image, desc, check.error()));
+    check(hrbfnpr_drawing_rasterize(drawing.get(), &image, desc, check.error()));
     return pixels;
 }
 
 hrbfnpr_style preset_style(std::uint32_t preset) {
     scenes::Check check;
     hrbfnpr_style style;
-    check(hrbfnpr_style_init_preset(&style, sizeof style, preset, nullptr, check.error()));
+    check(hrbfnpr_style_init_preset(&style, sizeof style, preset, check.error()));
     return style;
 }
 
 Bytes draw_presets(const Scene& scene) {
     Output output;
-    for (std::uint32_t preset = 0; preset < HRBFNPR_STYLE_COUNT; ++preset) {
+    for (std::uint32_t preset = 0; hrbfnpr_preset_name(preset) != nullptr; ++preset) {
         const hrbfnpr_style style = preset_style(preset);
         output.add(draw(scene.context, scene.marks, &style));
     }
     return output.bytes();
 }
 
-Bytes draw_painted(const Scene& scene) {
-    hrbfnpr_style style = preset_style(HRBFNPR_STYLE_FULL);
-    style.visibility = HRBFNPR_VISIBILITY_PAINTED;
+Bytes draw_published(const Scene& scene) {
+    hrbfnpr_style style = preset_style(HRBFNPR_PRESET_FULL);
+    style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
     return draw(scene.context, scene.marks, &style);
 }
 
@@ -238,30 +255,89 @@ Bytes draw_with_rays(const Scene& scene) { return draw(scene.context, scene.mark
 Bytes draw_into_buffers(const Scene& scene) {
     static constexpr std::int64_t pixels = std::int64_t{picture_size} * picture_size;
     Output output;
-    auto desc = made(hrbfnpr_draw_desc_init);
+    auto desc = made(hrbfnpr_raster_desc_init);
     const std::vector<float> host_depth(static_cast<std::size_t>(pixels), 1.0F);
-    desc.flags = HRBFNPR_DRAW_LINEAR_LIGHT;
+    desc.flags = HRBFNPR_RASTER_LINEAR_LIGHT;
     desc.host_depth = {host_depth.data(), pixels, 0, HRBFNPR_SCALAR_FLOAT32, 1};
     desc.depth = output.add(pixels, 1, HRBFNPR_SCALAR_FLOAT32);
     desc.id = output.add(pixels, 1, HRBFNPR_SCALAR_UINT32);
-    desc.class_ = output.add(pixels, 1, HRBFNPR_SCALAR_UINT8);
-    output.add(drawn(prepared(scene.context, scene.marks, nullptr, nullptr), &desc));
+    desc.mark_class = output.add(pixels, 1, HRBFNPR_SCALAR_UINT8);
+    output.add(drawn(drawing_of(scene.context, scene.marks, nullptr, nullptr), &desc));
     return output.bytes();
 }
 
 Bytes write_vertices(const Scene& scene) {
     scenes::Check check;
-    const Renderer renderer = prepared(scene.context, scene.marks, nullptr, nullptr);
+    auto layer = made(hrbfnpr_layer_style_init);
+    layer.shape = HRBFNPR_SHAPE_STROKES;
+    auto style = made(hrbfnpr_style_init);
+    style.layers = &layer;
+    style.layer_count = 1;
+    const Drawing drawing = drawing_of(scene.context, scene.marks, &style, nullptr);
+    const std::uint32_t wanted[3][3] = {{HRBFNPR_VERTEX_ATTRIBUTE_POSITION, HRBFNPR_SCALAR_FLOAT32, 0},
+                                        {HRBFNPR_VERTEX_ATTRIBUTE_RADIUS, HRBFNPR_SCALAR_FLOAT32, 12},
+                                        {HRBFNPR_VERTEX_ATTRIBUTE_COLOR, HRBFNPR_SCALAR_UINT8, 16}};
+    hrbfnpr_vertex_attribute attributes[3];
+    for (int i = 0; i < 3; ++i) {
+        attributes[i] = made(hrbfnpr_vertex_attribute_init);
+        attributes[i].attribute = wanted[i][0];
+        attributes[i].scalar = wanted[i][1];
+        attributes[i].offset = wanted[i][2];
+    }
     auto layout = made(hrbfnpr_vertex_layout_init);
+    layout.attributes = attributes;
     layout.attribute_count = 3;
-    layout.attributes[0] = {HRBFNPR_VERTEX_POSITION, HRBFNPR_SCALAR_FLOAT32, 0, 0};
-    layout.attributes[1] = {HRBFNPR_VERTEX_RADIUS, HRBFNPR_SCALAR_FLOAT32, 12, 0};
-    layout.attributes[2] = {HRBFNPR_VERTEX_COLOR, HRBFNPR_SCALAR_UINT8, 16, 0};
+    Output output;
+    for (layout.primitive = HRBFNPR_PRIMITIVE_POINTS; layout.primitive <= HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS;
+         ++layout.primitive) {
+        std::int64_t count = 0;
+        std::int64_t indices = 0;
+        check(hrbfnpr_drawing_vertex_bound(drawing.get(), layout.primitive, &count, &indices, check.error()));
+        Bytes vertices(static_cast<std::size_t>(20 * count));
+        std::vector<std::uint32_t> index(static_cast<std::size_t>(indices));
+        check(hrbfnpr_drawing_write_vertices(drawing.get(), &layout, vertices.data(), count, &count, index.data(),
+                                             indices, &indices, check.error()));
+        output.add(vertices);
+    }
+    return output.bytes();
+}
+
+// Of the stipples.
+Bytes mark_results(const Scene& scene) {
+    scenes::Check check;
+    const Drawing drawing = drawing_of(scene.context, scene.marks, nullptr, nullptr);
+    auto layer = made(hrbfnpr_layer_info_init);
+    check(hrbfnpr_point_set_get_layer_info(scene.marks.get(), 0, &layer, check.error()));
+    Output output;
+    auto results = made(hrbfnpr_mark_results_init);
+    results.shown = output.add(layer.marks, 1, HRBFNPR_SCALAR_UINT8);
+    results.radius = output.add(layer.marks, 1, HRBFNPR_SCALAR_FLOAT32);
+    results.opacity = output.add(layer.marks, 1, HRBFNPR_SCALAR_FLOAT32);
+    check(hrbfnpr_drawing_mark_results(drawing.get(), 0, 0, &results, check.error()));
+    std::vector<std::uint32_t> indices(static_cast<std::size_t>(layer.marks));
     std::int64_t count = 0;
-    check(hrbfnpr_renderer_vertex_bound(renderer.get(), &count, check.error()));
-    Bytes vertices(static_cast<std::size_t>(20 * count));
-    check(hrbfnpr_renderer_write_vertices(renderer.get(), &layout, vertices.data(), count, &count, check.error()));
-    return vertices;
+    check(hrbfnpr_drawing_write_mark_indices(drawing.get(), 0, 0, HRBFNPR_CLASS_FRONT, HRBFNPR_PRIMITIVE_POINTS,
+                                             indices.data(), layer.marks, &count, check.error()));
+    const auto* first = reinterpret_cast<const std::uint8_t*>(indices.data());
+    output.add(Bytes(first, first + 4 * count));
+    return output.bytes();
+}
+
+// Stipples that have moved up by a tenth.
+Bytes draw_poses(const Scene& scene) {
+    scenes::Check check;
+    auto info = made(hrbfnpr_point_set_info_init);
+    check(hrbfnpr_point_set_get_info(scene.marks.get(), &info, check.error()));
+    auto pose = made(hrbfnpr_layer_pose_init);
+    hrbfnpr_array view{};
+    check(hrbfnpr_point_set_view(scene.marks.get(), 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &view, check.error()));
+    check(hrbfnpr_point_set_view(scene.marks.get(), 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL, &pose.normal, check.error()));
+    std::vector<double> moved;
+    const auto* position = static_cast<const float*>(view.data);
+    for (std::int64_t i = 0; i < 3 * view.count; ++i)
+        moved.push_back(static_cast<double>(position[i]) + info.origin[i % 3] + (i % 3 == 2 ? 0.1 : 0.0));
+    pose.position = {moved.data(), view.count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    return drawn(drawing_of(scene.context, scene.marks, nullptr, nullptr, &pose));
 }
 
 std::int32_t append(void* user, const void* data, std::uint64_t size) {
@@ -366,15 +442,17 @@ constexpr Step all_steps[] = {
     {"cast_rays", cast_rays},
     {"contains", contains},
     {"generate BLUE_NOISE", generate_blue_noise},
-    {"generate PAPER", generate_paper},
+    {"generate PUBLISHED", generate_published},
     {"step_patches", step_patches},
-    {"create_from_arrays", marks_from_arrays},
+    {"point_set_create", marks_from_arrays},
     {"custom model, all of these", custom_model},
     {"draw presets", draw_presets},
-    {"draw PAINTED", draw_painted},
+    {"draw PUBLISHED", draw_published},
     {"draw, a model hides", draw_with_rays},
     {"draw into buffers", draw_into_buffers},
     {"write_vertices", write_vertices},
+    {"mark_results", mark_results},
+    {"draw poses", draw_poses},
     {"save and load", save_and_load},
     {"small calls", small_calls},
 };
@@ -382,7 +460,7 @@ constexpr Step all_steps[] = {
 } // namespace
 
 Bytes draw(const Context& context, const PointSet& marks, const hrbfnpr_style* style, const hrbfnpr_model* rays) {
-    return drawn(prepared(context, marks, style, rays));
+    return drawn(drawing_of(context, marks, style, rays));
 }
 
 std::span<const Step> steps() { return all_steps; }

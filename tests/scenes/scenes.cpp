@@ -49,17 +49,17 @@ Model heart_model(hrbfnpr_context* context) {
 
 struct Recipe {
     std::uint32_t preset;
-    std::int64_t marks; // in each group
+    std::int64_t marks; // in each layer
     std::array<double, 3> direction;
     std::array<double, 3> up;
 };
 
 Recipe recipe(std::string_view name) {
-    if (name == "sphere-stipple") return {HRBFNPR_STYLE_STIPPLE, 6000, {0, -0.3, -1}, {0, 1, 0}};
-    if (name == "torus-cross-hatch") return {HRBFNPR_STYLE_CROSS_HATCH, 40000, {0.2, 0.9, -0.8}, {0, 0, 1}};
-    if (name == "tori-contours") return {HRBFNPR_STYLE_CONTOUR_AND_STIPPLE, 30000, {-0.4, 0.6, -0.7}, {0, 0, 1}};
-    if (name == "knot-full") return {HRBFNPR_STYLE_FULL, 40000, {0.2, 0.3, -1}, {0, 1, 0}};
-    return {HRBFNPR_STYLE_COMBING, 40000, {0.5, 1, -0.2}, {0, 0, 1}};
+    if (name == "sphere-stipple") return {HRBFNPR_PRESET_STIPPLE, 6000, {0, -0.3, -1}, {0, 1, 0}};
+    if (name == "torus-cross-hatch") return {HRBFNPR_PRESET_CROSS_HATCH, 40000, {0.2, 0.9, -0.8}, {0, 0, 1}};
+    if (name == "tori-contours") return {HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, 30000, {-0.4, 0.6, -0.7}, {0, 0, 1}};
+    if (name == "knot-full") return {HRBFNPR_PRESET_FULL, 40000, {0.2, 0.3, -1}, {0, 1, 0}};
+    return {HRBFNPR_PRESET_COMBING, 40000, {0.5, 1, -0.2}, {0, 0, 1}};
 }
 
 Model model_of(hrbfnpr_context* context, std::string_view name) {
@@ -71,12 +71,16 @@ Model model_of(hrbfnpr_context* context, std::string_view name) {
     throw std::runtime_error("there is no scene called " + std::string(name));
 }
 
-PointSet marks_of(hrbfnpr_context* context, const hrbfnpr_model* model, std::uint32_t groups, std::int64_t marks) {
+PointSet marks_of(hrbfnpr_context* context, const hrbfnpr_model* model, const Recipe& recipe) {
     Check check;
+    std::int64_t count = 0;
+    const hrbfnpr_layer_desc* const preset = hrbfnpr_preset_layers(recipe.preset, &count);
+    std::vector<hrbfnpr_layer_desc> layers(preset, preset + count);
+    for (hrbfnpr_layer_desc& layer : layers) layer.budget = recipe.marks;
     hrbfnpr_generate_desc desc;
     hrbfnpr_generate_desc_init(&desc, sizeof desc);
-    desc.groups = groups;
-    for (hrbfnpr_group_desc& group : desc.group) group.budget = marks;
+    desc.layers = layers.data();
+    desc.layer_count = count;
     hrbfnpr_point_set* set = nullptr;
     check(hrbfnpr_point_set_generate(context, model, &desc, nullptr, &set, check.error()));
     return PointSet(set);
@@ -91,10 +95,9 @@ Scene make(hrbfnpr_context* context, std::string_view name, int width, int heigh
     Scene scene;
     scene.model = model_of(context, name);
     const Recipe r = recipe(name);
-    std::uint32_t groups = 0;
-    check(hrbfnpr_style_init_preset(&scene.style, sizeof scene.style, r.preset, &groups, check.error()));
+    check(hrbfnpr_style_init_preset(&scene.style, sizeof scene.style, r.preset, check.error()));
     if (name == "heart-combing") scene.style.paper[3] = 0.0F; // one scene with transparent paper
-    scene.marks = marks_of(context, scene.model.get(), groups, r.marks);
+    scene.marks = marks_of(context, scene.model.get(), r);
     hrbfnpr_point_set_info info;
     hrbfnpr_point_set_info_init(&info, sizeof info);
     check(hrbfnpr_point_set_get_info(scene.marks.get(), &info, check.error()));
@@ -113,7 +116,9 @@ Picture draw(hrbfnpr_context* context, const Scene& scene) {
     hrbfnpr_item_init(&item, sizeof item);
     item.point_set = scene.marks.get();
     item.style = &scene.style;
-    check(hrbfnpr_renderer_prepare(handle, &item, 1, 0, &scene.camera, nullptr, check.error()));
+    hrbfnpr_drawing* drawn = nullptr;
+    check(hrbfnpr_renderer_draw(handle, &item, 1, 0, &scene.camera, &drawn, check.error()));
+    const Drawing drawing(drawn);
 
     Picture picture;
     picture.width = static_cast<int>(scene.camera.viewport[2]);
@@ -124,7 +129,7 @@ Picture draw(hrbfnpr_context* context, const Scene& scene) {
     image.width = picture.width;
     image.height = picture.height;
     image.pixels = picture.rgba.data();
-    check(hrbfnpr_renderer_draw_image(handle, &image, nullptr, check.error()));
+    check(hrbfnpr_drawing_rasterize(drawn, &image, nullptr, check.error()));
     return picture;
 }
 

@@ -17,6 +17,7 @@ struct Release {
     void operator()(const hrbfnpr_model* handle) const { hrbfnpr_model_release(handle); }
     void operator()(const hrbfnpr_point_set* handle) const { hrbfnpr_point_set_release(handle); }
     void operator()(hrbfnpr_renderer* handle) const { hrbfnpr_renderer_release(handle); }
+    void operator()(const hrbfnpr_drawing* handle) const { hrbfnpr_drawing_release(handle); }
 };
 
 using Context = std::unique_ptr<hrbfnpr_context, Release>;
@@ -24,6 +25,7 @@ using Operation = std::unique_ptr<hrbfnpr_operation, Release>;
 using Model = std::unique_ptr<hrbfnpr_model, Release>;
 using PointSet = std::unique_ptr<hrbfnpr_point_set, Release>;
 using Renderer = std::unique_ptr<hrbfnpr_renderer, Release>;
+using Drawing = std::unique_ptr<hrbfnpr_drawing, Release>;
 
 // A call's error record that throws in words.
 class Check {
@@ -53,6 +55,7 @@ template <class T>
 namespace scenes {
 using hrbfnpr::test::Check;
 using hrbfnpr::test::Context;
+using hrbfnpr::test::Drawing;
 using hrbfnpr::test::made;
 using hrbfnpr::test::Model;
 using hrbfnpr::test::PointSet;

@@ -12,8 +12,8 @@ constexpr double most_off_unit = 1e-2;
 
 class Poser {
 public:
-    Poser(Scene& scene, const Item& item, std::int64_t number, drawing::Drawing& drawing) noexcept
-        : scene_(scene), item_(item), number_(number), drawing_(drawing) {}
+    Poser(const Item& item, std::int64_t number, drawing::Drawing& drawing) noexcept
+        : item_(item), number_(number), drawing_(drawing) {}
 
     void operator()(const Pose& pose, std::int64_t pose_number) {
         pose_number_ = pose_number;
@@ -62,7 +62,6 @@ private:
         for (int k = 0; k < 3; ++k) array.push_back(static_cast<float>(v[k]));
     }
 
-    Scene& scene_;
     const Item& item_;
     std::int64_t number_;
     std::int64_t pose_number_ = 0;
@@ -83,7 +82,7 @@ void enclose(const drawing::Drawing& drawing, const drawing::Run& run, ItemView&
 void pose(Scene& scene, std::span<const Item> items, drawing::Drawing& drawing) {
     std::int64_t posed = 0;
     for (std::size_t i = 0; i < items.size(); ++i) {
-        Poser poser(scene, items[i], static_cast<std::int64_t>(i), drawing);
+        Poser poser(items[i], static_cast<std::int64_t>(i), drawing);
         for (std::size_t p = 0; p < items[i].poses.size(); ++p) {
             poser(items[i].poses[p], static_cast<std::int64_t>(p));
             ++posed;

@@ -1,0 +1,400 @@
+// Layers of marks through the C boundary: the caller's own, several of a kind, fields of directions, refusals.
+#include "fixture.h"
+
+#include <cmath>
+
+namespace api_test {
+namespace {
+
+// Two stipples and two strokes, of three and of two marks.
+struct Arrays {
+    std::vector<double> position{10, 0, 0, 0, 10, 0};
+    std::vector<float> normal{2, 0, 0, 0, 1, 0}; // normalised on the way
+    std::vector<double> places{0, 0, 9, 1, 0, 9, 2, 0, 9, 0, 5, 9, 0, 6, 9};
+    std::vector<float> up{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+    std::vector<std::uint32_t> first{0, 3, 5};
+    std::vector<std::uint8_t> direction{0, 1};
+    std::vector<float> rank{0.25F, 0.25F, 0.25F, 0.75F, 0.75F};
+    std::vector<std::uint8_t> level{0, 0, 0, 200, 200};
+    std::vector<hrbfnpr_layer_arrays> layer;
+    hrbfnpr_point_set_desc desc = made(hrbfnpr_point_set_desc_init);
+
+    Arrays() {
+        layer.assign(2, made(hrbfnpr_layer_arrays_init));
+        layer[0].kind = HRBFNPR_LAYER_KIND_STIPPLES;
+        layer[0].position = in(position);
+        layer[0].normal = in(normal);
+        layer[1].name = "hand \xE2\x9C\x8E";
+        layer[1].position = in(places);
+        layer[1].normal = in(up);
+        layer[1].stroke_first = in(first, 1);
+        layer[1].stroke_direction = in(direction, 1);
+        layer[1].rank = in(rank, 1);
+        layer[1].level = in(level, 1);
+        desc.layers = layer.data();
+        desc.layer_count = 2;
+    }
+};
+
+hrbfnpr_status create(const Context& context, const hrbfnpr_point_set_desc& desc, PointSet& set, Error& error) {
+    hrbfnpr_point_set* made_set = nullptr;
+    const hrbfnpr_status status = hrbfnpr_point_set_create(context.get(), &desc, &made_set, error);
+    EXPECT_EQ(made_set != nullptr, status == HRBFNPR_STATUS_OK);
+    set.reset(made_set);
+    return status;
+}
+
+TEST(Layers, AreMadeFromArrays) {
+    Error error;
+    const Context context = make_context();
+    const Arrays arrays;
+    PointSet set;
+    ASSERT_OK(create(context, arrays.desc, set, error));
+    const hrbfnpr_point_set_info info = info_of(set);
+    ASSERT_EQ(info.layers, 2);
+    EXPECT_EQ(info.marks, 7);
+    EXPECT_EQ(info_of(set, 0).marks, 2);
+    EXPECT_EQ(info_of(set, 0).strokes, 0);
+    EXPECT_EQ(info_of(set, 1).marks, 5);
+    EXPECT_EQ(info_of(set, 1).strokes, 2);
+    EXPECT_EQ(info_of(set, 1).kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_OWN));
+    EXPECT_EQ(info_of(set, 1).levels, 200);
+    EXPECT_STREQ(info_of(set, 1).name, "hand \xE2\x9C\x8E");
+    const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
+    for (std::size_t i = 0; i < 6; ++i)
+        EXPECT_NEAR(static_cast<double>(position[i]) + info.origin[i % 3], arrays.position[i], 1e-6);
+    EXPECT_EQ(attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL), (std::vector<float>{1, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(attribute<float>(set, 1, HRBFNPR_MARK_ATTRIBUTE_RANK), arrays.rank);
+    EXPECT_EQ(attribute<std::uint8_t>(set, 1, HRBFNPR_MARK_ATTRIBUTE_LEVEL), arrays.level);
+    EXPECT_EQ(attribute<std::uint32_t>(set, 1, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST), arrays.first);
+    EXPECT_EQ(attribute<std::uint32_t>(set, 1, HRBFNPR_MARK_ATTRIBUTE_STROKE),
+              (std::vector<std::uint32_t>{0, 0, 0, 1, 0, 2, 3, 0, 3, 1}));
+    EXPECT_EQ(attribute<std::uint32_t>(set, 0, HRBFNPR_MARK_ATTRIBUTE_STROKE),
+              (std::vector<std::uint32_t>{0, 0, 2, 0}));
+    const auto along = attribute<float>(set, 1, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);
+    EXPECT_EQ(along, (std::vector<float>{1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0}));
+    auto placed = made(hrbfnpr_placement_info_init);
+    EXPECT_OK(hrbfnpr_point_set_get_placement(set.get(), 1, 200, &placed, error));
+    EXPECT_EQ(placed.placed, 2);
+    EXPECT_OK(hrbfnpr_point_set_get_placement(set.get(), 1, 7, &placed, error));
+    EXPECT_EQ(placed.attempted, 0);
+    for (const float rank : attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_RANK)) {
+        EXPECT_GE(rank, 0.0F);
+        EXPECT_LT(rank, 1.0F);
+    }
+    draw(make_renderer(context), set, 16);
+}
+
+TEST(Layers, OfArraysAreChecked) {
+    Error error;
+    const Context context = make_context();
+    const auto refused = [&](auto&& change) {
+        Arrays arrays;
+        change(arrays);
+        PointSet set;
+        return create(context, arrays.desc, set, error);
+    };
+    const auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
+    EXPECT_FAILS(refused([](Arrays& a) { a.position[4] = NAN; }), invalid, "layers[0].position[1] is not finite");
+    EXPECT_FAILS(refused([](Arrays& a) { a.normal[0] = 0; }), invalid, "layers[0].normal[0] is zero");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[0].normal.count = 1; }), invalid,
+                 "layers[0].normal has 1 elements and .position has 2");
+    EXPECT_FAILS(refused([](Arrays& a) { a.rank[1] = 1.5F; }), invalid, "layers[1].rank[1] is outside [0,1)");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].level.scalar = HRBFNPR_SCALAR_FLOAT32; }), invalid,
+                 "point_set_desc.layers[1].level.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].stroke_first.components = 2; }), invalid,
+                 "point_set_desc.layers[1].stroke_first.components is 2; it must be 1");
+    EXPECT_FAILS(refused([](Arrays& a) { a.first[1] = 7; }), invalid,
+                 "point_set_desc.layers[1].stroke_first[1] is 7; it must rise from 0 to the 5 marks");
+    EXPECT_FAILS(refused([](Arrays& a) { a.direction[1] = 2; }), invalid,
+                 "point_set_desc.layers[1].stroke_direction[1] is 2; it must be 0 or 1");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = HRBFNPR_LAYER_KIND_ANY; }), invalid,
+                 "point_set_desc.layers[1].kind is 0");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = 6; }), invalid, "point_set_desc.layers[1].kind is 6");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[0].name = ""; }), invalid, "point_set_desc.layers[0].name has no");
+    EXPECT_FAILS(refused([](Arrays& a) { a.desc.reserved = 3; }), invalid, "point_set_desc.reserved is 3");
+    EXPECT_FAILS(refused([](Arrays& a) { a.desc = made(hrbfnpr_point_set_desc_init); }), invalid, "there is no mark");
+    EXPECT_FAILS(refused([](Arrays& a) { a.desc.layers = nullptr; }), invalid, "point_set_desc.layers is NULL");
+    hrbfnpr_point_set* set = nullptr;
+    EXPECT_FAILS(hrbfnpr_point_set_create(context.get(), nullptr, &set, error), invalid, "point_set_desc is NULL");
+}
+
+// A list of elements that are larger than the library's, or smaller, each with its own size.
+TEST(Layers, ListsHaveStrides) {
+    Error error;
+    const Context context = make_context();
+    Arrays arrays;
+    struct Wide {
+        hrbfnpr_layer_arrays known;
+        std::uint64_t more;
+    };
+    std::vector<Wide> wide(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        wide[i].known = arrays.layer[i];
+        wide[i].known.struct_size = sizeof(Wide);
+        wide[i].more = 0;
+    }
+    arrays.desc.layers = &wide[0].known;
+    PointSet set;
+    ASSERT_OK(create(context, arrays.desc, set, error));
+    EXPECT_EQ(info_of(set, 1).strokes, 2);
+    wide[1].more = 1;
+    EXPECT_FAILS(create(context, arrays.desc, set, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+                 "point_set_desc.layers[1] has fields that this library");
+    wide[1].more = 0;
+    wide[1].known.struct_size = offsetof(hrbfnpr_layer_arrays, stroke_first); // older than strokes
+    arrays.desc.layer_stride = sizeof(Wide);
+    ASSERT_OK(create(context, arrays.desc, set, error));
+    EXPECT_EQ(info_of(set, 1).strokes, 0);
+}
+
+// The layers of a generated set and the caller's own: a fourth layer with strokes.
+TEST(Layers, OfASetAndTheCallersOwn) {
+    Error error;
+    const Context context = make_context();
+    Sphere sphere;
+    const PointSet base = generate(context, custom_sphere(context, sphere), small_desc());
+    std::vector<double> position;
+    std::vector<std::uint32_t> first{0};
+    for (int s = 0; s < 6; ++s) {
+        for (int i = 0; i < 40; ++i) {
+            const double a = 1.0471975512 * s;
+            const double b = 0.5 + 0.05 * i;
+            position.insert(position.end(), {std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)});
+        }
+        first.push_back(static_cast<std::uint32_t>(40 * s + 40));
+    }
+    auto own = made(hrbfnpr_layer_arrays_init);
+    own.position = own.normal = in(position);
+    own.stroke_first = in(first, 1);
+    auto desc = made(hrbfnpr_point_set_desc_init);
+    desc.base = base.get();
+    desc.layers = &own;
+    desc.layer_count = 1;
+    PointSet set;
+    ASSERT_OK(create(context, desc, set, error));
+    ASSERT_EQ(info_of(set).layers, 4);
+    EXPECT_EQ(info_of(set).distribution, info_of(base).distribution);
+    EXPECT_EQ(info_of(set).spacing, info_of(base).spacing);
+    for (std::int64_t layer = 0; layer < 3; ++layer) {
+        EXPECT_EQ(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION),
+                  attribute<float>(base, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION));
+        EXPECT_STREQ(info_of(set, layer).name, info_of(base, layer).name);
+    }
+    EXPECT_STREQ(info_of(set, 3).name, "own");
+    EXPECT_EQ(info_of(set, 3).strokes, 6);
+    const auto rank = attribute<float>(set, 3, HRBFNPR_MARK_ATTRIBUTE_RANK);
+    for (std::size_t i = 0; i < rank.size(); ++i) EXPECT_EQ(rank[i], rank[i / 40 * 40]);
+    EXPECT_NE(rank[0], rank[40]);
+    // It is drawn: more ink than without it.
+    const auto ink = [&](const PointSet& which) {
+        std::int64_t sum = 0;
+        for (const std::uint8_t byte : draw(make_renderer(context), which, 200)) sum += 255 - byte;
+        return sum;
+    };
+    EXPECT_GT(ink(set), ink(base));
+    // And kept by a file.
+    const std::vector<std::uint8_t> bytes = saved(set);
+    hrbfnpr_point_set* loaded = nullptr;
+    ASSERT_OK(hrbfnpr_point_set_load_memory(context.get(), bytes.data(), static_cast<std::int64_t>(bytes.size()),
+                                            &loaded, error));
+    const PointSet again(loaded);
+    EXPECT_EQ(saved(again), bytes);
+    EXPECT_EQ(info_of(again, 3).strokes, 6);
+}
+
+TEST(Layers, EveryAllocationOfACreateMayFail) {
+    Error error;
+    Allocator allocator;
+    const Context context = make_context(allocator_desc(allocator));
+    Sphere sphere;
+    const PointSet base = generate(context, custom_sphere(context, sphere), small_desc());
+    Arrays arrays;
+    arrays.desc.base = base.get();
+    const std::int64_t before = allocator.bytes;
+    const std::int64_t calls = allocator.calls;
+    PointSet set;
+    ASSERT_OK(create(context, arrays.desc, set, error));
+    const std::int64_t all = allocator.calls - calls;
+    set.reset();
+    ASSERT_EQ(allocator.bytes, before);
+    for (std::int64_t k = 1; k <= all; ++k) {
+        allocator.refuse_at = allocator.calls + k;
+        ASSERT_EQ(create(context, arrays.desc, set, error), HRBFNPR_STATUS_OUT_OF_MEMORY) << k << " of " << all;
+        ASSERT_EQ(allocator.bytes, before) << k;
+    }
+}
+
+// ---- generated -----------------------------------------------------------------------------
+
+std::int32_t only_north(void* /*user*/, std::int64_t count, const double* positions, const double* /*normals*/,
+                        double* density) {
+    for (std::int64_t i = 0; i < count; ++i) density[i] = positions[3 * i + 2] > 0.0 ? 1.0 : 0.0;
+    return 0;
+}
+
+TEST(Layers, OfOneKindHaveDensitiesOfTheirOwn) {
+    const Context context = make_context();
+    Sphere sphere;
+    const Model model = custom_sphere(context, sphere);
+    Request request{HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_STIPPLES};
+    request.layers[0].budget = 400;
+    request.layers[1].budget = 300;
+    request.layers[1].name = "north";
+    request.layers[1].density = HRBFNPR_DENSITY_CALLBACK;
+    request.layers[1].density_function = only_north;
+    const PointSet set = generate(context, model, request);
+    ASSERT_EQ(info_of(set).layers, 2);
+    EXPECT_EQ(info_of(set, 0).marks, 400);
+    EXPECT_EQ(info_of(set, 1).marks, 300);
+    EXPECT_STREQ(info_of(set, 1).name, "north");
+    const double origin = info_of(set).origin[2];
+    const auto share_north = [&](std::int64_t layer) {
+        const auto position = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION);
+        int north = 0;
+        for (std::size_t i = 2; i < position.size(); i += 3) north += origin + double{position[i]} > 0.0 ? 1 : 0;
+        return 3.0 * north / static_cast<double>(position.size());
+    };
+    EXPECT_NEAR(share_north(0), 0.5, 0.05);
+    EXPECT_EQ(share_north(1), 1.0);
+}
+
+struct Field {
+    int calls = 0;
+    std::int32_t result = 0;
+    double spoilt = 0.0; // added to directions
+
+    static std::int32_t call(void* user, std::int64_t count, const double* positions, const double* normals,
+                             double* directions) {
+        auto& self = *static_cast<Field*>(user);
+        ++self.calls;
+        for (std::int64_t i = 0; i < count; ++i) {
+            EXPECT_NEAR(std::hypot(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]), 1.0, 1e-9);
+            directions[3 * i] = -positions[3 * i + 1] + self.spoilt;
+            directions[3 * i + 1] = positions[3 * i];
+            directions[3 * i + 2] = 0.0;
+        }
+        return self.result;
+    }
+};
+
+Request field_request(Field& field) {
+    Request request{HRBFNPR_LAYER_KIND_FIELD};
+    request.layers[0].budget = 3000;
+    request.layers[0].direction_function = Field::call;
+    request.layers[0].direction_user = &field;
+    return request;
+}
+
+TEST(Layers, FollowTheCallersField) {
+    const Context context = make_context();
+    Sphere sphere;
+    Field field;
+    const PointSet set = generate(context, custom_sphere(context, sphere), field_request(field));
+    EXPECT_GT(field.calls, 1);
+    const hrbfnpr_layer_info info = info_of(set, 0);
+    EXPECT_EQ(info.kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_FIELD));
+    EXPECT_STREQ(info.name, "field");
+    EXPECT_GT(info.strokes, 20);
+    const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
+    const auto along = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);
+    const auto stroke = attribute<std::uint32_t>(set, 0, HRBFNPR_MARK_ATTRIBUTE_STROKE);
+    const hrbfnpr_point_set_info all = info_of(set);
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < along.size() / 3; ++i) {
+        const double x = all.origin[0] + double{position[3 * i]};
+        const double y = all.origin[1] + double{position[3 * i + 1]};
+        const double around = (-y * double{along[3 * i]} + x * double{along[3 * i + 1]}) / std::hypot(x, y);
+        const double wanted = stroke[2 * i] % 2 == 0 ? 1.0 : 0.0;
+        off += std::abs(std::abs(around) - wanted) > 0.01 ? 1U : 0U;
+    }
+    EXPECT_LT(off, along.size() / 3 / 50) << "but at the poles";
+}
+
+TEST(Layers, AFieldThatFailsIsReported) {
+    Error error;
+    const Context context = make_context();
+    Sphere sphere;
+    const Model model = custom_sphere(context, sphere);
+    const auto run = [&](Field field, std::uint32_t distribution) {
+        Request request = field_request(field);
+        request->distribution = distribution;
+        hrbfnpr_point_set* set = nullptr;
+        const hrbfnpr_status status =
+            hrbfnpr_point_set_generate(context.get(), model.get(), request.get(), nullptr, &set, error);
+        hrbfnpr_point_set_release(set);
+        return status;
+    };
+    for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PUBLISHED}) {
+        EXPECT_FAILS(run({0, 5, 0.0}, distribution), HRBFNPR_STATUS_CALLBACK, "direction_function returned 5");
+        EXPECT_FAILS(run({0, 0, NAN}, distribution), HRBFNPR_STATUS_CALLBACK, "direction_function gave nan");
+        EXPECT_FAILS(run({0, 0, INFINITY}, distribution), HRBFNPR_STATUS_CALLBACK, "direction_function gave inf");
+    }
+}
+
+TEST(Layers, ACancelEndsAFieldSoon) {
+    Error error;
+    const Context context = make_context();
+    Sphere sphere;
+    const Model model = custom_sphere(context, sphere);
+    for (int at = 1; at < 64; at *= 2) {
+        Field field;
+        const Request request = field_request(field);
+        const Operation operation = make_operation(context);
+        int looks = at;
+        ASSERT_OK(hrbfnpr_operation_set_callback(
+            operation.get(), [](void* user, double) -> std::int32_t { return --*static_cast<int*>(user) == 0 ? 1 : 0; },
+            &looks, error));
+        hrbfnpr_point_set* set = nullptr;
+        const hrbfnpr_status status =
+            hrbfnpr_point_set_generate(context.get(), model.get(), request.get(), operation.get(), &set, error);
+        if (looks > 0) {
+            EXPECT_OK(status);
+            hrbfnpr_point_set_release(set);
+            break;
+        }
+        EXPECT_EQ(status, HRBFNPR_STATUS_CANCELLED) << at;
+        EXPECT_EQ(set, nullptr);
+    }
+}
+
+// What a preset names is what its style shows.
+TEST(Layers, OfPresets) {
+    for (std::uint32_t preset = 0; preset < HRBFNPR_STYLE_COUNT; ++preset) {
+        Error error;
+        hrbfnpr_style style;
+        ASSERT_OK(hrbfnpr_style_init_preset(&style, sizeof style, preset, nullptr, error));
+        std::int64_t count = -1;
+        const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(preset, &count);
+        ASSERT_GT(count, 0);
+        bool has[3] = {};
+        for (std::int64_t i = 0; i < count; ++i) {
+            ASSERT_EQ(layers[i].struct_size, sizeof *layers);
+            has[layers[i].kind - 1] = true;
+            hrbfnpr_layer_desc defaults = made(hrbfnpr_layer_desc_init);
+            defaults.kind = layers[i].kind;
+            EXPECT_EQ(std::memcmp(&defaults, &layers[i], sizeof defaults), 0);
+        }
+        for (int group = 0; group < 3; ++group)
+            EXPECT_TRUE(style.group[group].shown == 0 || has[group]) << "preset " << preset;
+    }
+    std::int64_t count = 7;
+    EXPECT_EQ(hrbfnpr_preset_layers(HRBFNPR_STYLE_COUNT, &count), nullptr);
+    EXPECT_EQ(count, 0);
+    EXPECT_NE(hrbfnpr_preset_layers(HRBFNPR_STYLE_FULL, nullptr), nullptr);
+    // As they are they can be generated from.
+    Error error;
+    const Context context = make_context();
+    Sphere sphere;
+    auto desc = made(hrbfnpr_generate_desc_init);
+    desc.layers = hrbfnpr_preset_layers(HRBFNPR_STYLE_FULL, &desc.layer_count);
+    desc.shared_budget = 600;
+    hrbfnpr_point_set* made_set = nullptr;
+    ASSERT_OK(hrbfnpr_point_set_generate(context.get(), custom_sphere(context, sphere).get(), &desc, nullptr, &made_set,
+                                         error));
+    const PointSet set(made_set);
+    EXPECT_EQ(info_of(set).layers, 2);
+}
+
+} // namespace
+} // namespace api_test

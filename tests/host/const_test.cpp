@@ -1,0 +1,391 @@
+// Calls that take a const handle run at the same time on several threads with the same handle, and give what each
+// gives alone.  The names come from the header: one that has no call here fails the test.
+#include "const_names.h"
+#include "host/session.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <thread>
+
+namespace host_test {
+namespace {
+
+constexpr int threads = 4;
+constexpr std::int64_t point_count = 200;
+constexpr std::int32_t picture_size = 48;
+
+// What a call gave: bytes, one after the other.
+class Result {
+public:
+    template <class T>
+    void add(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        const auto* first = reinterpret_cast<const std::uint8_t*>(&value);
+        bytes_.insert(bytes_.end(), first, first + sizeof value);
+    }
+    template <class T>
+    void add(const std::vector<T>& values) {
+        for (const T& value : values) add(value);
+    }
+    bool operator==(const Result&) const = default;
+
+private:
+    Bytes bytes_;
+};
+
+template <class T>
+hrbfnpr_array_out out(std::vector<T>& numbers, std::uint32_t components = 1) {
+    const std::uint32_t scalar = sizeof(T) == 8   ? HRBFNPR_SCALAR_FLOAT64
+                                 : sizeof(T) == 1 ? HRBFNPR_SCALAR_UINT8
+                                 : std::is_same_v<T, float> ? HRBFNPR_SCALAR_FLOAT32
+                                                            : HRBFNPR_SCALAR_UINT32;
+    return {numbers.data(), static_cast<std::int64_t>(numbers.size() / components), 0, scalar, components};
+}
+
+std::int32_t append(void* user, const void* data, std::uint64_t size) {
+    const auto* bytes = static_cast<const std::uint8_t*>(data);
+    auto& all = *static_cast<Bytes*>(user);
+    all.insert(all.end(), bytes, bytes + size);
+    return 0;
+}
+
+Drawing drawing_of(const Context& context, const PointSet& marks) {
+    scenes::Check check;
+    hrbfnpr_renderer* raw = nullptr;
+    check(hrbfnpr_renderer_create(context.get(), &raw, check.error()));
+    const Renderer renderer(raw);
+    auto layer = made(hrbfnpr_layer_style_init);
+    layer.shape = HRBFNPR_SHAPE_STROKES;
+    auto style = made(hrbfnpr_style_init);
+    style.layers = &layer;
+    style.layer_count = 1;
+    auto item = made(hrbfnpr_item_init);
+    item.point_set = marks.get();
+    item.style = &style;
+    auto camera = made(hrbfnpr_camera_init);
+    const double low[3] = {-1.5, -1.5, -0.5}, high[3] = {1.5, 1.5, 0.5}, direction[3] = {0, 1, -1}, up[3] = {0, 0, 1};
+    check(hrbfnpr_camera_fit_bounds(&camera, low, high, direction, up, 0.5, picture_size, picture_size, 0.02,
+                                    check.error()));
+    hrbfnpr_drawing* drawing = nullptr;
+    check(hrbfnpr_renderer_draw(raw, &item, 1, 0, &camera, &drawing, check.error()));
+    return Drawing(drawing);
+}
+
+// What the calls share, and the calls by their names.
+struct Shared {
+    Context context = make_context(2);
+    Model model = fit(context, 60);
+    PointSet marks = generate(context, model, Generation(200));
+    Drawing drawing = drawing_of(context, marks);
+    hrbfnpr_operation* operation = nullptr;
+    std::vector<double> point;
+    hrbfnpr_array points{};
+
+    Shared() {
+        scenes::Check check;
+        check(hrbfnpr_operation_create(context.get(), &operation, check.error()));
+        for (int i = 0; i < 3 * point_count; ++i) point.push_back(0.0011 * ((i * 37) % 2500) - 1.3);
+        points = {point.data(), point_count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    }
+    Shared(const Shared&) = delete;
+    Shared& operator=(const Shared&) = delete;
+    ~Shared() { hrbfnpr_operation_release(operation); }
+};
+
+using Call = std::function<void(const Shared& s, hrbfnpr_error* error, Result& result, hrbfnpr_status& status)>;
+
+void add(std::map<std::string, Call>& calls, const char* name, Call call) { calls.emplace(name, std::move(call)); }
+
+#define CALL(name) add(calls, #name, [](const Shared& s, hrbfnpr_error* error, Result& result, hrbfnpr_status& status)
+#define UNUSED() static_cast<void>(s), static_cast<void>(error), static_cast<void>(result), static_cast<void>(status)
+
+void add_models(std::map<std::string, Call>& calls) {
+    CALL(hrbfnpr_model_retain) {
+        UNUSED();
+        hrbfnpr_model_retain(s.model.get());
+        hrbfnpr_model_release(s.model.get());
+    });
+    CALL(hrbfnpr_model_release) {
+        UNUSED();
+        hrbfnpr_model_retain(s.model.get());
+        hrbfnpr_model_release(s.model.get());
+    });
+    CALL(hrbfnpr_model_get_info) {
+        auto info = made(hrbfnpr_model_info_init);
+        status = hrbfnpr_model_get_info(s.model.get(), &info, error);
+        result.add(info.centres);
+        result.add(info.bounds_max);
+    });
+    CALL(hrbfnpr_model_view) {
+        hrbfnpr_array view{};
+        status = hrbfnpr_model_view(s.model.get(), HRBFNPR_MODEL_ATTRIBUTE_NORMAL, &view, error);
+        result.add(view.data);
+        result.add(view.count);
+    });
+    CALL(hrbfnpr_model_evaluate) {
+        std::vector<double> value(point_count), gradient(3 * point_count);
+        const auto values = out(value), gradients = out(gradient, 3);
+        status = hrbfnpr_model_evaluate(s.model.get(), &s.points, &values, &gradients, nullptr, nullptr, error);
+        result.add(value);
+        result.add(gradient);
+    });
+    CALL(hrbfnpr_model_project) {
+        std::vector<double> position(3 * point_count);
+        auto projection = made(hrbfnpr_projection_init);
+        projection.position = out(position, 3);
+        status = hrbfnpr_model_project(s.model.get(), &s.points, nullptr, &projection, nullptr, error);
+        result.add(position);
+        result.add(projection.converged);
+    });
+    CALL(hrbfnpr_model_curvature) {
+        std::vector<double> k1(point_count);
+        auto curvature = made(hrbfnpr_curvature_init);
+        curvature.k1 = out(k1);
+        status = hrbfnpr_model_curvature(s.model.get(), &s.points, &curvature, nullptr, error);
+        result.add(k1);
+    });
+    CALL(hrbfnpr_model_cast_rays) {
+        std::vector<double> t(point_count);
+        const std::vector<double> along(3 * point_count, 0.7);
+        const hrbfnpr_array directions{along.data(), point_count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+        auto hits = made(hrbfnpr_ray_hits_init);
+        hits.t = out(t);
+        status = hrbfnpr_model_cast_rays(s.model.get(), &s.points, &directions, nullptr, &hits, nullptr, error);
+        result.add(t);
+        result.add(hits.hit_rays);
+    });
+    CALL(hrbfnpr_model_lipschitz) {
+        double bound = 0.0;
+        status = hrbfnpr_model_lipschitz(s.model.get(), &bound, nullptr, error);
+        result.add(bound);
+    });
+    CALL(hrbfnpr_model_contains) {
+        std::int64_t inside = 0;
+        status = hrbfnpr_model_contains(s.model.get(), &s.points, nullptr, &inside, nullptr, error);
+        result.add(inside);
+    });
+    CALL(hrbfnpr_model_save) {
+        Bytes file;
+        status = hrbfnpr_model_save(s.model.get(), append, &file, error);
+        result.add(file);
+    });
+    CALL(hrbfnpr_model_save_memory) {
+        std::int64_t size = 0;
+        Bytes file(1 << 20);
+        status = hrbfnpr_model_save_memory(s.model.get(), file.data(), 1 << 20, &size, error);
+        result.add(file);
+    });
+}
+
+void add_point_sets(std::map<std::string, Call>& calls) {
+    CALL(hrbfnpr_point_set_generate) {
+        Generation desc(60);
+        hrbfnpr_point_set* set = nullptr;
+        status = hrbfnpr_point_set_generate(s.context.get(), s.model.get(), desc.get(), nullptr, &set, error);
+        const PointSet owner(set);
+        hrbfnpr_array view{};
+        hrbfnpr_point_set_view(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &view, nullptr);
+        const auto* first = static_cast<const std::uint8_t*>(view.data);
+        result.add(Bytes(first, first + 12 * view.count));
+    });
+    CALL(hrbfnpr_point_set_step_patches) {
+        std::vector<double> corner(60);
+        const auto corners = out(corner, 12);
+        status = hrbfnpr_point_set_step_patches(s.context.get(), s.model.get(), nullptr, &corners, nullptr, nullptr,
+                                                error);
+        result.add(corner);
+    });
+    CALL(hrbfnpr_point_set_retain) {
+        UNUSED();
+        hrbfnpr_point_set_retain(s.marks.get());
+        hrbfnpr_point_set_release(s.marks.get());
+    });
+    CALL(hrbfnpr_point_set_release) {
+        UNUSED();
+        hrbfnpr_point_set_retain(s.marks.get());
+        hrbfnpr_point_set_release(s.marks.get());
+    });
+    CALL(hrbfnpr_point_set_get_info) {
+        auto info = made(hrbfnpr_point_set_info_init);
+        status = hrbfnpr_point_set_get_info(s.marks.get(), &info, error);
+        result.add(info);
+    });
+    CALL(hrbfnpr_point_set_get_layer_info) {
+        auto info = made(hrbfnpr_layer_info_init);
+        status = hrbfnpr_point_set_get_layer_info(s.marks.get(), 1, &info, error);
+        result.add(info);
+    });
+    CALL(hrbfnpr_point_set_get_seed_placement) {
+        auto info = made(hrbfnpr_placement_info_init);
+        status = hrbfnpr_point_set_get_seed_placement(s.marks.get(), &info, error);
+        result.add(info);
+    });
+    CALL(hrbfnpr_point_set_get_placement) {
+        auto info = made(hrbfnpr_placement_info_init);
+        status = hrbfnpr_point_set_get_placement(s.marks.get(), 1, 0, &info, error);
+        result.add(info);
+    });
+    CALL(hrbfnpr_point_set_view) {
+        hrbfnpr_array view{};
+        status = hrbfnpr_point_set_view(s.marks.get(), 1, HRBFNPR_MARK_ATTRIBUTE_RANK, &view, error);
+        result.add(view.data);
+    });
+    CALL(hrbfnpr_point_set_save) {
+        Bytes file;
+        status = hrbfnpr_point_set_save(s.marks.get(), append, &file, error);
+        result.add(file);
+    });
+    CALL(hrbfnpr_point_set_save_memory) {
+        std::int64_t size = 0;
+        Bytes file(1 << 20);
+        status = hrbfnpr_point_set_save_memory(s.marks.get(), file.data(), 1 << 20, &size, error);
+        result.add(file);
+    });
+}
+
+void add_drawings(std::map<std::string, Call>& calls) {
+    CALL(hrbfnpr_drawing_retain) {
+        UNUSED();
+        hrbfnpr_drawing_retain(s.drawing.get());
+        hrbfnpr_drawing_release(s.drawing.get());
+    });
+    CALL(hrbfnpr_drawing_release) {
+        UNUSED();
+        hrbfnpr_drawing_retain(s.drawing.get());
+        hrbfnpr_drawing_release(s.drawing.get());
+    });
+    CALL(hrbfnpr_drawing_get_info) {
+        auto info = made(hrbfnpr_drawing_info_init);
+        status = hrbfnpr_drawing_get_info(s.drawing.get(), &info, error);
+        result.add(info);
+    });
+    CALL(hrbfnpr_drawing_get_layer_info) {
+        auto info = made(hrbfnpr_drawing_layer_info_init);
+        status = hrbfnpr_drawing_get_layer_info(s.drawing.get(), 0, &info, error);
+        result.add(info);
+    });
+    CALL(hrbfnpr_drawing_rasterize) {
+        Bytes pixels(std::size_t{4} * picture_size * picture_size);
+        auto image = made(hrbfnpr_image_init);
+        image.width = image.height = picture_size;
+        image.pixels = pixels.data();
+        status = hrbfnpr_drawing_rasterize(s.drawing.get(), &image, nullptr, error);
+        result.add(pixels);
+    });
+    CALL(hrbfnpr_drawing_vertex_bound) {
+        std::int64_t count = 0;
+        status = hrbfnpr_drawing_vertex_bound(s.drawing.get(), HRBFNPR_PRIMITIVE_LINE_STRIPS, &count, nullptr, error);
+        result.add(count);
+    });
+    CALL(hrbfnpr_drawing_write_vertices) {
+        auto attribute = made(hrbfnpr_vertex_attribute_init);
+        attribute.attribute = HRBFNPR_VERTEX_ATTRIBUTE_WINDOW;
+        auto layout = made(hrbfnpr_vertex_layout_init);
+        layout.attributes = &attribute;
+        layout.attribute_count = 1;
+        for (layout.primitive = HRBFNPR_PRIMITIVE_POINTS; layout.primitive <= HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS;
+             ++layout.primitive) {
+            std::vector<float> vertices(30000);
+            status = hrbfnpr_drawing_write_vertices(s.drawing.get(), &layout, vertices.data(), 10000, nullptr, nullptr,
+                                                    0, nullptr, error);
+            result.add(vertices);
+        }
+    });
+    CALL(hrbfnpr_drawing_mark_results) {
+        auto layer = made(hrbfnpr_layer_info_init);
+        hrbfnpr_point_set_get_layer_info(s.marks.get(), 1, &layer, error);
+        std::vector<float> radius(static_cast<std::size_t>(layer.marks));
+        auto results = made(hrbfnpr_mark_results_init);
+        results.radius = out(radius);
+        status = hrbfnpr_drawing_mark_results(s.drawing.get(), 0, 1, &results, error);
+        result.add(radius);
+    });
+    CALL(hrbfnpr_drawing_write_mark_indices) {
+        std::vector<std::uint32_t> indices(2000);
+        std::int64_t count = 0;
+        status = hrbfnpr_drawing_write_mark_indices(s.drawing.get(), 0, 1, HRBFNPR_CLASS_FRONT,
+                                                    HRBFNPR_PRIMITIVE_LINE_STRIPS, indices.data(), 2000, &count, error);
+        result.add(indices);
+    });
+    CALL(hrbfnpr_drawing_identify) {
+        auto identity = made(hrbfnpr_mark_identity_init);
+        status = hrbfnpr_drawing_identify(s.drawing.get(), 210, &identity, error);
+        result.add(identity);
+    });
+}
+
+std::map<std::string, Call> all_calls() {
+    std::map<std::string, Call> calls;
+    CALL(hrbfnpr_context_get_info) {
+        auto info = made(hrbfnpr_context_info_init);
+        status = hrbfnpr_context_get_info(s.context.get(), &info, error);
+        result.add(info.thread_count); // its bytes are those of all threads
+    });
+    CALL(hrbfnpr_operation_is_cancelled) {
+        UNUSED();
+        result.add(hrbfnpr_operation_is_cancelled(s.operation));
+    });
+    CALL(hrbfnpr_operation_progress) {
+        UNUSED();
+        result.add(hrbfnpr_operation_progress(s.operation));
+    });
+    add_models(calls);
+    add_point_sets(calls);
+    add_drawings(calls);
+    return calls;
+}
+
+#undef CALL
+#undef UNUSED
+
+Result run(const Shared& shared, const std::string& name, const Call& call) {
+    auto error = made(hrbfnpr_error_init);
+    hrbfnpr_status status = HRBFNPR_STATUS_OK;
+    Result result;
+    call(shared, &error, result, status);
+    EXPECT_EQ(status, HRBFNPR_STATUS_OK) << name << ": " << error.message;
+    return result;
+}
+
+TEST(Const, EveryFunctionOfTheHeaderIsCalledHere) {
+    const std::map<std::string, Call> calls = all_calls();
+    const std::set<std::string> names(std::begin(const_names), std::end(const_names));
+    for (const std::string& name : names) EXPECT_TRUE(calls.count(name) == 1) << name << " has no call: add one";
+    for (const auto& [name, call] : calls) EXPECT_TRUE(names.count(name) == 1) << name << " takes no const handle";
+}
+
+TEST(Const, HandlesAreSharedByThreads) {
+    const Shared shared;
+    const std::map<std::string, Call> calls = all_calls();
+    std::map<std::string, Result> expected;
+    for (const auto& [name, call] : calls) expected.emplace(name, run(shared, name, call));
+    std::atomic<int> wrong{0};
+    std::vector<std::thread> all;
+    for (int thread = 0; thread < threads; ++thread)
+        all.emplace_back([&, thread] {
+            // Each begins at another one, so that all kinds meet.
+            for (int round = 0; round < 3; ++round) {
+                auto at = std::next(calls.begin(), thread * static_cast<std::ptrdiff_t>(calls.size()) / threads);
+                for (std::size_t i = 0; i < calls.size(); ++i) {
+                    const auto& [name, call] = *at;
+                    if (!(run(shared, name, call) == expected.at(name))) {
+                        ADD_FAILURE() << name << " gave something else on several threads";
+                        wrong.fetch_add(1);
+                    }
+                    if (++at == calls.end()) at = calls.begin();
+                }
+            }
+        });
+    for (std::thread& thread : all) thread.join();
+    EXPECT_EQ(wrong, 0);
+}
+
+} // namespace
+} // namespace host_test
