@@ -194,22 +194,22 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint struct_size);
+        internal static partial int hrbfnpr_layer_info_init(LayerInfo* info, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_point_set_get_layer_info(PointSetHandle set, long layer,
-            hrbfnpr_layer_info* info, hrbfnpr_error* error);
+        internal static partial int hrbfnpr_point_set_get_layer_info(PointSetHandle set, long layer, LayerInfo* info,
+            hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint struct_size);
+        internal static partial int hrbfnpr_placement_info_init(PlacementInfo* info, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_point_set_get_seed_placement(PointSetHandle set,
-            hrbfnpr_placement_info* info, hrbfnpr_error* error);
+        internal static partial int hrbfnpr_point_set_get_seed_placement(PointSetHandle set, PlacementInfo* info,
+            hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_point_set_get_placement(PointSetHandle set, long layer, int level,
-            hrbfnpr_placement_info* info, hrbfnpr_error* error);
+            PlacementInfo* info, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_point_set_view(PointSetHandle set, long layer, uint attribute,
@@ -304,19 +304,18 @@ namespace HrbfNpr
         internal static partial void hrbfnpr_drawing_release(IntPtr drawing);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint struct_size);
+        internal static partial int hrbfnpr_drawing_info_init(DrawingInfo* info, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_drawing_get_info(DrawingHandle drawing, hrbfnpr_drawing_info* info,
+        internal static partial int hrbfnpr_drawing_get_info(DrawingHandle drawing, DrawingInfo* info,
             hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_drawing_layer_info_init(hrbfnpr_drawing_layer_info* info,
-            uint struct_size);
+        internal static partial int hrbfnpr_drawing_layer_info_init(DrawingLayerInfo* info, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_drawing_get_layer_info(DrawingHandle drawing, long number,
-            hrbfnpr_drawing_layer_info* info, hrbfnpr_error* error);
+            DrawingLayerInfo* info, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_raster_desc_init(hrbfnpr_raster_desc* desc, uint struct_size);
@@ -353,11 +352,11 @@ namespace HrbfNpr
             uint mark_class, uint primitive, uint* indices, long capacity, long* count, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint struct_size);
+        internal static partial int hrbfnpr_mark_identity_init(MarkIdentity* identity, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_drawing_identify(DrawingHandle drawing, uint id,
-            hrbfnpr_mark_identity* identity, hrbfnpr_error* error);
+        internal static partial int hrbfnpr_drawing_identify(DrawingHandle drawing, uint id, MarkIdentity* identity,
+            hrbfnpr_error* error);
     }
 }
 #endif

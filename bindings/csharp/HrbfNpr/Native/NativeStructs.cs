@@ -229,39 +229,11 @@ namespace HrbfNpr
     {
         internal uint struct_size;
         internal uint reserved;
-        internal IntPtr base;
+        internal IntPtr @base;
         internal IntPtr layers;
         internal long layer_count;
         internal long layer_stride;
         internal ulong random_seed;
-    }
-
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_info")]
-    internal unsafe struct hrbfnpr_layer_info
-    {
-        internal uint struct_size;
-        internal uint kind;
-        internal fixed byte name[64];
-        internal long marks;
-        internal long strokes;
-        internal long full_count;
-        internal int levels;
-        internal uint reserved;
-        internal double step;
-        internal double seconds;
-    }
-
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_placement_info")]
-    internal unsafe struct hrbfnpr_placement_info
-    {
-        internal uint struct_size;
-        internal uint reserved;
-        internal long attempted;
-        internal long placed;
-        internal long dropped_not_converged;
-        internal long dropped_strayed;
-        internal long dropped_degenerate;
-        internal long dropped_budget;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_camera")]
@@ -353,50 +325,6 @@ namespace HrbfNpr
         internal long pose_stride;
     }
 
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_drawing_info")]
-    internal unsafe struct hrbfnpr_drawing_info
-    {
-        internal uint struct_size;
-        internal uint reserved;
-        internal long items;
-        internal long layers;
-        internal long dots;
-        internal long strokes;
-        internal long stroke_points;
-        internal long marks;
-        internal long outside;
-        internal long front;
-        internal long back;
-        internal long silhouette;
-        internal long culled;
-        internal long shown;
-        internal long dropped_tone;
-        internal long dropped_depth;
-        internal long dropped_zoom;
-        internal long dropped_hidden;
-        internal long splats;
-        internal long nanoseconds_classify;
-        internal long nanoseconds_visibility;
-        internal long nanoseconds_sort;
-        internal long bytes;
-        internal long scratch_bytes;
-    }
-
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_drawing_layer_info")]
-    internal unsafe struct hrbfnpr_drawing_layer_info
-    {
-        internal uint struct_size;
-        internal uint mark_class;
-        internal long item;
-        internal long layer;
-        internal uint kind;
-        internal uint shape;
-        internal fixed byte name[64];
-        internal fixed float ink[4];
-        internal long dots;
-        internal long strokes;
-    }
-
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_raster_desc")]
     internal unsafe struct hrbfnpr_raster_desc
     {
@@ -436,17 +364,5 @@ namespace HrbfNpr
         internal hrbfnpr_array shown;
         internal hrbfnpr_array radius;
         internal hrbfnpr_array opacity;
-    }
-
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mark_identity")]
-    internal unsafe struct hrbfnpr_mark_identity
-    {
-        internal uint struct_size;
-        internal uint id;
-        internal long item;
-        internal long layer;
-        internal long mark;
-        internal long stroke;
-        internal long place;
     }
 }

@@ -344,7 +344,7 @@ pub const HRBFNPR_INSTRUCTION_SET_NEON: u32 = 4;
 pub const HRBFNPR_THREAD_BACKEND_AUTO: u32 = 0;
 /// threads of the context's own. The calling thread takes part and waits only for tasks that
 /// others have begun, so a processor that is busy elsewhere costs little; idle threads sleep
-/// after 20 microseconds
+/// (docs/hosts.md)
 pub const HRBFNPR_THREAD_BACKEND_POOL: u32 = 1;
 /// the OpenMP runtime's, shared with a host that uses it; serial in a forked child. For
 /// processors that nobody else wants. INVALID_ARGUMENT in a build without it
@@ -497,11 +497,11 @@ pub const HRBFNPR_KERNEL_WENDLAND_C2: u32 = 2;
 pub const HRBFNPR_KERNEL_CUSTOM: u32 = 3;
 
 pub const HRBFNPR_SOLVER_AUTO: u32 = 0;
-/// dense factorisation; memory about 64 N^2 bytes (128 with `fallback`), time O(N^3)
+/// dense factorisation; memory O(N^2), time O(N^3): docs/fitting.md has figures
 pub const HRBFNPR_SOLVER_DIRECT: u32 = 1;
 /// conjugate gradients, preconditioned by a sparse factor of the inverse (Schaefer, Katzfuss,
-/// Owhadi 2021), with a fast multipole method for many samples; memory O(N), about 2 to 6 kB
-/// a sample. TRIHARMONIC needs polynomial_degree >= 1
+/// Owhadi 2021), with a fast multipole method for many samples; memory O(N). TRIHARMONIC
+/// needs polynomial_degree >= 1
 pub const HRBFNPR_SOLVER_ITERATIVE: u32 = 2;
 
 // Why the solver that was used is the one.
@@ -535,9 +535,9 @@ pub const HRBFNPR_REGULARIZATION_AUTO: u32 = 1;
 /// samples that coincide (within 1e-9 diagonals) and agree in their normal
 /// (within 1 degree) are merged, and so are, of 33 samples and more, near
 /// duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
-/// Of more than 6000, samples that contradict each other so much (slivers of a
-/// mesh in single precision) that the iterations break down get a little
-/// regularization, 1 cubic spacing, and a solver tolerance of 3e-4; the log and
+/// Many samples that contradict each other so much (slivers of a mesh in single
+/// precision) that the iterations break down get a little regularization and a
+/// larger solver tolerance (docs/fitting.md); the log and
 /// hrbfnpr_model_info.regularization say so.
 /// Samples that coincide and disagree are an INVALID_ARGUMENT that names both
 /// indices, as are NaN, infinity, zero normals, and an empty or mismatched
@@ -607,8 +607,8 @@ pub struct hrbfnpr_fit_desc {
     pub solver_tolerance: f64,
     /// most iterations of ITERATIVE, 1 .. 1000000; 200
     pub iteration_limit: i32,
-    /// of ITERATIVE, 1 .. 48: more are fewer iterations and more setup; 0 = 16 to 32 as samples
-    /// are many (GAUSSIAN 40)
+    /// of ITERATIVE, 1 .. 48: more are fewer iterations and more setup; 0 = by kernel and number
+    /// of samples
     pub preconditioner_neighbours: u32,
 }
 
@@ -648,7 +648,7 @@ pub type hrbfnpr_implicit_fn = Option<
 pub const HRBFNPR_CUSTOM_HAS_GRADIENT: u32 = 1;
 /// else hessian is always NULL and differenced
 pub const HRBFNPR_CUSTOM_HAS_HESSIAN: u32 = 2;
-/// may be called from several threads at once
+/// may be called from several threads at once; else one calls at a time
 pub const HRBFNPR_CUSTOM_THREAD_SAFE: u32 = 4;
 
 /// Any implicit function in place of a fit: every operator below works on it
@@ -803,16 +803,14 @@ extern "C" {
     /// A finite answer that does not fit into a FLOAT32 array, of whatever call, is
     /// INVALID_ARGUMENT.  What a custom function itself gives (NaN, say) is passed on.
     ///
-    /// Preparing.  Where there are so many points that it pays (of r^3 and 512
-    /// centres on: n N above 1.3e9 + 8e4 N, a Hessian counting as 2.5 points), the
-    /// first such call of a model takes some tenths of a second, or 2 s with 65 000
-    /// centres, to sum up what is far into polynomials, which the model keeps (1 to
-    /// 4 kB a centre; the log says how much, and what values and gradients are off
-    /// by, which is measured); after that a point
-    /// hardly costs more with more centres.  f is then within 1e-9 diagonals of the
-    /// sum over all centres, its gradient within 1e-7; of rough, uneven samples
-    /// within 20 times that, or all centres are summed.  What a call gives depends
-    /// on its n, never on calls before it.  _project, _curvature and
+    /// Preparing.  Where there are so many points that it pays, the first such call
+    /// of a model takes longer, to sum up what is far into polynomials, which the
+    /// model keeps (docs/accuracy.md: when, how long, how much memory; the log says
+    /// how much, and what values and gradients are off by, which is measured); after
+    /// that a point hardly costs more with more centres.  f is then within 1e-9
+    /// diagonals of the sum over all centres, its gradient within 1e-7; of rough,
+    /// uneven samples within 20 times that, or all centres are summed.  What a call
+    /// gives depends on its n, never on calls before it.  _project, _curvature and
     /// hrbfnpr_point_set_generate do the same.
     pub fn hrbfnpr_model_evaluate(
         model: *const hrbfnpr_model,
