@@ -39,8 +39,8 @@ inline void add_mark(marks::Layer& layer, const glm::dvec3& position, const glm:
 
 inline void add_stipple(marks::PointSet& set, const glm::dvec3& position, const glm::dvec3& normal) {
     marks::Layer& layer = layer_of(set, marks::Kind::stipples);
-    add_mark(layer, position, normal, geometry::any_perpendicular(normal), 2 * static_cast<std::uint32_t>(layer.count()),
-             0);
+    add_mark(layer, position, normal, geometry::any_perpendicular(normal),
+             2 * static_cast<std::uint32_t>(layer.count()), 0);
     set.bounds.extend(position + set.origin);
 }
 

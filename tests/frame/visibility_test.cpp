@@ -8,8 +8,8 @@ namespace hrbfnpr::testing {
 namespace {
 
 using drawing::Counts;
-using frame::HiddenLines;
 using drawing::MarkClass;
+using frame::HiddenLines;
 
 Style hiding_style() {
     Style style;
@@ -115,7 +115,8 @@ TEST_F(Visibility, TheContoursOfATorusAreHiddenWhereItsTubeIsInFront) {
     for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
         const glm::dvec3 p(set.layers[0].position[3 * i], set.layers[0].position[3 * i + 1],
                            set.layers[0].position[3 * i + 2]);
-        const glm::dvec3 n(set.layers[0].normal[3 * i], set.layers[0].normal[3 * i + 1], set.layers[0].normal[3 * i + 2]);
+        const glm::dvec3 n(set.layers[0].normal[3 * i], set.layers[0].normal[3 * i + 1],
+                           set.layers[0].normal[3 * i + 2]);
         if (std::abs(glm::dot(n, toward)) > 0.2) continue;
         double least = 1.0; // clearance of the line of sight, away from the mark itself
         for (double t = 0.35; t < 4.0; t += 0.01) {
