@@ -101,16 +101,16 @@ TEST(Tiles, BearStrangeFootprints) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const Tiles::Footprint discs[] = {{nan, 1, 1},
-                                         {1, nan, 1},
-                                         {1, 1, nan},
-                                         {1, 1, -1},
-                                         {1, 1, 0},
-                                         {1, 1, infinity},
-                                         {1e30F, 1, 1},
-                                         {-1e30F, 1, 1},
-                                         {1, 1, 1e30F},
-                                         {infinity, 1, 1},
-                                         {infinity, 1, infinity}};
+                                      {1, nan, 1},
+                                      {1, 1, nan},
+                                      {1, 1, -1},
+                                      {1, 1, 0},
+                                      {1, 1, infinity},
+                                      {1e30F, 1, 1},
+                                      {-1e30F, 1, 1},
+                                      {1, 1, 1e30F},
+                                      {infinity, 1, 1},
+                                      {infinity, 1, infinity}};
     Tiles bins(memory, 32);
     const std::array pieces{drawing::Piece{0, std::size(discs)}};
     bins.build(base::Parallel(), 64, 32, pieces, [&](std::int64_t i, Tiles::Footprint& print) {

@@ -10,14 +10,14 @@ namespace hrbfnpr::testing {
 namespace {
 
 using drawing::Counts;
-using frame::Item;
 using drawing::MarkClass;
+using frame::Item;
 using ::testing::HasSubstr;
 
 class Classify : public ::testing::Test {
 protected:
     const Counts& prepare(const marks::PointSet& set, const Style& style, const frame::Camera& camera,
-                             const glm::dmat4& transform = glm::dmat4(1.0)) {
+                          const glm::dmat4& transform = glm::dmat4(1.0)) {
         const std::array items{item_of(set, style, transform)};
         frame.prepare(items, camera);
         return frame.info();

@@ -151,9 +151,9 @@ TEST_F(Strokes, OneThatIsHiddenInItsMiddleBecomesTwo) {
 }
 
 TEST_F(Strokes, SingleMarksStayDots) {
-    add_line(set, 0.9, 0.1, 1);           // alone
-    add_line(set, -0.8, 0.8, 3, 0.1);     // hidden in the middle
-    add_line(set, -1.0, 0.1, 21, 1.0);    // a line
+    add_line(set, 0.9, 0.1, 1);        // alone
+    add_line(set, -0.8, 0.8, 3, 0.1);  // hidden in the middle
+    add_line(set, -1.0, 0.1, 21, 1.0); // a line
     set.spacing = 0.1;
     const drawing::Drawing& drawing = draw(frame::HiddenLines::hide, true);
     ASSERT_EQ(drawing.strokes.size(), 1);

@@ -8,8 +8,8 @@ namespace hrbfnpr::testing {
 namespace {
 
 using drawing::Counts;
-using frame::HiddenLines;
 using drawing::MarkClass;
+using frame::HiddenLines;
 
 Style hiding_style() {
     Style style;

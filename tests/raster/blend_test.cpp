@@ -7,7 +7,6 @@
 namespace hrbfnpr::testing {
 namespace {
 
-
 class Blend : public ::testing::Test {
 protected:
     Picture draw_marks(const Style& style, int width, int height) {

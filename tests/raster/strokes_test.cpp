@@ -2,6 +2,7 @@
 #include "output/raster/stroke_loops.h"
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -126,10 +127,10 @@ TEST(StrokeLoops, LayTheUnionOfTheSegments) {
                     const auto opacity = [&](const StrokePoint& p) {
                         return static_cast<double>(p.opacity) * static_cast<double>(p.radius) / radius(p);
                     };
-                    const double rim = between(radius(points[n]), radius(points[n + 1])) + 0.5 -
-                                       glm::length(pixel - a - t * along);
-                    ink = std::max(ink, std::clamp(rim, 0.0, 1.0) *
-                                            between(opacity(points[n]), opacity(points[n + 1])));
+                    const double rim =
+                        between(radius(points[n]), radius(points[n + 1])) + 0.5 - glm::length(pixel - a - t * along);
+                    ink =
+                        std::max(ink, std::clamp(rim, 0.0, 1.0) * between(opacity(points[n]), opacity(points[n + 1])));
                 }
                 const auto at = static_cast<std::size_t>(y * stride + x);
                 ASSERT_NEAR(static_cast<double>(laid.transmittance[at]), 1.0 - 0.6 * ink, 1e-4) << x << " " << y;
@@ -303,7 +304,8 @@ TEST_F(StrokePicture, StrokesAndDotsOfColoursArePaintedFarToNear) {
             EXPECT_FALSE(frame.drawing().one_color);
             const auto nearest = static_cast<std::size_t>(std::find(place.begin(), place.end(), 0) - place.begin());
             for (int c = 0; c < 3; ++c)
-                EXPECT_EQ(picture.at(100, 50, c), inks[nearest][c] > 0.0F ? 255 : 0) << "nearest " << nearest << " " << dotted;
+                EXPECT_EQ(picture.at(100, 50, c), inks[nearest][c] > 0.0F ? 255 : 0)
+                    << "nearest " << nearest << " " << dotted;
             // Away from the others the first is seen whole.
             EXPECT_EQ(picture.at(140, 50, 0), 255);
             EXPECT_EQ(picture.at(140, 50, 1), 0);
@@ -382,6 +384,40 @@ TEST_F(StrokePicture, SameBitsForAnyThreadCountAndInstructionSet) {
         for (const base::InstructionSet one : test::instruction_sets())
             EXPECT_EQ(picture_of(2, one, many), expected) << static_cast<int>(one);
     }
+}
+
+TEST_F(StrokePicture, AllocatesNothingOnceWarm) {
+    test::Allocator counter;
+    const base::Runtime counted = test::with_allocator(counter);
+    marks::PointSet ring = torus(counted.memory, 60);
+    add_torus_strokes(ring, marks::Kind::combing, 600, 27, 0.3);
+    ring = clustered(counted, std::move(ring));
+    std::array<LayerStyle, 2> layers;
+    layers[0].kind = marks::Kind::combing;
+    layers[0].shape = frame::Shape::strokes;
+    layers[1].kind = marks::Kind::stipples;
+    frame::Style style;
+    style.layers = layers;
+    const std::array items{layered_item(ring, style)};
+    DrawnFrame own(counted);
+    output::Raster own_raster(counted);
+    Picture own_picture(240, 240);
+    const auto round = [&] {
+        for (int step = 0; step < 13; ++step) {
+            frame::Camera camera = front_camera(240, 240);
+            const double angle = 0.5 * step;
+            camera.view =
+                frame::look_at({8.0 * std::sin(angle), 3.0, 8.0 * std::cos(angle)}, glm::dvec3(0.0), {0, 1, 0});
+            camera.projection = frame::perspective(0.4, 240, 240, 1.0, 20.0, camera.depth);
+            own.prepare(items, camera);
+            own_raster.draw(own.drawing(), own_picture.image(), {});
+            ASSERT_GT(own.drawing().strokes.size(), 100);
+        }
+    };
+    round();
+    const std::int64_t warm = counter.calls;
+    for (int again = 0; again < 5; ++again) round();
+    EXPECT_EQ(counter.calls, warm);
 }
 
 } // namespace

@@ -131,8 +131,7 @@ TEST_F(Strips, TrianglesAreAsWideAsTheStroke) {
     add_stroke(0, {{50, 50}, {50, 90}});
     write(Primitive::triangle_strips);
     ASSERT_EQ(vertices.size(), 10U);
-    for (std::size_t i = 0; i < 10; ++i)
-        expect_point(vertices[i], static_cast<std::int64_t>(i / 2), i < 6 ? 2 : 0);
+    for (std::size_t i = 0; i < 10; ++i) expect_point(vertices[i], static_cast<std::int64_t>(i / 2), i < 6 ? 2 : 0);
     for (std::size_t i = 0; i < 5; ++i) {
         const drawing::StrokePoint& p = drawing.points[static_cast<std::int64_t>(i)];
         const glm::vec2 side = place_of(2 * i) - glm::vec2(p.x, p.y);
