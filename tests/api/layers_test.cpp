@@ -1,10 +1,48 @@
 // Layers of marks through the C boundary: the caller's own, several of a kind, fields of directions, refusals.
 #include "fixture.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <initializer_list>
+#include <vector>
 
 namespace api_test {
 namespace {
+
+// A request for layers of these kinds.
+class Request {
+public:
+    Request(std::initializer_list<std::uint32_t> kinds = {}) {
+        for (const std::uint32_t kind : kinds) add(kind);
+    }
+
+    hrbfnpr_layer_desc& add(std::uint32_t kind) {
+        layers.push_back(made(hrbfnpr_layer_desc_init));
+        layers.back().kind = kind;
+        return layers.back();
+    }
+    // All but the layers.
+    hrbfnpr_generate_desc* operator->() { return &desc_; }
+    // As it is now, for a call.
+    [[nodiscard]] const hrbfnpr_generate_desc* get() const {
+        desc_.layers = layers.data();
+        desc_.layer_count = static_cast<std::int64_t>(layers.size());
+        return &desc_;
+    }
+
+    std::vector<hrbfnpr_layer_desc> layers;
+
+private:
+    mutable hrbfnpr_generate_desc desc_ = made(hrbfnpr_generate_desc_init);
+};
+
+PointSet generate(const Context& context, const Model& model, const Request& request) {
+    Error error;
+    hrbfnpr_point_set* set = nullptr;
+    EXPECT_OK(hrbfnpr_point_set_generate(context.get(), model.get(), request.get(), nullptr, &set, error));
+    return PointSet(set);
+}
 
 // Two stipples and two strokes, of three and of two marks.
 struct Arrays {
@@ -53,13 +91,13 @@ TEST(Layers, AreMadeFromArrays) {
     const hrbfnpr_point_set_info info = info_of(set);
     ASSERT_EQ(info.layers, 2);
     EXPECT_EQ(info.marks, 7);
-    EXPECT_EQ(info_of(set, 0).marks, 2);
-    EXPECT_EQ(info_of(set, 0).strokes, 0);
-    EXPECT_EQ(info_of(set, 1).marks, 5);
-    EXPECT_EQ(info_of(set, 1).strokes, 2);
-    EXPECT_EQ(info_of(set, 1).kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_OWN));
-    EXPECT_EQ(info_of(set, 1).levels, 200);
-    EXPECT_STREQ(info_of(set, 1).name, "hand \xE2\x9C\x8E");
+    EXPECT_EQ(layer_info(set, 0).marks, 2);
+    EXPECT_EQ(layer_info(set, 0).strokes, 0);
+    EXPECT_EQ(layer_info(set, 1).marks, 5);
+    EXPECT_EQ(layer_info(set, 1).strokes, 2);
+    EXPECT_EQ(layer_info(set, 1).kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_OWN));
+    EXPECT_EQ(layer_info(set, 1).levels, 200);
+    EXPECT_STREQ(layer_info(set, 1).name, "hand \xE2\x9C\x8E");
     const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
     for (std::size_t i = 0; i < 6; ++i)
         EXPECT_NEAR(static_cast<double>(position[i]) + info.origin[i % 3], arrays.position[i], 1e-6);
@@ -137,7 +175,7 @@ TEST(Layers, ListsHaveStrides) {
     arrays.desc.layers = &wide[0].known;
     PointSet set;
     ASSERT_OK(create(context, arrays.desc, set, error));
-    EXPECT_EQ(info_of(set, 1).strokes, 2);
+    EXPECT_EQ(layer_info(set, 1).strokes, 2);
     wide[1].more = 1;
     EXPECT_FAILS(create(context, arrays.desc, set, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
                  "point_set_desc.layers[1] has fields that this library");
@@ -145,7 +183,7 @@ TEST(Layers, ListsHaveStrides) {
     wide[1].known.struct_size = offsetof(hrbfnpr_layer_arrays, stroke_first); // older than strokes
     arrays.desc.layer_stride = sizeof(Wide);
     ASSERT_OK(create(context, arrays.desc, set, error));
-    EXPECT_EQ(info_of(set, 1).strokes, 0);
+    EXPECT_EQ(layer_info(set, 1).strokes, 0);
 }
 
 // The layers of a generated set and the caller's own: a fourth layer with strokes.
@@ -153,7 +191,7 @@ TEST(Layers, OfASetAndTheCallersOwn) {
     Error error;
     const Context context = make_context();
     Sphere sphere;
-    const PointSet base = generate(context, custom_sphere(context, sphere), small_desc());
+    const PointSet base = api_test::generate(context, custom_sphere(context, sphere), small_desc());
     std::vector<double> position;
     std::vector<std::uint32_t> first{0};
     for (int s = 0; s < 6; ++s) {
@@ -179,10 +217,10 @@ TEST(Layers, OfASetAndTheCallersOwn) {
     for (std::int64_t layer = 0; layer < 3; ++layer) {
         EXPECT_EQ(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION),
                   attribute<float>(base, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION));
-        EXPECT_STREQ(info_of(set, layer).name, info_of(base, layer).name);
+        EXPECT_STREQ(layer_info(set, layer).name, layer_info(base, layer).name);
     }
-    EXPECT_STREQ(info_of(set, 3).name, "own");
-    EXPECT_EQ(info_of(set, 3).strokes, 6);
+    EXPECT_STREQ(layer_info(set, 3).name, "own");
+    EXPECT_EQ(layer_info(set, 3).strokes, 6);
     const auto rank = attribute<float>(set, 3, HRBFNPR_MARK_ATTRIBUTE_RANK);
     for (std::size_t i = 0; i < rank.size(); ++i) EXPECT_EQ(rank[i], rank[i / 40 * 40]);
     EXPECT_NE(rank[0], rank[40]);
@@ -200,7 +238,7 @@ TEST(Layers, OfASetAndTheCallersOwn) {
                                             &loaded, error));
     const PointSet again(loaded);
     EXPECT_EQ(saved(again), bytes);
-    EXPECT_EQ(info_of(again, 3).strokes, 6);
+    EXPECT_EQ(layer_info(again, 3).strokes, 6);
 }
 
 TEST(Layers, EveryAllocationOfACreateMayFail) {
@@ -208,7 +246,7 @@ TEST(Layers, EveryAllocationOfACreateMayFail) {
     Allocator allocator;
     const Context context = make_context(allocator_desc(allocator));
     Sphere sphere;
-    const PointSet base = generate(context, custom_sphere(context, sphere), small_desc());
+    const PointSet base = api_test::generate(context, custom_sphere(context, sphere), small_desc());
     Arrays arrays;
     arrays.desc.base = base.get();
     const std::int64_t before = allocator.bytes;
@@ -245,9 +283,9 @@ TEST(Layers, OfOneKindHaveDensitiesOfTheirOwn) {
     request.layers[1].density_function = only_north;
     const PointSet set = generate(context, model, request);
     ASSERT_EQ(info_of(set).layers, 2);
-    EXPECT_EQ(info_of(set, 0).marks, 400);
-    EXPECT_EQ(info_of(set, 1).marks, 300);
-    EXPECT_STREQ(info_of(set, 1).name, "north");
+    EXPECT_EQ(layer_info(set, 0).marks, 400);
+    EXPECT_EQ(layer_info(set, 1).marks, 300);
+    EXPECT_STREQ(layer_info(set, 1).name, "north");
     const double origin = info_of(set).origin[2];
     const auto share_north = [&](std::int64_t layer) {
         const auto position = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION);
@@ -292,7 +330,7 @@ TEST(Layers, FollowTheCallersField) {
     Field field;
     const PointSet set = generate(context, custom_sphere(context, sphere), field_request(field));
     EXPECT_GT(field.calls, 1);
-    const hrbfnpr_layer_info info = info_of(set, 0);
+    const hrbfnpr_layer_info info = layer_info(set, 0);
     EXPECT_EQ(info.kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_FIELD));
     EXPECT_STREQ(info.name, "field");
     EXPECT_GT(info.strokes, 20);
@@ -360,34 +398,38 @@ TEST(Layers, ACancelEndsAFieldSoon) {
 
 // What a preset names is what its style shows.
 TEST(Layers, OfPresets) {
-    for (std::uint32_t preset = 0; preset < HRBFNPR_STYLE_COUNT; ++preset) {
+    for (std::uint32_t preset = 0; preset <= HRBFNPR_PRESET_FULL; ++preset) {
         Error error;
         hrbfnpr_style style;
-        ASSERT_OK(hrbfnpr_style_init_preset(&style, sizeof style, preset, nullptr, error));
+        ASSERT_OK(hrbfnpr_style_init_preset(&style, sizeof style, preset, error));
         std::int64_t count = -1;
         const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(preset, &count);
         ASSERT_GT(count, 0);
-        bool has[3] = {};
         for (std::int64_t i = 0; i < count; ++i) {
             ASSERT_EQ(layers[i].struct_size, sizeof *layers);
-            has[layers[i].kind - 1] = true;
             hrbfnpr_layer_desc defaults = made(hrbfnpr_layer_desc_init);
             defaults.kind = layers[i].kind;
             EXPECT_EQ(std::memcmp(&defaults, &layers[i], sizeof defaults), 0);
         }
-        for (int group = 0; group < 3; ++group)
-            EXPECT_TRUE(style.group[group].shown == 0 || has[group]) << "preset " << preset;
+        const auto has = [&](std::uint32_t kind) {
+            return std::any_of(layers, layers + count, [&](const auto& layer) { return layer.kind == kind; });
+        };
+        for (std::int64_t i = 0; i < style.layer_count; ++i)
+            if (const hrbfnpr_layer_style& layer = style.layers[i];
+                layer.shown != 0 && layer.kind >= HRBFNPR_LAYER_KIND_STIPPLES &&
+                layer.kind <= HRBFNPR_LAYER_KIND_COMBING)
+                EXPECT_TRUE(has(layer.kind)) << "preset " << preset << ", kind " << layer.kind;
     }
     std::int64_t count = 7;
-    EXPECT_EQ(hrbfnpr_preset_layers(HRBFNPR_STYLE_COUNT, &count), nullptr);
+    EXPECT_EQ(hrbfnpr_preset_layers(HRBFNPR_PRESET_FULL + 1, &count), nullptr);
     EXPECT_EQ(count, 0);
-    EXPECT_NE(hrbfnpr_preset_layers(HRBFNPR_STYLE_FULL, nullptr), nullptr);
+    EXPECT_NE(hrbfnpr_preset_layers(HRBFNPR_PRESET_FULL, nullptr), nullptr);
     // As they are they can be generated from.
     Error error;
     const Context context = make_context();
     Sphere sphere;
     auto desc = made(hrbfnpr_generate_desc_init);
-    desc.layers = hrbfnpr_preset_layers(HRBFNPR_STYLE_FULL, &desc.layer_count);
+    desc.layers = hrbfnpr_preset_layers(HRBFNPR_PRESET_FULL, &desc.layer_count);
     desc.shared_budget = 600;
     hrbfnpr_point_set* made_set = nullptr;
     ASSERT_OK(hrbfnpr_point_set_generate(context.get(), custom_sphere(context, sphere).get(), &desc, nullptr, &made_set,
