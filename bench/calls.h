@@ -63,30 +63,70 @@ namespace bench {
     return scenes::Model(model);
 }
 
-[[nodiscard]] inline hrbfnpr_generate_desc marks_of(std::uint32_t group, std::int64_t budget) {
-    scenes::Check check;
-    hrbfnpr_generate_desc desc;
-    check(hrbfnpr_generate_desc_init(&desc, sizeof desc));
-    desc.groups = 1U << group;
-    desc.group[group].budget = budget;
+// Settings of point sets with the layers that they point to.
+struct Generation : hrbfnpr_generate_desc {
+    Generation() : hrbfnpr_generate_desc{} { scenes::Check()(hrbfnpr_generate_desc_init(this, sizeof(hrbfnpr_generate_desc))); }
+    void add(std::uint32_t kind, std::int64_t budget) {
+        layer.emplace_back();
+        scenes::Check()(hrbfnpr_layer_desc_init(&layer.back(), sizeof layer.back()));
+        layer.back().kind = kind;
+        layer.back().budget = budget;
+    }
+    // What a call takes.
+    const hrbfnpr_generate_desc* get() {
+        layers = layer.data();
+        layer_count = static_cast<std::int64_t>(layer.size());
+        return this;
+    }
+    std::vector<hrbfnpr_layer_desc> layer;
+};
+
+// One layer.
+[[nodiscard]] inline Generation marks_of(std::uint32_t kind, std::int64_t budget) {
+    Generation desc;
+    desc.add(kind, budget);
     return desc;
 }
 
-inline scenes::PointSet generate(hrbfnpr_context* context, const hrbfnpr_model* model,
-                                 const hrbfnpr_generate_desc& desc) {
+// A named style whose layers can be changed.
+struct Style : hrbfnpr_style {
+    explicit Style(std::uint32_t preset) : hrbfnpr_style{} {
+        scenes::Check check;
+        check(hrbfnpr_style_init_preset(this, sizeof(hrbfnpr_style), preset, check.error()));
+        layer.assign(layers, layers + layer_count);
+        layers = nullptr; // get() says where they are
+    }
+    // What a call takes.
+    const hrbfnpr_style* get() {
+        layers = layer.data();
+        layer_count = static_cast<std::int64_t>(layer.size());
+        return this;
+    }
+    // Of the layers of this kind: the first that is for it, or the defaults.
+    [[nodiscard]] hrbfnpr_layer_style of(std::uint32_t kind) const {
+        for (const hrbfnpr_layer_style& one : layer)
+            if (one.kind == kind || one.kind == HRBFNPR_LAYER_KIND_ANY) return one;
+        hrbfnpr_layer_style defaults;
+        scenes::Check()(hrbfnpr_layer_style_init(&defaults, sizeof defaults));
+        return defaults;
+    }
+    std::vector<hrbfnpr_layer_style> layer;
+};
+
+inline scenes::PointSet generate(hrbfnpr_context* context, const hrbfnpr_model* model, Generation desc) {
     scenes::Check check;
     hrbfnpr_point_set* set = nullptr;
-    check(hrbfnpr_point_set_generate(context, model, &desc, nullptr, &set, check.error()));
+    check(hrbfnpr_point_set_generate(context, model, desc.get(), nullptr, &set, check.error()));
     return scenes::PointSet(set);
 }
 
 // The numbers of one attribute; `count` gets how many marks have it.
 template <class T>
-[[nodiscard]] const T* attribute(const hrbfnpr_point_set* set, std::uint32_t group, std::uint32_t which,
+[[nodiscard]] const T* attribute(const hrbfnpr_point_set* set, std::int64_t layer, std::uint32_t which,
                                  std::int64_t& count) {
     scenes::Check check;
     hrbfnpr_array array{};
-    check(hrbfnpr_point_set_view(set, group, which, &array, check.error()));
+    check(hrbfnpr_point_set_view(set, layer, which, &array, check.error()));
     count = array.count;
     return static_cast<const T*>(array.data);
 }
@@ -96,6 +136,14 @@ template <class T>
     hrbfnpr_point_set_info info;
     check(hrbfnpr_point_set_info_init(&info, sizeof info));
     check(hrbfnpr_point_set_get_info(set, &info, check.error()));
+    return info;
+}
+
+[[nodiscard]] inline hrbfnpr_layer_info layer_info(const hrbfnpr_point_set* set, std::int64_t layer) {
+    scenes::Check check;
+    hrbfnpr_layer_info info;
+    check(hrbfnpr_layer_info_init(&info, sizeof info));
+    check(hrbfnpr_point_set_get_layer_info(set, layer, &info, check.error()));
     return info;
 }
 

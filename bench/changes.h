@@ -5,8 +5,10 @@
 #include "painter.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 namespace bench {
@@ -26,15 +28,15 @@ struct Changes {
 // in the picture, both before and after.
 class Follower {
 public:
-    Follower(const hrbfnpr_point_set* set, const hrbfnpr_style& style) {
+    Follower(const hrbfnpr_point_set* set, const Style& style) {
         const hrbfnpr_point_set_info info = info_of(set);
-        for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+        for (std::int64_t layer = 0; layer < info.layers; ++layer) {
             std::int64_t count = 0;
             std::int64_t widths = 0;
-            const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
-            const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
-            const float* width = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_WIDTH, widths);
-            const hrbfnpr_group_style& pen = style.group[group];
+            const float* position = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+            const float* normal = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+            const float* width = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_WIDTH, widths);
+            const hrbfnpr_layer_style pen = style.of(layer_info(set, layer).kind);
             for (std::int64_t i = 0; i < count; ++i) {
                 const glm::dvec3 place = glm::make_vec3(info.origin) + glm::dvec3(glm::make_vec3(position + 3 * i));
                 const double radius = double{pen.radius} * (widths > 0 ? double{width[i]} : 1.0);
@@ -102,43 +104,49 @@ private:
     Changes changes_;
 };
 
-// The same marks with new random ranks; the second number of STROKE says which mark it was.
+// The same marks with new random ranks, which say which mark each was.
 [[nodiscard]] inline scenes::PointSet rerolled(hrbfnpr_context* context, const hrbfnpr_point_set* set,
                                                std::uint64_t seed, std::vector<std::uint32_t>& original) {
     scenes::Check check;
-    hrbfnpr_point_set_desc desc;
-    check(hrbfnpr_point_set_desc_init(&desc, sizeof desc));
-    desc.random_seed = seed;
     const hrbfnpr_point_set_info info = info_of(set);
-    std::vector<std::vector<double>> places(HRBFNPR_GROUP_COUNT);
-    std::vector<std::vector<std::uint32_t>> names(HRBFNPR_GROUP_COUNT);
-    std::uint32_t number = 0;
-    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+    std::vector<std::uint32_t> order(static_cast<std::size_t>(info.marks)); // of the ranks: the marks
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+    std::shuffle(order.begin(), order.end(), std::mt19937_64(seed));
+    const float step = 1.0F / static_cast<float>(std::bit_ceil(order.size())); // a rank is an exact multiple of it
+    std::vector<float> rank(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = step * static_cast<float>(i);
+    std::vector<std::vector<double>> places(static_cast<std::size_t>(info.layers));
+    std::vector<hrbfnpr_layer_arrays> layers(places.size());
+    std::size_t first = 0;
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        const auto number = static_cast<std::int64_t>(layer);
         std::int64_t count = 0;
         std::int64_t widths = 0;
-        const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
-        const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
-        const float* width = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_WIDTH, widths);
-        const std::uint32_t* stroke = attribute<std::uint32_t>(set, group, HRBFNPR_MARK_ATTRIBUTE_STROKE, count);
-        if (count == 0) continue;
-        for (std::int64_t i = 0; i < count; ++i) {
-            for (int c = 0; c < 3; ++c) places[group].push_back(info.origin[c] + double{position[3 * i + c]});
-            names[group].insert(names[group].end(), {stroke[2 * i], number++});
-        }
-        hrbfnpr_group_arrays& arrays = desc.group[group];
-        arrays.position = view(places[group]);
+        const float* position = attribute<float>(set, number, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+        const float* width = attribute<float>(set, number, HRBFNPR_MARK_ATTRIBUTE_WIDTH, widths);
+        const float* normal = attribute<float>(set, number, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+        for (std::int64_t i = 0; i < 3 * count; ++i) places[layer].push_back(info.origin[i % 3] + double{position[i]});
+        hrbfnpr_layer_arrays& arrays = layers[layer];
+        check(hrbfnpr_layer_arrays_init(&arrays, sizeof arrays));
+        arrays.kind = layer_info(set, number).kind;
+        arrays.position = view(places[layer]);
         arrays.normal = {normal, count, 0, HRBFNPR_SCALAR_FLOAT32, 3};
-        arrays.stroke = {names[group].data(), count, 0, HRBFNPR_SCALAR_UINT32, 2};
+        arrays.rank = {rank.data() + first, count, 0, HRBFNPR_SCALAR_FLOAT32, 1};
         if (widths > 0) arrays.width = {width, count, 0, HRBFNPR_SCALAR_FLOAT32, 1};
+        first += static_cast<std::size_t>(count);
     }
+    hrbfnpr_point_set_desc desc;
+    check(hrbfnpr_point_set_desc_init(&desc, sizeof desc));
+    desc.layers = layers.data();
+    desc.layer_count = info.layers;
     hrbfnpr_point_set* raw = nullptr;
-    check(hrbfnpr_point_set_create_from_arrays(context, &desc, &raw, check.error()));
+    check(hrbfnpr_point_set_create(context, &desc, &raw, check.error()));
     scenes::PointSet made(raw);
     original.clear();
-    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+    for (std::int64_t layer = 0; layer < info.layers; ++layer) {
         std::int64_t count = 0;
-        const std::uint32_t* stroke = attribute<std::uint32_t>(raw, group, HRBFNPR_MARK_ATTRIBUTE_STROKE, count);
-        for (std::int64_t i = 0; i < count; ++i) original.push_back(stroke[2 * i + 1]);
+        const float* ranks = attribute<float>(raw, layer, HRBFNPR_MARK_ATTRIBUTE_RANK, count);
+        for (std::int64_t i = 0; i < count; ++i) original.push_back(order[static_cast<std::size_t>(ranks[i] / step)]);
     }
     return made;
 }
@@ -149,7 +157,7 @@ struct Way {
 };
 
 // Along a way, from the same ranks throughout or from new ones in each frame.
-[[nodiscard]] inline Changes follow(hrbfnpr_context* context, const hrbfnpr_point_set* set, const hrbfnpr_style& style,
+[[nodiscard]] inline Changes follow(hrbfnpr_context* context, const hrbfnpr_point_set* set, const Style& style,
                                     const Orbit& orbit, const Way& way, bool reroll) {
     Follower follower(set, style);
     Painter painter(context, set, style);

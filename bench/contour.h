@@ -153,8 +153,8 @@ struct Found {
 [[nodiscard]] inline std::vector<double> contour_distances(const hrbfnpr_point_set* set, const hrbfnpr_camera& camera) {
     const hrbfnpr_point_set_info info = info_of(set);
     std::int64_t count = 0;
-    const float* position = attribute<float>(set, HRBFNPR_GROUP_STIPPLE, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
-    const float* normal = attribute<float>(set, HRBFNPR_GROUP_STIPPLE, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+    const float* position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+    const float* normal = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
     const Lens lens(camera);
     const TorusContour contour(lens);
     std::vector<double> distances;

@@ -23,6 +23,7 @@ namespace {
 using bench::Orbit;
 using bench::Painter;
 using bench::Samples;
+using bench::Style;
 
 constexpr std::int64_t many = 700'000;
 constexpr int runs = 7;
@@ -41,9 +42,8 @@ public:
     [[nodiscard]] const hrbfnpr_point_set* marks(std::int64_t count, std::int64_t samples) {
         scenes::PointSet& set = marks_[{count, samples}];
         if (set == nullptr) {
-            hrbfnpr_generate_desc desc = bench::marks_of(HRBFNPR_GROUP_STIPPLE, count / 2);
-            desc.groups |= 1U << HRBFNPR_GROUP_CURVATURE;
-            desc.group[HRBFNPR_GROUP_CURVATURE].budget = count - count / 2;
+            bench::Generation desc = bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, count / 2);
+            desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, count - count / 2);
             set = bench::generate(context(), model(samples), desc);
         }
         return set.get();
@@ -70,24 +70,17 @@ private:
     std::map<std::pair<std::int64_t, std::int64_t>, scenes::PointSet> marks_;
 };
 
-hrbfnpr_style preset(std::uint32_t number) {
-    scenes::Check check;
-    hrbfnpr_style style;
-    check(hrbfnpr_style_init_preset(&style, sizeof style, number, nullptr, check.error()));
-    return style;
-}
+Style full() { return Style(HRBFNPR_PRESET_FULL); }
 
-hrbfnpr_style full() { return preset(HRBFNPR_PRESET_FULL); }
-
-hrbfnpr_style without_attenuation() {
-    hrbfnpr_style style = full();
+Style without_attenuation() {
+    Style style = full();
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
     return style;
 }
 
 // Tone by the share of marks.
-hrbfnpr_style as_published() {
-    hrbfnpr_style style = full();
+Style as_published() {
+    Style style = full();
     style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
     style.silhouette_law = HRBFNPR_SILHOUETTE_LAW_ANGLE;
     style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
@@ -95,11 +88,11 @@ hrbfnpr_style as_published() {
 }
 
 // Nothing is gained by showing fewer marks.
-hrbfnpr_style every_mark() {
-    hrbfnpr_style style = full();
+Style every_mark() {
+    Style style = full();
     style.tone = HRBFNPR_TONE_NONE;
     style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
-    for (hrbfnpr_group_style& group : style.group) group.share = 1.0F;
+    for (hrbfnpr_layer_style& layer : style.layer) layer.share = 1.0F;
     return style;
 }
 
@@ -137,7 +130,7 @@ struct Row {
     Size size;
     std::string name;
     const hrbfnpr_point_set* set;
-    hrbfnpr_style style;
+    Style style;
     double ms = 0.0, best = 0.0, classify = 0.0, visibility = 0.0, sort = 0.0, draw = 0.0;
     hrbfnpr_drawing_info info{};
 };
@@ -146,7 +139,7 @@ void print(const Row& row) {
     std::printf("%9lld %-6s %-14s %8.2f %8.2f %8.1f %9.1fM  %8.2f %8.2f %8.2f %8.2f  %8lld %8lld\n",
                 static_cast<long long>(row.marks), row.size.name, row.name.c_str(), row.ms, row.best, 1e3 / row.ms,
                 1e-3 * static_cast<double>(row.info.marks) / row.ms, row.classify, row.visibility, row.sort, row.draw,
-                static_cast<long long>(row.info.shown), static_cast<long long>(row.info.painted));
+                static_cast<long long>(row.info.shown), static_cast<long long>(row.info.splats));
 }
 
 // In turn, some frames each time, so that what else the machine does falls on all.
@@ -173,11 +166,11 @@ void time(hrbfnpr_context* context, std::vector<Row>& rows) {
                 b->classify.push_back(1e-6 * static_cast<double>(info.nanoseconds_classify));
                 b->visibility.push_back(1e-6 * static_cast<double>(info.nanoseconds_visibility));
                 b->sort.push_back(1e-6 * static_cast<double>(info.nanoseconds_sort));
-                b->draw.push_back(1e-6 * static_cast<double>(info.nanoseconds_draw));
+                b->draw.push_back(b->painter.image_ms());
             }
         }
     std::printf("%9s %-6s %-14s %8s %8s %8s %10s  %8s %8s %8s %8s  %8s %8s\n", "marks", "size", "style", "ms", "best",
-                "frames/s", "marks/s", "classify", "visible", "sort", "draw", "shown", "paper");
+                "frames/s", "marks/s", "classify", "visible", "sort", "image", "shown", "splats");
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Bench& b = *benches[i];
         rows[i].ms = bench::median(b.total);
@@ -218,12 +211,12 @@ void run_rows(Stock& stock, Results& results) {
 // Reads position, normal and rank of all marks once, clears the image, then reads and writes each pixel; one thread.
 void touch(const hrbfnpr_point_set* set, std::vector<std::uint8_t>& pixels) {
     std::uint32_t sum = 0;
-    for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group)
+    for (std::int64_t layer = 0; layer < bench::info_of(set).layers; ++layer)
         for (const std::uint32_t which :
              {HRBFNPR_MARK_ATTRIBUTE_POSITION, HRBFNPR_MARK_ATTRIBUTE_NORMAL, HRBFNPR_MARK_ATTRIBUTE_RANK}) {
             std::int64_t count = 0;
             // As integers, the sum of which the compiler puts into vectors.
-            const auto* numbers = bench::attribute<std::uint32_t>(set, group, which, count);
+            const auto* numbers = bench::attribute<std::uint32_t>(set, layer, which, count);
             const std::int64_t all = count * (which == HRBFNPR_MARK_ATTRIBUTE_RANK ? 1 : 3);
             for (std::int64_t i = 0; i < all; ++i) sum += numbers[i];
         }
@@ -235,7 +228,7 @@ void touch(const hrbfnpr_point_set* set, std::vector<std::uint8_t>& pixels) {
 void run_ratios(Stock& stock, Results& results) {
     const hrbfnpr_point_set* set = stock.marks(many);
     const Orbit orbit(set, small.width, small.height);
-    const hrbfnpr_style style = full();
+    const Style style = full();
     Painter painter(stock.context(), set, style, small.width, small.height);
     Film ours(painter, orbit);
     Painter bare(stock.context(), set, without_attenuation(), small.width, small.height);
@@ -273,7 +266,7 @@ void run_llvmpipe(Stock& stock, Results& results) {
     Painter painter(stock.context(), set, full(), small.width, small.height);
     std::printf("\nsoftware OpenGL, 700 000 marks as round points, 1280 x 720, glReadPixels included\n");
     try {
-        bench::Llvmpipe points(set, full().group[0].radius, small.width, small.height);
+        bench::Llvmpipe points(set, full().of(HRBFNPR_LAYER_KIND_STIPPLES).radius, small.width, small.height);
         Film theirs(points, orbit);
         Film ours(painter, orbit);
         const bench::Comparison c = bench::compare(runs, theirs, ours);
@@ -307,16 +300,16 @@ void run_pops(Stock& stock, Results& results) {
     const hrbfnpr_point_set* set = stock.marks(count);
     const Orbit orbit(set, small.width, small.height);
     // Nothing passes behind anything, and the light stays with the model.
-    hrbfnpr_style style = without_attenuation();
+    Style style = without_attenuation();
     style.light_space = HRBFNPR_LIGHT_WORLD;
-    for (hrbfnpr_group_style& group : style.group) group.radius_zoom = 0.0F;
-    hrbfnpr_style sudden = style;
+    for (hrbfnpr_layer_style& layer : style.layer) layer.radius_zoom = 0.0F;
+    Style sudden = style;
     sudden.tone_fade = 0.0F;
     std::printf("\nchanges from frame to frame, %lld marks, light of the world, hidden lines shown\n",
                 static_cast<long long>(count));
     std::printf("%-28s %6s %9s %9s %10s %10s %10s %10s\n", "way", "frames", "shown", "pops", "rate", "removals", "rate",
                 "contours'");
-    const auto row = [&](const char* name, const hrbfnpr_style& of, const bench::Way& way, bool reroll) {
+    const auto row = [&](const char* name, const Style& of, const bench::Way& way, bool reroll) {
         const bench::Changes c = bench::follow(stock.context(), set, of, orbit, way, reroll);
         std::printf("%-28s %6.0f %9.0f %9.0f %10.6f %10.0f %10.6f %10.0f\n", name, c.frames, c.shown / (c.frames - 1.0),
                     c.pops, c.pop_rate(), c.removals, c.removal_rate(), c.contour);
@@ -328,7 +321,7 @@ void run_pops(Stock& stock, Results& results) {
     results.add("still_changes", same.pops + same.removals);
     results.add("pop_rate", row("orbit", style, around, false).pop_rate());
     row("orbit, tone_fade 0", sudden, around, false);
-    hrbfnpr_style lamp = style;
+    Style lamp = style;
     lamp.light_space = HRBFNPR_LIGHT_CAMERA;
     row("orbit, light of the camera", lamp, around, false);
     results.add("pop_rate_rerolled", row("orbit, new ranks", style, {15, around.degrees, 1.0}, true).pop_rate());
@@ -349,14 +342,14 @@ std::int32_t asked_tone(void*, std::int64_t count, const float* positions, const
 void run_tone(Stock& stock, Results& results) {
     std::printf("\ncoverage asked for from 0.05 to 0.55, marks of 1.5 px, blurred by 4 px\n");
     const scenes::Model model = bench::custom(stock.context(), bench::plane, {2.2, 1.2, 0.4});
-    hrbfnpr_style style = bench::ramp_style(asked_tone);
-    style.silhouette_groups = 0;
+    Style style = bench::ramp_style(asked_tone);
+    style.layer[0].contours = 0;
     // However many marks there are.
     bench::ToneError worst{1e9, 0.0};
     for (const double all : {1.0, 2.0, 4.0}) {
         const std::int64_t budget = bench::ramp_budget(stock.context(), model.get(), all);
         const scenes::PointSet set =
-            bench::generate(stock.context(), model.get(), bench::marks_of(HRBFNPR_GROUP_STIPPLE, budget));
+            bench::generate(stock.context(), model.get(), bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, budget));
         const bench::ToneError error = bench::tone_error(bench::drawn_ramp(stock.context(), set.get(), style));
         std::printf("%8lld marks, area of all %.0f times the paper's: psnr %.2f dB, bias %+.4f\n",
                     static_cast<long long>(budget), all, error.psnr, error.bias);
@@ -392,7 +385,7 @@ void run_silhouettes(Stock& stock, Results& results) {
     const scenes::Model model =
         bench::custom(stock.context(), bench::torus, {1.0 + bench::tube, 1.0 + bench::tube, bench::tube});
     const scenes::PointSet set =
-        bench::generate(stock.context(), model.get(), bench::marks_of(HRBFNPR_GROUP_STIPPLE, 200'000));
+        bench::generate(stock.context(), model.get(), bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 200'000));
     std::printf("\ncontours of a torus, 200 000 marks, tube 100 px wide: marks within 1 px of their own contour\n");
     std::printf("%9s %7s %-8s %10s %10s %10s %10s\n", "elevation", "azimuth", "law", "precision", "of 1.1 px", "recall",
                 "of marks");
@@ -401,7 +394,7 @@ void run_silhouettes(Stock& stock, Results& results) {
         const hrbfnpr_camera camera = above_torus(elevation, azimuth);
         const std::vector<double> distances = bench::contour_distances(set.get(), camera);
         for (const std::uint32_t law : {HRBFNPR_SILHOUETTE_LAW_WIDTH, HRBFNPR_SILHOUETTE_LAW_ANGLE}) {
-            hrbfnpr_style style = preset(HRBFNPR_PRESET_SILHOUETTE);
+            Style style(HRBFNPR_PRESET_SILHOUETTE);
             style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
             style.silhouette_law = law;
             style.silhouette_width = static_cast<float>(width);

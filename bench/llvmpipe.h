@@ -129,9 +129,9 @@ private:
         const hrbfnpr_point_set_info info = info_of(set);
         origin_ = glm::make_vec3(info.origin);
         std::vector<float> places;
-        for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+        for (std::int64_t layer = 0; layer < info.layers; ++layer) {
             std::int64_t count = 0;
-            const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+            const float* position = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
             places.insert(places.end(), position, position + 3 * count);
         }
         count_ = static_cast<GLsizei>(places.size() / 3);

@@ -29,9 +29,8 @@ using bench::Backend;
 struct Stock {
     explicit Stock(std::int64_t marks)
         : context(bench::make_context()), model(bench::fit(context.get(), samples.points, samples.normals)) {
-        hrbfnpr_generate_desc desc = bench::marks_of(HRBFNPR_GROUP_STIPPLE, marks / 2);
-        desc.groups |= 1U << HRBFNPR_GROUP_CURVATURE;
-        desc.group[HRBFNPR_GROUP_CURVATURE].budget = marks - marks / 2;
+        bench::Generation desc = bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, marks / 2);
+        desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, marks - marks / 2);
         set = bench::generate(context.get(), model.get(), desc);
     }
     bench::Samples samples = bench::bumpy(4096, 0.15);
@@ -41,12 +40,7 @@ struct Stock {
     scenes::PointSet set;
 };
 
-hrbfnpr_style full() {
-    scenes::Check check;
-    hrbfnpr_style style;
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_FULL, nullptr, check.error()));
-    return style;
-}
+bench::Style full() { return bench::Style(HRBFNPR_PRESET_FULL); }
 
 constexpr int width = 1280, height = 720;
 
@@ -61,7 +55,7 @@ public:
     void frames(int count, std::vector<double>& whole, std::vector<double>& image) {
         for (int i = 0; i < count; ++i) {
             whole.push_back(1e3 * bench::seconds([&] { painter_.draw(orbit_.at(0.7 * angle_++)); }));
-            image.push_back(1e-6 * static_cast<double>(painter_.info().nanoseconds_draw));
+            image.push_back(painter_.image_ms());
         }
     }
     [[nodiscard]] double fit() {
@@ -74,7 +68,7 @@ public:
         return 1e3 * bench::seconds([&] {
                    const scenes::Model model = bench::fit(context_.get(), stock_.few.points, stock_.few.normals);
                    const scenes::PointSet set =
-                       bench::generate(context_.get(), model.get(), bench::marks_of(HRBFNPR_GROUP_STIPPLE, 10'000));
+                       bench::generate(context_.get(), model.get(), bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 10'000));
                    const bench::Orbit orbit(set.get(), width, height);
                    bench::Painter(context_.get(), set.get(), full(), width, height).draw(orbit.at(0.0));
                });
@@ -83,7 +77,7 @@ public:
 private:
     [[nodiscard]] double generate(const hrbfnpr_model* model, std::int64_t budget) {
         return 1e3 * bench::seconds([&] {
-                   (void)bench::generate(context_.get(), model, bench::marks_of(HRBFNPR_GROUP_STIPPLE, budget));
+                   (void)bench::generate(context_.get(), model, bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, budget));
                });
     }
 

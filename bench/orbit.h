@@ -41,11 +41,11 @@ class Orbit {
 public:
     Orbit(const hrbfnpr_point_set* set, int width, int height) {
         const hrbfnpr_point_set_info info = info_of(set);
-        std::uint32_t group = 0;
-        while (info.group[group].count == 0) ++group;
+        std::int64_t layer = 0;
+        while (layer_info(set, layer).marks == 0) ++layer;
         scenes::Check check;
         hrbfnpr_array places{};
-        check(hrbfnpr_point_set_view(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, &places, check.error()));
+        check(hrbfnpr_point_set_view(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION, &places, check.error()));
         check(hrbfnpr_camera_init(&start_, sizeof start_));
         const Vec3 direction{-0.3, -0.2, -1.0};
         const Vec3 up{0.0, 1.0, 0.0};

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "calls.h"
+#include "timing.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,7 +23,7 @@ struct Disc {
 
 class Painter {
 public:
-    Painter(hrbfnpr_context* context, const hrbfnpr_point_set* set, const hrbfnpr_style& style, int width = 0,
+    Painter(hrbfnpr_context* context, const hrbfnpr_point_set* set, const Style& style, int width = 0,
             int height = 0)
         : style_(style), pixels_(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
         hrbfnpr_renderer* raw = nullptr;
@@ -29,7 +31,7 @@ public:
         renderer_.reset(raw);
         check_(hrbfnpr_item_init(&item_, sizeof item_));
         item_.point_set = set;
-        item_.style = &style_;
+        item_.style = style_.get();
         check_(hrbfnpr_image_init(&image_, sizeof image_));
         image_.format = HRBFNPR_FORMAT_RGBA8;
         image_.width = width;
@@ -40,29 +42,39 @@ public:
     Painter& operator=(const Painter&) = delete;
 
     void use(const hrbfnpr_point_set* set) { item_.point_set = set; }
+    // Without an image.
     void prepare(const hrbfnpr_camera& camera) {
-        check_(hrbfnpr_renderer_prepare(renderer_.get(), &item_, 1, 0, &camera, nullptr, check_.error()));
+        drawing_.reset(); // the next one is made in its memory
+        hrbfnpr_drawing* drawing = nullptr;
+        check_(hrbfnpr_renderer_draw(renderer_.get(), &item_, 1, 0, &camera, &drawing, check_.error()));
+        drawing_.reset(drawing);
     }
     void draw(const hrbfnpr_camera& camera) {
         prepare(camera);
-        check_(hrbfnpr_renderer_draw_image(renderer_.get(), &image_, nullptr, check_.error()));
+        image_ms_ = 1e3 * seconds([&] {
+                        check_(hrbfnpr_drawing_rasterize(drawing_.get(), &image_, nullptr, check_.error()));
+                    });
     }
     [[nodiscard]] const std::vector<Disc>& discs(const hrbfnpr_camera& camera) {
         prepare(camera);
         std::int64_t count = 0;
-        check_(hrbfnpr_renderer_vertex_bound(renderer_.get(), &count, check_.error()));
+        check_(hrbfnpr_drawing_vertex_bound(drawing_.get(), HRBFNPR_PRIMITIVE_POINTS, &count, nullptr,
+                                            check_.error()));
         discs_.resize(static_cast<std::size_t>(count));
         const hrbfnpr_vertex_layout layout = layout_of_disc();
-        check_(hrbfnpr_renderer_write_vertices(renderer_.get(), &layout, discs_.data(), count, &count, check_.error()));
+        check_(hrbfnpr_drawing_write_vertices(drawing_.get(), &layout, discs_.data(), count, &count, nullptr, 0,
+                                              nullptr, check_.error()));
         discs_.resize(static_cast<std::size_t>(count));
         return discs_;
     }
     [[nodiscard]] hrbfnpr_drawing_info info() {
         hrbfnpr_drawing_info info;
         check_(hrbfnpr_drawing_info_init(&info, sizeof info));
-        check_(hrbfnpr_renderer_get_info(renderer_.get(), &info, check_.error()));
+        check_(hrbfnpr_drawing_get_info(drawing_.get(), &info, check_.error()));
         return info;
     }
+    // Of the last draw(): the part that made the image of the drawing.
+    [[nodiscard]] double image_ms() const { return image_ms_; }
     [[nodiscard]] const std::vector<std::uint8_t>& pixels() const { return pixels_; }
     [[nodiscard]] std::vector<std::uint8_t>& pixels() { return pixels_; }
 
@@ -71,8 +83,13 @@ private:
         hrbfnpr_vertex_layout layout;
         check_(hrbfnpr_vertex_layout_init(&layout, sizeof layout));
         layout.stride = sizeof(Disc);
+        layout.attributes = attributes_.data();
         const auto add = [&](std::uint32_t attribute, std::uint32_t scalar, std::size_t offset) {
-            layout.attributes[layout.attribute_count++] = {attribute, scalar, static_cast<std::uint32_t>(offset), 0};
+            hrbfnpr_vertex_attribute& next = attributes_[static_cast<std::size_t>(layout.attribute_count++)];
+            check_(hrbfnpr_vertex_attribute_init(&next, sizeof next));
+            next.attribute = attribute;
+            next.scalar = scalar;
+            next.offset = static_cast<std::uint32_t>(offset);
         };
         add(HRBFNPR_VERTEX_ATTRIBUTE_ID, HRBFNPR_SCALAR_UINT32, offsetof(Disc, id));
         add(HRBFNPR_VERTEX_ATTRIBUTE_RADIUS, HRBFNPR_SCALAR_FLOAT32, offsetof(Disc, radius));
@@ -85,7 +102,10 @@ private:
 
     scenes::Check check_;
     scenes::Renderer renderer_;
-    hrbfnpr_style style_;
+    scenes::Drawing drawing_;
+    std::array<hrbfnpr_vertex_attribute, 6> attributes_{};
+    double image_ms_ = 0.0;
+    Style style_;
     hrbfnpr_item item_{};
     hrbfnpr_image image_{};
     std::vector<std::uint8_t> pixels_;

@@ -70,7 +70,7 @@ public:
         hrbfnpr_renderer* renderer = nullptr;
         check_(hrbfnpr_renderer_create(context_.get(), &renderer, check_.error()));
         renderer_.reset(renderer);
-        check_(hrbfnpr_style_init_preset(&style_, sizeof style_, HRBFNPR_PRESET_FULL, &groups_, check_.error()));
+        check_(hrbfnpr_style_init_preset(&style_, sizeof style_, HRBFNPR_PRESET_FULL, check_.error()));
         for (std::int64_t i = 0; i < queries; ++i) {
             const auto t = static_cast<double>(i);
             queries_.push_back(torus_at(t * 0.618, t * 0.755));
@@ -99,14 +99,14 @@ public:
     void generate() {
         hrbfnpr_generate_desc desc;
         check_(hrbfnpr_generate_desc_init(&desc, sizeof desc));
-        desc.groups = groups_;
+        desc.layers = hrbfnpr_preset_layers(HRBFNPR_PRESET_FULL, &desc.layer_count);
         hrbfnpr_point_set* marks = nullptr;
         check_(hrbfnpr_point_set_generate(context_.get(), model_.get(), &desc, nullptr, &marks, check_.error()));
         marks_.reset(marks);
     }
 
     void draw() {
-        prepare();
+        const scenes::Drawing drawing = drawn();
         pixels_.resize(std::size_t{4} * width * height);
         hrbfnpr_image image;
         check_(hrbfnpr_image_init(&image, sizeof image));
@@ -114,16 +114,14 @@ public:
         image.width = width;
         image.height = height;
         image.pixels = pixels_.data();
-        check_(hrbfnpr_renderer_draw_image(renderer_.get(), &image, nullptr, check_.error()));
+        check_(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, check_.error()));
     }
 
     [[nodiscard]] double marks() {
         hrbfnpr_point_set_info info;
         check_(hrbfnpr_point_set_info_init(&info, sizeof info));
         check_(hrbfnpr_point_set_get_info(marks_.get(), &info, check_.error()));
-        double count = 0;
-        for (const hrbfnpr_group_info& group : info.group) count += static_cast<double>(group.count);
-        return count;
+        return static_cast<double>(info.marks);
     }
 
     [[nodiscard]] double threads() {
@@ -134,7 +132,7 @@ public:
     }
 
 private:
-    void prepare() {
+    [[nodiscard]] scenes::Drawing drawn() {
         const double low[3] = {-1.43, -1.43, -0.43};
         const double high[3] = {1.43, 1.43, 0.43};
         const double direction[3] = {0.2, 1.0, -0.8};
@@ -146,7 +144,9 @@ private:
         check_(hrbfnpr_item_init(&item, sizeof item));
         item.point_set = marks_.get();
         item.style = &style_;
-        check_(hrbfnpr_renderer_prepare(renderer_.get(), &item, 1, 0, &camera, nullptr, check_.error()));
+        hrbfnpr_drawing* drawing = nullptr;
+        check_(hrbfnpr_renderer_draw(renderer_.get(), &item, 1, 0, &camera, &drawing, check_.error()));
+        return scenes::Drawing(drawing);
     }
 
     const Samples& samples_;
@@ -156,7 +156,6 @@ private:
     scenes::PointSet marks_;
     scenes::Renderer renderer_;
     hrbfnpr_style style_{};
-    std::uint32_t groups_ = 0;
     std::vector<Vec> queries_;
     std::vector<double> values_;
     std::vector<Vec> gradients_;

@@ -13,22 +13,24 @@ namespace bench {
 class PlainFrame {
 public:
     // `with_paper`: marks paint paper, too, so that what lies behind is attenuated [NPAR 6.1]; else ink alone.
-    PlainFrame(const hrbfnpr_point_set* set, const hrbfnpr_style& style, int width, int height, bool with_paper)
+    PlainFrame(const hrbfnpr_point_set* set, const Style& style, int width, int height, bool with_paper)
         : style_(style), with_paper_(with_paper), width_(width), height_(height),
           pixels_(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
         const hrbfnpr_point_set_info info = info_of(set);
         spacing_ = info.spacing;
-        for (std::uint32_t group = 0; group < HRBFNPR_GROUP_COUNT; ++group) {
+        for (std::int64_t layer = 0; layer < info.layers; ++layer) {
             std::int64_t count = 0;
             std::int64_t widths = 0;
-            const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
-            const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
-            const float* rank = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_RANK, count);
-            const float* wide = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_WIDTH, widths);
+            const float* position = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+            const float* normal = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+            const float* rank = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_RANK, count);
+            if (count == 0) continue;
+            pens_.push_back(style.of(layer_info(set, layer).kind));
+            const float* wide = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_WIDTH, widths);
             for (std::int64_t i = 0; i < count; ++i) {
                 const glm::dvec3 place = glm::make_vec3(info.origin) + glm::dvec3(glm::make_vec3(position + 3 * i));
                 marks_.push_back({place, glm::make_vec3(normal + 3 * i), double{rank[i]},
-                                  widths > 0 ? double{wide[i]} : 1.0, group});
+                                  widths > 0 ? double{wide[i]} : 1.0, pens_.size() - 1});
             }
         }
     }
@@ -49,7 +51,7 @@ private:
     struct Mark {
         glm::dvec3 place, normal;
         double rank, width;
-        std::uint32_t group;
+        std::size_t pen;
     };
     struct Disc {
         double depth, x, y, radius, alpha;
@@ -65,12 +67,12 @@ private:
         const double scale = pixels_per_unit / -eye.z; // pixels per unit
         const double delta = style_.silhouette_threshold;
         const double cover = std::max(1.0, 1.5 * spacing_ * scale);
-        const hrbfnpr_group_style& pen = style_.group[mark.group];
+        const hrbfnpr_layer_style& pen = pens_[mark.pen];
         if (nu > delta) {
             const double alpha = 0.2 * (std::log(nu - 0.05) + 5.0) * style_.attenuation_back;
             paper(eye, at, cover + double{style_.halo_width}, alpha, scale);
         } else if (nu >= -delta) {
-            if ((style_.silhouette_groups >> mark.group & 1U) != 0)
+            if (pen.contours != 0)
                 discs_.push_back({-eye.z, at.x, at.y, double{style_.silhouette_radius}, 1.0, 0.0F});
         } else {
             paper(eye, at, cover, nu * nu * style_.attenuation_front, scale);
@@ -104,6 +106,7 @@ private:
     }
 
     hrbfnpr_style style_;
+    std::vector<hrbfnpr_layer_style> pens_; // of the layers that have marks
     bool with_paper_;
     int width_, height_;
     double spacing_ = 0.0;

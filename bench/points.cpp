@@ -42,7 +42,7 @@ scenes::Model fit(hrbfnpr_context* context, const Samples& samples) {
 }
 
 struct Job {
-    std::uint32_t group;
+    std::uint32_t kind;
     std::int32_t levels;
 };
 
@@ -50,20 +50,18 @@ struct Job {
 std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, const Samples& seeds, const Job& job,
                       hrbfnpr_operation* operation = nullptr) {
     scenes::Check check;
-    hrbfnpr_generate_desc desc;
-    check(hrbfnpr_generate_desc_init(&desc, sizeof desc));
-    desc.groups = 1U << job.group;
+    bench::Generation desc = bench::marks_of(job.kind, 0);
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_POINTS;
     desc.seed_points = bench::view(seeds.points);
-    desc.group[job.group].levels = job.levels;
+    desc.layer[0].levels = job.levels;
     hrbfnpr_point_set* raw = nullptr;
-    const hrbfnpr_status status = hrbfnpr_point_set_generate(context, model, &desc, operation, &raw, check.error());
+    const hrbfnpr_status status = hrbfnpr_point_set_generate(context, model, desc.get(), operation, &raw, check.error());
     if (status == HRBFNPR_STATUS_CANCELLED) return -1;
     check(status);
     const scenes::PointSet set(raw);
     hrbfnpr_array positions{};
-    check(hrbfnpr_point_set_view(raw, job.group, HRBFNPR_MARK_ATTRIBUTE_POSITION, &positions, check.error()));
+    check(hrbfnpr_point_set_view(raw, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &positions, check.error()));
     return positions.count;
 }
 
@@ -77,9 +75,9 @@ struct Row {
 };
 
 void run_table(hrbfnpr_context* context, const std::string& models) {
-    constexpr std::uint32_t stipple = HRBFNPR_GROUP_STIPPLE;
-    constexpr std::uint32_t combing = HRBFNPR_GROUP_COMBING;
-    constexpr std::uint32_t curvature = HRBFNPR_GROUP_CURVATURE;
+    constexpr std::uint32_t stipple = HRBFNPR_LAYER_KIND_STIPPLES;
+    constexpr std::uint32_t combing = HRBFNPR_LAYER_KIND_COMBING;
+    constexpr std::uint32_t curvature = HRBFNPR_LAYER_KIND_PRINCIPAL;
     const std::vector<Row> rows{
         {"sphere", "sphere_6.ply", 6, {stipple, 4}, {combing, 4}, 8.3},
         {"tori", "tori_256.ply", 256, {stipple, 3}, {combing, 4}, 217.9},
@@ -200,10 +198,10 @@ void run_growth(hrbfnpr_context* context) {
         const scenes::Model model = fit(context, bumpy(count, 0.15));
         std::int64_t marks = 0;
         const double seconds = bench::seconds([&] {
-            marks = generate(context, model.get(), seeds, {HRBFNPR_GROUP_STIPPLE, 3});
+            marks = generate(context, model.get(), seeds, {HRBFNPR_LAYER_KIND_STIPPLES, 3});
         });
         const double again = bench::seconds([&] {
-            marks = generate(context, model.get(), seeds, {HRBFNPR_GROUP_STIPPLE, 3});
+            marks = generate(context, model.get(), seeds, {HRBFNPR_LAYER_KIND_STIPPLES, 3});
         });
         if (count == 256) first = again;
         std::printf("%lld marks on %lld centres: %.3f s, then %.3f s, %.0f marks a second\n",
@@ -220,7 +218,7 @@ void run_growth(hrbfnpr_context* context) {
 void run_cancelling(hrbfnpr_context* context) {
     const Samples samples = bumpy(4096, 0.15);
     const scenes::Model warm = fit(context, samples);
-    const double all = bench::seconds([&] { generate(context, warm.get(), samples, {HRBFNPR_GROUP_STIPPLE, 3}); });
+    const double all = bench::seconds([&] { generate(context, warm.get(), samples, {HRBFNPR_LAYER_KIND_STIPPLES, 3}); });
     double worst = 0.0;
     constexpr int cancels = 40;
     for (int k = 0; k < cancels; ++k) {
@@ -234,7 +232,7 @@ void run_cancelling(hrbfnpr_context* context) {
             cancelled = std::chrono::steady_clock::now();
             hrbfnpr_operation_cancel(operation);
         });
-        const bool ended = generate(context, model.get(), samples, {HRBFNPR_GROUP_STIPPLE, 3}, operation) < 0;
+        const bool ended = generate(context, model.get(), samples, {HRBFNPR_LAYER_KIND_STIPPLES, 3}, operation) < 0;
         const auto returned = std::chrono::steady_clock::now();
         canceller.join();
         hrbfnpr_operation_release(operation);

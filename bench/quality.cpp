@@ -45,11 +45,11 @@ struct Surface {
 };
 
 // By falling rank.
-std::vector<Mark> ordered(const hrbfnpr_point_set* set, std::uint32_t group) {
+std::vector<Mark> ordered(const hrbfnpr_point_set* set) {
     std::int64_t count = 0;
-    const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
-    const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
-    const float* rank = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_RANK, count);
+    const float* position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+    const float* normal = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+    const float* rank = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_RANK, count);
     const hrbfnpr_point_set_info info = info_of(set);
     std::vector<std::size_t> order(static_cast<std::size_t>(count));
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -117,24 +117,24 @@ struct Sets {
 Sets sets_on(hrbfnpr_context* context, const Surface& surface, double& area) {
     Sets sets;
     const scenes::PointSet blue =
-        generate(context, surface.model.get(), marks_of(HRBFNPR_GROUP_STIPPLE, measured_marks));
-    sets.blue = ordered(blue.get(), HRBFNPR_GROUP_STIPPLE);
+        generate(context, surface.model.get(), marks_of(HRBFNPR_LAYER_KIND_STIPPLES, measured_marks));
+    sets.blue = ordered(blue.get());
     const double spacing = info_of(blue.get()).spacing;
     if (area <= 0.0) area = spacing * spacing * static_cast<double>(sets.blue.size());
     // A random sixteenth of far denser marks is independent on all scales that matter.
     const scenes::PointSet dense =
-        generate(context, surface.model.get(), marks_of(HRBFNPR_GROUP_STIPPLE, 16 * measured_marks));
-    sets.white = ordered(dense.get(), HRBFNPR_GROUP_STIPPLE);
+        generate(context, surface.model.get(), marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 16 * measured_marks));
+    sets.white = ordered(dense.get());
     std::mt19937_64 random(1);
     std::shuffle(sets.white.begin(), sets.white.end(), random);
     sets.white.resize(static_cast<std::size_t>(measured_marks));
-    hrbfnpr_generate_desc desc = marks_of(HRBFNPR_GROUP_STIPPLE, 0);
+    bench::Generation desc = marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 0);
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_BOX;
     desc.box_resolution = 8;
-    desc.group[HRBFNPR_GROUP_STIPPLE].levels = 3;
-    desc.group[HRBFNPR_GROUP_STIPPLE].budget = measured_marks;
-    sets.paper = ordered(generate(context, surface.model.get(), desc).get(), HRBFNPR_GROUP_STIPPLE);
+    desc.layer[0].levels = 3;
+    desc.layer[0].budget = measured_marks;
+    sets.paper = ordered(generate(context, surface.model.get(), desc).get());
     return sets;
 }
 
@@ -170,7 +170,7 @@ std::int32_t ramp_tone(void*, std::int64_t count, const float* positions, const 
 
 // What the order alone gives: a share of the marks, each in full.
 bench::ToneError error_of(hrbfnpr_context* context, const hrbfnpr_point_set* set) {
-    hrbfnpr_style style = bench::ramp_style(ramp_tone);
+    bench::Style style = bench::ramp_style(ramp_tone);
     style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
     style.tone_fade = 0.0F;
     return bench::tone_error(bench::drawn_ramp(context, set, style));
@@ -180,7 +180,7 @@ bench::ToneError run_tone(hrbfnpr_context* context) {
     const scenes::Model model = custom(context, plane, {2.2, 1.2, 0.4});
     const double pixel = 4.0 / bench::ramp_width;
     const std::int64_t budget = bench::ramp_budget(context, model.get(), darkest);
-    hrbfnpr_generate_desc desc = marks_of(HRBFNPR_GROUP_STIPPLE, budget);
+    bench::Generation desc = marks_of(HRBFNPR_LAYER_KIND_STIPPLES, budget);
     const scenes::PointSet blue = generate(context, model.get(), desc);
     const double spacing = info_of(blue.get()).spacing / pixel;
     std::printf("\ntone ramp 0.05 to 0.55, %lld marks of 1.5 px, coverage of all %.3f\n",
@@ -189,7 +189,7 @@ bench::ToneError run_tone(hrbfnpr_context* context) {
     std::printf("%-12s psnr %.2f dB, bias %+.4f\n", "BLUE_NOISE", error.psnr, error.bias);
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_BOX;
-    desc.group[0].levels = 5;
+    desc.layer[0].levels = 5;
     const bench::ToneError paper = error_of(context, generate(context, model.get(), desc).get());
     std::printf("%-12s psnr %.2f dB, bias %+.4f\n", "PAPER", paper.psnr, paper.bias);
     return error;
@@ -204,8 +204,8 @@ struct Directions {
 // DIRECTION against the nearer of a torus's meridian and parallel.
 Directions run_directions(const hrbfnpr_point_set* set) {
     std::int64_t count = 0;
-    const float* position = attribute<float>(set, HRBFNPR_GROUP_CURVATURE, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
-    const float* direction = attribute<float>(set, HRBFNPR_GROUP_CURVATURE, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, count);
+    const float* position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+    const float* direction = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, count);
     const hrbfnpr_point_set_info info = info_of(set);
     std::vector<double> errors;
     for (std::int64_t i = 0; i < count; ++i) {
@@ -227,12 +227,11 @@ struct Spacing {
 
 // Sideways from each mark to the next stroke that runs parallel (within 45 degrees), in separations.
 Spacing run_spacing(const hrbfnpr_point_set* set, double separation) {
-    constexpr std::uint32_t group = HRBFNPR_GROUP_CURVATURE;
     std::int64_t count = 0;
-    const float* position = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
-    const float* normal = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
-    const float* direction = attribute<float>(set, group, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, count);
-    const std::uint32_t* stroke = attribute<std::uint32_t>(set, group, HRBFNPR_MARK_ATTRIBUTE_STROKE, count);
+    const float* position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+    const float* normal = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+    const float* direction = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, count);
+    const std::uint32_t* stroke = attribute<std::uint32_t>(set, 0, HRBFNPR_MARK_ATTRIBUTE_STROKE, count);
     const auto vec = [](const float* a, std::size_t i) { return Vec3{a[3 * i], a[3 * i + 1], a[3 * i + 2]}; };
     std::vector<Mark> marks;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
@@ -279,8 +278,8 @@ StrokeTotals run_strokes(hrbfnpr_context* context, const std::vector<Surface>& s
     const scenes::Samples samples = scenes::torus(4096);
     const scenes::Model fitted = fit(context, samples.points, samples.normals);
     const auto row = [&](const char* name, const hrbfnpr_model* model) {
-        const scenes::PointSet set = generate(context, model, marks_of(HRBFNPR_GROUP_CURVATURE, 100000));
-        const Spacing s = run_spacing(set.get(), info_of(set.get()).group[HRBFNPR_GROUP_CURVATURE].step);
+        const scenes::PointSet set = generate(context, model, marks_of(HRBFNPR_LAYER_KIND_PRINCIPAL, 100000));
+        const Spacing s = run_spacing(set.get(), bench::layer_info(set.get(), 0).step);
         std::printf("%-12s %10.3f %10.3f %9.2f%%\n", name, s.mean, s.variation, 100.0 * s.alone);
         totals.variation = std::max(totals.variation, s.variation);
         return run_directions(set.get());
@@ -301,19 +300,19 @@ struct OrderTime {
 
 OrderTime run_time(hrbfnpr_context* context, const Samples& samples) {
     constexpr std::int64_t marks = 512000;
-    hrbfnpr_generate_desc paper = marks_of(HRBFNPR_GROUP_STIPPLE, 0);
+    bench::Generation paper = marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 0);
     paper.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     paper.seed_source = HRBFNPR_SEED_SAMPLES;
-    paper.group[0].levels = 3;
-    const hrbfnpr_generate_desc blue = marks_of(HRBFNPR_GROUP_STIPPLE, marks);
-    const auto first = [&](const hrbfnpr_generate_desc& desc) {
+    paper.layer[0].levels = 3;
+    const bench::Generation blue = marks_of(HRBFNPR_LAYER_KIND_STIPPLES, marks);
+    const auto first = [&](const bench::Generation& desc) {
         const scenes::Model model = fit(context, samples.points, samples.normals);
         return bench::seconds([&] { generate(context, model.get(), desc); });
     };
     const double first_paper = first(paper);
     const double first_blue = first(blue);
     const scenes::Model model = fit(context, samples.points, samples.normals);
-    const auto run = [&](const hrbfnpr_generate_desc& desc) { return [&] { generate(context, model.get(), desc); }; };
+    const auto run = [&](const bench::Generation& desc) { return [&] { generate(context, model.get(), desc); }; };
     const bench::Comparison c = bench::compare(5, run(blue), run(paper));
     std::printf("\n%lld marks: first call PAPER %.3f s, BLUE_NOISE %.3f s; later PAPER %.3f s, BLUE_NOISE %.3f s\n",
                 static_cast<long long>(marks), first_paper, first_blue, c.seconds, c.seconds * c.ratio);

@@ -15,14 +15,13 @@ namespace bench {
 inline constexpr double ramp_radius = 1.5; // of a mark, pixels
 
 // Black discs on white, as many as `tone` says.
-[[nodiscard]] inline hrbfnpr_style ramp_style(hrbfnpr_tone_fn tone) {
-    scenes::Check check;
-    hrbfnpr_style style;
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_STIPPLE, nullptr, check.error()));
+[[nodiscard]] inline Style ramp_style(hrbfnpr_tone_fn tone) {
+    Style style(HRBFNPR_PRESET_STIPPLE);
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
     style.tone = HRBFNPR_TONE_CALLBACK;
     style.tone_function = tone;
-    hrbfnpr_group_style& ink = style.group[HRBFNPR_GROUP_STIPPLE];
+    style.layer.resize(1); // of the stipples
+    hrbfnpr_layer_style& ink = style.layer[0];
     ink.radius = static_cast<float>(ramp_radius);
     ink.radius_zoom = 0.0F;
     for (std::size_t c = 0; c < 4; ++c) {
@@ -34,7 +33,7 @@ inline constexpr double ramp_radius = 1.5; // of a mark, pixels
 
 // The ink of each pixel.
 [[nodiscard]] inline std::vector<double> drawn_ramp(hrbfnpr_context* context, const hrbfnpr_point_set* set,
-                                                    const hrbfnpr_style& style) {
+                                                    Style style) {
     scenes::Check check;
     hrbfnpr_camera camera;
     check(hrbfnpr_camera_init(&camera, sizeof camera));
@@ -46,11 +45,13 @@ inline constexpr double ramp_radius = 1.5; // of a mark, pixels
     hrbfnpr_item item;
     check(hrbfnpr_item_init(&item, sizeof item));
     item.point_set = set;
-    item.style = &style;
+    item.style = style.get();
     hrbfnpr_renderer* raw = nullptr;
     check(hrbfnpr_renderer_create(context, &raw, check.error()));
     const scenes::Renderer renderer(raw);
-    check(hrbfnpr_renderer_prepare(raw, &item, 1, 0, &camera, nullptr, check.error()));
+    hrbfnpr_drawing* drawn = nullptr;
+    check(hrbfnpr_renderer_draw(raw, &item, 1, 0, &camera, &drawn, check.error()));
+    const scenes::Drawing drawing(drawn);
     std::vector<std::uint8_t> pixels(std::size_t{4} * ramp_width * ramp_height);
     hrbfnpr_image image;
     check(hrbfnpr_image_init(&image, sizeof image));
@@ -58,7 +59,7 @@ inline constexpr double ramp_radius = 1.5; // of a mark, pixels
     image.width = ramp_width;
     image.height = ramp_height;
     image.pixels = pixels.data();
-    check(hrbfnpr_renderer_draw_image(raw, &image, nullptr, check.error()));
+    check(hrbfnpr_drawing_rasterize(drawn, &image, nullptr, check.error()));
     std::vector<double> ink(pixels.size() / 4);
     for (std::size_t i = 0; i < ink.size(); ++i) ink[i] = 1.0 - pixels[4 * i] / 255.0;
     return ink;
@@ -69,7 +70,7 @@ inline constexpr double ramp_radius = 1.5; // of a mark, pixels
 [[nodiscard]] inline std::int64_t ramp_budget(hrbfnpr_context* context, const hrbfnpr_model* plane, double coverage) {
     constexpr double pi = 3.14159265358979323846;
     constexpr std::int64_t few = 4000;
-    const double spacing = info_of(generate(context, plane, marks_of(HRBFNPR_GROUP_STIPPLE, few)).get()).spacing;
+    const double spacing = info_of(generate(context, plane, marks_of(HRBFNPR_LAYER_KIND_STIPPLES, few)).get()).spacing;
     const double wide = spacing * ramp_width / 4.0; // pixels
     return static_cast<std::int64_t>(coverage / (pi * ramp_radius * ramp_radius) * wide * wide * few);
 }

@@ -9,7 +9,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "abi"))
 import const_functions  # noqa: E402
 import header  # noqa: E402
 
-NOTE = "// Made by tests/host/const_names.py: functions that threads may call with one handle at the same time.\n"
+NOTE = "// Made by tests/threads/const_names.py: functions that threads may call with one handle at the same time.\n"
 
 
 def main():
