@@ -65,7 +65,9 @@ namespace bench {
 
 // Settings of point sets with the layers that they point to.
 struct Generation : hrbfnpr_generate_desc {
-    Generation() : hrbfnpr_generate_desc{} { scenes::Check()(hrbfnpr_generate_desc_init(this, sizeof(hrbfnpr_generate_desc))); }
+    Generation() : hrbfnpr_generate_desc{} {
+        scenes::Check()(hrbfnpr_generate_desc_init(this, sizeof(hrbfnpr_generate_desc)));
+    }
     void add(std::uint32_t kind, std::int64_t budget) {
         layer.emplace_back();
         scenes::Check()(hrbfnpr_layer_desc_init(&layer.back(), sizeof layer.back()));

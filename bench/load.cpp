@@ -67,8 +67,8 @@ public:
     [[nodiscard]] double small() {
         return 1e3 * bench::seconds([&] {
                    const scenes::Model model = bench::fit(context_.get(), stock_.few.points, stock_.few.normals);
-                   const scenes::PointSet set =
-                       bench::generate(context_.get(), model.get(), bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 10'000));
+                   const scenes::PointSet set = bench::generate(context_.get(), model.get(),
+                                                                bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 10'000));
                    const bench::Orbit orbit(set.get(), width, height);
                    bench::Painter(context_.get(), set.get(), full(), width, height).draw(orbit.at(0.0));
                });

@@ -23,8 +23,7 @@ struct Disc {
 
 class Painter {
 public:
-    Painter(hrbfnpr_context* context, const hrbfnpr_point_set* set, const Style& style, int width = 0,
-            int height = 0)
+    Painter(hrbfnpr_context* context, const hrbfnpr_point_set* set, const Style& style, int width = 0, int height = 0)
         : style_(style), pixels_(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
         hrbfnpr_renderer* raw = nullptr;
         check_(hrbfnpr_renderer_create(context, &raw, check_.error()));
@@ -51,15 +50,13 @@ public:
     }
     void draw(const hrbfnpr_camera& camera) {
         prepare(camera);
-        image_ms_ = 1e3 * seconds([&] {
-                        check_(hrbfnpr_drawing_rasterize(drawing_.get(), &image_, nullptr, check_.error()));
-                    });
+        image_ms_ =
+            1e3 * seconds([&] { check_(hrbfnpr_drawing_rasterize(drawing_.get(), &image_, nullptr, check_.error())); });
     }
     [[nodiscard]] const std::vector<Disc>& discs(const hrbfnpr_camera& camera) {
         prepare(camera);
         std::int64_t count = 0;
-        check_(hrbfnpr_drawing_vertex_bound(drawing_.get(), HRBFNPR_PRIMITIVE_POINTS, &count, nullptr,
-                                            check_.error()));
+        check_(hrbfnpr_drawing_vertex_bound(drawing_.get(), HRBFNPR_PRIMITIVE_POINTS, &count, nullptr, check_.error()));
         discs_.resize(static_cast<std::size_t>(count));
         const hrbfnpr_vertex_layout layout = layout_of_disc();
         check_(hrbfnpr_drawing_write_vertices(drawing_.get(), &layout, discs_.data(), count, &count, nullptr, 0,

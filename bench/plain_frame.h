@@ -72,8 +72,7 @@ private:
             const double alpha = 0.2 * (std::log(nu - 0.05) + 5.0) * style_.attenuation_back;
             paper(eye, at, cover + double{style_.halo_width}, alpha, scale);
         } else if (nu >= -delta) {
-            if (pen.contours != 0)
-                discs_.push_back({-eye.z, at.x, at.y, double{style_.silhouette_radius}, 1.0, 0.0F});
+            if (pen.contours != 0) discs_.push_back({-eye.z, at.x, at.y, double{style_.silhouette_radius}, 1.0, 0.0F});
         } else {
             paper(eye, at, cover, nu * nu * style_.attenuation_front, scale);
             const double tau = std::pow(std::max(0.0, glm::dot(normal, light_)), style_.tone_exponent);

@@ -56,7 +56,8 @@ std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, cons
     desc.seed_points = bench::view(seeds.points);
     desc.layer[0].levels = job.levels;
     hrbfnpr_point_set* raw = nullptr;
-    const hrbfnpr_status status = hrbfnpr_point_set_generate(context, model, desc.get(), operation, &raw, check.error());
+    const hrbfnpr_status status =
+        hrbfnpr_point_set_generate(context, model, desc.get(), operation, &raw, check.error());
     if (status == HRBFNPR_STATUS_CANCELLED) return -1;
     check(status);
     const scenes::PointSet set(raw);
@@ -218,7 +219,9 @@ void run_growth(hrbfnpr_context* context) {
 void run_cancelling(hrbfnpr_context* context) {
     const Samples samples = bumpy(4096, 0.15);
     const scenes::Model warm = fit(context, samples);
-    const double all = bench::seconds([&] { generate(context, warm.get(), samples, {HRBFNPR_LAYER_KIND_STIPPLES, 3}); });
+    const double all = bench::seconds([&] {
+        generate(context, warm.get(), samples, {HRBFNPR_LAYER_KIND_STIPPLES, 3});
+    });
     double worst = 0.0;
     constexpr int cancels = 40;
     for (int k = 0; k < cancels; ++k) {

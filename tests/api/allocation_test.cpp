@@ -24,8 +24,9 @@ public:
     // The first failure, or OK.
     hrbfnpr_status run(hrbfnpr_error* error) {
         using Step = hrbfnpr_status (Pipeline::*)(hrbfnpr_error*);
-        for (const Step step : {&Pipeline::create, &Pipeline::fit, &Pipeline::query, &Pipeline::reload,
-                                &Pipeline::published, &Pipeline::own, &Pipeline::patches, &Pipeline::attenuated, &Pipeline::hidden})
+        for (const Step step :
+             {&Pipeline::create, &Pipeline::fit, &Pipeline::query, &Pipeline::reload, &Pipeline::published,
+              &Pipeline::own, &Pipeline::patches, &Pipeline::attenuated, &Pipeline::hidden})
             if (const hrbfnpr_status status = (this->*step)(error); status != HRBFNPR_STATUS_OK) return status;
         return HRBFNPR_STATUS_OK;
     }
@@ -108,7 +109,8 @@ private:
     hrbfnpr_status read(hrbfnpr_error* error) {
         std::vector<std::uint8_t> pixels;
         const hrbfnpr_image image = image_of(pixels, 16);
-        if (const auto status = hrbfnpr_drawing_rasterize(drawing_, &image, nullptr, error); status != HRBFNPR_STATUS_OK)
+        if (const auto status = hrbfnpr_drawing_rasterize(drawing_, &image, nullptr, error);
+            status != HRBFNPR_STATUS_OK)
             return status;
         Layout layout;
         layout.add(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, 0);
@@ -116,8 +118,8 @@ private:
         std::vector<std::uint32_t> indices(10000);
         for (const std::uint32_t primitive : {HRBFNPR_PRIMITIVE_POINTS, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS}) {
             layout.primitive = primitive;
-            hrbfnpr_status status = hrbfnpr_drawing_write_vertices(drawing_, layout.get(), vertices.data(), 10000, nullptr,
-                                                                   nullptr, 0, nullptr, error);
+            hrbfnpr_status status = hrbfnpr_drawing_write_vertices(drawing_, layout.get(), vertices.data(), 10000,
+                                                                   nullptr, nullptr, 0, nullptr, error);
             std::int64_t count = 0;
             if (status == HRBFNPR_STATUS_OK)
                 status = hrbfnpr_drawing_write_mark_indices(drawing_, 0, 1, HRBFNPR_CLASS_FRONT, primitive,

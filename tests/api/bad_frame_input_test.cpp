@@ -466,8 +466,8 @@ TEST_F(BadFrame, MarksAndIds) {
     EXPECT_EQ(shown, std::vector<std::uint8_t>(shown.size(), 77)) << "a failed call wrote something";
     std::uint32_t index = 0;
     std::int64_t count = -7;
-    const auto indices = [&](std::int64_t layer, std::uint32_t mark_class, std::uint32_t primitive,
-                             std::uint32_t* to, std::int64_t capacity) {
+    const auto indices = [&](std::int64_t layer, std::uint32_t mark_class, std::uint32_t primitive, std::uint32_t* to,
+                             std::int64_t capacity) {
         return hrbfnpr_drawing_write_mark_indices(kept.get(), 0, layer, mark_class, primitive, to, capacity, &count,
                                                   error);
     };

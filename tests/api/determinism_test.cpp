@@ -27,8 +27,8 @@ void append(Bytes& bytes, const PointSet& set) {
               HRBFNPR_MARK_ATTRIBUTE_CURVATURE, HRBFNPR_MARK_ATTRIBUTE_RANK, HRBFNPR_MARK_ATTRIBUTE_WIDTH})
             append(bytes, attribute<float>(set, layer, which));
         append(bytes, attribute<std::uint8_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_LEVEL));
-        for (const std::uint32_t which : {HRBFNPR_MARK_ATTRIBUTE_STROKE, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST,
-                                          HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER})
+        for (const std::uint32_t which :
+             {HRBFNPR_MARK_ATTRIBUTE_STROKE, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST, HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER})
             append(bytes, attribute<std::uint32_t>(set, layer, which));
     }
 }

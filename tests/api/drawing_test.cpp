@@ -99,8 +99,8 @@ std::vector<std::uint32_t> indices_of(const Drawing& drawing, std::int64_t layer
                                       std::uint32_t primitive) {
     Error error;
     std::int64_t count = 0;
-    const hrbfnpr_status status = hrbfnpr_drawing_write_mark_indices(drawing.get(), 0, layer, mark_class, primitive,
-                                                                     nullptr, 0, &count, error);
+    const hrbfnpr_status status =
+        hrbfnpr_drawing_write_mark_indices(drawing.get(), 0, layer, mark_class, primitive, nullptr, 0, &count, error);
     EXPECT_EQ(status, count == 0 ? HRBFNPR_STATUS_OK : HRBFNPR_STATUS_BUFFER_TOO_SMALL);
     std::vector<std::uint32_t> indices(static_cast<std::size_t>(count));
     EXPECT_OK(hrbfnpr_drawing_write_mark_indices(drawing.get(), 0, layer, mark_class, primitive, indices.data(), count,
@@ -184,7 +184,8 @@ TEST_F(DrawingTest, OwnStrokesAreWhereTheyShouldBe) {
         EXPECT_LT(pixels[4 * centre + 1], 60) << "mark " << i / 3;
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x)
-                if (std::hypot(x + 0.5 - at[0], y + 0.5 - at[1]) < 4.0) near[static_cast<std::size_t>(side * y + x)] = true;
+                if (std::hypot(x + 0.5 - at[0], y + 0.5 - at[1]) < 4.0)
+                    near[static_cast<std::size_t>(side * y + x)] = true;
     }
     for (std::size_t i = 0; i < near.size(); ++i) ASSERT_TRUE(near[i] || pixels[4 * i + 1] == 255) << i;
 }
@@ -256,7 +257,8 @@ TEST(DrawingMemory, IsLeftAloneWhileItIsHeld) {
         item.transform[12] = 0.1 * i;
         held.push_back(draw_item(renderer, item, front_camera(64)));
         pictures.push_back(rasterize(held.back(), 64));
-        for (int other = 0; other < i; ++other) EXPECT_NE(held.back().get(), held[static_cast<std::size_t>(other)].get());
+        for (int other = 0; other < i; ++other)
+            EXPECT_NE(held.back().get(), held[static_cast<std::size_t>(other)].get());
     }
     for (std::size_t i = 0; i < held.size(); ++i) {
         EXPECT_EQ(rasterize(held[i], 64), pictures[i]);
@@ -336,8 +338,8 @@ TEST_F(DrawingTest, LineStripsStayWithinTheirStroke) {
             EXPECT_EQ(v.is_paper, 0U);
             if (i == 0) continue;
             const Vertex& last = lines.vertex[strip[i - 1]];
-            EXPECT_NEAR(v.length - last.length,
-                        std::hypot(v.window[0] - last.window[0], v.window[1] - last.window[1]), 1e-3);
+            EXPECT_NEAR(v.length - last.length, std::hypot(v.window[0] - last.window[0], v.window[1] - last.window[1]),
+                        1e-3);
         }
     }
     EXPECT_TRUE(std::all_of(used.begin(), used.end(), [](bool one) { return one; }));

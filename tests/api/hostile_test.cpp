@@ -52,8 +52,8 @@ Model model_of(const Context& context, Steep& steep, double half = 1.1) {
     return model_in_box(context, steep, -half, half);
 }
 
-hrbfnpr_status generated(const Context& context, const Model& model, Generation desc, Error& error,
-                         PointSet& set, hrbfnpr_operation* operation = nullptr) {
+hrbfnpr_status generated(const Context& context, const Model& model, Generation desc, Error& error, PointSet& set,
+                         hrbfnpr_operation* operation = nullptr) {
     hrbfnpr_point_set* made_set = nullptr;
     const hrbfnpr_status status =
         hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), operation, &made_set, error);
@@ -283,7 +283,8 @@ TEST(Hostile, LengthsAtTheirLimits) {
             EXPECT_LT(steep.calls, 10000);
             if (status == HRBFNPR_STATUS_OK) {
                 EXPECT_FALSE(attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION).empty());
-                for (const float x : attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION)) ASSERT_LT(std::abs(x), 1.2F);
+                for (const float x : attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION))
+                    ASSERT_LT(std::abs(x), 1.2F);
             } else {
                 EXPECT_TRUE(status == HRBFNPR_STATUS_INVALID_ARGUMENT || status == HRBFNPR_STATUS_NOT_CONVERGED);
                 const std::string message = error.record.message;

@@ -91,7 +91,8 @@ TEST(PointSet, ViewsOfAllAttributesFitTogether) {
         ASSERT_EQ(position.size(), 3 * count);
         ASSERT_EQ(normal.size(), 3 * count);
         ASSERT_EQ(direction.size(), 3 * count);
-        EXPECT_EQ(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_CURVATURE).size(), layer == principal ? 3 * count : 0);
+        EXPECT_EQ(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_CURVATURE).size(),
+                  layer == principal ? 3 * count : 0);
         EXPECT_EQ(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_RANK).size(), count);
         EXPECT_EQ(attribute<std::uint8_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_LEVEL).size(), count);
         EXPECT_EQ(attribute<std::uint32_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_STROKE).size(), 2 * count);
@@ -128,7 +129,8 @@ TEST(PointSet, RefusesUnknownViews) {
     const Model model = custom_sphere(context, sphere);
     const PointSet set = generate(context, model, small_desc());
     hrbfnpr_array view{};
-    EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 3, 0, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT, "layer is 3; the set has 3");
+    EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 3, 0, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "layer is 3; the set has 3");
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 10, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "attribute is 10");
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 0, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
@@ -226,7 +228,8 @@ TEST(PointSet, IsMadeFromArrays) {
     EXPECT_EQ(attribute<float>(set, 2, HRBFNPR_MARK_ATTRIBUTE_RANK), arrays.rank);
     EXPECT_EQ(attribute<float>(set, 2, HRBFNPR_MARK_ATTRIBUTE_WIDTH), arrays.width);
     EXPECT_EQ(attribute<std::uint8_t>(set, 2, HRBFNPR_MARK_ATTRIBUTE_LEVEL), arrays.level);
-    EXPECT_EQ(attribute<std::uint32_t>(set, 2, HRBFNPR_MARK_ATTRIBUTE_STROKE), (std::vector<std::uint32_t>{1, 0, 1, 1}));
+    EXPECT_EQ(attribute<std::uint32_t>(set, 2, HRBFNPR_MARK_ATTRIBUTE_STROKE),
+              (std::vector<std::uint32_t>{1, 0, 1, 1}));
     EXPECT_EQ(attribute<std::uint32_t>(set, 2, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST), arrays.first);
     for (const float rank : attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_RANK)) {
         EXPECT_GE(rank, 0.0F);
@@ -356,7 +359,8 @@ TEST(PointSet, StrokesFollowTheCallersField) {
         const double y = static_cast<double>(position[3 * i + 1]) + info.origin[1];
         const double r = std::hypot(x, y);
         if (r < 0.4 || stroke[2 * i] % 2 != 0) continue;
-        const double along = (static_cast<double>(direction[3 * i]) * -y + static_cast<double>(direction[3 * i + 1]) * x) / r;
+        const double along =
+            (static_cast<double>(direction[3 * i]) * -y + static_cast<double>(direction[3 * i + 1]) * x) / r;
         EXPECT_GT(std::abs(along), 0.95) << i;
         ++seen;
     }

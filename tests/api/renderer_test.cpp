@@ -15,8 +15,7 @@ protected:
         const hrbfnpr_item item = item_of(set, style);
         const hrbfnpr_camera camera = front_camera();
         hrbfnpr_drawing* made_drawing = nullptr;
-        const hrbfnpr_status status =
-            hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &made_drawing, error);
+        const hrbfnpr_status status = hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &made_drawing, error);
         drawing.reset(made_drawing);
         if (info != nullptr && made_drawing != nullptr) *info = info_of(drawing);
         return status;
@@ -144,14 +143,14 @@ TEST_F(RendererTest, WritesVertices) {
         .add(HRBFNPR_VERTEX_ATTRIBUTE_CLASS, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, mark_class))
         .add(HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER, HRBFNPR_SCALAR_UINT8, offsetof(Vertex, is_paper));
     std::int64_t count = -1;
-    EXPECT_FAILS(hrbfnpr_drawing_write_vertices(drawing.get(), layout.get(), nullptr, 0, &count, nullptr, 0, nullptr,
-                                                error),
-                 HRBFNPR_STATUS_BUFFER_TOO_SMALL, "vertex_capacity is 0");
+    EXPECT_FAILS(
+        hrbfnpr_drawing_write_vertices(drawing.get(), layout.get(), nullptr, 0, &count, nullptr, 0, nullptr, error),
+        HRBFNPR_STATUS_BUFFER_TOO_SMALL, "vertex_capacity is 0");
     ASSERT_GT(count, 0);
     std::vector<Vertex> vertices(static_cast<std::size_t>(count) + 1);
     std::memset(vertices.data(), 0x55, vertices.size() * sizeof(Vertex));
-    EXPECT_OK(hrbfnpr_drawing_write_vertices(drawing.get(), layout.get(), vertices.data(), count + 1, &count, nullptr, 0,
-                                             nullptr, error));
+    EXPECT_OK(hrbfnpr_drawing_write_vertices(drawing.get(), layout.get(), vertices.data(), count + 1, &count, nullptr,
+                                             0, nullptr, error));
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         const Vertex& v = vertices[i];
         const float* p = v.position;

@@ -34,7 +34,8 @@ void expect_times(const PointSet& set, const PointSet& unit, double by) {
         ASSERT_FALSE(of(unit, HRBFNPR_MARK_ATTRIBUTE_POSITION).empty());
         EXPECT_EQ(of(set, HRBFNPR_MARK_ATTRIBUTE_POSITION), times(of(unit, HRBFNPR_MARK_ATTRIBUTE_POSITION), by));
         EXPECT_EQ(of(set, HRBFNPR_MARK_ATTRIBUTE_CURVATURE), bent(of(unit, HRBFNPR_MARK_ATTRIBUTE_CURVATURE), by));
-        for (const std::uint32_t what : {HRBFNPR_MARK_ATTRIBUTE_NORMAL, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, HRBFNPR_MARK_ATTRIBUTE_RANK})
+        for (const std::uint32_t what :
+             {HRBFNPR_MARK_ATTRIBUTE_NORMAL, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, HRBFNPR_MARK_ATTRIBUTE_RANK})
             EXPECT_EQ(of(set, what), of(unit, what));
         EXPECT_EQ(layer_info(set, layer).step, by * layer_info(unit, layer).step);
     }
@@ -222,7 +223,8 @@ TEST(Scale, LargeSpheresGetAllTheirMarks) {
     for (const double radius : {1e20, 1e30, 1e-20, 1e-22, 1e-30}) {
         const PointSet set = generate(context, sphere_of(context, radius), small_desc());
         EXPECT_GE(layer_info(set, stipples).marks, 294) << radius; // of 300
-        for (const float x : attribute<float>(set, principal, HRBFNPR_MARK_ATTRIBUTE_CURVATURE)) ASSERT_TRUE(std::isfinite(x));
+        for (const float x : attribute<float>(set, principal, HRBFNPR_MARK_ATTRIBUTE_CURVATURE))
+            ASSERT_TRUE(std::isfinite(x));
         for (const float x : attribute<float>(set, stipples, HRBFNPR_MARK_ATTRIBUTE_POSITION))
             ASSERT_LE(std::abs(x), 1.01 * radius);
     }

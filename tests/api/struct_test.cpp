@@ -46,14 +46,14 @@ INIT(mark_identity);
 
 template <class T>
 class StructTest : public testing::Test {};
-using Structs = testing::Types<hrbfnpr_image, hrbfnpr_context_desc, hrbfnpr_context_info, hrbfnpr_fit_desc,
-                               hrbfnpr_custom_desc, hrbfnpr_model_info, hrbfnpr_project_desc, hrbfnpr_cast_desc,
-                               hrbfnpr_projection, hrbfnpr_curvature, hrbfnpr_ray_hits, hrbfnpr_layer_desc,
-                               hrbfnpr_generate_desc, hrbfnpr_layer_arrays, hrbfnpr_layer_info, hrbfnpr_placement_info,
-                               hrbfnpr_point_set_desc, hrbfnpr_point_set_info, hrbfnpr_camera, hrbfnpr_layer_style,
-                               hrbfnpr_style, hrbfnpr_layer_pose, hrbfnpr_item, hrbfnpr_drawing_info,
-                               hrbfnpr_drawing_layer_info, hrbfnpr_raster_desc, hrbfnpr_vertex_attribute,
-                               hrbfnpr_vertex_layout, hrbfnpr_mark_results, hrbfnpr_mark_identity>;
+using Structs =
+    testing::Types<hrbfnpr_image, hrbfnpr_context_desc, hrbfnpr_context_info, hrbfnpr_fit_desc, hrbfnpr_custom_desc,
+                   hrbfnpr_model_info, hrbfnpr_project_desc, hrbfnpr_cast_desc, hrbfnpr_projection, hrbfnpr_curvature,
+                   hrbfnpr_ray_hits, hrbfnpr_layer_desc, hrbfnpr_generate_desc, hrbfnpr_layer_arrays,
+                   hrbfnpr_layer_info, hrbfnpr_placement_info, hrbfnpr_point_set_desc, hrbfnpr_point_set_info,
+                   hrbfnpr_camera, hrbfnpr_layer_style, hrbfnpr_style, hrbfnpr_layer_pose, hrbfnpr_item,
+                   hrbfnpr_drawing_info, hrbfnpr_drawing_layer_info, hrbfnpr_raster_desc, hrbfnpr_vertex_attribute,
+                   hrbfnpr_vertex_layout, hrbfnpr_mark_results, hrbfnpr_mark_identity>;
 TYPED_TEST_SUITE(StructTest, Structs);
 
 // A struct of the future: ours with a tail.

@@ -57,9 +57,7 @@ PointSet generate(const Context& context, const Model& model, Generation desc) {
     return PointSet(marks);
 }
 
-PointSet generate(const Context& context, const Model& model) {
-    return generate(context, model, Generation(1000));
-}
+PointSet generate(const Context& context, const Model& model) { return generate(context, model, Generation(1000)); }
 
 Bytes everything(const Scene& scene) {
     Bytes all;

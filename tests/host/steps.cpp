@@ -200,8 +200,8 @@ hrbfnpr_camera front_camera() {
     return camera;
 }
 
-Drawing drawing_of(const Context& context, const PointSet& marks, const hrbfnpr_style* style,
-                   const hrbfnpr_model* rays, const hrbfnpr_layer_pose* pose = nullptr) {
+Drawing drawing_of(const Context& context, const PointSet& marks, const hrbfnpr_style* style, const hrbfnpr_model* rays,
+                   const hrbfnpr_layer_pose* pose = nullptr) {
     scenes::Check check;
     hrbfnpr_renderer* renderer = nullptr;
     check(hrbfnpr_renderer_create(context.get(), &renderer, check.error()));

@@ -42,8 +42,8 @@ private:
 
 template <class T>
 hrbfnpr_array_out out(std::vector<T>& numbers, std::uint32_t components = 1) {
-    const std::uint32_t scalar = sizeof(T) == 8   ? HRBFNPR_SCALAR_FLOAT64
-                                 : sizeof(T) == 1 ? HRBFNPR_SCALAR_UINT8
+    const std::uint32_t scalar = sizeof(T) == 8             ? HRBFNPR_SCALAR_FLOAT64
+                                 : sizeof(T) == 1           ? HRBFNPR_SCALAR_UINT8
                                  : std::is_same_v<T, float> ? HRBFNPR_SCALAR_FLOAT32
                                                             : HRBFNPR_SCALAR_UINT32;
     return {numbers.data(), static_cast<std::int64_t>(numbers.size() / components), 0, scalar, components};
@@ -198,8 +198,8 @@ void add_point_sets(std::map<std::string, Call>& calls) {
     CALL(hrbfnpr_point_set_step_patches) {
         std::vector<double> corner(60);
         const auto corners = out(corner, 12);
-        status = hrbfnpr_point_set_step_patches(s.context.get(), s.model.get(), nullptr, &corners, nullptr, nullptr,
-                                                error);
+        status =
+            hrbfnpr_point_set_step_patches(s.context.get(), s.model.get(), nullptr, &corners, nullptr, nullptr, error);
         result.add(corner);
     });
     CALL(hrbfnpr_point_set_retain) {
