@@ -275,7 +275,9 @@ std::vector<double> painted(const std::vector<Vertex>& points) {
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const double distance = std::hypot(x + 0.5 - double{v.window[0]}, y + 0.5 - double{v.window[1]});
-                const double coverage = std::clamp(double{v.radius} + 0.5 - distance, 0.0, 1.0);
+                // Dots of less than half a pixel are not drawn smaller, but paler.
+                const double radius = std::max(double{v.radius}, 0.5);
+                const double coverage = std::clamp(radius + 0.5 - distance, 0.0, 1.0) * std::pow(std::min(double{v.radius} / radius, 1.0), 2.0);
                 double& at = value[static_cast<std::size_t>(side * y + x)];
                 at += coverage * double{v.color[3]} * (double{v.color[0]} - at);
             }
@@ -294,7 +296,7 @@ TEST_F(DrawingTest, PointsPaintedFarToNearAreTheImage) {
         for (std::size_t i = 0; i < points.index.size(); ++i) ASSERT_EQ(points.index[i], i);
         float last = 1.0F; // a contour's depth is its own, not its mark's
         for (const Vertex& v : points.vertex)
-            if (v.mark_class == HRBFNPR_CLASS_FRONT && v.is_paper == 0) {
+            if (visibility == HRBFNPR_VISIBILITY_DEPTH_LAYERS && v.mark_class == HRBFNPR_CLASS_FRONT) {
                 ASSERT_GE(last + 1e-5F, v.window[2]);
                 last = v.window[2];
             }
