@@ -146,7 +146,7 @@ constexpr Layer constant(const frame::LayerStyle& from) {
     return to;
 }
 template <std::size_t count>
-constexpr std::array<Layer, count> constants(const std::array<frame::LayerStyle, count>& from) {
+constexpr std::array<Layer, count> constants(const frame::LayerStyle (&from)[count]) {
     std::array<Layer, count> to{};
     for (std::size_t i = 0; i < count; ++i) to[i] = constant(from[i]);
     return to;

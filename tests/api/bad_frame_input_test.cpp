@@ -17,7 +17,6 @@ struct Row {
     std::function<void(T&)> change;
     const char* message;
 };
-
 TEST(BadInput, Generate) {
     using Desc = Generation;
     static const std::vector<double> bad_point{0, 0, nan};

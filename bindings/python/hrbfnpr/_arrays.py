@@ -258,3 +258,8 @@ def vector(argument: str, value: Any, length: int = 3) -> List[float]:
     if len(numbers) != length:
         raise ValueError(f"{argument} must be {length} numbers, not {len(numbers)}")
     return numbers
+
+
+def scalar(values: Array, shape: Tuple[int, ...]) -> Any:
+    """A number for a single point."""
+    return values[()] if np is not None and shape == () else values

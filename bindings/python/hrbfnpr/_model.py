@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Callable, Optional, Tuple, Union
 
 from . import _streams
-from ._arrays import Array, block_in, output, output_field, vector, wrap
+from ._arrays import Array, block_in, output, output_field, scalar, vector, wrap
 from ._callbacks import CallbackState, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
@@ -23,11 +23,6 @@ if TYPE_CHECKING:
     from ._point_set import PointSet
 
 Function = Callable[[Array], Any]
-
-
-def _scalar(values: Array, shape: Tuple[int, ...]) -> Any:
-    """A number for a single point."""
-    return values[()] if np is not None and shape == () else values
 
 
 def _load(data: bytes) -> Model:
@@ -240,7 +235,7 @@ class Model(Owner):
         with running(operation, progress, self._context) as (handle, state):
             status = lib.hrbfnpr_model_evaluate(self._handle, block.view(), *views, handle, error)
             self._check(status, error, state)
-        return Evaluation(_scalar(arrays[0], block.shape), arrays[1], arrays[2])
+        return Evaluation(scalar(arrays[0], block.shape), arrays[1], arrays[2])
 
     def project(
         self,
@@ -285,7 +280,7 @@ class Model(Owner):
         with running(operation, progress, self._context) as (handle, state):
             failed = lib.hrbfnpr_model_project(self._handle, block.view(), desc, result, handle, error)
             self._check(failed, error, state)
-        return Projection(position, normal, _scalar(status, block.shape), result.converged)
+        return Projection(position, normal, scalar(status, block.shape), result.converged)
 
     def curvature(
         self,
@@ -318,7 +313,7 @@ class Model(Owner):
             status = lib.hrbfnpr_model_curvature(self._handle, block.view(), result, handle, error)
             self._check(status, error, state)
         one = block.shape
-        return Curvature(_scalar(k1, one), _scalar(k2, one), d1, d2, _scalar(confidence, one))
+        return Curvature(scalar(k1, one), scalar(k2, one), d1, d2, scalar(confidence, one))
 
     def cast_rays(
         self,
@@ -408,16 +403,10 @@ class Model(Owner):
         with running(operation, progress, self._context) as (handle, state):
             status = lib.hrbfnpr_model_contains(self._handle, block.view(), inside_out, ffi.NULL, handle, error)
             self._check(status, error, state)
-        return _scalar(inside if np is None else inside.view(bool), block.shape)
+        return scalar(inside if np is None else inside.view(bool), block.shape)
 
     def generate(self, layers: Optional[LayersToMake] = None, **options: Any) -> PointSet:
-        """Place marks on the surface: `PointSet.generate` with this model.
-
-        Examples
-        --------
-        >>> marks = model.generate(preset="full", budget=60000)
-        >>> marks = model.generate(["stipples", hrbfnpr.Layer("principal", separation=0.02)])
-        """
+        """Place marks on the surface: `PointSet.generate` with this model, as `model.generate(preset="full")`."""
         from ._point_set import PointSet
 
         return PointSet.generate(self, layers, **options)

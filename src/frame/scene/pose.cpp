@@ -10,6 +10,9 @@ namespace {
 // A normal's length may be off 1 by so much, as of floats that were turned.
 constexpr double most_off_unit = 1e-2;
 
+// Marks are floats.
+constexpr double farthest = 1e33;
+
 class Poser {
 public:
     Poser(const Item& item, std::int64_t number, drawing::Drawing& drawing) noexcept
@@ -43,8 +46,10 @@ private:
 
     [[nodiscard]] glm::dvec3 vector(const base::InView& view, std::int64_t i, const char* name) const {
         const glm::dvec3 v(view.get(i, 0), view.get(i, 1), view.get(i, 2));
-        if (std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) return v;
-        fail(Status::invalid_argument, "items[%lld].poses[%lld].%s[%lld] is %g %g %g; it must be finite",
+        // Also where one is not a number.
+        if (std::abs(v.x) <= farthest && std::abs(v.y) <= farthest && std::abs(v.z) <= farthest) return v;
+        fail(Status::invalid_argument,
+             "items[%lld].poses[%lld].%s[%lld] is %g %g %g; numbers must be finite, of 1e33 at most",
              static_cast<long long>(number_), static_cast<long long>(pose_number_), name, static_cast<long long>(i),
              v.x, v.y, v.z);
     }

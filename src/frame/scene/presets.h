@@ -3,8 +3,6 @@
 
 #include "frame/scene/style.h"
 
-#include <array>
-
 namespace hrbfnpr::frame::presets {
 
 using marks::Kind;
@@ -35,23 +33,23 @@ constexpr LayerStyle sharing(LayerStyle style, float share) {
 }
 
 // Contours come from every layer that there is: the more marks, the crisper they are.
-inline constexpr float plain_radius = 1.1F;
+constexpr float plain_radius = 1.1F;
 
 // Without contours the stipples themselves must reach the rim.
-inline constexpr std::array stipple_layers{
+constexpr LayerStyle stipple_layers[] = {
     without_contours(shown(Kind::stipples, plain_radius)), without_contours(hidden(Kind::principal)),
     without_contours(hidden(Kind::combing)), without_contours(hidden(Kind::field)), without_contours(shown(Kind::any))};
-inline constexpr std::array hatch_layers{hidden(Kind::stipples), along(shown(Kind::principal, plain_radius), 2),
-                                         hidden(Kind::combing), along(shown(Kind::field, plain_radius), 1)};
-inline constexpr std::array cross_hatch_layers{hidden(Kind::stipples), shown(Kind::principal, plain_radius),
-                                               hidden(Kind::combing), shown(Kind::field, plain_radius)};
-inline constexpr std::array combing_layers{hidden(Kind::stipples), hidden(Kind::principal),
-                                           shown(Kind::combing, plain_radius), hidden(Kind::field)};
-inline constexpr std::array contour_layers{hidden(Kind::any)};
-inline constexpr std::array contour_and_stipple_layers{shown(Kind::stipples), hidden(Kind::principal),
-                                                       hidden(Kind::combing), hidden(Kind::field)};
+constexpr LayerStyle hatch_layers[] = {hidden(Kind::stipples), along(shown(Kind::principal, plain_radius), 2),
+                                       hidden(Kind::combing), along(shown(Kind::field, plain_radius), 1)};
+constexpr LayerStyle cross_hatch_layers[] = {hidden(Kind::stipples), shown(Kind::principal, plain_radius),
+                                             hidden(Kind::combing), shown(Kind::field, plain_radius)};
+constexpr LayerStyle combing_layers[] = {hidden(Kind::stipples), hidden(Kind::principal),
+                                         shown(Kind::combing, plain_radius), hidden(Kind::field)};
+constexpr LayerStyle contour_layers[] = {hidden(Kind::any)};
+constexpr LayerStyle contour_and_stipple_layers[] = {shown(Kind::stipples), hidden(Kind::principal),
+                                                     hidden(Kind::combing), hidden(Kind::field)};
 // Strokes stay in the darker parts, stipples go on into the light.
-inline constexpr std::array full_layers{shown(Kind::stipples), sharing(shown(Kind::principal), 0.6F),
-                                        hidden(Kind::combing), sharing(shown(Kind::field), 0.6F)};
+constexpr LayerStyle full_layers[] = {shown(Kind::stipples), sharing(shown(Kind::principal), 0.6F),
+                                      hidden(Kind::combing), sharing(shown(Kind::field), 0.6F)};
 
 } // namespace hrbfnpr::frame::presets

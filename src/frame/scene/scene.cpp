@@ -195,7 +195,8 @@ private:
         run.spread_evenly = marks.progressive;
         if (run.spread_evenly && !run.scattered)
             run.separation = static_cast<float>(marks.report.step * eye_per_object_);
-        run.as_strokes = style.shape == Shape::strokes && !run.scattered && run.draws_front;
+        run.as_strokes = style.shape == Shape::strokes && style_.visibility == Visibility::depth_layers &&
+                         !run.scattered && run.draws_front;
         if (run.as_strokes) run.first_joined = std::exchange(scene_.joined, scene_.joined + run.count);
         run.pen = pen_of(style_, style, spacing_of(*item_.set, marks), eye_per_object_, scene_.lens);
         run.earlier_contours = earlier_;

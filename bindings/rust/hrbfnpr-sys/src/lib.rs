@@ -114,7 +114,7 @@
 //! A drawing is dots and strokes in window coordinates, in layers of one ink and
 //! one class each.  A mark's id is 1 + its running number, counted over items
 //! and layers in order.  All that reads a drawing may run on several threads at
-//! the same time.
+//! the same time; what memory it needs for that, the context keeps for the next.
 //!
 //! ---- As an image ----------------------------------------------------------
 //!
@@ -2235,9 +2235,10 @@ extern "C" {
     ///
     /// POINTS: discs of paper and of ink.  A host that paints them in this order as
     /// round anti-aliased points with ordinary "source over" blending gets the
-    /// dots of _rasterize (without its host_depth).  With transparent paper, the
+    /// dots of _rasterize (without its host_depth; a dot of a radius r below half a
+    /// pixel is painted with half a pixel, its alpha times (2 r)^2).  With transparent paper, the
     /// discs of paper must erase: destination times (1 - alpha).
-    /// Strips: `indices` (UINT32, nullable) lists the vertices of one stroke after
+    /// Strips: `indices` (UINT32, nullable) lists, far to near, the vertices of one stroke after
     /// the other, each ended by HRBFNPR_INDEX_RESTART (0xFFFFFFFF); of points it is
     /// 0, 1, 2 ...
     /// Capacities are in vertices and in indices; *vertex_count and *index_count

@@ -1,0 +1,190 @@
+using System;
+
+namespace HrbfNpr
+{
+    /// <summary>Range of window depth from near to far plane.</summary>
+    [NativeConstants("HRBFNPR_DEPTH_")]
+    public enum DepthConvention
+    {
+        /// <summary>Clip space of OpenGL; written depth is 0 to 1 (default).</summary>
+        NegativeOneToOne = 0,
+        /// <summary>Direct3D, Vulkan, Metal.</summary>
+        ZeroToOne = 1,
+        /// <summary>1 at the near plane, 0 at the far plane.</summary>
+        Reversed = 2,
+    }
+
+    /// <summary>What becomes of marks behind nearer surfaces [NPAR 6.1].</summary>
+    [NativeConstants("HRBFNPR_HIDDEN_LINES_")]
+    public enum HiddenLines
+    {
+        /// <summary>Seen faintly through the surface in front.</summary>
+        Attenuate = 0,
+        /// <summary>Not drawn.</summary>
+        Hide = 1,
+        /// <summary>Drawn as if nothing were in front.</summary>
+        Show = 2,
+    }
+
+    /// <summary>How it is found what lies in front of a mark; one for all styles of a drawing.</summary>
+    [NativeConstants("HRBFNPR_VISIBILITY_")]
+    public enum Visibility
+    {
+        /// <summary>Marks are seen through the depth layers of surface in front of them, whatever their number.</summary>
+        DepthLayers = 0,
+        /// <summary>As published: discs of paper and of ink, from far to near [NPAR 6.1].</summary>
+        Published = 1,
+    }
+
+    /// <summary>How the front marks of a layer of strokes are drawn.</summary>
+    [NativeConstants("HRBFNPR_SHAPE_")]
+    public enum Shape
+    {
+        /// <summary>Each mark is a dot.</summary>
+        Dots = 0,
+        /// <summary>Marks that follow each other along a stroke, and are shown, are one line.</summary>
+        Strokes = 1,
+    }
+
+    /// <summary>Directions of strokes.</summary>
+    [Flags]
+    public enum StrokeDirections
+    {
+        /// <summary>None.</summary>
+        None = 0,
+        /// <summary>The first direction.</summary>
+        First = 1,
+        /// <summary>The second direction.</summary>
+        Second = 2,
+        /// <summary>Both.</summary>
+        Both = 3,
+    }
+
+    /// <summary>How many marks a tone takes; of <see cref="ToneRule.Share"/>.</summary>
+    [NativeConstants("HRBFNPR_TONE_CURVE_")]
+    public enum ToneCurve
+    {
+        /// <summary>As many as cover 1 - tau of the paper, at any zoom and number of marks.</summary>
+        Coverage = 0,
+        /// <summary>The share 1 - tau [NPAR 6.2].</summary>
+        Linear = 1,
+    }
+
+    /// <summary>Which marks belong to the contour.</summary>
+    [NativeConstants("HRBFNPR_SILHOUETTE_LAW_")]
+    public enum SilhouetteLaw
+    {
+        /// <summary>A line of constant width, <see cref="Style.SilhouetteWidth"/>.</summary>
+        Width = 0,
+        /// <summary>By <see cref="Style.SilhouetteThreshold"/> alone, as published [NPAR 6].</summary>
+        Angle = 1,
+    }
+
+    /// <summary>Where the tone of front marks comes from.</summary>
+    [NativeConstants("HRBFNPR_TONE_")]
+    public enum Tone
+    {
+        /// <summary>All front marks are shown.</summary>
+        None = 0,
+        /// <summary>tau = max(0, n . l)^exponent [NPAR 6.2].</summary>
+        Light = 1,
+        /// <summary><see cref="Style.ToneFunction"/>.</summary>
+        Callback = 2,
+    }
+
+    /// <summary>How tone, depth, zoom and share are combined.</summary>
+    [NativeConstants("HRBFNPR_TONE_RULE_")]
+    public enum ToneRule
+    {
+        /// <summary>All effects thin one and the same order of marks.</summary>
+        Share = 0,
+        /// <summary>As published, test by test.</summary>
+        Published = 1,
+    }
+
+    /// <summary>What the light of a style moves with.</summary>
+    [NativeConstants("HRBFNPR_LIGHT_")]
+    public enum LightSpace
+    {
+        /// <summary>The world.</summary>
+        World = 0,
+        /// <summary>The camera.</summary>
+        Camera = 1,
+    }
+
+    /// <summary>Named styles.</summary>
+    [NativeConstants("HRBFNPR_PRESET_")]
+    public enum Preset
+    {
+        /// <summary>Stipples by light, no contours.</summary>
+        Stipple = 0,
+        /// <summary>Second principal direction by light, contours.</summary>
+        Hatch = 1,
+        /// <summary>Both principal directions by light, contours.</summary>
+        CrossHatch = 2,
+        /// <summary>Combing strokes by light, contours.</summary>
+        Combing = 3,
+        /// <summary>Contours only, hidden ones attenuated.</summary>
+        Silhouette = 4,
+        /// <summary>Contours and stipples.</summary>
+        ContourAndStipple = 5,
+        /// <summary>Contours only, hidden ones shown.</summary>
+        Xray = 6,
+        /// <summary>Stipples, cross hatching, contours and halo: Figure 1 (e).</summary>
+        Full = 7,
+    }
+
+    /// <summary>Class of what is nearest at a pixel, and of a vertex.</summary>
+    [NativeConstants("HRBFNPR_CLASS_")]
+    public enum MarkClass : byte
+    {
+        /// <summary>Nothing.</summary>
+        None = 0,
+        /// <summary>A mark that faces the eye.</summary>
+        Front = 1,
+        /// <summary>A mark that faces away.</summary>
+        Back = 2,
+        /// <summary>A mark of the contour.</summary>
+        Silhouette = 3,
+    }
+
+    /// <summary>What the vertices of a drawing are.</summary>
+    [NativeConstants("HRBFNPR_PRIMITIVE_")]
+    public enum Primitive
+    {
+        /// <summary>The dots: one vertex each.</summary>
+        Points = 1,
+        /// <summary>The strokes: one vertex for each of their points.</summary>
+        LineStrips = 2,
+        /// <summary>The strokes: two vertices for each point, on their left and right side.</summary>
+        TriangleStrips = 3,
+    }
+
+    /// <summary>What a vertex can carry.</summary>
+    [NativeConstants("HRBFNPR_VERTEX_ATTRIBUTE_")]
+    public enum VertexAttribute
+    {
+        /// <summary>World, 3 float.</summary>
+        Position = 0,
+        /// <summary>Pixel x, pixel y, depth; 3 float.</summary>
+        Window = 1,
+        /// <summary>Pixels; 1 float.</summary>
+        Radius = 2,
+        /// <summary>Straight RGBA; 4 byte or 4 float.</summary>
+        Color = 3,
+        /// <summary>World, unit; 3 float.</summary>
+        Normal = 4,
+        /// <summary>World, unit; 3 float.</summary>
+        Direction = 5,
+        /// <summary>1 + running number of the mark; 1 uint.</summary>
+        Id = 6,
+        /// <summary><see cref="MarkClass"/>; 1 byte or 1 uint.</summary>
+        Class = 7,
+        /// <summary>1 = a disc of paper, 0 = ink; 1 byte or 1 uint.</summary>
+        IsPaper = 8,
+        /// <summary>Number of the drawing's layer; 1 uint.</summary>
+        Layer = 9,
+        /// <summary>Along its stroke, pixels from its first point, 0 for a dot; 1 float.</summary>
+        Length = 10,
+    }
+}
