@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Exact implicits, as functions for hrbfnpr_model_create_custom: the plane z = 0, the unit sphere, a torus about z.
 #pragma once
 

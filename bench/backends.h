@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contexts by thread backend: the library's own, OpenMP's, and libraries of tasks behind `run_tasks`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Other processes that want a processor: what a program shares its machine with.
 #pragma once
 

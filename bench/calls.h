@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The library's calls as the benchmarks make them: contexts, surfaces, marks; and the benchmarks' own options.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the marks of a picture change from one frame to the next: which pop, and which vanish.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which marks of a torus belong to its contour, by the torus's own equation, and which the library draws.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How even points on a surface are: the measures of docs/quality.md.
 #pragma once
 

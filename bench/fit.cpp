@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Fits of a bumpy closed surface by the iterative solver: seconds, memory and residuals over N; beside the direct
 // solver, LAPACK where it is installed, and what the processor could do.  --large: up to a million samples.
 #include "lapack.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames: time, growth and ratios to plain code, to software OpenGL and to memory; pops, tone, width of contours.
 // --head=FILE: a PLY of points with normals (else a generated surface); --only=PART,...: of speed, llvmpipe, growth,
 // pops, tone, silhouette.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // LAPACK as a baseline, loaded if the machine has it (libopenblas0 or liblapack3): nothing links it.
 #pragma once
 

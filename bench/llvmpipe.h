@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The same marks as point sprites of an OpenGL that runs on the processor: Mesa's llvmpipe, off screen.
 #pragma once
 

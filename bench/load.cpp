@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Load: frames, fits, orders and drawings on an idle machine and beside busy processes, by thread backend.
 // --rounds=N: 12; --marks=N of the frames: 700000; --only=NAME,...: of frame, fit, order, small.
 #include "backends.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A camera on its way around a model, and where it sees a place.
 #pragma once
 

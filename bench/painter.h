@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A renderer with one point set, its style and an image.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The most floating-point operations that this machine does in a second, in double precision.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Seconds of each stage, from samples to a picture, of a torus with bumps; and how many times
 // as long each takes on one thread as on all.
 #include "calls.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame as one would write it first: one thread, double precision, a sort and a loop over pixels; no tricks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points on the surface, from samples: the paper's Table 1 beside ours, marks a second, and evaluation beside plain
 // sums.
 // --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.

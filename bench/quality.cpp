@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How even the marks are: PAPER, white noise and BLUE_NOISE at every prefix; tones, directions, spacing of strokes.
 // --bunny=FILE: an OBJ mesh; --head=FILE: a PLY of points with normals, for the time of the order (else a generated
 // one).

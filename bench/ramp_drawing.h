@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The ramp of tones as the library draws it, on the plane z = 0 from (-2, -1) to (2, 1).
 #pragma once
 

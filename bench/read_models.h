@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Models from files, for the benchmarks.
 #pragma once
 

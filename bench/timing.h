@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Seconds and ratios that can be trusted on a busy machine: the two sides of a ratio are
 // measured in turn within one run, and a median is reported.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ramp of tones, and how far a drawing is from it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Three doubles.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Reads a C header in the plain style of include/hrbfnpr.h: what it declares, with the comments.
 
 What this module does not know is a HeaderError that names the line; nothing is skipped.  It knows

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Make api.json, the description of the C interface that all bindings are made from, from include/hrbfnpr.h.
 
     make_api.py            write it

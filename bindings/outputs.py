@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """api.json, and how files that are made from it are written or compared."""
 import json
 import sys

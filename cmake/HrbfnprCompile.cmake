@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # How every translation unit of the library is compiled: hrbfnpr_compile(target).
 
 add_library(hrbfnpr_options INTERFACE)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Header-only packages, used inside the library only: nothing of them is exported.
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 

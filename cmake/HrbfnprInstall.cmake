@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake --install: the library, its header, a CMake package and a pkg-config file, none of which
 # names a folder of the machine that built them.
 include(CMakePackageConfigHelpers)

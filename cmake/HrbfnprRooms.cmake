@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The rooms of the house (docs/design.md): each folder of src/ is an object library, so that a
 # test of one room links that room and the rooms below it, and nothing else.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Draws the pictures of docs/quality.md: PUBLISHED, white noise and BLUE_NOISE beside each other.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/quality_pictures.py MESH.obj docs/images

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """192 samples of a torus become a pen-and-ink drawing, torus.png."""
 import numpy as np
 

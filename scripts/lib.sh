@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Shared by the scripts of this folder; source it.
 #
 #   install_packages build test     installs the Debian packages of these sets that are missing

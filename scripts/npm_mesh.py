@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Makes an OBJ file of an npm package whose index.js exports `positions` and `cells`.
 
 npm_mesh.py PACKAGE.tgz MESH.obj

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Prints what CTest's closing lines leave out: each client with its version and result, and why tests were skipped.
 
     report_tests.py JUNIT.XML

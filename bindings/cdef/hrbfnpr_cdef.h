@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Made by bindings/cdef/make_cdef.py from include/hrbfnpr.h; do not edit. */
 enum { HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0, HRBFNPR_ABI_VERSION = 1 };
 uint32_t hrbfnpr_version(void);

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The declarations of api.json for foreign-function interfaces that read C, such as LuaJIT's and koffi; and the same as
 a Lua module.  bindings/generate runs it.
 """
@@ -9,6 +10,7 @@ from outputs import ROOT, declaration, declarations, signature
 
 HERE = Path(__file__).resolve().parent
 WIDTH = 120
+LICENCE = "SPDX-License-Identifier: MIT"
 NOTE = "Made by bindings/cdef/make_cdef.py from include/hrbfnpr.h; do not edit."
 
 
@@ -46,6 +48,6 @@ def outputs(api):
     """The text of each file."""
     text = c_text(api)
     return {
-        HERE / "hrbfnpr_cdef.h": f"/* {NOTE} */\n{text}",
-        ROOT / "examples" / "love" / "hrbfnpr_cdef.lua": f'-- {NOTE}\nrequire("ffi").cdef[[\n{text}]]\n',
+        HERE / "hrbfnpr_cdef.h": f"/* {LICENCE} */\n/* {NOTE} */\n{text}",
+        ROOT / "examples" / "love" / "hrbfnpr_cdef.lua": f'-- {LICENCE}\n-- {NOTE}\nrequire("ffi").cdef[[\n{text}]]\n',
     }

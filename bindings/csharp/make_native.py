@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The C# declarations of the C boundary, HrbfNpr/Native/Native*.cs, from api.json.  bindings/generate runs it.
 
 The results are committed.  Structs that a program reads (..._info) are written by hand, with documentation; a test
@@ -44,7 +45,7 @@ SCALARS = {
     "void": "void",
 }
 KEYWORDS = {"base", "class", "fixed", "in", "out", "params", "ref"}  # as far as a header may use them as names
-NOTE = "// Made by make_native.py from include/hrbfnpr.h; do not edit.\n"
+NOTE = "// SPDX-License-Identifier: MIT\n// Made by make_native.py from include/hrbfnpr.h; do not edit.\n"
 PRELUDE = "using System;\nusing System.Runtime.InteropServices;\n"
 
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Make packages of the C# assembly with the native library inside.
 
     package.py nuget FOLDER --native RID=FILE...     FOLDER/HrbfNpr.VERSION.nupkg, by dotnet pack

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """hrbfnpr/_cffi.py, the declarations of the C boundary, from api.json.  bindings/generate runs it.
 
 The result is committed, so that installing the package needs neither api.json nor a C parser.
@@ -25,5 +26,5 @@ def outputs(api):
         with contextlib.redirect_stdout(io.StringIO()):  # cffi announces what it writes
             builder.emit_python_code(str(target))
         text = target.read_text(encoding="utf-8")
-    note = "# Made by make_cffi.py from include/hrbfnpr.h; do not edit."
+    note = "# SPDX-License-Identifier: MIT\n# Made by make_cffi.py from include/hrbfnpr.h; do not edit."
     return {MODULE: text.replace("# auto-generated file", note, 1)}

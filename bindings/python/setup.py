@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Wheels with the library inside, for any Python 3 on this platform.
 
 The library is the one that HRBFNPR_LIBRARY names, or else the newest release build of the checkout.

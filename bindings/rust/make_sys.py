@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The crate hrbfnpr-sys: src/lib.rs, the declarations, and src/layout.rs, what they must measure, from api.json.
 
 bindings/generate runs it.  The results are committed.
@@ -8,7 +9,7 @@ from pathlib import Path
 from outputs import declarations
 
 FOLDER = Path(__file__).resolve().parent / "hrbfnpr-sys"
-NOTE = "// Made by bindings/generate from bindings/api.json; do not edit.\n"
+NOTE = "// SPDX-License-Identifier: MIT\n// Made by bindings/generate from bindings/api.json; do not edit.\n"
 WIDTH = 100
 SCALARS = {
     "char": "c_char", "int8_t": "i8", "uint8_t": "u8", "int16_t": "i16", "uint16_t": "u16", "int32_t": "i32",

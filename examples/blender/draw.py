@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Draws samples without a window: a mesh object in, the pixels of an image datablock out.
 
     blender -b --factory-startup --python-exit-code 3 --python-use-system-env -P draw.py -- SAMPLES PICTURE

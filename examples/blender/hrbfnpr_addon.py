@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Draws the active object in pen and ink: an add-on for Blender 3.4, panel "Pen and Ink" in the 3D view's sidebar.
 
 It needs the Python package hrbfnpr where Blender's Python finds it; see README.md.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* hrbfnpr as a class of scripts for Godot 3: samples in, each frame as pixels and as points of a mesh out.
  *
  *   fit(points: PoolVector3Array, normals: PoolVector3Array) -> bool

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The few things of Godot 3's GDNative interface (core 1.0, NativeScript 1.0: frozen since Godot 3.0) that drawing.c
  * needs, declared by hand: no header of the engine is needed to build it.
  *

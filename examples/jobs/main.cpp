@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A host with a job system of its own, which runs hrbfnpr's work: the library starts no thread.
 //
 //     jobs PICTURE.pam [SAMPLES.xyzn]

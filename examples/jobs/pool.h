@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A small job system: some threads that take tasks from a list.
 #pragma once
 

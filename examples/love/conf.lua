@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT
 function love.conf(t)
   t.identity = "hrbfnpr"
   t.version = "11.3" -- ImageData:getFFIPointer

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT
 -- hrbfnpr for LuaJIT: what the garbage collector collects is released, and failures are Lua errors.
 local ffi = require "ffi"
 require "hrbfnpr_cdef"

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT
 -- A surface in pen and ink, drawn straight into LÖVE's ImageData: see README.md for the keys.
 -- The samples' file, and that of the screenshot to save, if any.
 local function parse(arguments)

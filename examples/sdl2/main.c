@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* hrbfnpr in a window.
  *
  *     sdl2 [--screenshot FILE] [SAMPLES.xyzn]

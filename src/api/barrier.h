@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one exception barrier: every exported function that can fail runs inside guarded().
 #pragma once
 

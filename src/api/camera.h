@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the public camera to the frame's, and the defaults of both.
 #pragma once
 

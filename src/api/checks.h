@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks of a struct's fields, with messages such as
 //   fit_desc.regularization is -1; it must be a finite number of at least 0
 #pragma once

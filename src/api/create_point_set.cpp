@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Making point sets from the caller's arrays.
 #include "marks/from_arrays.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Structs that begin with struct_size and grow at their end.
 //
 // A caller may be older than the library (its struct is shorter: the rest has defaults) or newer

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is read of a drawing: an image, vertices, numbers for the marks of its sets.
 #include "api/drawing.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A drawing as a handle: the value, and the point sets that it reads.
 #pragma once
 

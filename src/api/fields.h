@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One table of a struct's fields in the place of three lists: defaults, checks, and the copy into what the room below
 // takes.  A row has a field's name, its member, the member of the room's settings that keeps it, and a rule:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Making point sets by generation on a model.
 #include "generate/generate.h"
 

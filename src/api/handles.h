@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reference-counted handles in the context's memory.  Each keeps its context alive, so that
 // handles can be released in any order.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A drawing as an image of the caller's.
 #include "api/barrier.h"
 #include "api/checks.h"

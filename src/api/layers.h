@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Layers of marks as callers name them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lists of the caller's: pointer, count and stride of structs that each begin with a size of their own.
 #pragma once
 

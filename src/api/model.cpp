@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "api/model.h"
 
 #include "api/barrier.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A model as a handle: an HRBF with the report of its fit, or a caller's function.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Saving and loading models.
 #include "api/barrier.h"
 #include "api/model.h"

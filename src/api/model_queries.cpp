@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Batched evaluation, projection and curvature.
 #include "api/barrier.h"
 #include "api/descriptor.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An operation as a handle, and its use by one long call.
 #pragma once
 

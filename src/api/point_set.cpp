@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "api/point_set.h"
 
 #include "api/barrier.h"

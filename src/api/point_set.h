@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A point set as a handle.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "api/preset_layers.h"
 
 #include "api/descriptor.h"

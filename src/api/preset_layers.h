@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The layers of marks that the named styles draw.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A caller's points or vectors to ask a model about, checked once and read in blocks, so that the
 // scratch of a call of any size stays small.
 #pragma once

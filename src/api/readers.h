@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scratch of the calls that read a drawing: they take a const handle, and may run on several threads at once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A renderer as a handle: the scratch of one thread, and its last drawings.
 #pragma once
 

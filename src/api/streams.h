@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The caller's stream callbacks and memory as the streams of src/io.
 #pragma once
 

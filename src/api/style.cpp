@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "api/style.h"
 
 #include "api/barrier.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the public style to the frame's.
 #pragma once
 

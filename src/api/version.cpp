@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "api/barrier.h"
 #include "base/instruction_set.h"
 #include "base/parallel_openmp.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "api/views.h"
 
 #include "base/status.h"

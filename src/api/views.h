@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From hrbfnpr_array to the views that the rooms below take.  Nothing below checks them again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Wall-clock seconds and nanoseconds, for reports only.
 #pragma once
 

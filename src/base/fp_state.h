@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The floating-point state: the library computes with the default one (round to
 // nearest, subnormals kept, nothing trapped) and gives the caller's back.
 #pragma once

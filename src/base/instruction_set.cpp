@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/instruction_set.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which vector instructions the hot loops are run with: chosen once for each context.
 #pragma once
 

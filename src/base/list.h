@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A growable list of objects from a Memory, for those that base::Array cannot hold.
 #pragma once
 

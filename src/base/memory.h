@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The context's allocator with its accounting, and the owning array that uses it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Progress and cancelling of one long call, and the part of it that a stage sees.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Work on all threads, by a pool of our own, by OpenMP or by the host's job system.
 //
 // The result must not depend on the thread count: cut work by size (for_chunks),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/parallel_openmp.h"
 
 #include "base/shared_object.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // OpenMP as a thread backend.  parallel_openmp.cpp is the only file that names it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Memory that will be needed soon.
 #pragma once
 

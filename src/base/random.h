@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Counter-based random numbers: the number for (seed, index, purpose) is the same
 // whoever asks and in whatever order.
 //

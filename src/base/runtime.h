@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every stage is given of the context: memory, threads, instruction set, log.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arrays that are kept from call to call.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scratch memory for calls that take a const handle: each call takes a piece of its own, and gives it back to be
 // used again, so that nothing is allocated once warm.
 #pragma once

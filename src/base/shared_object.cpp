@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/shared_object.h"
 
 #if __has_include(<dlfcn.h>)

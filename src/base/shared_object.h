@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shared objects that must stay while threads run in their code.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Loops that are compiled once for each instruction set, by Highway, and chosen between at run time.
 //
 // Such a file defines HWY_TARGET_INCLUDE as its own name, includes this header, puts its loops into

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vectors of doubles, and what Highway lacks for them; compiled once for each instruction set.
 #if defined(HRBFNPR_SIMD_MATH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HRBFNPR_SIMD_MATH_INL

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Failures inside the library: one exception type that carries a status and a message.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A thread of the library's own.  thread.cpp is the only file that names the system's threads.
 #pragma once
 

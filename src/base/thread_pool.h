@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Threads that share the tasks of a job: the built-in backend of base::Parallel.
 //
 // Whoever is free claims the next task, the caller of the job too.  It waits in the end for the tasks

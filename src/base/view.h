@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strided views of caller's memory, read as and written from doubles.  src/api checks
 // them before anything below sees one.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a drawing is made of: dots and strokes of ink, and the splats of the surfaces that they lie on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A picture as a value: dots and strokes in window coordinates, in layers, with the identity of the marks that they
 // come from.  Producers (src/frame) fill one, readers (src/output) only read it.
 #pragma once

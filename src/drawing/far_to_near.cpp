@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "drawing/far_to_near.h"
 
 #include "base/scratch.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Far-to-near order: a stable radix sort.
 #pragma once
 

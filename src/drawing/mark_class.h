@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a mark is for the camera.                                                 [NPAR 6]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A round piece of surface around a mark, seen as an ellipse: what depth layers are found from.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "drawing/tiles.h"
 
 namespace hrbfnpr::drawing {

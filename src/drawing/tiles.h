@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which discs touch which square tile of a picture, each tile's in the order of the discs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Window coordinates: pixels from the picture's top-left corner, and depth in the camera's convention.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/candidates.h"
 
 #include "geometry/point_tree.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a round of choosing adds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A symmetric positive definite matrix, its lower triangle in square tiles that stand one after
 // the other in memory, and its Cholesky factor in the same place.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which samples become centres: all of them, or the few that represent them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds what is wrong with measured samples, and repairs what the caller wants repaired.
 #pragma once
 

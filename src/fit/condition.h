@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Estimates the 1-norm of a symmetric matrix's inverse from a few solves.
 // Hager 1984; Higham, "FORTRAN codes for estimating the one-norm", ACM TOMS 14, 1988.
 #pragma once

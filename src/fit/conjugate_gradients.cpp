@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/conjugate_gradients.h"
 
 #include <Eigen/Core>

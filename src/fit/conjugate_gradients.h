@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Preconditioned conjugate gradients on the null space of a Hermite system's side constraints.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/direct.h"
 
 #include "base/clock.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Solves the Hermite system by a dense factorisation and polishes the solution.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far samples are from a fitted surface.
 #pragma once
 

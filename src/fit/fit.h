@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From point-normal samples to the coefficients of a Hermite RBF implicit.   [NPAR 4.1]
 #pragma once
 

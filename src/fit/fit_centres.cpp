@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/fit_centres.h"
 
 #include "base/clock.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One fit with every given sample as a centre.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/iterative.h"
 
 #include "base/clock.h"

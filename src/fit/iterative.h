@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Solves the Hermite system by preconditioned conjugate gradients: memory of O(N).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fit/local_factors.cpp"
 #include "base/simd.h"

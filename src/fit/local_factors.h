@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The columns of a sparse factor of a Hermite system's inverse, one small dense system for each sample.
 //
 // For sample i with the set s = (its coarser neighbours, i), i last, and Theta the block of A for s, the

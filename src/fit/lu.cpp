@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/lu.h"
 
 #include "fit/condition.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // LU with row pivoting of the whole, indefinite system: what is left when the matrix is not
 // definite on the null space of its side constraints.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/noise.h"
 
 #include "geometry/neighbours.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How noisy samples are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/null_space.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The orthogonal change of coordinates that takes the side constraints away.
 //
 // P = Q [0; R] by Householder reflections that work upwards from the last row, so that the first

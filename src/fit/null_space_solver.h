@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Solves the Hermite system by Cholesky on the null space of its side constraints.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/polynomial_space.h"
 
 #include <Eigen/Cholesky>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The polynomials at the samples, orthonormalised: for staying orthogonal to them, and for finding the one
 // that explains a residual best.
 #pragma once

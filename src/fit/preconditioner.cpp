@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/preconditioner.h"
 
 #include "fit/local_factors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An approximate inverse of a Hermite system beside its polynomials, as a product L L^T of sparse factors.
 //
 // Samples stand in coarse-to-fine (farthest-first) order.  The coarsest few are one dense block; every later

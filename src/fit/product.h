@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // y = A x of a Hermite system, without A.  Where the kernel ends, or is 0 to rounding, pairs are left out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The caller's samples, checked, repaired and merged.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/solve.h"
 
 #include "fit/direct.h"

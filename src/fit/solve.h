@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Solves the Hermite system by the fitting method.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Same numbers as HRBFNPR_SOLVER_... and HRBFNPR_SOLVER_REASON_...
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Products with the preconditioner's sparse factor L, whose blocks are 4 x 4.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/suspects.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Samples that do not fit to those around them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/system.h"
 
 #include "kernel/polynomial.h"

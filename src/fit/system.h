@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Hermite interpolation system of [NPAR 4.1]:
 //
 //   [ A    P ] [ w ]   [ h ]      w = (alpha_1, beta_1, alpha_2, ...), h = (0, n_1, 0, n_2, ...)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which of some neighbouring noisy samples stands for them best.
 #pragma once
 

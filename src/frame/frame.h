@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From items and a camera to a drawing.                                          [NPAR 6]
 #pragma once
 

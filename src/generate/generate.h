@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Placing marks on an implicit surface.                              [NPAR 4.2, 5]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "generate/in_unit.h"
 
 #include "base/status.h"

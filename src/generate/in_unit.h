@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Very small and very large models are sampled in a unit of their own, in which floats hold squares and cubes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "generate/make_seeds.h"
 
 #include "base/random.h"

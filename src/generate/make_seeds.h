@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds where marks start from.                                       [NPAR 4.2, 5.1]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "generate/settings.h"
 
 #include "base/status.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/random.h"
 #include "generate/generate.h"
 #include "generate/in_unit.h"

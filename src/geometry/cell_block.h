@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Blocks of 4 x 4 x 4 cells, and where in them and in the blocks around them the neighbours of a cell are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A uniform grid of cells.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/cell_set.h"
 
 #include "geometry/cell_block.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A set of cells of a uniform grid: a hash set of packed cell numbers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/farthest_order.h"
 
 #include "geometry/point_tree.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Farthest-point (maximin) order: each point is the one farthest from all before it.  Any prefix
 // of it is an even sample of the points (Gonzalez, "Clustering to minimize the maximum intercluster
 // distance", 1985).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers of cells along a space-filling curve (Morton 1966): the bits of three coordinates, interleaved.  Cells of
 // twice the side have the codes of the ones in them, less three bits.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The nearest neighbours of every point.
 #pragma once
 

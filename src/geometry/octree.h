@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An adaptive octree over points: cubes that halve until they hold few points, and which of them are near.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/point_grid.h"
 
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points sorted into the cells of a grid: for many small balls of one radius, where a tree is slow.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A balanced k-d tree over points: nearest neighbours and balls.  Unlike a grid it has no
 // cell size to get wrong when points cluster.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/tangent_frame.h"
 
 #include <cmath>

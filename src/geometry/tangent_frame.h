@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bases of the tangent plane from a unit normal alone.                [NPAR 5.2, 5.3]
 #pragma once
 

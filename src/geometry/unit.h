@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The unit of length in which very small and very large things are worked on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vectors and boxes: GLM outside the solver, Eigen inside it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points or vectors as a structure of arrays.
 #pragma once
 

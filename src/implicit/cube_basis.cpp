@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/cube_basis.h"
 
 #include "implicit/cube_loops.h"

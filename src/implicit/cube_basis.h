@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Triharmonic polynomials of a total degree on the cube [-1, 1]^3, and as many points in the cube at which values
 // determine them.  They are held as sums of Chebyshev products T_a(x) T_b(y) T_c(z), a + b + c <= degree.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The inner loops of the far field, for each instruction set.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vectors that stand side by side for cube_loops, and where the results go.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/custom.h"
 
 #include "base/status.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A caller's implicit function; what it does not provide is differenced.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Many points at once: on all threads, and cell by cell where the implicit has cells.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 
 // The sums of hermite_sums.h for the triharmonic kernel and many sources, at the sources, whose time grows with N, not
 // N^2: a fast multipole method on the octree of source_tree.h.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Hessians of [NPAR equation 1], many sources at many targets, in the widest vectors that the processor has:
 //   hessian(x) += sum_j (a alpha_j - b q) I + (b alpha_j - c q) d d^T - b (beta_j d^T + d beta_j^T)
 // with d = x - x_j, q = d . beta_j and a, b, c of kernel/kernel.h.

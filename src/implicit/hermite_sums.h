@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sums of [NPAR equation 1] and of its gradient, many sources at many targets, in the widest vectors
 // that the processor has:
 //   value(x)    += sum_j alpha_j phi(d) - a (d . beta_j)                         d = x - x_j

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/hrbf.h"
 
 #include "implicit/hermite_hessians.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Hermite RBF implicit of [NPAR 4.1], equation 1.
 #pragma once
 

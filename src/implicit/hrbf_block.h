@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The frame around the sums of an HRBF: normalisation and polynomial before them, and the way back after.
 #pragma once
 

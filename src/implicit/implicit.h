@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An implicit function f, evaluated in batches.  Everything downstream of the fit works
 // on this interface only, so that it works on any implicit.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/local_field.h"
 
 #include "implicit/cube_loops.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sums of hermite_sums.h for the triharmonic kernel at any places near the centres, in a time that hardly depends
 // on their number: space is divided into cubes; in each, the far centres' sum is a polynomial that is held, and the
 // near centres are summed one by one.  The downward half of a fast multipole method, with cubes for places in place of

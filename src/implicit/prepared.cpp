@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/prepared.h"
 
 #include "base/clock.h"

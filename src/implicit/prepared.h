@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An HRBF whose evaluation hardly depends on the number of its centres: with the local field of local_field.h near the
 // surface, and all centres elsewhere.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/scaled.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An implicit in another unit of length.
 #pragma once
 

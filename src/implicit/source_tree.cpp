@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/source_tree.h"
 
 #include "implicit/cube_loops.h"

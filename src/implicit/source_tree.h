@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Weighted centres in an octree, whose cubes act on far places like sources at a few nodes: one half of a fast
 // multipole method (Greengard, Rokhlin 1987), with polynomials in place of multipoles, as black-box methods have them
 // (Fong, Darve, J. Comput. Phys. 228, 2009).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/triharmonic_basis.h"
 
 #include <algorithm>

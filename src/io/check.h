@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks on numbers that came out of a file whose checksum was right.
 #pragma once
 

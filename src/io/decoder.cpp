@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/decoder.h"
 
 #include "base/format.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reading a file of docs/file-format.md.  Nothing that the file says is believed before it is
 // checked, and memory grows only as bytes arrive: a hostile length costs nothing.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/encoder.h"
 
 namespace hrbfnpr::io {

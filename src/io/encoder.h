@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writing a file of docs/file-format.md: the payload is encoded twice, first to learn its length.
 #pragma once
 

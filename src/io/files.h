@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Model and point-set files: magic, version, endianness, length, checksum.  docs/file-format.md
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The frame that models and point sets share.                        docs/file-format.md
 //
 //   header     magic, kind, version, byte order, reserved, payload length, CRC-32 of all that

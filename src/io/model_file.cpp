@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/check.h"
 #include "io/encoder.h"
 #include "io/files.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Version 1: always the three groups of stipples, principal and combing strokes.
 #include "io/check.h"
 #include "io/point_set_sections.h"

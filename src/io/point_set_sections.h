@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the versions of point-set files share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where bytes come from and go to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Radial kernels phi(r) with the derivatives that a Hermite system needs.   [NPAR 4.1]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The polynomial term of [NPAR 4.1]: the monomials of total degree -1 (none) to 3, in the order
 // 1; x y z; xx xy xz yy yz zz; xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
 #pragma once

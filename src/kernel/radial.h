@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernels as inline functions, for loops that fix the kernel outside.
 #pragma once
 

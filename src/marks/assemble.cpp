@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/assemble.h"
 
 #include "base/random.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From grown marks to the arrays of a point set.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/cluster_marks.h"
 
 #include "geometry/cell_grid.h"

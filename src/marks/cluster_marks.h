@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cuts the marks of a finished set into clusters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/cluster_shape.h"
 
 #include <glm/matrix.hpp>

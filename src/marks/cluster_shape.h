@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a cluster is known to be: where its marks lie, how they face, how the surface bends there.
 #pragma once
 

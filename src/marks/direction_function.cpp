@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/direction_function.h"
 
 #include "geometry/unit.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The caller's field of directions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/from_arrays.h"
 
 #include "base/format.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ready-made marks, from the caller's arrays.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The marks of a layer in pieces that lie and face alike, in the order in which a tone shows them: what a frame
 // passes over whole.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/marks.h"
 
 #include "base/random.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The marks of a layer while they grow, in double precision.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/move_clusters.h"
 
 #include "marks/cluster_shape.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The clusters of marks that have moved, as those of an animated surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/point_set.h"
 
 #include <algorithm>

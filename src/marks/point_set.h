@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The marks on a surface: layers of them, immutable once made, structures of arrays.
 #pragma once
 

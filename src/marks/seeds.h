@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where marks start from.                                             [NPAR 4.2, 5.1]
 #pragma once
 

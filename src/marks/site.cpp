@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/site.h"
 
 #include "implicit/evaluate_all.h"

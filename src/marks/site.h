@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every stage of the sampling works on, and how a point comes to rest on the surface.
 #pragma once
 

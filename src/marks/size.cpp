@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/size.h"
 
 #include "base/status.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How large what marks are placed on may be.
 #pragma once
 

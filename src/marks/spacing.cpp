@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "marks/spacing.h"
 
 #include "geometry/cell_set.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How densely points lie: nearest neighbours and the area that they cover.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The part of all tones over which a layer of marks appears.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/random.h"
 #include "geometry/tangent_frame.h"
 #include "published/growth.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/tangent_frame.h"
 #include "published/growth.h"
 #include "surface/curvature.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Multi-level refinement: from seeds to stipples and strokes.         [NPAR 5]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/blue_noise.h"
 
 #include "geometry/morton.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Stipples spread evenly over the area, in a progressive order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/candidates.h"
 
 #include "stipples/layer_candidates.h"

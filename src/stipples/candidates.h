@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points spread by area over the part of a surface that a set of cells covers, from which marks are chosen.
 #pragma once
 

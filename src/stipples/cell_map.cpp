@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/cell_map.h"
 
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From codes of cells along a space-filling curve (morton.h) to small numbers: a hash table of blocks of 4 x 4 x 4
 // cells, that is filled once and then read by all threads.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/cell_neighbours.h"
 
 namespace hrbfnpr::stipples {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The cells around one: quick for cells that follow each other along the curve, since those of a block of the map share
 // the 27 blocks around it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Densities on the surface: where stipples are to be denser.
 #pragma once
 

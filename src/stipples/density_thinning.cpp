@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/density_thinning.h"
 
 #include "marks/marks.h"

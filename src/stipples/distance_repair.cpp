@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/distance_repair.h"
 
 #include "geometry/point_grid.h"

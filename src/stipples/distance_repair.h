@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Marks that came to rest nearer to each other than their order says.
 #pragma once
 

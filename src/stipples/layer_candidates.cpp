@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/layer_candidates.h"
 
 #include "base/random.h"

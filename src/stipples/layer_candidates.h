@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Candidates where a surface is not flat to its cells: points of a layer of constant thickness, taken down to it.
 #pragma once
 

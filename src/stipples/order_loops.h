@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The inner loops of the progressive order, for each instruction set; the same bits from all of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/order_stage.h"
 
 #include "base/prefetch.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A stage of the progressive order: the number of marks grows fourfold, the reach of their energies stays.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/plane_candidates.h"
 
 #include "base/random.h"

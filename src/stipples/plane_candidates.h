@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Candidates where a surface is flat to its cells: on the cells' planes, without a look at the function.
 #pragma once
 

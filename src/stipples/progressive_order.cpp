@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/progressive_order.h"
 
 #include "stipples/order_stage.h"

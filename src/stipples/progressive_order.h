@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A blue-noise order of points: each prefix of it is evenly spread over the surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/surface_cells.h"
 
 #include "geometry/cell_block.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The cells of a uniform grid near one surface: found by flood fill from points on it, so that
 // sheets which no seed belongs to are never reached.
 #pragma once

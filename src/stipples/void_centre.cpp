@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "stipples/void_centre.h"
 
 #include <array>

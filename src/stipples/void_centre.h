@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The way from a point to the middle of the gap between the points around it, in a plane.
 #pragma once
 

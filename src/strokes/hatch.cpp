@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "strokes/hatch.h"
 
 #include "strokes/stroke_field.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The strokes of BLUE_NOISE: evenly spaced, along a smooth field of directions.
 #pragma once
 

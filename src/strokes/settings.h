@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How strokes are wanted.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "strokes/stroke_field.h"
 
 #include "geometry/tangent_frame.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The field of directions that strokes follow: principal, combing or the caller's directions at evenly spread samples.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strokes over a whole surface, evenly spaced, coarse ones before those between them.
 // [Jobard & Lefer 1997; farthest-point seeding after Mebarki, Alliez & Devillers 2005]
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From laid strokes to marks on the surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which set the strokes of a cross field belong to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "strokes/stroke_tracer.h"
 
 #include <cmath>

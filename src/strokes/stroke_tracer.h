@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One stroke: a curve through a field of directions that keeps its distance from the others.
 // [Jobard & Lefer 1997, 3]
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "surface/cast_rays.h"
 
 #include "surface/region.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where rays meet the surface: steps of |f| / L, then roots by Newton.   [Hart 1996, "Sphere tracing"]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Principal curvatures and directions from gradient and Hessian.   [NPAR 5.3; Kindlmann 2003]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "surface/direction_field.h"
 
 #include "surface/smooth_directions.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A smooth field of directions on a surface that is known by samples.
 // [Hertzmann & Zorin 2000, 5.1; Knoeppel et al. 2013]
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "surface/project.h"
 
 #include "implicit/evaluate_all.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Projection onto the surface by steepest descent on f^2 with Armijo's rule.   [NPAR 4.2]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "surface/region.h"
 
 #include <algorithm>

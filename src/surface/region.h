@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the surface of an implicit is looked for, how steep f is there, and which points lie inside.
 #pragma once
 

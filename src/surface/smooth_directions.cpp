@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "surface/smooth_directions.h"
 
 #include "geometry/neighbours.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smoothest directions between measured ones.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """bindings/api.json is made from every declaration and comment of a header, or not at all."""
 import sys
 import unittest

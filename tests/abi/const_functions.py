@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Functions that take a const handle: those that several threads may call at the same time with the same one.
 
     const_functions.py [API]     one a line: function, const handles, and the handles that each thread needs of its own

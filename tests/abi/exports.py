@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """The shared library exports exactly the header's functions, under its SONAME, keeps no
 state of its own, and runs nothing when it is loaded or unloaded.
 

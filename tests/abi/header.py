@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What include/hrbfnpr.h declares, from bindings/api.json: functions with their signatures, constants, structs with
 their fields.  That api.json is the header's is what the test house.generated says.
 """

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Holds bindings/api.json against a C compiler: constants, signatures, the types of fields, sizes, offsets, alignments.
 
     layout.py CC [API]     for each data model of api.json that CC can compile for; API in place of bindings/api.json

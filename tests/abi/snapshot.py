@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Hold the boundary against its snapshot: every signature, type, constant, sizeof and offsetof.
 
     snapshot.py CC            compare with snapshot.txt

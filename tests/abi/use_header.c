@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Compiled on its own in every C and C++ standard that the header promises. */
 #include <hrbfnpr.h>
 

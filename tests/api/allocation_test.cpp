@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The k-th allocation fails, for every k: each time a clean OUT_OF_MEMORY and no leak.
 #include "fixture.h"
 

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT
 // The table of bad inputs, second half: generating and drawing.
 #include "fixture.h"
 
-#include <cmath>
 #include <functional>
 #include <limits>
 

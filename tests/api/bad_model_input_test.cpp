@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table of bad inputs, first half: contexts, models and arrays.  Every row changes one thing of
 // a good call and names the status and the words it must give.
 #include "fixture.h"

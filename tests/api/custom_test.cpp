@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Models made of a caller's function.
 #include "fixture.h"
 

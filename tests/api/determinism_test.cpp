@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The same bits for any number of threads, and in any floating-point state of the caller.
 #include "fixture.h"
 

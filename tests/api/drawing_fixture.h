@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A set of three layers and one of own strokes, and what is read of its drawing.
 #pragma once
 

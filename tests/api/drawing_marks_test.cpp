@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Drawings by their marks, as images of every format, and of marks that have moved.
 #include "drawing_fixture.h"
 

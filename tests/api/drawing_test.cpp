@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Drawings as values: what they hold, memory, vertices.
 #include "drawing_fixture.h"
 

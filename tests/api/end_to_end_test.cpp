@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From samples to a picture, as a program of a caller does it.
 #include "fixture.h"
 

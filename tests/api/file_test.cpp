@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Saving and loading over the C boundary; tests/io has the details of the format.
 #include "fixture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the tests of the C boundary share: handles, small models, views of vectors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Functions, boxes, budgets and densities that make no sense: refused in words, and a cancel is heard.
 #include "fixture.h"
 

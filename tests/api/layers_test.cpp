@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Layers of marks through the C boundary: the caller's own, several of a kind, fields of directions, refusals.
 #include "fixture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // References, leaks, sharing between threads, and life after a fork.
 #include "fixture.h"
 

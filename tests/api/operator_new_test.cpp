@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The standard library inside takes small, fixed amounts of memory from operator new; when that
 // fails, the call fails cleanly, too.
 #include "fixture.h"

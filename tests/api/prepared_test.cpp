@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Queries and marks of so many points that the model prepares itself for them, against the sum over all centres, which
 // queries of few points get.
 #include "fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays and inside tests through the boundary: values, shapes, and every bad argument by name.
 #include "fixture.h"
 

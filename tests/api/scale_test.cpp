@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Models of any size: the same marks and pictures at any power of two, and a clear refusal where floats end.
 #include "fixture.h"
 

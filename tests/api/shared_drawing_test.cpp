@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One drawing is read on several threads at the same time.
 #include "fixture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Versioned structs: short ones of older callers, long ones of newer ones, wrong ones.
 #include "fixture.h"
 

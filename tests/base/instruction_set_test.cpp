@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/instruction_set.h"
 
 #include "base/runtime.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/operation.h"
 #include "base/status.h"
 #include "support/watcher.h"

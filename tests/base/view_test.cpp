@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/fp_state.h"
 #include "base/view.h"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Blender 3.4: a mesh object in, an image datablock out; and the add-on's panel, marks and errors."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The C# assembly on .NET."""
 
 import os

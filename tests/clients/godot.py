@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Godot 3: a GDNative library; each frame as a texture, and as points of a mesh under the engine's camera."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The host with a job system of its own."""
 
 import re

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scene of examples/README.md through Node and koffi: koffi.js CDEF LIBRARY SAMPLES PICTURE.
 // Of the interface it knows the declarations in CDEF and nothing else.
 "use strict";

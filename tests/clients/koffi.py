@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Node and koffi with the declarations of bindings/cdef: a picture, a callback and a failure (koffi.js)."""
 
 import os

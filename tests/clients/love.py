@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The LÖVE example, examples/love: what its window shows."""
 
 import os

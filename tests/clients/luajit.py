@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """LuaJIT's FFI with the declarations of bindings/cdef: a picture, a callback and a failure (luajit.lua)."""
 
 import run

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The Python package."""
 
 import os

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The scene of examples/README.md, through the C interface and nothing else: reference SAMPLES PICTURE. */
 #include <hrbfnpr.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Lets a client draw the scene of examples/README.md and compares its picture with the plain C program's.
 
     run.py CLIENT WORK LIBRARY REFERENCE EXAMPLES

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Rust with the crate hrbfnpr-sys: a picture, a callback and a failure (rust.rs), and the example of its README."""
 
 import os

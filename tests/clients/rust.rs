@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scene of examples/README.md through the crate hrbfnpr-sys: rust SAMPLES PICTURE.
 use hrbfnpr_sys::*;
 use std::ffi::{c_void, CStr};

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """SDL2: a window, whose contents are read back."""
 
 import ctypes.util

@@ -1,1 +1,2 @@
+// SPDX-License-Identifier: MIT
 [assembly: Xunit.CollectionBehavior(DisableTestParallelization = true)] // memory is measured

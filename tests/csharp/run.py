@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Builds and runs the tests of the C# assembly, with what of .NET and Mono is here.
 
     run.py native WORK                          the declarations are those that the header makes

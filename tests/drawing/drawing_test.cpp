@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a drawing knows of the marks that its dots and strokes come from.
 #include "drawing/drawing.h"
 

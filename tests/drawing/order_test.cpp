@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Orders by depth, and tiles.
 #include "base/random.h"
 #include "drawing/far_to_near.h"

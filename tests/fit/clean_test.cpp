@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/clean.h"
 
 #include "base/status.h"

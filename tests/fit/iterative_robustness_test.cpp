@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Errors, cancelling and threads of the iterative solver.
 #include "base/status.h"
 #include "shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The iterative solver through fit().
 #include "base/status.h"
 #include "shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/preconditioner.h"
 
 #include "base/status.h"

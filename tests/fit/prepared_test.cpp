@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The prepared evaluator, on what a fit makes.
 #include "implicit/prepared.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Samples as fit() takes them, and a call of it in one line.
 #pragma once
 

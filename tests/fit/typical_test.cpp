@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/typical.h"
 
 #include "base/status.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where marks land, and which class they are of.
 #include "frame/hand_made.h"
 

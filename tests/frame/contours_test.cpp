@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contours of constant width, and the published band, against the contours of a sphere and a torus.
 #include "frame/line_of_sight.h"
 #include "generate/generate.h"

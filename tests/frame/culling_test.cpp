@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Clusters are passed over whole: the ink must be that of every mark looked at one by one.
 #include "frame/depth_layers/cluster_view.h"
 #include "frame/depth_layers/gather.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Visibility that is asked of the surface itself.
 #include "frame/depth_layers/splat_law.h"
 #include "frame/line_of_sight.h"

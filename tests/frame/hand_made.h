@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Point sets built by hand, and cameras to look at them.
 #pragma once
 

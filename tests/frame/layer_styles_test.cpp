@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sets of any number of layers, each in the first style that is for its kind and name.
 #include "frame/line_of_sight.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a line of sight meets, found by marching along it.
 #pragma once
 

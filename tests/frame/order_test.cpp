@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The order of painting, and what does not depend on threads or on memory.
 #include "frame/hand_made.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which marks become ink: tone, depth, zoom, share, sets and callbacks.
 #include "frame/hand_made.h"
 

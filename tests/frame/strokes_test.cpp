@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From marks along strokes to lines.
 #include "frame/hand_made.h"
 

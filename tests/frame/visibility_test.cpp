@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What hides what, and the discs of paper.
 #include "frame/hand_made.h"
 #include "frame/scene/attenuation.h"

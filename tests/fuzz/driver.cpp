@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs a fuzzer's inputs without libFuzzer:
 //
 //   fuzz_model FILE_OR_FOLDER...     runs each file, once, in the order of their names

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The driver of the fuzzers' inputs counts what it runs, and fails where it ran nothing.
 
     driver_test.py [-v] FUZZER...

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the fuzzers share.  Most changes break a checksum, and nothing behind it would ever be
 // reached: so both are made right before the file is loaded.
 #pragma once

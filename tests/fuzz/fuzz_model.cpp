@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Loads a model, and uses what loads: every query, a few rays, a few marks.
 #include "fuzz.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Loads a point set, and uses what loads: drawn twice, written as vertices, saved and loaded again.
 #include "fuzz.h"
 

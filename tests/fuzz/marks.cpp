@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What holds for every point set, wherever it comes from.
 #include "fuzz.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How libFuzzer changes a file: half of the time one number of a section becomes an odd one, which
 // arbitrary bytes seldom hit; else libFuzzer has its way.  The length of the payload mostly follows.
 #include "fuzz.h"

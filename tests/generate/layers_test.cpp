@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Layers that share the tones.
 #include "support/point_sets.h"
 

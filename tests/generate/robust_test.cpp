@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The same bits for any threads, cancelling, failing allocations, callbacks' threads, far origins.
 #include "support/point_sets.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "support/point_sets.h"
 
 namespace hrbfnpr::generate {

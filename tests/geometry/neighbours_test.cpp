@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/neighbours.h"
 
 #include "base/status.h"

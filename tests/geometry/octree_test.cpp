@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/octree.h"
 
 #include "base/status.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Units of length, and whole numbers of what may be none.
 #include "geometry/unit.h"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Draw one scene and hold it against its golden image.
 
     compare.py DRAW_SCENE NAME GOLDEN.png [--update]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Cancels the fit of examples/sdl2 by pressing Escape, on a screen of its own:
 
     cancel.py WORK PROGRAM

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Processes that fork after they used the library: children go on with what they have, and with new contexts.
 #include "host/session.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A C program that loads the library at run time, again and again: load LIBRARY HOW, where HOW is
  *   idle     50 times, without a call
  *   work     50 times, with a fit and a drawing each time, all released

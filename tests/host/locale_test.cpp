@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A host in a country that writes 0,5: neither is its locale changed, nor does it change a byte.
 #include "host/session.h"
 

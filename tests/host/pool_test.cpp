@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The library's own threads: when they are there, what they are called, and what happens where the system gives none.
 #include "host/session.h"
 

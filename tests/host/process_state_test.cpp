@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What belongs to the host's process and comes back as it was: signals, floating-point state, streams.
 #include "host/session.h"
 

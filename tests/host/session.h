@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a host does with the library, call by call, so that tests can do it in unusual places.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "host/small_stack.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A thread whose stack is as small as a host makes it, and a measure of what was used of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Threads with small stacks, as job systems have: every call but fit does with 64 KiB, and fit with 512 KiB.
 #include "host/session.h"
 #include "host/small_stack.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A host's threads: each with a context, all with one model, and one that draws while another fits.
 #include "host/session.h"
 

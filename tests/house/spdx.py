@@ -27,6 +27,7 @@ COMMENTS = {
     ".cmake": HASH,
     ".sh": HASH,
     ".lua": DASHES,
+    ".rs": SLASHES,
 }
 GENERATED = re.compile(r"\W*(?:made|generated|written) (?:by|from) .*\bdo not edit\b", re.IGNORECASE)
 

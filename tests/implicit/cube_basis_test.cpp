@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/cube_basis.h"
 
 #include "base/status.h"

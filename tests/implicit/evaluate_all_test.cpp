@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/evaluate_all.h"
 
 #include "base/status.h"

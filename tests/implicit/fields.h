@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Room for the results of a batch, and a plain HRBF to compare with.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/hermite_sums.h"
 
 #include "fields.h"

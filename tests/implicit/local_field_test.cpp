@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "implicit/local_field.h"
 
 #include "base/status.h"

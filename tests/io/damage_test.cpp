@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files that are truncated, flipped, hostile or from the future.
 #include "samples.h"
 

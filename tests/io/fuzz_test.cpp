@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A small fuzzer that gives the same files on every run; tests/fuzz has the large one.
 #include "samples.h"
 

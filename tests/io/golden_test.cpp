@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files of every past format version load for ever.  These were written by version 0.1.0: the fit of
 // the six axis points of the unit sphere, and one step of the published refinement on it.
 #include "samples.h"

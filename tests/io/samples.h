@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small models and point sets for the tests of files, and files as strings of bytes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Clusters of marks: whole, in order, and what is said of each holds.
 #include "marks/cluster_marks.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ready-made marks: what is copied, what is filled in, what is refused.
 #include "support/point_sets.h"
 

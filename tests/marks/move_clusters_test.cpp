@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Clusters of marks that have moved: the same marks in the same clusters, and what is said of each holds.
 #include "marks/move_clusters.h"
 

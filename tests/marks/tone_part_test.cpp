@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ranks in a part of the tones.
 #include "marks/tone_part.h"
 

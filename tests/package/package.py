@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Other people's projects against the installed library, moved to a path with a space in it.
 
     package.py install BUILD WORK     installs BUILD below WORK and moves it

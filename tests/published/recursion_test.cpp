@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The published recursion: Table 1's counts, where children go, budgets.
 #include "support/point_sets.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strokes: order and spacing along them, directions, osculating circles.
 #include "support/point_sets.h"
 

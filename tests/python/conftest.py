@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Shapes and models that the tests share."""
 import sys
 from pathlib import Path

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Arrays go in from any layout, and out without copies."""
 import array
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The declarations in Python are those of the header."""
 import shutil
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The command line, end to end."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Drawings: a value that says how its marks are drawn; strokes, poses, formats."""
 import threading
 

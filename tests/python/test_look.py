@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Cameras and styles."""
 import copy
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Models: fit, functions, projection, curvature, saving."""
 import copy
 import dataclasses

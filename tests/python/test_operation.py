@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Progress, cancelling, interrupts, and the interpreter lock."""
 import _thread
 import os

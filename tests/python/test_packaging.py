@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The wheel, and the types."""
 import os
 import shutil

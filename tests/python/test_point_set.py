@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Point sets: generating, attributes, saving."""
 import io
 import pickle

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Other processes: without NumPy, after fork, with the wrong library or none."""
 import os
 import shutil

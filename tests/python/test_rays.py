@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Rays cast on a model, and which points lie inside."""
 import numpy as np
 import pytest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The fit against an independent dense solve in NumPy, written from the formulas alone."""
 import numpy as np
 import pytest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Renderers and what drawings give: pixels, outputs, vertices."""
 import io
 import threading

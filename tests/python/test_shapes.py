@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Reading shapes from files of every kind, and sampling them."""
 import struct
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Discs into pixels: coverage, blending, paper, against the plain reference.
 #include "raster/reference.h"
 #include "support/runtime.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tone by coverage: what is drawn covers as much of the paper as was asked for, at any zoom; and marks fade.
 #include "frame/depth_layers/gather.h"
 #include "frame/line_of_sight.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pixels of floats and of coverage, against those of bytes.
 #include "raster/reference.h"
 

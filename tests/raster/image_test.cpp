@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The caller's image: formats, strides, viewports; depth, id and class outputs; host depth.
 #include "raster/reference.h"
 

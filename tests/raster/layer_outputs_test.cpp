@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Depth, id and class outputs of frames by layers, against a sphere.
 #include "frame/line_of_sight.h"
 #include "raster/picture.h"

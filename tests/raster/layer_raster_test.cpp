@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ink of frames by layers into pixels, against a plain reference in doubles.
 #include "raster/reference.h"
 #include "support/instruction_sets.h"

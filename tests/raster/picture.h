@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A picture to draw into, and a way to look at it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every named style on a sphere and a torus.
 #include "raster/picture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a host does with the vertices, plainly: every disc over every pixel that it may touch, in order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strokes into pixels: loops on every instruction set, coverage, joints, the order among dots.
 #include "output/raster/stroke_loops.h"
 #include "raster/reference.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The ink of a layer must not be washed out by the paper of that same layer, and what lies behind
 // it must be.
 #include "raster/picture.h"

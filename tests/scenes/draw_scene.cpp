@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // draw_scene NAME FILE [WIDTH HEIGHT [THREADS [BACKEND]]]: draws one scene into a PAM file.
 // BACKEND: auto, pool, openmp, run_tasks (a runner of this program) or serial; status 77 if the build has it not.
 // draw_scene --list: the scenes' names.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "scenes/scenes.h"
 
 #include "scenes/shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scenes that tests, benchmarks and docs share: samples, marks, camera and style.
 #pragma once
 

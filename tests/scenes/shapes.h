@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Point-normal samples of analytic shapes, well spread and the same everywhere.
 #pragma once
 

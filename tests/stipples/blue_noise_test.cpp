@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Blue noise: evenness of every prefix, coverage, thin and open sheets.
 #include "support/point_sets.h"
 

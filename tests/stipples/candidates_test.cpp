@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Candidates of the blue-noise order: on the planes of cells, in layers, and both side by side.
 #include "support/point_sets.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Maps of cells, and the cells around one.
 #include "stipples/cell_neighbours.h"
 

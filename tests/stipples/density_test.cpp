@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Stipples by a density on the surface.
 #include "support/point_sets.h"
 

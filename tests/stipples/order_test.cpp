@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The parts of the progressive order: its loops, and the way into a gap.
 #include "support/point_sets.h"
 

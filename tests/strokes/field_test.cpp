@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strokes along the caller's directions.
 #include "support/point_sets.h"
 

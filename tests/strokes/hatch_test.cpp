@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Evenly spaced strokes: distances, order, directions, ends.
 #include "support/point_sets.h"
 

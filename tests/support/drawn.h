@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Drawings as the tests of frames look at them: discs from far to near, and styles of three groups of layers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Making point sets, and what the tests of the rooms that place marks share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "surface/curvature.h"
 
 #include "geometry/tangent_frame.h"

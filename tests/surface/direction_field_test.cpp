@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Smooth fields of directions: what is trusted stays, what is not is smooth, lines and crosses.
 #include "geometry/tangent_frame.h"
 #include "surface/direction_field.h"

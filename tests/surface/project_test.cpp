@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "surface/project.h"
 
 #include "support/analytic.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Calls that take a const handle run at the same time on several threads with the same handle, and give what each
 // gives alone.  The names come from the header: one that has no call here fails the test.
 #include "const_names.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strokes as line strips and as triangle strips.
 #include "output/vertex/vertices.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vertex arrays: layouts, contents, and the picture that a host makes of them.
 #include "output/vertex/vertices.h"
 

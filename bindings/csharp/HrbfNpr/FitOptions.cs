@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 namespace HrbfNpr
 {
     /// <summary>How <see cref="Model.Fit(ArrayView, ArrayView, FitOptions, Context, System.IProgress{double}, System.Threading.CancellationToken)"/> fits.</summary>

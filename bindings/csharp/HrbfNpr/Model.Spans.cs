@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #if NET7_0_OR_GREATER
 using System;
 using System.Threading;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 namespace HrbfNpr
 {
     /// <summary>Result of <c>Model.Evaluate</c> at n points.</summary>

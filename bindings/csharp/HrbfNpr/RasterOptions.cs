@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 namespace HrbfNpr
 {
     /// <summary>How a drawing becomes an image, and what is wanted beside the picture.</summary>

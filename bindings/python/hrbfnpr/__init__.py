@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Hermite RBF implicit surfaces, drawn in pen and ink.
 
 A few point-and-normal samples become a smooth implicit surface (`Model`); marks are placed on it

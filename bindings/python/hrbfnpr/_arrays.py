@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Arrays in and out without copies: NumPy where it is installed, the buffer protocol otherwise."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Python functions called by the library: exceptions are carried across it and raised on return."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Cameras."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Made by make_cffi.py from include/hrbfnpr.h; do not edit.
 import _cffi_backend
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The context: threads, instruction set, log."""
 from __future__ import annotations
 

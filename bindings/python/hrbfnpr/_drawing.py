@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Drawings: a picture as a value."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What a drawing is made of, as plain data."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """One exception for each status of the library."""
 from __future__ import annotations
 

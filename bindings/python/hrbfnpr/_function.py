@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Implicit functions written in Python."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Ownership of the library's handles."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Images of the caller's, and new ones."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Layers of marks to be made, and layers of the caller's own marks."""
 from __future__ import annotations
 

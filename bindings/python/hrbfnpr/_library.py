@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Finds and loads the C library, and checks that it is the one this package was made for."""
 from __future__ import annotations
 

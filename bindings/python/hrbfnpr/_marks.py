@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Layers of a point set: read-only arrays of their marks."""
 from __future__ import annotations
 

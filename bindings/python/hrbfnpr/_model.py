@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Models: implicit surfaces f = 0."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What the operators of a model return."""
 from __future__ import annotations
 

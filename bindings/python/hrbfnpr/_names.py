@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Names of the library's numbers: every choice is a lower-case string in Python."""
 from __future__ import annotations
 

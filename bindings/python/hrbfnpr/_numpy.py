@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """NumPy, or None where it is not installed."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Progress and cancelling of long calls."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pictures as files.  Needs Pillow."""
 from __future__ import annotations
 

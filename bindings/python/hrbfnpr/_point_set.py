@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Point sets: layers of marks on a surface."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What generating a point set did, as plain data."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Arrays of rays: pairs of origins and directions in, the hits of each ray out."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """From point sets and a camera to a drawing."""
 from __future__ import annotations
 

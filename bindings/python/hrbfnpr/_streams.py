@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Saving to and loading from paths, file objects and bytes."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Output structs of the library as frozen dataclasses of the same field names."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Styles: how a point set is drawn."""
 from __future__ import annotations
 

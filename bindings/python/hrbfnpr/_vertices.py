@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Vertex layouts."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 //! Links the shared library: from the folder HRBFNPR_LIB_DIR if that is set, else from where the linker looks.
 //! Programs that depend on this crate find the folder in DEP_HRBFNPR_LIB_DIR of their build scripts.
 use std::{env, path::Path, process::Command};

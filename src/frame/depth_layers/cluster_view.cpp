@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/depth_layers/cluster_view.h"
 
 #include <glm/gtc/matrix_access.hpp>

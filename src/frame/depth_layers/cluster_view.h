@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What can be said of a whole cluster of marks before any of them is looked at.
 #pragma once
 

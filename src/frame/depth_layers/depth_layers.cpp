@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/depth_layers/depth_layers.h"
 
 #include "frame/depth_layers/splat_law.h"

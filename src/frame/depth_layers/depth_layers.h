@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The second half of a frame by layers: what each mark of ink is seen through.        [NPAR 6.1]
 //
 // Splats give, for each pixel of a tile, the two nearest layers on either side.  A mark

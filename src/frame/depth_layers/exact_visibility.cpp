@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/depth_layers/exact_visibility.h"
 
 #include "base/operation.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What hides a mark, asked of the surface itself: a ray from it to the eye.
 #pragma once
 

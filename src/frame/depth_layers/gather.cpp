@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/depth_layers/gather.h"
 
 #include "frame/depth_layers/gatherer.h"

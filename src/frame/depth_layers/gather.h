@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The first half of a frame by layers: from clusters of marks to ink and splats.     [NPAR 6, 6.2]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/depth_layers/gatherer.h"
 
 #include "base/prefetch.h"

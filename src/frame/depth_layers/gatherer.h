@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The work of Gather on one piece of a run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/depth_layers/join_strokes.h"
 
 #include "base/scratch.h"

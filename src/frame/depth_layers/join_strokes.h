@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From dots that follow each other along a stroke to lines.
 #pragma once
 

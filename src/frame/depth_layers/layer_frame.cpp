@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/depth_layers/layer_frame.h"
 
 #include "base/clock.h"

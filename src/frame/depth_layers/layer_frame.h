@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A drawing by depth layers: ink, dimmed by what it is seen through.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The layers behind each pixel of a tile, for each instruction set; the same bits from all of them.
 #pragma once
 

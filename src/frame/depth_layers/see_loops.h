@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From marks to places on the screen and to how much of each is drawn, for each instruction set; the same bits from
 // all of them.
 #pragma once

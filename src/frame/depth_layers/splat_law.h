@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How opaque a layer of surface is, and how far apart the marks are that it is found from.     [NPAR 6.1]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/published/classify.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From marks to places on the screen and classes; and which of them are drawn.     [NPAR 6, 6.2]
 #pragma once
 

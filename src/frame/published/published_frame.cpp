@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/published/published_frame.h"
 
 #include "base/clock.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A drawing as published: discs of ink and of paper, to be painted from far to near.     [NPAR 6.1]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/published/visibility.h"
 
 #include <array>

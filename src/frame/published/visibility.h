@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which marks lie behind a nearer layer: a map of the nearest surface's depth.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Laws of hidden-line attenuation: how much paper a mark paints over what lies behind.  [NPAR 6.1]
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The camera as the frame sees it, and the helpers that build its matrices (GLM).
 #pragma once
 

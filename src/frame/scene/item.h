@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a drawing is made of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/scene/lens.h"
 
 #include "base/status.h"

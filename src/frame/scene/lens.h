@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a frame needs of the camera, combined once in double and used in float.
 #pragma once
 

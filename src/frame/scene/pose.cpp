@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/scene/pose.h"
 
 #include "marks/move_clusters.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Marks that have moved since their set was made.
 #pragma once
 

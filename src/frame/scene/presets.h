@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the named styles draw layers: constants, so that the boundary can show them.
 #pragma once
 

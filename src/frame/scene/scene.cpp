@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/scene/scene.h"
 
 #include "frame/scene/pose.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Inside of a frame: the items seen through the camera, and what is known of each mark.
 #pragma once
 

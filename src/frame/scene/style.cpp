@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/scene/style.h"
 
 #include "frame/scene/presets.h"

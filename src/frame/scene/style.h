@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A style as the frame sees it: checked by the boundary, meaning of every field as in
 // hrbfnpr_style.                                                         [NPAR 6]
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Laws of tone: which marks are drawn as ink.                                    [NPAR 6.2]
 #pragma once
 

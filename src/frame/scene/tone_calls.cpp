@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "frame/scene/tone_calls.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Asks a style's tone callback for tau, on the thread that entered.
 #pragma once
 

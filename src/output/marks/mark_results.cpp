@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/marks/mark_results.h"
 
 namespace hrbfnpr::output {

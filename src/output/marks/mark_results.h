@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A drawing as numbers for the marks of a point set, in the set's own order.
 #pragma once
 

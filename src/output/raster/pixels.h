@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The caller's pixels, to and from premultiplied floats.
 #pragma once
 

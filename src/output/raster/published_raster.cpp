@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/raster/published_raster.h"
 
 #include "output/raster/pixels.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rasteriser of drawings as published: discs of paper and of ink, far to near.     [NPAR 6.1]
 #pragma once
 

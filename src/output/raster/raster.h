@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rasteriser: a drawing into the caller's pixels, in tiles.
 #pragma once
 

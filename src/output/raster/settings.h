@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is drawn into, and how.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Between encoded sRGB values and linear light, for colours in [0, 1].       [IEC 61966-2-1]
 #pragma once
 

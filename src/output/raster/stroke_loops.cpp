@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "output/raster/stroke_loops.cpp"
 #include "base/simd.h"

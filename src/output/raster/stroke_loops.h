@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strokes into the planes of a tile, for each instruction set; the same bits from all of them.
 #pragma once
 

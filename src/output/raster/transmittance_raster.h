@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rasteriser of drawings whose ink has been dimmed already: what is left of the paper, tile by tile.
 #pragma once
 

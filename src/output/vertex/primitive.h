@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a drawing is written as for a graphics card.
 #pragma once
 

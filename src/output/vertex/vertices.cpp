@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "output/vertex/vertices.h"
 
 #include <algorithm>

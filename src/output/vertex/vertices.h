@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vertex arrays in any layout: a drawing's dots and strokes for a host that draws them itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scene of examples/README.md: Scene SAMPLES PICTURE.
 using System;
 using System.Globalization;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // As much of xunit as these tests use, for Mono without packages; on .NET they run with xunit itself.
 using System;
 using System.Collections;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // As much of Unity as the sample of the Unity package uses, so that a compiler can read it here.
 using System;
 using Unity.Collections;

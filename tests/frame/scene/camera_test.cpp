@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cameras: matrices, depth conventions, the fit to a box, and bad arguments.
 #include "frame/hand_made.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Each law against its formula.
 #include "frame/scene/attenuation.h"
 #include "frame/scene/scene.h"

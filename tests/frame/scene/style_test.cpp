@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The named styles.
 #include "frame/scene/style.h"
 

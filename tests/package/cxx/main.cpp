@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One sample is a plane: z at (0, 0, 2) must be 2.  Prints "2" and the version.
 #include <cmath>
 #include <hrbfnpr.h>

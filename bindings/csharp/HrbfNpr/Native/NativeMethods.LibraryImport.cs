@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Made by make_native.py from include/hrbfnpr.h; do not edit.
 #if NET7_0_OR_GREATER
 using System;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 using System;
 #if NET7_0_OR_GREATER
 using System.Collections.Generic;

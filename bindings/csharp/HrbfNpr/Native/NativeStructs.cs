@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Made by make_native.py from include/hrbfnpr.h; do not edit.
 #pragma warning disable 169, 649 // some fields are only read or written by the library
 using System;

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The command line: python3 -m hrbfnpr, or hrbfnpr where it is installed."""
 from ._main import main
 

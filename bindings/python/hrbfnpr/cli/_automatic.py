@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Good choices for what the user leaves open, from the picture that is asked for."""
 from __future__ import annotations
 

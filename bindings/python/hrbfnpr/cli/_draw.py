@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """From a model to a picture."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What a command works on: a saved model or point set, or samples from a file."""
 from __future__ import annotations
 

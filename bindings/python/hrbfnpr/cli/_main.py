@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Runs the commands; failures are one line and an exit code."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The command line's grammar.
 
 Each option's `dest` is the name of the argument or field that it sets, so that the commands can

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Marks as a PLY file, for other programs."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What is told to the user on the way: progress bars and notes, on stderr."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Values of command-line options."""
 from __future__ import annotations
 

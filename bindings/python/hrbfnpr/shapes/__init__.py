@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Reads point sets and meshes, and samples a mesh to a few well-spread points with normals.
 
 Needs NumPy; formats other than PLY, XYZ, PWN, OBJ and OFF are read by meshio.

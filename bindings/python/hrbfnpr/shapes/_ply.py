@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """PLY: any elements, any types, ASCII and binary, faces as polygons or triangle strips."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Reads a shape from a file of any known format."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Well-spread samples with normals of meshes and point sets."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What a file of points or a mesh holds."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """XYZ and PWN point sets; OBJ and OFF meshes."""
 from __future__ import annotations
 

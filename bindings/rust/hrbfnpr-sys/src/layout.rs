@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Made by bindings/generate from bindings/api.json; do not edit.
 //! Sizes, alignments and offsets as the C compiler has them; a crate that differs does not compile.
 use super::*;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Made by bindings/generate from bindings/api.json; do not edit.
 //! hrbfnpr.h: Hermite RBF implicit surfaces, drawn in pen and ink.
 //!

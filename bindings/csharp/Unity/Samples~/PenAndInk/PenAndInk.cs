@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 using HrbfNpr;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
