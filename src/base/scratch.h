@@ -14,7 +14,7 @@ void resize_scratch(base::Array<T>& array, std::int64_t count) {
         array.clear(); // nothing to copy
         array.reserve(count + count / 4);
     }
-    array.resize(count);
+    array.resize_for_overwrite(count);
 }
 
 } // namespace hrbfnpr::base
