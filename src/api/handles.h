@@ -3,8 +3,11 @@
 // handles can be released in any order.
 #pragma once
 
-#include "api/readers.h"
 #include "base/runtime.h"
+#include "base/scratch_pool.h"
+#include "output/marks/mark_results.h"
+#include "output/raster/raster.h"
+#include "output/vertex/vertices.h"
 
 #include <hrbfnpr.h>
 
@@ -35,6 +38,15 @@ protected:
 
 private:
     mutable std::atomic<std::int64_t> references_{1};
+};
+
+// Scratch of the calls that read a drawing: they take a const handle, and may run on several threads at once.
+struct Readers {
+    explicit Readers(const base::Runtime& runtime) noexcept : rasters(runtime), vertices(runtime), indices(runtime) {}
+
+    base::ScratchPool<output::Raster> rasters;
+    base::ScratchPool<output::VertexScratch> vertices;
+    base::ScratchPool<output::MarkIndices> indices;
 };
 
 } // namespace hrbfnpr::api

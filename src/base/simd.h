@@ -2,9 +2,9 @@
 // Loops that are compiled once for each instruction set, by Highway, and chosen between at run time.
 //
 // Such a file defines HWY_TARGET_INCLUDE as its own name, includes this header, puts its loops into
-// HWY_NAMESPACE between HWY_BEFORE_NAMESPACE() and HWY_AFTER_NAMESPACE(), and picks one of them under
-// HWY_ONCE with HRBFNPR_PICK.  It keeps the standard library, GLM and Eigen out: of an inline function
-// that is compiled for several processors the linker keeps one, which may be the wrong one.
+// HWY_NAMESPACE between HWY_BEFORE_NAMESPACE() and HWY_AFTER_NAMESPACE(), and ends with HRBFNPR_CHOOSE.  It keeps the
+// standard library, GLM and Eigen out: of an inline function that is compiled for several processors the linker keeps
+// one, which may be the wrong one.
 
 #if !defined(HWY_DISABLED_TARGETS)
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
@@ -40,4 +40,15 @@
 #elif HWY_STATIC_TARGET == HWY_NEON
 #define HWY_STATIC_NAME NEON
 #endif
+#endif
+
+// Once, in `space`: the function `name` of an instruction set, which gives what `pick` gives in that one's namespace.
+#undef HRBFNPR_CHOOSE
+#if HWY_ONCE
+#define HRBFNPR_CHOOSE(space, type, name, pick)                                                                        \
+    namespace space {                                                                                                  \
+    type name(::hrbfnpr::base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick)(); }                      \
+    }
+#else
+#define HRBFNPR_CHOOSE(space, type, name, pick)
 #endif

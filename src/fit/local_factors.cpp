@@ -318,6 +318,8 @@ std::int64_t lanes() noexcept { return static_cast<std::int64_t>(hn::Lanes(D()))
 } // namespace hrbfnpr::fit::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
+HRBFNPR_CHOOSE(hrbfnpr::fit, FactorLocalSystems, local_factors, pick_factor)
+
 #if HWY_ONCE
 namespace hrbfnpr::fit {
 
@@ -327,8 +329,6 @@ std::int64_t local_factor_room(base::InstructionSet set, std::int32_t set_size) 
     const std::int64_t blocks = std::int64_t{set_size} * (set_size + 1) / 2 + set_size;
     return 16 * local_factor_batch(set) * blocks;
 }
-
-FactorLocalSystems local_factors(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_factor)(); }
 
 } // namespace hrbfnpr::fit
 #endif

@@ -88,10 +88,4 @@ SparseBlocks pick_blocks() noexcept { return {multiply_transposed, multiply}; }
 } // namespace hrbfnpr::fit::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE
-namespace hrbfnpr::fit {
-
-SparseBlocks sparse_blocks(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_blocks)(); }
-
-} // namespace hrbfnpr::fit
-#endif
+HRBFNPR_CHOOSE(hrbfnpr::fit, SparseBlocks, sparse_blocks, pick_blocks)

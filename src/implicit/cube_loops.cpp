@@ -281,10 +281,4 @@ CubeLoops pick_loops() noexcept { return {translate, multiply, moments, evaluate
 } // namespace hrbfnpr::implicit::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE
-namespace hrbfnpr::implicit {
-
-CubeLoops cube_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_loops)(); }
-
-} // namespace hrbfnpr::implicit
-#endif
+HRBFNPR_CHOOSE(hrbfnpr::implicit, CubeLoops, cube_loops, pick_loops)

@@ -162,6 +162,8 @@ OrderLoops pick_loops() noexcept { return {feel, lowest, feel_and_find, smallest
 } // namespace hrbfnpr::stipples::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
+HRBFNPR_CHOOSE(hrbfnpr::stipples, OrderLoops, order_loops, pick_loops)
+
 #if HWY_ONCE
 namespace hrbfnpr::stipples {
 namespace {
@@ -175,8 +177,6 @@ void free_place(const OrderBlock& block, std::int64_t i) noexcept {
 }
 
 } // namespace
-
-OrderLoops order_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_loops)(); }
 
 std::int64_t keep(const OrderBlock& block, float enough) noexcept {
     std::int64_t kept = 0;

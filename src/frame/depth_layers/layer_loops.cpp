@@ -130,10 +130,4 @@ LayerLoops pick_layer_loops() noexcept { return {lay, lay_all_next, lay_halos}; 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE
-namespace hrbfnpr::frame {
-
-LayerLoops layer_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_layer_loops)(); }
-
-} // namespace hrbfnpr::frame
-#endif
+HRBFNPR_CHOOSE(hrbfnpr::frame, LayerLoops, layer_loops, pick_layer_loops)

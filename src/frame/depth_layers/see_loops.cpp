@@ -282,10 +282,4 @@ SeeLoops pick_see_loops() noexcept { return {see, select}; }
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE
-namespace hrbfnpr::frame {
-
-SeeLoops see_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_see_loops)(); }
-
-} // namespace hrbfnpr::frame
-#endif
+HRBFNPR_CHOOSE(hrbfnpr::frame, SeeLoops, see_loops, pick_see_loops)

@@ -134,10 +134,4 @@ DiscLoops pick_disc_loops() noexcept { return {draw, store}; }
 } // namespace hrbfnpr::output::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE
-namespace hrbfnpr::output {
-
-DiscLoops disc_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_disc_loops)(); }
-
-} // namespace hrbfnpr::output
-#endif
+HRBFNPR_CHOOSE(hrbfnpr::output, DiscLoops, disc_loops, pick_disc_loops)

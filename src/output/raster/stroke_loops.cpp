@@ -118,10 +118,4 @@ StrokeLoops pick_stroke_loops() noexcept { return {lay}; }
 } // namespace hrbfnpr::output::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE
-namespace hrbfnpr::output {
-
-StrokeLoops stroke_loops(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, pick_stroke_loops)(); }
-
-} // namespace hrbfnpr::output
-#endif
+HRBFNPR_CHOOSE(hrbfnpr::output, StrokeLoops, stroke_loops, pick_stroke_loops)
