@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How even the marks are: PAPER, white noise and BLUE_NOISE at every prefix; tones, directions, spacing of strokes.
+// How even the marks are: PUBLISHED, white noise and BLUE_NOISE at every prefix; tones, directions, spacing of strokes.
 // --bunny=FILE: an OBJ mesh; --head=FILE: a PLY of points with normals, for the time of the order (else a generated
 // one).
 #include "analytic.h"
@@ -148,7 +148,7 @@ void run_surface(hrbfnpr_context* context, const Surface& surface, Totals& total
     const Sets sets = sets_on(context, surface, area);
     std::vector<Mark> places;
     for (std::size_t i = 0; i < sets.white.size(); i += 2) places.push_back(sets.white[i]);
-    measure(surface.name, "PAPER", sets.paper, area, surface.flat, places);
+    measure(surface.name, "PUBLISHED", sets.paper, area, surface.flat, places);
     measure(surface.name, "white noise", std::vector<Mark>(sets.white.begin(), sets.white.end()), area, surface.flat,
             {places.rbegin(), places.rend()});
     const Worst worst = measure(surface.name, "BLUE_NOISE", sets.blue, area, surface.flat, places);
@@ -192,7 +192,7 @@ bench::ToneError run_tone(hrbfnpr_context* context) {
     desc.seed_source = HRBFNPR_SEED_BOX;
     desc.layer[0].levels = 5;
     const bench::ToneError paper = error_of(context, generate(context, model.get(), desc).get());
-    std::printf("%-12s psnr %.2f dB, bias %+.4f\n", "PAPER", paper.psnr, paper.bias);
+    std::printf("%-12s psnr %.2f dB, bias %+.4f\n", "PUBLISHED", paper.psnr, paper.bias);
     return error;
 }
 
@@ -315,8 +315,9 @@ OrderTime run_time(hrbfnpr_context* context, const Samples& samples) {
     const scenes::Model model = fit(context, samples.points, samples.normals);
     const auto run = [&](const bench::Generation& desc) { return [&] { generate(context, model.get(), desc); }; };
     const bench::Comparison c = bench::compare(5, run(blue), run(paper));
-    std::printf("\n%lld marks: first call PAPER %.3f s, BLUE_NOISE %.3f s; later PAPER %.3f s, BLUE_NOISE %.3f s\n",
-                static_cast<long long>(marks), first_paper, first_blue, c.seconds, c.seconds * c.ratio);
+    std::printf(
+        "\n%lld marks: first call PUBLISHED %.3f s, BLUE_NOISE %.3f s; later PUBLISHED %.3f s, BLUE_NOISE %.3f s\n",
+        static_cast<long long>(marks), first_paper, first_blue, c.seconds, c.seconds * c.ratio);
     return {c.ratio, first_blue / first_paper};
 }
 
