@@ -71,6 +71,13 @@ public:
     [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
     [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t tiles() const noexcept { return std::int64_t{columns_} * rows_; }
+    // No tile is touched by more discs.
+    [[nodiscard]] std::int64_t most_of_a_tile() const noexcept {
+        std::int64_t most = 0;
+        for (std::int64_t tile = 0; tile < tiles(); ++tile)
+            most = std::max<std::int64_t>(most, offsets_[tile + 1] - offsets_[tile]);
+        return most + large_.size();
+    }
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return rects_.bytes() + counts_.bytes() + offsets_.bytes() + entries_.bytes() + large_.bytes() +
                pieces_.bytes() + starts_.bytes();

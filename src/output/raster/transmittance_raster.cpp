@@ -319,6 +319,10 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
     const std::int64_t workers = std::max(1, runtime_.parallel.threads());
     base::resize_scratch(planes_, workers * planes * plane);
     while (numbers_.size() < workers) numbers_.add(runtime_.memory);
+    if (!drawing.strokes.empty()) { // for all of them: which of them draws the fullest tile is by chance
+        const std::int64_t most = drawing.dot_tiles.most_of_a_tile() + drawing.segment_tiles.most_of_a_tile();
+        for (std::int64_t worker = 0; worker < workers; ++worker) numbers_[worker].reserve(most);
+    }
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(workers, [&](std::int64_t worker) {
         float* const own = planes_.data() + worker * planes * plane;
