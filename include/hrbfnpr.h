@@ -1274,7 +1274,7 @@ typedef struct hrbfnpr_layer_style {
     uint32_t kind;      /* the layers that this is for: HRBFNPR_LAYER_KIND_...; ANY */
     const char* name;   /* ... and are called so; NULL = any name.  Read during _draw only */
     uint32_t shown;     /* 1 or 0: whether front marks are drawn; 1 */
-    uint32_t contours;  /* 1 or 0: whether marks near a contour draw it; 1 */
+    uint32_t contours;  /* 1 or 0: whether marks near a contour draw it; 1.  Not of OWN strokes, which may be few */
     uint32_t directions; /* of strokes: bit 0 the first direction, bit 1 the second; 3 */
     uint32_t shape;     /* HRBFNPR_SHAPE_...; DOTS */
     float share;        /* 0 .. 1: share of the layer's marks that is used at all; 1 */

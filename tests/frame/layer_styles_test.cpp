@@ -229,5 +229,52 @@ TEST_F(SplatLayer, IsWhatIsUsedEvenIfItIsNotInked) {
     EXPECT_THAT(with(std::array{contours_only}), ElementsAre(1));
 }
 
+// Dots of one layer, in the order of their ids.
+std::vector<drawing::Dot> dots_of(const drawing::Drawing& drawing, std::int32_t layer) {
+    std::vector<drawing::Dot> dots;
+    for (const drawing::Piece& piece : drawing.dot_pieces)
+        for (std::int64_t i = piece.begin; i < piece.end; ++i)
+            if (const drawing::Dot& dot = drawing.dots[i];
+                dot.opacity > 0.0F && drawing.layers[dot.layer].layer == layer)
+                dots.push_back(dot);
+    std::sort(dots.begin(), dots.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    return dots;
+}
+
+// A caller who adds a line gets a line: the tone of the other layers stays, and the line draws no contours.
+TEST(OwnStrokes, ChangeNothingOfOtherLayers) {
+    const base::Runtime runtime;
+    const auto draw = [&](bool line, DrawnFrame& frame) {
+        marks::PointSet set = sphere(runtime.memory, 20000);
+        if (line) {
+            marks::Layer& layer = set.layers.add(runtime.memory, Kind::own);
+            for (std::uint32_t i = 0; i < 3000; ++i) {
+                const double angle = 2.0 * pi * i / 3000.0;
+                const glm::dvec3 n(std::cos(angle), std::sin(angle), 0.0); // all of it on the contour
+                add_mark(layer, n, n, {-n.y, n.x, 0.0}, 0, i);
+            }
+            marks::index_strokes(layer);
+        }
+        set = clustered(runtime, std::move(set));
+        const std::array items{layered_item(set, frame::Style{})};
+        frame.prepare(items, front_camera(300, 300));
+    };
+    DrawnFrame plain(runtime);
+    DrawnFrame with_line(runtime);
+    draw(false, plain);
+    draw(true, with_line);
+    const std::vector<drawing::Dot> expected = dots_of(plain.drawing(), 0);
+    const std::vector<drawing::Dot> got = dots_of(with_line.drawing(), 0);
+    ASSERT_GT(expected.size(), 1000U);
+    ASSERT_EQ(got.size(), expected.size());
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        ASSERT_EQ(got[i].id, expected[i].id);
+        ASSERT_EQ(got[i].radius, expected[i].radius);
+        ASSERT_EQ(got[i].opacity, expected[i].opacity);
+    }
+    for (const drawing::Dot& dot : dots_of(with_line.drawing(), 1))
+        EXPECT_EQ(dot.mark_class, drawing::MarkClass::front);
+}
+
 } // namespace
 } // namespace hrbfnpr::testing

@@ -6,6 +6,7 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -87,25 +88,33 @@ ItemView view_of(const Item& item, const Camera& camera) {
     return view;
 }
 
-// Whether it may tell where the surface is: strokes of the caller's may be few and anywhere.
+// Whether it is spread over the surface: strokes of the caller's may be few and anywhere.  They tell neither where the
+// surface is nor where its contours are, and make no tone.
 bool is_surface(const marks::Layer& layer) noexcept { return !(layer.kind == marks::Kind::own && layer.has_strokes()); }
 
 bool is_used(const LayerStyle& style) noexcept { return style.shown || style.contours; }
 
+bool is_drawn(const marks::Layer& layer, const Style& style) noexcept {
+    return layer.count() > 0 && is_used(style.of(layer));
+}
+
+bool has_surface(const marks::PointSet& set, const Style& style) noexcept {
+    return std::any_of(set.layers.begin(), set.layers.end(),
+                       [&](const marks::Layer& layer) { return is_drawn(layer, style) && is_surface(layer); });
+}
+
 // Which layer's marks are the splats of an item; -1: none's.  Stipples are spread the most evenly, so theirs are
 // unless they are few.
 std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
+    const bool any_surface = has_surface(set, style);
     std::int64_t largest = -1;
     std::int64_t stipples = -1;
-    for (const bool surface : {true, false}) {
-        if (largest >= 0) break;
-        for (std::int64_t i = 0; i < set.layers.size(); ++i) {
-            const marks::Layer& layer = set.layers[i];
-            if (!is_used(style.of(layer)) || layer.count() == 0 || is_surface(layer) != surface) continue;
-            if (largest < 0 || layer.count() > set.layers[largest].count()) largest = i;
-            if (layer.kind == marks::Kind::stipples && (stipples < 0 || layer.count() > set.layers[stipples].count()))
-                stipples = i;
-        }
+    for (std::int64_t i = 0; i < set.layers.size(); ++i) {
+        const marks::Layer& layer = set.layers[i];
+        if (!is_drawn(layer, style) || is_surface(layer) != any_surface) continue;
+        if (largest < 0 || layer.count() > set.layers[largest].count()) largest = i;
+        if (layer.kind == marks::Kind::stipples && (stipples < 0 || layer.count() > set.layers[stipples].count()))
+            stipples = i;
     }
     const bool enough = stipples >= 0 && 4 * set.layers[stipples].count() >= set.layers[largest].count();
     return enough ? stipples : largest;
@@ -143,14 +152,14 @@ class RunMaker {
 public:
     RunMaker(Scene& scene, const Item& item, std::int32_t number, drawing::Drawing& drawing) noexcept
         : scene_(scene), item_(item), style_(item.style), number_(number), drawing_(drawing),
-          splats_(splat_layer(*item.set, item.style)),
+          splats_(splat_layer(*item.set, item.style)), any_surface_(has_surface(*item.set, item.style)),
           eye_per_object_(mean_scale(item.transform) * static_cast<double>(scene.lens.eye_per_world)) {}
 
     void operator()() {
         for (std::int64_t i = 0; i < item_.set->layers.size(); ++i) {
             const marks::Layer& layer = item_.set->layers[i];
             note(i, layer);
-            if (is_used(style_.of(layer)) && layer.count() > 0) add(i, layer, style_.of(layer));
+            if (is_drawn(layer, style_)) add(i, layer, style_.of(layer));
         }
     }
 
@@ -187,7 +196,8 @@ private:
         // A stipple belongs to no direction.
         run.directions = run.scattered ? 3U : style.directions;
         run.draws_front = style.shown && style.share > 0.0F && run.directions != 0;
-        run.draws_silhouettes = style.contours;
+        run.draws_silhouettes = style.contours && is_surface(marks);
+        run.makes_tone = is_surface(marks) || !any_surface_;
         const bool splats = number == splats_;
         // With a given overlap, one evenly spread layer is as opaque as all; as published, every mark counts.
         run.paints_paper = style_.hidden_lines == HiddenLines::attenuate && (splats || !(style_.splat_overlap > 0.0F));
@@ -218,6 +228,7 @@ private:
     std::int32_t number_;
     drawing::Drawing& drawing_;
     std::int64_t splats_;
+    bool any_surface_;
     double eye_per_object_;
     float earlier_ = 0.0F;
 };

@@ -140,6 +140,7 @@ struct Run {
     std::int64_t first_joined = 0; // of those that are drawn as strokes: place of the first mark among all such
     bool as_strokes = false;       // marks that follow each other become lines
     bool scattered = true;         // its marks form no strokes
+    bool makes_tone = true;        // its ink counts for the tone of its item
     bool spread_evenly = false;    // in a blue-noise order
     bool splats = false;           // its marks tell where the layers of its item are
     Pen pen;

@@ -1771,7 +1771,7 @@ pub struct hrbfnpr_layer_style {
     pub name: *const c_char,
     /// 1 or 0: whether front marks are drawn; 1
     pub shown: u32,
-    /// 1 or 0: whether marks near a contour draw it; 1
+    /// 1 or 0: whether marks near a contour draw it; 1. Not of OWN strokes, which may be few
     pub contours: u32,
     /// of strokes: bit 0 the first direction, bit 1 the second; 3
     pub directions: u32,
