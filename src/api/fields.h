@@ -192,14 +192,16 @@ template <class Struct>
 template <class... Fields>
 class FieldTable {
 public:
+    static constexpr std::size_t bytes = (Fields::bytes + ... + 0); // of its fields
+
     constexpr explicit FieldTable(Fields... fields) noexcept : fields_(fields...) {}
 
     // Whether no field of the struct was forgotten: where pointers have 8 bytes, public structs have no gaps.
     template <class Struct>
     [[nodiscard]] constexpr bool covers() const noexcept {
-        std::size_t bytes = (Fields::bytes + ... + 0);
-        if constexpr (requires(Struct given) { given.struct_size; }) bytes += sizeof(Struct::struct_size);
-        return bytes == sizeof(Struct) || sizeof(void*) != 8;
+        std::size_t size = bytes;
+        if constexpr (requires(Struct given) { given.struct_size; }) size += sizeof(Struct::struct_size);
+        return size == sizeof(Struct) || sizeof(void*) != 8;
     }
 
     // The struct's fields as the settings are.

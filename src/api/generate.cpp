@@ -3,8 +3,8 @@
 #include "generate/generate.h"
 
 #include "api/barrier.h"
-#include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/fields.h"
 #include "api/layers.h"
 #include "api/lists.h"
 #include "api/model.h"
@@ -30,16 +30,96 @@ static_assert(static_cast<int>(marks::SeedSource::points) == HRBFNPR_SEED_POINTS
 
 namespace hrbfnpr::api {
 
+namespace {
+
+using Layer = hrbfnpr_layer_desc;
+using Generate = hrbfnpr_generate_desc;
+
+constexpr rule::AtLeast not_negative{0.0};
+
+// Of each room's settings those fields that it keeps.
+constexpr auto layer_fields() noexcept {
+    using To = generate::LayerSettings;
+    return FieldTable{field("kind", &Layer::kind, &To::kind, rule::Any{}),
+                      field("name", &Layer::name, rule::Any{}),
+                      field("budget", &Layer::budget, &To::budget, not_negative),
+                      field("tone_begin", &Layer::tone_begin, rule::Any{}),
+                      field("tone_end", &Layer::tone_end, rule::Any{}),
+                      field("second_tone_begin", &Layer::second_tone_begin, rule::Any{}),
+                      field("second_tone_end", &Layer::second_tone_end, rule::Any{}),
+                      field("flags", &Layer::flags, rule::Flags{HRBFNPR_LAYER_WITH_CURVATURE})};
+}
+constexpr auto density_fields() noexcept {
+    using To = stipples::DensitySettings;
+    return FieldTable{
+        field("density", &Layer::density, &To::kind, rule::OneOf{HRBFNPR_DENSITY_CALLBACK, "HRBFNPR_DENSITY_..."}),
+        field("density_strength", &Layer::density_strength, &To::strength, rule::Between{0.0, 1.0}),
+        field("density_function", &Layer::density_function, &To::function, rule::Any{}),
+        field("density_user", &Layer::density_user, &To::user, rule::Any{})};
+}
+constexpr auto stroke_fields() noexcept {
+    using To = strokes::Settings;
+    return FieldTable{field("separation", &Layer::separation, &To::separation, not_negative),
+                      field("step", &Layer::step, &To::step, not_negative),
+                      field("length", &Layer::length, &To::longest, not_negative),
+                      field("symmetry", &Layer::symmetry, &To::symmetry,
+                            rule::OneOf{HRBFNPR_SYMMETRY_CROSS, "HRBFNPR_SYMMETRY_..."})};
+}
+constexpr auto direction_fields() noexcept {
+    using To = marks::DirectionFunction;
+    return FieldTable{field("direction_function", &Layer::direction_function, &To::function, rule::Any{}),
+                      field("direction_user", &Layer::direction_user, &To::user, rule::Any{})};
+}
+constexpr auto published_fields() noexcept {
+    using To = published::Settings;
+    return FieldTable{
+        field("start", &Layer::start, &To::from_stipples,
+              rule::OneOf{HRBFNPR_STROKE_START_STIPPLES, "HRBFNPR_STROKE_START_..."}),
+        field("start_level", &Layer::start_level, &To::start_level, rule::Between{0.0, marks::most_levels}),
+        field("levels", &Layer::levels, &To::levels, rule::Between{-1.0, marks::most_levels})};
+}
+static_assert(sizeof(void*) != 8 || layer_fields().bytes + density_fields().bytes + stroke_fields().bytes +
+                                            direction_fields().bytes + published_fields().bytes +
+                                            sizeof(Layer::struct_size) ==
+                                        sizeof(Layer));
+
+constexpr auto generate_fields() noexcept {
+    using To = generate::Settings;
+    return FieldTable{
+        field("distribution", &Generate::distribution, &To::distribution,
+              rule::OneOf{HRBFNPR_DISTRIBUTION_PUBLISHED, "HRBFNPR_DISTRIBUTION_..."}),
+        field("layers", &Generate::layers, rule::Any{}),
+        field("layer_count", &Generate::layer_count, rule::Any{}),
+        field("layer_stride", &Generate::layer_stride, rule::Any{}),
+        field("shared_budget", &Generate::shared_budget, &To::shared_budget, not_negative),
+        field("tone_ranges", &Generate::tone_ranges, &To::tone_ranges,
+              rule::OneOf{HRBFNPR_TONE_RANGES_IN_TURN, "HRBFNPR_TONE_RANGES_..."}),
+        reserved("reserved", &Generate::reserved),
+        field("projection_tolerance", &Generate::projection_tolerance, &To::projection_tolerance, rule::Positive{}),
+        field("random_seed", &Generate::random_seed, &To::random_seed, rule::Any{})};
+}
+constexpr auto seed_fields() noexcept {
+    using To = generate::SeedSettings;
+    return FieldTable{
+        field("seed_source", &Generate::seed_source, &To::source, rule::OneOf{HRBFNPR_SEED_POINTS, "HRBFNPR_SEED_..."}),
+        field("seed_points", &Generate::seed_points, rule::Any{}),
+        field("box_jitter", &Generate::box_jitter, &To::box_jitter, rule::Between{0.0, 0.5}),
+        field("box_resolution", &Generate::box_resolution, &To::box_resolution, rule::Between{1.0, 256.0}),
+        field("initial_step", &Generate::initial_step, &To::initial_step, not_negative)};
+}
+static_assert(sizeof(void*) != 8 ||
+              generate_fields().bytes + seed_fields().bytes + sizeof(Generate::struct_size) == sizeof(Generate));
+
+} // namespace
+
 template <>
 hrbfnpr_layer_desc defaults() noexcept {
     const generate::LayerSettings settings;
     hrbfnpr_layer_desc desc{};
-    desc.kind = static_cast<std::uint32_t>(settings.kind);
-    desc.budget = settings.budget;
-    desc.density = static_cast<std::uint32_t>(settings.density.kind);
-    desc.density_strength = settings.density.strength;
-    desc.symmetry = static_cast<std::uint32_t>(settings.strokes.symmetry);
-    desc.levels = settings.published.levels;
+    layer_fields().set_defaults(settings, desc);
+    density_fields().set_defaults(settings.density, desc);
+    stroke_fields().set_defaults(settings.strokes, desc);
+    published_fields().set_defaults(settings.published, desc);
     return desc;
 }
 
@@ -47,13 +127,8 @@ template <>
 hrbfnpr_generate_desc defaults() noexcept {
     const generate::Settings settings;
     hrbfnpr_generate_desc desc{};
-    desc.distribution = static_cast<std::uint32_t>(settings.distribution);
-    desc.seed_source = static_cast<std::uint32_t>(settings.seeds.source);
-    desc.box_resolution = static_cast<std::uint32_t>(settings.seeds.box_resolution);
-    desc.box_jitter = settings.seeds.box_jitter;
-    desc.initial_step = settings.seeds.initial_step;
-    desc.projection_tolerance = settings.projection_tolerance;
-    desc.random_seed = settings.random_seed;
+    generate_fields().set_defaults(settings, desc);
+    seed_fields().set_defaults(settings.seeds, desc);
     return desc;
 }
 
@@ -66,82 +141,41 @@ marks::TonePart checked_part(const char* owner, const char* field, float begin, 
     return {static_cast<double>(begin), static_cast<double>(end)};
 }
 
-stipples::DensitySettings checked_density(const Checks& checks, const hrbfnpr_layer_desc& desc) {
-    checks.one_of("density", desc.density, HRBFNPR_DENSITY_CALLBACK + 1, "HRBFNPR_DENSITY_...");
-    checks.between("density_strength", desc.density_strength, 0.0, 1.0);
-    if (desc.density == HRBFNPR_DENSITY_CALLBACK) checks.given("density_function", desc.density_function != nullptr);
-    return {static_cast<stipples::Density>(desc.density), desc.density_strength, desc.density_function,
-            desc.density_user};
-}
-
-strokes::Settings checked_strokes(const Checks& checks, const hrbfnpr_layer_desc& desc) {
-    checks.at_least("separation", desc.separation, 0.0);
-    checks.at_least("step", desc.step, 0.0);
-    checks.at_least("length", desc.length, 0.0);
-    checks.one_of("symmetry", desc.symmetry, HRBFNPR_SYMMETRY_CROSS + 1, "HRBFNPR_SYMMETRY_...");
-    if (desc.kind == HRBFNPR_LAYER_KIND_FIELD) checks.given("direction_function", desc.direction_function != nullptr);
-    strokes::Settings settings;
-    settings.separation = desc.separation;
-    settings.step = desc.step;
-    settings.longest = desc.length;
-    settings.symmetry = static_cast<marks::Symmetry>(desc.symmetry);
-    settings.direction = {desc.direction_function, desc.direction_user};
-    return settings;
-}
-
-published::Settings checked_published(const Checks& checks, const hrbfnpr_layer_desc& desc) {
-    checks.one_of("start", desc.start, HRBFNPR_STROKE_START_STIPPLES + 1, "HRBFNPR_STROKE_START_...");
-    checks.between("start_level", desc.start_level, 0, marks::most_levels);
-    checks.between("levels", desc.levels, -1, marks::most_levels);
-    return {desc.levels, desc.start == HRBFNPR_STROKE_START_STIPPLES, desc.start_level};
-}
-
-generate::LayerSettings checked(const hrbfnpr_layer_desc& desc, const char* owner) {
-    const Checks checks(owner);
+void check(const hrbfnpr_layer_desc& desc, const char* owner) {
     if (desc.kind < HRBFNPR_LAYER_KIND_STIPPLES || desc.kind > HRBFNPR_LAYER_KIND_FIELD)
         fail(Status::invalid_argument,
              "%s.kind is %u; it must be HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING or FIELD (1 to 4)", owner,
              desc.kind);
-    checks.flags("flags", desc.flags, HRBFNPR_LAYER_WITH_CURVATURE);
-    checks.at_least("budget", static_cast<double>(desc.budget), 0.0);
+    layer_fields().check(owner, desc);
+    density_fields().check(owner, desc);
+    stroke_fields().check(owner, desc);
+    published_fields().check(owner, desc);
+    const Checks checks(owner);
+    if (desc.density == HRBFNPR_DENSITY_CALLBACK) checks.given("density_function", desc.density_function != nullptr);
+    if (desc.kind == HRBFNPR_LAYER_KIND_FIELD) checks.given("direction_function", desc.direction_function != nullptr);
+}
+
+generate::LayerSettings checked(const hrbfnpr_layer_desc& desc, const char* owner) {
+    check(desc, owner);
     generate::LayerSettings settings;
-    settings.kind = static_cast<marks::Kind>(desc.kind);
+    layer_fields().copy(desc, settings);
+    density_fields().copy(desc, settings.density);
+    stroke_fields().copy(desc, settings.strokes);
+    direction_fields().copy(desc, settings.strokes.direction);
+    published_fields().copy(desc, settings.published);
     settings.name = checked_name(desc.name, owner);
-    settings.budget = desc.budget;
     settings.with_curvature = (desc.flags & HRBFNPR_LAYER_WITH_CURVATURE) != 0;
     settings.part = {checked_part(owner, "tone_", desc.tone_begin, desc.tone_end),
                      checked_part(owner, "second_tone_", desc.second_tone_begin, desc.second_tone_end)};
-    settings.density = checked_density(checks, desc);
-    settings.strokes = checked_strokes(checks, desc);
-    settings.published = checked_published(checks, desc);
     return settings;
 }
 
-void check_numbers(const hrbfnpr_generate_desc& desc) {
-    const Checks checks("generate_desc");
-    checks.one_of("distribution", desc.distribution, HRBFNPR_DISTRIBUTION_PUBLISHED + 1, "HRBFNPR_DISTRIBUTION_...");
-    checks.at_least("shared_budget", static_cast<double>(desc.shared_budget), 0.0);
-    checks.one_of("tone_ranges", desc.tone_ranges, HRBFNPR_TONE_RANGES_IN_TURN + 1, "HRBFNPR_TONE_RANGES_...");
-    checks.one_of("seed_source", desc.seed_source, HRBFNPR_SEED_POINTS + 1, "HRBFNPR_SEED_...");
-    checks.between("box_jitter", desc.box_jitter, 0.0, 0.5);
-    checks.between("box_resolution", desc.box_resolution, 1, 256);
-    checks.zero("reserved", desc.reserved);
-    checks.at_least("initial_step", desc.initial_step, 0.0);
-    checks.positive("projection_tolerance", desc.projection_tolerance);
-}
-
 generate::Settings checked(const hrbfnpr_generate_desc& desc) {
-    check_numbers(desc);
+    generate_fields().check("generate_desc", desc);
+    seed_fields().check("generate_desc", desc);
     generate::Settings settings;
-    settings.distribution = static_cast<marks::Distribution>(desc.distribution);
-    settings.shared_budget = desc.shared_budget;
-    settings.tone_ranges = static_cast<generate::ToneRanges>(desc.tone_ranges);
-    settings.seeds.source = static_cast<marks::SeedSource>(desc.seed_source);
-    settings.seeds.box_resolution = static_cast<std::int32_t>(desc.box_resolution);
-    settings.seeds.box_jitter = desc.box_jitter;
-    settings.seeds.initial_step = desc.initial_step;
-    settings.projection_tolerance = desc.projection_tolerance;
-    settings.random_seed = desc.random_seed;
+    generate_fields().copy(desc, settings);
+    seed_fields().copy(desc, settings.seeds);
     settings.seeds.points = in_view(desc.seed_points, "generate_desc.seed_points", points_type);
     if (desc.seed_source == HRBFNPR_SEED_POINTS && settings.seeds.points.empty())
         fail(Status::invalid_argument,
