@@ -41,11 +41,11 @@ using Philox = std::array<std::uint32_t, 4>;
     return counter;
 }
 
-// Four independent uniform numbers in [0,1) with 32 bits each.  `lane` picks further ones.
+// Four independent uniform numbers in [0,1) with 32 bits each.  `stream` picks further ones.
 [[nodiscard]] inline std::array<double, 4> uniform4(std::uint64_t seed, std::uint64_t index, Purpose purpose,
-                                                    std::uint32_t lane = 0) noexcept {
+                                                    std::uint32_t stream = 0) noexcept {
     const Philox bits = philox(seed, {static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32U),
-                                      static_cast<std::uint32_t>(purpose), lane});
+                                      static_cast<std::uint32_t>(purpose), stream});
     constexpr double scale = 1.0 / 4294967296.0;
     return {bits[0] * scale, bits[1] * scale, bits[2] * scale, bits[3] * scale};
 }

@@ -50,7 +50,7 @@ void compute_curvature(const Site& site, const Marks& marks, base::Array<float>&
 } // namespace
 
 float random_rank(std::uint64_t random_seed, std::uint64_t key, Kind kind) noexcept {
-    return rank_of(base::uniform4(random_seed, key, base::Purpose::rank, lane_of(kind))[0]);
+    return rank_of(base::uniform4(random_seed, key, base::Purpose::rank, stream_of(kind))[0]);
 }
 
 void assemble(const Site& site, const Marks& marks, const AssembleSettings& settings, const glm::dvec3& origin,

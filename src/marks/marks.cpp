@@ -38,7 +38,7 @@ std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t numb
 std::uint64_t Thinning::ticket(std::uint64_t key) const noexcept {
     const base::Philox bits =
         base::philox(seed_, {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32U),
-                             static_cast<std::uint32_t>(base::Purpose::budget), lane_});
+                             static_cast<std::uint32_t>(base::Purpose::budget), stream_});
     return static_cast<std::uint64_t>(bits[0]) << 32U | bits[1];
 }
 

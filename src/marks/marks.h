@@ -56,7 +56,7 @@ public:
     Thinning() noexcept = default; // keeps all
     // key_of(i) for i in [0, count) identifies the candidates.
     template <class KeyOf>
-    Thinning(const Site& site, std::int64_t count, std::int64_t kept, std::uint32_t lane, KeyOf key_of,
+    Thinning(const Site& site, std::int64_t count, std::int64_t kept, std::uint32_t stream, KeyOf key_of,
              const base::Progress& progress);
 
     [[nodiscard]] bool active() const noexcept { return active_; }
@@ -68,14 +68,14 @@ private:
 
     bool active_ = false;
     std::uint64_t seed_ = 0;
-    std::uint32_t lane_ = 0;
+    std::uint32_t stream_ = 0;
     std::uint64_t limit_ = 0; // tickets below it are kept
 };
 
 template <class KeyOf>
-Thinning::Thinning(const Site& site, std::int64_t count, std::int64_t kept, std::uint32_t lane, KeyOf key_of,
+Thinning::Thinning(const Site& site, std::int64_t count, std::int64_t kept, std::uint32_t stream, KeyOf key_of,
                    const base::Progress& progress)
-    : active_(kept < count), seed_(site.random_seed), lane_(lane) {
+    : active_(kept < count), seed_(site.random_seed), stream_(stream) {
     if (!active_) return;
     base::Array<std::uint64_t> tickets(site.memory(), count);
     site.runtime.parallel.for_chunks(count, chunk_size, [&](std::int64_t begin, std::int64_t end) {
@@ -89,9 +89,9 @@ Thinning::Thinning(const Site& site, std::int64_t count, std::int64_t kept, std:
 // among those of its kind.
 [[nodiscard]] std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t number) noexcept;
 
-// ... and this, beside the seed, tells layers of three kinds apart.
-inline constexpr std::uint32_t lane_count = 3;
-[[nodiscard]] constexpr std::uint32_t lane_of(Kind kind) noexcept {
+// Beside the seed, this tells layers of three kinds apart.
+inline constexpr std::uint32_t stream_count = 3;
+[[nodiscard]] constexpr std::uint32_t stream_of(Kind kind) noexcept {
     return kind == Kind::principal ? 1U : kind == Kind::combing ? 2U : 0U;
 }
 

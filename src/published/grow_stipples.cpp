@@ -53,7 +53,7 @@ bool Stipples::place_seeds(const base::Progress& progress) {
     const std::int64_t count = start_.position.size();
     const std::int64_t room = settings_.budget > 0 ? settings_.budget : count;
     const marks::Thinning thinning(
-        site_, count, room, marks::lane_of(marks::Kind::stipples),
+        site_, count, room, marks::stream_of(marks::Kind::stipples),
         [](std::int64_t i) { return static_cast<std::uint64_t>(i); }, progress);
     for (std::int64_t i = 0; i < count; ++i) {
         if (!thinning.keeps(static_cast<std::uint64_t>(i))) continue;
@@ -81,7 +81,7 @@ bool Stipples::refine(std::int32_t level, double rho, const base::Progress& prog
     const auto key_of = [&](std::int64_t i) {
         return full_count_ + 4 * marks_.key[i / children] + static_cast<std::uint64_t>(i % children);
     };
-    const marks::Thinning thinning(site_, children * parents, room, marks::lane_of(marks::Kind::stipples), key_of,
+    const marks::Thinning thinning(site_, children * parents, room, marks::stream_of(marks::Kind::stipples), key_of,
                                    progress);
     constexpr std::int64_t parents_of_chunk = marks::chunk_size / children;
     // No start is farther from its parent than this, and a child that lands farther from its start

@@ -147,7 +147,7 @@ bool Strokes::place_seeds(const base::Progress& progress) {
     measure(start_.position, start_.normal, progress);
     const auto key_of = [](std::int64_t i) { return key(static_cast<std::uint32_t>(i), 0); };
     const marks::Thinning thinning(site_, count, settings_.budget > 0 ? settings_.budget : count,
-                                   marks::lane_of(settings_.kind), key_of, progress);
+                                   marks::stream_of(settings_.kind), key_of, progress);
     for (std::int64_t i = 0; i < count; ++i) {
         if (!thinning.keeps(key_of(i))) continue;
         const std::int64_t from = i / sets;
@@ -172,7 +172,7 @@ bool Strokes::refine(std::int32_t level, double rho, const base::Progress& progr
         const std::int64_t parent = i / children;
         return key(marks_.stroke[parent], marks_.place[parent] + (i % children == 0 ? -finest : finest));
     };
-    const marks::Thinning thinning(site_, children * parents, room, marks::lane_of(settings_.kind), key_of, progress);
+    const marks::Thinning thinning(site_, children * parents, room, marks::stream_of(settings_.kind), key_of, progress);
     constexpr std::int64_t parents_of_chunk = marks::chunk_size / children;
     for (std::int64_t begin = 0; begin < parents; begin += parents_of_chunk) {
         const std::int64_t end = std::min(parents, begin + parents_of_chunk);

@@ -90,8 +90,8 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
     const CellMap numbers(site.memory(), codes_of(site, cells));
-    PlaneCandidates planes(site, cells, numbers, marks::lane_of(kind), progress);
-    LayerCandidates layer(site, cells, numbers, planes.kind(), marks::lane_of(kind), wanted);
+    PlaneCandidates planes(site, cells, numbers, marks::stream_of(kind), progress);
+    LayerCandidates layer(site, cells, numbers, planes.kind(), marks::stream_of(kind), wanted);
     draw(cells, planes, layer, wanted, progress);
     merge(site, cells, planes, layer.projections(), candidates);
     candidates.report.placed = candidates.count;

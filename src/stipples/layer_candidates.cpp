@@ -52,8 +52,8 @@ std::int64_t projections_for(const SurfaceCells& cells, std::int64_t wanted) noe
 } // namespace
 
 LayerCandidates::LayerCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
-                                 const base::Array<CellKind>& kind, std::uint32_t lane, std::int64_t wanted)
-    : site_(site), cells_(cells), numbers_(numbers), kind_(kind), lane_(lane),
+                                 const base::Array<CellKind>& kind, std::uint32_t stream, std::int64_t wanted)
+    : site_(site), cells_(cells), numbers_(numbers), kind_(kind), stream_(stream),
       projections_of_point_(projections_for(cells, wanted)), trial_cell_(site.memory()), slot_(site.memory()),
       drawn_(site.memory()), drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()),
       field_(site.memory()), kept_(site.memory()), near_of_task_(site.memory()), strayed_of_task_(site.memory()),
@@ -88,7 +88,7 @@ double LayerCandidates::area() const noexcept {
 
 // Number 0 of a cell and round decides whether the fraction of a trial becomes one.
 std::uint32_t LayerCandidates::count_in(const SurfaceCell& cell, double per_cell) const noexcept {
-    const double extra = base::uniform4(site_.random_seed, cell.code, base::Purpose::candidate, lane_of_round_)[0];
+    const double extra = base::uniform4(site_.random_seed, cell.code, base::Purpose::candidate, stream_of_round_)[0];
     return static_cast<std::uint32_t>(std::min(per_cell + extra, 65535.0));
 }
 
@@ -99,7 +99,8 @@ void LayerCandidates::draw_in(const SurfaceCell& cell, std::int64_t at, std::int
     // 3/8 side^2 curvature, so this holds where the surface bends with radii above 1.5 sides.
     const double unlikely = cells_.band + 0.25 * side;
     for (std::uint32_t number = 1; at < end; ++at, ++number) {
-        const auto u = base::uniform4(site_.random_seed, cell.code, base::Purpose::candidate, lane_of_round_ | number);
+        const auto u =
+            base::uniform4(site_.random_seed, cell.code, base::Purpose::candidate, stream_of_round_ | number);
         const glm::dvec3 offset = side * glm::dvec3(u[0], u[1], u[2]);
         const double distance = cell.distance + glm::dot(cell.normal, offset - 0.5 * side);
         // A distance that is not a number goes on.
@@ -271,7 +272,7 @@ void LayerCandidates::draw(double density, const base::Progress& progress) {
     if (rounds_ == 0) of_trial = static_cast<double>(projections_of_point_) * 2.0 * cells_.band * area() / volume;
     of_trial = std::max(of_trial, least_of_trial);
     const double per_cell = missing / of_trial / static_cast<double>(cells);
-    lane_of_round_ = (lane_ + marks::lane_count * rounds_++) << 16U;
+    stream_of_round_ = (stream_ + marks::stream_count * rounds_++) << 16U;
     for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
         slot_.clear();
         std::int64_t slots = 0;

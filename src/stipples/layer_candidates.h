@@ -22,7 +22,7 @@ class LayerCandidates {
 public:
     // In all cells that are not `flat`.  `wanted`: of the whole surface.
     LayerCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
-                    const base::Array<CellKind>& kind, std::uint32_t lane, std::int64_t wanted);
+                    const base::Array<CellKind>& kind, std::uint32_t stream, std::int64_t wanted);
 
     // An estimate before the first are drawn, and a better one after that.
     [[nodiscard]] double area() const noexcept;
@@ -50,10 +50,10 @@ private:
     const SurfaceCells& cells_;
     const CellMap& numbers_;
     const base::Array<CellKind>& kind_;
-    std::uint32_t lane_;
+    std::uint32_t stream_;
     std::int64_t projections_of_point_;
     std::uint32_t rounds_ = 0;
-    std::uint32_t lane_of_round_ = 0;
+    std::uint32_t stream_of_round_ = 0;
     base::Array<std::int32_t> trial_cell_; // all from which a projection may be in a cell that is bent
     base::Array<std::int64_t> slot_;       // of the first trial of each cell of the batch
     geometry::VecArray drawn_;             // a slot for each trial; NaN: not worth evaluating

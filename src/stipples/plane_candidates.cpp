@@ -37,8 +37,8 @@ int longest_axis(const glm::dvec3& n) noexcept {
 } // namespace
 
 PlaneCandidates::PlaneCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
-                                 std::uint32_t lane, const base::Progress& progress)
-    : site_(site), cells_(cells), lane_(lane | 0xffff0000U), kind_(site.memory(), cells.cell.size()),
+                                 std::uint32_t stream, const base::Progress& progress)
+    : site_(site), cells_(cells), stream_(stream | 0xffff0000U), kind_(site.memory(), cells.cell.size()),
       curvature_(site.memory(), cells.cell.size()), count_(site.memory(), cells.cell.size()) {
     site.runtime.parallel.for_chunks(kind_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
@@ -108,7 +108,7 @@ struct PlaneCandidates::Trials {
 PlaneCandidates::Trials PlaneCandidates::trials_in(const SurfaceCell& cell) const noexcept {
     const base::Philox random = base::philox(
         site_.random_seed, {static_cast<std::uint32_t>(cell.code), static_cast<std::uint32_t>(cell.code >> 32U),
-                            static_cast<std::uint32_t>(base::Purpose::candidate), lane_});
+                            static_cast<std::uint32_t>(base::Purpose::candidate), stream_});
     const double side = cells_.grid.side;
     const int up = longest_axis(cell.normal);
     const double trials = density_ * side * side / std::abs(cell.normal[up]);

@@ -16,7 +16,7 @@ enum class CellKind : std::uint8_t {
 
 class PlaneCandidates {
 public:
-    PlaneCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers, std::uint32_t lane,
+    PlaneCandidates(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers, std::uint32_t stream,
                     const base::Progress& progress = {});
 
     [[nodiscard]] const base::Array<CellKind>& kind() const noexcept { return kind_; }
@@ -42,7 +42,7 @@ private:
 
     const marks::Site& site_;
     const SurfaceCells& cells_;
-    std::uint32_t lane_;
+    std::uint32_t stream_;
     base::Array<CellKind> kind_;
     base::Array<float> curvature_; // mean
     base::Array<std::int32_t> count_;

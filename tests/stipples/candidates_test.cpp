@@ -34,7 +34,7 @@ struct Cover {
         return all;
     }
     [[nodiscard]] std::array<std::int64_t, 3> kinds() const {
-        const PlaneCandidates planes(site, cells, numbers, lane_of(Kind::stipples));
+        const PlaneCandidates planes(site, cells, numbers, stream_of(Kind::stipples));
         std::array<std::int64_t, 3> count{};
         for (const CellKind kind : planes.kind()) ++count[static_cast<std::size_t>(kind)];
         return count;
@@ -159,7 +159,7 @@ Field rounded_cube(const glm::dvec3& p) {
 TEST(PlaneCandidates, AreDrawnInSoManyTrialsAtMost) {
     const Sphere sphere;
     const Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
-    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, lane_of(Kind::stipples));
+    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, stream_of(Kind::stipples));
     const auto flat = std::count(planes.kind().begin(), planes.kind().end(), CellKind::flat);
     ASSERT_GT(flat, 2000);
     planes.draw(1e30, 100.0 * static_cast<double>(flat));
@@ -180,8 +180,8 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
     const auto kinds = cover.kinds();
     EXPECT_GT(kinds[1], 2000);
     EXPECT_GT(kinds[2], 500);
-    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, lane_of(Kind::stipples));
-    LayerCandidates layer(cover.site, cover.cells, cover.numbers, planes.kind(), lane_of(Kind::stipples), 60000);
+    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, stream_of(Kind::stipples));
+    LayerCandidates layer(cover.site, cover.cells, cover.numbers, planes.kind(), stream_of(Kind::stipples), 60000);
     constexpr double density = 10000.0;
     planes.draw(density);
     layer.draw(density, {});

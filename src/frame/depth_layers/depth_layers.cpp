@@ -63,8 +63,8 @@ Dimmed dim(const LayerPlanes& p, const Dot& ink, float x, float y, bool next) no
 
 } // namespace
 
-LayerPlanes DepthLayers::planes_of(std::int64_t lane) noexcept {
-    float* at = planes_.data() + lane * planes_of_one * plane;
+LayerPlanes DepthLayers::planes_of(std::int64_t worker) noexcept {
+    float* at = planes_.data() + worker * planes_of_one * plane;
     LayerPlanes planes{side, side, stride, {}, {}, nullptr, nullptr, 0.0F};
     const auto next = [&] { return std::exchange(at, at + plane); };
     for (float*& depth : planes.depth) depth = next();

@@ -32,7 +32,7 @@ private:
     static constexpr std::int64_t plane = std::int64_t{stride} * side;
     static constexpr std::int64_t planes_of_one = 2 * LayerPlanes::layers + 2;
 
-    [[nodiscard]] LayerPlanes planes_of(std::int64_t lane) noexcept;
+    [[nodiscard]] LayerPlanes planes_of(std::int64_t worker) noexcept;
     void lay_tile(LayerPlanes& planes, const drawing::Drawing& drawing, std::int64_t tile,
                   const glm::vec2& corner) const noexcept;
     [[nodiscard]] std::int64_t dim_tile(LayerPlanes& planes, drawing::Drawing& drawing,
@@ -40,7 +40,7 @@ private:
 
     const base::Runtime& runtime_;
     LayerLoops loops_;
-    base::Array<float> planes_; // of each lane of work
+    base::Array<float> planes_; // of each worker
     base::Array<std::int64_t> seen_;
 };
 
