@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stipples/order_stage.h"
+#include "stipples/order_stage_impl.h"
 
 #include "base/prefetch.h"
 #include "geometry/morton.h"
@@ -54,7 +54,7 @@ std::uint32_t reached(const glm::vec3& in_cell, float side, float distance) noex
 
 } // namespace
 
-OrderStage::OrderStage(const marks::Site& site, Candidates& candidates, const CellMap& home, std::int32_t home_level,
+OrderStage::Impl::Impl(const marks::Site& site, Candidates& candidates, const CellMap& home, std::int32_t home_level,
                        const StageSettings& settings, const OrderedMarks& marks, const base::Progress& progress)
     : site_(site),
       grid_(candidates.grid), region_{candidates.region.min - grid_.origin, candidates.region.max - grid_.origin},
@@ -70,12 +70,12 @@ OrderStage::OrderStage(const marks::Site& site, Candidates& candidates, const Ce
     feel_all();
 }
 
-glm::vec3 OrderStage::low_corner(std::uint64_t code) const noexcept {
+glm::vec3 OrderStage::Impl::low_corner(std::uint64_t code) const noexcept {
     const geometry::CellGrid::Cell at = geometry::morton_cell(code);
     return side_ * glm::vec3(static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]));
 }
 
-void OrderStage::take_candidates(Candidates& candidates) {
+void OrderStage::Impl::take_candidates(Candidates& candidates) {
     base::Array<std::int64_t> part(site_.memory()); // of each cell: the candidates' first cell in it
     for (std::int64_t c = 0; c < candidates.cells(); ++c) {
         const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings_.level);
@@ -92,7 +92,7 @@ void OrderStage::take_candidates(Candidates& candidates) {
 }
 
 // All of them take part, in the same cells.
-void OrderStage::work_in(Candidates& candidates) {
+void OrderStage::Impl::work_in(Candidates& candidates) {
     groups_ = candidates.group.data();
     site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         progress_.check();
@@ -103,7 +103,7 @@ void OrderStage::work_in(Candidates& candidates) {
     });
 }
 
-void OrderStage::copy_taken(Candidates& candidates, const base::Array<std::int64_t>& part) {
+void OrderStage::Impl::copy_taken(Candidates& candidates, const base::Array<std::int64_t>& part) {
     // A few large cells have as many candidates as many small ones.
     const std::int64_t grain = std::clamp<std::int64_t>(cell_.size() / 64, 1, 8 * cells_of_task);
     const auto for_taken = [&](std::int64_t cell, auto&& visit) {
@@ -137,12 +137,13 @@ void OrderStage::copy_taken(Candidates& candidates, const base::Array<std::int64
     });
 }
 
-OrderStage::Cell OrderStage::empty_cell(std::int64_t group, std::int64_t groups, std::uint64_t code) const noexcept {
+OrderStage::Impl::Cell OrderStage::Impl::empty_cell(std::int64_t group, std::int64_t groups,
+                                                    std::uint64_t code) const noexcept {
     return {group, static_cast<std::int32_t>(groups), -1, 0, -1, 0, low_corner(code), {}};
 }
 
 // A tile's turn is the parity of its coordinates, the last bits of its code.
-void OrderStage::find_tiles() {
+void OrderStage::Impl::find_tiles() {
     const auto tile_of = [&](std::int64_t c) { return code_[c] >> (3 * tile_bits); };
     for (std::size_t turn = 0; turn < 8; ++turn) {
         for (std::int64_t begin = 0, end = 0; begin < code_.size(); begin = end) {
@@ -160,7 +161,7 @@ void OrderStage::find_tiles() {
                                       [&](std::int64_t begin, std::int64_t end) { find_neighbours(begin, end); });
 }
 
-void OrderStage::find_neighbours(std::int64_t begin, std::int64_t end) noexcept {
+void OrderStage::Impl::find_neighbours(std::int64_t begin, std::int64_t end) noexcept {
     CellNeighbours around(number_);
     for (std::int64_t c = begin; c < end; ++c) {
         around.go_to(code_[c]);
@@ -174,24 +175,24 @@ void OrderStage::find_neighbours(std::int64_t begin, std::int64_t end) noexcept 
     }
 }
 
-OrderStage::Slot OrderStage::slot_of(const OrderMark& mark) noexcept {
+OrderStage::Impl::Slot OrderStage::Impl::slot_of(const OrderMark& mark) noexcept {
     return {{mark.position[0], mark.position[1], mark.position[2]}, repacked_normal(mark.normal)};
 }
 
-bool OrderStage::link(const OrderMark& mark, std::int32_t cell) noexcept {
+bool OrderStage::Impl::link(const OrderMark& mark, std::int32_t cell) noexcept {
     Cell& c = cell_[cell];
     if (c.marks == slots_of_cell) return false;
     c.slot[static_cast<std::size_t>(c.marks++)] = slot_of(mark);
     return true;
 }
 
-void OrderStage::link_more(const OrderMark& mark, std::int32_t cell) {
+void OrderStage::Impl::link_more(const OrderMark& mark, std::int32_t cell) {
     extra_.push_back({slot_of(mark), cell_[cell].more});
     cell_[cell].more = static_cast<std::int32_t>(extra_.size() - 1);
 }
 
 // A mark outside all cells of the stage is felt by none: home cells see to it that there are none.
-void OrderStage::link_all(const OrderedMarks& marks) {
+void OrderStage::Impl::link_all(const OrderedMarks& marks) {
     base::Array<std::int32_t> cell(site_.memory(), marks.size());
     site_.runtime.parallel.for_chunks(marks.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) cell[i] = cell_at(vector(marks[i].position));
@@ -204,17 +205,17 @@ void OrderStage::link_all(const OrderedMarks& marks) {
 }
 
 template <class Visit>
-void OrderStage::for_marks(const Cell& cell, Visit&& visit) const {
+void OrderStage::Impl::for_marks(const Cell& cell, Visit&& visit) const {
     for (std::int32_t k = 0; k < cell.marks; ++k) visit(cell.slot[static_cast<std::size_t>(k)]);
     for (std::int32_t at = cell.more; at >= 0; at = extra_[at].next) visit(extra_[at].mark);
 }
 
-std::int32_t OrderStage::cell_at(const glm::dvec3& position) const noexcept {
+std::int32_t OrderStage::Impl::cell_at(const glm::dvec3& position) const noexcept {
     return number_.find(code_of(grid_, position) >> static_cast<unsigned>(3 * settings_.level));
 }
 
 // The cell of a place near `cell`; -1 if that is no home.
-std::int32_t OrderStage::home_cell_at(const glm::dvec3& position, std::int32_t cell) const noexcept {
+std::int32_t OrderStage::Impl::home_cell_at(const glm::dvec3& position, std::int32_t cell) const noexcept {
     const std::uint64_t code = code_of(grid_, position);
     const std::uint64_t here = code >> static_cast<unsigned>(3 * settings_.level);
     if (settings_.level == home_level_) return here == code_[cell] ? cell : number_.find(here);
@@ -223,13 +224,13 @@ std::int32_t OrderStage::home_cell_at(const glm::dvec3& position, std::int32_t c
 
 // Calls visit on the cells that have a point nearer than that to one in `cell`.
 template <class Visit>
-void OrderStage::for_reached(const glm::vec3& position, double distance, std::int32_t cell, Visit&& visit) const {
+void OrderStage::Impl::for_reached(const glm::vec3& position, double distance, std::int32_t cell, Visit&& visit) const {
     const Cell& c = cell_[cell];
     std::uint32_t left = c.neighbour & reached(position - c.low, side_, static_cast<float>(distance));
     for (; left != 0; left &= left - 1) visit(neighbour_[cell][static_cast<std::size_t>(std::countr_zero(left))]);
 }
 
-void OrderStage::feel_all() {
+void OrderStage::Impl::feel_all() {
     site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         progress_.check();
         std::array<OrderMark, 64> near; // more are felt in parts
@@ -252,13 +253,13 @@ void OrderStage::feel_all() {
     });
 }
 
-void OrderStage::note(std::int32_t cell, const OrderLowest& found) noexcept {
+void OrderStage::Impl::note(std::int32_t cell, const OrderLowest& found) noexcept {
     cell_[cell].best = static_cast<std::int32_t>(found.at);
     lowest_[cell] = found.energy;
     floor_[cell] = found.of_all;
 }
 
-void OrderStage::drop_nearer(double distance) {
+void OrderStage::Impl::drop_nearer(double distance) {
     const auto enough = static_cast<float>(distance * distance);
     site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) {
@@ -268,7 +269,7 @@ void OrderStage::drop_nearer(double distance) {
     });
 }
 
-float OrderStage::lowest() noexcept {
+float OrderStage::Impl::lowest() noexcept {
     site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) refresh(static_cast<std::int32_t>(c), enough_);
     });
@@ -276,9 +277,9 @@ float OrderStage::lowest() noexcept {
 }
 
 // A tile's turn.
-class OrderStage::Turn {
+class OrderStage::Impl::Turn {
 public:
-    Turn(OrderStage& stage, Fresh* fresh) noexcept : stage_(stage), fresh_(fresh) {}
+    Turn(OrderStage::Impl& stage, Fresh* fresh) noexcept : stage_(stage), fresh_(fresh) {}
 
     // Returns the number of fresh marks.
     std::int32_t run(const Tile& tile, std::span<const SweepStep> steps) {
@@ -402,7 +403,7 @@ private:
         fresh.cell = stage_.home_cell_at(end, cell);
     }
 
-    OrderStage& stage_;
+    OrderStage::Impl& stage_;
     Fresh* fresh_;
     std::int32_t count_ = 0;
     std::size_t unlinked_count_ = 0;
@@ -417,16 +418,16 @@ private:
     std::array<glm::dvec3, most_around> between_;
 };
 
-void OrderStage::bring_cells(const Tile& tile) const noexcept {
+void OrderStage::Impl::bring_cells(const Tile& tile) const noexcept {
     base::prefetch(&cell_[tile.begin], tile.end - tile.begin);
     base::prefetch(&neighbour_[tile.begin], tile.end - tile.begin);
 }
 
-void OrderStage::bring_candidates(const Tile& tile) const noexcept {
+void OrderStage::Impl::bring_candidates(const Tile& tile) const noexcept {
     for (std::int32_t c = tile.begin; c < tile.end; ++c) base::prefetch(groups_ + cell_[c].group, cell_[c].groups);
 }
 
-void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, OrderedMarks& marks) {
+void OrderStage::Impl::sweep(std::span<const SweepStep> steps, std::int64_t room, OrderedMarks& marks) {
     step_.clear();
     energy_.clear();
     const double nearest = settings_.nearness * steps.back().radius;
@@ -451,14 +452,14 @@ void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, Orde
     if (energy_.size() > room) keep_lowest(room, marks);
 }
 
-void OrderStage::append(const Fresh& fresh, OrderedMarks& marks) {
+void OrderStage::Impl::append(const Fresh& fresh, OrderedMarks& marks) {
     marks.push_back(fresh.mark);
     if (!fresh.linked) link_more(fresh.mark, fresh.cell);
     energy_.push_back(fresh.energy);
     step_.push_back(fresh.step);
 }
 
-void OrderStage::keep_lowest(std::int64_t room, OrderedMarks& marks) {
+void OrderStage::Impl::keep_lowest(std::int64_t room, OrderedMarks& marks) {
     const std::int64_t first = marks.size() - energy_.size();
     base::Array<float> sorted(site_.memory(), energy_.size());
     std::copy(energy_.begin(), energy_.end(), sorted.begin());
@@ -475,5 +476,17 @@ void OrderStage::keep_lowest(std::int64_t room, OrderedMarks& marks) {
     marks.resize(kept);
     step_.resize(kept - first);
 }
+
+OrderStage::OrderStage(const marks::Site& site, Candidates& candidates, const CellMap& home, std::int32_t home_level,
+                       const StageSettings& settings, const OrderedMarks& marks, const base::Progress& progress)
+    : impl_(std::make_unique<Impl>(site, candidates, home, home_level, settings, marks, progress)) {}
+OrderStage::~OrderStage() = default;
+
+void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, OrderedMarks& marks) {
+    impl_->sweep(steps, room, marks);
+}
+const base::Array<std::uint8_t>& OrderStage::steps() const noexcept { return impl_->steps(); }
+float OrderStage::lowest() noexcept { return impl_->lowest(); }
+void OrderStage::drop_nearer(double distance) { impl_->drop_nearer(distance); }
 
 } // namespace hrbfnpr::stipples
