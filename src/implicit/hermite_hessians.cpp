@@ -3,28 +3,14 @@
 #define HWY_TARGET_INCLUDE "implicit/hermite_hessians.cpp"
 #include "base/simd.h"
 
-#include "base/simd_math-inl.h"
 #include "implicit/hermite_hessians.h"
+#include "implicit/hermite_pairs-inl.h"
 
 #include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::implicit::HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using base::HWY_NAMESPACE::D;
-using base::HWY_NAMESPACE::inverse_root;
-using base::HWY_NAMESPACE::smallest_r2;
-using base::HWY_NAMESPACE::V;
-
-// Vectors of targets that one source is applied to at a time, as registers allow.
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
-constexpr int unroll = 2;
-#else
-constexpr int unroll = 1;
-#endif
 
 // With e along d and w of its own, each kernel below writes a source's term as
 //   H = factor (iso I + (e w^T + w e^T) / 2):
@@ -33,11 +19,24 @@ struct Sum {
     V iso;        // of the diagonal
     V xx, yy, zz; // e_i w_i
     V xy, xz, yz; // e_i w_j + e_j w_i
+
+    static HWY_INLINE Sum zero() {
+        const V zero = hn::Zero(D());
+        return {zero, zero, zero, zero, zero, zero, zero};
+    }
 };
 
 struct Weights {
     V alpha, x, y, z;            // alpha and beta
     V twice_x, twice_y, twice_z; // 2 beta
+
+    static HWY_INLINE Weights of(const Sources& s, std::int64_t j) {
+        const D d;
+        const V x = hn::Set(d, s.beta_x[j]);
+        const V y = hn::Set(d, s.beta_y[j]);
+        const V z = hn::Set(d, s.beta_z[j]);
+        return {hn::Set(d, s.alpha[j]), x, y, z, hn::Add(x, x), hn::Add(y, y), hn::Add(z, z)};
+    }
 };
 
 HWY_INLINE V along(V x, V y, V z, const Weights& w) { return hn::MulAdd(z, w.z, hn::MulAdd(y, w.y, hn::Mul(x, w.x))); }
@@ -121,35 +120,6 @@ struct WendlandC2 {
     }
 };
 
-HWY_INLINE Weights weights(const Sources& s, std::int64_t j) {
-    const D d;
-    const V x = hn::Set(d, s.beta_x[j]);
-    const V y = hn::Set(d, s.beta_y[j]);
-    const V z = hn::Set(d, s.beta_z[j]);
-    return {hn::Set(d, s.alpha[j]), x, y, z, hn::Add(x, x), hn::Add(y, y), hn::Add(z, z)};
-}
-
-// All sources at the targets of `n` vectors from x, y, z on.
-template <int n, class Kernel>
-HWY_INLINE void sum_up(const Kernel& kernel, const Sources& s, const V* x, const V* y, const V* z, Sum* sum) {
-    const D d;
-    const V zero = hn::Zero(d);
-    for (int u = 0; u < n; ++u) sum[u] = {zero, zero, zero, zero, zero, zero, zero};
-    for (std::int64_t j = 0; j < s.count; ++j) {
-        const Weights w = weights(s, j);
-        const V sx = hn::Set(d, s.x[j]);
-        const V sy = hn::Set(d, s.y[j]);
-        const V sz = hn::Set(d, s.z[j]);
-        for (int u = 0; u < n; ++u) {
-            const V dx = hn::Sub(x[u], sx);
-            const V dy = hn::Sub(y[u], sy);
-            const V dz = hn::Sub(z[u], sz);
-            const V r2 = hn::MulAdd(dz, dz, hn::MulAdd(dy, dy, hn::Mul(dx, dx)));
-            kernel.add(r2, dx, dy, dz, w, sum[u]);
-        }
-    }
-}
-
 // The lanes of the mask only: the others are not read or written.
 HWY_INLINE void add_to(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
@@ -170,7 +140,7 @@ HWY_INLINE void add_vectors(const Kernel& kernel, const Sources& s, const Hessia
         y[u] = hn::MaskedLoad(mask[u], d, t.y + begin);
         z[u] = hn::MaskedLoad(mask[u], d, t.z + begin);
     }
-    sum_up<n>(kernel, s, x, y, z, sum);
+    sum_up<n, Weights>(kernel, s, x, y, z, sum);
     const V factor = hn::Set(d, kernel.factor());
     const V half = hn::Set(d, 0.5 * kernel.factor());
     for (int u = 0; u < n; ++u) {

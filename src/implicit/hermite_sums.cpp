@@ -3,7 +3,7 @@
 #define HWY_TARGET_INCLUDE "implicit/hermite_sums.cpp"
 #include "base/simd.h"
 
-#include "base/simd_math-inl.h"
+#include "implicit/hermite_pairs-inl.h"
 #include "implicit/hermite_sums.h"
 
 #include <hwy/contrib/math/math-inl.h>
@@ -12,26 +12,22 @@ HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::implicit::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using base::HWY_NAMESPACE::D;
-using base::HWY_NAMESPACE::inverse_root;
-using base::HWY_NAMESPACE::smallest_r2;
-using base::HWY_NAMESPACE::V;
-
-// Vectors of targets that one source is applied to at a time, as registers allow.
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
-constexpr int unroll = 2;
-#else
-constexpr int unroll = 1;
-#endif
-
 struct Sum {
     V value, x, y, z;
+
+    static HWY_INLINE Sum zero() {
+        const V zero = hn::Zero(D());
+        return {zero, zero, zero, zero};
+    }
 };
 
 struct Weights {
     V alpha, x, y, z;
+
+    static HWY_INLINE Weights of(const Sources& s, std::int64_t j) {
+        const D d;
+        return {hn::Set(d, s.alpha[j]), hn::Set(d, s.beta_x[j]), hn::Set(d, s.beta_y[j]), hn::Set(d, s.beta_z[j])};
+    }
 };
 
 // phi = r^3, a = 3 r, b = 3 / r.  The sum of the gradient is kept without its factor 3.
@@ -95,27 +91,6 @@ struct WendlandC2 {
     }
 };
 
-// All sources at the targets of `n` vectors from x, y, z on.
-template <int n, class Kernel>
-HWY_INLINE void sum_up(const Kernel& kernel, const Sources& s, const V* x, const V* y, const V* z, Sum* sum) {
-    const D d;
-    for (int u = 0; u < n; ++u) sum[u] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    for (std::int64_t j = 0; j < s.count; ++j) {
-        const Weights w{hn::Set(d, s.alpha[j]), hn::Set(d, s.beta_x[j]), hn::Set(d, s.beta_y[j]),
-                        hn::Set(d, s.beta_z[j])};
-        const V sx = hn::Set(d, s.x[j]);
-        const V sy = hn::Set(d, s.y[j]);
-        const V sz = hn::Set(d, s.z[j]);
-        for (int u = 0; u < n; ++u) {
-            const V dx = hn::Sub(x[u], sx);
-            const V dy = hn::Sub(y[u], sy);
-            const V dz = hn::Sub(z[u], sz);
-            const V r2 = hn::MulAdd(dz, dz, hn::MulAdd(dy, dy, hn::Mul(dx, dx)));
-            kernel.add(r2, dx, dy, dz, w, sum[u]);
-        }
-    }
-}
-
 HWY_INLINE void add_to(double* at, V sum) { hn::StoreU(hn::Add(hn::LoadU(D(), at), sum), D(), at); }
 
 template <class Kernel>
@@ -129,7 +104,7 @@ HWY_INLINE void add_full(const Kernel& kernel, const Sources& s, const Targets& 
         y[u] = hn::LoadU(d, t.y + at + u * lanes);
         z[u] = hn::LoadU(d, t.z + at + u * lanes);
     }
-    sum_up<unroll>(kernel, s, x, y, z, sum);
+    sum_up<unroll, Weights>(kernel, s, x, y, z, sum);
     const V factor = hn::Set(d, Kernel::gradient_factor);
     for (int u = 0; u < unroll; ++u) {
         add_to(t.value + at + u * lanes, sum[u].value);
@@ -153,7 +128,7 @@ HWY_INLINE void add_part(const Kernel& kernel, const Sources& s, const Targets& 
     const V y = hn::MaskedLoad(mask, d, t.y + at);
     const V z = hn::MaskedLoad(mask, d, t.z + at);
     Sum sum;
-    sum_up<1>(kernel, s, &x, &y, &z, &sum);
+    sum_up<1, Weights>(kernel, s, &x, &y, &z, &sum);
     const V factor = hn::Set(d, Kernel::gradient_factor);
     add_some(t.value + at, sum.value, mask);
     add_some(t.gradient_x + at, hn::Mul(factor, sum.x), mask);
