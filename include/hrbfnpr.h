@@ -1375,7 +1375,8 @@ HRBFNPR_API const char* hrbfnpr_preset_name(uint32_t preset);
  * A renderer is the scratch of one thread.  It keeps a few of its last drawings
  * and makes the next one in the memory of one that nobody else holds: a program
  * that releases each drawing before it asks for the next but one allocates
- * nothing once warm.
+ * nothing once warm.  The last drawing's point sets live until the next is made,
+ * or the renderer is released.
  */
 
 typedef struct hrbfnpr_renderer hrbfnpr_renderer;

@@ -8,8 +8,7 @@
 
 struct hrbfnpr_drawing : hrbfnpr::api::Child {
     explicit hrbfnpr_drawing(hrbfnpr_context& context)
-        : Child(context), drawing(context.runtime.memory), sets(context.runtime.memory),
-          coming(context.runtime.memory) {}
+        : Child(context), drawing(context.runtime.memory), sets(context.runtime.memory) {}
     ~hrbfnpr_drawing() { let_go(); }
 
     void let_go() noexcept {
@@ -18,6 +17,5 @@ struct hrbfnpr_drawing : hrbfnpr::api::Child {
     }
 
     hrbfnpr::drawing::Drawing drawing;
-    hrbfnpr::base::Array<const hrbfnpr_point_set*> sets;   // a reference to each
-    hrbfnpr::base::Array<const hrbfnpr_point_set*> coming; // of the drawing that is being made
+    hrbfnpr::base::Array<const hrbfnpr_point_set*> sets; // a reference to each
 };

@@ -112,12 +112,18 @@ private:
     const Items& items_;
 };
 
-// A drawing that nobody else holds, or a new one; with a reference for the caller.
+// A drawing that nobody else holds, or a new one; with a reference for the caller.  All such ones let their sets go, so
+// that those of one drawing at most are kept for nobody.
 hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
+    hrbfnpr_drawing* idle = nullptr;
     for (hrbfnpr_drawing* drawing : renderer.drawings) {
         if (!drawing->has_one_reference()) continue;
-        drawing->add_reference();
-        return drawing;
+        drawing->let_go();
+        idle = drawing;
+    }
+    if (idle != nullptr) {
+        idle->add_reference();
+        return idle;
     }
     const bool keep = renderer.drawings.size() < most_kept;
     if (keep) renderer.drawings.reserve(most_kept);
@@ -129,15 +135,12 @@ hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
     return drawing;
 }
 
-// Of what the last drawing in its memory held, the sets are let go last: they may be the same.
 void fill(hrbfnpr_renderer& renderer, const Items& items, const frame::Camera& camera, hrbfnpr_drawing& drawing) {
-    drawing.coming.clear();
     for (std::int64_t i = 0; i < items.count(); ++i) {
-        drawing.coming.push_back(items[i].point_set);
-        items[i].point_set->add_reference();
+        const hrbfnpr_point_set* const set = items[i].point_set;
+        drawing.sets.push_back(set);
+        set->add_reference();
     }
-    drawing.let_go();
-    std::swap(drawing.sets, drawing.coming);
     renderer.frame.draw(renderer.items.span(), camera, drawing.drawing);
     drawing.drawing.counts.scratch_bytes +=
         renderer.items.bytes() + renderer.layer_styles.bytes() + renderer.poses.bytes();

@@ -102,6 +102,31 @@ TEST(DrawingMemory, IsLeftAloneWhileItIsHeld) {
     }
 }
 
+// However many drawings a renderer keeps to fill again, they keep the sets of the last one alone.
+TEST(DrawingMemory, KeepsTheSetsOfTheLastDrawingAlone) {
+    const Context context = make_context(1);
+    Sphere sphere;
+    const Model model = custom_sphere(context, sphere);
+    const Renderer renderer = make_renderer(context);
+    const auto draw_three = [&](const PointSet& set) { // at a time, so that the renderer keeps three
+        std::vector<Drawing> held;
+        for (int i = 0; i < 3; ++i) held.push_back(draw_item(renderer, item_of(set), front_camera(64)));
+    };
+    std::int64_t bytes = 0;
+    {
+        const PointSet set = generate(context, model, small_desc());
+        draw_three(set);
+        bytes = info_of(set).bytes;
+    }
+    const std::int64_t before = info_of(context).bytes_now;
+    Error error;
+    const hrbfnpr_camera camera = front_camera(64);
+    hrbfnpr_drawing* nothing = nullptr;
+    ASSERT_OK(hrbfnpr_renderer_draw(renderer.get(), nullptr, 0, 0, &camera, &nothing, error));
+    const Drawing empty(nothing);
+    EXPECT_LE(info_of(context).bytes_now, before - bytes);
+}
+
 // ---- vertices ------------------------------------------------------------------------------
 
 // "Source over" of round anti-aliased points, as a host does it.

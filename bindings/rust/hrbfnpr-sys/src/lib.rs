@@ -108,7 +108,8 @@
 //! A renderer is the scratch of one thread.  It keeps a few of its last drawings
 //! and makes the next one in the memory of one that nobody else holds: a program
 //! that releases each drawing before it asks for the next but one allocates
-//! nothing once warm.
+//! nothing once warm.  The last drawing's point sets live until the next is made,
+//! or the renderer is released.
 //!
 //! # DRAWING: a picture as a value, immutable
 //!
