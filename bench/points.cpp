@@ -51,7 +51,7 @@ struct Job {
 std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, const Samples& seeds, const Job& job,
                       hrbfnpr_operation* operation = nullptr) {
     scenes::Check check;
-    bench::Generation desc = bench::marks_of(job.kind, 0);
+    bench::Generation desc = bench::one_layer(job.kind, 0);
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_POINTS;
     desc.seed_points = bench::view(seeds.points);
