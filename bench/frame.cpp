@@ -205,7 +205,7 @@ void run_rows(Stock& stock, Results& results) {
         const std::string name = short_name(row.marks) + "." + row.size.name;
         if (row.name == "full") results.add(name + ".ms", row.ms);
         if (row.name == "every mark") results.add(name + ".every_mark.ms", row.ms);
-        if (row.name == "as published") results.add(name + ".painted.ms", row.ms);
+        if (row.name == "as published") results.add(name + ".published.ms", row.ms);
     }
 }
 

@@ -147,7 +147,7 @@ inline frame::Camera front_camera(int width, int height, double half = 1.25) {
     return camera;
 }
 
-// All marks are ink, nothing is painted.
+// All marks are ink, no disc of paper.
 inline Style plain_style() {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
@@ -175,7 +175,7 @@ inline frame::Item layered_item(const marks::PointSet& set, const Style& style,
     return layered_item(set, kept(style), transform);
 }
 
-// Painted as published.
+// As published.
 inline frame::Item item_of(const marks::PointSet& set, const frame::Style& style,
                            const glm::dmat4& transform = glm::dmat4(1.0)) {
     frame::Item item = layered_item(set, style, transform);

@@ -22,10 +22,10 @@ TEST(PaintingOrder, IsFarToNearWithInkBeforeItsMarkAndPaperBehindIt) {
     Style style;
     style.tone = frame::Tone::none;
     style.splat_radius = 5.0F; // 0.05 units
-    style.group[0].radius = 2.0F;
+    style.kind[0].radius = 2.0F;
     const std::array items{item_of(set, style)};
     DrawnFrame frame(runtime);
-    frame.prepare(items, front_camera(200, 200, 1.0));
+    frame.draw(items, front_camera(200, 200, 1.0));
     ASSERT_EQ(frame.discs().size(), 200U);
     double before = -100.0;
     for (const Disc& disc : frame.discs()) {
@@ -74,7 +74,7 @@ TEST_P(Kept, SameBitsForAnyThreadCount) {
         const marks::PointSet set = sphere(runtime.memory, 30000);
         const std::array items{item_of(set, style())};
         DrawnFrame frame(runtime);
-        frame.prepare(items, front_camera(400, 400));
+        frame.draw(items, front_camera(400, 400));
         const std::vector<std::byte> bytes = bytes_of(frame);
         EXPECT_FALSE(bytes.empty());
         if (expected.empty()) expected = bytes;
@@ -104,13 +104,13 @@ TEST_P(Kept, AllocatesNothingOnceWarm) {
     items[1].style.tone = frame::Tone::callback;
     items[1].style.tone_function = half_tone;
     DrawnFrame frame(runtime);
-    frame.prepare(items, orbit(0));
+    frame.draw(items, orbit(0));
     const std::int64_t warm = counter.calls;
-    frame.prepare(items, orbit(0));
+    frame.draw(items, orbit(0));
     EXPECT_EQ(counter.calls, warm) << "the same view again";
-    for (int step = 0; step < 13; ++step) frame.prepare(items, orbit(step));
+    for (int step = 0; step < 13; ++step) frame.draw(items, orbit(step));
     const std::int64_t once_round = counter.calls;
-    for (int step = 0; step < 13; ++step) frame.prepare(items, orbit(step));
+    for (int step = 0; step < 13; ++step) frame.draw(items, orbit(step));
     EXPECT_EQ(counter.calls, once_round) << "a second time round";
     EXPECT_GT(frame.info().scratch_bytes, 0);
     EXPECT_LE(frame.info().scratch_bytes, runtime.memory.bytes_now());

@@ -33,10 +33,10 @@ Placed placed(const MarkClusters& m, std::int64_t place) {
     return {vector_of({b.x[i], b.y[i], b.z[i]}), vector_of({b.nx[i], b.ny[i], b.nz[i]}), b.rank[i], b.mark[i]};
 }
 
-void expect_sound(const marks::Layer& group, bool strokes = false) {
-    const MarkClusters& m = group.clusters;
+void expect_sound(const marks::Layer& layer, bool strokes = false) {
+    const MarkClusters& m = layer.clusters;
     constexpr std::int64_t size = marks::MarkBlock::size;
-    std::vector<int> met(static_cast<std::size_t>(group.count()), 0);
+    std::vector<int> met(static_cast<std::size_t>(layer.count()), 0);
     std::int64_t blocks = 0;
     for (const Cluster& c : m.cluster) {
         ASSERT_EQ(c.block, blocks);
@@ -49,27 +49,27 @@ void expect_sound(const marks::Layer& group, bool strokes = false) {
         ASSERT_NEAR(c.cone_cosine * c.cone_cosine + c.cone_sine * c.cone_sine, 1.0F, 1e-5F);
         for (std::int64_t place = c.block * size; place < c.block * size + c.count; ++place) {
             const Placed p = placed(m, place);
-            ASSERT_LT(p.mark, group.count());
+            ASSERT_LT(p.mark, layer.count());
             const std::int64_t mark = p.mark;
             ++met[static_cast<std::size_t>(mark)];
             for (int k = 0; k < 3; ++k) {
-                ASSERT_EQ(static_cast<float>(p.position[k]), group.position[3 * mark + k]);
-                ASSERT_EQ(static_cast<float>(p.normal[k]), group.normal[3 * mark + k]);
+                ASSERT_EQ(static_cast<float>(p.position[k]), layer.position[3 * mark + k]);
+                ASSERT_EQ(static_cast<float>(p.normal[k]), layer.normal[3 * mark + k]);
             }
-            ASSERT_EQ(p.rank, group.rank[mark]);
-            if (!group.width.empty()) {
-                ASSERT_EQ(m.width[place], group.width[mark]);
+            ASSERT_EQ(p.rank, layer.rank[mark]);
+            if (!layer.width.empty()) {
+                ASSERT_EQ(m.width[place], layer.width[mark]);
             }
             if (place > c.block * size) {
                 ASSERT_LE(p.rank, placed(m, place - 1).rank);
             }
             ASSERT_LE(glm::length(p.position - vector_of(c.centre)), static_cast<double>(c.radius) + 1e-7);
             ASSERT_GE(glm::dot(p.normal, axis), static_cast<double>(c.cone_cosine));
-            ASSERT_EQ(c.set, strokes ? group.stroke[2 * mark] & 1U : 0U);
+            ASSERT_EQ(c.set, strokes ? layer.stroke[2 * mark] & 1U : 0U);
         }
     }
     ASSERT_EQ(blocks, m.block.size());
-    ASSERT_EQ(m.width.empty(), group.width.empty());
+    ASSERT_EQ(m.width.empty(), layer.width.empty());
     for (const int times : met) ASSERT_EQ(times, 1);
 }
 
@@ -209,9 +209,9 @@ struct Tangents {
 };
 
 template <class Wanted>
-double share_off(const marks::Layer& group, double largest, const Wanted& wanted) {
+double share_off(const marks::Layer& layer, double largest, const Wanted& wanted) {
     std::int64_t off = 0;
-    for (const Cluster& c : group.clusters.cluster) {
+    for (const Cluster& c : layer.clusters.cluster) {
         const Tangents t = wanted(vector_of(c.centre));
         const double error = std::max(std::abs(curvature(c, t.first) - t.first_curvature),
                                       std::abs(curvature(c, t.second) - t.second_curvature));
@@ -223,7 +223,7 @@ double share_off(const marks::Layer& group, double largest, const Wanted& wanted
         EXPECT_GE(static_cast<double>(c.bend), 0.75 * largest);
         EXPECT_LE(static_cast<double>(c.bend), 1.6 * largest); // its norm: of a sphere sqrt(2)
     }
-    return static_cast<double>(off) / static_cast<double>(group.count());
+    return static_cast<double>(off) / static_cast<double>(layer.count());
 }
 
 TEST_F(Clusters, KnowTheCurvatureOfASphere) {
@@ -260,10 +260,10 @@ TEST_F(Clusters, AreTheSameForAnyThreadCount) {
         add_torus_strokes(set, marks::Kind::principal, 300, 9, 0.3);
         marks::cluster_marks(other, set);
         std::vector<std::uint32_t> marks;
-        for (const marks::Layer& group : set.layers) {
-            for (const Cluster& c : group.clusters.cluster) {
+        for (const marks::Layer& layer : set.layers) {
+            for (const Cluster& c : layer.clusters.cluster) {
                 for (std::int64_t i = 0; i < c.count; ++i)
-                    marks.push_back(placed(group.clusters, c.block * marks::MarkBlock::size + i).mark);
+                    marks.push_back(placed(layer.clusters, c.block * marks::MarkBlock::size + i).mark);
                 marks.push_back(static_cast<std::uint32_t>(c.count));
             }
         }

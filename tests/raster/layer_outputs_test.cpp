@@ -33,7 +33,7 @@ protected:
     }
     void draw(const Style& style, const glm::dmat4& transform = glm::dmat4(1.0)) {
         const std::array items{layered_item(set, style, transform)};
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
         Picture picture(size, size);
         output::Raster(runtime).draw(frame.drawing(), picture.image(), settings);
     }
@@ -90,7 +90,7 @@ TEST_P(LayerOutputs, TellAnInnerSideAndAContour) {
     bowl.spacing = std::sqrt(4.0 * pi / 40000.0);
     set = clustered(runtime, std::move(bowl));
     Style style = all_front(frame::HiddenLines::hide);
-    style.silhouette_groups = 1;
+    style.contour_kinds = 1;
     style.halo_width = 0.0F;
     draw(style);
     const auto at = [](double x, double y) {
