@@ -157,7 +157,7 @@ TEST_F(Classify, NormalsFollowTheInverseTransposeAlsoUnderMirrors) {
         marks::PointSet set(runtime.memory);
         set.spacing = 0.05;
         for (int i = 0; i < count; ++i) {
-            const glm::dvec3 n = fibonacci_direction(i, count);
+            const glm::dvec3 n = spiral_direction(i, count);
             add_stipple(set, n / scale, glm::normalize(n * scale));
         }
         glm::dmat4 transform(1.0);

@@ -50,7 +50,7 @@ std::vector<View> views() {
     std::vector<View> all;
     for (int i = 0; i < 6; ++i) {
         const auto u = base::uniform4(31, static_cast<std::uint64_t>(i), base::Purpose::candidate);
-        const glm::dvec3 toward = fibonacci_direction(i, 6);
+        const glm::dvec3 toward = spiral_direction(i, 6);
         const glm::dvec3 target(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5);
         all.push_back({"perspective", perspective_from((2.5 + 3.0 * u[3]) * toward, target, 0.6)});
         all.push_back({"zoomed in", perspective_from((2.5 + 3.0 * u[3]) * toward, target, 0.05)});

@@ -167,7 +167,7 @@ protected:
     explicit SplatLayer(bool own_marks = true) {
         marks::Layer& lines = set.layers.add(runtime.memory, Kind::own);
         for (std::uint32_t i = 0; i < 40000; ++i) {
-            const glm::dvec3 n = fibonacci_direction(static_cast<int>(i), 40000);
+            const glm::dvec3 n = spiral_direction(static_cast<int>(i), 40000);
             add_mark(lines, n, n, geometry::any_perpendicular(n), 2 * (i / 10), i % 10);
         }
         marks::index_strokes(lines);
@@ -176,7 +176,7 @@ protected:
             marks::Layer& layer = set.layers.add(runtime.memory, kind);
             const int count = kind == Kind::own ? 2000 : 1500;
             for (int i = 0; i < count; ++i) {
-                const glm::dvec3 n = fibonacci_direction(i, count);
+                const glm::dvec3 n = spiral_direction(i, count);
                 add_mark(layer, n, n, geometry::any_perpendicular(n), 0, 0);
             }
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The order of painting, and what does not depend on threads or on memory.
 #include "frame/hand_made.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -69,8 +70,7 @@ protected:
 TEST_P(Kept, SameBitsForAnyThreadCount) {
     std::vector<std::byte> expected;
     for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                    base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime runtime = test::with_threads(threads);
         const marks::PointSet set = sphere(runtime.memory, 30000);
         const std::array items{item_of(set, style())};
         DrawnFrame frame(runtime);
@@ -96,9 +96,8 @@ std::int32_t half_tone(void*, std::int64_t count, const float*, const float*, fl
 }
 
 TEST_P(Kept, AllocatesNothingOnceWarm) {
-    CountingAllocator counter;
-    const base::Runtime runtime(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
-                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
+    test::Allocator counter;
+    const base::Runtime runtime = test::with_allocator(counter);
     const marks::PointSet set = torus(runtime.memory, 100);
     std::array items{item_of(set, style()), item_of(set, style())};
     items[1].style.tone = frame::Tone::callback;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Marks that have moved since their set was made.
 #include "frame/line_of_sight.h"
+#include "support/runtime.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -210,9 +211,8 @@ TEST_F(Posed, MarksMayBeFarFromTheirSet) {
 }
 
 TEST_F(Posed, AllocatesNothingOnceWarm) {
-    CountingAllocator counter;
-    const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
-                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
+    test::Allocator counter;
+    const base::Runtime counted = test::with_allocator(counter);
     marks::PointSet made = torus(counted.memory, 90);
     const marks::PointSet set = clustered(counted, std::move(made));
     DrawnFrame own(counted);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From marks along strokes to lines.
 #include "frame/hand_made.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -232,8 +233,7 @@ TEST_F(Strokes, SegmentsAreInTheTilesThatTheyTouch) {
 TEST_F(Strokes, SameBitsForAnyThreadCount) {
     std::vector<float> expected;
     for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                  base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime other = test::with_threads(threads);
         marks::PointSet ring = torus(other.memory, 60);
         add_torus_strokes(ring, marks::Kind::combing, 300, 27, 0.3);
         ring = clustered(other, std::move(ring));

@@ -3,6 +3,7 @@
 #include "marks/cluster_marks.h"
 
 #include "frame/hand_made.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -122,7 +123,7 @@ TEST_F(Clusters, BearDegenerateSets) {
     expect_sound(heap.layers[0]);
     for (const Cluster& c : heap.layers[0].clusters.cluster) EXPECT_EQ(c.radius, 0.0F);
     marks::PointSet star(runtime.memory); // at one place, facing all ways
-    for (int i = 0; i < 1000; ++i) add_stipple(star, {1.0, 1.0, 1.0}, fibonacci_direction(i, 1000));
+    for (int i = 0; i < 1000; ++i) add_stipple(star, {1.0, 1.0, 1.0}, spiral_direction(i, 1000));
     marks::cluster_marks(runtime, star);
     expect_sound(star.layers[0]);
     marks::PointSet opposite(runtime.memory);
@@ -135,7 +136,7 @@ TEST_F(Clusters, BearDegenerateSets) {
     marks::cluster_marks(runtime, line);
     expect_sound(line.layers[0]);
     marks::PointSet far(runtime.memory);
-    for (int i = 0; i < 500; ++i) add_stipple(far, 1e30 * fibonacci_direction(i, 500), fibonacci_direction(i, 500));
+    for (int i = 0; i < 500; ++i) add_stipple(far, 1e30 * spiral_direction(i, 500), spiral_direction(i, 500));
     marks::cluster_marks(runtime, far);
     EXPECT_FALSE(far.layers[0].clusters.cluster.empty());
 }
@@ -174,12 +175,7 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
     marks::PointSet ends(runtime.memory); // as far from each other as floats go
     constexpr double most = std::numeric_limits<float>::max();
     for (int i = 0; i < 400; ++i)
-        add_stipple(ends,
-                    (i % 3 == 0   ? -most
-                     : i % 3 == 1 ? most
-                                  : 1e-45) *
-                        glm::dvec3(1.0),
-                    fibonacci_direction(i, 400));
+        add_stipple(ends, (i % 3 == 0 ? -most : i % 3 == 1 ? most : 1e-45) * glm::dvec3(1.0), spiral_direction(i, 400));
     marks::cluster_marks(runtime, ends);
     for (const Cluster& c : ends.layers[0].clusters.cluster) EXPECT_TRUE(std::isfinite(c.radius));
 }
@@ -254,8 +250,7 @@ TEST_F(Clusters, KnowTheCurvaturesOfATorus) {
 
 TEST_F(Clusters, AreTheSameForAnyThreadCount) {
     const auto made = [](int threads) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                  base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime other = test::with_threads(threads);
         marks::PointSet set = torus(other.memory, 60);
         add_torus_strokes(set, marks::Kind::principal, 300, 9, 0.3);
         marks::cluster_marks(other, set);

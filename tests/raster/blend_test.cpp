@@ -141,8 +141,7 @@ TEST_F(Blend, SameBitsForAnyThreadCount) {
     const std::array items{item_of(ball, Style{})};
     std::vector<std::byte> expected;
     for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                  base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime other = test::with_threads(threads);
         const Picture picture = picture_of(other, items, front_camera(333, 222), 333, 222);
         if (expected.empty()) expected = picture.bytes;
         EXPECT_EQ(picture.bytes, expected) << threads;

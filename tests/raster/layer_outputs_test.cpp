@@ -83,7 +83,7 @@ TEST_P(LayerOutputs, TellAnInnerSideAndAContour) {
     // The near half is taken away: the far half's inner side is seen.
     marks::PointSet bowl(runtime.memory);
     for (int i = 0; i < 40000; ++i) {
-        const glm::dvec3 n = fibonacci_direction(i, 40000);
+        const glm::dvec3 n = spiral_direction(i, 40000);
         const glm::dvec3 turned(n.x, n.y, -std::abs(n.z));
         if (n.z < 0.0) add_stipple(bowl, turned, turned);
     }

@@ -6,6 +6,7 @@
 #include "output/raster/raster.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
