@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points on the surface, from samples: the paper's Table 1 beside ours, marks a second, and evaluation beside plain
+// Points on the surface, from samples: the article's Table 1 beside ours, marks a second, and evaluation beside plain
 // sums.
 // --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
 #include "calls.h"
