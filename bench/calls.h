@@ -2,7 +2,7 @@
 // The library's calls as the benchmarks make them: contexts, surfaces, marks; and the benchmarks' own options.
 #pragma once
 
-#include "support/handles.h"
+#include "support/generation.h"
 #include "vec3.h"
 
 #include <cstdint>
@@ -11,6 +11,9 @@
 #include <vector>
 
 namespace bench {
+
+using hrbfnpr::test::Generation;
+using hrbfnpr::test::one_layer;
 
 // The rest of the argument that begins with `name`, or nothing.
 [[nodiscard]] inline std::string option(int argc, char** argv, const char* name) {
@@ -62,33 +65,6 @@ namespace bench {
     hrbfnpr_model* model = nullptr;
     check(hrbfnpr_model_fit(context, &desc, nullptr, &model, check.error()));
     return scenes::Model(model);
-}
-
-// Settings of point sets with the layers that they point to.
-struct Generation : hrbfnpr_generate_desc {
-    Generation() : hrbfnpr_generate_desc{} {
-        scenes::Check()(hrbfnpr_generate_desc_init(this, sizeof(hrbfnpr_generate_desc)));
-    }
-    void add(std::uint32_t kind, std::int64_t budget) {
-        layer.emplace_back();
-        scenes::Check()(hrbfnpr_layer_desc_init(&layer.back(), sizeof layer.back()));
-        layer.back().kind = kind;
-        layer.back().budget = budget;
-    }
-    // What a call takes.
-    const hrbfnpr_generate_desc* get() {
-        layers = layer.data();
-        layer_count = static_cast<std::int64_t>(layer.size());
-        return this;
-    }
-    std::vector<hrbfnpr_layer_desc> layer;
-};
-
-// One layer.
-[[nodiscard]] inline Generation marks_of(std::uint32_t kind, std::int64_t budget) {
-    Generation desc;
-    desc.add(kind, budget);
-    return desc;
 }
 
 // A named style whose layers can be changed.

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] const hrbfnpr_point_set* marks(std::int64_t count, std::int64_t samples) {
         scenes::PointSet& set = marks_[{count, samples}];
         if (set == nullptr) {
-            bench::Generation desc = bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, count / 2);
+            bench::Generation desc = bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, count / 2);
             desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, count - count / 2);
             set = bench::generate(context(), model(samples), desc);
         }
@@ -205,7 +205,7 @@ void run_rows(Stock& stock, Results& results) {
         const std::string name = short_name(row.marks) + "." + row.size.name;
         if (row.name == "full") results.add(name + ".ms", row.ms);
         if (row.name == "every mark") results.add(name + ".every_mark.ms", row.ms);
-        if (row.name == "as published") results.add(name + ".painted.ms", row.ms);
+        if (row.name == "as published") results.add(name + ".published.ms", row.ms);
     }
 }
 
@@ -350,7 +350,7 @@ void run_tone(Stock& stock, Results& results) {
     for (const double all : {1.0, 2.0, 4.0}) {
         const std::int64_t budget = bench::ramp_budget(stock.context(), model.get(), all);
         const scenes::PointSet set =
-            bench::generate(stock.context(), model.get(), bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, budget));
+            bench::generate(stock.context(), model.get(), bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, budget));
         const bench::ToneError error = bench::tone_error(bench::drawn_ramp(stock.context(), set.get(), style));
         std::printf("%8lld marks, area of all %.0f times the paper's: psnr %.2f dB, bias %+.4f\n",
                     static_cast<long long>(budget), all, error.psnr, error.bias);
@@ -386,7 +386,7 @@ void run_silhouettes(Stock& stock, Results& results) {
     const scenes::Model model =
         bench::custom(stock.context(), bench::torus, {1.0 + bench::tube, 1.0 + bench::tube, bench::tube});
     const scenes::PointSet set =
-        bench::generate(stock.context(), model.get(), bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 200'000));
+        bench::generate(stock.context(), model.get(), bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 200'000));
     std::printf("\ncontours of a torus, 200 000 marks, tube 100 px wide: marks within 1 px of their own contour\n");
     std::printf("%9s %7s %-8s %10s %10s %10s %10s\n", "elevation", "azimuth", "law", "precision", "of 1.1 px", "recall",
                 "of marks");

@@ -30,7 +30,7 @@ using bench::Backend;
 struct Stock {
     explicit Stock(std::int64_t marks)
         : context(bench::make_context()), model(bench::fit(context.get(), samples.points, samples.normals)) {
-        bench::Generation desc = bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, marks / 2);
+        bench::Generation desc = bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, marks / 2);
         desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, marks - marks / 2);
         set = bench::generate(context.get(), model.get(), desc);
     }
@@ -69,7 +69,7 @@ public:
         return 1e3 * bench::seconds([&] {
                    const scenes::Model model = bench::fit(context_.get(), stock_.few.points, stock_.few.normals);
                    const scenes::PointSet set = bench::generate(context_.get(), model.get(),
-                                                                bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 10'000));
+                                                                bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 10'000));
                    const bench::Orbit orbit(set.get(), width, height);
                    bench::Painter(context_.get(), set.get(), full(), width, height).draw(orbit.at(0.0));
                });
@@ -78,7 +78,7 @@ public:
 private:
     [[nodiscard]] double generate(const hrbfnpr_model* model, std::int64_t budget) {
         return 1e3 * bench::seconds([&] {
-                   (void)bench::generate(context_.get(), model, bench::marks_of(HRBFNPR_LAYER_KIND_STIPPLES, budget));
+                   (void)bench::generate(context_.get(), model, bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, budget));
                });
     }
 

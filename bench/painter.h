@@ -43,19 +43,19 @@ public:
 
     void use(const hrbfnpr_point_set* set) { item_.point_set = set; }
     // Without an image.
-    void prepare(const hrbfnpr_camera& camera) {
+    void make_drawing(const hrbfnpr_camera& camera) {
         drawing_.reset(); // the next one is made in its memory
         hrbfnpr_drawing* drawing = nullptr;
         check_(hrbfnpr_renderer_draw(renderer_.get(), &item_, 1, 0, &camera, &drawing, check_.error()));
         drawing_.reset(drawing);
     }
     void draw(const hrbfnpr_camera& camera) {
-        prepare(camera);
+        make_drawing(camera);
         image_ms_ =
             1e3 * seconds([&] { check_(hrbfnpr_drawing_rasterize(drawing_.get(), &image_, nullptr, check_.error())); });
     }
     [[nodiscard]] const std::vector<Disc>& discs(const hrbfnpr_camera& camera) {
-        prepare(camera);
+        make_drawing(camera);
         std::int64_t count = 0;
         check_(hrbfnpr_drawing_vertex_bound(drawing_.get(), HRBFNPR_PRIMITIVE_POINTS, &count, nullptr, check_.error()));
         discs_.resize(static_cast<std::size_t>(count));

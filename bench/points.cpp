@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points on the surface, from samples: the paper's Table 1 beside ours, marks a second, and evaluation beside plain
+// Points on the surface, from samples: the article's Table 1 beside ours, marks a second, and evaluation beside plain
 // sums.
 // --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
 #include "calls.h"
@@ -51,7 +51,7 @@ struct Job {
 std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, const Samples& seeds, const Job& job,
                       hrbfnpr_operation* operation = nullptr) {
     scenes::Check check;
-    bench::Generation desc = bench::marks_of(job.kind, 0);
+    bench::Generation desc = bench::one_layer(job.kind, 0);
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_POINTS;
     desc.seed_points = bench::view(seeds.points);

@@ -27,7 +27,7 @@ using bench::fit;
 using bench::generate;
 using bench::info_of;
 using bench::Mark;
-using bench::marks_of;
+using bench::one_layer;
 using bench::plane;
 using bench::Samples;
 using bench::sphere;
@@ -118,18 +118,18 @@ struct Sets {
 Sets sets_on(hrbfnpr_context* context, const Surface& surface, double& area) {
     Sets sets;
     const scenes::PointSet blue =
-        generate(context, surface.model.get(), marks_of(HRBFNPR_LAYER_KIND_STIPPLES, measured_marks));
+        generate(context, surface.model.get(), one_layer(HRBFNPR_LAYER_KIND_STIPPLES, measured_marks));
     sets.blue = ordered(blue.get());
     const double spacing = info_of(blue.get()).spacing;
     if (area <= 0.0) area = spacing * spacing * static_cast<double>(sets.blue.size());
     // A random sixteenth of far denser marks is independent on all scales that matter.
     const scenes::PointSet dense =
-        generate(context, surface.model.get(), marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 16 * measured_marks));
+        generate(context, surface.model.get(), one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 16 * measured_marks));
     sets.white = ordered(dense.get());
     std::mt19937_64 random(1);
     std::shuffle(sets.white.begin(), sets.white.end(), random);
     sets.white.resize(static_cast<std::size_t>(measured_marks));
-    bench::Generation desc = marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 0);
+    bench::Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 0);
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_BOX;
     desc.box_resolution = 8;
@@ -181,7 +181,7 @@ bench::ToneError run_tone(hrbfnpr_context* context) {
     const scenes::Model model = custom(context, plane, {2.2, 1.2, 0.4});
     const double pixel = 4.0 / bench::ramp_width;
     const std::int64_t budget = bench::ramp_budget(context, model.get(), darkest);
-    bench::Generation desc = marks_of(HRBFNPR_LAYER_KIND_STIPPLES, budget);
+    bench::Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, budget);
     const scenes::PointSet blue = generate(context, model.get(), desc);
     const double spacing = info_of(blue.get()).spacing / pixel;
     std::printf("\ntone ramp 0.05 to 0.55, %lld marks of 1.5 px, coverage of all %.3f\n",
@@ -279,7 +279,7 @@ StrokeTotals run_strokes(hrbfnpr_context* context, const std::vector<Surface>& s
     const scenes::Samples samples = scenes::torus(4096);
     const scenes::Model fitted = fit(context, samples.points, samples.normals);
     const auto row = [&](const char* name, const hrbfnpr_model* model) {
-        const scenes::PointSet set = generate(context, model, marks_of(HRBFNPR_LAYER_KIND_PRINCIPAL, 100000));
+        const scenes::PointSet set = generate(context, model, one_layer(HRBFNPR_LAYER_KIND_PRINCIPAL, 100000));
         const Spacing s = run_spacing(set.get(), bench::layer_info(set.get(), 0).step);
         std::printf("%-12s %10.3f %10.3f %9.2f%%\n", name, s.mean, s.variation, 100.0 * s.alone);
         totals.variation = std::max(totals.variation, s.variation);
@@ -301,11 +301,11 @@ struct OrderTime {
 
 OrderTime run_time(hrbfnpr_context* context, const Samples& samples) {
     constexpr std::int64_t marks = 512000;
-    bench::Generation paper = marks_of(HRBFNPR_LAYER_KIND_STIPPLES, 0);
+    bench::Generation paper = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 0);
     paper.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     paper.seed_source = HRBFNPR_SEED_SAMPLES;
     paper.layer[0].levels = 3;
-    const bench::Generation blue = marks_of(HRBFNPR_LAYER_KIND_STIPPLES, marks);
+    const bench::Generation blue = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, marks);
     const auto first = [&](const bench::Generation& desc) {
         const scenes::Model model = fit(context, samples.points, samples.normals);
         return bench::seconds([&] { generate(context, model.get(), desc); });

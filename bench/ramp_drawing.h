@@ -71,7 +71,7 @@ inline constexpr double ramp_radius = 1.5; // of a mark, pixels
 [[nodiscard]] inline std::int64_t ramp_budget(hrbfnpr_context* context, const hrbfnpr_model* plane, double coverage) {
     constexpr double pi = 3.14159265358979323846;
     constexpr std::int64_t few = 4000;
-    const double spacing = info_of(generate(context, plane, marks_of(HRBFNPR_LAYER_KIND_STIPPLES, few)).get()).spacing;
+    const double spacing = info_of(generate(context, plane, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, few)).get()).spacing;
     const double wide = spacing * ramp_width / 4.0; // pixels
     return static_cast<std::int64_t>(coverage / (pi * ramp_radius * ramp_radius) * wide * wide * few);
 }

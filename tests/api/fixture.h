@@ -4,6 +4,7 @@
 
 #include "scenes/shapes.h"
 #include "support/allocator.h"
+#include "support/generation.h"
 #include "support/handles.h"
 #include "support/test_backend.h"
 #include "support/watcher.h"
@@ -24,8 +25,10 @@ namespace api_test {
 using hrbfnpr::test::Allocator;
 using hrbfnpr::test::Context;
 using hrbfnpr::test::Drawing;
+using hrbfnpr::test::Generation;
 using hrbfnpr::test::made;
 using hrbfnpr::test::Model;
+using hrbfnpr::test::one_layer;
 using hrbfnpr::test::Operation;
 using hrbfnpr::test::PointSet;
 using hrbfnpr::test::Renderer;
@@ -107,42 +110,14 @@ inline Model fit(const Context& context, const scenes::Samples& samples) {
     return Model(model);
 }
 
-// Settings of point sets with the layers that they point to.
-struct Generation : hrbfnpr_generate_desc {
-    std::vector<hrbfnpr_layer_desc> layer;
-
-    Generation() : hrbfnpr_generate_desc(made(hrbfnpr_generate_desc_init)) {}
-    hrbfnpr_layer_desc& add(std::uint32_t kind, std::int64_t budget) {
-        layer.push_back(made(hrbfnpr_layer_desc_init));
-        layer.back().kind = kind;
-        layer.back().budget = budget;
-        return layer.back();
-    }
-    // What a call takes.
-    const hrbfnpr_generate_desc* get() {
-        layers = layer.data();
-        layer_count = static_cast<std::int64_t>(layer.size());
-        return this;
-    }
-};
-
 // The layers of small_desc().
 enum : std::int64_t { stipples = 0, principal = 1, combing = 2 };
 
 // Stipples, principal strokes and combing strokes, few marks.
 inline Generation small_desc(std::uint32_t distribution = HRBFNPR_DISTRIBUTION_BLUE_NOISE) {
-    Generation desc;
+    Generation desc = hrbfnpr::test::three_layers(distribution == HRBFNPR_DISTRIBUTION_BLUE_NOISE ? 300 : 0);
     desc.distribution = distribution;
-    for (const std::uint32_t kind :
-         {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL, HRBFNPR_LAYER_KIND_COMBING})
-        desc.add(kind, distribution == HRBFNPR_DISTRIBUTION_BLUE_NOISE ? 300 : 0).levels = 2;
-    return desc;
-}
-
-// One layer alone.
-inline Generation one_layer(std::uint32_t kind, std::int64_t budget) {
-    Generation desc;
-    desc.add(kind, budget);
+    for (hrbfnpr_layer_desc& layer : desc.layer) layer.levels = 2;
     return desc;
 }
 

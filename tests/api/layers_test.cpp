@@ -11,41 +11,7 @@
 namespace api_test {
 namespace {
 
-// A request for layers of these kinds.
-class Request {
-public:
-    Request(std::initializer_list<std::uint32_t> kinds = {}) {
-        for (const std::uint32_t kind : kinds) add(kind);
-    }
-
-    hrbfnpr_layer_desc& add(std::uint32_t kind) {
-        layers.push_back(made(hrbfnpr_layer_desc_init));
-        layers.back().kind = kind;
-        return layers.back();
-    }
-    // All but the layers.
-    hrbfnpr_generate_desc* operator->() { return &desc_; }
-    // As it is now, for a call.
-    [[nodiscard]] const hrbfnpr_generate_desc* get() const {
-        desc_.layers = layers.data();
-        desc_.layer_count = static_cast<std::int64_t>(layers.size());
-        return &desc_;
-    }
-
-    std::vector<hrbfnpr_layer_desc> layers;
-
-private:
-    mutable hrbfnpr_generate_desc desc_ = made(hrbfnpr_generate_desc_init);
-};
-
-PointSet generate(const Context& context, const Model& model, const Request& request) {
-    Error error;
-    hrbfnpr_point_set* set = nullptr;
-    EXPECT_OK(hrbfnpr_point_set_generate(context.get(), model.get(), request.get(), nullptr, &set, error));
-    return PointSet(set);
-}
-
-// Two stipples and two strokes, of three and of two marks.
+// Two stipples, an empty layer, and two combing strokes, of three and of two marks.
 struct Arrays {
     std::vector<double> position{10, 0, 0, 0, 10, 0};
     std::vector<float> normal{2, 0, 0, 0, 1, 0}; // normalised on the way
@@ -54,25 +20,30 @@ struct Arrays {
     std::vector<std::uint32_t> first{0, 3, 5};
     std::vector<std::uint8_t> direction{0, 1};
     std::vector<float> rank{0.25F, 0.25F, 0.25F, 0.75F, 0.75F};
+    std::vector<float> width{0.5F, 1.0F, 0.75F, 0.25F, 1.0F};
     std::vector<std::uint8_t> level{0, 0, 0, 200, 200};
-    std::vector<hrbfnpr_layer_arrays> layer;
+    std::vector<hrbfnpr_layer_arrays> layer = std::vector(3, made(hrbfnpr_layer_arrays_init));
     hrbfnpr_point_set_desc desc = made(hrbfnpr_point_set_desc_init);
 
     Arrays() {
-        layer.assign(2, made(hrbfnpr_layer_arrays_init));
         layer[0].kind = HRBFNPR_LAYER_KIND_STIPPLES;
         layer[0].position = in(position);
         layer[0].normal = in(normal);
-        layer[1].name = "hand \xE2\x9C\x8E";
-        layer[1].position = in(places);
-        layer[1].normal = in(up);
-        layer[1].stroke_first = in(first, 1);
-        layer[1].stroke_direction = in(direction, 1);
-        layer[1].rank = in(rank, 1);
-        layer[1].level = in(level, 1);
+        layer[2].kind = HRBFNPR_LAYER_KIND_COMBING;
+        layer[2].name = "hand \xE2\x9C\x8E";
+        layer[2].position = in(places);
+        layer[2].normal = in(up);
+        layer[2].stroke_first = in(first, 1);
+        layer[2].stroke_direction = in(direction, 1);
+        layer[2].rank = in(rank, 1);
+        layer[2].width = in(width, 1);
+        layer[2].level = in(level, 1);
         desc.layers = layer.data();
-        desc.layer_count = 2;
+        desc.layer_count = 3;
     }
+    Arrays(const Arrays&) = delete;
+    Arrays& operator=(const Arrays&) = delete;
+    ~Arrays() = default;
 };
 
 hrbfnpr_status create(const Context& context, const hrbfnpr_point_set_desc& desc, PointSet& set, Error& error) {
@@ -90,32 +61,37 @@ TEST(Layers, AreMadeFromArrays) {
     PointSet set;
     ASSERT_OK(create(context, arrays.desc, set, error));
     const hrbfnpr_point_set_info info = info_of(set);
-    ASSERT_EQ(info.layers, 2);
+    ASSERT_EQ(info.layers, 3);
     EXPECT_EQ(info.marks, 7);
     EXPECT_EQ(layer_info(set, 0).marks, 2);
     EXPECT_EQ(layer_info(set, 0).strokes, 0);
-    EXPECT_EQ(layer_info(set, 1).marks, 5);
-    EXPECT_EQ(layer_info(set, 1).strokes, 2);
+    EXPECT_EQ(layer_info(set, 2).marks, 5);
+    EXPECT_EQ(layer_info(set, 2).strokes, 2);
+    EXPECT_STREQ(layer_info(set, 0).name, "stipples");
+    EXPECT_EQ(layer_info(set, 1).marks, 0);
     EXPECT_EQ(layer_info(set, 1).kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_OWN));
-    EXPECT_EQ(layer_info(set, 1).levels, 200);
-    EXPECT_STREQ(layer_info(set, 1).name, "hand \xE2\x9C\x8E");
+    EXPECT_STREQ(layer_info(set, 1).name, "own");
+    EXPECT_EQ(layer_info(set, 2).kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_COMBING));
+    EXPECT_EQ(layer_info(set, 2).levels, 200);
+    EXPECT_STREQ(layer_info(set, 2).name, "hand \xE2\x9C\x8E");
     const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
     for (std::size_t i = 0; i < 6; ++i)
-        EXPECT_NEAR(static_cast<double>(position[i]) + info.origin[i % 3], arrays.position[i], 1e-6);
+        EXPECT_EQ(static_cast<double>(position[i]) + info.origin[i % 3], arrays.position[i]);
     EXPECT_EQ(attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL), (std::vector<float>{1, 0, 0, 0, 1, 0}));
-    EXPECT_EQ(attribute<float>(set, 1, HRBFNPR_MARK_ATTRIBUTE_RANK), arrays.rank);
-    EXPECT_EQ(attribute<std::uint8_t>(set, 1, HRBFNPR_MARK_ATTRIBUTE_LEVEL), arrays.level);
-    EXPECT_EQ(attribute<std::uint32_t>(set, 1, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST), arrays.first);
-    EXPECT_EQ(attribute<std::uint32_t>(set, 1, HRBFNPR_MARK_ATTRIBUTE_STROKE),
+    EXPECT_EQ(attribute<float>(set, 2, HRBFNPR_MARK_ATTRIBUTE_RANK), arrays.rank);
+    EXPECT_EQ(attribute<float>(set, 2, HRBFNPR_MARK_ATTRIBUTE_WIDTH), arrays.width);
+    EXPECT_EQ(attribute<std::uint8_t>(set, 2, HRBFNPR_MARK_ATTRIBUTE_LEVEL), arrays.level);
+    EXPECT_EQ(attribute<std::uint32_t>(set, 2, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST), arrays.first);
+    EXPECT_EQ(attribute<std::uint32_t>(set, 2, HRBFNPR_MARK_ATTRIBUTE_STROKE),
               (std::vector<std::uint32_t>{0, 0, 0, 1, 0, 2, 3, 0, 3, 1}));
     EXPECT_EQ(attribute<std::uint32_t>(set, 0, HRBFNPR_MARK_ATTRIBUTE_STROKE),
               (std::vector<std::uint32_t>{0, 0, 2, 0}));
-    const auto along = attribute<float>(set, 1, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);
+    const auto along = attribute<float>(set, 2, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);
     EXPECT_EQ(along, (std::vector<float>{1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0}));
     auto placed = made(hrbfnpr_placement_info_init);
-    EXPECT_OK(hrbfnpr_point_set_get_placement(set.get(), 1, 200, &placed, error));
+    EXPECT_OK(hrbfnpr_point_set_get_placement(set.get(), 2, 200, &placed, error));
     EXPECT_EQ(placed.placed, 2);
-    EXPECT_OK(hrbfnpr_point_set_get_placement(set.get(), 1, 7, &placed, error));
+    EXPECT_OK(hrbfnpr_point_set_get_placement(set.get(), 2, 7, &placed, error));
     EXPECT_EQ(placed.attempted, 0);
     for (const float rank : attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_RANK)) {
         EXPECT_GE(rank, 0.0F);
@@ -134,28 +110,43 @@ TEST(Layers, OfArraysAreChecked) {
         return create(context, arrays.desc, set, error);
     };
     const auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
-    EXPECT_FAILS(refused([](Arrays& a) { a.position[4] = NAN; }), invalid, "layers[0].position[1] is not finite");
+    EXPECT_FAILS(refused([](Arrays& a) { a.position[4] = NAN; }), invalid,
+                 "point_set_desc.layers[0].position[1] is not finite");
     EXPECT_FAILS(refused([](Arrays& a) { a.normal[0] = 0; }), invalid, "layers[0].normal[0] is zero");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[0].normal.count = 1; }), invalid,
                  "layers[0].normal has 1 elements and .position has 2");
-    EXPECT_FAILS(refused([](Arrays& a) { a.rank[1] = 1.5F; }), invalid, "layers[1].rank[1] is outside [0,1)");
-    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].level.scalar = HRBFNPR_SCALAR_FLOAT32; }), invalid,
-                 "point_set_desc.layers[1].level.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8");
-    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].stroke_first.components = 2; }), invalid,
-                 "point_set_desc.layers[1].stroke_first.components is 2; it must be 1");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[0].normal = {}; }), invalid, "layers[0].normal has 0 elements");
+    EXPECT_FAILS(refused([](Arrays& a) { a.rank[1] = 1.5F; }), invalid, "layers[2].rank[1] is outside [0,1)");
+    EXPECT_FAILS(refused([](Arrays& a) { a.width[1] = 0.0F; }), invalid, "layers[2].width[1] is ");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[2].level.scalar = HRBFNPR_SCALAR_FLOAT32; }), invalid,
+                 "point_set_desc.layers[2].level.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[2].stroke_first.components = 2; }), invalid,
+                 "point_set_desc.layers[2].stroke_first.components is 2; it must be 1");
+    EXPECT_FAILS(refused([](Arrays& a) { a.first[0] = 1; }), invalid, "layers[2].stroke_first[0] is ");
     EXPECT_FAILS(refused([](Arrays& a) { a.first[1] = 7; }), invalid,
-                 "point_set_desc.layers[1].stroke_first[1] is 7; it must rise from 0 to the 5 marks");
+                 "point_set_desc.layers[2].stroke_first[1] is 7; it must rise from 0 to the 5 marks");
+    EXPECT_FAILS(refused([](Arrays& a) { a.first[2] = 4; }), invalid, "layers[2].stroke_first[2] is ");
+    EXPECT_FAILS(refused([](Arrays& a) { a.first[2] = 6; }), invalid, "layers[2].stroke_first[2] is ");
     EXPECT_FAILS(refused([](Arrays& a) { a.direction[1] = 2; }), invalid,
-                 "point_set_desc.layers[1].stroke_direction[1] is 2; it must be 0 or 1");
+                 "point_set_desc.layers[2].stroke_direction[1] is 2; it must be 0 or 1");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[2].stroke_first = {}; }), invalid, "layers[2].stroke_direction has 2");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = HRBFNPR_LAYER_KIND_ANY; }), invalid,
                  "point_set_desc.layers[1].kind is 0");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = 6; }), invalid, "point_set_desc.layers[1].kind is 6");
-    EXPECT_FAILS(refused([](Arrays& a) { a.layer[0].name = ""; }), invalid, "point_set_desc.layers[0].name has no");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[0].name = ""; }), invalid,
+                 "point_set_desc.layers[0].name has no bytes");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].struct_size = 7; }), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+                 "layers[1].struct_size is 7");
     EXPECT_FAILS(refused([](Arrays& a) { a.desc.reserved = 3; }), invalid, "point_set_desc.reserved is 3");
+    EXPECT_FAILS(refused([](Arrays& a) { a.desc.layer_count = -1; }), invalid,
+                 "the number of point_set_desc.layers is -1");
+    EXPECT_FAILS(refused([](Arrays& a) { a.desc.layer_stride = 4; }), invalid,
+                 "the stride of point_set_desc.layers is 4");
     EXPECT_FAILS(refused([](Arrays& a) { a.desc = made(hrbfnpr_point_set_desc_init); }), invalid, "there is no mark");
     EXPECT_FAILS(refused([](Arrays& a) { a.desc.layers = nullptr; }), invalid, "point_set_desc.layers is NULL");
     hrbfnpr_point_set* set = nullptr;
     EXPECT_FAILS(hrbfnpr_point_set_create(context.get(), nullptr, &set, error), invalid, "point_set_desc is NULL");
+    EXPECT_EQ(set, nullptr);
 }
 
 // A list of elements that are larger than the library's, or smaller, each with its own size.
@@ -167,8 +158,8 @@ TEST(Layers, ListsHaveStrides) {
         hrbfnpr_layer_arrays known;
         std::uint64_t more;
     };
-    std::vector<Wide> wide(2);
-    for (std::size_t i = 0; i < 2; ++i) {
+    std::vector<Wide> wide(3);
+    for (std::size_t i = 0; i < 3; ++i) {
         wide[i].known = arrays.layer[i];
         wide[i].known.struct_size = sizeof(Wide);
         wide[i].more = 0;
@@ -176,15 +167,15 @@ TEST(Layers, ListsHaveStrides) {
     arrays.desc.layers = &wide[0].known;
     PointSet set;
     ASSERT_OK(create(context, arrays.desc, set, error));
-    EXPECT_EQ(layer_info(set, 1).strokes, 2);
-    wide[1].more = 1;
+    EXPECT_EQ(layer_info(set, 2).strokes, 2);
+    wide[2].more = 1;
     EXPECT_FAILS(create(context, arrays.desc, set, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
-                 "point_set_desc.layers[1] has fields that this library");
-    wide[1].more = 0;
-    wide[1].known.struct_size = offsetof(hrbfnpr_layer_arrays, stroke_first); // older than strokes
+                 "point_set_desc.layers[2] has fields that this library");
+    wide[2].more = 0;
+    wide[2].known.struct_size = offsetof(hrbfnpr_layer_arrays, stroke_first); // older than strokes
     arrays.desc.layer_stride = sizeof(Wide);
     ASSERT_OK(create(context, arrays.desc, set, error));
-    EXPECT_EQ(layer_info(set, 1).strokes, 0);
+    EXPECT_EQ(layer_info(set, 2).strokes, 0);
 }
 
 // The layers of a generated set and the caller's own: a fourth layer with strokes.
@@ -192,7 +183,7 @@ TEST(Layers, OfASetAndTheCallersOwn) {
     Error error;
     const Context context = make_context();
     Sphere sphere;
-    const PointSet base = api_test::generate(context, custom_sphere(context, sphere), small_desc());
+    const PointSet base = generate(context, custom_sphere(context, sphere), small_desc());
     std::vector<double> position;
     std::vector<std::uint32_t> first{0};
     for (int s = 0; s < 6; ++s) {
@@ -212,12 +203,18 @@ TEST(Layers, OfASetAndTheCallersOwn) {
     desc.layer_count = 1;
     PointSet set;
     ASSERT_OK(create(context, desc, set, error));
-    ASSERT_EQ(info_of(set).layers, 4);
-    EXPECT_EQ(info_of(set).distribution, info_of(base).distribution);
-    EXPECT_EQ(info_of(set).spacing, info_of(base).spacing);
+    const hrbfnpr_point_set_info info = info_of(set);
+    const hrbfnpr_point_set_info before = info_of(base);
+    ASSERT_EQ(info.layers, 4);
+    EXPECT_EQ(info.marks, before.marks + 240);
+    EXPECT_EQ(info.distribution, before.distribution);
+    EXPECT_EQ(info.spacing, before.spacing);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(info.origin[axis], before.origin[axis]);
     for (std::int64_t layer = 0; layer < 3; ++layer) {
-        EXPECT_EQ(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION),
-                  attribute<float>(base, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION));
+        for (const std::uint32_t which : {HRBFNPR_MARK_ATTRIBUTE_POSITION, HRBFNPR_MARK_ATTRIBUTE_RANK})
+            EXPECT_EQ(attribute<float>(set, layer, which), attribute<float>(base, layer, which));
+        EXPECT_EQ(attribute<std::uint32_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST),
+                  attribute<std::uint32_t>(base, layer, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST));
         EXPECT_STREQ(layer_info(set, layer).name, layer_info(base, layer).name);
     }
     EXPECT_STREQ(layer_info(set, 3).name, "own");
@@ -240,6 +237,11 @@ TEST(Layers, OfASetAndTheCallersOwn) {
     const PointSet again(loaded);
     EXPECT_EQ(saved(again), bytes);
     EXPECT_EQ(layer_info(again, 3).strokes, 6);
+    // A set alone gives a copy.
+    auto copy = made(hrbfnpr_point_set_desc_init);
+    copy.base = base.get();
+    ASSERT_OK(create(context, copy, set, error));
+    EXPECT_EQ(info_of(set).marks, before.marks);
 }
 
 TEST(Layers, EveryAllocationOfACreateMayFail) {
@@ -247,7 +249,7 @@ TEST(Layers, EveryAllocationOfACreateMayFail) {
     Allocator allocator;
     const Context context = make_context(allocator_desc(allocator));
     Sphere sphere;
-    const PointSet base = api_test::generate(context, custom_sphere(context, sphere), small_desc());
+    const PointSet base = generate(context, custom_sphere(context, sphere), small_desc());
     Arrays arrays;
     arrays.desc.base = base.get();
     const std::int64_t before = allocator.bytes;
@@ -272,27 +274,34 @@ std::int32_t only_north(void* /*user*/, std::int64_t count, const double* positi
     return 0;
 }
 
-TEST(Layers, OfOneKindHaveDensitiesOfTheirOwn) {
+TEST(Layers, OfOneKindHaveSettingsOfTheirOwn) {
     const Context context = make_context();
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
-    Request request{HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_STIPPLES};
-    request.layers[0].budget = 400;
-    request.layers[1].budget = 300;
-    request.layers[1].name = "north";
-    request.layers[1].density = HRBFNPR_DENSITY_CALLBACK;
-    request.layers[1].density_function = only_north;
-    const PointSet set = generate(context, model, request);
-    ASSERT_EQ(info_of(set).layers, 2);
+    Generation desc;
+    hrbfnpr_layer_desc& dark = desc.add(HRBFNPR_LAYER_KIND_STIPPLES, 400);
+    dark.name = "dark";
+    dark.tone_begin = 0.5F;
+    dark.tone_end = 1.0F;
+    hrbfnpr_layer_desc& north = desc.add(HRBFNPR_LAYER_KIND_STIPPLES, 300);
+    north.name = "north";
+    north.density = HRBFNPR_DENSITY_CALLBACK;
+    north.density_function = only_north;
+    desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, 300);
+    const PointSet set = generate(context, model, desc);
+    ASSERT_EQ(info_of(set).layers, 3);
     EXPECT_EQ(layer_info(set, 0).marks, 400);
     EXPECT_EQ(layer_info(set, 1).marks, 300);
+    EXPECT_STREQ(layer_info(set, 0).name, "dark");
     EXPECT_STREQ(layer_info(set, 1).name, "north");
+    EXPECT_STREQ(layer_info(set, 2).name, "principal");
+    for (const float rank : attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_RANK)) EXPECT_LE(rank, 0.5F);
     const double origin = info_of(set).origin[2];
     const auto share_north = [&](std::int64_t layer) {
         const auto position = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION);
-        int north = 0;
-        for (std::size_t i = 2; i < position.size(); i += 3) north += origin + double{position[i]} > 0.0 ? 1 : 0;
-        return 3.0 * north / static_cast<double>(position.size());
+        int above = 0;
+        for (std::size_t i = 2; i < position.size(); i += 3) above += origin + double{position[i]} > 0.0 ? 1 : 0;
+        return 3.0 * above / static_cast<double>(position.size());
     };
     EXPECT_NEAR(share_north(0), 0.5, 0.05);
     EXPECT_EQ(share_north(1), 1.0);
@@ -302,6 +311,7 @@ struct Field {
     int calls = 0;
     std::int32_t result = 0;
     double spoilt = 0.0; // added to directions
+    double hole = 0.0;   // about the axis there is no direction
 
     static std::int32_t call(void* user, std::int64_t count, const double* positions, const double* normals,
                              double* directions) {
@@ -312,42 +322,69 @@ struct Field {
             directions[3 * i] = -positions[3 * i + 1] + self.spoilt;
             directions[3 * i + 1] = positions[3 * i];
             directions[3 * i + 2] = 0.0;
+            if (std::hypot(positions[3 * i], positions[3 * i + 1]) < self.hole)
+                directions[3 * i] = directions[3 * i + 1] = 0.0;
         }
         return self.result;
     }
 };
 
-Request field_request(Field& field) {
-    Request request{HRBFNPR_LAYER_KIND_FIELD};
-    request.layers[0].budget = 3000;
-    request.layers[0].direction_function = Field::call;
-    request.layers[0].direction_user = &field;
-    return request;
+Generation along(Field& field) {
+    Generation desc = one_layer(HRBFNPR_LAYER_KIND_FIELD, 3000);
+    desc.layer[0].direction_function = Field::call;
+    desc.layer[0].direction_user = &field;
+    return desc;
 }
 
 TEST(Layers, FollowTheCallersField) {
     const Context context = make_context();
     Sphere sphere;
     Field field;
-    const PointSet set = generate(context, custom_sphere(context, sphere), field_request(field));
+    const PointSet set = generate(context, custom_sphere(context, sphere), along(field));
     EXPECT_GT(field.calls, 1);
     const hrbfnpr_layer_info info = layer_info(set, 0);
     EXPECT_EQ(info.kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_FIELD));
     EXPECT_STREQ(info.name, "field");
     EXPECT_GT(info.strokes, 20);
     const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
-    const auto along = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);
+    const auto direction = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);
     const auto stroke = attribute<std::uint32_t>(set, 0, HRBFNPR_MARK_ATTRIBUTE_STROKE);
     const hrbfnpr_point_set_info all = info_of(set);
     std::size_t off = 0;
-    for (std::size_t i = 0; i < along.size() / 3; ++i) {
+    for (std::size_t i = 0; i < direction.size() / 3; ++i) {
         const double x = all.origin[0] + double{position[3 * i]};
         const double y = all.origin[1] + double{position[3 * i + 1]};
-        const double around = (-y * double{along[3 * i]} + x * double{along[3 * i + 1]}) / std::hypot(x, y);
+        const double around = (-y * double{direction[3 * i]} + x * double{direction[3 * i + 1]}) / std::hypot(x, y);
         const double wanted = stroke[2 * i] % 2 == 0 ? 1.0 : 0.0;
         off += std::abs(std::abs(around) - wanted) > 0.01 ? 1U : 0U;
     }
-    EXPECT_LT(off, along.size() / 3 / 50) << "but at the poles";
+    EXPECT_LT(off, direction.size() / 3 / 50) << "but at the poles";
+}
+
+// Lines, and none near the poles.
+TEST(Layers, FollowAFieldWithHoles) {
+    const Context context = make_context();
+    Sphere sphere;
+    Field field;
+    field.hole = 0.2;
+    Generation desc = along(field);
+    desc.layer[0].budget = 2000;
+    desc.layer[0].symmetry = HRBFNPR_SYMMETRY_LINE;
+    const PointSet set = generate(context, custom_sphere(context, sphere), desc);
+    const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
+    const auto direction = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);
+    const auto stroke = attribute<std::uint32_t>(set, 0, HRBFNPR_MARK_ATTRIBUTE_STROKE);
+    const hrbfnpr_point_set_info info = info_of(set);
+    std::int64_t seen = 0;
+    for (std::size_t i = 0; i < stroke.size() / 2; ++i) {
+        const double x = info.origin[0] + double{position[3 * i]};
+        const double y = info.origin[1] + double{position[3 * i + 1]};
+        const double r = std::hypot(x, y);
+        if (r < 0.4 || stroke[2 * i] % 2 != 0) continue;
+        EXPECT_GT(std::abs(double{direction[3 * i]} * -y + double{direction[3 * i + 1]} * x) / r, 0.95) << i;
+        ++seen;
+    }
+    EXPECT_GT(seen, 200);
 }
 
 TEST(Layers, AFieldThatFailsIsReported) {
@@ -356,11 +393,11 @@ TEST(Layers, AFieldThatFailsIsReported) {
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
     const auto run = [&](Field field, std::uint32_t distribution) {
-        Request request = field_request(field);
-        request->distribution = distribution;
+        Generation desc = along(field);
+        desc.distribution = distribution;
         hrbfnpr_point_set* set = nullptr;
         const hrbfnpr_status status =
-            hrbfnpr_point_set_generate(context.get(), model.get(), request.get(), nullptr, &set, error);
+            hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &set, error);
         hrbfnpr_point_set_release(set);
         return status;
     };
@@ -378,16 +415,15 @@ TEST(Layers, ACancelEndsAFieldSoon) {
     const Model model = custom_sphere(context, sphere);
     for (int at = 1; at < 64; at *= 2) {
         Field field;
-        const Request request = field_request(field);
+        Generation desc = along(field);
         const Operation operation = make_operation(context);
-        int looks = at;
-        ASSERT_OK(hrbfnpr_operation_set_callback(
-            operation.get(), [](void* user, double) -> std::int32_t { return --*static_cast<int*>(user) == 0 ? 1 : 0; },
-            &looks, error));
+        Watcher watcher;
+        watcher.cancel_at_call = static_cast<std::size_t>(at);
+        ASSERT_OK(hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &watcher, error));
         hrbfnpr_point_set* set = nullptr;
         const hrbfnpr_status status =
-            hrbfnpr_point_set_generate(context.get(), model.get(), request.get(), operation.get(), &set, error);
-        if (looks > 0) {
+            hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), operation.get(), &set, error);
+        if (watcher.values.size() < watcher.cancel_at_call) {
             EXPECT_OK(status);
             hrbfnpr_point_set_release(set);
             break;

@@ -3,6 +3,7 @@
 
     docs.py links ROOT                      links to files of the project, and to their headings, lead somewhere
     docs.py glossary ROOT                   docs/glossary.md is sorted; each entry names a work that is listed, or is ours
+    docs.py names ROOT                      names of the C interface, of the build and of files that documents name are there
     docs.py versions ROOT                   CHANGELOG.md, CITATION.cff and Cargo.toml name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
         README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
@@ -12,6 +13,7 @@
 """
 
 import importlib.util
+import json
 import re
 import subprocess
 import sys
@@ -89,6 +91,50 @@ def wrong_glossary(root):
             findings.append(f"docs/glossary.md: {term} ends with no [work], and is not defined ', here: '")
     findings += [f"docs/glossary.md lists {work}, which no entry cites" for work in works if work not in cited]
     return findings
+
+
+def build_names(root):
+    """Options, targets and environment variables that begin like names of the C interface."""
+    for folder in ("", "src/", "examples/**/", "tests/**/"):
+        for build in root.glob(f"{folder}CMakeLists.txt"):
+            yield from re.findall(r"\b(?:HRBFNPR|hrbfnpr)_\w+", build.read_text(encoding="utf-8"))
+    reads = r"(?:environ\.get\(|getenv |var_os\(|GetEnvironmentVariable\()\"(HRBFNPR_\w+)\""
+    for folder in ("bindings", "examples", "tests/csharp"):
+        for suffix in ("py", "cs", "lua", "rs"):
+            for source in root.glob(f"{folder}/**/*.{suffix}"):
+                yield from re.findall(reads, source.read_text(encoding="utf-8"))
+
+
+def wrong_names(root):
+    """All but the changelog, whose older entries name what is no more, and whose newer ones name what it replaces."""
+    interface = (root / "bindings/api.json").read_text(encoding="utf-8")
+    api = set(re.findall(r"\b(?:HRBFNPR|hrbfnpr)_\w+", interface))
+    fields = {struct["name"]: {field["name"] for field in struct["fields"]} for struct in json.loads(interface)["structs"]}
+    folders = [path for path in root.iterdir() if path.is_dir() and path.name != "build" and not path.name.startswith(".")]
+    tree = [path.name for folder in folders for path in (folder, *folder.rglob("*"))]
+    others = set(build_names(root)) | {name.partition(".")[0].replace("-", "_") for name in tree}
+    tops = {folder.name: root for folder in folders}
+    tops.update({room.name: root / "src" for room in root.glob("src/*/")})
+    for document in documents(root):
+        name, text = document.relative_to(root), document.read_text(encoding="utf-8")
+        if name.name == "CHANGELOG.md":
+            continue
+        for found in re.finditer(r"\b((?:HRBFNPR|hrbfnpr)_\w*)(?:\.(\w+))?", text):
+            word, field = found.groups()
+            if word.endswith("_"):
+                known = any(entry.startswith(word) for entry in api)
+            else:
+                known = word in api or word in others
+            if not known:
+                yield f"{name} says {word}, and nothing is called so"
+            elif field and word in fields and field not in fields[word]:
+                yield f"{name} says {word}.{field}, and there is no such field"
+        if name.parts[0] == "examples":
+            continue  # their paths are those of other programs, too
+        for path in re.findall(r"`(\w[\w.-]*/[\w./-]*)`", text):
+            top = tops.get(path.partition("/")[0])
+            if top and not any((top / (path + suffix)).exists() for suffix in ("", ".h", ".cpp")):
+                yield f"{name} says {path}, which is not there"
 
 
 def wrong_versions(root):
@@ -195,7 +241,7 @@ def tutorial(root):
                 yield f"docs/images/tutorial/{name} {why}: run docs/tutorial_pictures.py"
 
 
-CHECKS = {"links": broken_links, "glossary": wrong_glossary, "versions": wrong_versions, "tutorial": tutorial}
+CHECKS = {"links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "versions": wrong_versions, "tutorial": tutorial}
 
 
 def main():

@@ -16,6 +16,10 @@ See [below](#the-end), [the words](docs/glossary.md#references), <img src="docs/
 ```
 
 ## The end
+
+`hrbfnpr_camera_...` set up an `hrbfnpr_camera`, whose `hrbfnpr_camera.view` is one of `HRBFNPR_VIEW_...`, as
+`HRBFNPR_VIEW_FRONT`. `HRBFNPR_LIBRARY` says where the library is, `HRBFNPR_TESTS` builds `tests/` and `base/memory`,
+and `hrbfnpr_declared.h` declares it.
 """
 GLOSSARY = """# Glossary
 
@@ -29,6 +33,18 @@ A name in brackets, as [Hart 1996].
 
 - **Hart 1996**: J. C. Hart. Sphere tracing.
 """
+FILES = {
+    "README.md": README,
+    "docs/glossary.md": GLOSSARY,
+    "docs/a.png": "",
+    "CMakeLists.txt": "option(HRBFNPR_TESTS)",
+    "tests/CMakeLists.txt": "",
+    "src/base/memory.h": "",
+    "bindings/api.json": '{"structs": [{"name": "hrbfnpr_camera", "fields": [{"name": "view"}]}],'
+                         ' "functions": ["hrbfnpr_camera_init"], "constants": ["HRBFNPR_VIEW_FRONT"]}',
+    "bindings/load.py": 'os.environ.get("HRBFNPR_LIBRARY")',
+    "bindings/hrbfnpr_declared.h": "",
+}
 
 # check, file, what is replaced, by what
 BREAKS = [
@@ -45,6 +61,17 @@ BREAKS = [
     ("glossary", "docs/glossary.md", "[Hart 1996, 2.1]", "[Hart 1997]"),
     ("glossary", "docs/glossary.md", "- **Hart", "- **Anon 1900**: Work.\n- **Hart"),
     ("glossary", "docs/glossary.md", "## References", "## Works"),
+    ("names", "README.md", "`hrbfnpr_camera_...", "`hrbfnpr_kamera_..."),
+    ("names", "README.md", "an `hrbfnpr_camera`", "an `hrbfnpr_kamera`"),
+    ("names", "README.md", "camera.view", "camera.vista"),
+    ("names", "README.md", "VIEW_...", "VISTA_..."),
+    ("names", "README.md", "VIEW_FRONT", "VIEW_BACK"),
+    ("names", "README.md", "HRBFNPR_LIBRARY", "HRBFNPR_BOOKS"),
+    ("names", "README.md", "HRBFNPR_TESTS", "HRBFNPR_TRIALS"),
+    ("names", "README.md", "`tests/`", "`tests/base`"),
+    ("names", "README.md", "`base/memory`", "`base/recall`"),
+    ("names", "README.md", "hrbfnpr_declared", "hrbfnpr_undeclared"),
+    ("names", "docs/glossary.md", "change.", "change, such as hrbfnpr_invented."),
 ]
 
 
@@ -52,16 +79,15 @@ class Documents(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.root = Path(self.folder.name)
-        (self.root / "docs").mkdir()
-        (self.root / "docs/a.png").write_bytes(b"")
-        (self.root / "README.md").write_text(README, encoding="utf-8")
-        (self.root / "docs/glossary.md").write_text(GLOSSARY, encoding="utf-8")
+        for name, text in FILES.items():
+            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / name).write_text(text, encoding="utf-8")
 
     def tearDown(self):
         self.folder.cleanup()
 
     def test_right_documents_pass(self):
-        for check in ("links", "glossary"):
+        for check in ("links", "glossary", "names"):
             with self.subTest(check=check):
                 self.assertEqual(list(docs.CHECKS[check](self.root)), [])
 

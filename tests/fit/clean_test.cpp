@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "fit/shapes.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +15,13 @@ using namespace hrbfnpr;
 using namespace fit_test;
 using fit::Repair;
 
-base::Runtime runtime_of(int threads) {
-    return base::Runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                         base::InstructionSet::automatic, nullptr, nullptr);
-}
-
 fit::Samples samples_of(const base::Runtime& runtime, const Cloud& cloud) {
     return fit::read_samples(runtime, view(cloud.points), view(cloud.normals), {});
 }
 
 struct Cleaned {
     explicit Cleaned(const Cloud& cloud, Repair outliers = Repair::keep, Repair flipped = Repair::keep, int threads = 1)
-        : runtime(runtime_of(threads)), samples(samples_of(runtime, cloud)),
+        : runtime(hrbfnpr::test::with_threads(threads)), samples(samples_of(runtime, cloud)),
           report(fit::clean(runtime, samples, outliers, flipped, {})) {}
 
     base::Runtime runtime;

@@ -17,10 +17,10 @@ using ::testing::HasSubstr;
 
 class Classify : public ::testing::Test {
 protected:
-    const Counts& prepare(const marks::PointSet& set, const Style& style, const frame::Camera& camera,
-                          const glm::dmat4& transform = glm::dmat4(1.0)) {
+    const Counts& draw(const marks::PointSet& set, const Style& style, const frame::Camera& camera,
+                       const glm::dmat4& transform = glm::dmat4(1.0)) {
         const std::array items{item_of(set, style, transform)};
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
         return frame.info();
     }
 
@@ -38,7 +38,7 @@ TEST_F(Classify, SharesOfASphereSeenFromAfarAreThoseOfItsArea) {
     for (const double threshold : {0.05, 0.2, 0.5}) {
         Style style = plain_style();
         style.silhouette_threshold = threshold;
-        const Counts& info = prepare(set, style, front_camera(100, 100));
+        const Counts& info = draw(set, style, front_camera(100, 100));
         // n . v is uniform over the area of a sphere.
         EXPECT_NEAR(static_cast<double>(info.front), count * (1.0 - threshold) / 2.0, 3.0);
         EXPECT_NEAR(static_cast<double>(info.back), count * (1.0 - threshold) / 2.0, 3.0);
@@ -57,7 +57,7 @@ TEST_F(Classify, PerspectiveLooksFromTheEye) {
     camera.projection = frame::perspective(1.5, 100, 100, 0.1, 20.0, camera.depth);
     Style style = plain_style();
     style.silhouette_threshold = 1e-4;
-    const Counts& info = prepare(set, style, camera);
+    const Counts& info = draw(set, style, camera);
     // From a distance of two radii a quarter of the sphere is seen: (1 - 1/2) / 2.
     EXPECT_NEAR(static_cast<double>(info.front), count * 0.25, 8.0);
 }
@@ -69,10 +69,10 @@ TEST_F(Classify, AnOffAxisEyeIsTakenFromTheProjection) {
     frame::Camera camera = front_camera(100, 100);
     camera.view = frame::look_at({0.3, 0.2, 3.0}, {0.1, 0.0, 0.0}, {0.0, 1.0, 0.0});
     camera.projection = frame::perspective(1.0, 100, 100, 0.1, 20.0, camera.depth);
-    const Counts expected = prepare(set, plain_style(), camera);
+    const Counts expected = draw(set, plain_style(), camera);
     camera.projection = camera.projection * camera.view;
     camera.view = glm::dmat4(1.0);
-    const Counts& info = prepare(set, plain_style(), camera);
+    const Counts& info = draw(set, plain_style(), camera);
     EXPECT_EQ(info.front, expected.front);
     EXPECT_EQ(info.back, expected.back);
     EXPECT_EQ(info.silhouette, expected.silhouette);
@@ -87,7 +87,7 @@ TEST_F(Classify, MarksLandOnTheirPixels) {
         camera.depth = depth;
         camera.projection = frame::orthographic(2.0, 200, 100, 1.0, 21.0, depth);
         camera.viewport = {30.0, 40.0, 200.0, 100.0};
-        prepare(set, plain_style(), camera);
+        draw(set, plain_style(), camera);
         ASSERT_EQ(frame.discs().size(), 1U);
         const Disc& disc = frame.discs()[0];
         EXPECT_FLOAT_EQ(disc.x, 30.0F + 100.0F + 12.5F);
@@ -112,8 +112,8 @@ TEST_F(Classify, MarksOutsideTheFrustumCountAsOutside) {
     add_stipple(set, {0.0, 0.0, -10.5}, n);  // behind the far plane
     add_stipple(set, {0.0, 0.0, 1000.0}, n); // behind the camera
     Style style = plain_style();
-    style.group[0].radius = 1.5F;
-    const Counts& info = prepare(set, style, front_camera(200, 200, 1.0));
+    style.kind[0].radius = 1.5F;
+    const Counts& info = draw(set, style, front_camera(200, 200, 1.0));
     EXPECT_EQ(info.marks, 8);
     EXPECT_EQ(info.front, 3);
     EXPECT_EQ(info.outside, 5);
@@ -130,8 +130,8 @@ TEST_F(Classify, AMarkAtTheCameraDoesNoHarm) {
     camera.projection = frame::perspective(1.0, 100, 100, 1e-9, 20.0, camera.depth);
     Style style;
     style.zoom_reference = 1.0;
-    style.group[0].radius_zoom = 1.0F;
-    expect_consistent(prepare(set, style, camera));
+    style.kind[0].radius_zoom = 1.0F;
+    expect_consistent(draw(set, style, camera));
     for (const Disc& disc : frame.discs()) EXPECT_TRUE(std::isfinite(disc.radius) && std::isfinite(disc.x));
 }
 
@@ -145,7 +145,7 @@ TEST_F(Classify, MarksThatAreNotNumbersAreOutside) {
     set.layers[0].position[6 + 2] = nan;
     set.layers[0].normal[9 + 1] = nan;
     for (int k = 0; k < 3; ++k) set.layers[0].normal[12 + k] = 0.0F;
-    const Counts& info = prepare(set, Style{}, front_camera(100, 100));
+    const Counts& info = draw(set, Style{}, front_camera(100, 100));
     EXPECT_EQ(info.outside, 5);
     EXPECT_EQ(info.front, 1);
 }
@@ -157,12 +157,12 @@ TEST_F(Classify, NormalsFollowTheInverseTransposeAlsoUnderMirrors) {
         marks::PointSet set(runtime.memory);
         set.spacing = 0.05;
         for (int i = 0; i < count; ++i) {
-            const glm::dvec3 n = fibonacci_direction(i, count);
+            const glm::dvec3 n = spiral_direction(i, count);
             add_stipple(set, n / scale, glm::normalize(n * scale));
         }
         glm::dmat4 transform(1.0);
         for (int k = 0; k < 3; ++k) transform[k][k] = scale[k];
-        const Counts& info = prepare(set, plain_style(), front_camera(100, 100), transform);
+        const Counts& info = draw(set, plain_style(), front_camera(100, 100), transform);
         EXPECT_NEAR(static_cast<double>(info.front), count * 0.4, 3.0);
         EXPECT_NEAR(static_cast<double>(info.back), count * 0.4, 3.0);
         for (const Disc& disc : frame.discs()) {
@@ -176,7 +176,7 @@ TEST_F(Classify, NormalsFollowTheInverseTransposeAlsoUnderMirrors) {
 
 TEST_F(Classify, TheSameFarFromTheOrigin) {
     const marks::PointSet near_set = sphere(runtime.memory, 3000);
-    prepare(near_set, plain_style(), front_camera(500, 500));
+    draw(near_set, plain_style(), front_camera(500, 500));
     const std::vector<Disc> expected(frame.discs().begin(), frame.discs().end());
 
     const glm::dvec3 far(1e6, -1e6, 1e6 + 0.125);
@@ -184,7 +184,7 @@ TEST_F(Classify, TheSameFarFromTheOrigin) {
     far_set.origin = far;
     frame::Camera camera = front_camera(500, 500);
     camera.view = frame::look_at(far + glm::dvec3(0, 0, 10), far, {0, 1, 0});
-    prepare(far_set, plain_style(), camera);
+    draw(far_set, plain_style(), camera);
     ASSERT_EQ(frame.discs().size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
         ASSERT_NEAR(frame.discs()[i].x, expected[i].x, 1e-4F);
@@ -200,10 +200,10 @@ TEST_F(Classify, IdsCountOverItemsAndLayersWhateverIsUsed) {
     marks::PointSet second(runtime.memory);
     add_stipple(second, {0, 0, 0.3}, {0, 0, 1});
     Style no_stipples = plain_style();
-    no_stipples.group[0].shown = false;
-    no_stipples.silhouette_groups = 4;
+    no_stipples.kind[0].shown = false;
+    no_stipples.contour_kinds = 4;
     const std::array items{item_of(first, no_stipples), item_of(second, plain_style())};
-    frame.prepare(items, front_camera(100, 100));
+    frame.draw(items, front_camera(100, 100));
     ASSERT_EQ(frame.discs().size(), 2U);
     EXPECT_EQ(frame.discs()[0].id, 3U);
     EXPECT_EQ(frame.discs()[1].id, 4U);
@@ -212,11 +212,11 @@ TEST_F(Classify, IdsCountOverItemsAndLayersWhateverIsUsed) {
 }
 
 TEST_F(Classify, NothingToDrawIsFine) {
-    frame.prepare({}, front_camera(100, 100));
-    EXPECT_TRUE(frame.prepared());
+    frame.draw({}, front_camera(100, 100));
+    EXPECT_TRUE(frame.drawn());
     EXPECT_TRUE(frame.discs().empty());
     const marks::PointSet empty(runtime.memory);
-    EXPECT_EQ(prepare(empty, Style{}, front_camera(100, 100)).marks, 0);
+    EXPECT_EQ(draw(empty, Style{}, front_camera(100, 100)).marks, 0);
     EXPECT_TRUE(frame.discs().empty());
 }
 
@@ -225,13 +225,13 @@ protected:
     void expect_error(const Item& item, const frame::Camera& seen_by, const char* text) {
         const std::array items{item_of(set, Style{}), item};
         try {
-            frame.prepare(items, seen_by);
+            frame.draw(items, seen_by);
             ADD_FAILURE() << "no error: " << text;
         } catch (const Error& error) {
             EXPECT_EQ(error.status(), Status::invalid_argument);
             EXPECT_THAT(error.what(), HasSubstr(text));
         }
-        EXPECT_FALSE(frame.prepared());
+        EXPECT_FALSE(frame.drawn());
         EXPECT_TRUE(frame.discs().empty());
     }
 

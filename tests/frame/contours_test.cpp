@@ -27,8 +27,8 @@ marks::PointSet spread(const base::Runtime& runtime, const implicit::Implicit& s
 Style contours(float width) {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
-    style.group[0].shown = false;
-    style.silhouette_groups = 1;
+    style.kind[0].shown = false;
+    style.contour_kinds = 1;
     style.silhouette_width = width;
     return style;
 }
@@ -111,7 +111,7 @@ protected:
         style.hidden_lines = hidden_lines;
         style.halo_width = halo;
         const std::array items{layered_item(set, style)};
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
         std::vector<glm::dvec2> truth;
         for (const glm::dvec3& p : contour) truth.push_back(image_of(camera, p));
         std::vector<glm::dvec2> drawn;
@@ -231,7 +231,7 @@ TEST_F(Contours, ByAngleAreThePublishedBand) {
         style.tone_fade = 0.0F;
         const glm::dvec3 toward = glm::normalize(glm::dvec3(0.2, -1.0, 1.0));
         const std::array items{layered_item(set, style)};
-        frame.prepare(items, camera_from(toward, size, 1.8));
+        frame.draw(items, camera_from(toward, size, 1.8));
         const std::vector<float> share = seen_share(frame, set.layers[0].count());
         for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const double nu = std::abs(glm::dot(mark_of(set, i).normal, toward));
@@ -249,10 +249,10 @@ TEST(StretchedContours, LieOnTheOutlineOfAnEllipsoid) {
     stretched[1][1] = 0.8;
     stretched[2][2] = 0.6;
     Style style = all_front(frame::HiddenLines::show);
-    style.silhouette_groups = 1;
+    style.contour_kinds = 1;
     DrawnFrame frame(runtime);
     const std::array items{layered_item(set, style, stretched)};
-    frame.prepare(items, front_camera(600, 600));
+    frame.draw(items, front_camera(600, 600));
     const double pixel = 2.5 / 600.0;
     std::array<int, 90> around{};
     for (const Disc& disc : frame.discs()) {

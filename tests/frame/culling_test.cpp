@@ -50,7 +50,7 @@ std::vector<View> views() {
     std::vector<View> all;
     for (int i = 0; i < 6; ++i) {
         const auto u = base::uniform4(31, static_cast<std::uint64_t>(i), base::Purpose::candidate);
-        const glm::dvec3 toward = fibonacci_direction(i, 6);
+        const glm::dvec3 toward = spiral_direction(i, 6);
         const glm::dvec3 target(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5);
         all.push_back({"perspective", perspective_from((2.5 + 3.0 * u[3]) * toward, target, 0.6)});
         all.push_back({"zoomed in", perspective_from((2.5 + 3.0 * u[3]) * toward, target, 0.05)});
@@ -86,7 +86,7 @@ void expect_counts(const Counts& info, const char* name) {
 
 std::vector<Style> styles() {
     Style lit;
-    lit.group[0].radius = 1.5F;
+    lit.kind[0].radius = 1.5F;
     Style binary = lit;
     binary.tone_fade = 0.0F;
     binary.light_space = frame::LightSpace::world;
@@ -94,7 +94,7 @@ std::vector<Style> styles() {
     linear.tone_curve = frame::ToneCurve::linear;
     linear.silhouette_law = frame::SilhouetteLaw::angle;
     linear.tone_exponent = 2.0;
-    linear.group[0].share = 0.6F;
+    linear.kind[0].share = 0.6F;
     Style dark;
     dark.tone = frame::Tone::none;
     dark.silhouette_width = 3.0F;
@@ -103,9 +103,9 @@ std::vector<Style> styles() {
     Style rule = linear;
     rule.tone_rule = frame::ToneRule::published;
     Style lines = lit;
-    lines.group[0].shown = false;
+    lines.kind[0].shown = false;
     Style no_lines = lit;
-    no_lines.silhouette_groups = 0;
+    no_lines.contour_kinds = 0;
     std::vector<Style> all{lit, binary, linear, dark, rule, lines, no_lines};
     for (Style& style : all) style.hidden_lines = frame::HiddenLines::show;
     return all;
@@ -124,12 +124,12 @@ protected:
             clusters[i].radius = parallel ? 100.0F : set.layers[0].clusters.cluster[i].radius;
         }
         const std::array items{layered_item(set, style, view.transform)};
-        frame.prepare(items, view.camera);
+        frame.draw(items, view.camera);
         const std::vector<Disc> discs(frame.discs().begin(), frame.discs().end());
         const std::int64_t culled = frame.info().culled;
         expect_counts(frame.info(), view.name);
         const std::array wide{layered_item(open, style, view.transform)};
-        frame.prepare(wide, view.camera);
+        frame.draw(wide, view.camera);
         expect_counts(frame.info(), view.name);
         EXPECT_EQ(frame.discs().size(), discs.size()) << view.name;
         for (std::size_t i = 0; i < std::min(discs.size(), frame.discs().size()); ++i) {
@@ -169,17 +169,17 @@ TEST_F(Culling, DiscsThatGrowWithTheZoomReachIntoThePicture) {
     const marks::PointSet flat = clustered(runtime, plane(runtime.memory, 100));
     Style style = styles()[2];
     style.tone = frame::Tone::none;
-    style.group[0].share = 1.0F;
+    style.kind[0].share = 1.0F;
     style.zoom_reference = 1.0;
-    style.group[0].radius = 0.2F;
-    style.group[0].radius_zoom = 1.0F; // 120 pixels
+    style.kind[0].radius = 0.2F;
+    style.kind[0].radius_zoom = 1.0F; // 120 pixels
     frame::Camera camera = front_camera(size, size, 0.25);
-    const std::array painted{item_of(flat, style)};
-    frame.prepare(painted, camera);
+    const std::array published{item_of(flat, style)};
+    frame.draw(published, camera);
     const std::int64_t expected = frame.info().shown;
     EXPECT_EQ(frame.discs()[0].radius, 120.0F);
     const std::array layers{layered_item(flat, style)};
-    frame.prepare(layers, camera);
+    frame.draw(layers, camera);
     EXPECT_EQ(frame.info().shown, expected);
 }
 
@@ -187,7 +187,7 @@ TEST_F(Culling, DiscsThatGrowWithTheZoomReachIntoThePicture) {
 TEST_F(Culling, EveryMarkCountsOnceWhileContoursFade) {
     for (const View& view : views()) {
         const std::array items{layered_item(set, styles()[0], view.transform)};
-        frame.prepare(items, view.camera);
+        frame.draw(items, view.camera);
         const Counts& info = frame.info();
         EXPECT_EQ(info.shown + info.dropped_tone + info.dropped_depth + info.dropped_zoom + info.dropped_hidden,
                   info.front + info.silhouette)
@@ -244,13 +244,13 @@ TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
     style.tone_curve = frame::ToneCurve::linear;
     style.silhouette_law = frame::SilhouetteLaw::angle;
     style.tone_fade = 0.0F;
-    style.group[0].share = 0.7F;
-    style.group[0].radius = 2.0F;
+    style.kind[0].share = 0.7F;
+    style.kind[0].radius = 2.0F;
     std::int64_t selected = 0;
     for (const View& view : views()) {
         const Sight sight = sight_of(view);
         const std::array items{layered_item(set, style, view.transform)};
-        frame.prepare(items, view.camera);
+        frame.draw(items, view.camera);
         const std::map<std::uint32_t, Disc> inks = inks_of(frame);
         for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const Plain p = plain_of(mark_of(set, i), sight, style, 2.5);
@@ -279,8 +279,8 @@ TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
     style.tone_fade = 0.0F;
-    style.silhouette_groups = 0;
-    style.group[0].radius = 1.5F;
+    style.contour_kinds = 0;
+    style.kind[0].radius = 1.5F;
     for (const View& view : views()) {
         if (std::string(view.name).find("orthographic") == std::string::npos) continue; // one scale for all clusters
         const Sight sight = sight_of(view);
@@ -289,7 +289,7 @@ TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
         // Where all marks cover less than 0.6 (in the table's steps of 1 / 64), they are shown as if they did not.
         const double enough = std::max(full, -std::log(1.0 - 38.0 / 64.0));
         const std::array items{layered_item(set, style, view.transform)};
-        frame.prepare(items, view.camera);
+        frame.draw(items, view.camera);
         const std::map<std::uint32_t, Disc> inks = inks_of(frame);
         for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const Plain p = plain_of(mark_of(set, i), sight, style, 2.0);
@@ -310,14 +310,14 @@ TEST_F(Culling, FrontAndContourMarksAreShownDroppedOrNotDrawn) {
             style.tone_fade = 0.0F;
             style.hidden_lines = frame::HiddenLines::hide;
             const std::array items{layered_item(set, style, view.transform)};
-            frame.prepare(items, view.camera);
+            frame.draw(items, view.camera);
             const Counts& info = frame.info();
             expect_counts(info, view.name);
             const std::int64_t dropped =
                 info.dropped_tone + info.dropped_depth + info.dropped_zoom + info.dropped_hidden;
             std::int64_t drawn = info.front + info.silhouette;
-            if (!style.group[0].shown) drawn -= info.front;
-            if (style.silhouette_groups == 0) drawn -= info.silhouette;
+            if (!style.kind[0].shown) drawn -= info.front;
+            if (style.contour_kinds == 0) drawn -= info.silhouette;
             EXPECT_EQ(info.shown + dropped, drawn) << view.name;
         }
     }
@@ -336,7 +336,7 @@ TEST_F(Culling, SameBitsForAnyThreadCountAndInstructionSet) {
         own.splat_overlap = 2.0F;
         const std::array items{layered_item(ring, own)};
         DrawnFrame own_frame(other);
-        own_frame.prepare(items, perspective_from({2.0, -4.0, 3.0}, {0.0, 0.0, 0.0}, 0.5));
+        own_frame.draw(items, perspective_from({2.0, -4.0, 3.0}, {0.0, 0.0, 0.0}, 0.5));
         std::vector<float> numbers;
         for (const Disc& d : own_frame.discs())
             numbers.insert(numbers.end(), {d.x, d.y, d.radius, d.depth, d.color.w, static_cast<float>(d.id)});

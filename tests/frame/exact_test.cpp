@@ -24,7 +24,7 @@ protected:
         frame::Item item = layered_item(set, style, transform);
         if (exact) item.model = &solid;
         const std::array items{item};
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
         return seen_share(frame, set.layers[0].count());
     }
 
@@ -126,7 +126,7 @@ TEST_F(Exact, DimsByTheLawsOfTheLayersThatALineCrosses) {
 
 TEST_F(Exact, ShowDimsNothingAndContoursLieOutside) {
     Style style = all_front(HiddenLines::show);
-    style.silhouette_groups = 1;
+    style.contour_kinds = 1;
     const double tilt = 1.25;
     const glm::dvec3 toward(0.0, -std::sin(tilt), std::cos(tilt));
     const frame::Camera camera = camera_from(toward, size, half);

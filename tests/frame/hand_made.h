@@ -6,9 +6,10 @@
 #include "geometry/tangent_frame.h"
 #include "marks/cluster_marks.h"
 #include "support/drawn.h"
+#include "support/samples.h"
 
+#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <vector>
 
@@ -58,11 +59,9 @@ inline void add_stroke(marks::PointSet& set, marks::Kind kind, const std::vector
     marks::index_strokes(layer);
 }
 
-inline glm::dvec3 fibonacci_direction(int i, int count) {
-    const double z = 1.0 - (2.0 * i + 1.0) / count;
-    const double angle = i * pi * (3.0 - std::sqrt(5.0));
-    const double r = std::sqrt(1.0 - z * z);
-    return {r * std::cos(angle), r * std::sin(angle), z};
+inline glm::dvec3 spiral_direction(std::int64_t i, std::int64_t count) {
+    const std::array<double, 3> p = test::spiral_point(i, count);
+    return {p[0], p[1], p[2]};
 }
 
 // Evenly spread stipples.
@@ -70,7 +69,7 @@ inline marks::PointSet sphere(base::Memory& memory, int count, double radius = 1
                               const glm::dvec3& centre = glm::dvec3(0.0)) {
     marks::PointSet set(memory);
     for (int i = 0; i < count; ++i) {
-        const glm::dvec3 n = fibonacci_direction(i, count);
+        const glm::dvec3 n = spiral_direction(i, count);
         add_stipple(set, centre + radius * n, n);
     }
     set.spacing = radius * std::sqrt(4.0 * pi / count);
@@ -147,7 +146,7 @@ inline frame::Camera front_camera(int width, int height, double half = 1.25) {
     return camera;
 }
 
-// All marks are ink, nothing is painted.
+// All marks are ink, no disc of paper.
 inline Style plain_style() {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
@@ -175,7 +174,7 @@ inline frame::Item layered_item(const marks::PointSet& set, const Style& style,
     return layered_item(set, kept(style), transform);
 }
 
-// Painted as published.
+// As published.
 inline frame::Item item_of(const marks::PointSet& set, const frame::Style& style,
                            const glm::dmat4& transform = glm::dmat4(1.0)) {
     frame::Item item = layered_item(set, style, transform);
@@ -186,15 +185,5 @@ inline frame::Item item_of(const marks::PointSet& set, const Style& style,
                            const glm::dmat4& transform = glm::dmat4(1.0)) {
     return item_of(set, kept(style), transform);
 }
-
-// An allocator that counts what is asked of it.
-struct CountingAllocator {
-    std::int64_t calls = 0;
-    static void* allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
-        ++static_cast<CountingAllocator*>(user)->calls;
-        return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-    }
-    static void deallocate(void*, void* memory, std::uint64_t, std::uint64_t) { std::free(memory); }
-};
 
 } // namespace hrbfnpr::testing

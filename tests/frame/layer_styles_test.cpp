@@ -37,7 +37,7 @@ LayerStyle named(Kind kind, const char* name, float radius) {
 
 class LayerStyles : public ::testing::Test {
 protected:
-    void prepare(std::span<const LayerStyle> styles, bool published = false) {
+    void draw(std::span<const LayerStyle> styles, bool published = false) {
         frame::Style style;
         style.hidden_lines = frame::HiddenLines::show;
         style.tone = frame::Tone::none;
@@ -45,7 +45,7 @@ protected:
         style.tone_fade = 0.0F;
         style.layers = styles;
         const std::array items{published ? item_of(set, style) : layered_item(set, style)};
-        frame.prepare(items, front_camera(100, 100));
+        frame.draw(items, front_camera(100, 100));
     }
     // Of each mark, far to near.
     [[nodiscard]] std::vector<float> radii() const {
@@ -72,7 +72,7 @@ protected:
 
 TEST_F(LayerStyles, WithoutAnyAllLayersAreDrawnByDefault) {
     add_layers();
-    prepare({});
+    draw({});
     EXPECT_THAT(radii(), ElementsAre(1, 1, 1, 1, 1, 1, 1));
     EXPECT_EQ(frame.info().marks, 7);
     ASSERT_EQ(frame.drawing().layers.size(), 14); // of the front and of contours
@@ -89,7 +89,7 @@ TEST_F(LayerStyles, TheFirstThatIsForKindAndNameWins) {
         const std::array styles{named(Kind::any, "b", 3.0F), named(Kind::stipples, "a", 4.0F),
                                 named(Kind::stipples, nullptr, 2.0F), named(Kind::stipples, "c", 7.0F),
                                 named(Kind::own, "b", 8.0F)};
-        prepare(styles, published);
+        draw(styles, published);
         EXPECT_THAT(radii(), ElementsAre(4, 3, 2, 2, 2, 1, 3)) << published;
         for (const Disc& disc : frame.discs()) {
             EXPECT_EQ(disc.color.x, disc.radius == 1.0F ? 0.0F : disc.radius / 10.0F);
@@ -102,7 +102,7 @@ TEST_F(LayerStyles, NamesAreComparedWhole) {
     add_layers();
     const std::array styles{named(Kind::any, "stipple", 5.0F), named(Kind::any, "stippless", 6.0F),
                             named(Kind::any, "", 7.0F), named(Kind::any, "stipples", 2.0F)};
-    prepare(styles);
+    draw(styles);
     EXPECT_THAT(radii(), ElementsAre(1, 1, 1, 1, 2, 1, 1));
 }
 
@@ -112,7 +112,7 @@ TEST_F(LayerStyles, HideAllButOneOfTheLayersOfAKind) {
     hidden.kind = Kind::stipples;
     hidden.shown = hidden.contours = false;
     const std::array styles{named(Kind::stipples, "d", 2.0F), hidden};
-    prepare(styles);
+    draw(styles);
     EXPECT_THAT(radii(), ElementsAre(2, 1, 1));
     ASSERT_EQ(frame.discs().size(), 3U);
     EXPECT_EQ(frame.discs()[0].id, 4U) << "ids count what is not drawn, too";
@@ -137,7 +137,7 @@ TEST_F(LayerStyles, EveryLayerOfAKindHasItsOwnDirections) {
         styles[l] = named(Kind::field, names[l], 1.0F);
         styles[l].directions = l;
     }
-    prepare(styles);
+    draw(styles);
     std::vector<std::uint32_t> ids;
     for (const Disc& disc : frame.discs()) ids.push_back(disc.id);
     EXPECT_THAT(ids, ::testing::UnorderedElementsAre(3U, 6U, 7U, 8U));
@@ -167,7 +167,7 @@ protected:
     explicit SplatLayer(bool own_marks = true) {
         marks::Layer& lines = set.layers.add(runtime.memory, Kind::own);
         for (std::uint32_t i = 0; i < 40000; ++i) {
-            const glm::dvec3 n = fibonacci_direction(static_cast<int>(i), 40000);
+            const glm::dvec3 n = spiral_direction(static_cast<int>(i), 40000);
             add_mark(lines, n, n, geometry::any_perpendicular(n), 2 * (i / 10), i % 10);
         }
         marks::index_strokes(lines);
@@ -176,7 +176,7 @@ protected:
             marks::Layer& layer = set.layers.add(runtime.memory, kind);
             const int count = kind == Kind::own ? 2000 : 1500;
             for (int i = 0; i < count; ++i) {
-                const glm::dvec3 n = fibonacci_direction(i, count);
+                const glm::dvec3 n = spiral_direction(i, count);
                 add_mark(layer, n, n, geometry::any_perpendicular(n), 0, 0);
             }
         }
@@ -189,7 +189,7 @@ protected:
         frame::Style style;
         style.layers = styles;
         const std::array items{layered_item(set, style)};
-        frame.prepare(items, front_camera(300, 300));
+        frame.draw(items, front_camera(300, 300));
         return splat_layers(frame.drawing());
     }
     static LayerStyle unused(Kind kind) {

@@ -14,13 +14,13 @@ using frame::HiddenLines;
 
 class LayersTest : public ::testing::Test {
 protected:
-    const drawing::Counts& prepare(std::span<const frame::Item> items, const frame::Camera& camera) {
-        frame.prepare(items, camera);
+    const drawing::Counts& draw(std::span<const frame::Item> items, const frame::Camera& camera) {
+        frame.draw(items, camera);
         return frame.info();
     }
     std::vector<float> seen(const marks::PointSet& set, const Style& style, const frame::Camera& camera) {
         const std::array items{layered_item(set, style)};
-        prepare(items, camera);
+        draw(items, camera);
         return seen_share(frame, set.layers[0].count());
     }
 
@@ -36,7 +36,7 @@ TEST_F(LayersTest, ASphereNeverDimsItsOwnFront) {
         for (const HiddenLines hidden : hiding) {
             for (const double half : {0.6, 1.25, 6.0}) {
                 const std::array items{layered_item(set, all_front(hidden))};
-                const drawing::Counts& info = prepare(items, front_camera(500, 500, half));
+                const drawing::Counts& info = draw(items, front_camera(500, 500, half));
                 EXPECT_EQ(info.dropped_hidden, 0) << count << " " << half;
                 EXPECT_EQ(info.shown, info.front);
                 EXPECT_GT(info.splats, 0);
@@ -44,7 +44,7 @@ TEST_F(LayersTest, ASphereNeverDimsItsOwnFront) {
                 frame::Camera near_by = front_camera(500, 500, half);
                 near_by.view = frame::look_at({0.0, 1.0, 2.5}, glm::dvec3(0.0), {0, 1, 0});
                 near_by.projection = frame::perspective(0.5 * half, 500, 500, 0.1, 20.0, near_by.depth);
-                EXPECT_EQ(prepare(items, near_by).dropped_hidden, 0) << count << " " << half;
+                EXPECT_EQ(draw(items, near_by).dropped_hidden, 0) << count << " " << half;
                 for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.color.w, 1.0F) << count << " " << half;
             }
         }
@@ -59,7 +59,7 @@ TEST_F(LayersTest, ASparseSphereNeverDimsItsOwnFront) {
         frame::Camera camera = front_camera(500, 500);
         camera.view = frame::look_at({0.3, 1.0, 5.0}, glm::dvec3(0.0), {0, 1, 0});
         camera.projection = frame::perspective(0.5, 500, 500, 0.1, 20.0, camera.depth);
-        EXPECT_EQ(prepare(items, camera).dropped_hidden, 0) << count;
+        EXPECT_EQ(draw(items, camera).dropped_hidden, 0) << count;
         for (const Disc& disc : frame.discs()) EXPECT_EQ(disc.color.w, 1.0F) << count << ", mark " << disc.id;
     }
 }
@@ -71,10 +71,10 @@ TEST_F(LayersTest, AHaloLeavesItsOwnFrontAlone) {
     style.tone_fade = 0.25F;
     style.halo_width = 0.0F;
     const std::array without{layered_item(set, style)};
-    const std::int64_t all = prepare(without, front_camera(500, 500)).shown;
+    const std::int64_t all = draw(without, front_camera(500, 500)).shown;
     style.halo_width = 2.0F;
     const std::array with{layered_item(set, style)};
-    EXPECT_GE(prepare(with, front_camera(500, 500)).shown, all - all / 1000);
+    EXPECT_GE(draw(with, front_camera(500, 500)).shown, all - all / 1000);
 }
 
 TEST_F(LayersTest, APlaneNeverDimsItselfAtAnyTilt) {
@@ -83,7 +83,7 @@ TEST_F(LayersTest, APlaneNeverDimsItselfAtAnyTilt) {
         for (const double tilt : {0.0, 0.3, 0.6, 0.9, 1.2, 1.35, 1.45, 1.5}) {
             const frame::Camera camera = camera_from({0.0, -std::sin(tilt), std::cos(tilt)}, 400, 1.25);
             const std::array items{layered_item(set, all_front(hidden))};
-            EXPECT_EQ(prepare(items, camera).front, 10000) << tilt;
+            EXPECT_EQ(draw(items, camera).front, 10000) << tilt;
             EXPECT_EQ(frame.info().shown, 10000) << tilt;
             for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.color.w, 1.0F) << tilt;
         }
@@ -172,7 +172,7 @@ TEST_F(LayersTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
     // With contours: those on the far side of the hole, and around the cusps, must not shine through.
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 260));
     Style style = all_front(HiddenLines::hide);
-    style.silhouette_groups = 1;
+    style.contour_kinds = 1;
     for (const double tilt : {0.7, 0.9, 1.05, 1.2, 1.35}) {
         const glm::dvec3 toward = glm::normalize(glm::dvec3(0.0, -std::sin(tilt), std::cos(tilt)));
         const std::vector<float> share = seen(set, style, camera_from(toward, 600, 1.6));
@@ -202,7 +202,7 @@ TEST_F(LayersTest, ABallInFrontDimsByTheLawsOfBothItsLayers) {
     style.attenuation_back = 0.3;
     style.splat_overlap = 2.0F;
     const std::array items{layered_item(behind, style, shifted({0.0, 0.0, -3.0})), layered_item(front, style)};
-    prepare(items, front_camera(800, 800, 1.0));
+    draw(items, front_camera(800, 800, 1.0));
     const double pixel = 2.0 / 800.0;
     const std::vector<float> share = seen_share(frame, 14400 + 30000);
     double worst = 0.0;
@@ -261,8 +261,8 @@ TEST_F(LayersTest, OpenLayersOneBehindTheOtherDimExactly) {
     for (const Case& c : cases) {
         std::vector<frame::Item> items{layered_item(set, style)};
         Style blank = style;
-        blank.group[0].share = 0.0F;
-        blank.group[0].shown = true;
+        blank.kind[0].share = 0.0F;
+        blank.kind[0].shown = true;
         for (const Front& f : c.layers) {
             glm::dmat4 m = shifted({0.0, 0.0, f.z});
             if (f.faces_away) { // turned about y
@@ -271,7 +271,7 @@ TEST_F(LayersTest, OpenLayersOneBehindTheOtherDimExactly) {
             }
             items.push_back(layered_item(set, blank, m));
         }
-        prepare(items, front_camera(250, 250));
+        draw(items, front_camera(250, 250));
         const std::vector<float> share = seen_share(frame, 3600 * static_cast<std::int64_t>(items.size()));
         for (std::size_t id = 1; id <= 3600; ++id) ASSERT_NEAR(share[id], c.clear, 2e-6F) << c.layers.size();
     }
@@ -283,7 +283,7 @@ TEST_F(LayersTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
     const auto drawn_of_small = [&](HiddenLines hidden, const glm::dvec3& at) {
         const std::array items{layered_item(big, all_front(hidden)),
                                layered_item(small, all_front(hidden), shifted(at))};
-        prepare(items, front_camera(500, 500));
+        draw(items, front_camera(500, 500));
         std::int64_t count = 0;
         for (const Disc& disc : frame.discs()) {
             EXPECT_EQ(disc.color.w, 1.0F);
@@ -310,7 +310,7 @@ TEST_F(LayersTest, AHaloIsAsWideAsAskedAtAnyZoom) {
                 style.halo_width = halo;
                 if (halo == 0.0F && hidden != HiddenLines::hide) continue; // clear where it turns away, by the law
                 const std::array items{layered_item(wall, style, shifted({0.0, 0.0, -2.0})), layered_item(disc, style)};
-                prepare(items, front_camera(600, 600, half));
+                draw(items, front_camera(600, 600, half));
                 const double rim = 0.5 * 300.0 / half;
                 // The nearest ink of the wall in each of 90 directions.
                 std::array<double, 90> nearest{};
@@ -337,8 +337,8 @@ TEST_F(LayersTest, InstancesEqualTwoSets) {
     first.attenuation_front = 0.3;
     first.splat_overlap = 2.0F;
     Style second = first;
-    second.group[0].radius = 2.0F;
-    second.group[0].ink = {0.5F, 0.0F, 0.0F, 1.0F};
+    second.kind[0].radius = 2.0F;
+    second.kind[0].ink = {0.5F, 0.0F, 0.0F, 1.0F};
     second.hidden_lines = HiddenLines::hide;
     glm::dmat4 transform = shifted({0.2, 0.3, 1.0});
     transform[0] = {0.0, 0.7, 0.0, 0.0};
@@ -346,9 +346,9 @@ TEST_F(LayersTest, InstancesEqualTwoSets) {
     transform[2] = {0.7, 0.0, 0.0, 0.0};
     const std::array instances{layered_item(set, first), layered_item(set, second, transform)};
     const std::array sets{layered_item(set, first), layered_item(same, second, transform)};
-    prepare(instances, front_camera(500, 500, 1.8));
+    draw(instances, front_camera(500, 500, 1.8));
     const std::vector<Disc> discs(frame.discs().begin(), frame.discs().end());
-    prepare(sets, front_camera(500, 500, 1.8));
+    draw(sets, front_camera(500, 500, 1.8));
     ASSERT_EQ(frame.discs().size(), discs.size());
     const auto marks = static_cast<std::uint32_t>(set.layers[0].count());
     std::array<bool, 2> both{};
@@ -364,21 +364,21 @@ TEST_F(LayersTest, InstancesEqualTwoSets) {
 
 TEST_F(LayersTest, StylesOfOneFrameHaveOneVisibility) {
     const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 100));
-    for (const bool painted_first : {false, true}) {
+    for (const bool published_first : {false, true}) {
         std::array items{layered_item(set, Style{}), layered_item(set, Style{}), item_of(set, Style{})};
-        if (painted_first) std::swap(items[0], items[2]);
+        if (published_first) std::swap(items[0], items[2]);
         try {
-            frame.prepare(items, front_camera(100, 100));
+            frame.draw(items, front_camera(100, 100));
             ADD_FAILURE() << "no error";
         } catch (const Error& error) {
             EXPECT_EQ(error.status(), Status::invalid_argument);
             EXPECT_NE(
                 std::string(error.what())
-                    .find(painted_first ? "items[1].style.visibility differs" : "items[2].style.visibility differs"),
+                    .find(published_first ? "items[1].style.visibility differs" : "items[2].style.visibility differs"),
                 std::string::npos)
                 << error.what();
         }
-        EXPECT_FALSE(frame.prepared());
+        EXPECT_FALSE(frame.drawn());
     }
 }
 

@@ -75,7 +75,7 @@ inline Style all_front(frame::HiddenLines hidden_lines) {
     style.tone = frame::Tone::none;
     style.tone_curve = frame::ToneCurve::linear;
     style.tone_fade = 0.0F;
-    style.silhouette_groups = 0;
+    style.contour_kinds = 0;
     return style;
 }
 

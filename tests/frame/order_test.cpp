@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The order of painting, and what does not depend on threads or on memory.
 #include "frame/hand_made.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -22,10 +23,10 @@ TEST(PaintingOrder, IsFarToNearWithInkBeforeItsMarkAndPaperBehindIt) {
     Style style;
     style.tone = frame::Tone::none;
     style.splat_radius = 5.0F; // 0.05 units
-    style.group[0].radius = 2.0F;
+    style.kind[0].radius = 2.0F;
     const std::array items{item_of(set, style)};
     DrawnFrame frame(runtime);
-    frame.prepare(items, front_camera(200, 200, 1.0));
+    frame.draw(items, front_camera(200, 200, 1.0));
     ASSERT_EQ(frame.discs().size(), 200U);
     double before = -100.0;
     for (const Disc& disc : frame.discs()) {
@@ -69,12 +70,11 @@ protected:
 TEST_P(Kept, SameBitsForAnyThreadCount) {
     std::vector<std::byte> expected;
     for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                    base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime runtime = test::with_threads(threads);
         const marks::PointSet set = sphere(runtime.memory, 30000);
         const std::array items{item_of(set, style())};
         DrawnFrame frame(runtime);
-        frame.prepare(items, front_camera(400, 400));
+        frame.draw(items, front_camera(400, 400));
         const std::vector<std::byte> bytes = bytes_of(frame);
         EXPECT_FALSE(bytes.empty());
         if (expected.empty()) expected = bytes;
@@ -96,21 +96,20 @@ std::int32_t half_tone(void*, std::int64_t count, const float*, const float*, fl
 }
 
 TEST_P(Kept, AllocatesNothingOnceWarm) {
-    CountingAllocator counter;
-    const base::Runtime runtime(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
-                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
+    test::Allocator counter;
+    const base::Runtime runtime = test::with_allocator(counter);
     const marks::PointSet set = torus(runtime.memory, 100);
     std::array items{item_of(set, style()), item_of(set, style())};
     items[1].style.tone = frame::Tone::callback;
     items[1].style.tone_function = half_tone;
     DrawnFrame frame(runtime);
-    frame.prepare(items, orbit(0));
+    frame.draw(items, orbit(0));
     const std::int64_t warm = counter.calls;
-    frame.prepare(items, orbit(0));
+    frame.draw(items, orbit(0));
     EXPECT_EQ(counter.calls, warm) << "the same view again";
-    for (int step = 0; step < 13; ++step) frame.prepare(items, orbit(step));
+    for (int step = 0; step < 13; ++step) frame.draw(items, orbit(step));
     const std::int64_t once_round = counter.calls;
-    for (int step = 0; step < 13; ++step) frame.prepare(items, orbit(step));
+    for (int step = 0; step < 13; ++step) frame.draw(items, orbit(step));
     EXPECT_EQ(counter.calls, once_round) << "a second time round";
     EXPECT_GT(frame.info().scratch_bytes, 0);
     EXPECT_LE(frame.info().scratch_bytes, runtime.memory.bytes_now());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Marks that have moved since their set was made.
 #include "frame/line_of_sight.h"
+#include "support/runtime.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,10 +47,10 @@ struct Places {
 
 class Posed : public ::testing::Test {
 protected:
-    void prepare(const Item& item, Visibility visibility, const frame::Camera& camera) {
+    void draw(const Item& item, Visibility visibility, const frame::Camera& camera) {
         std::array items{item};
         items[0].style.visibility = visibility;
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
     }
     [[nodiscard]] std::map<std::uint32_t, Disc> inks() const {
         std::map<std::uint32_t, Disc> by_id;
@@ -84,14 +85,14 @@ TEST_F(Posed, AtTheSamePlacesMarksAreTheSameDots) {
         const std::array poses{places.pose(0)};
         for (const Visibility visibility : both) {
             Style style;
-            style.group[0].radius = 1.5F;
+            style.kind[0].radius = 1.5F;
             Item item = layered_item(flat, style);
-            prepare(item, visibility, oblique());
+            draw(item, visibility, oblique());
             const std::vector<Disc> expected(frame.discs().begin(), frame.discs().end());
             const drawing::MarkSource source = frame.drawing().source(7);
             ASSERT_GT(expected.size(), 500U);
             item.poses = poses;
-            prepare(item, visibility, oblique());
+            draw(item, visibility, oblique());
             ASSERT_EQ(frame.discs().size(), expected.size());
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 const Disc& disc = frame.discs()[i];
@@ -125,14 +126,14 @@ TEST_F(Posed, ARigidMotionIsThatOfTheItem) {
             Style style;
             style.tone_fade = 0.0F;
             style.tone_curve = frame::ToneCurve::linear;
-            prepare(layered_item(set, style, motion), visibility, oblique());
+            draw(layered_item(set, style, motion), visibility, oblique());
             const std::map<std::uint32_t, Disc> expected = inks();
             ASSERT_GT(expected.size(), 2000U);
             std::vector<drawing::MarkSource> sources;
             for (const auto& [id, disc] : expected) sources.push_back(frame.source(disc));
             Item item = layered_item(set, style);
             item.poses = poses;
-            prepare(item, visibility, oblique());
+            draw(item, visibility, oblique());
             const std::map<std::uint32_t, Disc> found = inks();
             // Rounding decides on a few.
             EXPECT_NEAR(static_cast<double>(found.size()), static_cast<double>(expected.size()),
@@ -169,7 +170,7 @@ TEST_F(Posed, WithoutDirectionsTheyStayAsInTheSet) {
     poses[0].direction = {};
     Item item = layered_item(set, Style{});
     item.poses = poses;
-    prepare(item, Visibility::depth_layers, front_camera(size, size));
+    draw(item, Visibility::depth_layers, front_camera(size, size));
     EXPECT_EQ(frame.drawing().source(3).direction, marks::vector_at(set.layers[0].direction, 2));
     EXPECT_NEAR(frame.drawing().source(3).normal.x, std::sin(0.4F), 1e-6F);
 }
@@ -180,14 +181,14 @@ TEST_F(Posed, LastsForOneDrawing) {
     const Places stipples(set, 0, turned(0.7, {0.3, -0.2, 0.4}));
     const std::array poses{stipples.pose(0)};
     Item item = layered_item(set, Style{});
-    prepare(item, Visibility::depth_layers, oblique());
+    draw(item, Visibility::depth_layers, oblique());
     const std::size_t before = frame.discs().size();
     const Disc first = frame.discs()[0];
     item.poses = poses;
-    prepare(item, Visibility::depth_layers, oblique());
+    draw(item, Visibility::depth_layers, oblique());
     EXPECT_NE(glm::vec2(frame.discs()[0].x, frame.discs()[0].y), glm::vec2(first.x, first.y));
     item.poses = {};
-    prepare(item, Visibility::depth_layers, oblique());
+    draw(item, Visibility::depth_layers, oblique());
     ASSERT_EQ(frame.discs().size(), before);
     EXPECT_EQ(glm::vec2(frame.discs()[0].x, frame.discs()[0].y), glm::vec2(first.x, first.y));
 }
@@ -202,17 +203,16 @@ TEST_F(Posed, MarksMayBeFarFromTheirSet) {
     item.poses = poses;
     frame::Camera camera = front_camera(size, size);
     camera.view = camera.view * glm::inverse(away);
-    prepare(item, Visibility::depth_layers, camera);
+    draw(item, Visibility::depth_layers, camera);
     EXPECT_EQ(frame.info().shown, 3600);
     EXPECT_EQ(frame.info().outside + frame.info().culled, 0);
-    prepare(item, Visibility::depth_layers, front_camera(size, size));
+    draw(item, Visibility::depth_layers, front_camera(size, size));
     EXPECT_EQ(frame.info().shown, 0);
 }
 
 TEST_F(Posed, AllocatesNothingOnceWarm) {
-    CountingAllocator counter;
-    const base::Runtime counted(CountingAllocator::allocate, CountingAllocator::deallocate, &counter,
-                                base::Parallel(2, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
+    test::Allocator counter;
+    const base::Runtime counted = test::with_allocator(counter);
     marks::PointSet made = torus(counted.memory, 90);
     const marks::PointSet set = clustered(counted, std::move(made));
     DrawnFrame own(counted);
@@ -222,7 +222,7 @@ TEST_F(Posed, AllocatesNothingOnceWarm) {
             const std::array poses{places.pose(0)};
             std::array items{layered_item(set, Style{})};
             items[0].poses = poses;
-            own.prepare(items, oblique());
+            own.draw(items, oblique());
             ASSERT_FALSE(own.discs().empty());
         }
     };
@@ -238,7 +238,7 @@ protected:
         std::array items{layered_item(set, Style{}), layered_item(set, Style{})};
         items[1].poses = poses;
         try {
-            frame.prepare(items, front_camera(size, size));
+            frame.draw(items, front_camera(size, size));
             ADD_FAILURE() << "no error: " << text;
         } catch (const Error& error) {
             EXPECT_EQ(error.status(), Status::invalid_argument);
@@ -278,7 +278,7 @@ TEST_F(BadPose, IsForgottenAfterwards) {
     places.normal[2] = 3.0;
     expect_error(std::array{places.pose(0)}, "normal[0]");
     const std::array items{layered_item(set, all_front(frame::HiddenLines::hide))};
-    frame.prepare(items, front_camera(size, size));
+    frame.draw(items, front_camera(size, size));
     EXPECT_EQ(frame.info().shown, 25);
 }
 

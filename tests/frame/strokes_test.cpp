@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From marks along strokes to lines.
 #include "frame/hand_made.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ protected:
         glm::dmat4 smaller(0.3);
         smaller[3] = {0.0, 0.0, 2.0, 1.0};
         if (wall) items.push_back(layered_item(hidden_by, style_of(hidden_lines), smaller));
-        frame.prepare(items, front_camera(size, size));
+        frame.draw(items, front_camera(size, size));
         return frame.drawing();
     }
     [[nodiscard]] static std::span<const StrokePoint> points_of(const drawing::Drawing& drawing, const Stroke& stroke) {
@@ -200,12 +201,12 @@ TEST_F(Strokes, AreDotsWhereTheStyleSaysNothingElse) {
     dots.shape = frame::Shape::dots;
     style.layers = std::span(&dots, 1);
     const std::array items{layered_item(set, style)};
-    frame.prepare(items, front_camera(size, size));
+    frame.draw(items, front_camera(size, size));
     EXPECT_TRUE(frame.drawing().strokes.empty());
     EXPECT_EQ(frame.drawing().dot_count, 21);
     // And again after lines were drawn.
     (void)draw();
-    frame.prepare(items, front_camera(size, size));
+    frame.draw(items, front_camera(size, size));
     EXPECT_TRUE(frame.drawing().strokes.empty());
     EXPECT_EQ(frame.discs().size(), 21U);
 }
@@ -232,8 +233,7 @@ TEST_F(Strokes, SegmentsAreInTheTilesThatTheyTouch) {
 TEST_F(Strokes, SameBitsForAnyThreadCount) {
     std::vector<float> expected;
     for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                  base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime other = test::with_threads(threads);
         marks::PointSet ring = torus(other.memory, 60);
         add_torus_strokes(ring, marks::Kind::combing, 300, 27, 0.3);
         ring = clustered(other, std::move(ring));
@@ -241,7 +241,7 @@ TEST_F(Strokes, SameBitsForAnyThreadCount) {
         DrawnFrame own(other);
         frame::Camera camera = front_camera(size, size, 1.6);
         camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
-        own.prepare(items, camera);
+        own.draw(items, camera);
         std::vector<float> numbers;
         for (const StrokePoint& p : own.drawing().points)
             numbers.insert(numbers.end(), {p.x, p.y, p.radius, p.opacity, p.depth, p.length, static_cast<float>(p.id)});

@@ -27,8 +27,8 @@ glm::dmat4 moved(const glm::dvec3& by) {
 
 class Visibility : public ::testing::Test {
 protected:
-    const Counts& prepare(std::span<const frame::Item> items, const frame::Camera& camera) {
-        frame.prepare(items, camera);
+    const Counts& draw(std::span<const frame::Item> items, const frame::Camera& camera) {
+        frame.draw(items, camera);
         return frame.info();
     }
 
@@ -42,7 +42,7 @@ TEST_F(Visibility, ALayerDoesNotHideItselfAtAnyTilt) {
     for (const double tilt : {0.0, 0.3, 0.6, 0.9, 1.2, 1.35}) {
         frame::Camera camera = front_camera(400, 400);
         camera.view = frame::look_at({0.0, -10.0 * std::sin(tilt), 10.0 * std::cos(tilt)}, glm::dvec3(0.0), {1, 0, 0});
-        const Counts& info = prepare(items, camera);
+        const Counts& info = draw(items, camera);
         EXPECT_EQ(info.shown, 10000) << tilt;
         EXPECT_EQ(info.dropped_hidden, 0);
         EXPECT_EQ(info.splats, 0);
@@ -53,7 +53,7 @@ TEST_F(Visibility, ASphereKeepsItsFrontAndItsContour) {
     for (const int count : {2000, 10000, 50000}) {
         const marks::PointSet set = sphere(runtime.memory, count);
         const std::array items{item_of(set, hiding_style())};
-        const Counts& info = prepare(items, front_camera(600, 600));
+        const Counts& info = draw(items, front_camera(600, 600));
         std::int64_t front = 0;
         std::int64_t near_silhouette = 0;
         for (const Disc& disc : frame.discs()) {
@@ -72,18 +72,18 @@ TEST_F(Visibility, ASphereHidesAnotherOneBehindIt) {
     const marks::PointSet set = sphere(runtime.memory, 20000);
     const marks::PointSet small = sphere(runtime.memory, 3000, 0.5);
     std::array items{item_of(set, hiding_style()), item_of(small, hiding_style(), moved({0.2, 0.0, -2.0}))};
-    prepare(items, front_camera(500, 500));
+    draw(items, front_camera(500, 500));
     for (const Disc& disc : frame.discs()) EXPECT_LE(disc.id, 20000U);
     EXPECT_GE(frame.info().dropped_hidden, 3000 * 0.6 - 3);
     // In front of it, all of its near side is shown, and SHOW shows the hidden ones.
     items[1].transform = moved({0.2, 0.0, 2.0});
     std::int64_t small_front = 0;
-    prepare(items, front_camera(500, 500));
+    draw(items, front_camera(500, 500));
     for (const Disc& disc : frame.discs()) small_front += disc.id > 20000 && disc.mark_class == MarkClass::front;
     EXPECT_NEAR(static_cast<double>(small_front), 3000 * 0.4, 3.0);
     items[1].transform = moved({0.2, 0.0, -2.0});
     for (frame::Item& item : items) item.style.hidden_lines = HiddenLines::show;
-    EXPECT_EQ(prepare(items, front_camera(500, 500)).dropped_hidden, 0);
+    EXPECT_EQ(draw(items, front_camera(500, 500)).dropped_hidden, 0);
     EXPECT_NEAR(static_cast<double>(frame.info().shown), 23000 * 0.6, 6.0);
 }
 
@@ -93,7 +93,7 @@ TEST_F(Visibility, TheInsideOfAnOpenLayerHidesToo) {
     turned[0][0] = -1.0;
     turned[2][2] = -1.0;
     const std::array items{item_of(set, hiding_style(), turned), item_of(set, hiding_style(), moved({0.0, 0.0, -1.0}))};
-    const Counts& info = prepare(items, front_camera(200, 200));
+    const Counts& info = draw(items, front_camera(200, 200));
     EXPECT_EQ(info.back, 3600);
     EXPECT_EQ(info.shown, 0);
     EXPECT_EQ(info.dropped_hidden, 3600);
@@ -102,11 +102,11 @@ TEST_F(Visibility, TheInsideOfAnOpenLayerHidesToo) {
 TEST_F(Visibility, TheContoursOfATorusAreHiddenWhereItsTubeIsInFront) {
     const marks::PointSet set = torus(runtime.memory, 160);
     Style style = hiding_style();
-    style.group[0].shown = false;
+    style.kind[0].shown = false;
     const std::array items{item_of(set, style)};
     frame::Camera camera = front_camera(500, 500, 1.6);
     camera.view = frame::look_at({0.0, -9.0, 4.0}, glm::dvec3(0.0), {0, 0, 1});
-    prepare(items, camera);
+    draw(items, camera);
     // Sphere tracing tells which contour marks the tube really hides.
     std::int64_t wrong = 0;
     std::int64_t hidden = 0;
@@ -139,7 +139,7 @@ TEST_F(Visibility, AHugeViewportGetsACoarserMap) {
     const std::array items{item_of(set, hiding_style()), item_of(set, hiding_style(), moved({0.0, 0.0, -3.0}))};
     frame::Camera camera = front_camera(9000, 9000);
     camera.viewport = {-100.0, 50.0, 9000.0, 9000.0};
-    const Counts& info = prepare(items, camera);
+    const Counts& info = draw(items, camera);
     EXPECT_EQ(info.dropped_hidden + info.shown, info.front + info.silhouette);
     EXPECT_GE(info.dropped_hidden, 200);
     EXPECT_LT(info.scratch_bytes, std::int64_t{100} << 20);
@@ -154,12 +154,12 @@ TEST_F(Visibility, PaperFollowsTheLawsOfAttenuation) {
     for (const float layers : {0.0F, 5.0F}) {
         style.splat_overlap = layers;
         const std::array items{item_of(set, style)};
-        const Counts& info = prepare(items, front_camera(500, 500));
+        const Counts& info = draw(items, front_camera(500, 500));
         EXPECT_EQ(info.splats, info.front + info.back);
-        std::int64_t painted = 0;
+        std::int64_t paper = 0;
         for (const Disc& disc : frame.discs()) {
             if (!disc.is_paper) continue;
-            ++painted;
+            ++paper;
             const float nu = -frame.source(disc).normal.z;
             const bool back = disc.mark_class == MarkClass::back;
             ASSERT_EQ(disc.radius, back ? 8.0F : 6.0F);
@@ -170,40 +170,40 @@ TEST_F(Visibility, PaperFollowsTheLawsOfAttenuation) {
             ASSERT_NEAR(disc.color.w, expected, 1e-4F);
             ASSERT_EQ(glm::vec3(disc.color), glm::vec3(1.0F));
         }
-        EXPECT_EQ(painted, info.splats);
+        EXPECT_EQ(paper, info.splats);
     }
     style.attenuation_front = 0.0;
     style.attenuation_back = 0.0;
     const std::array items{item_of(set, style)};
-    EXPECT_EQ(prepare(items, front_camera(500, 500)).splats, 0);
+    EXPECT_EQ(draw(items, front_camera(500, 500)).splats, 0);
 }
 
 TEST_F(Visibility, OneLayerOfMarksPaintsPaperWithLayersAndAllAsPublished) {
     marks::PointSet set = sphere(runtime.memory, 1000);
     for (int i = 0; i < 3000; ++i) {
-        const glm::dvec3 n = fibonacci_direction(i, 3000);
+        const glm::dvec3 n = spiral_direction(i, 3000);
         add_mark(layer_of(set, marks::Kind::principal), n, n, geometry::any_perpendicular(n), 0, 0);
     }
     marks::index_strokes(set.layers[1]);
     set.spacing = std::sqrt(4.0 * pi / 3000.0); // of the largest layer
     Style style;
-    const auto painted = [&] {
+    const auto paper_discs = [&] {
         const std::array items{item_of(set, style)};
-        return prepare(items, front_camera(500, 500)).splats;
+        return draw(items, front_camera(500, 500)).splats;
     };
     // Stipples are a quarter of the strokes' marks at least: they paint.
-    EXPECT_NEAR(static_cast<double>(painted()), 800.0, 4.0);
+    EXPECT_NEAR(static_cast<double>(paper_discs()), 800.0, 4.0);
     float radius = 0.0F;
     for (const Disc& disc : frame.discs()) {
         if (disc.is_paper && disc.mark_class == MarkClass::front) radius = disc.radius;
     }
     EXPECT_NEAR(static_cast<double>(radius), 1.5 * std::sqrt(4.0 * pi / 1000.0) * 200.0, 0.01);
     style.splat_overlap = 0.0F;
-    EXPECT_NEAR(static_cast<double>(painted()), 3200.0, 8.0);
+    EXPECT_NEAR(static_cast<double>(paper_discs()), 3200.0, 8.0);
     style.splat_overlap = 8.0F;
-    style.silhouette_groups = 2;
-    style.group[0].shown = false;
-    EXPECT_NEAR(static_cast<double>(painted()), 2400.0, 6.0);
+    style.contour_kinds = 2;
+    style.kind[0].shown = false;
+    EXPECT_NEAR(static_cast<double>(paper_discs()), 2400.0, 6.0);
 }
 
 } // namespace

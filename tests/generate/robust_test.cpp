@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The same bits for any threads, cancelling, failing allocations, callbacks' threads, far origins.
 #include "support/point_sets.h"
+#include "support/watched_operation.h"
 
-#include <cstdlib>
 #include <thread>
 
 namespace hrbfnpr::generate {
@@ -33,12 +33,10 @@ void reverse_tasks(void* /*user*/, base::TaskFn task, void* context, std::int64_
 TEST(Determinism, SameBitsForAnyThreadCountAndTaskOrder) {
     const Torus torus;
     for (const generate::Settings& settings : {small_published(), small_blue()}) {
-        const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr),
-                                   base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime serial = test::with_threads(1);
         const PointSet expected = generate::generate(serial, torus, {}, settings, {});
         for (const int threads : {2, 3, 7}) {
-            const base::Runtime many(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                     base::InstructionSet::automatic, nullptr, nullptr);
+            const base::Runtime many = test::with_threads(threads);
             EXPECT_TRUE(same_bits(expected, generate::generate(many, torus, {}, settings, {}))) << threads;
         }
         const base::Runtime hook(nullptr, nullptr, nullptr, base::Parallel(4, reverse_tasks, nullptr),
@@ -57,8 +55,7 @@ TEST(Determinism, TheRandomSeedChangesTheMarks) {
 }
 
 TEST(Callbacks, ASerialFunctionRunsOnTheCallersThreadOnly) {
-    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr),
-                                base::InstructionSet::automatic, nullptr, nullptr);
+    const base::Runtime threads = test::with_threads(4);
     for (const generate::Settings& settings : {small_published(), small_blue()}) {
         Torus torus;
         torus.is_concurrent = false;
@@ -74,65 +71,27 @@ TEST(Callbacks, ASerialFunctionRunsOnTheCallersThreadOnly) {
     }
 }
 
-// Cancels at the k-th report of progress.
-struct CancelAt {
-    int calls = 0;
-    int at = -1;
-    double last = 0.0;
-    bool fell = false;
-
-    static std::int32_t report(void* user, double progress) {
-        CancelAt& self = *static_cast<CancelAt*>(user);
-        self.fell = self.fell || progress < self.last;
-        self.last = progress;
-        return self.calls++ == self.at ? 1 : 0;
-    }
-};
-
 TEST(Cancel, AtEveryReportOfProgress) {
     const Torus torus;
-    const base::Runtime serial(nullptr, nullptr, nullptr, base::Parallel(1, nullptr, nullptr),
-                               base::InstructionSet::automatic, nullptr, nullptr);
+    const base::Runtime serial = with_threads(1);
     for (const generate::Settings& settings : {small_published(), small_blue()}) {
-        CancelAt watch;
-        {
-            base::Operation operation;
-            operation.set_callback(CancelAt::report, &watch);
-            operation.begin();
-            (void)generate::generate(serial, torus, {}, settings, base::Progress(&operation));
-            EXPECT_DOUBLE_EQ(operation.progress(), 1.0);
-        }
-        EXPECT_FALSE(watch.fell);
-        EXPECT_GT(watch.calls, 50);
+        WatchedOperation watched;
+        (void)generate::generate(serial, torus, {}, settings, watched.progress());
+        EXPECT_DOUBLE_EQ(watched.watcher.last(), 1.0);
+        EXPECT_FALSE(watched.watcher.fell());
+        const std::size_t calls = watched.watcher.values.size();
+        EXPECT_GT(calls, 50U);
         const std::int64_t bytes = serial.memory.bytes_now();
-        for (int k = 0; k + 1 < watch.calls; k += 1 + watch.calls / 30) {
-            CancelAt cancel;
-            cancel.at = k;
-            base::Operation operation;
-            operation.set_callback(CancelAt::report, &cancel);
-            operation.begin();
+        for (std::size_t k = 1; k < calls; k += 1 + calls / 30) {
+            WatchedOperation cancelled;
+            cancelled.watcher.cancel_at_call = k;
             expect_error(Status::cancelled, {},
-                         [&] { (void)generate::generate(serial, torus, {}, settings, base::Progress(&operation)); });
-            EXPECT_LE(cancel.calls, k + 2) << "it went on after the cancel";
+                         [&] { (void)generate::generate(serial, torus, {}, settings, cancelled.progress()); });
+            EXPECT_LE(cancelled.watcher.values.size(), k + 1) << "it went on after the cancel";
             EXPECT_EQ(serial.memory.bytes_now(), bytes) << "memory was lost";
         }
     }
 }
-
-// An allocator whose k-th allocation fails, once.
-struct FailingAllocator {
-    std::int64_t calls = 0;
-    std::int64_t failing = -1;
-
-    static void* allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
-        FailingAllocator& self = *static_cast<FailingAllocator*>(user);
-        if (self.calls++ == self.failing) return nullptr;
-        return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-    }
-    static void deallocate(void* /*user*/, void* memory, std::uint64_t /*size*/, std::uint64_t /*alignment*/) {
-        std::free(memory);
-    }
-};
 
 TEST(Memory, EveryAllocationMayFail) {
     const Torus torus;
@@ -140,10 +99,9 @@ TEST(Memory, EveryAllocationMayFail) {
     tiny_published.seeds.box_resolution = 3;
     of(tiny_published, Kind::principal).budget = 60;
     for (const generate::Settings& settings : {tiny_published, blue({Kind::principal}, 60, 1)}) {
-        FailingAllocator allocator;
+        Allocator allocator;
         {
-            const base::Runtime runtime(FailingAllocator::allocate, FailingAllocator::deallocate, &allocator,
-                                        base::Parallel(), base::InstructionSet::automatic, nullptr, nullptr);
+            const base::Runtime runtime = with_allocator(allocator, 1);
             (void)generate::generate(runtime, torus, {}, settings, {});
             EXPECT_EQ(runtime.memory.bytes_now(), 0) << "all memory is given back with the set";
         }
@@ -151,11 +109,10 @@ TEST(Memory, EveryAllocationMayFail) {
         EXPECT_GT(count, 100);
         // The default's arrays grow in many steps of one kind: every fifth is enough.
         const std::int64_t stride = settings.distribution == Distribution::published ? 1 : 5;
-        for (std::int64_t k = 0; k < count; k += stride) {
+        for (std::int64_t k = 1; k <= count; k += stride) {
             allocator.calls = 0;
-            allocator.failing = k;
-            const base::Runtime runtime(FailingAllocator::allocate, FailingAllocator::deallocate, &allocator,
-                                        base::Parallel(), base::InstructionSet::automatic, nullptr, nullptr);
+            allocator.refuse_at = k;
+            const base::Runtime runtime = with_allocator(allocator, 1);
             expect_error(Status::out_of_memory, {},
                          [&] { (void)generate::generate(runtime, torus, {}, settings, {}); });
             ASSERT_EQ(runtime.memory.bytes_now(), 0) << k;
@@ -172,8 +129,7 @@ TEST(Memory, BytesAreThoseOfTheArrays) {
 
 // A function that fails ends the call with its own error.
 TEST(Callbacks, AFailureEndsTheCall) {
-    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(3, nullptr, nullptr),
-                                base::InstructionSet::automatic, nullptr, nullptr);
+    const base::Runtime threads = test::with_threads(3);
     for (const generate::Settings& settings : {small_published(), small_blue()}) {
         for (const std::int64_t after : {0, 500, 20000}) {
             std::atomic<std::int64_t> calls{0};

@@ -36,21 +36,6 @@ Model fit(const Context& context, int samples) {
     return fit(context, fit_desc(torus));
 }
 
-Generation::Generation(std::int64_t budget) : hrbfnpr_generate_desc(made(hrbfnpr_generate_desc_init)) {
-    for (const std::uint32_t kind :
-         {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL, HRBFNPR_LAYER_KIND_COMBING}) {
-        layer.push_back(made(hrbfnpr_layer_desc_init));
-        layer.back().kind = kind;
-        layer.back().budget = budget;
-    }
-}
-
-const hrbfnpr_generate_desc* Generation::get() {
-    layers = layer.data();
-    layer_count = static_cast<std::int64_t>(layer.size());
-    return this;
-}
-
 PointSet generate(const Context& context, const Model& model, Generation desc) {
     scenes::Check check;
     hrbfnpr_point_set* marks = nullptr;
@@ -58,7 +43,7 @@ PointSet generate(const Context& context, const Model& model, Generation desc) {
     return PointSet(marks);
 }
 
-PointSet generate(const Context& context, const Model& model) { return generate(context, model, Generation(1000)); }
+PointSet generate(const Context& context, const Model& model) { return generate(context, model, three_layers(1000)); }
 
 Bytes everything(const Scene& scene) {
     Bytes all;

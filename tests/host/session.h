@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scenes/shapes.h"
-#include "support/handles.h"
+#include "support/generation.h"
 #include "support/test_backend.h"
 
 #include <cstdint>
@@ -14,10 +14,12 @@ namespace host_test {
 
 using hrbfnpr::test::Context;
 using hrbfnpr::test::Drawing;
+using hrbfnpr::test::Generation;
 using hrbfnpr::test::made;
 using hrbfnpr::test::Model;
 using hrbfnpr::test::PointSet;
 using hrbfnpr::test::Renderer;
+using hrbfnpr::test::three_layers;
 using Bytes = std::vector<std::uint8_t>;
 
 // These throw, in words, what went wrong.
@@ -26,12 +28,6 @@ Context make_context(std::int32_t threads);
 hrbfnpr_fit_desc fit_desc(const scenes::Samples& samples);
 Model fit(const Context& context, const hrbfnpr_fit_desc& desc);
 Model fit(const Context& context, int samples = 192); // of a torus
-// Settings of point sets with the layers that they point to.
-struct Generation : hrbfnpr_generate_desc {
-    explicit Generation(std::int64_t budget); // stipples, principal and combing strokes, each of this budget
-    const hrbfnpr_generate_desc* get();       // what a call takes
-    std::vector<hrbfnpr_layer_desc> layer;
-};
 PointSet generate(const Context& context, const Model& model, Generation desc);
 PointSet generate(const Context& context, const Model& model); // 1000 marks of each kind
 Bytes draw(const Context& context, const PointSet& marks, const hrbfnpr_style* style = nullptr,

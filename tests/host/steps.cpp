@@ -138,15 +138,13 @@ std::int32_t along_x(void* /*user*/, std::int64_t count, const double* /*positio
 }
 
 Bytes generate_blue_noise(const Scene& scene) {
-    Generation desc(0);
+    Generation desc = three_layers(0);
     desc.shared_budget = 6000;
     desc.tone_ranges = HRBFNPR_TONE_RANGES_IN_TURN;
     for (hrbfnpr_layer_desc& layer : desc.layer) layer.flags = HRBFNPR_LAYER_WITH_CURVATURE;
     desc.layer[0].density = HRBFNPR_DENSITY_CALLBACK;
     desc.layer[0].density_function = half_density;
-    desc.layer.push_back(made(hrbfnpr_layer_desc_init));
-    desc.layer.back().kind = HRBFNPR_LAYER_KIND_FIELD;
-    desc.layer.back().direction_function = along_x;
+    desc.add(HRBFNPR_LAYER_KIND_FIELD, 40000).direction_function = along_x;
     Bytes bytes = bytes_of(generate(scene.context, scene.model, desc));
     for (hrbfnpr_layer_desc& layer : desc.layer) layer.symmetry = HRBFNPR_SYMMETRY_LINE;
     desc.seed_source = HRBFNPR_SEED_BOX;
@@ -157,7 +155,7 @@ Bytes generate_blue_noise(const Scene& scene) {
 }
 
 Bytes generate_published(const Scene& scene) {
-    Generation desc(40000);
+    Generation desc = three_layers(40000);
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     for (hrbfnpr_layer_desc& layer : desc.layer) layer.levels = 2;
     desc.layer[2].start = HRBFNPR_STROKE_START_STIPPLES;

@@ -4,13 +4,13 @@
 #include "base/status.h"
 #include "fields.h"
 #include "implicit/hermite_sums.h"
+#include "support/runtime.h"
 #include "support/samples.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace base = hrbfnpr::base;
 namespace implicit = hrbfnpr::implicit;
@@ -161,11 +161,6 @@ TEST(FarField, SumsNothingOfTheCallBefore) {
     EXPECT_EQ(error(second, first), 0.0);
 }
 
-void expect_same_bits(const base::Array<double>& a, const base::Array<double>& b, int threads) {
-    ASSERT_EQ(a.size(), b.size());
-    EXPECT_EQ(std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)), 0) << threads;
-}
-
 TEST(FarField, SameBitsForAnyNumberOfThreads) {
     base::Runtime runtime;
     const VecArray points = uneven(runtime.memory, 1500);
@@ -175,10 +170,10 @@ TEST(FarField, SameBitsForAnyNumberOfThreads) {
     for (const int threads : {2, 3, 7}) {
         runtime.parallel = base::Parallel(threads, nullptr, nullptr);
         const Sums sums = quickly(runtime, points, weights, {4.0, 0, 20, 1.0});
-        expect_same_bits(sums.value, serial.value, threads);
-        expect_same_bits(sums.gradient.x, serial.gradient.x, threads);
-        expect_same_bits(sums.gradient.y, serial.gradient.y, threads);
-        expect_same_bits(sums.gradient.z, serial.gradient.z, threads);
+        EXPECT_TRUE(hrbfnpr::test::same_bits(sums.value, serial.value)) << threads;
+        EXPECT_TRUE(hrbfnpr::test::same_bits(sums.gradient.x, serial.gradient.x)) << threads;
+        EXPECT_TRUE(hrbfnpr::test::same_bits(sums.gradient.y, serial.gradient.y)) << threads;
+        EXPECT_TRUE(hrbfnpr::test::same_bits(sums.gradient.z, serial.gradient.z)) << threads;
     }
 }
 

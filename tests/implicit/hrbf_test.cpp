@@ -45,7 +45,7 @@ Points queries(int count) {
     return points;
 }
 
-// Equation 1 of the paper, term by term.
+// Equation 1 of the article, term by term.
 double plain_value(const implicit::HrbfData& data, const glm::dvec3& x) {
     const glm::dvec3 y = (x - data.centre) / data.scale;
     double g = kernel::polynomial(data.polynomial_degree, data.polynomial.data(), y).value;

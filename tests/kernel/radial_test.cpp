@@ -25,7 +25,7 @@ constexpr std::array<Case, 6> cases = {{{Kind::triharmonic, 1.0},
                                         {Kind::wendland_c2, 2.0},
                                         {Kind::wendland_c2, 9.0}}};
 
-// The definitions of the paper's section 4.1, written out.
+// The definitions of the article's section 4.1, written out.
 double plain(const Case& c, double r) {
     const double s = r / c.radius;
     switch (c.kind) {

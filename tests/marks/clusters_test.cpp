@@ -3,6 +3,7 @@
 #include "marks/cluster_marks.h"
 
 #include "frame/hand_made.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -33,10 +34,10 @@ Placed placed(const MarkClusters& m, std::int64_t place) {
     return {vector_of({b.x[i], b.y[i], b.z[i]}), vector_of({b.nx[i], b.ny[i], b.nz[i]}), b.rank[i], b.mark[i]};
 }
 
-void expect_sound(const marks::Layer& group, bool strokes = false) {
-    const MarkClusters& m = group.clusters;
+void expect_sound(const marks::Layer& layer, bool strokes = false) {
+    const MarkClusters& m = layer.clusters;
     constexpr std::int64_t size = marks::MarkBlock::size;
-    std::vector<int> met(static_cast<std::size_t>(group.count()), 0);
+    std::vector<int> met(static_cast<std::size_t>(layer.count()), 0);
     std::int64_t blocks = 0;
     for (const Cluster& c : m.cluster) {
         ASSERT_EQ(c.block, blocks);
@@ -49,27 +50,27 @@ void expect_sound(const marks::Layer& group, bool strokes = false) {
         ASSERT_NEAR(c.cone_cosine * c.cone_cosine + c.cone_sine * c.cone_sine, 1.0F, 1e-5F);
         for (std::int64_t place = c.block * size; place < c.block * size + c.count; ++place) {
             const Placed p = placed(m, place);
-            ASSERT_LT(p.mark, group.count());
+            ASSERT_LT(p.mark, layer.count());
             const std::int64_t mark = p.mark;
             ++met[static_cast<std::size_t>(mark)];
             for (int k = 0; k < 3; ++k) {
-                ASSERT_EQ(static_cast<float>(p.position[k]), group.position[3 * mark + k]);
-                ASSERT_EQ(static_cast<float>(p.normal[k]), group.normal[3 * mark + k]);
+                ASSERT_EQ(static_cast<float>(p.position[k]), layer.position[3 * mark + k]);
+                ASSERT_EQ(static_cast<float>(p.normal[k]), layer.normal[3 * mark + k]);
             }
-            ASSERT_EQ(p.rank, group.rank[mark]);
-            if (!group.width.empty()) {
-                ASSERT_EQ(m.width[place], group.width[mark]);
+            ASSERT_EQ(p.rank, layer.rank[mark]);
+            if (!layer.width.empty()) {
+                ASSERT_EQ(m.width[place], layer.width[mark]);
             }
             if (place > c.block * size) {
                 ASSERT_LE(p.rank, placed(m, place - 1).rank);
             }
             ASSERT_LE(glm::length(p.position - vector_of(c.centre)), static_cast<double>(c.radius) + 1e-7);
             ASSERT_GE(glm::dot(p.normal, axis), static_cast<double>(c.cone_cosine));
-            ASSERT_EQ(c.set, strokes ? group.stroke[2 * mark] & 1U : 0U);
+            ASSERT_EQ(c.set, strokes ? layer.stroke[2 * mark] & 1U : 0U);
         }
     }
     ASSERT_EQ(blocks, m.block.size());
-    ASSERT_EQ(m.width.empty(), group.width.empty());
+    ASSERT_EQ(m.width.empty(), layer.width.empty());
     for (const int times : met) ASSERT_EQ(times, 1);
 }
 
@@ -122,7 +123,7 @@ TEST_F(Clusters, BearDegenerateSets) {
     expect_sound(heap.layers[0]);
     for (const Cluster& c : heap.layers[0].clusters.cluster) EXPECT_EQ(c.radius, 0.0F);
     marks::PointSet star(runtime.memory); // at one place, facing all ways
-    for (int i = 0; i < 1000; ++i) add_stipple(star, {1.0, 1.0, 1.0}, fibonacci_direction(i, 1000));
+    for (int i = 0; i < 1000; ++i) add_stipple(star, {1.0, 1.0, 1.0}, spiral_direction(i, 1000));
     marks::cluster_marks(runtime, star);
     expect_sound(star.layers[0]);
     marks::PointSet opposite(runtime.memory);
@@ -135,7 +136,7 @@ TEST_F(Clusters, BearDegenerateSets) {
     marks::cluster_marks(runtime, line);
     expect_sound(line.layers[0]);
     marks::PointSet far(runtime.memory);
-    for (int i = 0; i < 500; ++i) add_stipple(far, 1e30 * fibonacci_direction(i, 500), fibonacci_direction(i, 500));
+    for (int i = 0; i < 500; ++i) add_stipple(far, 1e30 * spiral_direction(i, 500), spiral_direction(i, 500));
     marks::cluster_marks(runtime, far);
     EXPECT_FALSE(far.layers[0].clusters.cluster.empty());
 }
@@ -174,12 +175,7 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
     marks::PointSet ends(runtime.memory); // as far from each other as floats go
     constexpr double most = std::numeric_limits<float>::max();
     for (int i = 0; i < 400; ++i)
-        add_stipple(ends,
-                    (i % 3 == 0   ? -most
-                     : i % 3 == 1 ? most
-                                  : 1e-45) *
-                        glm::dvec3(1.0),
-                    fibonacci_direction(i, 400));
+        add_stipple(ends, (i % 3 == 0 ? -most : i % 3 == 1 ? most : 1e-45) * glm::dvec3(1.0), spiral_direction(i, 400));
     marks::cluster_marks(runtime, ends);
     for (const Cluster& c : ends.layers[0].clusters.cluster) EXPECT_TRUE(std::isfinite(c.radius));
 }
@@ -209,9 +205,9 @@ struct Tangents {
 };
 
 template <class Wanted>
-double share_off(const marks::Layer& group, double largest, const Wanted& wanted) {
+double share_off(const marks::Layer& layer, double largest, const Wanted& wanted) {
     std::int64_t off = 0;
-    for (const Cluster& c : group.clusters.cluster) {
+    for (const Cluster& c : layer.clusters.cluster) {
         const Tangents t = wanted(vector_of(c.centre));
         const double error = std::max(std::abs(curvature(c, t.first) - t.first_curvature),
                                       std::abs(curvature(c, t.second) - t.second_curvature));
@@ -223,7 +219,7 @@ double share_off(const marks::Layer& group, double largest, const Wanted& wanted
         EXPECT_GE(static_cast<double>(c.bend), 0.75 * largest);
         EXPECT_LE(static_cast<double>(c.bend), 1.6 * largest); // its norm: of a sphere sqrt(2)
     }
-    return static_cast<double>(off) / static_cast<double>(group.count());
+    return static_cast<double>(off) / static_cast<double>(layer.count());
 }
 
 TEST_F(Clusters, KnowTheCurvatureOfASphere) {
@@ -254,16 +250,15 @@ TEST_F(Clusters, KnowTheCurvaturesOfATorus) {
 
 TEST_F(Clusters, AreTheSameForAnyThreadCount) {
     const auto made = [](int threads) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                  base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime other = test::with_threads(threads);
         marks::PointSet set = torus(other.memory, 60);
         add_torus_strokes(set, marks::Kind::principal, 300, 9, 0.3);
         marks::cluster_marks(other, set);
         std::vector<std::uint32_t> marks;
-        for (const marks::Layer& group : set.layers) {
-            for (const Cluster& c : group.clusters.cluster) {
+        for (const marks::Layer& layer : set.layers) {
+            for (const Cluster& c : layer.clusters.cluster) {
                 for (std::int64_t i = 0; i < c.count; ++i)
-                    marks.push_back(placed(group.clusters, c.block * marks::MarkBlock::size + i).mark);
+                    marks.push_back(placed(layer.clusters, c.block * marks::MarkBlock::size + i).mark);
                 marks.push_back(static_cast<std::uint32_t>(c.count));
             }
         }

@@ -211,23 +211,14 @@ TEST(FromArrays, AddLayersToThoseOfASet) {
 }
 
 TEST(FromArrays, EveryAllocationMayFail) {
-    struct Allocator {
-        int left;
-        static void* allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
-            if (static_cast<Allocator*>(user)->left-- <= 0) return nullptr;
-            return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-        }
-        static void deallocate(void* /*user*/, void* memory, std::uint64_t /*size*/, std::uint64_t /*alignment*/) {
-            std::free(memory);
-        }
-    };
     const Arrays arrays;
     const PointSet base = import(arrays.views());
     for (int k = 0;; ++k) {
         ASSERT_LT(k, 1000);
-        Allocator allocator{k};
-        const base::Runtime failing(Allocator::allocate, Allocator::deallocate, &allocator, base::Parallel(),
-                                    base::InstructionSet::automatic, nullptr, nullptr);
+        Allocator allocator;
+        allocator.refuse_at = k + 1;
+        allocator.refuse_after = true;
+        const base::Runtime failing = with_allocator(allocator, 1);
         try {
             const LayerArrays own = arrays.views();
             (void)from_arrays(failing, &base, {&own, 1}, 1);

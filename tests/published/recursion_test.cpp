@@ -118,7 +118,7 @@ TEST(PublishedStipples, ChildrenStandAtTheJitteredCorners) {
     EXPECT_GT(*different.rbegin(), 1.115);
 }
 
-TEST(PublishedRanks, AreUniformAndIndependentOfOtherGroups) {
+TEST(PublishedRanks, AreUniformAndIndependentOfOtherLayers) {
     const Sphere sphere;
     generate::Settings settings = recursion({Kind::stipples}, 4);
     const std::vector<double> seeds = spiral_seeds(40);

@@ -12,7 +12,7 @@ class Blend : public ::testing::Test {
 protected:
     Picture draw_marks(const Style& style, int width, int height) {
         const std::array items{item_of(set, style)};
-        frame.prepare(items, pixel_camera(width, height));
+        frame.draw(items, pixel_camera(width, height));
         Picture picture(width, height);
         raster.draw(frame.drawing(), picture.image(), {});
         return picture;
@@ -49,7 +49,7 @@ TEST_F(Blend, ADiscHasTheAreaOfItsCircleWhereverItsCentreLies) {
             set = marks::PointSet(runtime.memory);
             add_pixel_mark(set, centre.x, centre.y);
             Style style = plain_style();
-            style.group[0].radius = radius;
+            style.kind[0].radius = radius;
             const double area = draw_marks(style, 40, 40).darkness() * 1600.0;
             const double expected = pi * static_cast<double>(radius * radius);
             // The linear rim adds pi/12; small discs suffer more from the pixels' grid.
@@ -63,7 +63,7 @@ TEST_F(Blend, ATinyDiscGetsPalerInsteadOfSmaller) {
     add_pixel_mark(set, 20.5, 20.5);
     Style style = plain_style();
     for (const float radius : {0.5F, 0.25F, 0.1F, 1e-30F}) {
-        style.group[0].radius = radius;
+        style.kind[0].radius = radius;
         const Picture picture = draw_marks(style, 40, 40);
         const float alpha = 4.0F * radius * radius;
         EXPECT_EQ(picture.at(20, 20, 0), static_cast<int>(255.0F * (1.0F - alpha) + 0.5F));
@@ -75,7 +75,7 @@ TEST_F(Blend, AHugeDiscCoversEverything) {
     add_pixel_mark(set, 20.0, 20.0);
     Style style = plain_style();
     for (const float radius : {1e3F, 1e6F, 1e15F, 1e30F}) {
-        style.group[0].radius = radius;
+        style.kind[0].radius = radius;
         EXPECT_EQ(draw_marks(style, 300, 200).darkness(), 1.0) << radius;
     }
 }
@@ -84,11 +84,11 @@ TEST_F(Blend, LaterDiscsLieOverEarlierOnes) {
     add_pixel_mark(set, 20.5, 20.5, 1.0); // id 1, behind
     add_pixel_mark(set, 20.5, 20.5, 0.0);
     Style far_style = plain_style();
-    far_style.group[0].ink = {1.0F, 0.0F, 0.0F, 1.0F};
+    far_style.kind[0].ink = {1.0F, 0.0F, 0.0F, 1.0F};
     const Picture same = draw_marks(far_style, 40, 40);
     EXPECT_EQ(same.at(20, 20, 0), 255);
     Style half = plain_style();
-    half.group[0].ink = {0.0F, 0.0F, 0.0F, 0.5F};
+    half.kind[0].ink = {0.0F, 0.0F, 0.0F, 0.5F};
     EXPECT_EQ(draw_marks(half, 40, 40).at(20, 20, 0), 64); // 255 / 4, rounded
 }
 
@@ -100,9 +100,9 @@ TEST_F(Blend, EqualsThePlainReference) {
     set.spacing = 6.0;
     Style style;
     style.tone = frame::Tone::none;
-    style.group[0].ink = {0.1F, 0.2F, 0.6F, 0.8F};
+    style.kind[0].ink = {0.1F, 0.2F, 0.6F, 0.8F};
     for (const float radius : {0.3F, 1.7F, 9.0F}) {
-        style.group[0].radius = radius;
+        style.kind[0].radius = radius;
         for (const glm::vec4 paper : {glm::vec4(1.0F), glm::vec4(0.9F, 0.8F, 0.7F, 0.5F), glm::vec4(0.0F)}) {
             style.paper = paper;
             style.attenuation_front = 0.4;
@@ -120,12 +120,12 @@ TEST_F(Blend, TransparentPaperErases) {
     set.spacing = 1.0;
     Style style;
     style.tone = frame::Tone::none;
-    style.group[0].radius = 2.0F;
+    style.kind[0].radius = 2.0F;
     style.paper = glm::vec4(0.0F);
     // Near marks are not inked: all but the first are light.
     set.layers[0].rank[0] = 0.999F;
     for (std::int64_t i = 1; i < set.layers[0].count(); ++i) set.layers[0].rank[i] = 0.1F;
-    style.group[0].share = 0.01F;
+    style.kind[0].share = 0.01F;
     style.attenuation_front = 0.0;
     EXPECT_EQ(draw_marks(style, 40, 40).at(20, 20, 3), 255);
     style.attenuation_front = 1.0;
@@ -141,9 +141,8 @@ TEST_F(Blend, SameBitsForAnyThreadCount) {
     const std::array items{item_of(ball, Style{})};
     std::vector<std::byte> expected;
     for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                  base::InstructionSet::automatic, nullptr, nullptr);
-        const Picture picture = draw(other, items, front_camera(333, 222), 333, 222);
+        const base::Runtime other = test::with_threads(threads);
+        const Picture picture = picture_of(other, items, front_camera(333, 222), 333, 222);
         if (expected.empty()) expected = picture.bytes;
         EXPECT_EQ(picture.bytes, expected) << threads;
     }
@@ -157,10 +156,10 @@ TEST_F(Blend, AllocatesNothingOnceWarm) {
     DrawnFrame counted_frame(counted);
     output::Raster counted_raster(counted);
     Picture picture(200, 200);
-    counted_frame.prepare(items, front_camera(200, 200));
+    counted_frame.draw(items, front_camera(200, 200));
     counted_raster.draw(counted_frame.drawing(), picture.image(), {});
     const std::int64_t warm = counter.calls;
-    counted_frame.prepare(items, front_camera(200, 200));
+    counted_frame.draw(items, front_camera(200, 200));
     counted_raster.draw(counted_frame.drawing(), picture.image(), {});
     EXPECT_EQ(counter.calls, warm);
 }

@@ -29,21 +29,22 @@ marks::PointSet patch(const base::Runtime& runtime, std::int64_t marks) {
 Style toned(double tau) {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
-    style.silhouette_groups = 0;
+    style.contour_kinds = 0;
     style.light = {std::sqrt(1.0 - tau * tau), 0.0, tau};
     return style;
 }
 
 class Coverage : public ::testing::Test {
 protected:
-    void prepare(const marks::PointSet& set, const Style& style, const frame::Camera& camera) {
+    void draw(const marks::PointSet& set, const Style& style, const frame::Camera& camera) {
         const std::array items{layered_item(set, style)};
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
     }
     // Of the picture's middle.
     double covered(const marks::PointSet& set, const Style& style, double half) {
         const std::array items{layered_item(set, style)};
-        return draw(runtime, items, front_camera(size, size, half), size, size).darkness(20, 20, size - 20, size - 20);
+        return picture_of(runtime, items, front_camera(size, size, half), size, size)
+            .darkness(20, 20, size - 20, size - 20);
     }
     // Area of each mark's ink over that of a full one.
     std::vector<double> areas(std::int64_t marks, double radius) const {
@@ -76,7 +77,7 @@ TEST_F(Coverage, IsTheToneForMarksOfAnySizeAtAnyZoomAndBudget) {
                     for (const double coverage : {0.05, 0.15, 0.3, 0.45}) {
                         if (!enough(budget, half, radius, coverage)) continue;
                         Style style = toned(1.0 - coverage);
-                        style.group[0].radius = radius;
+                        style.kind[0].radius = radius;
                         style.tone_fade = fade;
                         EXPECT_NEAR(covered(set, style, half), coverage, 0.03)
                             << budget << " " << half << " " << radius << " " << fade;
@@ -95,7 +96,7 @@ TEST_F(Coverage, IsTheToneWhereItIsDarkToo) {
         for (const double coverage : {0.6, 0.7, 0.8, 0.9}) {
             ASSERT_TRUE(enough(60000, 0.8, radius, coverage));
             Style style = toned(1.0 - coverage);
-            style.group[0].radius = radius;
+            style.kind[0].radius = radius;
             style.tone_fade = 0.0F;
             EXPECT_NEAR(covered(set, style, 0.8), coverage, 0.04) << radius;
         }
@@ -106,11 +107,11 @@ TEST_F(Coverage, OfATiltedPatchIsTheToneToo) {
     const marks::PointSet set = patch(runtime, 60000);
     for (const double tilt : {0.4, 0.8, 1.1}) {
         Style style = toned(0.5);
-        style.group[0].radius = 1.5F;
+        style.kind[0].radius = 1.5F;
         style.light_space = frame::LightSpace::world;
         const std::array items{layered_item(set, style)};
         const frame::Camera camera = camera_from({0.0, -std::sin(tilt), std::cos(tilt)}, size, 0.8);
-        const Picture picture = draw(runtime, items, camera, size, size);
+        const Picture picture = picture_of(runtime, items, camera, size, size);
         EXPECT_NEAR(picture.darkness(150, 190, 250, 210), 0.5, 0.06) << tilt;
     }
 }
@@ -119,7 +120,7 @@ TEST_F(Coverage, WithoutMarksEnoughAllAreShown) {
     const marks::PointSet set = patch(runtime, 4000);
     Style style = toned(0.1);
     style.tone_fade = 0.0F;
-    prepare(set, style, front_camera(size, size, 1.1));
+    draw(set, style, front_camera(size, size, 1.1));
     EXPECT_EQ(frame.info().shown, set.layers[0].count());
     EXPECT_EQ(frame.info().dropped_tone, 0);
 }
@@ -129,7 +130,7 @@ TEST_F(Coverage, TonesGetPalerTogetherWhereMarksAreFew) {
     const auto shown_at = [&](double coverage) {
         Style style = toned(1.0 - coverage);
         style.tone_fade = 0.0F;
-        prepare(set, style, front_camera(size, size, 1.1));
+        draw(set, style, front_camera(size, size, 1.1));
         return static_cast<double>(frame.info().shown);
     };
     const double all = static_cast<double>(set.layers[0].count());
@@ -148,7 +149,7 @@ TEST_F(Coverage, ZoomingInNeverRemovesAMarkNorItsInk) {
             std::vector<double> before(static_cast<std::size_t>(set->layers[0].count()) + 1, 0.0);
             std::int64_t drawn = 0;
             for (double half = 2.0; half > 0.1; half /= 1.07) {
-                prepare(*set, style, front_camera(size, size, half));
+                draw(*set, style, front_camera(size, size, half));
                 const std::vector<double> now = areas(set->layers[0].count(), 1.0);
                 for (std::int64_t i = 0; i < set->layers[0].count(); ++i) {
                     const glm::dvec3 p = mark_of(*set, i).position;
@@ -187,7 +188,7 @@ TEST_F(Coverage, SmallChangesOfLightChangeInkOnlyALittle) {
             style.tone_curve = curve;
             style.tone_fade = static_cast<float>(fade);
             style.light = light(0.004 * step);
-            prepare(set, style, camera);
+            draw(set, style, camera);
             const std::vector<double> now = areas(set.layers[0].count(), 1.0);
             for (std::int64_t i = 0; step > 0 && i < set.layers[0].count(); ++i) {
                 const Mark mark = mark_of(set, i);
@@ -205,7 +206,7 @@ TEST_F(Coverage, SmallChangesOfLightChangeInkOnlyALittle) {
             before = now;
             // The same again has the same bits.
             const std::vector<Disc> discs(frame.discs().begin(), frame.discs().end());
-            prepare(set, style, camera);
+            draw(set, style, camera);
             ASSERT_EQ(frame.discs().size(), discs.size());
             for (std::size_t i = 0; i < discs.size(); ++i) {
                 ASSERT_EQ(frame.discs()[i].id, discs[i].id);
@@ -219,12 +220,12 @@ TEST_F(Coverage, FadesOnlyIfAskedTo) {
     const marks::PointSet set = patch(runtime, 20000);
     Style style = toned(0.6);
     style.tone_fade = 0.0F;
-    style.group[0].radius = 1.25F;
-    prepare(set, style, front_camera(size, size));
+    style.kind[0].radius = 1.25F;
+    draw(set, style, front_camera(size, size));
     EXPECT_GT(frame.discs().size(), 1000U);
     for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.radius, 1.25F);
     style.tone_fade = 0.25F;
-    prepare(set, style, front_camera(size, size));
+    draw(set, style, front_camera(size, size));
     std::array<std::int64_t, 4> quarters{}; // of the area
     for (const Disc& disc : frame.discs()) {
         const float area = disc.radius * disc.radius / (1.25F * 1.25F);
@@ -241,7 +242,7 @@ TEST_F(Coverage, LinearShowsTheShareOfTheMarks) {
         Style style = toned(tau);
         style.tone_curve = ToneCurve::linear;
         style.tone_fade = 0.0F;
-        prepare(set, style, front_camera(size, size));
+        draw(set, style, front_camera(size, size));
         EXPECT_NEAR(static_cast<double>(frame.info().shown), (1.0 - tau) * 20000.0, 30.0);
         EXPECT_EQ(frame.info().shown + frame.info().dropped_tone + frame.info().culled, frame.info().marks);
     }

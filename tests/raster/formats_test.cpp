@@ -10,7 +10,7 @@ namespace {
 using output::DrawSettings;
 using output::Format;
 
-constexpr int width = 150; // a few tiles of either painting
+constexpr int width = 150; // a few tiles of either way to draw
 constexpr int height = 110;
 
 double decoded(double e) { return e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4); }
@@ -24,19 +24,19 @@ class Formats : public ::testing::TestWithParam<Case> {
 protected:
     Formats() { settings.linear_light = GetParam().linear; }
 
-    void prepare(const glm::vec4& paper) {
+    void draw(const glm::vec4& paper) {
         Style style;
         style.paper = paper;
         style.attenuation_front = 0.4;
         style.splat_overlap = 2.0F;
-        style.group[0].radius = 1.6F;
-        style.group[0].ink = {0.2F, 0.5F, 0.1F, 0.8F};
-        style.silhouette_ink = style.group[0].ink;
+        style.kind[0].radius = 1.6F;
+        style.kind[0].ink = {0.2F, 0.5F, 0.1F, 0.8F};
+        style.silhouette_ink = style.kind[0].ink;
         if (GetParam().many) style.silhouette_ink = {0.9F, 0.1F, 0.3F, 0.9F};
         const std::array items{GetParam().published ? item_of(set, style) : layered_item(set, style)};
         frame::Camera camera = front_camera(width, height, 1.5);
         camera.view = frame::look_at({0.0, -8.0, 5.0}, glm::dvec3(0.0), {0, 0, 1});
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
     }
     Picture draw_as(Format format, bool over = false) {
         Picture picture(width, height, format);
@@ -77,7 +77,7 @@ constexpr glm::vec4 papers[] = {{1.0F, 1.0F, 1.0F, 1.0F}, {0.9F, 0.8F, 0.3F, 0.5
 
 TEST_P(Formats, FloatsRoundToTheBytes) {
     for (const glm::vec4& paper : papers) {
-        prepare(paper);
+        draw(paper);
         const Picture bytes = draw_as(Format::rgba8, GetParam().over);
         const Picture floats = draw_as(Format::rgba32f, GetParam().over);
         int between = 0;
@@ -96,7 +96,7 @@ TEST_P(Formats, FloatsRoundToTheBytes) {
 
 TEST_P(Formats, PremultipliedFloatsAreStraightOnesTimesAlpha) {
     for (const glm::vec4& paper : papers) {
-        prepare(paper);
+        draw(paper);
         const Picture straight = draw_as(Format::rgba32f, GetParam().over);
         const Picture premultiplied = draw_as(Format::rgba32f_premultiplied, GetParam().over);
         for (int y = 0; y < height; ++y) {
@@ -114,7 +114,7 @@ TEST_P(Formats, PremultipliedFloatsAreStraightOnesTimesAlpha) {
 // The drawing on transparent paper, laid over what was there by the plain law.
 TEST_P(Formats, OverIsTheLawOfOver) {
     if (!GetParam().over) return;
-    prepare(papers[2]);
+    draw(papers[2]);
     const Picture layer = draw_as(Format::rgba32f_premultiplied);
     const Picture over = draw_as(Format::rgba32f, true);
     const bool linear = GetParam().linear;
@@ -139,10 +139,10 @@ TEST_P(Formats, OverIsTheLawOfOver) {
 
 // How much ink there is, whatever the paper and in any light.
 TEST_P(Formats, CoverageIsTheAlphaOfTheDrawingOnTransparentPaper) {
-    prepare(papers[2]);
+    draw(papers[2]);
     const Picture layer = draw_as(Format::rgba32f);
     for (const glm::vec4& paper : papers) {
-        prepare(paper);
+        draw(paper);
         const Picture coverage = draw_as(Format::coverage8, GetParam().over);
         int inked = 0;
         for (int y = 0; y < height; ++y) {
@@ -158,7 +158,7 @@ TEST_P(Formats, CoverageIsTheAlphaOfTheDrawingOnTransparentPaper) {
 }
 
 TEST_P(Formats, RowsMayBePadded) {
-    prepare(papers[1]);
+    draw(papers[1]);
     for (const Format format : {Format::coverage8, Format::rgba32f}) {
         const Picture expected = draw_as(format);
         const std::int64_t row = output::bytes_of_pixel(format) * width;

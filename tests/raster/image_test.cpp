@@ -19,9 +19,9 @@ constexpr int height = 70;
 
 class ImageTest : public ::testing::Test {
 protected:
-    void prepare(const Style& style, const frame::Camera& camera = front_camera(width, height)) {
+    void draw(const Style& style, const frame::Camera& camera = front_camera(width, height)) {
         const std::array items{item_of(set, style)};
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
     }
     Picture draw_as(Format format) {
         Picture picture(width, height, format);
@@ -38,8 +38,8 @@ protected:
 TEST_F(ImageTest, FormatsDifferInOrderAndInMultiplication) {
     Style style;
     style.paper = {1.0F, 0.9F, 0.2F, 0.6F};
-    style.group[0].ink = {0.9F, 0.1F, 0.3F, 0.7F};
-    prepare(style);
+    style.kind[0].ink = {0.9F, 0.1F, 0.3F, 0.7F};
+    draw(style);
     const Picture straight = draw_as(Format::rgba8);
     const Picture premultiplied = draw_as(Format::rgba8_premultiplied);
     const Picture bgra = draw_as(Format::bgra8);
@@ -59,7 +59,7 @@ TEST_F(ImageTest, FormatsDifferInOrderAndInMultiplication) {
 }
 
 TEST_F(ImageTest, RowsMayBePaddedOrRunUpward) {
-    prepare(Style{});
+    draw(Style{});
     const Picture expected = draw_as(Format::rgba8);
     for (const std::int64_t stride :
          {std::int64_t{4 * width + 12}, std::int64_t{-4 * width}, std::int64_t{-4 * width - 8}}) {
@@ -79,13 +79,13 @@ TEST_F(ImageTest, RowsMayBePaddedOrRunUpward) {
 }
 
 TEST_F(ImageTest, AViewportShiftsThePictureAndLeavesTheRestAlone) {
-    prepare(Style{});
+    draw(Style{});
     const Picture expected = draw_as(Format::rgba8);
     for (const glm::ivec2 at :
          {glm::ivec2(13, 7), glm::ivec2(-20, -31), glm::ivec2(60, 50), glm::ivec2(-500, 0), glm::ivec2(0, 5000)}) {
         frame::Camera camera = front_camera(width, height);
         camera.viewport = {at.x, at.y, width, height};
-        prepare(Style{}, camera);
+        draw(Style{}, camera);
         Picture picture(100, 80);
         std::fill(picture.bytes.begin(), picture.bytes.end(), std::byte{0x5A});
         raster.draw(frame.drawing(), picture.image(), {});
@@ -104,8 +104,8 @@ TEST_F(ImageTest, AViewportShiftsThePictureAndLeavesTheRestAlone) {
 TEST_F(ImageTest, OverLaysTheDrawingOnWhatIsThere) {
     Style style;
     style.paper = glm::vec4(0.0F);
-    style.group[0].ink = {0.0F, 0.0F, 0.0F, 0.5F};
-    prepare(style);
+    style.kind[0].ink = {0.0F, 0.0F, 0.0F, 0.5F};
+    draw(style);
     const Picture layer = draw_as(Format::rgba8);
     DrawSettings over;
     over.over = true;
@@ -136,7 +136,7 @@ TEST_F(ImageTest, OverLaysTheDrawingOnWhatIsThere) {
 TEST_F(ImageTest, OverNothingIsTheLayerItself) {
     Style style;
     style.paper = glm::vec4(0.0F);
-    prepare(style);
+    draw(style);
     const Picture layer = draw_as(Format::rgba8);
     Picture picture(width, height);
     DrawSettings over;
@@ -161,12 +161,12 @@ TEST_F(ImageTest, OutputsTellTheNearestSurfaceAndTheTopmostMark) {
     style.tone = frame::Tone::none;
     style.splat_radius = 3.0F;
     style.halo_width = 1.0F;
-    style.group[0].radius = 3.0F;
+    style.kind[0].radius = 3.0F;
     for (const auto convention : {drawing::DepthConvention::zero_to_one, drawing::DepthConvention::reversed}) {
         frame::Camera camera = pixel_camera(width, height);
         camera.depth = convention;
         camera.projection = frame::orthographic(height, width, height, 0.0, 20.0, convention);
-        prepare(style, camera);
+        draw(style, camera);
         std::vector<float> depth(width * height, -7.0F);
         std::vector<std::uint32_t> id(width * height, 77);
         std::vector<std::uint8_t> mark_class(width * height, 77);
@@ -200,7 +200,7 @@ TEST_F(ImageTest, OutputsTellTheNearestSurfaceAndTheTopmostMark) {
 TEST_F(ImageTest, OutputsOutsideTheViewportStayUntouched) {
     frame::Camera camera = front_camera(20, 20);
     camera.viewport.x = 10.0;
-    prepare(Style{}, camera);
+    draw(Style{}, camera);
     std::vector<std::uint32_t> mark_class(width * height, 77);
     DrawSettings settings;
     settings.mark_class = out_view(mark_class, base::Scalar::uint32);
@@ -216,12 +216,12 @@ TEST_F(ImageTest, TheHostsDepthHidesMarksPixelByPixel) {
     set = marks::PointSet(runtime.memory);
     add_pixel_mark(set, 45.0, 35.0);
     Style style = plain_style();
-    style.group[0].radius = 20.0F;
+    style.kind[0].radius = 20.0F;
     for (const auto convention : {drawing::DepthConvention::zero_to_one, drawing::DepthConvention::reversed}) {
         frame::Camera camera = pixel_camera(width, height);
         camera.depth = convention;
         camera.projection = frame::orthographic(height, width, height, 0.0, 20.0, convention);
-        prepare(style, camera); // the mark is half-way
+        draw(style, camera); // the mark is half-way
         const bool reversed = convention == drawing::DepthConvention::reversed;
         std::vector<float> host(width * height);
         for (std::size_t i = 0; i < host.size(); ++i) {
@@ -244,7 +244,7 @@ TEST_F(ImageTest, TheHostsDepthHidesMarksPixelByPixel) {
 }
 
 TEST_F(ImageTest, AOnePixelImageIsFine) {
-    prepare(Style{}, front_camera(1, 1));
+    draw(Style{}, front_camera(1, 1));
     Picture picture(1, 1);
     raster.draw(frame.drawing(), picture.image(), {});
     EXPECT_EQ(picture.at(0, 0, 3), 255);

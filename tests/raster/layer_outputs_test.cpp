@@ -33,7 +33,7 @@ protected:
     }
     void draw(const Style& style, const glm::dmat4& transform = glm::dmat4(1.0)) {
         const std::array items{layered_item(set, style, transform)};
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
         Picture picture(size, size);
         output::Raster(runtime).draw(frame.drawing(), picture.image(), settings);
     }
@@ -83,14 +83,14 @@ TEST_P(LayerOutputs, TellAnInnerSideAndAContour) {
     // The near half is taken away: the far half's inner side is seen.
     marks::PointSet bowl(runtime.memory);
     for (int i = 0; i < 40000; ++i) {
-        const glm::dvec3 n = fibonacci_direction(i, 40000);
+        const glm::dvec3 n = spiral_direction(i, 40000);
         const glm::dvec3 turned(n.x, n.y, -std::abs(n.z));
         if (n.z < 0.0) add_stipple(bowl, turned, turned);
     }
     bowl.spacing = std::sqrt(4.0 * pi / 40000.0);
     set = clustered(runtime, std::move(bowl));
     Style style = all_front(frame::HiddenLines::hide);
-    style.silhouette_groups = 1;
+    style.contour_kinds = 1;
     style.halo_width = 0.0F;
     draw(style);
     const auto at = [](double x, double y) {

@@ -129,8 +129,8 @@ protected:
     void add_marks(double radius, const glm::dvec4& color, int count, int lane) {
         sets.emplace_back(runtime.memory);
         Style style = bare_style();
-        style.group[0].radius = static_cast<float>(radius);
-        style.group[0].ink = glm::vec4(color);
+        style.kind[0].radius = static_cast<float>(radius);
+        style.kind[0].ink = glm::vec4(color);
         for (int i = 0; i < count; ++i) {
             const auto u = base::uniform4(static_cast<std::uint64_t>(lane), static_cast<std::uint64_t>(i),
                                           base::Purpose::candidate);
@@ -143,7 +143,7 @@ protected:
             const float at = sets.back().layers[0].position[3 * i];
             const float down = -sets.back().layers[0].position[3 * i + 1];
             known.push_back({static_cast<double>(at), static_cast<double>(down), 8.0 * u[2],
-                             static_cast<double>(style.group[0].radius), glm::dvec4(style.group[0].ink),
+                             static_cast<double>(style.kind[0].radius), glm::dvec4(style.kind[0].ink),
                              (10.0 + 8.0 * u[2]) / 20.0});
         }
         marks::cluster_marks(runtime, sets.back());
@@ -164,17 +164,17 @@ protected:
             ++lane;
         }
     }
-    void prepare(const glm::vec4& paper, DepthConvention convention = DepthConvention::zero_to_one) {
+    void draw(const glm::vec4& paper, DepthConvention convention = DepthConvention::zero_to_one) {
         std::vector<frame::Item> items;
         for (std::size_t i = 0; i < sets.size(); ++i) {
             styles[i].paper = paper;
-            styles[i].silhouette_ink = styles[i].group[0].ink;
+            styles[i].silhouette_ink = styles[i].kind[0].ink;
             items.push_back(layered_item(sets[i], styles[i]));
         }
         frame::Camera camera = pixel_camera(width, height);
         camera.depth = convention;
         camera.projection = frame::orthographic(height, width, height, 0.0, 20.0, convention);
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
     }
     void expect_known(const Wanted& wanted, Format format, const char* what) {
         Picture picture(width, height, format);
@@ -202,7 +202,7 @@ constexpr glm::vec4 papers[] = {{1.0F, 1.0F, 1.0F, 1.0F}, {0.9F, 0.8F, 0.5F, 0.4
 TEST_F(LayerRaster, EqualsThePlainReferenceInOneColour) {
     add_one_color();
     for (const glm::vec4& paper : papers) {
-        prepare(paper);
+        draw(paper);
         ASSERT_TRUE(frame.drawing().one_color);
         for (const Format format : formats) {
             expect_known({paper, {false}, nullptr, nullptr}, format, "encoded");
@@ -214,7 +214,7 @@ TEST_F(LayerRaster, EqualsThePlainReferenceInOneColour) {
 TEST_F(LayerRaster, EqualsThePlainReferenceInManyColoursFromFarToNear) {
     add_colors();
     for (const glm::vec4& paper : papers) {
-        prepare(paper);
+        draw(paper);
         ASSERT_FALSE(frame.drawing().one_color);
         for (const Format format : formats) {
             expect_known({paper, {false}, nullptr, nullptr}, format, "encoded");
@@ -226,7 +226,7 @@ TEST_F(LayerRaster, EqualsThePlainReferenceInManyColoursFromFarToNear) {
 TEST_F(LayerRaster, LaysTheDrawingOverWhatIsThere) {
     add_colors();
     for (const glm::vec4& paper : papers) {
-        prepare(paper);
+        draw(paper);
         for (const Format format : formats) {
             Picture under(width, height, format);
             for (std::size_t i = 0; i < under.bytes.size(); i += 4) {
@@ -252,7 +252,7 @@ TEST_F(LayerRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
             add_one_color();
         for (const auto convention :
              {DepthConvention::negative_one_to_one, DepthConvention::zero_to_one, DepthConvention::reversed}) {
-            prepare(papers[1], convention);
+            draw(papers[1], convention);
             std::vector<float> host;   // in the convention
             std::vector<float> ascend; // rising away from the eye
             for (int i = 0; i < width * height; ++i) {
@@ -284,17 +284,17 @@ TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
         for (const bool many : {false, true}) {
             Style style;
             style.paper = paper;
-            style.group[0].radius = 1.3F;
+            style.kind[0].radius = 1.3F;
             style.attenuation_front = 0.3;
             style.attenuation_back = 0.2;
             style.splat_overlap = 2.0F; // so that hidden ink is seen
             if (many) style.silhouette_ink = {0.9F, 0.2F, 0.1F, 0.8F};
             Style other = style;
-            if (many) other.group[0].ink = {0.1F, 0.6F, 0.2F, 0.7F};
+            if (many) other.kind[0].ink = {0.1F, 0.6F, 0.2F, 0.7F};
             const std::array items{layered_item(ball, style), layered_item(ring, other)};
             frame::Camera camera = front_camera(width, height);
             camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
-            frame.prepare(items, camera);
+            frame.draw(items, camera);
             EXPECT_EQ(frame.drawing().one_color, !many);
             Picture picture(width, height);
             raster.draw(frame.drawing(), picture.image(), {});
@@ -310,12 +310,12 @@ TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
 TEST_F(LayerRaster, DiscsAreThoseThatTheInfoCounts) {
     const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     Style style;
-    style.group[0].radius = 1.3F;
+    style.kind[0].radius = 1.3F;
     const std::array items{layered_item(ring, style)};
     for (const double half : {0.6, 0.9, 1.25}) {
         frame::Camera camera = front_camera(width, height, half);
         camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
         EXPECT_EQ(static_cast<std::int64_t>(frame.discs().size()), frame.info().shown) << half;
     }
 }
@@ -327,7 +327,7 @@ TEST_F(LayerRaster, SameBitsForAnyThreadCountAndInstructionSet) {
         const marks::PointSet ball = clustered(other, sphere(other.memory, 20000));
         const marks::PointSet ring = clustered(other, torus(other.memory, 90));
         Style style;
-        style.group[0].radius = 1.7F;
+        style.kind[0].radius = 1.7F;
         style.attenuation_front = 0.3;
         style.splat_overlap = 2.0F;
         if (many) style.silhouette_ink = {0.9F, 0.2F, 0.1F, 0.8F};
@@ -336,7 +336,7 @@ TEST_F(LayerRaster, SameBitsForAnyThreadCountAndInstructionSet) {
         frame::Camera camera = front_camera(333, 222);
         camera.projection = frame::perspective(0.3, 333, 222, 1.0, 30.0, camera.depth);
         camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
-        own.prepare(items, camera);
+        own.draw(items, camera);
         Picture picture(333, 222);
         DrawSettings settings;
         settings.linear_light = linear;
@@ -356,7 +356,7 @@ TEST_F(LayerRaster, SameBitsForAnyThreadCountAndInstructionSet) {
 
 TEST_F(LayerRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
     add_colors();
-    prepare(papers[0]);
+    draw(papers[0]);
     Picture expected(width, height);
     raster.draw(frame.drawing(), expected.image(), {});
     for (const glm::ivec2 at : {glm::ivec2(13, 7), glm::ivec2(-20, -31), glm::ivec2(160, 120), glm::ivec2(-500, 0)}) {
@@ -364,7 +364,7 @@ TEST_F(LayerRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
         for (std::size_t i = 0; i < sets.size(); ++i) items.push_back(layered_item(sets[i], styles[i]));
         frame::Camera camera = pixel_camera(width, height);
         camera.viewport = {at.x, at.y, width, height};
-        frame.prepare(items, camera);
+        frame.draw(items, camera);
         Picture picture(220, 170);
         std::fill(picture.bytes.begin(), picture.bytes.end(), std::byte{0x5A});
         raster.draw(frame.drawing(), picture.image(), {});
@@ -402,7 +402,7 @@ TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
             camera.view =
                 frame::look_at({8.0 * std::sin(angle), 3.0, 8.0 * std::cos(angle)}, glm::dvec3(0.0), {0, 1, 0});
             camera.projection = frame::perspective(0.4, 240, 240, 1.0, 20.0, camera.depth);
-            own.prepare(step % 2 == 0 ? items : colored, camera);
+            own.draw(step % 2 == 0 ? items : colored, camera);
             own_raster.draw(own.drawing(), picture.image(), settings);
             ASSERT_FALSE(own.discs().empty());
         }

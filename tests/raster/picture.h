@@ -6,6 +6,7 @@
 #include "output/raster/raster.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -66,10 +67,10 @@ struct Picture {
 };
 
 // One draw with fresh scratch.
-inline Picture draw(const base::Runtime& runtime, std::span<const frame::Item> items, const frame::Camera& camera,
-                    int width, int height, drawing::Counts* info = nullptr) {
+inline Picture picture_of(const base::Runtime& runtime, std::span<const frame::Item> items, const frame::Camera& camera,
+                          int width, int height, drawing::Counts* info = nullptr) {
     DrawnFrame frame(runtime);
-    frame.prepare(items, camera);
+    frame.draw(items, camera);
     Picture picture(width, height);
     output::Raster raster(runtime);
     raster.draw(frame.drawing(), picture.image(), {});

@@ -21,7 +21,7 @@ TEST_P(Presets, DrawATorus) {
                                                    drawing::DepthConvention::negative_one_to_one);
     const std::array items{item_of(set, preset.style)};
     drawing::Counts info;
-    const Picture picture = draw(runtime, items, camera, 900, 700, &info);
+    const Picture picture = picture_of(runtime, items, camera, 900, 700, &info);
     picture.keep(std::string("torus-") + preset.name);
     EXPECT_GT(info.shown, 1000);
 }
@@ -30,7 +30,7 @@ TEST_P(Presets, DrawASphere) {
     const marks::PointSet set = sphere(runtime.memory, 30000);
     const frame::Preset preset = frame::preset(GetParam());
     const std::array items{item_of(set, preset.style)};
-    const Picture picture = draw(runtime, items, front_camera(600, 600), 600, 600);
+    const Picture picture = picture_of(runtime, items, front_camera(600, 600), 600, 600);
     picture.keep(std::string("sphere-") + preset.name);
     // 240 pixels around the centre.  The light comes from the upper left.
     const double light = picture.darkness(150, 150, 300, 300);

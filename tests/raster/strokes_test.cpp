@@ -199,7 +199,7 @@ protected:
         style.tone_fade = 0.0F;
         style.layers = styles;
         const std::array items{layered_item(set, style)};
-        frame.prepare(items, pixel_camera(width, height));
+        frame.draw(items, pixel_camera(width, height));
         raster.draw(frame.drawing(), picture.image(), {});
     }
     void clear() {
@@ -372,7 +372,7 @@ TEST_F(StrokePicture, SameBitsForAnyThreadCountAndInstructionSet) {
         DrawnFrame own(other);
         frame::Camera camera = front_camera(333, 222, 1.6);
         camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
-        own.prepare(items, camera);
+        own.draw(items, camera);
         EXPECT_GT(own.drawing().strokes.size(), 100);
         Picture made(333, 222);
         output::Raster(other).draw(own.drawing(), made.image(), {});
@@ -410,7 +410,7 @@ TEST_F(StrokePicture, AllocatesNothingOnceWarm) {
             camera.view =
                 frame::look_at({8.0 * std::sin(angle), 3.0, 8.0 * std::cos(angle)}, glm::dvec3(0.0), {0, 1, 0});
             camera.projection = frame::perspective(0.4, 240, 240, 1.0, 20.0, camera.depth);
-            own.prepare(items, camera);
+            own.draw(items, camera);
             own_raster.draw(own.drawing(), own_picture.image(), {});
             ASSERT_GT(own.drawing().strokes.size(), 100);
         }

@@ -14,7 +14,7 @@ Style inked(HiddenLines hidden_lines) {
     Style style;
     style.hidden_lines = hidden_lines;
     style.tone = frame::Tone::none;
-    style.group[0].radius = 1.2F;
+    style.kind[0].radius = 1.2F;
     return style;
 }
 
@@ -26,8 +26,8 @@ protected:
         shown.hidden_lines = HiddenLines::show;
         const std::array with{item_of(set, style)};
         const std::array without{item_of(set, shown)};
-        return draw(runtime, with, camera, size, size).darkness() /
-               draw(runtime, without, camera, size, size).darkness();
+        return picture_of(runtime, with, camera, size, size).darkness() /
+               picture_of(runtime, without, camera, size, size).darkness();
     }
 
     base::Runtime runtime;
@@ -51,7 +51,7 @@ TEST_F(Wash, ASphereKeepsItsInkAndItsContour) {
         // All ink, and the contour alone.  The far half of the contour's band lies under the near one.
         Style style = inked(HiddenLines::attenuate);
         EXPECT_GT(kept(set, front_camera(500, 500), style, 500), 0.97) << count;
-        style.group[0].shown = false;
+        style.kind[0].shown = false;
         EXPECT_GT(kept(set, front_camera(500, 500), style, 500), 0.94) << count;
         style.silhouette_threshold = 0.08;
         EXPECT_GT(kept(set, front_camera(500, 500), style, 500), 0.93) << count;
@@ -69,8 +69,8 @@ TEST_F(Wash, AScaledMirroredAndTurnedSphereKeepsItsInk) {
     const std::array with{item_of(set, style, transform)};
     style.hidden_lines = HiddenLines::show;
     const std::array without{item_of(set, style, transform)};
-    const double dark = draw(runtime, without, front_camera(400, 400), 400, 400).darkness();
-    EXPECT_GT(draw(runtime, with, front_camera(400, 400), 400, 400).darkness(), 0.97 * dark);
+    const double dark = picture_of(runtime, without, front_camera(400, 400), 400, 400).darkness();
+    EXPECT_GT(picture_of(runtime, with, front_camera(400, 400), 400, 400).darkness(), 0.97 * dark);
 }
 
 // A turn about z, so that the marks of two layers do not lie in the same lattice.
@@ -86,9 +86,9 @@ glm::dmat4 turned(double angle, double z) {
 double darkness_behind(const base::Runtime& runtime, const Style& style, double gap, int side) {
     const marks::PointSet set = plane(runtime.memory, side);
     Style paper_only = style;
-    paper_only.group[0].share = 0.0F;
+    paper_only.kind[0].share = 0.0F;
     const std::array items{item_of(set, style, turned(0.4, -gap)), item_of(set, paper_only)};
-    const Picture picture = draw(runtime, items, front_camera(300, 300), 300, 300);
+    const Picture picture = picture_of(runtime, items, front_camera(300, 300), 300, 300);
     return picture.darkness(50, 50, 250, 250);
 }
 
@@ -116,11 +116,11 @@ TEST_F(Wash, EveryLayerAttenuatesOnceMore) {
     style.attenuation_front = 0.3;
     style.splat_overlap = 2.0F;
     Style paper_only = style;
-    paper_only.group[0].share = 0.0F;
+    paper_only.kind[0].share = 0.0F;
     std::vector<frame::Item> items{item_of(set, style)};
     double before = 0.0;
     for (int layers = 0; layers < 4; ++layers) {
-        const double darkness = draw(runtime, items, front_camera(300, 300), 300, 300).darkness(50, 50, 250, 250);
+        const double darkness = picture_of(runtime, items, front_camera(300, 300), 300, 300).darkness(50, 50, 250, 250);
         if (layers > 0) {
             EXPECT_NEAR(darkness / before, 0.49, 0.04);
         }
@@ -135,15 +135,15 @@ TEST_F(Wash, AHaloSurroundsWhatIsInFront) {
     const marks::PointSet wall = plane(runtime.memory, 100);
     Style style = inked(HiddenLines::attenuate);
     Style blank = style;
-    blank.group[0].share = 0.0F;
-    blank.silhouette_groups = 0;
+    blank.kind[0].share = 0.0F;
+    blank.contour_kinds = 0;
     blank.splat_radius = 1.0F;
     glm::dmat4 behind(1.0);
     behind[3][2] = -2.0;
     const auto ring = [&](float halo) {
         blank.halo_width = halo;
         const std::array items{item_of(wall, style, behind), item_of(ball, blank)};
-        const Picture picture = draw(runtime, items, front_camera(500, 500), 500, 500);
+        const Picture picture = picture_of(runtime, items, front_camera(500, 500), 500, 500);
         double dark = 0.0;
         int count = 0;
         for (int y = 0; y < 500; ++y) {

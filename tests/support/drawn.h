@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawings as the tests of frames look at them: discs from far to near, and styles of three groups of layers.
+// Drawings as the tests of frames look at them: discs from far to near, and styles of three kinds of layers.
 #pragma once
 
 #include "drawing/drawing.h"
@@ -15,7 +15,7 @@
 
 namespace hrbfnpr::testing {
 
-struct GroupStyle {
+struct KindStyle {
     bool shown = true;
     std::uint32_t sets = 3;
     float share = 1.0F;
@@ -24,10 +24,10 @@ struct GroupStyle {
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
 };
 
-// Of stipples, principal and combing layers; bit (1 << group) of silhouette_groups: its contours.
+// Of stipples, principal and combing layers; bit (1 << kind) of contour_kinds: its contours.
 struct Style : frame::Style {
-    std::array<GroupStyle, 3> group;
-    std::uint32_t silhouette_groups = 7;
+    std::array<KindStyle, 3> kind;
+    std::uint32_t contour_kinds = 7;
 };
 
 // The same as layers, which live as long as the program.
@@ -35,17 +35,17 @@ inline frame::Style kept(const Style& style) {
     static std::deque<std::array<frame::LayerStyle, 3>> all;
     constexpr std::array kinds{marks::Kind::stipples, marks::Kind::principal, marks::Kind::combing};
     std::array<frame::LayerStyle, 3>& layers = all.emplace_back();
-    for (std::size_t g = 0; g < 3; ++g) {
-        const GroupStyle& group = style.group[g];
-        frame::LayerStyle& layer = layers[g];
-        layer.kind = kinds[g];
-        layer.shown = group.shown;
-        layer.contours = (style.silhouette_groups >> g & 1U) != 0;
-        layer.directions = group.sets;
-        layer.share = group.share;
-        layer.radius = group.radius;
-        layer.radius_zoom = group.radius_zoom;
-        for (int c = 0; c < 4; ++c) layer.ink[c] = group.ink[c];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const KindStyle& one = style.kind[k];
+        frame::LayerStyle& layer = layers[k];
+        layer.kind = kinds[k];
+        layer.shown = one.shown;
+        layer.contours = (style.contour_kinds >> k & 1U) != 0;
+        layer.directions = one.sets;
+        layer.share = one.share;
+        layer.radius = one.radius;
+        layer.radius_zoom = one.radius_zoom;
+        for (int c = 0; c < 4; ++c) layer.ink[c] = one.ink[c];
     }
     frame::Style result = style;
     result.layers = layers;
@@ -67,14 +67,14 @@ class DrawnFrame {
 public:
     explicit DrawnFrame(const base::Runtime& runtime) : frame_(runtime), drawing_(runtime.memory) {}
 
-    // On failure nothing is prepared.
-    void prepare(std::span<const frame::Item> items, const frame::Camera& camera) {
-        prepared_ = false;
+    // On failure there is nothing to look at.
+    void draw(std::span<const frame::Item> items, const frame::Camera& camera) {
+        drawn_ = false;
         listed_ = false;
         frame_.draw(items, camera, drawing_);
-        prepared_ = true;
+        drawn_ = true;
     }
-    [[nodiscard]] bool prepared() const noexcept { return prepared_; }
+    [[nodiscard]] bool drawn() const noexcept { return drawn_; }
     [[nodiscard]] const drawing::Drawing& drawing() const noexcept { return drawing_; }
     [[nodiscard]] const drawing::Counts& info() const noexcept { return drawing_.counts; }
     [[nodiscard]] drawing::MarkSource source(const Disc& disc) const noexcept { return drawing_.source(disc.id); }
@@ -89,7 +89,7 @@ public:
 private:
     [[gnu::noinline]] void list() const {
         discs_.clear();
-        if (!prepared_) return;
+        if (!drawn_) return;
         if (drawing_.painting == drawing::Painting::published) {
             for (const drawing::Dot& dot : drawing_.dots) discs_.push_back(disc_of(dot));
             return;
@@ -115,7 +115,7 @@ private:
 
     frame::Frame frame_;
     drawing::Drawing drawing_;
-    bool prepared_ = false;
+    bool drawn_ = false;
     mutable bool listed_ = false;
     mutable std::vector<Disc> discs_;
     mutable std::vector<std::pair<std::uint64_t, std::uint32_t>> keys_;

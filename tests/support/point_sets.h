@@ -4,6 +4,7 @@
 
 #include "generate/generate.h"
 #include "support/analytic.h"
+#include "support/runtime.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -138,12 +139,6 @@ inline void expect_sound(const PointSet& set, const Analytic& surface, double to
     const LevelReport& seeds = set.seeds;
     EXPECT_EQ(seeds.attempted,
               seeds.placed + seeds.dropped_not_converged + seeds.dropped_strayed + seeds.dropped_degenerate);
-}
-
-template <class T>
-bool same_bits(const base::Array<T>& a, const base::Array<T>& b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), sizeof(T) * static_cast<std::size_t>(a.size())) == 0);
 }
 
 inline bool same_bits(const PointSet& a, const PointSet& b) {

@@ -2,6 +2,7 @@
 #include "surface/cast_rays.h"
 
 #include "support/analytic.h"
+#include "support/runtime.h"
 #include "surface/region.h"
 
 #include <gtest/gtest.h>
@@ -356,8 +357,7 @@ TEST(CastRays, TheSameBitsForAnyNumberOfThreads) {
     const Torus torus;
     const Rays rays = rays_of(many_lines(1500));
     const auto run = [&](int threads) {
-        const base::Runtime many(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                 base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime many = test::with_threads(threads);
         RayHits hits(runtime().memory);
         cast_rays(many, torus, at_most(4), rays, hits, {});
         return hits;
@@ -408,8 +408,7 @@ TEST(CastRays, CanBeCancelledAndReportsProgress) {
 TEST(CastRays, ASerialFunctionRunsOnTheCallersThreadOnly) {
     Sphere sphere;
     sphere.is_concurrent = false;
-    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr),
-                                base::InstructionSet::automatic, nullptr, nullptr);
+    const base::Runtime threads = test::with_threads(4);
     RayHits hits(runtime().memory);
     cast_rays(threads, sphere, {}, rays_of(many_lines(2000)), hits, {});
     EXPECT_FALSE(sphere.strange_thread);

@@ -2,6 +2,7 @@
 #include "surface/project.h"
 
 #include "support/analytic.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -183,8 +184,7 @@ TEST(Project, ASerialFunctionRunsOnTheCallersThreadOnly) {
     sphere.is_concurrent = false;
     Projection p(runtime().memory);
     for (int i = 0; i < 5000; ++i) p.position.push_back(2.0 * pseudo_random(i));
-    const base::Runtime threads(nullptr, nullptr, nullptr, base::Parallel(4, nullptr, nullptr),
-                                base::InstructionSet::automatic, nullptr, nullptr);
+    const base::Runtime threads = test::with_threads(4);
     project(threads, sphere, {}, p, {});
     EXPECT_FALSE(sphere.strange_thread);
 }

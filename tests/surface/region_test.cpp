@@ -2,6 +2,7 @@
 #include "surface/region.h"
 
 #include "support/analytic.h"
+#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -75,8 +76,7 @@ TEST(Contains, ManyPointsOnAnyNumberOfThreads) {
         points.push_back(1.2 * glm::dvec3(x, y, 0.3 * z));
     }
     for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime many(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                                 base::InstructionSet::automatic, nullptr, nullptr);
+        const base::Runtime many = test::with_threads(threads);
         base::Array<std::uint8_t> inside(runtime().memory);
         contains(many, torus, points, inside, {});
         for (std::int64_t i = 0; i < points.size(); ++i)

@@ -83,7 +83,7 @@ Drawing drawing_of(const Context& context, const PointSet& marks) {
 struct Shared {
     Context context = make_context(2);
     Model model = fit(context, 60);
-    PointSet marks = generate(context, model, Generation(200));
+    PointSet marks = generate(context, model, three_layers(200));
     Drawing drawing = drawing_of(context, marks);
     hrbfnpr_operation* operation = nullptr;
     std::vector<double> point;
@@ -187,7 +187,7 @@ void add_models(std::map<std::string, Call>& calls) {
 
 void add_point_sets(std::map<std::string, Call>& calls) {
     CALL(hrbfnpr_point_set_generate) {
-        Generation desc(60);
+        Generation desc = three_layers(60);
         hrbfnpr_point_set* set = nullptr;
         status = hrbfnpr_point_set_generate(s.context.get(), s.model.get(), desc.get(), nullptr, &set, error);
         const PointSet owner(set);

@@ -180,6 +180,7 @@ TEST_F(Strips, PointsThatCoincideDoNoHarm) {
     add_stroke(0, {{5, 5}, {5, 5}, {15, 5}, {15, 5}});
     add_stroke(0, {{5, 5}, {5, 5}});
     write(Primitive::triangle_strips);
+    ASSERT_EQ(vertices.size(), 12U);
     for (const Vertex& v : vertices) EXPECT_TRUE(std::isfinite(v.x) && std::isfinite(v.y));
 }
 

@@ -20,9 +20,9 @@ constexpr int size = 130;
 
 class Vertices : public ::testing::Test {
 protected:
-    void prepare(const Style& style) {
+    void draw(const Style& style) {
         const std::array items{layers ? layered_item(set, style, transform) : item_of(set, style, transform)};
-        frame.prepare(items, front_camera(size, size));
+        frame.draw(items, front_camera(size, size));
     }
     [[nodiscard]] std::vector<std::byte> write(std::span<const VertexField> fields, std::int64_t stride) const {
         std::vector<std::byte> memory(static_cast<std::size_t>(stride) * frame.discs().size(), std::byte{0xCD});
@@ -34,7 +34,7 @@ protected:
 
     base::Runtime runtime;
     marks::PointSet set = clustered(runtime, sphere(runtime.memory, 1500));
-    bool layers = false; // or painted
+    bool layers = false; // or as published
     glm::dmat4 transform{1.0};
     DrawnFrame frame{runtime};
 };
@@ -84,7 +84,7 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
     transform[3] = {0.25, 0.0, -1.0, 1.0};
     transform[0][0] = -0.5;
     set.origin = {0.0, 0.5, 0.0};
-    prepare(Style{});
+    draw(Style{});
     // Odd offsets, in no order, some bytes unused.
     const std::array fields{VertexField{VertexAttribute::color, Scalar::uint8, 1},
                             VertexField{VertexAttribute::window, Scalar::float32, 5},
@@ -105,7 +105,7 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
         const Disc& disc = frame.discs()[i];
         const std::int64_t at = static_cast<std::int64_t>(i) * stride;
         const auto mark = static_cast<std::int64_t>(disc.id) - 1;
-        const marks::Layer& group = set.layers[0];
+        const marks::Layer& layer = set.layers[0];
         ASSERT_EQ(memory[static_cast<std::size_t>(at)], std::byte{0xCD});
         for (std::int64_t k = 87; k < 91; ++k) ASSERT_EQ(memory[static_cast<std::size_t>(at + k)], std::byte{0xCD});
         for (int c = 0; c < 4; ++c) {
@@ -115,12 +115,12 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
         ASSERT_EQ(read<float>(memory, at + 5), disc.x);
         ASSERT_EQ(read<float>(memory, at + 9), disc.y);
         ASSERT_EQ(read<float>(memory, at + 13), disc.depth);
-        ASSERT_NEAR(read<float>(memory, at + 17), -0.5F * group.position[3 * mark] + 0.25F, 1e-6F);
-        ASSERT_NEAR(read<float>(memory, at + 21), group.position[3 * mark + 1] + 0.5F, 1e-6F);
-        ASSERT_NEAR(read<float>(memory, at + 25), group.position[3 * mark + 2] - 1.0F, 1e-6F);
-        const glm::vec3 normal(-2.0F * group.normal[3 * mark], group.normal[3 * mark + 1], group.normal[3 * mark + 2]);
-        const glm::vec3 direction(-0.5F * group.direction[3 * mark], group.direction[3 * mark + 1],
-                                  group.direction[3 * mark + 2]);
+        ASSERT_NEAR(read<float>(memory, at + 17), -0.5F * layer.position[3 * mark] + 0.25F, 1e-6F);
+        ASSERT_NEAR(read<float>(memory, at + 21), layer.position[3 * mark + 1] + 0.5F, 1e-6F);
+        ASSERT_NEAR(read<float>(memory, at + 25), layer.position[3 * mark + 2] - 1.0F, 1e-6F);
+        const glm::vec3 normal(-2.0F * layer.normal[3 * mark], layer.normal[3 * mark + 1], layer.normal[3 * mark + 2]);
+        const glm::vec3 direction(-0.5F * layer.direction[3 * mark], layer.direction[3 * mark + 1],
+                                  layer.direction[3 * mark + 2]);
         for (int c = 0; c < 3; ++c) {
             ASSERT_NEAR(read<float>(memory, at + 29 + 4 * c), glm::normalize(normal)[c], 1e-6F);
             ASSERT_NEAR(read<float>(memory, at + 41 + 4 * c), glm::normalize(direction)[c], 1e-6F);
@@ -136,12 +136,12 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
 
 TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
     Style style;
-    style.group[0].radius = 1.7F;
+    style.kind[0].radius = 1.7F;
     style.silhouette_radius = 0.4F;
-    style.group[0].ink = {0.2F, 0.1F, 0.4F, 0.9F};
+    style.kind[0].ink = {0.2F, 0.1F, 0.4F, 0.9F};
     for (const glm::vec4 paper : {glm::vec4(1.0F), glm::vec4(0.9F, 0.95F, 0.8F, 1.0F), glm::vec4(0.0F)}) {
         style.paper = paper;
-        prepare(style);
+        draw(style);
         Picture picture(size, size);
         output::Raster raster(runtime);
         raster.draw(frame.drawing(), picture.image(), {});
@@ -173,7 +173,7 @@ TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Visibility, Both, ::testing::Bool(),
-                         [](const auto& one) { return one.param ? "layers" : "painted"; });
+                         [](const auto& one) { return one.param ? "layers" : "published"; });
 
 TEST_F(Vertices, OfLayersAreWrittenWithoutAllocationOnceWarm) {
     test::Allocator counter;
@@ -191,7 +191,7 @@ TEST_F(Vertices, OfLayersAreWrittenWithoutAllocationOnceWarm) {
             const glm::dvec3 eye(8.0 * std::sin(0.5 * step), 3.0, 8.0 * std::cos(0.5 * step));
             camera.view = frame::look_at(eye, glm::dvec3(0.0), {0, 1, 0});
             camera.projection = frame::perspective(0.4, size, size, 1.0, 20.0, camera.depth);
-            own.prepare(items, camera);
+            own.draw(items, camera);
             output::write_vertices(counted, own.drawing(), scratch, {output::Primitive::points, fields, 24},
                                    memory.data(), nullptr);
             ASSERT_FALSE(own.discs().empty());

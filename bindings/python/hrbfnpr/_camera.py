@@ -158,7 +158,7 @@ class Camera:
         Parameters
         ----------
         points : array of float, shape (n, 3)
-            Such as the positions of a point set's group, with its origin.
+            Such as the positions of a layer of marks, with the set's origin.
         origin : sequence of float
             Added to each point.
         """

@@ -159,7 +159,7 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--silhouette-width", "silhouette_width", values.number, "PIXELS", "on either side of the contour")
     _add(group, "--attenuation-front", "attenuation_front", values.number, "LAMBDA", "of what lies behind front marks")
     _add(group, "--attenuation-back", "attenuation_back", values.number, "LAMBDA", "of what lies behind back marks")
-    _add(group, "--splat-radius", "splat_radius", values.number, "PIXELS", "of the paper that marks paint; automatic")
+    _add(group, "--splat-radius", "splat_radius", values.number, "PIXELS", "of the splats that stand for the surface; automatic")
     _add(group, "--splat-overlap", "splat_overlap", values.number, "N", "opacity of a layer of surface; 0 as published")
     _add(group, "--halo", "halo_width", values.number, "PIXELS", "how far beyond its contour a surface hides")
     group.add_argument("--tone", choices=["none", "light"], metavar="NAME", default=None, help="none or light")

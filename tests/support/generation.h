@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Settings of point sets with the layers that they point to; for tests and benchmarks.
+#pragma once
+
+#include "support/handles.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hrbfnpr::test {
+
+struct Generation : hrbfnpr_generate_desc {
+    std::vector<hrbfnpr_layer_desc> layer;
+
+    Generation() : hrbfnpr_generate_desc(made(hrbfnpr_generate_desc_init)) {}
+    hrbfnpr_layer_desc& add(std::uint32_t kind, std::int64_t budget) {
+        layer.push_back(made(hrbfnpr_layer_desc_init));
+        layer.back().kind = kind;
+        layer.back().budget = budget;
+        return layer.back();
+    }
+    // What a call takes.
+    const hrbfnpr_generate_desc* get() {
+        layers = layer.data();
+        layer_count = static_cast<std::int64_t>(layer.size());
+        return this;
+    }
+};
+
+// One layer alone.
+[[nodiscard]] inline Generation one_layer(std::uint32_t kind, std::int64_t budget) {
+    Generation desc;
+    desc.add(kind, budget);
+    return desc;
+}
+
+// Stipples, principal and combing strokes, each of this budget.
+[[nodiscard]] inline Generation three_layers(std::int64_t budget) {
+    Generation desc;
+    for (const std::uint32_t kind :
+         {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL, HRBFNPR_LAYER_KIND_COMBING})
+        desc.add(kind, budget);
+    return desc;
+}
+
+} // namespace hrbfnpr::test
