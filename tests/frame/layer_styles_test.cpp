@@ -257,7 +257,7 @@ TEST(OwnStrokes, ChangeNothingOfOtherLayers) {
         }
         set = clustered(runtime, std::move(set));
         const std::array items{layered_item(set, frame::Style{})};
-        frame.prepare(items, front_camera(300, 300));
+        frame.draw(items, front_camera(300, 300));
     };
     DrawnFrame plain(runtime);
     DrawnFrame with_line(runtime);
