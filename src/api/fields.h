@@ -160,6 +160,7 @@ struct KeptField {
 // A field that is looked at here and nowhere else, or copied by hand; 0 by default.
 template <class Struct, class Value, class Rule>
 struct CheckedField {
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): the field may be a pointer
     static constexpr std::size_t bytes = sizeof(Value);
     const char* name;
     Value Struct::*member;

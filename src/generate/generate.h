@@ -17,7 +17,7 @@ void check_request(const implicit::Implicit& implicit, const Settings& settings)
 
 // A set that is ready for frames.  Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
 [[nodiscard]] marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                       const SampleHint& samples, const Settings& settings,
+                                       const SampleHint& samples, const Settings& given,
                                        const base::Progress& progress);
 
 // Of the implicit, roughly, by completed() settings.
@@ -26,6 +26,6 @@ void check_request(const implicit::Implicit& implicit, const Settings& settings)
 // Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds,
 // 12 numbers each.  Returns rho_0.
 double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
-                    const Settings& settings, const base::OutView& corners, const base::Progress& progress);
+                    const Settings& given, const base::OutView& corners, const base::Progress& progress);
 
 } // namespace hrbfnpr::generate

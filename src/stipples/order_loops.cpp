@@ -208,12 +208,10 @@ void forget_marks(const OrderBlock& block, std::int64_t count) noexcept {
 
 float packed_normal(const float (&normal)[3]) noexcept {
     std::uint32_t bits = 0;
-    for (unsigned c = 0; c < 3; ++c)
-        bits |= static_cast<std::uint32_t>((normal[c] < -1.0F  ? 0.0F
-                                            : normal[c] > 1.0F ? 2.0F
-                                                               : normal[c] + 1.0F) *
-                                           511.5F)
-                << (10U * c);
+    for (unsigned c = 0; c < 3; ++c) {
+        const float n = normal[c];
+        bits |= static_cast<std::uint32_t>((n < -1.0F ? 0.0F : n > 1.0F ? 2.0F : n + 1.0F) * 511.5F) << (10U * c);
+    }
     return __builtin_bit_cast(float, bits);
 }
 

@@ -26,7 +26,8 @@ private:
     void put_dots(const Scene& scene, drawing::Drawing& drawing) const;
     [[nodiscard]] static std::uint64_t ink_key(const Scene& scene, const Run& run, std::int64_t place) noexcept;
     [[nodiscard]] static std::uint64_t paper_key(const Scene& scene, const Run& run, std::int64_t place) noexcept;
-    [[nodiscard]] static Dot dot_of(const Scene& scene, std::int64_t run, std::int64_t place, bool is_paper) noexcept;
+    [[nodiscard]] static Dot dot_of(const Scene& scene, std::int64_t number, std::int64_t place,
+                                    bool is_paper) noexcept;
     [[nodiscard]] static float ink_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept;
     [[nodiscard]] static float splat_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept;
 

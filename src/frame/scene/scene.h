@@ -216,7 +216,7 @@ struct Scene {
 
 // Fills lens, items and runs, and of the drawing its window, paper, layers, items, runs and poses.
 // Throws Error{invalid_argument}.
-void set_up(Scene& scene, std::span<const Item> items, const Camera& camera, drawing::Drawing& drawing);
+void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing);
 // Fills chunks, and makes room for the marks.
 void add_chunks(Scene& scene);
 
