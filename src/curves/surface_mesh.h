@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A triangulation of f = 0: where curves on the surface are looked for, and what rays are counted against.
+// By marching tetrahedra over the cells that a flood from seeds reaches.  [Doi & Koide 1991]
+#pragma once
+
+#include "base/memory.h"
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "geometry/vec_array.h"
+#include "implicit/implicit.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::curves {
+
+struct MeshSettings {
+    geometry::Bounds region; // beyond it there is no surface: the mesh ends there
+    double side = 0.0;       // of a cell, > 0: what is thinner or smaller may be missed
+    std::int64_t triangle_limit = 4'000'000;
+};
+
+// Oriented, and closed but where the region ends.
+struct SurfaceMesh {
+    explicit SurfaceMesh(base::Memory& memory) noexcept
+        : position(memory), gradient(memory), corner(memory), neighbour(memory) {}
+
+    geometry::VecArray position; // of the vertices, on the surface to 1e-9 diagonals; else `unresolved` counts them
+    geometry::VecArray gradient; // of f there
+    base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
+    base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none
+    geometry::Bounds region;
+    double side = 0.0;           // of the cells
+    std::int64_t unresolved = 0; // vertices that Newton's steps did not bring onto the surface, or whose gradient is 0
+
+    [[nodiscard]] std::int64_t vertices() const noexcept { return position.size(); }
+    [[nodiscard]] std::int64_t triangles() const noexcept { return corner.size() / 3; }
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+};
+
+// Seeds are points on or near the surface; parts of it that no seed belongs to are not reached.
+// The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}, and Error{invalid_argument}
+// where the mesh would pass triangle_limit.
+[[nodiscard]] SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                      const geometry::VecArray& seeds, const MeshSettings& settings,
+                                      const base::Progress& progress);
+
+} // namespace hrbfnpr::curves
