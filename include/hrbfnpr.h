@@ -564,7 +564,7 @@ typedef struct hrbfnpr_model_info {
     double kernel_radius;     /* as used */
     double regularization;    /* as used; of AUTO, that of the values */
     double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
-                                 points; 0 if none is seen, or nobody asked (regularization GIVEN) */
+                                 points; 0 if none is seen, NaN if nobody asked (regularization GIVEN) */
     double value_residual_max;    /* max |f(x_i)|, in units of the points */
     double value_residual_rms;
     double gradient_residual_max; /* max |grad f(x_i) - n_i| */
@@ -572,7 +572,7 @@ typedef struct hrbfnpr_model_info {
     double input_distance_max;    /* of all samples but dropped ones from the surface, |f| / |grad f| */
     double input_distance_rms;
     double input_share_within;    /* share of all samples that lie within the tolerance; a dropped one
-                                     counts as outside; 0 with tolerance 0 */
+                                     counts as outside; NaN with tolerance 0 */
     uint32_t solver;              /* the one used */
     uint32_t solver_reason;       /* HRBFNPR_SOLVER_REASON_... */
     int32_t iterations;           /* refinement steps of DIRECT, steps of ITERATIVE */

@@ -102,7 +102,7 @@ FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::P
     report.samples = input.points.count;
     report.merged_samples = samples.merged;
     report.rescaled_normals = samples.rescaled_normals;
-    report.noise_estimate = noise.position;
+    if (input.regularization_mode != RegularizationMode::given) report.noise_estimate = noise.position;
     report.choice_rounds = choice.rounds;
     report.seconds_assemble += seconds_read;
     report.seconds_clean = seconds_clean;

@@ -8,6 +8,8 @@
 #include "fit/solver_kind.h"
 #include "implicit/hrbf.h"
 
+#include <limits>
+
 namespace hrbfnpr::fit {
 
 // Same meaning as hrbfnpr_fit_desc, whose message names the fields are checked under.
@@ -56,10 +58,10 @@ struct FitReport {
     std::int64_t flipped_found = 0;
     std::int64_t flipped_repaired = 0;
     std::int64_t near_duplicates = 0;
-    double noise_estimate = 0.0; // caller's unit
+    double noise_estimate = std::numeric_limits<double>::quiet_NaN(); // caller's unit; NaN: not measured
     double input_distance_max = 0.0;
     double input_distance_rms = 0.0;
-    double input_share_within = 0.0;
+    double input_share_within = std::numeric_limits<double>::quiet_NaN(); // NaN: without a tolerance
     std::int32_t choice_rounds = 0;
     SolverKind solver = SolverKind::direct; // the one used
     SolverReason solver_reason = SolverReason::small;

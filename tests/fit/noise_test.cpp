@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace {
 
 using namespace hrbfnpr;
@@ -97,7 +99,7 @@ TEST(AutomaticRegularization, BringsNoisySamplesNearerToTheTruth) {
         EXPECT_NEAR(smooth.report.noise_estimate, 0.01, 0.003);
         EXPECT_EQ(smooth.data.count(), 1500);
         EXPECT_EQ(smooth.report.choice_rounds, 0);
-        EXPECT_EQ(exact.report.noise_estimate, 0.0);
+        EXPECT_TRUE(std::isnan(exact.report.noise_estimate)) << "nobody asked";
     }
 }
 

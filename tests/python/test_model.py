@@ -92,7 +92,7 @@ def test_scans_are_cleaned_and_smoothed():
     info = hrbfnpr.Model.fit(points, normals, maximum_centres=300, flipped_normals="reorient").info
     assert (info.outliers_found, info.outliers_dropped) == (1, 0)
     assert (info.flipped_found, info.flipped_repaired) == (1, 1)
-    assert info.noise_estimate == 0 and info.regularization == 0
+    assert info.noise_estimate is None and info.input_share_within is None and info.regularization == 0
 
 
 GOOD = fibonacci_sphere(20)

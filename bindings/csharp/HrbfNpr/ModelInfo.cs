@@ -58,7 +58,7 @@ namespace HrbfNpr
         /// <summary>As used; of Auto, that of the values.</summary>
         public readonly double Regularization;
 
-        /// <summary>Standard deviation of the samples off their surface; 0 if none is seen or nobody asked.</summary>
+        /// <summary>Standard deviation of the samples off their surface; 0 if none is seen, NaN if nobody asked.</summary>
         public readonly double NoiseEstimate;
 
         /// <summary>The largest |f| at a centre, in the unit of the points.</summary>
@@ -79,7 +79,7 @@ namespace HrbfNpr
         /// <summary>Its root mean square.</summary>
         public readonly double InputDistanceRms;
 
-        /// <summary>Share of all samples that lie within the tolerance; 0 with tolerance 0.</summary>
+        /// <summary>Share of all samples that lie within the tolerance; NaN with tolerance 0.</summary>
         public readonly double InputShareWithin;
 
         private readonly uint solver;

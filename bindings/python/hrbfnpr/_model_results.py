@@ -35,16 +35,16 @@ class ModelInfo:
         Mean distance of a sample to its nearest neighbour.
     kernel_radius, regularization : float
         As used.
-    noise_estimate : float
-        Standard deviation of the samples off their surface; 0 if none is seen or nobody asked.
+    noise_estimate : float or None
+        Standard deviation of the samples off their surface; 0 if none is seen, None if nobody asked.
     value_residual_max, value_residual_rms : float
         Of abs(f(x_i)).
     gradient_residual_max, gradient_residual_rms : float
         Of the length of grad f(x_i) - n_i.
     input_distance_max, input_distance_rms : float
         Distance of all samples, but dropped ones, from the surface: abs(f) / abs(grad f).
-    input_share_within : float
-        Share of all samples within the tolerance; a dropped one counts as outside.
+    input_share_within : float or None
+        Share of all samples within the tolerance; a dropped one counts as outside; None with tolerance 0.
     solver : str
         The one used.
     solver_reason : str
@@ -81,14 +81,14 @@ class ModelInfo:
     spacing: float
     kernel_radius: float
     regularization: float
-    noise_estimate: float
+    noise_estimate: Optional[float]
     value_residual_max: float
     value_residual_rms: float
     gradient_residual_max: float
     gradient_residual_rms: float
     input_distance_max: float
     input_distance_rms: float
-    input_share_within: float
+    input_share_within: Optional[float]
     solver: str
     solver_reason: str
     iterations: int

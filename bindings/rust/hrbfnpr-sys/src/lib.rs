@@ -729,7 +729,7 @@ pub struct hrbfnpr_model_info {
     /// as used; of AUTO, that of the values
     pub regularization: f64,
     /// standard deviation of the samples off their surface, in units of the points; 0 if none is
-    /// seen, or nobody asked (regularization GIVEN)
+    /// seen, NaN if nobody asked (regularization GIVEN)
     pub noise_estimate: f64,
     /// max |f(x_i)|, in units of the points
     pub value_residual_max: f64,
@@ -740,7 +740,7 @@ pub struct hrbfnpr_model_info {
     /// of all samples but dropped ones from the surface, |f| / |grad f|
     pub input_distance_max: f64,
     pub input_distance_rms: f64,
-    /// share of all samples that lie within the tolerance; a dropped one counts as outside; 0
+    /// share of all samples that lie within the tolerance; a dropped one counts as outside; NaN
     /// with tolerance 0
     pub input_share_within: f64,
     /// the one used
