@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "curves/curve_points.h"
+
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::curves {
+namespace {
+
+// Small enough for two threads to share a few hundred points, and several vectors long.
+constexpr std::int64_t points_a_task = 64;
+
+using Column = std::array<double, static_cast<std::size_t>(points_a_task)>;
+
+void evaluate_some(const Level& level, CurvePoint* points, std::int64_t count) {
+    std::array<Column, 3> place;
+    std::array<Column, 8> out;
+    for (std::int64_t i = 0; i < count; ++i)
+        for (int c = 0; c < 3; ++c)
+            place[static_cast<std::size_t>(c)][static_cast<std::size_t>(i)] = points[i].position[c];
+    level.evaluate({place[0].data(), place[1].data(), place[2].data(), count},
+                   {out[0].data(),
+                    {out[1].data(), out[2].data(), out[3].data()},
+                    out[4].data(),
+                    {out[5].data(), out[6].data(), out[7].data()}});
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto lane = static_cast<std::size_t>(i);
+        CurvePoint& p = points[i];
+        p.value = out[0][lane];
+        p.gradient = {out[1][lane], out[2][lane], out[3][lane]};
+        p.level = out[4][lane];
+        p.level_gradient = {out[5][lane], out[6][lane], out[7][lane]};
+    }
+}
+
+// A point on its way.
+struct Walker {
+    std::int64_t point;
+    glm::dvec3 begin;
+};
+
+} // namespace
+
+// By what is left of grad g across grad f: the product J J^T would lose half of the digits where they are near
+// parallel.
+glm::dvec3 CurvePoint::newton_step() const noexcept {
+    const double slope = glm::length(gradient);
+    const glm::dvec3 normal = gradient / slope;
+    const double height = value / slope;
+    const double along = glm::dot(level_gradient, normal);
+    const glm::dvec3 across = level_gradient - along * normal;
+    return -height * normal - (level - along * height) / glm::dot(across, across) * across;
+}
+
+void evaluate(const base::Runtime& runtime, const Level& level, base::Array<CurvePoint>& points,
+              const base::Progress& progress) {
+    const base::Parallel threads = level.surface().threads(runtime.parallel);
+    threads.for_chunks(points.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        evaluate_some(level, points.data() + begin, end - begin);
+    });
+}
+
+std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, const NewtonSettings& settings,
+                            base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found,
+                            const base::Progress& progress) {
+    found.resize(points.size());
+    std::fill(found.begin(), found.end(), std::uint8_t{0});
+    base::Array<Walker> walking(runtime.memory);
+    for (std::int64_t i = 0; i < points.size(); ++i) walking.push_back({i, points[i].position});
+    base::Array<CurvePoint> trial(runtime.memory);
+    std::int64_t evaluations = 0;
+    for (int step = 0; step < settings.steps && !walking.empty(); ++step) {
+        trial.resize(walking.size());
+        for (std::int64_t i = 0; i < walking.size(); ++i) trial[i].position = points[walking[i].point].position;
+        evaluate(runtime, level, trial, progress);
+        evaluations += trial.size();
+        std::int64_t left = 0;
+        for (std::int64_t i = 0; i < walking.size(); ++i) {
+            const Walker walker = walking[i];
+            CurvePoint& p = points[walker.point];
+            p = trial[i];
+            const glm::dvec3 way = p.newton_step();
+            const double length = glm::length(way);
+            if (!(glm::distance(p.position + way, walker.begin) <= settings.farthest)) continue;
+            p.position += way;
+            if (length <= settings.tolerance)
+                found[walker.point] = 1;
+            else
+                walking[left++] = walker;
+        }
+        walking.resize(left);
+    }
+    return evaluations;
+}
+
+} // namespace hrbfnpr::curves

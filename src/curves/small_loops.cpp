@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "curves/small_loops.h"
+
+#include "geometry/tangent_frame.h"
+
+#include <atomic>
+#include <cmath>
+
+namespace hrbfnpr::curves {
+namespace {
+
+constexpr std::int64_t triangles_a_task = 8192;
+// A vertex is looked around if |g| there is below this share of what it is more at a neighbour.  The extremum of a
+// quadratic is nearer than half an edge, and lower by a quarter of that difference.
+constexpr double low = 1.0;
+// In sides of the mesh.
+constexpr double probe = 0.05;
+constexpr double longest_step = 0.5;
+constexpr double farthest = 1.5;
+constexpr int most_steps = 5;
+
+// Whether |g| is least at a vertex among its neighbours, and none of these has the other sign.
+base::Array<std::uint8_t> find_least(const base::Runtime& runtime, const SurfaceMesh& mesh,
+                                     const base::Array<double>& level) {
+    base::Array<std::uint8_t> least(runtime.memory, mesh.vertices());
+    std::fill(least.begin(), least.end(), std::uint8_t{1});
+    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+        const auto exclude = [&](std::int32_t v) {
+            std::atomic_ref<std::uint8_t>(least[v]).store(0, std::memory_order_relaxed);
+        };
+        for (std::int64_t t = begin; t < end; ++t) {
+            for (std::int64_t k = 0; k < 3; ++k) {
+                const std::int32_t a = mesh.corner[3 * t + k];
+                const std::int32_t b = mesh.corner[3 * t + (k + 1) % 3];
+                const bool apart = (level[a] < 0.0) != (level[b] < 0.0);
+                if (apart || std::abs(level[a]) > std::abs(level[b])) exclude(a);
+                if (apart || std::abs(level[b]) > std::abs(level[a])) exclude(b);
+            }
+        }
+    });
+    return least;
+}
+
+// Of the least ones those that are low, ascending.
+base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
+                                   const base::Array<double>& level) {
+    const base::Array<std::uint8_t> least = find_least(runtime, mesh, level);
+    base::Array<double> rise(runtime.memory, mesh.vertices());
+    for (std::int64_t i = 0; i < mesh.corner.size(); ++i) {
+        const std::int32_t v = mesh.corner[i];
+        if (least[v] == 0) continue;
+        for (std::int64_t k = 1; k < 3; ++k) {
+            const std::int32_t other = mesh.corner[i - i % 3 + (i + k) % 3];
+            rise[v] = std::max(rise[v], std::abs(level[other]) - std::abs(level[v]));
+        }
+    }
+    base::Array<std::int32_t> found(runtime.memory);
+    for (std::int64_t v = 0; v < mesh.vertices(); ++v)
+        if (least[v] != 0 && std::abs(level[v]) < low * rise[v]) found.push_back(static_cast<std::int32_t>(v));
+    return found;
+}
+
+// On the way to an extremum.
+struct Search {
+    std::int32_t vertex;
+    glm::dvec3 place;
+};
+
+class Searches {
+public:
+    Searches(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
+             const base::Array<double>& at_vertices)
+        : runtime_(runtime), level_(level), mesh_(mesh), at_vertices_(at_vertices), active_(runtime.memory),
+          points_(runtime.memory), found_(runtime.memory) {}
+
+    void add(std::int32_t vertex) { active_.push_back({vertex, mesh_.position[vertex]}); }
+    void run(std::int64_t& evaluations, const base::Progress& progress);
+    [[nodiscard]] base::Array<Straddle> result() && { return std::move(found_); }
+
+private:
+    struct Frame {
+        glm::dvec3 u, v;
+    };
+    [[nodiscard]] Frame frame_at(std::int32_t vertex) const noexcept {
+        const glm::dvec3 n = glm::normalize(mesh_.gradient[vertex]);
+        const glm::dvec3 u = geometry::any_perpendicular(n);
+        return {u, glm::cross(n, u)};
+    }
+    void place_probes();
+    [[nodiscard]] bool go_on(Search& search, const CurvePoint* three);
+
+    const base::Runtime& runtime_;
+    const Level& level_;
+    const SurfaceMesh& mesh_;
+    const base::Array<double>& at_vertices_;
+    base::Array<Search> active_;
+    base::Array<CurvePoint> points_; // three of each search: its place, and one beside it in each tangent direction
+    base::Array<Straddle> found_;
+};
+
+void Searches::place_probes() {
+    points_.resize(3 * active_.size());
+    for (std::int64_t i = 0; i < active_.size(); ++i) {
+        const Frame frame = frame_at(active_[i].vertex);
+        const glm::dvec3 place = active_[i].place;
+        points_[3 * i].position = place;
+        points_[3 * i + 1].position = place + probe * mesh_.side * frame.u;
+        points_[3 * i + 2].position = place + probe * mesh_.side * frame.v;
+    }
+}
+
+// Newton's step to where the part of grad g in the tangent plane is 0, by its differences between the three places.
+bool Searches::go_on(Search& search, const CurvePoint* three) {
+    const bool negative = at_vertices_[search.vertex] < 0.0;
+    for (int k = 0; k < 3; ++k) {
+        if ((three[k].level < 0.0) == negative) continue;
+        const glm::dvec3 vertex = mesh_.position[search.vertex];
+        found_.push_back(negative ? Straddle{vertex, three[k].position} : Straddle{three[k].position, vertex});
+        return false;
+    }
+    const Frame frame = frame_at(search.vertex);
+    // On the surface: what of grad g lies along grad f counts for nothing.
+    const auto slope = [&](const CurvePoint& p) {
+        const glm::dvec3 n = p.gradient / glm::dot(p.gradient, p.gradient);
+        const glm::dvec3 g = p.level_gradient - glm::dot(p.level_gradient, n) * p.gradient;
+        return glm::dvec2(glm::dot(g, frame.u), glm::dot(g, frame.v));
+    };
+    const double h = probe * mesh_.side;
+    const glm::dvec2 g = slope(three[0]);
+    const glm::dvec2 u = (slope(three[1]) - g) / h;
+    const glm::dvec2 v = (slope(three[2]) - g) / h;
+    const double mixed = 0.5 * (u.y + v.x);
+    const double determinant = u.x * v.y - mixed * mixed;
+    glm::dvec2 step((-g.x * v.y + g.y * mixed) / determinant, (-g.y * u.x + g.x * mixed) / determinant);
+    const double length = glm::length(step);
+    if (!(length > 1e-3 * mesh_.side)) return false;
+    if (length > longest_step * mesh_.side) step *= longest_step * mesh_.side / length;
+    search.place = three[0].position + step.x * frame.u + step.y * frame.v;
+    return glm::distance(search.place, mesh_.position[search.vertex]) <= farthest * mesh_.side;
+}
+
+void Searches::run(std::int64_t& evaluations, const base::Progress& progress) {
+    for (int step = 0; step < most_steps && !active_.empty(); ++step) {
+        place_probes();
+        evaluate(runtime_, level_, points_, progress);
+        for (CurvePoint& p : points_) step_to_surface(p);
+        evaluate(runtime_, level_, points_, progress);
+        evaluations += 2 * points_.size();
+        std::int64_t left = 0;
+        for (std::int64_t i = 0; i < active_.size(); ++i) {
+            Search search = active_[i];
+            if (go_on(search, points_.data() + 3 * i)) active_[left++] = search;
+        }
+        active_.resize(left);
+    }
+}
+
+} // namespace
+
+base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
+                                       const base::Array<double>& at_vertices, std::int64_t& evaluations,
+                                       const base::Progress& progress) {
+    Searches searches(runtime, level, mesh, at_vertices);
+    for (const std::int32_t vertex : find_low(runtime, mesh, at_vertices)) searches.add(vertex);
+    searches.run(evaluations, progress);
+    return std::move(searches).result();
+}
+
+} // namespace hrbfnpr::curves
