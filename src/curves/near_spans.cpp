@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "curves/near_spans.h"
 
+#include "geometry/tangent_frame.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +23,9 @@ Line::Line(const geometry::Bounds& within, const glm::dvec3& from, const glm::dv
     const double length = glm::distance(from, to);
     if (!(length > 0.0) || !std::isfinite(length)) return;
     direction = (from - to) / length;
+    const geometry::TangentFrame frame = geometry::combing_frame(direction);
+    right = frame.u;
+    up = frame.r;
     low = clear;
     high = length;
     for (int axis = 0; axis < 3; ++axis) {
@@ -76,11 +81,12 @@ void SpanFinder::look_at(const Line& line, std::int64_t triangle) {
     }
     if (!(range.low <= range.high)) return;
     near_.push_back(range);
-    // On which side of its edges the line passes.  The two triangles of an edge find the same number with opposite
-    // signs, to the last bit, so that no line passes between them.
-    const glm::dvec3 side(glm::dot(line.direction, glm::cross(p[1], p[2])),
-                          glm::dot(line.direction, glm::cross(p[2], p[0])),
-                          glm::dot(line.direction, glm::cross(p[0], p[1])));
+    // On which side of its edges the line passes, as seen along it.  All triangles of a corner see it in the same
+    // place, and those of an edge find the same number with opposite signs, to the last bit: no line passes between
+    // them.
+    const std::array<glm::dvec2, 3> q{line.seen(p[0]), line.seen(p[1]), line.seen(p[2])};
+    const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
+    const glm::dvec3 side(cross(q[1], q[2]), cross(q[2], q[0]), cross(q[0], q[1]));
     const double sum = side.x + side.y + side.z;
     const bool rising = glm::all(glm::greaterThanEqual(side, glm::dvec3(0.0)));
     const bool falling = glm::all(glm::lessThanEqual(side, glm::dvec3(0.0)));

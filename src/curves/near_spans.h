@@ -15,7 +15,8 @@ namespace hrbfnpr::curves {
 struct Line {
     geometry::Bounds region;
     glm::dvec3 origin{0.0};
-    glm::dvec3 direction{0.0}; // unit
+    glm::dvec3 direction{0.0};      // unit
+    glm::dvec3 right{0.0}, up{0.0}; // these three are orthonormal
     double low = 0.0, high = -1.0;
     bool low_is_end = false, high_is_end = false; // of the segment; else of the region
 
@@ -23,6 +24,8 @@ struct Line {
     // What is nearer to `to` than `clear` does not belong to it.
     Line(const geometry::Bounds& within, const glm::dvec3& from, const glm::dvec3& to, double clear) noexcept;
 
+    // A point relative to the origin, as seen along the line.
+    [[nodiscard]] glm::dvec2 seen(const glm::dvec3& p) const noexcept { return {glm::dot(p, right), glm::dot(p, up)}; }
     [[nodiscard]] bool empty() const noexcept { return !(low < high); }
     [[nodiscard]] glm::dvec3 at(double s) const noexcept {
         return glm::clamp(origin + s * direction, region.min, region.max); // whatever was rounded
