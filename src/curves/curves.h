@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves on a surface as polylines that a cubic goes through.
+// Curves on a surface as polylines that cubics go through.
 #pragma once
 
 #include "base/memory.h"
@@ -10,14 +10,50 @@
 namespace hrbfnpr::curves {
 
 struct Curves {
-    explicit Curves(base::Memory& memory) noexcept : first(memory), closed(memory), point(memory) {}
+    explicit Curves(base::Memory& memory) noexcept : first(memory), closed(memory), point(memory), cusp(memory) {}
 
     base::Array<std::int64_t> first;  // of each curve's points, and the end of the last: one more than curves
     base::Array<std::uint8_t> closed; // 1: the first point follows the last, and stands there once
     base::Array<CurvePoint> point;    // in the order of CurvePoint::direction()
+    base::Array<std::uint8_t> cusp; // 1: a point where the line of sight is tangent to the curve; empty: none is known
 
     [[nodiscard]] std::int64_t count() const noexcept { return closed.size(); }
-    [[nodiscard]] std::int64_t bytes() const noexcept { return first.bytes() + closed.bytes() + point.bytes(); }
+    [[nodiscard]] std::int64_t size_of(std::int64_t curve) const noexcept { return first[curve + 1] - first[curve]; }
+    // Pieces between points.
+    [[nodiscard]] std::int64_t pieces_of(std::int64_t curve) const noexcept {
+        return size_of(curve) - (closed[curve] != 0 ? 0 : 1);
+    }
+    // The point after a point of the curve that has one.
+    [[nodiscard]] std::int64_t next(std::int64_t curve, std::int64_t at) const noexcept {
+        return at + 1 < first[curve + 1] ? at + 1 : first[curve];
+    }
+    [[nodiscard]] std::int64_t bytes() const noexcept {
+        return first.bytes() + closed.bytes() + point.bytes() + cusp.bytes();
+    }
+};
+
+// The cubic between two points of a curve.
+class CubicPiece {
+public:
+    CubicPiece(const CurvePoint& a, const CurvePoint& b) noexcept
+        : a_(a.position), b_(b.position), length_(glm::distance(a_, b_)),
+          begin_(length_ * glm::normalize(a.direction())), end_(length_ * glm::normalize(b.direction())) {}
+
+    [[nodiscard]] glm::dvec3 at(double u) const noexcept {
+        const double v = 1.0 - u;
+        return v * v * (1.0 + 2.0 * u) * a_ + u * u * (3.0 - 2.0 * u) * b_ + u * v * (v * begin_ - u * end_);
+    }
+    // By u.
+    [[nodiscard]] glm::dvec3 derivative(double u) const noexcept {
+        const double v = 1.0 - u;
+        return 6.0 * u * v * (b_ - a_) + v * (v - 2.0 * u) * begin_ + u * (u - 2.0 * v) * end_;
+    }
+    [[nodiscard]] double length() const noexcept { return length_; }
+
+private:
+    glm::dvec3 a_, b_;
+    double length_;
+    glm::dvec3 begin_, end_;
 };
 
 } // namespace hrbfnpr::curves

@@ -33,6 +33,7 @@ FLOORS = {
     "io": 6,
     "published": 6,
     "stipples": 6,
+    "visibility": 6,
     "curves": 5,
     "marks": 5,
     "fit": 4,

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "curves/cusps.h"
+
+#include <cmath>
+
+namespace hrbfnpr::curves {
+namespace {
+
+constexpr int most_steps = 40;
+// In lengths of the piece: where a cusp is known so well, the search for it ends; nearer to an end of the piece than
+// the second, that end is replaced.
+constexpr double known = 1e-9;
+constexpr double at_end = 1e-2;
+
+// v^T H v = v . grad g on the contour: the radial curvature but for a positive factor.
+double radial(const CurvePoint& p, const View& view) noexcept {
+    return glm::dot(p.level_gradient, view.sight(p.position));
+}
+
+// A change of sign between two points of a curve.
+struct Search {
+    std::int64_t piece; // its first point
+    std::int64_t next;
+    double low = 0.0, high = 1.0;
+    double low_value, high_value;
+    double share = 0.5;
+    CurvePoint found;
+    bool done = false;
+};
+
+// Illinois: regula falsi that halves the value of an end which stays.  The value may jump at a sample.
+void narrow(Search& s, double value) noexcept {
+    if ((value < 0.0) == (s.low_value < 0.0)) {
+        s.low = s.share;
+        s.low_value = value;
+        s.high_value *= 0.5;
+    } else {
+        s.high = s.share;
+        s.high_value = value;
+        s.low_value *= 0.5;
+    }
+    s.done = s.high - s.low <= known;
+    const double share = s.low - s.low_value * (s.high - s.low) / (s.high_value - s.low_value);
+    const double next = share > s.low && share < s.high ? share : 0.5 * (s.low + s.high);
+    s.done = s.done || std::abs(next - s.share) <= known;
+    s.share = next;
+}
+
+base::Array<Search> find_changes(base::Memory& memory, const View& view, const Curves& curves) {
+    base::Array<Search> found(memory);
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        for (std::int64_t k = 0; k < curves.pieces_of(c); ++k) {
+            const std::int64_t at = curves.first[c] + k;
+            const std::int64_t next = curves.next(c, at);
+            const double a = radial(curves.point[at], view);
+            const double b = radial(curves.point[next], view);
+            if ((a < 0.0) != (b < 0.0)) found.push_back({at, next, 0.0, 1.0, a, b, a / (a - b), {}, false});
+        }
+    }
+    return found;
+}
+
+// Points of the cubics are brought onto the curve by one step before their values are asked for.
+void search(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
+            base::Array<Search>& searches, std::int64_t& evaluations, const base::Progress& progress) {
+    base::Array<std::int64_t> active(runtime.memory);
+    for (std::int64_t i = 0; i < searches.size(); ++i) active.push_back(i);
+    base::Array<CurvePoint> points(runtime.memory);
+    for (int step = 0; step < most_steps && !active.empty(); ++step) {
+        points.resize(active.size());
+        for (std::int64_t i = 0; i < active.size(); ++i) {
+            const Search& s = searches[active[i]];
+            points[i].position = CubicPiece(curves.point[s.piece], curves.point[s.next]).at(s.share);
+        }
+        for (int pass = 0; pass < 2; ++pass) {
+            evaluate(runtime, contour, points, progress);
+            for (CurvePoint& p : points) p.position += p.newton_step();
+        }
+        evaluations += 2 * points.size();
+        std::int64_t left = 0;
+        for (std::int64_t i = 0; i < active.size(); ++i) {
+            Search& s = searches[active[i]];
+            s.found = points[i];
+            narrow(s, radial(points[i], view));
+            if (!s.done) active[left++] = active[i];
+        }
+        active.resize(left);
+    }
+}
+
+} // namespace
+
+Curves with_cusps(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
+                  std::int64_t& evaluations, const base::Progress& progress) {
+    base::Array<Search> searches = find_changes(runtime.memory, view, curves);
+    search(runtime, contour, view, curves, searches, evaluations, progress);
+    Curves result(runtime.memory);
+    result.first.push_back(0);
+    const auto add = [&](const CurvePoint& p, bool cusp) {
+        result.point.push_back(p);
+        result.cusp.push_back(cusp ? 1 : 0);
+    };
+    std::int64_t s = 0;
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        bool replaced = false; // the point that comes next, by a cusp just before it
+        for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
+            const bool changes = s < searches.size() && searches[s].piece == at;
+            const double share = changes ? searches[s].share : 0.5;
+            if (!replaced && !(changes && share < at_end)) add(curves.point[at], false);
+            replaced = changes && share > 1.0 - at_end && searches[s].next > at;
+            if (changes) add(searches[s++].found, true);
+        }
+        result.first.push_back(result.point.size());
+        result.closed.push_back(curves.closed[c]);
+    }
+    return result;
+}
+
+} // namespace hrbfnpr::curves

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/crossings.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::visibility {
+namespace {
+
+constexpr double cell_side = 4.0;    // pixels, at least
+constexpr double most_cells = 1.0e6; // of the grid
+constexpr int most_steps = 12;       // of Newton's
+constexpr double known = 1e-10;      // shares of a piece
+constexpr double slack = 0.05;       // beyond the ends of a piece, for what crosses at one
+constexpr double nearest_gap = 1e-5; // in sides: curves that come nearer are the same
+
+double cross2(const glm::dvec2& a, const glm::dvec2& b) noexcept { return a.x * b.y - a.y * b.x; }
+
+// A segment of the image: from its point to the next.
+struct Grid {
+    explicit Grid(base::Memory& memory) noexcept : begin(memory), segment(memory) {}
+
+    glm::dvec2 origin{0.0};
+    double side = cell_side;
+    std::int64_t columns = 1, rows = 1;
+    base::Array<std::int64_t> begin; // of each cell in `segment`, and the end
+    base::Array<std::int64_t> segment;
+};
+
+class Finder {
+public:
+    Finder(const base::Runtime& runtime, std::span<const Subject> subjects, const ImageLines& lines)
+        : runtime_(runtime), subjects_(subjects), lines_(lines), ends_line_(runtime.memory), grid_(runtime.memory),
+          found_(runtime.memory) {
+        ends_line_.resize(lines.points.size());
+        for (const Line& line : lines.lines) ends_line_[line.first_point + line.points - 1] = 1;
+        make_grid();
+    }
+
+    void run(CrossingReport& report, const base::Progress& progress);
+    [[nodiscard]] base::Array<Crossing> result() && { return std::move(found_); }
+
+private:
+    struct Pair {
+        std::int64_t a, b;
+    };
+
+    [[nodiscard]] bool is_segment(std::int64_t point) const noexcept { return ends_line_[point] == 0; }
+    [[nodiscard]] const glm::dvec2& place(std::int64_t point) const noexcept { return lines_.points[point].place; }
+    [[nodiscard]] const Subject& subject_of(std::int32_t piece) const noexcept {
+        return subjects_[static_cast<std::size_t>(lines_.pieces[piece].subject)];
+    }
+    [[nodiscard]] bool hides(std::int64_t segment) const noexcept {
+        return subject_of(lines_.points[segment].piece).sheets > 0;
+    }
+    void make_grid();
+    template <class F>
+    void for_cells(std::int64_t segment, const F& f) const;
+    void in_cell(std::int64_t cell, base::Array<Pair>& pairs) const;
+    [[nodiscard]] bool crosses(std::int64_t a, std::int64_t b) const noexcept;
+    [[nodiscard]] glm::dvec2 crossing_of(std::int64_t a, std::int64_t b) const noexcept;
+    [[nodiscard]] bool refine(const Pair& pair, Crossing& crossing) const noexcept;
+
+    const base::Runtime& runtime_;
+    std::span<const Subject> subjects_;
+    const ImageLines& lines_;
+    base::Array<std::uint8_t> ends_line_; // 1: no segment begins at the point
+    Grid grid_;
+    base::Array<Crossing> found_;
+};
+
+template <class F>
+void Finder::for_cells(std::int64_t segment, const F& f) const {
+    const glm::dvec2 low = (glm::min(place(segment), place(segment + 1)) - grid_.origin) / grid_.side;
+    const glm::dvec2 high = (glm::max(place(segment), place(segment + 1)) - grid_.origin) / grid_.side;
+    const auto column = [&](double x) {
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(x), 0, grid_.columns - 1);
+    };
+    const auto row = [&](double y) {
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(y), 0, grid_.rows - 1);
+    };
+    for (std::int64_t r = row(low.y); r <= row(high.y); ++r)
+        for (std::int64_t c = column(low.x); c <= column(high.x); ++c) f(r * grid_.columns + c);
+}
+
+void Finder::make_grid() {
+    glm::dvec2 low(std::numeric_limits<double>::infinity());
+    glm::dvec2 high(-std::numeric_limits<double>::infinity());
+    for (const ImagePoint& p : lines_.points) {
+        low = glm::min(low, p.place);
+        high = glm::max(high, p.place);
+    }
+    if (lines_.points.empty()) low = high = glm::dvec2(0.0);
+    const glm::dvec2 size = high - low;
+    grid_.origin = low;
+    grid_.side = std::max(cell_side, std::sqrt(size.x * size.y / most_cells));
+    grid_.columns = static_cast<std::int64_t>(size.x / grid_.side) + 1;
+    grid_.rows = static_cast<std::int64_t>(size.y / grid_.side) + 1;
+    grid_.begin.resize(grid_.columns * grid_.rows + 1);
+    const std::int64_t segments = lines_.points.size();
+    for (std::int64_t s = 0; s < segments; ++s)
+        if (is_segment(s)) for_cells(s, [&](std::int64_t cell) { ++grid_.begin[cell + 1]; });
+    for (std::int64_t cell = 0; cell + 1 < grid_.begin.size(); ++cell) grid_.begin[cell + 1] += grid_.begin[cell];
+    grid_.segment.resize(grid_.begin[grid_.begin.size() - 1]);
+    base::Array<std::int64_t> at(runtime_.memory);
+    for (const std::int64_t begin : grid_.begin) at.push_back(begin);
+    for (std::int64_t s = 0; s < segments; ++s)
+        if (is_segment(s)) for_cells(s, [&](std::int64_t cell) { grid_.segment[at[cell]++] = s; });
+}
+
+// Each end of one is on another side of the other; on the line counts as left of it, so that of two segments with a
+// common end a third one crosses one.
+bool Finder::crosses(std::int64_t a, std::int64_t b) const noexcept {
+    const glm::dvec2 p = place(a);
+    const glm::dvec2 q = place(a + 1);
+    const glm::dvec2 r = place(b);
+    const glm::dvec2 s = place(b + 1);
+    const auto left = [](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& at) {
+        return cross2(to - from, at - from) >= 0.0;
+    };
+    return left(p, q, r) != left(p, q, s) && left(r, s, p) != left(r, s, q);
+}
+
+// As shares of both.
+glm::dvec2 Finder::crossing_of(std::int64_t a, std::int64_t b) const noexcept {
+    const glm::dvec2 d = place(a + 1) - place(a);
+    const glm::dvec2 e = place(b + 1) - place(b);
+    const glm::dvec2 way = place(b) - place(a);
+    const double area = cross2(d, e);
+    if (area == 0.0) return glm::dvec2(0.5);
+    return {cross2(way, e) / area, cross2(way, d) / area};
+}
+
+// A pair that meets in several cells is found in that of its crossing only.
+void Finder::in_cell(std::int64_t cell, base::Array<Pair>& pairs) const {
+    for (std::int64_t i = grid_.begin[cell]; i < grid_.begin[cell + 1]; ++i) {
+        for (std::int64_t j = i + 1; j < grid_.begin[cell + 1]; ++j) {
+            const std::int64_t a = grid_.segment[i];
+            const std::int64_t b = grid_.segment[j];
+            if (lines_.points[a].piece == lines_.points[b].piece || (!hides(a) && !hides(b)) || !crosses(a, b))
+                continue;
+            const glm::dvec2 at = place(a) + std::clamp(crossing_of(a, b).x, 0.0, 1.0) * (place(a + 1) - place(a));
+            const glm::dvec2 in = (at - grid_.origin) / grid_.side;
+            const std::int64_t column = std::clamp<std::int64_t>(static_cast<std::int64_t>(in.x), 0, grid_.columns - 1);
+            const std::int64_t row = std::clamp<std::int64_t>(static_cast<std::int64_t>(in.y), 0, grid_.rows - 1);
+            if (row * grid_.columns + column == cell) pairs.push_back({a, b});
+        }
+    }
+}
+
+// The image of a place of a cubic, and how it changes along it.
+struct Moving {
+    glm::dvec3 point;
+    glm::dvec2 place, velocity;
+};
+Moving move(const curves::View& view, const curves::CubicPiece& cubic, double u) noexcept {
+    Moving m;
+    m.point = cubic.at(u);
+    const glm::dvec4 q = view.to_window * glm::dvec4(m.point, 1.0);
+    const glm::dvec4 d = view.to_window * glm::dvec4(cubic.derivative(u), 0.0);
+    m.place = {q.x / q.w, q.y / q.w};
+    m.velocity = {(d.x - m.place.x * d.w) / q.w, (d.y - m.place.y * d.w) / q.w};
+    return m;
+}
+
+// Newton's steps on the cubics themselves.  Those that end where the curves are one, as beside a cusp, or far away had
+// begun at a crossing that is of the polylines only.
+bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
+    const ImagePoint& a = lines_.points[pair.a];
+    const ImagePoint& b = lines_.points[pair.b];
+    const Subject& sa = subject_of(a.piece);
+    const Subject& sb = subject_of(b.piece);
+    const curves::CubicPiece first = cubic(subjects_, lines_.pieces[a.piece]);
+    const curves::CubicPiece second = cubic(subjects_, lines_.pieces[b.piece]);
+    const auto share_at = [&](std::int64_t segment, double t) {
+        const ImagePoint& from = lines_.points[segment];
+        const ImagePoint& to = lines_.points[segment + 1];
+        return from.share + t * ((to.piece == from.piece ? to.share : 1.0) - from.share);
+    };
+    const glm::dvec2 start = crossing_of(pair.a, pair.b);
+    double u = share_at(pair.a, std::clamp(start.x, 0.0, 1.0));
+    double v = share_at(pair.b, std::clamp(start.y, 0.0, 1.0));
+    bool settled = false;
+    Moving p{};
+    Moving q{};
+    for (int step = 0; step < most_steps && !settled; ++step) {
+        p = move(sa.view, first, u);
+        q = move(sb.view, second, v);
+        const double area = cross2(p.velocity, q.velocity);
+        const glm::dvec2 way = q.place - p.place;
+        const double du = cross2(way, q.velocity) / area;
+        const double dv = cross2(way, p.velocity) / area;
+        if (!(std::abs(du) <= 1.0 && std::abs(dv) <= 1.0)) return false;
+        u += du;
+        v += dv;
+        settled = std::abs(du) <= known && std::abs(dv) <= known;
+    }
+    if (!settled || u < -slack || u > 1.0 + slack || v < -slack || v > 1.0 + slack) return false;
+    // Along the common line of sight.
+    const glm::dvec3 world_p(sa.to_world * glm::dvec4(p.point, 1.0));
+    const glm::dvec3 world_q(sb.to_world * glm::dvec4(q.point, 1.0));
+    const glm::dvec3 sight = glm::dmat3(sa.to_world) * sa.view.sight(p.point);
+    const double behind = glm::dot(world_q - world_p, sight); // > 0: the second curve is farther
+    const double side = sa.side * glm::length(sight) / glm::length(sa.view.sight(p.point));
+    crossing.gap = glm::distance(world_p, world_q) / side;
+    if (!(crossing.gap > nearest_gap)) return false;
+    const bool second_far = behind > 0.0;
+    const Subject& near_one = second_far ? sa : sb;
+    // With y up the nearer surface lies to the left of its contour.
+    const double turn = -cross2(second_far ? p.velocity : q.velocity, second_far ? q.velocity : p.velocity);
+    const std::int32_t sign = ((turn > 0.0) != near_one.mirrored) ? 1 : -1;
+    crossing.far_piece = second_far ? b.piece : a.piece;
+    crossing.near_piece = second_far ? a.piece : b.piece;
+    crossing.far_share = std::clamp(second_far ? v : u, 0.0, 1.0);
+    crossing.near_share = std::clamp(second_far ? u : v, 0.0, 1.0);
+    crossing.change = sign * near_one.sheets;
+    crossing.place = p.place;
+    return true;
+}
+
+void Finder::run(CrossingReport& report, const base::Progress& progress) {
+    base::Array<Pair> pairs(runtime_.memory);
+    for (std::int64_t cell = 0; cell + 1 < grid_.begin.size(); ++cell) in_cell(cell, pairs);
+    progress.check();
+    report.of_polylines = pairs.size();
+    for (const Pair& pair : pairs) {
+        Crossing crossing{};
+        if (!refine(pair, crossing))
+            ++report.rejected;
+        else if (crossing.change != 0)
+            found_.push_back(crossing);
+    }
+    std::sort(found_.begin(), found_.end(), [](const Crossing& a, const Crossing& b) {
+        if (a.far_piece != b.far_piece) return a.far_piece < b.far_piece;
+        if (a.far_share != b.far_share) return a.far_share < b.far_share;
+        return a.near_piece < b.near_piece;
+    });
+}
+
+} // namespace
+
+base::Array<Crossing> find_crossings(const base::Runtime& runtime, std::span<const Subject> subjects,
+                                     const ImageLines& lines, CrossingReport& report, const base::Progress& progress) {
+    Finder finder(runtime, subjects, lines);
+    finder.run(report, progress);
+    return std::move(finder).result();
+}
+
+} // namespace hrbfnpr::visibility

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// How many sheets of surface lie before each part of each line: its quantitative invisibility.
+// [Appel 1967; Benard & Hertzmann 2019, 4]
+#pragma once
+
+#include "visibility/crossings.h"
+
+namespace hrbfnpr::visibility {
+
+// Where the number of sheets before a line changes.
+struct Event {
+    std::int32_t piece;
+    double share;
+    std::int32_t change;
+    std::int32_t near_piece; // of the line that crosses before it; -1: a cusp
+};
+
+// A part of a line between two events, or all of it.
+struct Interval {
+    std::int32_t line;
+    std::int32_t begin_piece, end_piece;
+    double begin_share, end_share;
+    std::int32_t sheets; // before it
+};
+
+struct InvisibilityReport {
+    CrossingReport crossings;
+    std::int64_t lines = 0, closed = 0, cusps = 0, rays = 0;
+    std::int64_t rounds = 0;         // in which the image was made finer
+    std::int64_t refined = 0;        // lines that contradicted themselves at first
+    std::int64_t contradictions = 0; // ... and still do: each of their parts is as its own ray says
+};
+
+struct InvisibilitySettings {
+    double tolerance = 0.05; // of the image that crossings are first looked for in, pixels
+    int rounds = 3;          // each ten times finer
+    int probes = 3;          // rays a line
+};
+
+struct Invisibility {
+    explicit Invisibility(base::Memory& memory) noexcept : lines(memory), intervals(memory), crossings(memory) {}
+
+    ImageLines lines;
+    base::Array<Interval> intervals; // line by line, along it
+    base::Array<Crossing> crossings;
+    InvisibilityReport report;
+};
+
+// The same bits for any thread count.
+[[nodiscard]] Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Subject> subjects,
+                                             std::span<const Occluder> occluders, const InvisibilitySettings& settings,
+                                             const base::Progress& progress);
+
+} // namespace hrbfnpr::visibility

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Curves whose visibility is asked for, and surfaces that hide them.
+#pragma once
+
+#include "curves/curves.h"
+#include "curves/sheet_count.h"
+#include "curves/view.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::visibility {
+
+// A surface.
+struct Occluder {
+    const curves::SheetCounter* sheets = nullptr;
+    const implicit::Implicit* surface = nullptr;
+    glm::dmat4 to_world{1.0}; // affine
+    glm::dvec4 eye{0.0};      // curves::View::eye, in its own coordinates
+    double side = 0.0;        // of its mesh's cells
+};
+
+// Curves on one surface.
+struct Subject {
+    const curves::Curves* curves = nullptr;
+    curves::View view;
+    double side = 0.0;        // of its mesh's cells: its unit of length
+    glm::dmat4 to_world{1.0}; // affine
+    std::int32_t item = 0;    // of its surface among the occluders
+    std::int32_t sheets = 2;  // that begin or end at these curves: 2 of a contour, 1 of a border, 0 of other lines
+    bool mirrored = false;    // the image shows its surface mirrored
+};
+
+} // namespace hrbfnpr::visibility
