@@ -131,7 +131,7 @@ std::int64_t Follower::start_on_way(const Path& path, const glm::dvec3& tangent)
         if (s == path.start && path.steps < fewest_steps_of_loop) return;
         const glm::dvec3 place = starts_[s].position;
         const double u = glm::dot(place - a, chord) / (length * length);
-        if (!(u > 1e-9 && u <= 1.0 + 1e-9 && u < first)) return;
+        if (!(u > 1e-9 && u <= 1.0 + beside && u < first)) return;
         const double v = 1.0 - u;
         const glm::dvec3 on_curve = v * v * (1.0 + 2.0 * u) * a + u * u * (3.0 - 2.0 * u) * b +
                                     u * v * length * (v * path.tangent - u * tangent);

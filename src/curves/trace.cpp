@@ -90,7 +90,7 @@ geometry::PointGrid Rounds::grid_of_points() const {
     return {places, (settings_.longest + covered) * mesh_.side};
 }
 
-// From the segments on both sides of a point of a curve, if they run the bead's way.
+// From the pieces on both sides of a point of a curve, if they run the bead's way.
 double Rounds::distance_to(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along) const noexcept {
     const std::int64_t curve =
         std::upper_bound(curves_.first.begin(), curves_.first.end(), point) - curves_.first.begin() - 1;
@@ -107,7 +107,10 @@ double Rounds::distance_to(std::int64_t point, const glm::dvec3& place, const gl
         }
         const glm::dvec3 way = curves_.point[at].position - p.position;
         const double share = glm::dot(place - p.position, way) / glm::dot(way, way);
-        if (share > 0.0 && share < 1.0) nearest = std::min(nearest, glm::distance(p.position + share * way, place));
+        if (!(share > 0.0 && share < 1.0)) continue;
+        const CurvePoint& q = curves_.point[at];
+        const glm::dvec3 foot = other > point ? CubicPiece(p, q).at(share) : CubicPiece(q, p).at(1.0 - share);
+        nearest = std::min(nearest, glm::distance(foot, place));
     }
     return nearest;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/crossings.h"
 
+#include "visibility/meeting.h"
+#include "visibility/verify_crossings.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -16,8 +19,6 @@ constexpr int most_steps = 12;       // of Newton's
 constexpr double known = 1e-10;      // shares of a piece
 constexpr double slack = 0.05;       // beyond the ends of a piece, for what crosses at one
 constexpr double nearest_gap = 1e-5; // in sides: curves that come nearer are the same
-
-double cross2(const glm::dvec2& a, const glm::dvec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
 // A segment of the image: from its point to the next.
 struct Grid {
@@ -60,6 +61,10 @@ private:
     template <class F>
     void for_cells(std::int64_t segment, const F& f) const;
     void in_cell(std::int64_t cell, base::Array<Pair>& pairs) const;
+    // Whether one begins where the other ends.
+    [[nodiscard]] bool follow(std::int64_t a, std::int64_t b) const noexcept {
+        return place(a + 1) == place(b) || place(b + 1) == place(a);
+    }
     [[nodiscard]] bool crosses(std::int64_t a, std::int64_t b) const noexcept;
     [[nodiscard]] glm::dvec2 crossing_of(std::int64_t a, std::int64_t b) const noexcept;
     [[nodiscard]] bool refine(const Pair& pair, Crossing& crossing) const noexcept;
@@ -140,7 +145,8 @@ void Finder::in_cell(std::int64_t cell, base::Array<Pair>& pairs) const {
         for (std::int64_t j = i + 1; j < grid_.begin[cell + 1]; ++j) {
             const std::int64_t a = grid_.segment[i];
             const std::int64_t b = grid_.segment[j];
-            if (lines_.points[a].piece == lines_.points[b].piece || (!hides(a) && !hides(b)) || !crosses(a, b))
+            if (lines_.points[a].piece == lines_.points[b].piece || follow(a, b) || (!hides(a) && !hides(b)) ||
+                !crosses(a, b))
                 continue;
             const glm::dvec2 at = place(a) + std::clamp(crossing_of(a, b).x, 0.0, 1.0) * (place(a + 1) - place(a));
             const glm::dvec2 in = (at - grid_.origin) / grid_.side;
@@ -149,21 +155,6 @@ void Finder::in_cell(std::int64_t cell, base::Array<Pair>& pairs) const {
             if (row * grid_.columns + column == cell) pairs.push_back({a, b});
         }
     }
-}
-
-// The image of a place of a cubic, and how it changes along it.
-struct Moving {
-    glm::dvec3 point;
-    glm::dvec2 place, velocity;
-};
-Moving move(const curves::View& view, const curves::CubicPiece& cubic, double u) noexcept {
-    Moving m;
-    m.point = cubic.at(u);
-    const glm::dvec4 q = view.to_window * glm::dvec4(m.point, 1.0);
-    const glm::dvec4 d = view.to_window * glm::dvec4(cubic.derivative(u), 0.0);
-    m.place = {q.x / q.w, q.y / q.w};
-    m.velocity = {(d.x - m.place.x * d.w) / q.w, (d.y - m.place.y * d.w) / q.w};
-    return m;
 }
 
 // Newton's steps on the cubics themselves.  Those that end where the curves are one, as beside a cusp, or far away had
@@ -187,12 +178,9 @@ bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
     Moving p{};
     Moving q{};
     for (int step = 0; step < most_steps && !settled; ++step) {
-        p = move(sa.view, first, u);
-        q = move(sb.view, second, v);
-        const double area = cross2(p.velocity, q.velocity);
-        const glm::dvec2 way = q.place - p.place;
-        const double du = cross2(way, q.velocity) / area;
-        const double dv = cross2(way, p.velocity) / area;
+        p = moving(sa.view, first.at(u), first.derivative(u));
+        q = moving(sb.view, second.at(v), second.derivative(v));
+        const auto [du, dv] = meeting(p, q);
         if (!(std::abs(du) <= 1.0 && std::abs(dv) <= 1.0)) return false;
         u += du;
         v += dv;
@@ -233,6 +221,7 @@ void Finder::run(CrossingReport& report, const base::Progress& progress) {
         else if (crossing.change != 0)
             found_.push_back(crossing);
     }
+    report.rejected += verify_crossings(runtime_, subjects_, lines_, found_, progress);
     std::sort(found_.begin(), found_.end(), [](const Crossing& a, const Crossing& b) {
         if (a.far_piece != b.far_piece) return a.far_piece < b.far_piece;
         if (a.far_share != b.far_share) return a.far_share < b.far_share;

@@ -4,7 +4,10 @@
 #include "visibility/probes.h"
 
 #include <algorithm>
+#pragma GCC diagnostic ignored "-Wold-style-cast"
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace hrbfnpr::visibility {
 namespace {
@@ -213,6 +216,17 @@ bool Round::propagate(std::int64_t l, std::span<const Candidate> probes) {
         out_.intervals[first + i].sheets += shift;
         possible = possible && out_.intervals[first + i].sheets >= 0;
     }
+    if (getenv("VDBG") && !(closes && agree && possible)) {
+        fprintf(stderr,
+                "  line %ld closed %d pieces %ld length %.2f events %ld closes %d(%d) agree %d possible %d probes:",
+                (long)l, line(l).closed, (long)line(l).pieces,
+                length_[line(l).first_piece + line(l).pieces] - length_[line(l).first_piece],
+                (long)(events_.first[l + 1] - begin), closes, sheets + change_before(0), agree, possible);
+        for (const Candidate& c : probes)
+            fprintf(stderr, " [ray %d got %d %s score %.2f]", c.probe.sheets, out_.intervals[c.interval].sheets,
+                    c.probe.certain ? "ok" : "unc", c.score);
+        fprintf(stderr, "\n");
+    }
     return closes && agree && possible;
 }
 
@@ -263,7 +277,22 @@ void Round::settle(const base::Progress& progress) {
     }
     send_rays(runtime_, subjects_, occluders_, rays, progress);
     out_.report.rays += rays.size();
-    for (std::int64_t i = 0; i < of.size(); ++i) out_.intervals[of[i]].sheets = rays[i].sheets;
+    for (std::int64_t i = 0; i < of.size(); ++i) {
+        if (getenv("VDBG")) {
+            const Interval& iv = out_.intervals[of[i]];
+            const Event* e = nullptr;
+            for (std::int64_t k = events_.first[iv.line]; k < events_.first[iv.line + 1]; ++k)
+                if (events_.event[k].piece == iv.begin_piece && events_.event[k].share == iv.begin_share)
+                    e = &events_.event[k];
+            const auto pl =
+                see(subjects_[0].view, cubic(subjects_, out_.lines.pieces[iv.begin_piece]).at(iv.begin_share)).place;
+            fprintf(stderr,
+                    "    line %d from %d+%.4f at %.2f %.2f  event %d near %d  propagated %d ray %d %s score %.3f\n",
+                    iv.line, iv.begin_piece, iv.begin_share, pl.x, pl.y, e ? e->change : 0, e ? e->near_piece : -9,
+                    iv.sheets, rays[i].sheets, rays[i].certain ? "" : "unc", best_of(of[i]).score);
+        }
+        out_.intervals[of[i]].sheets = rays[i].sheets;
+    }
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "curves/curves.h"
+#include "curves/level.h"
 #include "curves/sheet_count.h"
 #include "curves/view.h"
 
@@ -22,6 +23,7 @@ struct Occluder {
 // Curves on one surface.
 struct Subject {
     const curves::Curves* curves = nullptr;
+    const curves::Level* level = nullptr; // whose zero lines they are; null: polylines as they are
     curves::View view;
     double side = 0.0;        // of its mesh's cells: its unit of length
     glm::dmat4 to_world{1.0}; // affine
