@@ -244,6 +244,37 @@ TEST_F(SheetCount, NoNumberIsNotCertain) {
     EXPECT_TRUE(count(half, {0.2, 0.1, 3}, {0.2, 0.2, -3}).certain);
 }
 
+// Three roots between two of the first places, at which f has different signs; the mesh does not know of them.
+TEST_F(SheetCount, SeveralRootsNearEachOther) {
+    const AnyField wave(cube(0.5), [](const glm::dvec3& p) {
+        constexpr double root = 0.012;
+        return Field{
+            p.z - 1000.0 * p.x * (p.x * p.x - root * root), {-1000.0 * (3.0 * p.x * p.x - root * root), 0.0, 1.0}, {}};
+    });
+    make(Plane({0, 0, 1}, -0.001, cube(0.5)), {0, 0, -0.001}, 0.1);
+    for (int k = 0; k < 20; ++k) {
+        const double y = 0.02 * k;
+        EXPECT_EQ(count(wave, {-0.3 + 0.001 * k, y, 0}, {0.2, y, 0}).sheets, 3) << k;
+    }
+}
+
+// The mesh of one function, and the values of others.
+TEST_F(SheetCount, TheTwoCountsHaveToAgree) {
+    const Sphere sphere;
+    make(sphere, {0, 0, 1}, 0.1);
+    const auto shifted = [](double by) {
+        return AnyField(cube(1.0), [by](const glm::dvec3& p) {
+            const double off = glm::length(p) - 1.0;
+            return Field{off * off + by, 2.0 * off * p / glm::length(p), {}};
+        });
+    };
+    EXPECT_TRUE(count(sphere, {3, 0.1, 0.2}, {-3, 0.2, 0.1}).certain);
+    EXPECT_EQ(count(shifted(1e-6), {3, 0.1, 0.2}, {-3, 0.2, 0.1}).sheets, 0);
+    EXPECT_FALSE(count(shifted(1e-6), {3, 0.1, 0.2}, {-3, 0.2, 0.1}).certain);
+    EXPECT_EQ(count(shifted(-1e-6), {3, 0.1, 0.2}, {-3, 0.2, 0.1}).sheets, 4);
+    EXPECT_FALSE(count(shifted(-1e-6), {3, 0.1, 0.2}, {-3, 0.2, 0.1}).certain);
+}
+
 // A part that no seed belongs to is not looked at, but is noticed where it stands between two sheets.
 TEST_F(SheetCount, OnlyPartsOfTheMeshCount) {
     const AnyField both(cube(1.2), two_spheres);

@@ -149,6 +149,18 @@ TEST(SurfaceMesh, FindsTheSurfaceFromASeedBesideIt) {
     }
 }
 
+// The pole is in the middle of a cell's face, and a little above it: the cell has all corners outside.
+TEST(SurfaceMesh, FindsTheSurfaceFromACellWithoutAChangeOfSign) {
+    const base::Runtime runtime = with_threads(2);
+    const Sphere sphere;
+    MeshSettings cells;
+    cells.side = 0.2001;
+    cells.region = {{-1.1, -1.1, -1.205}, {1.1, 1.1, 1.195}};
+    const SurfaceMesh mesh = triangulate(runtime, sphere, seeds(runtime, {{0, 0, 1}}), cells, {});
+    EXPECT_EQ(measure(mesh, sphere).euler, 2);
+    EXPECT_EQ(mesh.missed_seeds, 0);
+}
+
 // A small sphere that no corner is in.
 TEST(SurfaceMesh, CountsSeedsOfPartsThatCellsMiss) {
     const base::Runtime runtime = with_threads(2);
@@ -164,6 +176,21 @@ TEST(SurfaceMesh, CountsSeedsOfPartsThatCellsMiss) {
     EXPECT_EQ(triangulate(runtime, two, seed, coarse, {}).missed_seeds, 2);
     coarse.side = 0.01;
     EXPECT_EQ(triangulate(runtime, two, seed, coarse, {}).missed_seeds, 0);
+}
+
+// It is near triangles, but they face the other way.
+TEST(SurfaceMesh, CountsMissedSeedsBesideAnotherPart) {
+    const base::Runtime runtime = with_threads(2);
+    const AnyField drop(cube(1.0), [](const glm::dvec3& p) {
+        const glm::dvec3 q = p - glm::dvec3(0.03, 0.02, 0.1);
+        const double small = glm::length(q) - 0.02;
+        return p.z < small ? Field{p.z, {0, 0, 1}, {}} : Field{small, q / glm::length(q), {}};
+    });
+    const geometry::VecArray seed = seeds(runtime, {{0.5, 0, 0}, {0.03, 0.02, 0.08}});
+    MeshSettings cells;
+    cells.side = 0.1501;
+    cells.region = {{-1.05, -1.05, -1.125}, {1.05, 1.05, 1.125}};
+    EXPECT_EQ(triangulate(runtime, drop, seed, cells, {}).missed_seeds, 1);
 }
 
 TEST(SurfaceMesh, SaysWhereAWallIsTooThin) {
