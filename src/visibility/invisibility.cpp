@@ -2,6 +2,7 @@
 #include "visibility/invisibility.h"
 
 #include "visibility/probes.h"
+#include "visibility/small_swallowtails.h"
 
 #include <algorithm>
 #pragma GCC diagnostic ignored "-Wold-style-cast"
@@ -13,7 +14,8 @@ namespace hrbfnpr::visibility {
 namespace {
 
 constexpr double finer = 0.1;
-constexpr double clear_sides = 0.02; // beside a point of a contour the line of sight is tangent to the surface
+constexpr double smallest_swallowtail = 0.25; // pixels along the line
+constexpr double clear_sides = 0.02;          // beside a point of a contour the line of sight is tangent to the surface
 
 // The events of all lines, line by line, along each.
 struct Events {
@@ -47,6 +49,7 @@ private:
         return *subjects_[static_cast<std::size_t>(line.subject)].curves;
     }
     void collect_events();
+    void drop_small_swallowtails();
     void make_intervals(std::int64_t l);
     void measure();
     [[nodiscard]] double length_at(std::int64_t piece, double share) const noexcept {
@@ -101,6 +104,21 @@ void Round::collect_events() {
         }
     }
     events_.first.push_back(events_.event.size());
+}
+
+// Swallowtails that are smaller than can be seen, and so small that the crossing of their branches may not have been
+// found: together, two cusps and that crossing change nothing.  [Arnold 1986]
+void Round::drop_small_swallowtails() {
+    Events kept(runtime_.memory);
+    for (std::int64_t l = 0; l < out_.lines.lines.size(); ++l) {
+        kept.first.push_back(kept.event.size());
+        const std::span<const Event> all =
+            events_.event.span().subspan(static_cast<std::size_t>(events_.first[l]),
+                                         static_cast<std::size_t>(events_.first[l + 1] - events_.first[l]));
+        SmallSwallowtails(runtime_.memory, line(l), length_, smallest_swallowtail).keep(all, kept.event);
+    }
+    kept.first.push_back(kept.event.size());
+    events_ = std::move(kept);
 }
 
 // Of a closed line the last interval goes on to its first event.
@@ -235,6 +253,7 @@ std::int64_t Round::run(double tolerance, int probes, const base::Progress& prog
     out_.crossings = find_crossings(runtime_, subjects_, out_.lines, out_.report.crossings, progress);
     measure();
     collect_events();
+    drop_small_swallowtails();
     out_.intervals.clear();
     first_interval_.clear();
     const std::int64_t lines = out_.lines.lines.size();

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Groups of cusps too close to each other to be seen.
+#pragma once
+
+#include "visibility/invisibility.h"
+
+#include <span>
+
+namespace hrbfnpr::visibility {
+
+class SmallSwallowtails {
+public:
+    // length: of the image up to each piece of all lines.
+    SmallSwallowtails(base::Memory& memory, const Line& line, const base::Array<double>& length, double size) noexcept
+        : line_(line), length_(length), size_(size), groups_(memory), cusps_(memory) {}
+
+    // Of a line's events those that count: of each group no cusp, or one where they are odd in number, and none of the
+    // crossings of the group's own branches.
+    void keep(std::span<const Event> events, base::Array<Event>& kept);
+
+private:
+    // From the first to the last cusp, pixels along the line; `end` may lie beyond the line's end, if it is closed.
+    struct Group {
+        double begin, end;
+        bool odd;
+        std::int64_t last; // cusp, of the events
+    };
+
+    [[nodiscard]] double place(std::int32_t piece, double share) const noexcept {
+        return length_[piece] + share * (length_[piece + 1] - length_[piece]) - length_[line_.first_piece];
+    }
+    [[nodiscard]] double whole() const noexcept {
+        return length_[line_.first_piece + line_.pieces] - length_[line_.first_piece];
+    }
+    [[nodiscard]] bool in(const Group& group, double place) const noexcept;
+    void find_groups(std::span<const Event> events);
+
+    const Line& line_;
+    const base::Array<double>& length_;
+    double size_;
+    base::Array<Group> groups_; // of two cusps and more
+    base::Array<std::int64_t> cusps_;
+};
+
+} // namespace hrbfnpr::visibility
