@@ -4,11 +4,19 @@
 #include <algorithm>
 
 namespace hrbfnpr::visibility {
+namespace {
 
-// Or within the size beside it, where the branches cross.
-bool SmallSwallowtails::in(const Group& group, double at) const noexcept {
-    const double low = group.begin - size_;
-    const double high = group.end + size_;
+// Branches of a group cross within so many of its sizes.
+constexpr double branches = 8.0;
+
+} // namespace
+
+// Or beside it, where the branches cross.
+bool SmallSwallowtails::in(const Group& group, double at) const noexcept { return within(group, at, branches * size_); }
+
+bool SmallSwallowtails::within(const Group& group, double at, double beside) const noexcept {
+    const double low = group.begin - beside;
+    const double high = group.end + beside;
     return (at >= low && at <= high) ||
            (line_.closed && (at + whole() <= high || (at - whole() >= low && at - whole() <= high)));
 }
@@ -32,17 +40,33 @@ void SmallSwallowtails::find_groups(std::span<const Event> events) {
     }
 }
 
+// Crossings of the branches before a group with those behind it, and within it.
+bool SmallSwallowtails::crosses_itself(const Group& group, const Event& e) const noexcept {
+    if (e.near_piece < line_.first_piece || e.near_piece >= line_.first_piece + line_.pieces) return false;
+    return in(group, place(e.piece, e.share)) && in(group, place(e.near_piece, 0.5));
+}
+
+// Together, all changes of a group are those of a smooth contour, or of one cusp.
+bool SmallSwallowtails::adds_up(const Group& group, std::span<const Event> events) const noexcept {
+    std::int32_t change = group.odd ? -events[static_cast<std::size_t>(group.last)].change : 0;
+    for (const Event& e : events)
+        if (e.near_piece < 0 ? is_cusp_of(group, e) : crosses_itself(group, e)) change += e.change;
+    return change == 0;
+}
+
 void SmallSwallowtails::keep(std::span<const Event> events, base::Array<Event>& kept) {
     for (std::size_t i = 0; i < events.size(); ++i)
         if (events[i].near_piece < 0) cusps_.push_back(static_cast<std::int64_t>(i));
     if (cusps_.size() > 1) find_groups(events);
+    std::int64_t wrong = 0;
+    for (const Group& group : groups_)
+        if (!adds_up(group, events)) groups_[wrong++] = group;
+    groups_.resize(wrong);
     for (std::size_t i = 0; i < events.size(); ++i) {
         const Event& e = events[i];
-        const bool own = e.near_piece >= line_.first_piece && e.near_piece < line_.first_piece + line_.pieces;
         const bool dropped = std::any_of(groups_.begin(), groups_.end(), [&](const Group& group) {
-            if (!in(group, place(e.piece, e.share))) return false;
-            if (e.near_piece >= 0) return own && in(group, place(e.near_piece, 0.5));
-            return !(group.odd && group.last == static_cast<std::int64_t>(i));
+            if (e.near_piece >= 0) return crosses_itself(group, e);
+            return is_cusp_of(group, e) && !(group.odd && group.last == static_cast<std::int64_t>(i));
         });
         if (!dropped) kept.push_back(e);
     }

@@ -14,8 +14,8 @@ public:
     SmallSwallowtails(base::Memory& memory, const Line& line, const base::Array<double>& length, double size) noexcept
         : line_(line), length_(length), size_(size), groups_(memory), cusps_(memory) {}
 
-    // Of a line's events those that count: of each group no cusp, or one where they are odd in number, and none of the
-    // crossings of the group's own branches.
+    // Of a line's events those that count.  Where the changes of a group do not add up, a crossing of its branches was
+    // missed or doubled: then no cusp of it counts, or one where they are odd in number, and none of these crossings.
     void keep(std::span<const Event> events, base::Array<Event>& kept);
 
 private:
@@ -32,7 +32,13 @@ private:
     [[nodiscard]] double whole() const noexcept {
         return length_[line_.first_piece + line_.pieces] - length_[line_.first_piece];
     }
+    [[nodiscard]] bool within(const Group& group, double place, double beside) const noexcept;
     [[nodiscard]] bool in(const Group& group, double place) const noexcept;
+    [[nodiscard]] bool is_cusp_of(const Group& group, const Event& e) const noexcept {
+        return within(group, place(e.piece, e.share), 1e-9 * size_);
+    }
+    [[nodiscard]] bool crosses_itself(const Group& group, const Event& e) const noexcept;
+    [[nodiscard]] bool adds_up(const Group& group, std::span<const Event> events) const noexcept;
     void find_groups(std::span<const Event> events);
 
     const Line& line_;
