@@ -15,10 +15,13 @@ namespace {
 
 constexpr double cell_side = 4.0;    // pixels, at least
 constexpr double most_cells = 1.0e6; // of the grid
-constexpr int most_steps = 12;       // of Newton's
+constexpr int most_steps = 20;       // of Newton's
 constexpr double known = 1e-10;      // shares of a piece
-constexpr double slack = 0.05;       // beyond the ends of a piece, for what crosses at one
-constexpr double nearest_gap = 1e-5; // in sides: curves that come nearer are the same
+constexpr double same_place = 1e-7;  // the same
+constexpr double slack = 0.01;       // beyond the ends of a piece before the next one is taken
+// In sides: curves that come nearer are the same; and a line does not cross itself nearer to where it turns back.
+constexpr double nearest_gap = 1e-5;
+constexpr double smallest_loop = 0.02;
 
 // A segment of the image: from its point to the next.
 struct Grid {
@@ -67,7 +70,16 @@ private:
     }
     [[nodiscard]] bool crosses(std::int64_t a, std::int64_t b) const noexcept;
     [[nodiscard]] glm::dvec2 crossing_of(std::int64_t a, std::int64_t b) const noexcept;
+    struct OnLine {
+        std::int32_t piece;
+        double share;
+    };
     [[nodiscard]] bool refine(const Pair& pair, Crossing& crossing) const noexcept;
+    [[nodiscard]] OnLine place_on(std::int64_t segment, double t) const noexcept;
+    [[nodiscard]] Moving at(const OnLine& place) const noexcept;
+    [[nodiscard]] bool go(OnLine& place, double by) const noexcept;
+
+    void sort_and_merge();
 
     const base::Runtime& runtime_;
     std::span<const Subject> subjects_;
@@ -160,52 +172,70 @@ void Finder::in_cell(std::int64_t cell, base::Array<Pair>& pairs) const {
 // Newton's steps on the cubics themselves.  Those that end where the curves are one, as beside a cusp, or far away had
 // begun at a crossing that is of the polylines only.
 bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
-    const ImagePoint& a = lines_.points[pair.a];
-    const ImagePoint& b = lines_.points[pair.b];
+    const glm::dvec2 start = crossing_of(pair.a, pair.b);
+    OnLine a = place_on(pair.a, start.x);
+    OnLine b = place_on(pair.b, start.y);
     const Subject& sa = subject_of(a.piece);
     const Subject& sb = subject_of(b.piece);
-    const curves::CubicPiece first = cubic(subjects_, lines_.pieces[a.piece]);
-    const curves::CubicPiece second = cubic(subjects_, lines_.pieces[b.piece]);
-    const auto share_at = [&](std::int64_t segment, double t) {
-        const ImagePoint& from = lines_.points[segment];
-        const ImagePoint& to = lines_.points[segment + 1];
-        return from.share + t * ((to.piece == from.piece ? to.share : 1.0) - from.share);
-    };
-    const glm::dvec2 start = crossing_of(pair.a, pair.b);
-    double u = share_at(pair.a, std::clamp(start.x, 0.0, 1.0));
-    double v = share_at(pair.b, std::clamp(start.y, 0.0, 1.0));
-    bool settled = false;
     Moving p{};
     Moving q{};
-    for (int step = 0; step < most_steps && !settled; ++step) {
-        p = moving(sa.view, first.at(u), first.derivative(u));
-        q = moving(sb.view, second.at(v), second.derivative(v));
-        const auto [du, dv] = meeting(p, q);
-        if (!(std::abs(du) <= 1.0 && std::abs(dv) <= 1.0)) return false;
-        u += du;
-        v += dv;
-        settled = std::abs(du) <= known && std::abs(dv) <= known;
+    for (int step = 0;; ++step) {
+        p = at(a);
+        q = at(b);
+        const auto [da, db] = meeting(p, q);
+        if (!(std::abs(da) <= 1.0 && std::abs(db) <= 1.0) || step == most_steps) return false;
+        if (std::abs(da) <= known && std::abs(db) <= known) break;
+        if (!go(a, da) || !go(b, db)) return false;
     }
-    if (!settled || u < -slack || u > 1.0 + slack || v < -slack || v > 1.0 + slack) return false;
     // Along the common line of sight.
     const glm::dvec3 world_p(sa.to_world * glm::dvec4(p.point, 1.0));
     const glm::dvec3 world_q(sb.to_world * glm::dvec4(q.point, 1.0));
     const glm::dvec3 sight = glm::dmat3(sa.to_world) * sa.view.sight(p.point);
-    const double behind = glm::dot(world_q - world_p, sight); // > 0: the second curve is farther
+    const bool second_far = glm::dot(world_q - world_p, sight) > 0.0;
     const double side = sa.side * glm::length(sight) / glm::length(sa.view.sight(p.point));
     crossing.gap = glm::distance(world_p, world_q) / side;
-    if (!(crossing.gap > nearest_gap)) return false;
-    const bool second_far = behind > 0.0;
+    const bool same_line = lines_.pieces[a.piece].line == lines_.pieces[b.piece].line;
+    if (!(crossing.gap > (same_line ? smallest_loop : nearest_gap))) return false;
+    const OnLine& far = second_far ? b : a;
+    const OnLine& near = second_far ? a : b;
     const Subject& near_one = second_far ? sa : sb;
     // With y up the nearer surface lies to the left of its contour.
     const double turn = -cross2(second_far ? p.velocity : q.velocity, second_far ? q.velocity : p.velocity);
     const std::int32_t sign = ((turn > 0.0) != near_one.mirrored) ? 1 : -1;
-    crossing.far_piece = second_far ? b.piece : a.piece;
-    crossing.near_piece = second_far ? a.piece : b.piece;
-    crossing.far_share = std::clamp(second_far ? v : u, 0.0, 1.0);
-    crossing.near_share = std::clamp(second_far ? u : v, 0.0, 1.0);
+    crossing.far_piece = far.piece;
+    crossing.near_piece = near.piece;
+    crossing.far_share = std::clamp(far.share, 0.0, 1.0);
+    crossing.near_share = std::clamp(near.share, 0.0, 1.0);
     crossing.change = sign * near_one.sheets;
     crossing.place = p.place;
+    return true;
+}
+
+Finder::OnLine Finder::place_on(std::int64_t segment, double t) const noexcept {
+    const ImagePoint& from = lines_.points[segment];
+    const ImagePoint& to = lines_.points[segment + 1];
+    const double end = to.piece == from.piece ? to.share : 1.0;
+    return {from.piece, from.share + std::clamp(t, 0.0, 1.0) * (end - from.share)};
+}
+
+Moving Finder::at(const OnLine& place) const noexcept {
+    const curves::CubicPiece its = cubic(subjects_, lines_.pieces[place.piece]);
+    return moving(subject_of(place.piece).view, its.at(place.share), its.derivative(place.share));
+}
+
+// Over the ends of pieces, where the line goes on.
+bool Finder::go(OnLine& place, double by) const noexcept {
+    place.share += by;
+    const Line& line = lines_.lines[lines_.pieces[place.piece].line];
+    const auto first = static_cast<std::int32_t>(line.first_piece);
+    const auto end = static_cast<std::int32_t>(line.first_piece + line.pieces);
+    if (place.share < -slack) {
+        if (place.piece == first && !line.closed) return false;
+        place = {place.piece == first ? end - 1 : place.piece - 1, 1.0};
+    } else if (place.share > 1.0 + slack) {
+        if (place.piece == end - 1 && !line.closed) return false;
+        place = {place.piece == end - 1 ? first : place.piece + 1, 0.0};
+    }
     return true;
 }
 
@@ -222,11 +252,27 @@ void Finder::run(CrossingReport& report, const base::Progress& progress) {
             found_.push_back(crossing);
     }
     report.rejected += verify_crossings(runtime_, subjects_, lines_, found_, progress);
+    sort_and_merge();
+}
+
+// Several crossings of the polylines may be one of the curves.
+void Finder::sort_and_merge() {
     std::sort(found_.begin(), found_.end(), [](const Crossing& a, const Crossing& b) {
         if (a.far_piece != b.far_piece) return a.far_piece < b.far_piece;
         if (a.far_share != b.far_share) return a.far_share < b.far_share;
         return a.near_piece < b.near_piece;
     });
+    std::int64_t kept = 0;
+    for (std::int64_t i = 0; i < found_.size(); ++i) {
+        const Crossing& c = found_[i];
+        bool again = false;
+        for (std::int64_t k = kept - 1; k >= 0 && !again; --k) {
+            if (found_[k].far_piece != c.far_piece || c.far_share - found_[k].far_share > same_place) break;
+            again = found_[k].near_piece == c.near_piece && std::abs(found_[k].near_share - c.near_share) <= same_place;
+        }
+        if (!again) found_[kept++] = c;
+    }
+    found_.resize(kept);
 }
 
 } // namespace

@@ -32,7 +32,7 @@ public:
           length_(runtime.memory) {}
 
     // Returns how many lines contradict themselves.
-    std::int64_t run(double tolerance, int probes, const base::Progress& progress);
+    std::int64_t run(double tolerance, double swallowtail, int probes, const base::Progress& progress);
     // Each part of these lines as its own ray says.
     void settle(const base::Progress& progress);
 
@@ -49,7 +49,7 @@ private:
         return *subjects_[static_cast<std::size_t>(line.subject)].curves;
     }
     void collect_events();
-    void drop_small_swallowtails();
+    void drop_small_swallowtails(double size);
     void make_intervals(std::int64_t l);
     void measure();
     [[nodiscard]] double length_at(std::int64_t piece, double share) const noexcept {
@@ -108,14 +108,14 @@ void Round::collect_events() {
 
 // Swallowtails that are smaller than can be seen, and so small that the crossing of their branches may not have been
 // found: together, two cusps and that crossing change nothing.  [Arnold 1986]
-void Round::drop_small_swallowtails() {
+void Round::drop_small_swallowtails(double size) {
     Events kept(runtime_.memory);
     for (std::int64_t l = 0; l < out_.lines.lines.size(); ++l) {
         kept.first.push_back(kept.event.size());
         const std::span<const Event> all =
             events_.event.span().subspan(static_cast<std::size_t>(events_.first[l]),
                                          static_cast<std::size_t>(events_.first[l + 1] - events_.first[l]));
-        SmallSwallowtails(runtime_.memory, line(l), length_, smallest_swallowtail).keep(all, kept.event);
+        SmallSwallowtails(runtime_.memory, line(l), length_, size).keep(all, kept.event);
     }
     kept.first.push_back(kept.event.size());
     events_ = std::move(kept);
@@ -248,12 +248,12 @@ bool Round::propagate(std::int64_t l, std::span<const Candidate> probes) {
     return closes && agree && possible;
 }
 
-std::int64_t Round::run(double tolerance, int probes, const base::Progress& progress) {
+std::int64_t Round::run(double tolerance, double swallowtail, int probes, const base::Progress& progress) {
     out_.lines = draw_lines(runtime_, subjects_, tolerance);
     out_.crossings = find_crossings(runtime_, subjects_, out_.lines, out_.report.crossings, progress);
     measure();
     collect_events();
-    drop_small_swallowtails();
+    drop_small_swallowtails(swallowtail);
     out_.intervals.clear();
     first_interval_.clear();
     const std::int64_t lines = out_.lines.lines.size();
@@ -323,8 +323,9 @@ Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Sub
     Round round(runtime, subjects, occluders, out);
     std::int64_t bad = 0;
     double tolerance = settings.tolerance;
-    for (int r = 0; r < settings.rounds; ++r, tolerance *= finer) {
-        bad = round.run(tolerance, settings.probes, progress);
+    double swallowtail = smallest_swallowtail;
+    for (int r = 0; r < settings.rounds; ++r, tolerance *= finer, swallowtail *= 2.0) {
+        bad = round.run(tolerance, swallowtail, settings.probes, progress);
         if (r == 0) out.report.refined = bad;
         out.report.rounds = r;
         if (bad == 0) break;
