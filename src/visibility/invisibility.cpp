@@ -5,312 +5,239 @@
 #include "visibility/small_swallowtails.h"
 
 #include <algorithm>
-#pragma GCC diagnostic ignored "-Wold-style-cast"
+#include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace hrbfnpr::visibility {
 namespace {
 
-constexpr double finer = 0.1;
-constexpr double smallest_swallowtail = 0.25; // pixels along the line
-constexpr double clear_sides = 0.02;          // beside a point of a contour the line of sight is tangent to the surface
+constexpr double finer = 0.1; // tolerance from round to round
+// Groups of cusps are seen as one within so many pixels along a line: what adds up first is taken.
+constexpr std::array<double, 5> swallowtails = {0.25, 0.0, 0.5, 1.0, 2.0};
+constexpr double clear_sides = 0.02; // beside a point of a contour the line of sight is tangent to the surface
+// Where the surface bends less along the line of sight, a ray to the contour is less certain.  In 1 / sides.
+constexpr double bent = 0.25;
 
-// The events of all lines, line by line, along each.
-struct Events {
-    explicit Events(base::Memory& memory) noexcept : first(memory), event(memory) {}
-    base::Array<std::int64_t> first; // of each line, and the end
-    base::Array<Event> event;
+// A place of a line that a ray is sent to.
+struct Candidate {
+    double at; // along the line, pixels
+    double score;
+    Probe probe;
 };
+
+// The parts of a line between its events.
+base::Array<Interval> parts_of(base::Memory& memory, std::int64_t number, const Line& line, double whole,
+                               std::span<const Event> events) {
+    base::Array<Interval> parts(memory);
+    const auto l = static_cast<std::int32_t>(number);
+    const auto first = static_cast<std::int32_t>(line.first_piece);
+    const auto last = static_cast<std::int32_t>(line.first_piece + line.pieces - 1);
+    const auto add = [&](const Event& from, const Event& to, double beyond) {
+        parts.push_back({l, from.piece, to.piece, from.share, to.share, from.at, to.at + beyond, 0});
+    };
+    const Event begin{first, 0.0, 0, -1, 0.0};
+    const Event end{last, 1.0, 0, -1, whole};
+    if (events.empty()) {
+        add(begin, end, 0.0);
+        return parts;
+    }
+    if (!line.closed) add(begin, events.front(), 0.0);
+    for (std::size_t e = 0; e + 1 < events.size(); ++e) add(events[e], events[e + 1], 0.0);
+    if (line.closed)
+        add(events.back(), events.front(), whole);
+    else
+        add(events.back(), end, 0.0);
+    return parts;
+}
 
 class Round {
 public:
     Round(const base::Runtime& runtime, std::span<const Subject> subjects, std::span<const Occluder> occluders,
-          Invisibility& out)
-        : runtime_(runtime), subjects_(subjects), occluders_(occluders), out_(out), events_(runtime.memory),
-          length_(runtime.memory) {}
+          double tolerance, Invisibility& out, const base::Progress& progress)
+        : runtime_(runtime), subjects_(subjects), occluders_(occluders), out_(out), progress_(progress),
+          lengths_(start(tolerance)),
+          events_(collect_events(runtime.memory, subjects, out.lines, out.crossings, lengths_)),
+          chosen_(runtime.memory), first_chosen_(runtime.memory), bad_(runtime.memory) {
+        out_.report.cusps = events_.cusps;
+    }
 
     // Returns how many lines contradict themselves.
-    std::int64_t run(double tolerance, double swallowtail, int probes, const base::Progress& progress);
+    std::int64_t run(int probes);
     // Each part of these lines as its own ray says.
-    void settle(const base::Progress& progress);
+    void settle();
 
 private:
-    // A vertex of a line, and the interval of it that it is in.
-    struct Candidate {
-        std::int64_t interval;
-        double score;
-        Probe probe;
-    };
-
+    [[nodiscard]] Lengths start(double tolerance);
     [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return out_.lines.lines[l]; }
-    [[nodiscard]] const curves::Curves& curves_of(const Line& line) const noexcept {
-        return *subjects_[static_cast<std::size_t>(line.subject)].curves;
-    }
-    void collect_events();
-    void drop_small_swallowtails(double size);
-    void make_intervals(std::int64_t l);
-    void measure();
-    [[nodiscard]] double length_at(std::int64_t piece, double share) const noexcept {
-        return length_[piece] + share * (length_[piece + 1] - length_[piece]);
-    }
-    [[nodiscard]] Candidate best_of(std::int64_t interval) const noexcept;
-    void add_probes(std::int64_t l, int most, base::Array<Candidate>& chosen) const;
-    [[nodiscard]] bool propagate(std::int64_t l, std::span<const Candidate> probes);
+    [[nodiscard]] Candidate best_of(const Interval& part) const noexcept;
+    void choose_probes(std::int64_t l, int most);
+    void send();
+    [[nodiscard]] bool consistent(std::int64_t l, base::Array<Interval>& parts, std::span<const Event> events) const;
+    void find_parts(std::int64_t l);
 
     const base::Runtime& runtime_;
     std::span<const Subject> subjects_;
     std::span<const Occluder> occluders_;
     Invisibility& out_;
+    const base::Progress& progress_;
+    Lengths lengths_;
     Events events_;
-    base::Array<double> length_; // of the image up to each piece, pixels; over all lines
-    base::Array<std::int64_t> first_interval_{runtime_.memory};
-    base::Array<std::uint8_t> contradicts_{runtime_.memory}; // of each line
+    base::Array<Candidate> chosen_;
+    base::Array<std::int64_t> first_chosen_; // of each line, and the end
+    base::Array<std::int64_t> bad_;          // lines that contradict themselves
 };
 
-void Round::measure() {
-    length_.resize(out_.lines.pieces.size() + 1);
-    std::fill(length_.begin(), length_.end(), 0.0);
-    for (const Line& l : out_.lines.lines)
-        for (std::int64_t p = l.first_point; p + 1 < l.first_point + l.points; ++p)
-            length_[out_.lines.points[p].piece + 1] +=
-                glm::distance(out_.lines.points[p].place, out_.lines.points[p + 1].place);
-    for (std::int64_t i = 0; i + 1 < length_.size(); ++i) length_[i + 1] += length_[i];
+Lengths Round::start(double tolerance) {
+    out_.lines = draw_lines(runtime_, subjects_, tolerance);
+    out_.crossings = find_crossings(runtime_, subjects_, out_.lines, out_.report.crossings, progress_);
+    return {runtime_.memory, out_.lines};
 }
 
-void Round::collect_events() {
-    events_.first.clear();
-    events_.event.clear();
-    out_.report.cusps = 0;
-    std::int64_t c = 0;
-    for (const Line& l : out_.lines.lines) {
-        events_.first.push_back(events_.event.size());
-        const curves::Curves& curves = curves_of(l);
-        const curves::View& view = subjects_[static_cast<std::size_t>(l.subject)].view;
-        for (std::int64_t k = 0; k < l.pieces; ++k) {
-            const auto piece = static_cast<std::int32_t>(l.first_piece + k);
-            const std::int64_t a = out_.lines.pieces[piece].a;
-            if (!curves.cusp.empty() && curves.cusp[a] != 0 && (k > 0 || l.closed)) {
-                const curves::CurvePoint& p = curves.point[a];
-                const bool away = glm::dot(p.direction(), view.sight(p.position)) > 0.0;
-                events_.event.push_back({piece, 0.0, away ? 1 : -1, -1});
-                ++out_.report.cusps;
-            }
-            for (; c < out_.crossings.size() && out_.crossings[c].far_piece == piece; ++c) {
-                const Crossing& crossing = out_.crossings[c];
-                events_.event.push_back({piece, crossing.far_share, crossing.change, crossing.near_piece});
-            }
-        }
-    }
-    events_.first.push_back(events_.event.size());
-}
-
-// Swallowtails that are smaller than can be seen, and so small that the crossing of their branches may not have been
-// found: together, two cusps and that crossing change nothing.  [Arnold 1986]
-void Round::drop_small_swallowtails(double size) {
-    Events kept(runtime_.memory);
-    for (std::int64_t l = 0; l < out_.lines.lines.size(); ++l) {
-        kept.first.push_back(kept.event.size());
-        const std::span<const Event> all =
-            events_.event.span().subspan(static_cast<std::size_t>(events_.first[l]),
-                                         static_cast<std::size_t>(events_.first[l + 1] - events_.first[l]));
-        SmallSwallowtails(runtime_.memory, line(l), length_, size).keep(all, kept.event);
-    }
-    kept.first.push_back(kept.event.size());
-    events_ = std::move(kept);
-}
-
-// Of a closed line the last interval goes on to its first event.
-void Round::make_intervals(std::int64_t l) {
-    const Line& its = line(l);
-    const std::int64_t begin = events_.first[l];
-    const std::int64_t end = events_.first[l + 1];
-    const auto number = static_cast<std::int32_t>(l);
-    const auto first = static_cast<std::int32_t>(its.first_piece);
-    const auto last = static_cast<std::int32_t>(its.first_piece + its.pieces - 1);
-    Interval interval{number, first, last, 0.0, 1.0, 0};
-    if (begin == end) {
-        out_.intervals.push_back(interval);
-        return;
-    }
-    const auto between = [&](const Event& a, const Event& b) {
-        return Interval{number, a.piece, b.piece, a.share, b.share, 0};
-    };
-    if (!its.closed) {
-        const Event& e = events_.event[begin];
-        out_.intervals.push_back({number, first, e.piece, 0.0, e.share, 0});
-    }
-    for (std::int64_t e = begin; e + 1 < end; ++e)
-        out_.intervals.push_back(between(events_.event[e], events_.event[e + 1]));
-    const Event& e = events_.event[end - 1];
-    if (its.closed)
-        out_.intervals.push_back(between(e, events_.event[begin]));
-    else
-        out_.intervals.push_back({number, e.piece, last, e.share, 1.0, 0});
-}
-
-// The vertex of an interval that is farthest from its ends and where the surface bends most along the line of sight; a
-// place of a cubic where there is no vertex.
-Round::Candidate Round::best_of(std::int64_t number) const noexcept {
-    const Interval& interval = out_.intervals[number];
-    const Line& its = line(interval.line);
+// The vertex of a part that is farthest from its ends and where the surface bends most along the line of sight; a place
+// of a cubic where there is no vertex.
+Candidate Round::best_of(const Interval& part) const noexcept {
+    const Line& its = line(part.line);
     const Subject& subject = subjects_[static_cast<std::size_t>(its.subject)];
-    const curves::Curves& curves = *subject.curves;
-    const double whole = length_[its.first_piece + its.pieces] - length_[its.first_piece];
-    const double begin = length_at(interval.begin_piece, interval.begin_share);
-    double size = length_at(interval.end_piece, interval.end_share) - begin;
-    const bool round = its.closed && (size < 0.0 || events_.first[interval.line] == events_.first[interval.line + 1]);
-    if (size < 0.0) size += whole;
-    if (round && events_.first[interval.line] + 1 == events_.first[interval.line + 1]) size = whole;
-    const bool all = events_.first[interval.line] == events_.first[interval.line + 1];
-    Candidate best{number, -1.0, {its.subject, glm::dvec3(0.0), clear_sides * subject.side, 0, true}};
-    const std::int64_t pieces = its.pieces;
-    std::int64_t k = interval.begin_piece - its.first_piece;
-    double at = begin;
-    for (std::int64_t step = 0; step <= pieces; ++step) {
-        at += length_[its.first_piece + k + 1] - (step == 0 ? begin : length_[its.first_piece + k]);
-        k = (k + 1) % pieces;
-        if (at - begin >= size && !all) break;
-        if (!its.closed && k == 0) break;
-        const curves::CurvePoint& p = curves.point[out_.lines.pieces[its.first_piece + k].a];
+    Candidate best{
+        0.5 * (part.begin_at + part.end_at), -1.0, {its.subject, glm::dvec3(0.0), clear_sides * subject.side, 0, true}};
+    const double whole = lengths_.whole(its);
+    const bool all = its.closed && part.end_at - part.begin_at >= whole;
+    std::int64_t k = part.begin_piece - its.first_piece;
+    double beyond = 0.0; // whole, once the line has begun again
+    for (std::int64_t step = 0; step < its.pieces; ++step) {
+        if (++k == its.pieces) {
+            if (!its.closed) break;
+            k = 0;
+            beyond = whole;
+        }
+        const std::int64_t piece = its.first_piece + k;
+        const double at = lengths_.at(its, piece, 0.0) + beyond;
+        if (at >= part.end_at && !all) break;
+        const curves::CurvePoint& p = subject.curves->point[out_.lines.pieces[piece].a];
         const glm::dvec3 v = subject.view.sight(p.position);
         const double bend = std::abs(glm::dot(p.level_gradient, v)) / (glm::length(p.gradient) * glm::dot(v, v));
-        const double clear = all ? 1.0 : std::min(at - begin, size - (at - begin));
-        const double score = clear * std::min(1.0, 4.0 * subject.side * bend + 0.01);
-        if (score > best.score) {
-            best.score = score;
-            best.probe.place = p.position;
-        }
+        const double clear = all ? 1.0 : std::min(at - part.begin_at, part.end_at - at);
+        const double score = clear * std::min(1.0, subject.side * bend / bent + 0.01);
+        if (!(score > best.score)) continue;
+        best.score = score;
+        best.at = at >= whole && its.closed ? at - whole : at;
+        best.probe.place = p.position;
     }
-    if (best.score < 0.0) {
-        const bool same = interval.begin_piece == interval.end_piece && interval.begin_share <= interval.end_share;
-        const double share =
-            same ? 0.5 * (interval.begin_share + interval.end_share) : 0.5 * (interval.begin_share + 1.0);
-        best.probe.place = cubic(subjects_, out_.lines.pieces[interval.begin_piece]).at(share);
-        best.score = 1e-3 * size;
-    }
+    if (best.score >= 0.0) return best;
+    const bool one = part.begin_piece == part.end_piece && part.begin_share <= part.end_share;
+    const double share = 0.5 * (part.begin_share + (one ? part.end_share : 1.0));
+    best.at = lengths_.at(its, part.begin_piece, share);
+    best.probe.place = cubic(subjects_, out_.lines.pieces[part.begin_piece]).at(share);
+    best.score = 1e-3 * (part.end_at - part.begin_at);
     return best;
 }
 
-void Round::add_probes(std::int64_t l, int most, base::Array<Candidate>& chosen) const {
+void Round::choose_probes(std::int64_t l, int most) {
+    base::Array<Event> clear(runtime_.memory);
+    SmallSwallowtails(runtime_.memory, line(l), lengths_, swallowtails[0]).keep(events_.of(l), clear);
     base::Array<Candidate> all(runtime_.memory);
-    for (std::int64_t i = first_interval_[l]; i < first_interval_[l + 1]; ++i) all.push_back(best_of(i));
+    for (const Interval& part : parts_of(runtime_.memory, l, line(l), lengths_.whole(line(l)), clear.span()))
+        all.push_back(best_of(part));
     std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
-        return a.score != b.score ? a.score > b.score : a.interval < b.interval;
+        return a.score != b.score ? a.score > b.score : a.at < b.at;
     });
-    for (std::int64_t i = 0; i < std::min<std::int64_t>(most, all.size()); ++i) chosen.push_back(all[i]);
+    for (std::int64_t i = 0; i < std::min<std::int64_t>(most, all.size()); ++i) chosen_.push_back(all[i]);
 }
 
-// From the first probe that is certain along the line; the other certain ones, and the way round, must agree.
-bool Round::propagate(std::int64_t l, std::span<const Candidate> probes) {
-    const std::int64_t first = first_interval_[l];
-    const std::int64_t count = first_interval_[l + 1] - first;
-    const std::int64_t begin = events_.first[l];
-    // An open line has an interval before its first event.
-    const auto change_before = [&](std::int64_t i) {
-        const std::int64_t e = begin + i - (line(l).closed ? 0 : 1);
-        return e >= begin && e < events_.first[l + 1] ? events_.event[e].change : 0;
-    };
+void Round::send() {
+    base::Array<Probe> rays(runtime_.memory);
+    for (const Candidate& c : chosen_) rays.push_back(c.probe);
+    send_rays(runtime_, subjects_, occluders_, rays, progress_);
+    out_.report.rays += rays.size();
+    for (std::int64_t i = 0; i < chosen_.size(); ++i) chosen_[i].probe = rays[i];
+}
+
+// Counts along the line, and from its rays.  The changes round a closed line must add up to 0, all certain rays must
+// agree, and no count may be negative.
+bool Round::consistent(std::int64_t l, base::Array<Interval>& parts, std::span<const Event> events) const {
+    const bool closed = line(l).closed;
     std::int32_t sheets = 0;
-    for (std::int64_t i = 0; i < count; ++i) {
-        if (i > 0) sheets += change_before(i);
-        out_.intervals[first + i].sheets = sheets;
+    for (std::int64_t i = 0; i < parts.size(); ++i) {
+        const std::int64_t before = closed ? i : i - 1;
+        if (before >= 0 && !events.empty() && i > 0) sheets += events[static_cast<std::size_t>(before)].change;
+        parts[i].sheets = sheets;
     }
-    const bool closes = !line(l).closed || sheets + change_before(0) == 0 || count == 0;
+    const bool closes = !closed || events.empty() || sheets + events[0].change == 0;
+    const double whole = lengths_.whole(line(l));
+    const auto counted = [&](double at) {
+        for (const Interval& part : parts)
+            if ((at >= part.begin_at && at <= part.end_at) || at + whole <= part.end_at) return part.sheets;
+        return parts[0].sheets;
+    };
     std::int32_t shift = 0;
     bool known = false;
     bool agree = true;
-    for (const Candidate& c : probes) {
+    for (std::int64_t i = first_chosen_[l]; i < first_chosen_[l + 1]; ++i) {
+        const Candidate& c = chosen_[i];
         if (!c.probe.certain) continue;
-        const std::int32_t here = c.probe.sheets - out_.intervals[c.interval].sheets;
+        const std::int32_t here = c.probe.sheets - counted(c.at);
         if (!known) shift = here;
-        agree = agree && (!known || here == shift);
+        agree = agree && here == shift;
         known = true;
     }
-    if (!known && !probes.empty()) shift = probes[0].probe.sheets - out_.intervals[probes[0].interval].sheets;
-    bool possible = true;
-    for (std::int64_t i = 0; i < count; ++i) {
-        out_.intervals[first + i].sheets += shift;
-        possible = possible && out_.intervals[first + i].sheets >= 0;
-    }
-    if (getenv("VDBG") && !(closes && agree && possible)) {
-        fprintf(stderr,
-                "  line %ld closed %d pieces %ld length %.2f events %ld closes %d(%d) agree %d possible %d probes:",
-                (long)l, line(l).closed, (long)line(l).pieces,
-                length_[line(l).first_piece + line(l).pieces] - length_[line(l).first_piece],
-                (long)(events_.first[l + 1] - begin), closes, sheets + change_before(0), agree, possible);
-        for (const Candidate& c : probes)
-            fprintf(stderr, " [ray %d got %d %s score %.2f]", c.probe.sheets, out_.intervals[c.interval].sheets,
-                    c.probe.certain ? "ok" : "unc", c.score);
-        fprintf(stderr, "\n");
+    bool possible = known;
+    for (Interval& part : parts) {
+        part.sheets += shift;
+        possible = possible && part.sheets >= 0;
     }
     return closes && agree && possible;
 }
 
-std::int64_t Round::run(double tolerance, double swallowtail, int probes, const base::Progress& progress) {
-    out_.lines = draw_lines(runtime_, subjects_, tolerance);
-    out_.crossings = find_crossings(runtime_, subjects_, out_.lines, out_.report.crossings, progress);
-    measure();
-    collect_events();
-    drop_small_swallowtails(swallowtail);
-    out_.intervals.clear();
-    first_interval_.clear();
-    const std::int64_t lines = out_.lines.lines.size();
-    for (std::int64_t l = 0; l < lines; ++l) {
-        first_interval_.push_back(out_.intervals.size());
-        make_intervals(l);
+void Round::find_parts(std::int64_t l) {
+    base::Array<Interval> first(runtime_.memory);
+    for (const double size : swallowtails) {
+        base::Array<Event> events(runtime_.memory);
+        SmallSwallowtails(runtime_.memory, line(l), lengths_, size).keep(events_.of(l), events);
+        base::Array<Interval> parts = parts_of(runtime_.memory, l, line(l), lengths_.whole(line(l)), events.span());
+        const bool right = consistent(l, parts, events.span());
+        if (right || first.empty()) first = std::move(parts);
+        if (right) {
+            for (const Interval& part : first) out_.intervals.push_back(part);
+            return;
+        }
     }
-    first_interval_.push_back(out_.intervals.size());
-    base::Array<Candidate> chosen(runtime_.memory);
-    base::Array<std::int64_t> first_probe(runtime_.memory);
-    for (std::int64_t l = 0; l < lines; ++l) {
-        first_probe.push_back(chosen.size());
-        add_probes(l, probes, chosen);
-    }
-    first_probe.push_back(chosen.size());
-    base::Array<Probe> rays(runtime_.memory);
-    for (const Candidate& c : chosen) rays.push_back(c.probe);
-    send_rays(runtime_, subjects_, occluders_, rays, progress);
-    out_.report.rays += rays.size();
-    for (std::int64_t i = 0; i < chosen.size(); ++i) chosen[i].probe = rays[i];
-    contradicts_.resize(lines);
-    std::int64_t bad = 0;
-    for (std::int64_t l = 0; l < lines; ++l) {
-        const std::int64_t from = first_probe[l];
-        const std::span<const Candidate> its =
-            chosen.span().subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(first_probe[l + 1] - from));
-        contradicts_[l] = propagate(l, its) ? 0 : 1;
-        bad += contradicts_[l];
-    }
-    return bad;
+    bad_.push_back(l);
+    for (const Interval& part : first) out_.intervals.push_back(part);
 }
 
-void Round::settle(const base::Progress& progress) {
+std::int64_t Round::run(int probes) {
+    const std::int64_t lines = out_.lines.lines.size();
+    for (std::int64_t l = 0; l < lines; ++l) {
+        first_chosen_.push_back(chosen_.size());
+        choose_probes(l, probes);
+    }
+    first_chosen_.push_back(chosen_.size());
+    send();
+    out_.intervals.clear();
+    for (std::int64_t l = 0; l < lines; ++l) find_parts(l);
+    return bad_.size();
+}
+
+void Round::settle() {
     base::Array<Probe> rays(runtime_.memory);
     base::Array<std::int64_t> of(runtime_.memory);
     for (std::int64_t i = 0; i < out_.intervals.size(); ++i) {
-        if (contradicts_[out_.intervals[i].line] == 0) continue;
-        rays.push_back(best_of(i).probe);
+        if (!std::binary_search(bad_.begin(), bad_.end(), std::int64_t{out_.intervals[i].line})) continue;
+        rays.push_back(best_of(out_.intervals[i]).probe);
         of.push_back(i);
     }
-    send_rays(runtime_, subjects_, occluders_, rays, progress);
+    send_rays(runtime_, subjects_, occluders_, rays, progress_);
     out_.report.rays += rays.size();
+    out_.report.settled = bad_.size();
+    std::int32_t last = -1;
     for (std::int64_t i = 0; i < of.size(); ++i) {
-        if (getenv("VDBG")) {
-            const Interval& iv = out_.intervals[of[i]];
-            const Event* e = nullptr;
-            for (std::int64_t k = events_.first[iv.line]; k < events_.first[iv.line + 1]; ++k)
-                if (events_.event[k].piece == iv.begin_piece && events_.event[k].share == iv.begin_share)
-                    e = &events_.event[k];
-            const auto pl =
-                see(subjects_[0].view, cubic(subjects_, out_.lines.pieces[iv.begin_piece]).at(iv.begin_share)).place;
-            fprintf(stderr,
-                    "    line %d from %d+%.4f at %.2f %.2f  event %d near %d  propagated %d ray %d %s score %.3f\n",
-                    iv.line, iv.begin_piece, iv.begin_share, pl.x, pl.y, e ? e->change : 0, e ? e->near_piece : -9,
-                    iv.sheets, rays[i].sheets, rays[i].certain ? "" : "unc", best_of(of[i]).score);
+        Interval& part = out_.intervals[of[i]];
+        if (rays[i].certain)
+            part.sheets = rays[i].sheets;
+        else if (part.end_at - part.begin_at > swallowtails[0] && last != part.line) {
+            ++out_.report.contradictions;
+            last = part.line;
         }
-        out_.intervals[of[i]].sheets = rays[i].sheets;
     }
 }
 
@@ -320,18 +247,15 @@ Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Sub
                                std::span<const Occluder> occluders, const InvisibilitySettings& settings,
                                const base::Progress& progress) {
     Invisibility out(runtime.memory);
-    Round round(runtime, subjects, occluders, out);
-    std::int64_t bad = 0;
     double tolerance = settings.tolerance;
-    double swallowtail = smallest_swallowtail;
-    for (int r = 0; r < settings.rounds; ++r, tolerance *= finer, swallowtail *= 2.0) {
-        bad = round.run(tolerance, swallowtail, settings.probes, progress);
-        if (r == 0) out.report.refined = bad;
+    for (int r = 0; r < settings.rounds; ++r, tolerance *= finer) {
+        Round round(runtime, subjects, occluders, tolerance, out, progress);
+        const std::int64_t bad = round.run(settings.probes);
         out.report.rounds = r;
+        if (r == 0) out.report.refined = bad;
         if (bad == 0) break;
+        if (r + 1 == settings.rounds) round.settle();
     }
-    if (bad > 0) round.settle(progress);
-    out.report.contradictions = bad;
     out.report.lines = out.lines.lines.size();
     for (const Line& l : out.lines.lines) out.report.closed += l.closed ? 1 : 0;
     return out;

@@ -3,24 +3,17 @@
 // [Appel 1967; Benard & Hertzmann 2019, 4]
 #pragma once
 
-#include "visibility/crossings.h"
+#include "visibility/events.h"
 
 namespace hrbfnpr::visibility {
-
-// Where the number of sheets before a line changes.
-struct Event {
-    std::int32_t piece;
-    double share;
-    std::int32_t change;
-    std::int32_t near_piece; // of the line that crosses before it; -1: a cusp
-};
 
 // A part of a line between two events, or all of it.
 struct Interval {
     std::int32_t line;
     std::int32_t begin_piece, end_piece;
     double begin_share, end_share;
-    std::int32_t sheets; // before it
+    double begin_at, end_at; // along the line, pixels; the end of one round a closed line may be beyond the line's
+    std::int32_t sheets;     // before it
 };
 
 struct InvisibilityReport {
@@ -28,7 +21,8 @@ struct InvisibilityReport {
     std::int64_t lines = 0, closed = 0, cusps = 0, rays = 0;
     std::int64_t rounds = 0;         // in which the image was made finer
     std::int64_t refined = 0;        // lines that contradicted themselves at first
-    std::int64_t contradictions = 0; // ... and still do: each of their parts is as its own ray says
+    std::int64_t settled = 0;        // ... and did at last: each of their parts is as its own ray says
+    std::int64_t contradictions = 0; // of these, lines that have a part whose ray is not certain
 };
 
 struct InvisibilitySettings {

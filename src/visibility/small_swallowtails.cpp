@@ -25,8 +25,7 @@ bool SmallSwallowtails::within(const Group& group, double at, double beside) con
 void SmallSwallowtails::find_groups(std::span<const Event> events) {
     const std::int64_t count = cusps_.size();
     const auto at = [&](std::int64_t i) {
-        const Event& e = events[static_cast<std::size_t>(cusps_[i % count])];
-        return place(e.piece, e.share) + (i >= count ? whole() : 0.0);
+        return events[static_cast<std::size_t>(cusps_[i % count])].at + (i >= count ? whole() : 0.0);
     };
     std::int64_t first = 0;
     if (line_.closed)
@@ -43,7 +42,7 @@ void SmallSwallowtails::find_groups(std::span<const Event> events) {
 // Crossings of the branches before a group with those behind it, and within it.
 bool SmallSwallowtails::crosses_itself(const Group& group, const Event& e) const noexcept {
     if (e.near_piece < line_.first_piece || e.near_piece >= line_.first_piece + line_.pieces) return false;
-    return in(group, place(e.piece, e.share)) && in(group, place(e.near_piece, 0.5));
+    return in(group, e.at) && in(group, lengths_.at(line_, e.near_piece, 0.5));
 }
 
 // Together, all changes of a group are those of a smooth contour, or of one cusp.

@@ -2,7 +2,7 @@
 // Groups of cusps too close to each other to be seen.
 #pragma once
 
-#include "visibility/invisibility.h"
+#include "visibility/events.h"
 
 #include <span>
 
@@ -10,9 +10,8 @@ namespace hrbfnpr::visibility {
 
 class SmallSwallowtails {
 public:
-    // length: of the image up to each piece of all lines.
-    SmallSwallowtails(base::Memory& memory, const Line& line, const base::Array<double>& length, double size) noexcept
-        : line_(line), length_(length), size_(size), groups_(memory), cusps_(memory) {}
+    SmallSwallowtails(base::Memory& memory, const Line& line, const Lengths& lengths, double size) noexcept
+        : line_(line), lengths_(lengths), size_(size), groups_(memory), cusps_(memory) {}
 
     // Of a line's events those that count.  Where the changes of a group do not add up, a crossing of its branches was
     // missed or doubled: then no cusp of it counts, or one where they are odd in number, and none of these crossings.
@@ -26,23 +25,18 @@ private:
         std::int64_t last; // cusp, of the events
     };
 
-    [[nodiscard]] double place(std::int32_t piece, double share) const noexcept {
-        return length_[piece] + share * (length_[piece + 1] - length_[piece]) - length_[line_.first_piece];
-    }
-    [[nodiscard]] double whole() const noexcept {
-        return length_[line_.first_piece + line_.pieces] - length_[line_.first_piece];
-    }
+    [[nodiscard]] double whole() const noexcept { return lengths_.whole(line_); }
     [[nodiscard]] bool within(const Group& group, double place, double beside) const noexcept;
     [[nodiscard]] bool in(const Group& group, double place) const noexcept;
     [[nodiscard]] bool is_cusp_of(const Group& group, const Event& e) const noexcept {
-        return within(group, place(e.piece, e.share), 1e-9 * size_);
+        return within(group, e.at, 1e-9 * size_);
     }
     [[nodiscard]] bool crosses_itself(const Group& group, const Event& e) const noexcept;
     [[nodiscard]] bool adds_up(const Group& group, std::span<const Event> events) const noexcept;
     void find_groups(std::span<const Event> events);
 
     const Line& line_;
-    const base::Array<double>& length_;
+    const Lengths& lengths_;
     double size_;
     base::Array<Group> groups_; // of two cusps and more
     base::Array<std::int64_t> cusps_;

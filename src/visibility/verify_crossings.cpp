@@ -4,8 +4,6 @@
 #include "visibility/meeting.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace hrbfnpr::visibility {
 namespace {
@@ -127,12 +125,6 @@ std::int64_t Verifier::remove_wrong() {
     std::int64_t s = 0;
     for (std::int64_t i = 0; i < crossings_.size(); ++i) {
         const bool suspect = s < suspects_.size() && suspects_[s].crossing == i;
-        if (suspect && !suspects_[s].right && getenv("VDBG"))
-            fprintf(stderr, "   VREJ at %.2f %.2f pieces %d %d gap %.2e done %d far moved %.2e near moved %.2e\n",
-                    crossings_[i].place.x, crossings_[i].place.y, crossings_[i].far_piece, crossings_[i].near_piece,
-                    crossings_[i].gap, suspects_[s].done,
-                    glm::distance(points_[2 * s].position, suspects_[s].begin[0]) / suspects_[s].gap,
-                    glm::distance(points_[2 * s + 1].position, suspects_[s].begin[1]) / suspects_[s].gap);
         if (!suspect || suspects_[s].right) crossings_[kept++] = crossings_[i];
         s += suspect ? 1 : 0;
     }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Where the number of sheets before a line changes, and the parts of the line between.
+#pragma once
+
+#include "visibility/crossings.h"
+
+#include <span>
+
+namespace hrbfnpr::visibility {
+
+struct Event {
+    std::int32_t piece;
+    double share;
+    std::int32_t change;
+    std::int32_t near_piece; // of the line that crosses before it; -1: a cusp
+    double at;               // along its line, pixels
+};
+
+// Lengths along the images of lines.
+class Lengths {
+public:
+    Lengths(base::Memory& memory, const ImageLines& lines);
+
+    // From the line's begin, pixels.
+    [[nodiscard]] double at(const Line& line, std::int64_t piece, double share) const noexcept {
+        return length_[piece] + share * (length_[piece + 1] - length_[piece]) - length_[line.first_piece];
+    }
+    [[nodiscard]] double whole(const Line& line) const noexcept {
+        return length_[line.first_piece + line.pieces] - length_[line.first_piece];
+    }
+
+private:
+    base::Array<double> length_; // up to each piece, over all lines
+};
+
+// Of all lines, line by line, along each.
+struct Events {
+    explicit Events(base::Memory& memory) noexcept : first(memory), event(memory) {}
+
+    [[nodiscard]] std::span<const Event> of(std::int64_t line) const noexcept {
+        return event.span().subspan(static_cast<std::size_t>(first[line]),
+                                    static_cast<std::size_t>(first[line + 1] - first[line]));
+    }
+
+    base::Array<std::int64_t> first; // of each line, and the end
+    base::Array<Event> event;
+    std::int64_t cusps = 0;
+};
+
+// crossings: sorted as find_crossings leaves them.
+[[nodiscard]] Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
+                                    const base::Array<Crossing>& crossings, const Lengths& lengths);
+
+} // namespace hrbfnpr::visibility
