@@ -21,11 +21,12 @@ using drawing::StrokePoint;
 constexpr std::int32_t side = drawing::tile_size;
 constexpr std::int32_t stride = side + 16; // vectors may run over a row's end
 constexpr std::int64_t plane = std::int64_t{stride} * side;
-enum Plane : std::int64_t { transmittance, red, green, blue, host, cover, planes };
+enum Plane : std::int64_t { transmittance, red, green, blue, host, cover, ink, planes };
 
 // What a worker writes to.
 struct Scratch {
     float* planes;
+    StrokePlanes strokes;
     base::Array<std::uint32_t>& numbers;
 };
 
@@ -35,8 +36,8 @@ public:
     Painter(const Drawing& drawing, const Image& image, const DrawSettings& settings, const DiscLoops& loops,
             const StrokeLoops& stroke_loops, const Scratch& scratch, const float* colors, const Rect& drawn) noexcept
         : drawing_(drawing), convention_(drawing.window.depth), image_(image), settings_(settings), loops_(loops),
-          stroke_loops_(stroke_loops), scratch_(scratch.planes), numbers_(scratch.numbers), colors_(colors),
-          drawn_(drawn), coverage_(image.format == Format::coverage8),
+          stroke_loops_(stroke_loops), scratch_(scratch.planes), stroke_planes_(scratch.strokes),
+          numbers_(scratch.numbers), colors_(colors), drawn_(drawn), coverage_(image.format == Format::coverage8),
           paper_(coverage_ ? glm::vec4(0.0F) : in_light(premultiplied(drawing.paper))),
           outputs_(settings.depth || settings.id || settings.mark_class),
           // One colour, and nothing but the drawing: a pixel is a function of what is left of the paper.
@@ -100,9 +101,10 @@ private:
             lay_dots(part(laid, before), target, first);
             laid = before;
             stroke_loops_.lay(target,
-                              {drawing_.points.data(), numbers_.data() + i, end - i, static_cast<float>(first.x),
-                               static_cast<float>(first.y), colors_ + 4 * std::int64_t{stroke.layer}, toward()},
-                              scratch_ + cover * plane);
+                              {drawing_.points.data(), &stroke, numbers_.data() + i, end - i,
+                               static_cast<float>(first.x), static_cast<float>(first.y),
+                               colors_ + 4 * std::int64_t{stroke.layer}, toward()},
+                              stroke_planes_);
             i = end;
         }
         lay_dots(part(laid, dots), target, first);
@@ -297,6 +299,7 @@ private:
     const DiscLoops& loops_;
     const StrokeLoops& stroke_loops_;
     float* scratch_;
+    StrokePlanes stroke_planes_;
     base::Array<std::uint32_t>& numbers_; // a tile's dots, then its segments
     const float* colors_;                 // as in InkList
     Rect drawn_;
@@ -318,6 +321,7 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
     }
     const std::int64_t workers = std::max(1, runtime_.parallel.threads());
     base::resize_scratch(planes_, workers * planes * plane);
+    base::resize_scratch(samples_, drawing.strokes.empty() ? 0 : workers * plane);
     while (numbers_.size() < workers) numbers_.add(runtime_.memory);
     if (!drawing.strokes.empty()) { // for all of them: which of them draws the fullest tile is by chance
         const std::int64_t most = drawing.dot_tiles.most_of_a_tile() + drawing.segment_tiles.most_of_a_tile();
@@ -326,8 +330,15 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(workers, [&](std::int64_t worker) {
         float* const own = planes_.data() + worker * planes * plane;
-        if (!drawing.strokes.empty()) std::fill_n(own + cover * plane, plane, 0.0F);
-        Painter paint(drawing, image, settings, loops_, stroke_loops_, {own, numbers_[worker]}, colors_.data(), drawn);
+        StrokePlanes strokes{own + cover * plane, own + ink * plane, nullptr};
+        if (!drawing.strokes.empty()) {
+            strokes.samples = samples_.data() + worker * plane;
+            std::fill_n(strokes.cover, plane, 0.0F);
+            std::fill_n(strokes.ink, plane, 0.0F);
+            std::fill_n(strokes.samples, plane, 0U);
+        }
+        Painter paint(drawing, image, settings, loops_, stroke_loops_, {own, strokes, numbers_[worker]}, colors_.data(),
+                      drawn);
         for (std::int64_t tile = next++; tile < drawing.dot_tiles.tiles(); tile = next++) paint(tile);
     });
 }

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+#include "output/raster/stroke_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace hrbfnpr::output {
+namespace {
+
+using drawing::Cap;
+using drawing::StrokePoint;
+
+// Points that are nearer to each other stand in one place, pixels.
+constexpr double nowhere = 1e-6;
+// How far an edge may lie off, pixels.
+constexpr double tolerance = 0.0015;
+// The same of an arc's chords, times their length where that is less than a pixel.  A single one has all its error on
+// one side.
+constexpr double arc_tolerance = 0.008;
+constexpr double chord_tolerance = 0.0008;
+constexpr int most_halvings = 6;
+
+Place operator+(const Place& a, const Place& b) noexcept { return {a.x + b.x, a.y + b.y}; }
+Place operator-(const Place& a, const Place& b) noexcept { return {a.x - b.x, a.y - b.y}; }
+Place operator*(double s, const Place& a) noexcept { return {s * a.x, s * a.y}; }
+double dot(const Place& a, const Place& b) noexcept { return a.x * b.x + a.y * b.y; }
+double cross(const Place& a, const Place& b) noexcept { return a.x * b.y - a.y * b.x; }
+Place unit(const Place& a) noexcept { return (1.0 / std::sqrt(dot(a, a))) * a; }
+
+// The corners of an arc of at most a right angle between unit vectors, without its ends, which lie on it.  The others
+// lie outside, so that the area is kept.  Only square roots and quotients, which are the same everywhere.
+void add_arc(const Place& centre, double radius, const Place& from, const Place& to, Outline& outline) noexcept {
+    double cosine = dot(from, to);
+    int halvings = 0;
+    double rise = 0.0;
+    for (;; ++halvings) {
+        const double half = std::sqrt(std::max(0.5 + 0.5 * cosine, 0.0));
+        rise = radius * (1.0 - half);
+        const double chord = 2.0 * radius * std::sqrt(std::max(0.5 - 0.5 * cosine, 0.0));
+        const double most = halvings == 0 ? chord_tolerance : arc_tolerance;
+        if (halvings == most_halvings || rise * std::min(chord, 1.0) <= most) break;
+        cosine = half;
+    }
+    const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0)) * (cross(from, to) < 0.0 ? -1.0 : 1.0);
+    const int chords = 1 << halvings;
+    const double outer = radius + rise * (2.0 / 3.0) * chords / std::max(chords - 1, 1);
+    Place at = from;
+    for (int i = 1; i < chords; ++i) {
+        at = {at.x * cosine - at.y * sine, at.x * sine + at.y * cosine};
+        outline.add(centre + outer * at);
+    }
+}
+
+} // namespace
+
+Outliner::Outliner(const SegmentList& list) noexcept
+    : list_(list), first_(list.stroke->first), last_(list.stroke->first + list.stroke->count - 2) {}
+
+Outliner::Leg Outliner::leg(std::int64_t number) const noexcept {
+    const StrokePoint& p = list_.points[number];
+    const StrokePoint& q = list_.points[number + 1];
+    const Place origin{static_cast<double>(list_.left), static_cast<double>(list_.top)};
+    Leg leg;
+    leg.a = Place{static_cast<double>(p.x), static_cast<double>(p.y)} - origin;
+    leg.b = Place{static_cast<double>(q.x), static_cast<double>(q.y)} - origin;
+    leg.radius_a = static_cast<double>(p.radius);
+    leg.radius_b = static_cast<double>(q.radius);
+    const Place along = leg.b - leg.a;
+    leg.length = std::sqrt(dot(along, along));
+    if (!(leg.length > nowhere)) return leg;
+    leg.along = (1.0 / leg.length) * along;
+    leg.number = number;
+    return leg;
+}
+
+Outliner::Leg Outliner::before(std::int64_t number) const noexcept {
+    for (std::int64_t i = number - 1; i >= first_; --i)
+        if (const Leg found = leg(i); found.number >= 0) return found;
+    for (std::int64_t i = last_; list_.stroke->closed && i > number; --i)
+        if (const Leg found = leg(i); found.number >= 0) return found;
+    return {};
+}
+
+Outliner::Leg Outliner::after(std::int64_t number) const noexcept {
+    for (std::int64_t i = number + 1; i <= last_; ++i)
+        if (const Leg found = leg(i); found.number >= 0) return found;
+    for (std::int64_t i = first_; list_.stroke->closed && i < number; ++i)
+        if (const Leg found = leg(i); found.number >= 0) return found;
+    return {};
+}
+
+// Where their edges of one side cross; false if that is not in the halves that face each other.
+bool Outliner::meet(const Leg& a, const Leg& b, double side, Place& at) noexcept {
+    const Place from = a.a + side * a.radius_a * a.left();
+    const Place corner_a = a.b + side * a.radius_b * a.left();
+    const Place corner_b = b.a + side * b.radius_a * b.left();
+    const Place edge_a = corner_a - from;
+    const Place edge_b = b.b + side * b.radius_b * b.left() - corner_b;
+    const double sine = cross(edge_a, edge_b);
+    if (!(std::abs(sine) > 1e-9 * std::abs(dot(edge_a, edge_b)))) return false;
+    const double back = -cross(corner_b - corner_a, edge_b) / sine;
+    const double on = cross(corner_b - corner_a, edge_a) / sine;
+    if (!(back >= -1e-9 && back <= 0.5 && on >= -1e-9 && on <= 0.5)) return false;
+    at = corner_a - back * edge_a;
+    return true;
+}
+
+Outliner::Joint Outliner::joint(const Leg& a, const Leg& b) noexcept {
+    Joint joint;
+    if (a.number < 0 || b.number < 0) return joint;
+    const double cosine = dot(a.along, b.along);
+    const double sine = cross(a.along, b.along);
+    joint.left_outside = sine >= 0.0;
+    const double side = joint.left_outside ? 1.0 : -1.0;
+    const double radius = b.radius_a;
+    joint.kind = Kind::open;
+    joint.middle = cosine > 0.0 ? unit(side * (a.left() + b.left())) : unit(a.along - b.along);
+    if (a.radius_b != radius) return joint;
+    const double bend = std::abs(sine) / std::max(1.0 + cosine, 1e-9); // the tangent of half the turn
+    if (!(radius * bend <= 0.5 * std::min(a.length, b.length))) return joint;
+    const double taper =
+        std::max(std::abs(a.radius_b - a.radius_a) / a.length, std::abs(b.radius_b - b.radius_a) / b.length);
+    if (radius * bend * (0.5 * bend + taper) < tolerance) {
+        const Place miter = (radius / (1.0 + cosine)) * (a.left() + b.left());
+        joint.kind = Kind::shared;
+        joint.outer = b.a + miter;
+        joint.inner = b.a - miter;
+    } else if (meet(a, b, -side, joint.inner)) {
+        joint.kind = Kind::round;
+        joint.outer = b.a + radius * joint.middle;
+    }
+    return joint;
+}
+
+// From the right to the left.
+void Outliner::begin_of(const Leg& leg, Outline& outline) const noexcept {
+    const Place left = leg.left();
+    const Place corner_left = leg.a + leg.radius_a * left;
+    const Place corner_right = leg.a - leg.radius_a * left;
+    if (begin_.kind == Kind::shared) {
+        outline.add(begin_.inner);
+        outline.add(begin_.outer);
+    } else if (begin_.kind == Kind::round && begin_.left_outside) {
+        outline.add(begin_.inner);
+        outline.add(begin_.outer);
+        add_arc(leg.a, leg.radius_a, begin_.middle, left, outline);
+        outline.add(corner_left);
+    } else if (begin_.kind == Kind::round) {
+        outline.add(corner_right);
+        add_arc(leg.a, leg.radius_a, -1.0 * left, begin_.middle, outline);
+        outline.add(begin_.outer);
+        outline.add(begin_.inner);
+    } else {
+        outline.add(corner_right);
+        const Cap cap = begin_.kind == Kind::cap ? list_.stroke->cap_begin : Cap::flat;
+        const Place back = -1.0 * leg.along;
+        if (cap == Cap::round) {
+            add_arc(leg.a, leg.radius_a, -1.0 * left, back, outline);
+            outline.add(leg.a + leg.radius_a * back);
+            add_arc(leg.a, leg.radius_a, back, left, outline);
+        } else if (cap == Cap::pointed) {
+            outline.add(leg.a + 2.0 * static_cast<double>(drawing::point_length) * leg.radius_a * back);
+        }
+        outline.add(corner_left);
+    }
+}
+
+// From the left to the right.
+void Outliner::end_of(const Leg& leg, Outline& outline) const noexcept {
+    const Place left = leg.left();
+    const Place corner_left = leg.b + leg.radius_b * left;
+    const Place corner_right = leg.b - leg.radius_b * left;
+    if (end_.kind == Kind::shared) {
+        outline.add(end_.outer);
+        outline.add(end_.inner);
+    } else if (end_.kind == Kind::round && end_.left_outside) {
+        outline.add(corner_left);
+        add_arc(leg.b, leg.radius_b, left, end_.middle, outline);
+        outline.add(end_.outer);
+        outline.add(end_.inner);
+    } else if (end_.kind == Kind::round) {
+        outline.add(end_.inner);
+        outline.add(end_.outer);
+        add_arc(leg.b, leg.radius_b, end_.middle, -1.0 * left, outline);
+        outline.add(corner_right);
+    } else {
+        outline.add(corner_left);
+        const Cap cap = end_.kind == Kind::cap ? list_.stroke->cap_end : Cap::flat;
+        if (cap == Cap::round) {
+            add_arc(leg.b, leg.radius_b, left, leg.along, outline);
+            outline.add(leg.b + leg.radius_b * leg.along);
+            add_arc(leg.b, leg.radius_b, leg.along, -1.0 * left, outline);
+        } else if (cap == Cap::pointed) {
+            outline.add(leg.b + 2.0 * static_cast<double>(drawing::point_length) * leg.radius_b * leg.along);
+        }
+        outline.add(corner_right);
+    }
+}
+
+// A stroke all of whose points stand in one place: a dot, if it ends round.
+bool Outliner::disc(std::int64_t number, Outline& outline) const noexcept {
+    const drawing::Stroke& stroke = *list_.stroke;
+    if (number != first_ || (!stroke.closed && stroke.cap_begin != Cap::round && stroke.cap_end != Cap::round))
+        return false;
+    double radius = 0.0;
+    for (std::int64_t i = first_; i <= last_ + 1; ++i)
+        radius = std::max(radius, static_cast<double>(list_.points[i].radius));
+    const Place centre = leg(number).a;
+    constexpr std::array<Place, 5> around{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}, {1.0, 0.0}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        outline.add(centre + radius * around[i]);
+        add_arc(centre, radius, around[i], around[i + 1], outline);
+    }
+    return true;
+}
+
+bool Outliner::segment(std::int64_t number, Outline& outline) noexcept {
+    outline.count = 0;
+    if (leg_.number >= 0 && next_.number == number) {
+        previous_ = leg_;
+        leg_ = next_;
+        begin_ = end_;
+    } else {
+        leg_ = leg(number);
+        begin_ = end_ = {};
+        if (leg_.number < 0) return number == first_ && after(number).number < 0 && disc(number, outline);
+        previous_ = before(number);
+        begin_ = joint(previous_, leg_);
+    }
+    next_ = after(number);
+    end_ = joint(leg_, next_);
+    begin_of(leg_, outline);
+    end_of(leg_, outline);
+    return true;
+}
+
+bool Outliner::join(Outline& outline) const noexcept {
+    outline.count = 0;
+    if (leg_.number < 0 || begin_.kind != Kind::open) return false;
+    const double radius = std::max(previous_.radius_b, leg_.radius_a);
+    const double side = begin_.left_outside ? 1.0 : -1.0;
+    Place from = side * previous_.left();
+    Place to = side * leg_.left();
+    if (!begin_.left_outside) std::swap(from, to);
+    outline.add(leg_.a);
+    outline.add(leg_.a + radius * from);
+    add_arc(leg_.a, radius, from, begin_.middle, outline);
+    outline.add(leg_.a + radius * begin_.middle);
+    add_arc(leg_.a, radius, begin_.middle, to, outline);
+    outline.add(leg_.a + radius * to);
+    return true;
+}
+
+namespace {
+
+// Consecutive segments whose directions lie within 60 degrees of the first one's, and what they reach.
+struct Stretch {
+    float along_x, along_y, length; // of its first segment
+    float left, top, right, bottom;
+    std::int64_t begin, end; // segments
+
+    [[nodiscard]] bool takes(float x, float y, float own, std::int64_t number) const noexcept {
+        return number == end && x * along_x + y * along_y >= 0.5F * length * own;
+    }
+    // Whether a turn from the one to the other is less than 120 degrees.
+    [[nodiscard]] bool goes_on_in(const Stretch& next) const noexcept {
+        return along_x * next.along_x + along_y * next.along_y > -0.5F * length * next.length;
+    }
+    [[nodiscard]] bool is_apart_from(const Stretch& other) const noexcept {
+        return right < other.left || other.right < left || bottom < other.top || other.bottom < top;
+    }
+    void reach(const StrokePoint& p, float radius) noexcept {
+        left = std::min(left, p.x - radius);
+        top = std::min(top, p.y - radius);
+        right = std::max(right, p.x + radius);
+        bottom = std::max(bottom, p.y + radius);
+    }
+};
+
+bool follow(const Stretch& a, const Stretch& b, const drawing::Stroke& stroke) noexcept {
+    const bool around = stroke.closed && a.begin == stroke.first && b.end == stroke.first + stroke.count - 1;
+    return a.end == b.begin ? a.goes_on_in(b) : around && b.goes_on_in(a);
+}
+
+} // namespace
+
+bool may_overlap(const SegmentList& list) noexcept {
+    std::array<Stretch, 12> stretches{};
+    std::size_t count = 0;
+    const bool pointed = list.stroke->cap_begin == Cap::pointed || list.stroke->cap_end == Cap::pointed;
+    const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F; // a tip reaches farther
+    for (std::int64_t i = 0; i < list.count; ++i) {
+        const std::int64_t number = list.numbers[i];
+        const StrokePoint& a = list.points[number];
+        const StrokePoint& b = list.points[number + 1];
+        const float x = b.x - a.x;
+        const float y = b.y - a.y;
+        const float length = std::sqrt(x * x + y * y);
+        if (count == 0 || !stretches[count - 1].takes(x, y, length, number)) {
+            if (count == stretches.size()) return true;
+            stretches[count++] = {x, y, length, a.x, a.y, a.x, a.y, number, number};
+        }
+        Stretch& last = stretches[count - 1];
+        if (last.length == 0.0F) std::tie(last.along_x, last.along_y, last.length) = std::tuple(x, y, length);
+        const float radius = widest * std::max(a.radius, b.radius) + 1.0F; // no pixel has a part of two
+        last.reach(a, radius);
+        last.reach(b, radius);
+        last.end = number + 1;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j)
+            if (!follow(stretches[i], stretches[j], *list.stroke) && !stretches[i].is_apart_from(stretches[j]))
+                return true;
+    return false;
+}
+
+} // namespace hrbfnpr::output

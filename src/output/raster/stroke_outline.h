@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// What a stroke covers, as polygons side by side: one for each segment.
+#pragma once
+
+#include "drawing/dot.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::output {
+
+// One stroke's segments that reach a tile, by the numbers of their first points, which ascend.
+struct SegmentList {
+    const drawing::StrokePoint* points;
+    const drawing::Stroke* stroke;
+    const std::uint32_t* numbers;
+    std::int64_t count;
+    float left, top;    // the tile's first pixel
+    const float* color; // RGB of the ink, and its alpha; the RGB is not read where the tile has no colour
+    float toward;       // as in InkList
+};
+
+struct Place {
+    double x, y; // pixels of the tile
+};
+
+// Goes round so that with y down the inside lies to the right.
+struct Outline {
+    static constexpr std::int32_t most = 288; // two ends of two quarters of 64 chords each, and corners
+    std::int32_t count = 0;
+    Place at[most];
+
+    void add(const Place& place) noexcept { at[count++] = place; }
+};
+
+// Consecutive segments that turn gently share the edge that halves their angle, so that their polygons neither overlap
+// nor leave a gap.  Where a turn is too sharp for its segments' lengths they end across the line instead, and overlap.
+class Outliner {
+public:
+    explicit Outliner(const SegmentList& list) noexcept;
+
+    // The segment of that number, with what belongs to it of joins and caps.  False: it covers nothing.
+    bool segment(std::int64_t number, Outline& outline) noexcept;
+    // What rounds its beginning off, if it overlaps the one before; to be asked for after segment().
+    bool join(Outline& outline) const noexcept;
+    // Whether the polygon of segment() overlaps a neighbour's.
+    [[nodiscard]] bool overlaps() const noexcept { return begin_.kind == Kind::open || end_.kind == Kind::open; }
+
+private:
+    enum class Kind : std::uint8_t { cap, shared, round, open };
+    // A segment with a length, as far as its joints need it.
+    struct Leg {
+        std::int64_t number = -1; // -1: there is none
+        Place a{}, b{};
+        double radius_a = 0.0, radius_b = 0.0, length = 0.0;
+        Place along{}; // unit
+        [[nodiscard]] Place left() const noexcept { return {along.y, -along.x}; }
+    };
+    // Where two legs meet.
+    struct Joint {
+        Kind kind = Kind::cap;
+        bool left_outside = false;
+        Place inner{}, outer{}; // the edge that both share; of `shared` its left end is `outer`
+        Place middle{};         // of the outer arc, unit, from the centre
+    };
+
+    [[nodiscard]] Leg leg(std::int64_t number) const noexcept;
+    [[nodiscard]] Leg before(std::int64_t number) const noexcept;
+    [[nodiscard]] Leg after(std::int64_t number) const noexcept;
+    [[nodiscard]] static Joint joint(const Leg& a, const Leg& b) noexcept;
+    [[nodiscard]] static bool meet(const Leg& a, const Leg& b, double side, Place& at) noexcept;
+    void begin_of(const Leg& leg, Outline& outline) const noexcept;
+    void end_of(const Leg& leg, Outline& outline) const noexcept;
+    bool disc(std::int64_t number, Outline& outline) const noexcept;
+
+    const SegmentList& list_;
+    std::int64_t first_, last_; // the stroke's first and last segment
+    Leg previous_, leg_, next_;
+    Joint begin_, end_;
+};
+
+// Whether parts of the stroke that do not follow each other may overlap in the tile.
+[[nodiscard]] bool may_overlap(const SegmentList& list) noexcept;
+
+} // namespace hrbfnpr::output
