@@ -194,12 +194,10 @@ TEST_F(StrokePicture, CoversItsWidthTimesItsLength) {
                 const double ink = picture.darkness(40, 0, 160, height) * 120.0 * height;
                 const double expected = 2.0 * static_cast<double>(radius) * 120.0;
                 EXPECT_NEAR(ink, expected, 0.01 * expected) << radius << " " << y << " " << points;
-                // Round ends: half a disc each, whose linear rim adds pi / 12.
+                // Round ends: half a disc each.
                 const double all = picture.darkness() * width * height;
-                const double ends = pi * static_cast<double>(radius * radius) + pi / 12.0;
-                if (radius > 0.9F) {
-                    EXPECT_NEAR(all, 2.0 * static_cast<double>(radius) * 160.0 + ends, 0.5 + 0.03 * ends) << radius;
-                }
+                const double ends = pi * static_cast<double>(radius * radius);
+                EXPECT_NEAR(all, 2.0 * static_cast<double>(radius) * 160.0 + ends, 0.005 * expected) << radius;
             }
         }
     }
@@ -246,7 +244,7 @@ TEST_F(StrokePicture, KeepsItsInkWhereAllItsMarksAreOnePlace) {
         EXPECT_EQ(picture.at(100, 50, 0), 0);
         EXPECT_EQ(picture.at(100, 65, 0), 255);
         EXPECT_EQ(picture.at(100, 35, 0), 255);
-        EXPECT_NEAR(picture.darkness(90, 40, 111, 61) * 21.0 * 21.0, pi * 9.0 + pi / 12.0, 0.6);
+        EXPECT_NEAR(picture.darkness(90, 40, 111, 61) * 21.0 * 21.0, pi * 9.0, 0.06);
     }
 }
 

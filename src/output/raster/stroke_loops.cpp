@@ -188,7 +188,7 @@ HWY_INLINE void leave_new(const Target& t, const Edges& edges, const Row& row, s
         std::uint64_t& all = t.planes.samples[y * t.tile.stride + x];
         const float left = 1.0F - t.planes.cover[y * t.tile.stride + x];
         const std::uint64_t bits = own > 0.9999F ? ~std::uint64_t{0} : samples_of(samples, x);
-        if ((all | bits) == ~std::uint64_t{0})
+        if (all != 0 && (all | bits) == ~std::uint64_t{0})
             own = left;
         else if ((all & bits) != 0)
             own = static_cast<float>(hwy::PopCount(bits & ~all)) / 64.0F;

@@ -16,10 +16,10 @@ using drawing::StrokePoint;
 // Points that are nearer to each other stand in one place, pixels.
 constexpr double nowhere = 1e-6;
 // How far an edge may lie off, pixels.
-constexpr double tolerance = 0.0015;
+constexpr double tolerance = 0.001;
 // The same of an arc's chords, times their length where that is less than a pixel.  A single one has all its error on
 // one side.
-constexpr double arc_tolerance = 0.008;
+constexpr double arc_tolerance = 0.006;
 constexpr double chord_tolerance = 0.0008;
 constexpr int most_halvings = 6;
 
@@ -52,6 +52,16 @@ void add_arc(const Place& centre, double radius, const Place& from, const Place&
         at = {at.x * cosine - at.y * sine, at.x * sine + at.y * cosine};
         outline.add(centre + outer * at);
     }
+}
+
+// Where two lines cross: at + s * along = other + t * direction.
+bool crossing(const Place& at, const Place& along, const Place& other, const Place& direction, double& s,
+              double& t) noexcept {
+    const double sine = cross(along, direction);
+    if (!(std::abs(sine) > 1e-9 * std::abs(dot(along, direction)))) return false;
+    s = cross(other - at, direction) / sine;
+    t = cross(other - at, along) / sine;
+    return true;
 }
 
 } // namespace
@@ -92,20 +102,34 @@ Outliner::Leg Outliner::after(std::int64_t number) const noexcept {
     return {};
 }
 
-// Where their edges of one side cross; false if that is not in the halves that face each other.
-bool Outliner::meet(const Leg& a, const Leg& b, double side, Place& at) noexcept {
+// Where the inner edges of two legs meet.  Where the width changes they may pass each other by: then the wider one's
+// end reaches the other's edge.  False if that is beyond the halves that face each other.
+bool Outliner::meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept {
     const Place from = a.a + side * a.radius_a * a.left();
     const Place corner_a = a.b + side * a.radius_b * a.left();
     const Place corner_b = b.a + side * b.radius_a * b.left();
     const Place edge_a = corner_a - from;
     const Place edge_b = b.b + side * b.radius_b * b.left() - corner_b;
-    const double sine = cross(edge_a, edge_b);
-    if (!(std::abs(sine) > 1e-9 * std::abs(dot(edge_a, edge_b)))) return false;
-    const double back = -cross(corner_b - corner_a, edge_b) / sine;
-    const double on = cross(corner_b - corner_a, edge_a) / sine;
-    if (!(back >= -1e-9 && back <= 0.5 && on >= -1e-9 && on <= 0.5)) return false;
-    at = corner_a - back * edge_a;
-    return true;
+    double back = 0.0;
+    double on = 0.0;
+    if (crossing(corner_a, edge_a, corner_b, edge_b, back, on) && -back <= 0.5 && -back >= -1e-9 && on <= 0.5 &&
+        on >= -1e-9) {
+        joint.inner = corner_a + back * edge_a;
+        return cross(edge_a, edge_b) * side < 0.0; // else both corners stand out
+    }
+    const Place end_a = corner_a - b.a;
+    if (crossing(b.a, end_a, corner_b, edge_b, back, on) && back >= 0.0 && back <= 1.0 && on >= 0.0 && on <= 0.5) {
+        joint.corner_a = true;
+        joint.inner = b.a + back * end_a;
+        return true;
+    }
+    const Place end_b = corner_b - b.a;
+    if (crossing(b.a, end_b, corner_a, edge_a, back, on) && back >= 0.0 && back <= 1.0 && -on >= 0.0 && -on <= 0.5) {
+        joint.corner_b = true;
+        joint.inner = b.a + back * end_b;
+        return true;
+    }
+    return false;
 }
 
 Outliner::Joint Outliner::joint(const Leg& a, const Leg& b) noexcept {
@@ -128,7 +152,7 @@ Outliner::Joint Outliner::joint(const Leg& a, const Leg& b) noexcept {
         joint.kind = Kind::shared;
         joint.outer = b.a + miter;
         joint.inner = b.a - miter;
-    } else if (meet(a, b, -side, joint.inner)) {
+    } else if (meet(a, b, -side, joint)) {
         joint.kind = Kind::round;
         joint.outer = b.a + radius * joint.middle;
     }
@@ -144,6 +168,7 @@ void Outliner::begin_of(const Leg& leg, Outline& outline) const noexcept {
         outline.add(begin_.inner);
         outline.add(begin_.outer);
     } else if (begin_.kind == Kind::round && begin_.left_outside) {
+        if (begin_.corner_b) outline.add(corner_right);
         outline.add(begin_.inner);
         outline.add(begin_.outer);
         add_arc(leg.a, leg.radius_a, begin_.middle, left, outline);
@@ -153,6 +178,7 @@ void Outliner::begin_of(const Leg& leg, Outline& outline) const noexcept {
         add_arc(leg.a, leg.radius_a, -1.0 * left, begin_.middle, outline);
         outline.add(begin_.outer);
         outline.add(begin_.inner);
+        if (begin_.corner_b) outline.add(corner_left);
     } else {
         outline.add(corner_right);
         const Cap cap = begin_.kind == Kind::cap ? list_.stroke->cap_begin : Cap::flat;
@@ -181,7 +207,9 @@ void Outliner::end_of(const Leg& leg, Outline& outline) const noexcept {
         add_arc(leg.b, leg.radius_b, left, end_.middle, outline);
         outline.add(end_.outer);
         outline.add(end_.inner);
+        if (end_.corner_a) outline.add(corner_right);
     } else if (end_.kind == Kind::round) {
+        if (end_.corner_a) outline.add(corner_left);
         outline.add(end_.inner);
         outline.add(end_.outer);
         add_arc(leg.b, leg.radius_b, end_.middle, -1.0 * left, outline);

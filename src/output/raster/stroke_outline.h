@@ -59,15 +59,16 @@ private:
     struct Joint {
         Kind kind = Kind::cap;
         bool left_outside = false;
-        Place inner{}, outer{}; // the edge that both share; of `shared` its left end is `outer`
-        Place middle{};         // of the outer arc, unit, from the centre
+        bool corner_a = false, corner_b = false; // whether the one's inner corner stands out from the other
+        Place inner{}, outer{};                  // the edge that both share; of `shared` its left end is `outer`
+        Place middle{};                          // of the outer arc, unit, from the centre
     };
 
     [[nodiscard]] Leg leg(std::int64_t number) const noexcept;
     [[nodiscard]] Leg before(std::int64_t number) const noexcept;
     [[nodiscard]] Leg after(std::int64_t number) const noexcept;
     [[nodiscard]] static Joint joint(const Leg& a, const Leg& b) noexcept;
-    [[nodiscard]] static bool meet(const Leg& a, const Leg& b, double side, Place& at) noexcept;
+    [[nodiscard]] static bool meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept;
     void begin_of(const Leg& leg, Outline& outline) const noexcept;
     void end_of(const Leg& leg, Outline& outline) const noexcept;
     bool disc(std::int64_t number, Outline& outline) const noexcept;
