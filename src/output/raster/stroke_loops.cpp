@@ -26,7 +26,8 @@ HWY_INLINE std::int32_t clamped(double at, std::int32_t limit) {
 // From its upper to its lower end.
 struct Edge {
     double x, top, bottom, slope;
-    float sign; // 1 where the inside lies to the right of it
+    float sign;        // 1 where the inside lies to the right of it
+    std::int32_t next; // of those that begin in the same row; -1: none
 };
 
 // What an edge covers of a row to its right: the mean of clamp(right - x) over the part of the row's height that it
@@ -57,63 +58,79 @@ struct Target {
     bool careful; // count what overlaps
 };
 
+// An outline's edges, by the rows in which they begin.
 struct Edges {
     Edge at[Outline::most];
-    std::int32_t count;
-    double top, bottom;
+    std::int32_t first[most_rows];
+    std::int32_t count, top, bottom; // rows
 };
 
-HWY_INLINE void find_edges(const Outline& outline, double height, Edges& edges) {
+HWY_INLINE void find_edges(const Outline& outline, std::int32_t rows, Edges& edges) {
+    const double height = static_cast<double>(rows);
+    double top = height;
+    double bottom = 0.0;
+    for (std::int32_t i = 0; i < outline.count; ++i) {
+        top = least(top, outline.at[i].y);
+        bottom = most(bottom, outline.at[i].y);
+    }
     edges.count = 0;
-    edges.top = height;
-    edges.bottom = 0.0;
+    edges.top = clamped(top, rows);
+    edges.bottom = clamped(bottom + 1.0, rows);
+    for (std::int32_t y = edges.top; y < edges.bottom; ++y) edges.first[y] = -1;
     Place from = outline.at[outline.count - 1];
     for (std::int32_t i = 0; i < outline.count; ++i) {
         const Place to = outline.at[i];
         const bool down = from.y < to.y;
-        const Place& upper = down ? from : to;
-        const Place& lower = down ? to : from;
-        edges.top = least(edges.top, upper.y);
-        edges.bottom = most(edges.bottom, lower.y);
-        if (upper.y < lower.y && lower.y > 0.0 && upper.y < height)
-            edges.at[edges.count++] = {upper.x, upper.y, lower.y, (lower.x - upper.x) / (lower.y - upper.y),
-                                       down ? -1.0F : 1.0F};
+        const Place upper = down ? from : to;
+        const Place lower = down ? to : from;
         from = to;
+        if (!(upper.y < lower.y && lower.y > 0.0 && upper.y < height)) continue;
+        std::int32_t& first = edges.first[clamped(upper.y, rows)];
+        edges.at[edges.count] = {
+            upper.x, upper.y, lower.y, (lower.x - upper.x) / (lower.y - upper.y), down ? -1.0F : 1.0F, first};
+        first = edges.count++;
     }
 }
 
-// The parts of a row, and the columns that they bound.
+// The edges that pass a row, their parts there, and the columns that they bound.
 struct Row {
+    std::int32_t edges[Outline::most];
     Part parts[Outline::most];
-    std::int32_t count;
+    std::int32_t edge_count, count;
     std::int32_t left, right;
 };
 
+// Leaves in the list the edges that go on below.
 HWY_INLINE void find_parts(const Edges& edges, std::int32_t y, std::int32_t width, Row& row) {
     const double top = static_cast<double>(y);
     const double wide = static_cast<double>(width);
     double left = wide;
     double right = 0.0;
+    for (std::int32_t i = edges.first[y]; i >= 0; i = edges.at[i].next) row.edges[row.edge_count++] = i;
     row.count = 0;
-    for (std::int32_t i = 0; i < edges.count; ++i) {
-        const Edge& e = edges.at[i];
+    std::int32_t kept = 0;
+    for (std::int32_t i = 0; i < row.edge_count; ++i) {
+        const Edge& e = edges.at[row.edges[i]];
+        if (e.bottom > top + 1.0) row.edges[kept++] = row.edges[i];
         const double upper = most(e.top, top);
         const double lower = least(e.bottom, top + 1.0);
-        if (!(upper < lower)) continue;
-        double x0 = e.x + (upper - e.top) * e.slope;
-        double x1 = e.x + (lower - e.top) * e.slope;
+        const double x0 = e.x + (upper - e.top) * e.slope;
+        const double x1 = e.x + (lower - e.top) * e.slope;
         const double low = least(x0, x1);
         const double high = most(x0, x1);
         left = least(left, low);
         right = most(right, high);
         if (low >= wide) continue;
-        if (high <= 0.0) x0 = x1 = 0.0; // all to the left of the tile
-        const double way = x1 - x0;
         const float tall = static_cast<float>(lower - upper) * e.sign;
-        const bool steep = way < 1.0 / 128.0 && way > -1.0 / 128.0;
-        row.parts[row.count++] = {static_cast<float>(steep ? x0 + 0.5 * way : x0), static_cast<float>(way),
-                                  steep ? tall : tall / static_cast<float>(way), steep};
+        const float way = static_cast<float>(x1 - x0);
+        Part& part = row.parts[row.count++];
+        part = {static_cast<float>(x0), way, tall, high <= 0.0 || (way < 1.0F / 128.0F && way > -1.0F / 128.0F)};
+        if (!part.steep)
+            part.scale = tall / way;
+        else // what lies to the left of the tile is clamped to it
+            part.x = high <= 0.0 ? 0.0F : static_cast<float>(x0 + 0.5 * (x1 - x0));
     }
+    row.edge_count = kept;
     row.left = clamped(left, width);
     row.right = clamped(right + 1.0, width);
 }
@@ -149,6 +166,7 @@ struct Samples {
     double left[sample_rows], right[sample_rows];
 };
 
+// Of a row of a convex outline.
 HWY_INLINE void find_samples(const Edges& edges, std::int32_t y, Samples& samples) {
     for (std::int32_t k = 0; k < sample_rows; ++k) {
         const double at = static_cast<double>(y) + (static_cast<double>(k) + 0.5) / sample_rows;
@@ -252,15 +270,14 @@ HWY_INLINE void lay_row(const Target& t, const Shade& shade, const Edges& edges,
 }
 
 void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
+    if (outline.count == 0) return;
     Edges edges;
-    find_edges(outline, static_cast<double>(t.tile.height), edges);
-    if (edges.count == 0) return;
-    const std::int32_t top = clamped(edges.top, t.tile.height);
-    const std::int32_t bottom = clamped(edges.bottom + 1.0, t.tile.height);
-    t.spans.top = top < t.spans.top ? top : t.spans.top;
-    t.spans.bottom = bottom > t.spans.bottom ? bottom : t.spans.bottom;
+    find_edges(outline, t.tile.height, edges);
+    t.spans.top = edges.top < t.spans.top ? edges.top : t.spans.top;
+    t.spans.bottom = edges.bottom > t.spans.bottom ? edges.bottom : t.spans.bottom;
     Row row;
-    for (std::int32_t y = top; y < bottom; ++y) {
+    row.edge_count = 0;
+    for (std::int32_t y = edges.top; y < edges.bottom; ++y) {
         find_parts(edges, y, t.tile.width, row);
         if (row.left < row.right) lay_row(t, shade, edges, row, y);
     }
@@ -296,13 +313,16 @@ HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
 HWY_INLINE bool lay_segments(const Target& t, const SegmentList& list) {
     Outliner outliner(list);
     Outline outline;
-    for (std::int64_t i = 0; i < list.count; ++i) {
+    const bool single = t.careful || t.tile.host != nullptr;
+    for (std::int64_t i = 0; i < list.count;) {
         const drawing::StrokePoint* const p = list.points + list.numbers[i];
-        if (!outliner.segment(list.numbers[i], outline)) continue;
+        const std::int64_t segments = outliner.outline(i, single, outline);
         if (outliner.overlaps() && !t.careful) return false;
-        const Shade shade = shade_of(list, p[0], p[1]);
+        Shade shade = shade_of(list, p[0], p[1]);
+        if (segments > 1) shade.more_opacity = 0.0F;
         lay_outline(t, outline, shade);
         if (outliner.join(outline)) lay_outline(t, outline, shade);
+        i += segments;
     }
     return true;
 }

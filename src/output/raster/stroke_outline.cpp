@@ -22,6 +22,7 @@ constexpr double tolerance = 0.001;
 constexpr double arc_tolerance = 0.006;
 constexpr double chord_tolerance = 0.0008;
 constexpr int most_halvings = 6;
+constexpr float same_opacity = 1.0F / 1024.0F;
 
 Place operator+(const Place& a, const Place& b) noexcept { return {a.x + b.x, a.y + b.y}; }
 Place operator-(const Place& a, const Place& b) noexcept { return {a.x - b.x, a.y - b.y}; }
@@ -32,7 +33,8 @@ Place unit(const Place& a) noexcept { return (1.0 / std::sqrt(dot(a, a))) * a; }
 
 // The corners of an arc of at most a right angle between unit vectors, without its ends, which lie on it.  The others
 // lie outside, so that the area is kept.  Only square roots and quotients, which are the same everywhere.
-void add_arc(const Place& centre, double radius, const Place& from, const Place& to, Outline& outline) noexcept {
+void add_arc(const Place& centre, double radius, const Place& from, const Place& to, Outline& outline,
+             bool left = true) noexcept {
     double cosine = dot(from, to);
     int halvings = 0;
     double rise = 0.0;
@@ -50,7 +52,19 @@ void add_arc(const Place& centre, double radius, const Place& from, const Place&
     Place at = from;
     for (int i = 1; i < chords; ++i) {
         at = {at.x * cosine - at.y * sine, at.x * sine + at.y * cosine};
-        outline.add(centre + outer * at);
+        outline.add(centre + outer * at, left);
+    }
+}
+
+// What stands out of an end in the direction `out`, from its one corner to the other.
+void add_cap(const Place& centre, double radius, const Place& out, Cap cap, Outline& outline) noexcept {
+    const Place from{out.y, -out.x};
+    if (cap == Cap::round) {
+        add_arc(centre, radius, from, out, outline);
+        outline.add(centre + radius * out);
+        add_arc(centre, radius, out, -1.0 * from, outline);
+    } else if (cap == Cap::pointed) {
+        outline.add(centre + 2.0 * static_cast<double>(drawing::point_length) * radius * out);
     }
 }
 
@@ -81,7 +95,9 @@ Outliner::Leg Outliner::leg(std::int64_t number) const noexcept {
     const Place along = leg.b - leg.a;
     leg.length = std::sqrt(dot(along, along));
     if (!(leg.length > nowhere)) return leg;
-    leg.along = (1.0 / leg.length) * along;
+    const double scale = 1.0 / leg.length;
+    leg.along = scale * along;
+    leg.taper = scale * std::abs(leg.radius_b - leg.radius_a);
     leg.number = number;
     return leg;
 }
@@ -137,94 +153,59 @@ Outliner::Joint Outliner::joint(const Leg& a, const Leg& b) noexcept {
     if (a.number < 0 || b.number < 0) return joint;
     const double cosine = dot(a.along, b.along);
     const double sine = cross(a.along, b.along);
-    joint.left_outside = sine >= 0.0;
-    const double side = joint.left_outside ? 1.0 : -1.0;
     const double radius = b.radius_a;
-    joint.kind = Kind::open;
-    joint.middle = cosine > 0.0 ? unit(side * (a.left() + b.left())) : unit(a.along - b.along);
-    if (a.radius_b != radius) return joint;
-    const double bend = std::abs(sine) / std::max(1.0 + cosine, 1e-9); // the tangent of half the turn
-    if (!(radius * bend <= 0.5 * std::min(a.length, b.length))) return joint;
-    const double taper =
-        std::max(std::abs(a.radius_b - a.radius_a) / a.length, std::abs(b.radius_b - b.radius_a) / b.length);
-    if (radius * bend * (0.5 * bend + taper) < tolerance) {
-        const Place miter = (radius / (1.0 + cosine)) * (a.left() + b.left());
+    const double lift = std::max(1.0 + cosine, 1e-9);
+    const double bend = std::abs(sine) / lift; // the tangent of half the turn
+    const bool fits = a.radius_b == radius && radius * bend <= 0.5 * std::min(a.length, b.length);
+    joint.left_outside = sine >= 0.0;
+    if (fits && radius * bend * (0.5 * bend + std::max(a.taper, b.taper)) < tolerance) {
+        const Place miter = (radius / lift) * (a.left() + b.left());
         joint.kind = Kind::shared;
         joint.outer = b.a + miter;
         joint.inner = b.a - miter;
-    } else if (meet(a, b, -side, joint)) {
-        joint.kind = Kind::round;
-        joint.outer = b.a + radius * joint.middle;
+        return joint;
     }
+    const double side = joint.left_outside ? 1.0 : -1.0;
+    joint.middle = cosine > 0.0 ? unit(side * (a.left() + b.left())) : unit(a.along - b.along);
+    joint.outer = b.a + radius * joint.middle;
+    joint.kind = fits && meet(a, b, -side, joint) ? Kind::round : Kind::open;
     return joint;
 }
 
-// From the right to the left.
-void Outliner::begin_of(const Leg& leg, Outline& outline) const noexcept {
-    const Place left = leg.left();
-    const Place corner_left = leg.a + leg.radius_a * left;
-    const Place corner_right = leg.a - leg.radius_a * left;
-    if (begin_.kind == Kind::shared) {
-        outline.add(begin_.inner);
-        outline.add(begin_.outer);
-    } else if (begin_.kind == Kind::round && begin_.left_outside) {
-        if (begin_.corner_b) outline.add(corner_right);
-        outline.add(begin_.inner);
-        outline.add(begin_.outer);
-        add_arc(leg.a, leg.radius_a, begin_.middle, left, outline);
-        outline.add(corner_left);
-    } else if (begin_.kind == Kind::round) {
-        outline.add(corner_right);
-        add_arc(leg.a, leg.radius_a, -1.0 * left, begin_.middle, outline);
-        outline.add(begin_.outer);
-        outline.add(begin_.inner);
-        if (begin_.corner_b) outline.add(corner_left);
+// One side of a leg's beginning, in the leg's direction.
+void Outliner::begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept {
+    const bool outside = left == joint.left_outside;
+    const Place across = (left ? 1.0 : -1.0) * leg.left();
+    const Place corner = leg.a + leg.radius_a * across;
+    if (joint.kind == Kind::shared) {
+        outline.add(left ? joint.outer : joint.inner, left);
+    } else if (joint.kind != Kind::round) {
+        outline.add(corner, left);
+    } else if (outside) {
+        outline.add(joint.outer, left);
+        add_arc(leg.a, leg.radius_a, joint.middle, across, outline, left);
+        outline.add(corner, left);
     } else {
-        outline.add(corner_right);
-        const Cap cap = begin_.kind == Kind::cap ? list_.stroke->cap_begin : Cap::flat;
-        const Place back = -1.0 * leg.along;
-        if (cap == Cap::round) {
-            add_arc(leg.a, leg.radius_a, -1.0 * left, back, outline);
-            outline.add(leg.a + leg.radius_a * back);
-            add_arc(leg.a, leg.radius_a, back, left, outline);
-        } else if (cap == Cap::pointed) {
-            outline.add(leg.a + 2.0 * static_cast<double>(drawing::point_length) * leg.radius_a * back);
-        }
-        outline.add(corner_left);
+        outline.add(joint.inner, left);
+        if (joint.corner_b) outline.add(corner, left);
     }
 }
 
-// From the left to the right.
-void Outliner::end_of(const Leg& leg, Outline& outline) const noexcept {
-    const Place left = leg.left();
-    const Place corner_left = leg.b + leg.radius_b * left;
-    const Place corner_right = leg.b - leg.radius_b * left;
-    if (end_.kind == Kind::shared) {
-        outline.add(end_.outer);
-        outline.add(end_.inner);
-    } else if (end_.kind == Kind::round && end_.left_outside) {
-        outline.add(corner_left);
-        add_arc(leg.b, leg.radius_b, left, end_.middle, outline);
-        outline.add(end_.outer);
-        outline.add(end_.inner);
-        if (end_.corner_a) outline.add(corner_right);
-    } else if (end_.kind == Kind::round) {
-        if (end_.corner_a) outline.add(corner_left);
-        outline.add(end_.inner);
-        outline.add(end_.outer);
-        add_arc(leg.b, leg.radius_b, end_.middle, -1.0 * left, outline);
-        outline.add(corner_right);
+void Outliner::end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept {
+    const bool outside = left == joint.left_outside;
+    const Place across = (left ? 1.0 : -1.0) * leg.left();
+    const Place corner = leg.b + leg.radius_b * across;
+    if (joint.kind == Kind::shared) {
+        outline.add(left ? joint.outer : joint.inner, left);
+    } else if (joint.kind != Kind::round) {
+        outline.add(corner, left);
+    } else if (outside) {
+        outline.add(corner, left);
+        add_arc(leg.b, leg.radius_b, across, joint.middle, outline, left);
+        outline.add(joint.outer, left);
     } else {
-        outline.add(corner_left);
-        const Cap cap = end_.kind == Kind::cap ? list_.stroke->cap_end : Cap::flat;
-        if (cap == Cap::round) {
-            add_arc(leg.b, leg.radius_b, left, leg.along, outline);
-            outline.add(leg.b + leg.radius_b * leg.along);
-            add_arc(leg.b, leg.radius_b, leg.along, -1.0 * left, outline);
-        } else if (cap == Cap::pointed) {
-            outline.add(leg.b + 2.0 * static_cast<double>(drawing::point_length) * leg.radius_b * leg.along);
-        }
-        outline.add(corner_right);
+        if (joint.corner_a) outline.add(corner, left);
+        outline.add(joint.inner, left);
     }
 }
 
@@ -245,28 +226,68 @@ bool Outliner::disc(std::int64_t number, Outline& outline) const noexcept {
     return true;
 }
 
-bool Outliner::segment(std::int64_t number, Outline& outline) noexcept {
-    outline.count = 0;
+// False: it has no length.
+bool Outliner::start(std::int64_t number) noexcept {
     if (leg_.number >= 0 && next_.number == number) {
-        previous_ = leg_;
-        leg_ = next_;
-        begin_ = end_;
-    } else {
-        leg_ = leg(number);
-        begin_ = end_ = {};
-        if (leg_.number < 0) return number == first_ && after(number).number < 0 && disc(number, outline);
-        previous_ = before(number);
-        begin_ = joint(previous_, leg_);
+        go_on();
+        return true;
     }
+    leg_ = leg(number);
+    begin_ = end_ = {};
+    if (leg_.number < 0) return false;
+    previous_ = before(number);
+    begin_ = joint(previous_, leg_);
     next_ = after(number);
     end_ = joint(leg_, next_);
-    begin_of(leg_, outline);
-    end_of(leg_, outline);
     return true;
 }
 
+void Outliner::go_on() noexcept {
+    previous_ = leg_;
+    leg_ = next_;
+    begin_ = end_;
+    next_ = after(leg_.number);
+    end_ = joint(leg_, next_);
+}
+
+// Whether the list's segment i continues an outline that began with `from`: then it has the same opacity, but for less
+// than can be seen, and about its direction.
+bool Outliner::goes_on(std::int64_t i, const Leg& from) const noexcept {
+    if (i == list_.count || std::int64_t{list_.numbers[i]} != next_.number || end_.kind == Kind::open) return false;
+    const float opacity = list_.points[from.number].opacity;
+    return std::abs(list_.points[next_.number].opacity - opacity) <= same_opacity &&
+           std::abs(list_.points[next_.number + 1].opacity - opacity) <= same_opacity &&
+           dot(from.along, next_.along) > 0.5;
+}
+
+std::int64_t Outliner::outline(std::int64_t i, bool single, Outline& outline) noexcept {
+    const drawing::Stroke& stroke = *list_.stroke;
+    const std::int64_t number = list_.numbers[i];
+    outline.clear();
+    if (!start(number)) {
+        if (number == first_ && after(number).number < 0) (void)disc(number, outline);
+        return 1;
+    }
+    const Leg first = leg_;
+    const Joint begin = begin_;
+    if (begin_.kind == Kind::cap) add_cap(leg_.a, leg_.radius_a, -1.0 * leg_.along, stroke.cap_begin, outline);
+    for (const bool left : {false, true}) begin_side(leg_, begin_, left, outline);
+    std::int64_t end = i + 1;
+    for (;; ++end) {
+        for (const bool left : {false, true}) end_side(leg_, end_, left, outline);
+        if (single || !outline.has_room() || !goes_on(end, first)) break;
+        go_on();
+        for (const bool left : {false, true})
+            if (begin_.kind == Kind::round) begin_side(leg_, begin_, left, outline);
+    }
+    if (end_.kind == Kind::cap) add_cap(leg_.b, leg_.radius_b, leg_.along, stroke.cap_end, outline);
+    outline.close();
+    begin_ = begin;
+    return end - i;
+}
+
 bool Outliner::join(Outline& outline) const noexcept {
-    outline.count = 0;
+    outline.clear();
     if (leg_.number < 0 || begin_.kind != Kind::open) return false;
     const double radius = std::max(previous_.radius_b, leg_.radius_a);
     const double side = begin_.left_outside ? 1.0 : -1.0;

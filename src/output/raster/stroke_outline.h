@@ -23,13 +23,24 @@ struct Place {
     double x, y; // pixels of the tile
 };
 
-// Goes round so that with y down the inside lies to the right.
+// Goes round so that with y down the inside lies to the right: up along the left side of a line, and back along its
+// right one, which is filled from the other end.
 struct Outline {
-    static constexpr std::int32_t most = 288; // two ends of two quarters of 64 chords each, and corners
-    std::int32_t count = 0;
+    static constexpr std::int32_t most = 320;
+    static constexpr std::int32_t most_of_a_leg = 140; // two quarters of 64 chords each, and corners
+    std::int32_t count = 0, back = most;
     Place at[most];
 
-    void add(const Place& place) noexcept { at[count++] = place; }
+    void clear() noexcept {
+        count = 0;
+        back = most;
+    }
+    void add(const Place& place, bool left = true) noexcept { at[left ? count++ : --back] = place; }
+    [[nodiscard]] bool has_room() const noexcept { return back - count > 2 * most_of_a_leg; }
+    // Once all is there.
+    void close() noexcept {
+        for (; back < most; ++back) at[count++] = at[back];
+    }
 };
 
 // Consecutive segments that turn gently share the edge that halves their angle, so that their polygons neither overlap
@@ -38,11 +49,12 @@ class Outliner {
 public:
     explicit Outliner(const SegmentList& list) noexcept;
 
-    // The segment of that number, with what belongs to it of joins and caps.  False: it covers nothing.
-    bool segment(std::int64_t number, Outline& outline) noexcept;
-    // What rounds its beginning off, if it overlaps the one before; to be asked for after segment().
+    // The outline of the list's segment i, with what belongs to it of joins and caps; unless it is to be a single one,
+    // with segments behind it that go on alike.  How many segments these are; an empty outline: they cover nothing.
+    std::int64_t outline(std::int64_t i, bool single, Outline& outline) noexcept;
+    // What rounds the beginning off, if that overlaps the segment before.  After outline().
     bool join(Outline& outline) const noexcept;
-    // Whether the polygon of segment() overlaps a neighbour's.
+    // Whether what outline() gave overlaps a neighbour.
     [[nodiscard]] bool overlaps() const noexcept { return begin_.kind == Kind::open || end_.kind == Kind::open; }
 
 private:
@@ -51,7 +63,7 @@ private:
     struct Leg {
         std::int64_t number = -1; // -1: there is none
         Place a{}, b{};
-        double radius_a = 0.0, radius_b = 0.0, length = 0.0;
+        double radius_a = 0.0, radius_b = 0.0, length = 0.0, taper = 0.0;
         Place along{}; // unit
         [[nodiscard]] Place left() const noexcept { return {along.y, -along.x}; }
     };
@@ -69,8 +81,11 @@ private:
     [[nodiscard]] Leg after(std::int64_t number) const noexcept;
     [[nodiscard]] static Joint joint(const Leg& a, const Leg& b) noexcept;
     [[nodiscard]] static bool meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept;
-    void begin_of(const Leg& leg, Outline& outline) const noexcept;
-    void end_of(const Leg& leg, Outline& outline) const noexcept;
+    bool start(std::int64_t number) noexcept;
+    void go_on() noexcept;
+    [[nodiscard]] bool goes_on(std::int64_t i, const Leg& from) const noexcept;
+    static void begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept;
+    static void end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept;
     bool disc(std::int64_t number, Outline& outline) const noexcept;
 
     const SegmentList& list_;
