@@ -16,7 +16,7 @@ using drawing::StrokePoint;
 // Points that are nearer to each other stand in one place, pixels.
 constexpr double nowhere = 1e-6;
 // How far an edge may lie off, pixels.
-constexpr double tolerance = 0.001;
+constexpr double tolerance = 0.0007;
 // The same of an arc's chords, times their length where that is less than a pixel.  A single one has all its error on
 // one side.
 constexpr double arc_tolerance = 0.006;
@@ -79,6 +79,16 @@ bool crossing(const Place& at, const Place& along, const Place& other, const Pla
 }
 
 } // namespace
+
+bool Outline::may_drop(const Place& next, bool left) const noexcept {
+    const std::int32_t passed = gentle[left ? 1 : 0];
+    if (passed % 4 == 0) return false; // not all that follow: what they are off adds up
+    const Place& last = at[left ? count - 1 : back];
+    const Place& before = at[left ? count - 2 : back + 1];
+    const Place along = next - before;
+    const double off = cross(along, last - before);
+    return off * off <= tolerance * tolerance * dot(along, along);
+}
 
 Outliner::Outliner(const SegmentList& list) noexcept
     : list_(list), first_(list.stroke->first), last_(list.stroke->first + list.stroke->count - 2) {}
@@ -154,12 +164,12 @@ Outliner::Joint Outliner::joint(const Leg& a, const Leg& b) noexcept {
     const double cosine = dot(a.along, b.along);
     const double sine = cross(a.along, b.along);
     const double radius = b.radius_a;
-    const double lift = std::max(1.0 + cosine, 1e-9);
-    const double bend = std::abs(sine) / lift; // the tangent of half the turn
+    const double scale = 1.0 / std::max(1.0 + cosine, 1e-9);
+    const double bend = std::abs(sine) * scale; // the tangent of half the turn
     const bool fits = a.radius_b == radius && radius * bend <= 0.5 * std::min(a.length, b.length);
     joint.left_outside = sine >= 0.0;
     if (fits && radius * bend * (0.5 * bend + std::max(a.taper, b.taper)) < tolerance) {
-        const Place miter = (radius / lift) * (a.left() + b.left());
+        const Place miter = radius * scale * (a.left() + b.left());
         joint.kind = Kind::shared;
         joint.outer = b.a + miter;
         joint.inner = b.a - miter;
@@ -196,8 +206,13 @@ void Outliner::end_side(const Leg& leg, const Joint& joint, bool left, Outline& 
     const Place across = (left ? 1.0 : -1.0) * leg.left();
     const Place corner = leg.b + leg.radius_b * across;
     if (joint.kind == Kind::shared) {
+        if (outline.may_drop(left ? joint.outer : joint.inner, left)) outline.drop(left);
         outline.add(left ? joint.outer : joint.inner, left);
-    } else if (joint.kind != Kind::round) {
+        ++outline.gentle[left ? 1 : 0];
+        return;
+    }
+    outline.gentle[left ? 1 : 0] = 0;
+    if (joint.kind != Kind::round) {
         outline.add(corner, left);
     } else if (outside) {
         outline.add(corner, left);
@@ -307,16 +322,18 @@ namespace {
 
 // Consecutive segments whose directions lie within 60 degrees of the first one's, and what they reach.
 struct Stretch {
-    float along_x, along_y, length; // of its first segment
+    float along_x, along_y, square; // of its first segment, and its length's square
     float left, top, right, bottom;
     std::int64_t begin, end; // segments
 
-    [[nodiscard]] bool takes(float x, float y, float own, std::int64_t number) const noexcept {
-        return number == end && x * along_x + y * along_y >= 0.5F * length * own;
+    [[nodiscard]] bool takes(float x, float y, std::int64_t number) const noexcept {
+        const float cosine = x * along_x + y * along_y;
+        return number == end && cosine >= 0.0F && cosine * cosine >= 0.25F * square * (x * x + y * y);
     }
     // Whether a turn from the one to the other is less than 120 degrees.
     [[nodiscard]] bool goes_on_in(const Stretch& next) const noexcept {
-        return along_x * next.along_x + along_y * next.along_y > -0.5F * length * next.length;
+        const float cosine = along_x * next.along_x + along_y * next.along_y;
+        return cosine > 0.0F || cosine * cosine < 0.25F * square * next.square;
     }
     [[nodiscard]] bool is_apart_from(const Stretch& other) const noexcept {
         return right < other.left || other.right < left || bottom < other.top || other.bottom < top;
@@ -347,13 +364,12 @@ bool may_overlap(const SegmentList& list) noexcept {
         const StrokePoint& b = list.points[number + 1];
         const float x = b.x - a.x;
         const float y = b.y - a.y;
-        const float length = std::sqrt(x * x + y * y);
-        if (count == 0 || !stretches[count - 1].takes(x, y, length, number)) {
+        if (count == 0 || !stretches[count - 1].takes(x, y, number)) {
             if (count == stretches.size()) return true;
-            stretches[count++] = {x, y, length, a.x, a.y, a.x, a.y, number, number};
+            stretches[count++] = {x, y, x * x + y * y, a.x, a.y, a.x, a.y, number, number};
         }
         Stretch& last = stretches[count - 1];
-        if (last.length == 0.0F) std::tie(last.along_x, last.along_y, last.length) = std::tuple(x, y, length);
+        if (last.square == 0.0F) std::tie(last.along_x, last.along_y, last.square) = std::tuple(x, y, x * x + y * y);
         const float radius = widest * std::max(a.radius, b.radius) + 1.0F; // no pixel has a part of two
         last.reach(a, radius);
         last.reach(b, radius);

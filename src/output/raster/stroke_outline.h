@@ -29,12 +29,16 @@ struct Outline {
     static constexpr std::int32_t most = 320;
     static constexpr std::int32_t most_of_a_leg = 140; // two quarters of 64 chords each, and corners
     std::int32_t count = 0, back = most;
+    std::int32_t gentle[2] = {0, 0}; // how many of the last places, right and left, are those of gentle turns
     Place at[most];
 
     void clear() noexcept {
-        count = 0;
+        count = gentle[0] = gentle[1] = 0;
         back = most;
     }
+    // Whether the last place lies on the line between that before it and the next one.
+    [[nodiscard]] bool may_drop(const Place& next, bool left) const noexcept;
+    void drop(bool left) noexcept { left ? --count : ++back; }
     void add(const Place& place, bool left = true) noexcept { at[left ? count++ : --back] = place; }
     [[nodiscard]] bool has_room() const noexcept { return back - count > 2 * most_of_a_leg; }
     // Once all is there.
