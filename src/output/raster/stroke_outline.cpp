@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -93,39 +94,40 @@ bool Outline::may_drop(const Place& next, bool left) const noexcept {
 Outliner::Outliner(const SegmentList& list) noexcept
     : list_(list), first_(list.stroke->first), last_(list.stroke->first + list.stroke->count - 2) {}
 
-Outliner::Leg Outliner::leg(std::int64_t number) const noexcept {
+bool Outliner::find_leg(std::int64_t number, Leg& leg) const noexcept {
     const StrokePoint& p = list_.points[number];
     const StrokePoint& q = list_.points[number + 1];
     const Place origin{static_cast<double>(list_.left), static_cast<double>(list_.top)};
-    Leg leg;
     leg.a = Place{static_cast<double>(p.x), static_cast<double>(p.y)} - origin;
     leg.b = Place{static_cast<double>(q.x), static_cast<double>(q.y)} - origin;
     leg.radius_a = static_cast<double>(p.radius);
     leg.radius_b = static_cast<double>(q.radius);
     const Place along = leg.b - leg.a;
     leg.length = std::sqrt(dot(along, along));
-    if (!(leg.length > nowhere)) return leg;
+    leg.number = -1;
+    if (!(leg.length > nowhere)) return false;
     const double scale = 1.0 / leg.length;
     leg.along = scale * along;
     leg.taper = scale * std::abs(leg.radius_b - leg.radius_a);
     leg.number = number;
-    return leg;
+    return true;
 }
 
-Outliner::Leg Outliner::before(std::int64_t number) const noexcept {
+// The next one with a length before a segment.
+void Outliner::find_before(std::int64_t number, Leg& leg) const noexcept {
+    leg.number = -1;
     for (std::int64_t i = number - 1; i >= first_; --i)
-        if (const Leg found = leg(i); found.number >= 0) return found;
+        if (find_leg(i, leg)) return;
     for (std::int64_t i = last_; list_.stroke->closed && i > number; --i)
-        if (const Leg found = leg(i); found.number >= 0) return found;
-    return {};
+        if (find_leg(i, leg)) return;
 }
 
-Outliner::Leg Outliner::after(std::int64_t number) const noexcept {
+void Outliner::find_after(std::int64_t number, Leg& leg) const noexcept {
+    leg.number = -1;
     for (std::int64_t i = number + 1; i <= last_; ++i)
-        if (const Leg found = leg(i); found.number >= 0) return found;
+        if (find_leg(i, leg)) return;
     for (std::int64_t i = first_; list_.stroke->closed && i < number; ++i)
-        if (const Leg found = leg(i); found.number >= 0) return found;
-    return {};
+        if (find_leg(i, leg)) return;
 }
 
 // Where the inner edges of two legs meet.  Where the width changes they may pass each other by: then the wider one's
@@ -158,9 +160,10 @@ bool Outliner::meet(const Leg& a, const Leg& b, double side, Joint& joint) noexc
     return false;
 }
 
-Outliner::Joint Outliner::joint(const Leg& a, const Leg& b) noexcept {
-    Joint joint;
-    if (a.number < 0 || b.number < 0) return joint;
+void Outliner::find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept {
+    joint.kind = Kind::cap;
+    joint.corner_a = joint.corner_b = false;
+    if (a.number < 0 || b.number < 0) return;
     const double cosine = dot(a.along, b.along);
     const double sine = cross(a.along, b.along);
     const double radius = b.radius_a;
@@ -173,13 +176,12 @@ Outliner::Joint Outliner::joint(const Leg& a, const Leg& b) noexcept {
         joint.kind = Kind::shared;
         joint.outer = b.a + miter;
         joint.inner = b.a - miter;
-        return joint;
+        return;
     }
     const double side = joint.left_outside ? 1.0 : -1.0;
     joint.middle = cosine > 0.0 ? unit(side * (a.left() + b.left())) : unit(a.along - b.along);
     joint.outer = b.a + radius * joint.middle;
     joint.kind = fits && meet(a, b, -side, joint) ? Kind::round : Kind::open;
-    return joint;
 }
 
 // One side of a leg's beginning, in the leg's direction.
@@ -225,20 +227,17 @@ void Outliner::end_side(const Leg& leg, const Joint& joint, bool left, Outline& 
 }
 
 // A stroke all of whose points stand in one place: a dot, if it ends round.
-bool Outliner::disc(std::int64_t number, Outline& outline) const noexcept {
+void Outliner::disc(Outline& outline) const noexcept {
     const drawing::Stroke& stroke = *list_.stroke;
-    if (number != first_ || (!stroke.closed && stroke.cap_begin != Cap::round && stroke.cap_end != Cap::round))
-        return false;
+    if (!stroke.closed && stroke.cap_begin != Cap::round && stroke.cap_end != Cap::round) return;
     double radius = 0.0;
     for (std::int64_t i = first_; i <= last_ + 1; ++i)
         radius = std::max(radius, static_cast<double>(list_.points[i].radius));
-    const Place centre = leg(number).a;
     constexpr std::array<Place, 5> around{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}, {1.0, 0.0}}};
     for (std::size_t i = 0; i < 4; ++i) {
-        outline.add(centre + radius * around[i]);
-        add_arc(centre, radius, around[i], around[i + 1], outline);
+        outline.add(leg_.a + radius * around[i]);
+        add_arc(leg_.a, radius, around[i], around[i + 1], outline);
     }
-    return true;
 }
 
 // False: it has no length.
@@ -247,13 +246,12 @@ bool Outliner::start(std::int64_t number) noexcept {
         go_on();
         return true;
     }
-    leg_ = leg(number);
-    begin_ = end_ = {};
-    if (leg_.number < 0) return false;
-    previous_ = before(number);
-    begin_ = joint(previous_, leg_);
-    next_ = after(number);
-    end_ = joint(leg_, next_);
+    begin_.kind = end_.kind = Kind::cap;
+    if (!find_leg(number, leg_)) return false;
+    find_before(number, previous_);
+    find_joint(previous_, leg_, begin_);
+    find_after(number, next_);
+    find_joint(leg_, next_, end_);
     return true;
 }
 
@@ -261,8 +259,8 @@ void Outliner::go_on() noexcept {
     previous_ = leg_;
     leg_ = next_;
     begin_ = end_;
-    next_ = after(leg_.number);
-    end_ = joint(leg_, next_);
+    find_after(leg_.number, next_);
+    find_joint(leg_, next_, end_);
 }
 
 // Whether the list's segment i continues an outline that began with `from`: then it has the same opacity, but for less
@@ -280,7 +278,8 @@ std::int64_t Outliner::outline(std::int64_t i, bool single, Outline& outline) no
     const std::int64_t number = list_.numbers[i];
     outline.clear();
     if (!start(number)) {
-        if (number == first_ && after(number).number < 0) (void)disc(number, outline);
+        if (number == first_) find_after(number, next_);
+        if (number == first_ && next_.number < 0) disc(outline);
         return 1;
     }
     const Leg first = leg_;
@@ -351,13 +350,11 @@ bool follow(const Stretch& a, const Stretch& b, const drawing::Stroke& stroke) n
     return a.end == b.begin ? a.goes_on_in(b) : around && b.goes_on_in(a);
 }
 
-} // namespace
+using Stretches = std::array<Stretch, 12>;
 
-bool may_overlap(const SegmentList& list) noexcept {
-    std::array<Stretch, 12> stretches{};
+// The list's stretches; more than there is room for: size() + 1.
+std::size_t find_stretches(const SegmentList& list, Stretches& stretches) noexcept {
     std::size_t count = 0;
-    const bool pointed = list.stroke->cap_begin == Cap::pointed || list.stroke->cap_end == Cap::pointed;
-    const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F; // a tip reaches farther
     for (std::int64_t i = 0; i < list.count; ++i) {
         const std::int64_t number = list.numbers[i];
         const StrokePoint& a = list.points[number];
@@ -365,16 +362,27 @@ bool may_overlap(const SegmentList& list) noexcept {
         const float x = b.x - a.x;
         const float y = b.y - a.y;
         if (count == 0 || !stretches[count - 1].takes(x, y, number)) {
-            if (count == stretches.size()) return true;
+            if (count == stretches.size()) return count + 1;
             stretches[count++] = {x, y, x * x + y * y, a.x, a.y, a.x, a.y, number, number};
         }
         Stretch& last = stretches[count - 1];
         if (last.square == 0.0F) std::tie(last.along_x, last.along_y, last.square) = std::tuple(x, y, x * x + y * y);
-        const float radius = widest * std::max(a.radius, b.radius) + 1.0F; // no pixel has a part of two
-        last.reach(a, radius);
-        last.reach(b, radius);
         last.end = number + 1;
     }
+    return count;
+}
+
+} // namespace
+
+bool may_overlap(const SegmentList& list) noexcept {
+    Stretches stretches;
+    const std::size_t count = find_stretches(list, stretches);
+    if (count <= 1 || count > stretches.size()) return count > 1;
+    const bool pointed = list.stroke->cap_begin == Cap::pointed || list.stroke->cap_end == Cap::pointed;
+    const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F; // a tip reaches farther
+    for (Stretch& stretch : std::span(stretches).first(count))
+        for (std::int64_t i = stretch.begin; i <= stretch.end; ++i)
+            stretch.reach(list.points[i], widest * list.points[i].radius + 1.0F); // no pixel has a part of two
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j)
             if (!follow(stretches[i], stretches[j], *list.stroke) && !stretches[i].is_apart_from(stretches[j]))

@@ -80,17 +80,17 @@ private:
         Place middle{};                          // of the outer arc, unit, from the centre
     };
 
-    [[nodiscard]] Leg leg(std::int64_t number) const noexcept;
-    [[nodiscard]] Leg before(std::int64_t number) const noexcept;
-    [[nodiscard]] Leg after(std::int64_t number) const noexcept;
-    [[nodiscard]] static Joint joint(const Leg& a, const Leg& b) noexcept;
+    bool find_leg(std::int64_t number, Leg& leg) const noexcept;
+    void find_before(std::int64_t number, Leg& leg) const noexcept;
+    void find_after(std::int64_t number, Leg& leg) const noexcept;
+    static void find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept;
     [[nodiscard]] static bool meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept;
     bool start(std::int64_t number) noexcept;
     void go_on() noexcept;
     [[nodiscard]] bool goes_on(std::int64_t i, const Leg& from) const noexcept;
     static void begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept;
     static void end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept;
-    bool disc(std::int64_t number, Outline& outline) const noexcept;
+    void disc(Outline& outline) const noexcept;
 
     const SegmentList& list_;
     std::int64_t first_, last_; // the stroke's first and last segment
