@@ -40,6 +40,7 @@ enum class Cap : std::uint8_t { round = 0, flat = 1, pointed = 2 };
 inline constexpr float point_length = 2.0F;
 
 // A line through points of the drawing, in a layer, whose class is the stroke's.  Where it turns it is round outside.
+// One with a point at an end does not repeat the point of that end.
 struct Stroke {
     std::int64_t first = 0; // of its points
     std::int32_t count = 0; // two and more
