@@ -19,7 +19,7 @@ constexpr std::int32_t side = 64;
 constexpr std::int32_t stride = side + 16;
 constexpr double pi = std::numbers::pi;
 constexpr double step = 1.0 / 255.0;
-constexpr double overlapped = 1.0 / 24.0; // where a stroke overlaps itself
+constexpr double overlapped = 1.0 / 12.0; // where a stroke overlaps itself
 
 struct Difference {
     double most = 0.0, ink = 0.0, expected_ink = 0.0;
@@ -173,6 +173,88 @@ TEST_F(StrokeCoverage, OfCornersIsExact) {
             expect_exact(std::to_string(degrees).c_str(), hairpin ? overlapped : step);
         }
     }
+}
+
+// A curve that winds back and forth, over and beside itself.
+TEST_F(StrokeCoverage, OfOverlapsIsTheUnionNearly) {
+    for (const double radius : {0.4, 1.5, 5.0}) {
+        for (int k = 0; k < 8; ++k) {
+            begin();
+            for (int i = 0; i <= 120; ++i) {
+                const double t = 0.05 * i;
+                add(32.0 + 20.0 * std::sin(t + 0.1 * k) + 3.0 * std::sin(7.0 * t),
+                    32.0 + (2.0 + 2.0 * k) * std::sin(2.0 * t), radius);
+            }
+            expect_exact("winding", overlapped);
+        }
+        begin();
+        for (int i = 0; i <= 30; ++i) // a hairpin, its turn narrower than the stroke
+            add(10.0 + 1.3 * std::min(i, 30 - i), 30.0 + 0.05 * i, radius);
+        expect_exact("hairpin", overlapped);
+    }
+}
+
+TEST_F(StrokeCoverage, OfClosedLinesHasNoSeam) {
+    for (const int pieces : {3, 5, 24, 90}) {
+        for (const double radius : {0.3, 1.0, 4.0}) {
+            begin(Cap::pointed, Cap::flat); // not looked at
+            for (int i = 0; i <= pieces; ++i) {
+                const double angle = 2.0 * pi * (i % pieces) / pieces;
+                add(31.7 + 22.0 * std::cos(angle), 32.2 + 22.0 * std::sin(angle), radius);
+            }
+            stroke.closed = true;
+            expect_exact(std::to_string(pieces).c_str());
+        }
+    }
+}
+
+TEST_F(StrokeCoverage, TakesPointsThatAreRepeated) {
+    begin(Cap::flat, Cap::flat);
+    for (const double x : {5.0, 5.0, 20.0, 20.0, 20.0, 45.0, 45.0}) add(x, 0.7 * x, 2.0);
+    expect_exact("straight");
+    for (const Cap cap : {Cap::round, Cap::flat}) {
+        begin(cap, cap);
+        for (int i = 0; i < 4; ++i) add(30.3, 30.6, 3.0);
+        if (cap == Cap::round) {
+            expect_exact("dot");
+        } else {
+            for (const float left : lay()) EXPECT_EQ(left, 1.0F);
+        }
+    }
+}
+
+TEST_F(StrokeCoverage, ReachesFarOutside) {
+    for (int k = 0; k < 32; ++k) {
+        for (const double far : {1e3, 1e5, 1e7}) {
+            begin();
+            // Whole numbers, which floats can be.
+            const double x = std::round(far * std::cos(0.2 * k));
+            const double y = std::round(far * std::sin(0.2 * k));
+            add(32.0 - x, 32.0 - y, 2.5);
+            add(32.0 + x, 32.0 + y, 2.5);
+            expect_exact(std::to_string(far).c_str());
+        }
+    }
+}
+
+// Each tile finds its own part.
+TEST_F(StrokeCoverage, GoesOnFromTileToTile) {
+    begin(Cap::pointed, Cap::round);
+    for (int i = 0; i <= 400; ++i) add(30.0 * i, 6000.0 + 5000.0 * std::sin(0.03 * i), 3.0 + 1.5 * std::sin(0.1 * i));
+    int inked = 0;
+    for (int row = 0; row < 172; row += 7) {
+        for (int column = 0; column < 190; column += 3) {
+            const float left = 64.0F * static_cast<float>(column);
+            const float top = 64.0F * static_cast<float>(row);
+            bool near = false;
+            for (std::size_t i = 1; i < points.size(); ++i) near |= reaches(points[i - 1], points[i], left, top);
+            if (!near) continue;
+            const Difference difference = compare(left, top);
+            ASSERT_LE(difference.most, step) << column << " " << row;
+            inked += difference.ink > 0.0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inked, 20);
 }
 
 } // namespace

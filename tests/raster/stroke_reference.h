@@ -20,6 +20,7 @@ struct StrokePart {
     std::vector<Side> sides;
     glm::dvec2 centre{0.0};
     double radius = std::numeric_limits<double>::infinity();
+    double middle = 0.0, reach = 0.0; // no line farther from y = middle meets it
 
     void left_of(const glm::dvec2& from, const glm::dvec2& to) {
         const glm::dvec2 along = to - from;
@@ -83,6 +84,7 @@ public:
             spans.clear();
             const double y = top + (k + 0.5) / lines;
             for (const StrokePart& part : parts_) {
+                if (std::abs(y - part.middle) > part.reach) continue;
                 double from = 0.0;
                 double to = 0.0;
                 if (!part.cut(y, from, to)) continue;
@@ -113,6 +115,8 @@ private:
     void add_quad(const Leg& leg) {
         const glm::dvec2 n = leg.across();
         StrokePart part;
+        part.middle = leg.a.y;
+        part.reach = glm::distance(leg.a, leg.b) + leg.radius_a + leg.radius_b;
         part.left_of(leg.b + leg.radius_b * n, leg.a + leg.radius_a * n);
         part.left_of(leg.a - leg.radius_a * n, leg.b - leg.radius_b * n);
         part.sides.push_back({leg.a, leg.along()});
@@ -123,7 +127,8 @@ private:
     void add_sector(const Leg& before, const Leg& after) {
         StrokePart part;
         part.centre = after.a;
-        part.radius = std::max(before.radius_b, after.radius_a);
+        part.radius = part.reach = std::max(before.radius_b, after.radius_a);
+        part.middle = after.a.y;
         part.sides.push_back({after.a, before.along()});
         part.sides.push_back({after.a, -after.along()});
         parts_.push_back(part);
@@ -131,7 +136,8 @@ private:
     void add_half_disc(const glm::dvec2& at, const glm::dvec2& out, double radius) {
         StrokePart part;
         part.centre = at;
-        part.radius = radius;
+        part.radius = part.reach = radius;
+        part.middle = at.y;
         part.sides.push_back({at, out});
         parts_.push_back(part);
     }
@@ -141,6 +147,8 @@ private:
         const glm::dvec2 across(out.y, -out.x);
         const glm::dvec2 tip = at + 2.0 * static_cast<double>(drawing::point_length) * radius * out;
         StrokePart part;
+        part.middle = at.y;
+        part.reach = glm::distance(at, tip) + radius;
         part.left_of(tip, at + radius * across);
         part.left_of(at - radius * across, tip);
         part.sides.push_back({at, out});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Strokes into pixels: loops on every instruction set, coverage, joints, the order among dots.
+#include "drawing/segments.h"
 #include "output/raster/stroke_loops.h"
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
@@ -314,6 +315,31 @@ TEST_F(StrokePicture, OutputsTellTheMarkAtEachEnd) {
         EXPECT_EQ(id[at + 4 * width], 0U);
         EXPECT_EQ(mark_class[at + 4 * width], 0U);
     }
+}
+
+// What is picked beside an end is what is drawn there.
+TEST(StrokeSegments, CoverWhatTheirEndsDo) {
+    const StrokePoint a{10.0F, 20.0F, 3.0F, 1.0F, 0.0F, 0.2F, 1.0F, 0.0F, 1};
+    const StrokePoint b{30.0F, 20.0F, 3.0F, 1.0F, 0.0F, 0.8F, 1.0F, 20.0F, 2};
+    const float tip = 30.0F + 6.0F * drawing::point_length;
+    float at = 0.0F;
+    for (const Cap cap : {Cap::round, Cap::flat, Cap::pointed}) {
+        const drawing::SegmentEnds ends{Cap::flat, cap};
+        EXPECT_TRUE(drawing::covers(ends, a, b, 25.0F, 22.5F, at));
+        EXPECT_NEAR(at, 0.75F, 1e-6F);
+        EXPECT_FALSE(drawing::covers(ends, a, b, 25.0F, 23.5F, at));
+        EXPECT_FALSE(drawing::covers(ends, a, b, 9.5F, 20.0F, at)) << "before a flat end";
+        EXPECT_EQ(drawing::covers(ends, a, b, 32.5F, 20.0F, at), cap != Cap::flat);
+        EXPECT_EQ(drawing::covers(ends, a, b, tip - 0.1F, 20.0F, at), cap == Cap::pointed);
+        EXPECT_FALSE(drawing::covers(ends, a, b, tip + 0.1F, 20.0F, at));
+        EXPECT_FALSE(drawing::covers(ends, a, b, tip - 1.0F, 21.0F, at));
+        EXPECT_GE(drawing::footprint(ends, a, b).radius, cap == Cap::pointed ? tip - 20.0F : 13.0F);
+    }
+    const Stroke stroke{5, 4, 0, 0.0F, Cap::pointed, Cap::flat};
+    EXPECT_EQ(drawing::ends_of(stroke, 5).begin, Cap::pointed);
+    EXPECT_EQ(drawing::ends_of(stroke, 5).end, Cap::round);
+    EXPECT_EQ(drawing::ends_of(stroke, 6).begin, Cap::round);
+    EXPECT_EQ(drawing::ends_of(stroke, 7).end, Cap::flat);
 }
 
 TEST_F(StrokePicture, SameBitsForAnyThreadCountAndInstructionSet) {

@@ -166,6 +166,10 @@ struct Samples {
     double left[sample_rows], right[sample_rows];
 };
 
+// The last one says instead that some of a pixel's cover was counted: what is covered there is not exact any more.
+constexpr std::uint64_t counted = std::uint64_t{1} << 63;
+constexpr std::uint64_t all_samples = ~counted;
+
 // Of a row of a convex outline.
 HWY_INLINE void find_samples(const Edges& edges, std::int32_t y, Samples& samples) {
     for (std::int32_t k = 0; k < sample_rows; ++k) {
@@ -205,11 +209,15 @@ HWY_INLINE void leave_new(const Target& t, const Edges& edges, const Row& row, s
         if (!(own > 0.0F)) continue;
         std::uint64_t& all = t.planes.samples[y * t.tile.stride + x];
         const float left = 1.0F - t.planes.cover[y * t.tile.stride + x];
-        const std::uint64_t bits = own > 0.9999F ? ~std::uint64_t{0} : samples_of(samples, x);
-        if (all != 0 && (all | bits) == ~std::uint64_t{0})
+        const bool full = own > 0.9999F;
+        const std::uint64_t bits = full ? all_samples : samples_of(samples, x) & all_samples;
+        const bool overlaps = (all & bits) != 0;
+        const bool inexact = overlaps || (all & counted) != 0;
+        if (full || (inexact && (all | bits | counted) == ~std::uint64_t{0}))
             own = left;
-        else if ((all & bits) != 0)
-            own = static_cast<float>(hwy::PopCount(bits & ~all)) / 64.0F;
+        else if (overlaps)
+            own = static_cast<float>(hwy::PopCount(bits & ~all)) / static_cast<float>(hwy::PopCount(all_samples));
+        if (overlaps) all |= counted;
         own = own < left ? own : left;
         own = own > 0.0F ? own : 0.0F;
         all |= bits;

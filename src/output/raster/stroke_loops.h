@@ -14,12 +14,12 @@ namespace hrbfnpr::output {
 struct StrokePlanes {
     float* cover;           // the part of a pixel that is covered
     float* ink;             // that, times the opacity
-    std::uint64_t* samples; // which of 64 places of a pixel are covered, where a stroke may overlap itself
+    std::uint64_t* samples; // which of 63 places of a pixel are covered, where a stroke may overlap itself
 };
 
 struct StrokeLoops {
     // Lays the union of the segments over the tile: where they overlap, the stroke is no darker.  A pixel takes the
-    // exact area that is covered of it; where parts of the stroke overlap, that is counted at 64 places.
+    // exact area that is covered of it; where parts of the stroke overlap, that is counted at 63 places.
     void (*lay)(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes);
 };
 
