@@ -171,7 +171,10 @@ void Outliner::find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept {
     const double bend = std::abs(sine) * scale; // the tangent of half the turn
     const bool fits = a.radius_b == radius && radius * bend <= 0.5 * std::min(a.length, b.length);
     joint.left_outside = sine >= 0.0;
-    if (fits && radius * bend * (0.5 * bend + std::max(a.taper, b.taper)) < tolerance) {
+    // What stands out of the arc does so over twice this length, of which a pixel has at most its own.
+    const double reach = radius * bend;
+    const double part = std::min(reach / std::min({a.length, b.length, 1.0}), 1.0);
+    if (fits && reach * (0.5 * bend * part + std::max(a.taper, b.taper)) < tolerance) {
         const Place miter = radius * scale * (a.left() + b.left());
         joint.kind = Kind::shared;
         joint.outer = b.a + miter;
