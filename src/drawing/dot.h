@@ -34,12 +34,21 @@ inline constexpr std::uint8_t dot_is_paper = 4;
 // Fainter ink would not change a pixel.
 inline constexpr float faintest_ink = 1.0F / 512.0F;
 
-// A line through points of the drawing, in a layer.
+// How a stroke ends: with half a disc around its last point; across that point; or beyond it, straight on, with a tip
+// that is point_length times as long as the stroke is wide there.
+enum class Cap : std::uint8_t { round = 0, flat = 1, pointed = 2 };
+inline constexpr float point_length = 2.0F;
+
+// A line through points of the drawing, in a layer, whose class is the stroke's.  Where it turns it is round outside.
+// One with a point at an end does not repeat the point of that end.
 struct Stroke {
     std::int64_t first = 0; // of its points
     std::int32_t count = 0; // two and more
     std::uint32_t layer = 0;
     float depth = 0.0F; // of its middle, eye units along the view: strokes are painted by it
+    Cap cap_begin = Cap::round;
+    Cap cap_end = Cap::round;
+    bool closed = false; // its last point stands where its first one does, and they are joined: it has no caps
 };
 
 // Between two of its points a stroke's centre, half width and opacity change evenly.

@@ -184,6 +184,48 @@ TEST_F(Strips, PointsThatCoincideDoNoHarm) {
     for (const Vertex& v : vertices) EXPECT_TRUE(std::isfinite(v.x) && std::isfinite(v.y));
 }
 
+TEST_F(Strips, KeepTheirWidthWhereAPointIsRepeated) {
+    add_stroke(0, {{5, 5}, {15, 5}, {15, 5}, {25, 5}});
+    write(Primitive::triangle_strips);
+    for (std::size_t i = 0; i < 8; ++i)
+        EXPECT_NEAR(std::abs(vertices[i].y - 5.0F), drawing.points[static_cast<std::int64_t>(i / 2)].radius, 1e-5F)
+            << i;
+}
+
+TEST_F(Strips, PointedEndsHaveATip) {
+    add_stroke(0, {{10, 20}, {20, 20}});
+    add_stroke(0, {{50, 50}, {50, 90}});
+    add_stroke(2, {{10, 60}, {20, 60}});
+    drawing.strokes[0].cap_begin = drawing.strokes[0].cap_end = drawing::Cap::pointed;
+    drawing.strokes[2].cap_end = drawing::Cap::pointed;
+    write(Primitive::triangle_strips);
+    ASSERT_EQ(vertices.size(), 18U);
+    EXPECT_EQ(place_of(0), glm::vec2(10.0F - 2.0F * drawing::point_length * 2.0F, 20.0F));
+    EXPECT_EQ(place_of(1), place_of(0));
+    EXPECT_EQ(place_of(7), glm::vec2(20.0F + 2.0F * drawing::point_length * 3.0F, 20.0F));
+    EXPECT_EQ(vertices[6].id, vertices[5].id);
+    EXPECT_NEAR(place_of(8).y, 50.0F, 1e-5F);
+    EXPECT_NEAR(std::abs(place_of(12).y - 60.0F), 2.0F, 1e-5F);
+    EXPECT_EQ(indices, (std::vector<std::uint32_t>{0,  1,  2,       3,  4,  5,  6,  7,  restart, 8,      9,
+                                                   10, 11, restart, 12, 13, 14, 15, 16, 17,      restart}));
+    write(Primitive::line_strips);
+    EXPECT_EQ(vertices.size(), 6U);
+}
+
+TEST_F(Strips, OnesThatGoRoundHaveNoSeam) {
+    add_stroke(0, {{10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}});
+    drawing.points[4].radius = drawing.points[0].radius;
+    drawing.strokes[0].closed = true;
+    drawing.strokes[0].cap_begin = drawing::Cap::pointed; // not looked at
+    write(Primitive::triangle_strips);
+    ASSERT_EQ(vertices.size(), 10U);
+    for (const std::size_t i : {0U, 1U}) {
+        EXPECT_EQ(place_of(i), place_of(8 + i));
+        EXPECT_NEAR(std::abs(place_of(i).x - 10.0F), drawing.points[0].radius, 1e-5F);
+        EXPECT_NEAR(std::abs(place_of(i).y - 10.0F), drawing.points[0].radius, 1e-5F);
+    }
+}
+
 TEST_F(Strips, OfNoStrokesAreEmpty) {
     for (const Primitive primitive : {Primitive::line_strips, Primitive::triangle_strips}) {
         write(primitive);

@@ -2,6 +2,7 @@
 #include "frame/depth_layers/join_strokes.h"
 
 #include "base/scratch.h"
+#include "drawing/segments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +11,6 @@ namespace hrbfnpr::frame {
 
 using drawing::Stroke;
 using drawing::StrokePoint;
-
-namespace {
-
-// Whether a point is the first of its stroke.  Others may have the length 0, too.
-bool begins_stroke(const drawing::Drawing& drawing, std::int64_t point) noexcept {
-    return std::binary_search(drawing.strokes.begin(), drawing.strokes.end(), Stroke{point},
-                              [](const Stroke& a, const Stroke& b) { return a.first < b.first; });
-}
-
-} // namespace
 
 void StrokeJoiner::run(const Scene& scene, drawing::Drawing& drawing) {
     found_.clear();
@@ -40,7 +31,7 @@ void StrokeJoiner::run(const Scene& scene, drawing::Drawing& drawing) {
         keys_.push_back(drawing::far_first_key(found_[i].depth, static_cast<std::uint32_t>(i)));
     order_.sort(runtime_.parallel, keys_);
     for (const std::uint64_t key : keys_) put(scene, found_[static_cast<std::uint32_t>(key)], drawing);
-    bin(drawing);
+    drawing::bin_segments(runtime_.parallel, drawing);
 }
 
 void StrokeJoiner::note_dots(const Run& run, std::uint32_t layer, const drawing::Drawing& drawing) {
@@ -87,25 +78,6 @@ void StrokeJoiner::put(const Scene& scene, const Found& line, drawing::Drawing& 
         --drawing.dot_count;
     }
     drawing.strokes.push_back(stroke);
-}
-
-// By segments: a segment's number is that of its first point.
-void StrokeJoiner::bin(drawing::Drawing& drawing) {
-    const drawing::Tiles& like = drawing.dot_tiles;
-    const std::array all = {Piece{0, drawing.points.size()}};
-    const glm::vec2 origin(drawing.first_pixel);
-    drawing.segment_tiles.build(runtime_.parallel, like.columns() * drawing::tile_size,
-                                like.rows() * drawing::tile_size, all,
-                                [&](std::int64_t i, drawing::Tiles::Footprint& print) {
-                                    if (i + 1 >= drawing.points.size()) return false;
-                                    const StrokePoint& a = drawing.points[i];
-                                    const StrokePoint& b = drawing.points[i + 1];
-                                    if (!(b.length > 0.0F) && begins_stroke(drawing, i + 1)) return false;
-                                    const float reach = 0.5F * std::hypot(b.x - a.x, b.y - a.y);
-                                    print = {0.5F * (a.x + b.x) - origin.x, 0.5F * (a.y + b.y) - origin.y,
-                                             reach + std::max({a.radius, b.radius, smallest_radius}) + soft_rim};
-                                    return true;
-                                });
 }
 
 } // namespace hrbfnpr::frame

@@ -33,7 +33,6 @@ private:
     void note_dots(const Run& run, std::uint32_t layer, const drawing::Drawing& drawing);
     void find_lines(const Run& run, std::int32_t number, const drawing::Drawing& drawing);
     void put(const Scene& scene, const Found& line, drawing::Drawing& drawing);
-    void bin(drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;
     base::Array<std::int64_t> dot_of_; // of each mark of the runs that are drawn as strokes; -1: not shown

@@ -14,101 +14,373 @@ namespace hn = hwy::HWY_NAMESPACE;
 using F = hn::CappedTag<float, 8>; // segments are short
 using W = hn::Vec<F>;
 
-// Half-open, pixels of the tile.
-struct Box {
-    std::int32_t left, top, right, bottom;
+constexpr std::int32_t most_rows = 64; // a tile's
+constexpr std::int32_t sample_rows = 16;
+
+HWY_INLINE double least(double a, double b) { return a < b ? a : b; }
+HWY_INLINE double most(double a, double b) { return a > b ? a : b; }
+HWY_INLINE std::int32_t clamped(double at, std::int32_t limit) {
+    return static_cast<std::int32_t>(most(0.0, least(at, static_cast<double>(limit))));
+}
+
+// From its upper to its lower end.
+struct Edge {
+    double x, top, bottom, slope;
+    float sign;        // 1 where the inside lies to the right of it
+    std::int32_t next; // of those that begin in the same row; -1: none
 };
 
-HWY_INLINE std::int32_t clamped(float at, std::int32_t limit) {
-    const float most = static_cast<float>(limit);
-    return static_cast<std::int32_t>(at < 0.0F ? 0.0F : at > most ? most : at);
-}
-HWY_INLINE float least(float a, float b) { return a < b ? a : b; }
-HWY_INLINE float most(float a, float b) { return a > b ? a : b; }
-
-// An end of a segment, in pixels of the tile.  A line below a pixel's width keeps its ink by getting paler.
-struct End {
-    float x, y, radius, opacity, window;
+// What an edge covers of a row to its right: the mean of clamp(right - x) over the part of the row's height that it
+// passes.  With F the integral of clamp, that is a difference of F over the way that x goes.
+struct Part {
+    float x, way; // where it enters the row; how far it moves sideways
+    float scale;  // height over way, signed; of a steep part the height alone
+    bool steep;
 };
-HWY_INLINE End end_of(const SegmentList& list, const drawing::StrokePoint& p) {
-    const float radius = most(p.radius, drawing::smallest_radius);
-    return {p.x - list.left, p.y - list.top, radius, p.opacity * p.radius / radius, p.window * list.toward};
-}
 
-HWY_INLINE Box box_of(const DiscTile& t, const End& a, const End& b) {
-    const float rim = most(a.radius, b.radius) + drawing::soft_rim;
-    return {clamped(least(a.x, b.x) - rim, t.width), clamped(least(a.y, b.y) - rim, t.height),
-            clamped(most(a.x, b.x) + rim + 1.0F, t.width), clamped(most(a.y, b.y) + rim + 1.0F, t.height)};
-}
+// Columns of each row in which a stroke has laid something, half-open.
+struct Spans {
+    std::int32_t top, bottom;
+    std::int32_t left[most_rows], right[most_rows];
+};
 
-// The nearest place on the segment decides on half width and opacity; the part of a pixel that is covered is taken
-// as how far the rim lies beyond the pixel's centre.
-HWY_INLINE void cover_segment(const DiscTile& t, const End& a, const End& b, const Box& box, float* cover) {
-    const F d;
-    const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
-    const W zero = hn::Zero(d);
-    const W one = hn::Set(d, 1.0F);
-    const float ux = b.x - a.x;
-    const float uy = b.y - a.y;
-    const float square = ux * ux + uy * uy;
-    const float scale = square > 1e-12F ? 1.0F / square : 0.0F;
-    const W step = hn::Iota(d, 0.0F);
-    const auto between = [&](float from, float to, W at)
-                             HWY_ATTR { return hn::Add(hn::Set(d, from), hn::Mul(hn::Set(d, to - from), at)); };
-    for (std::int32_t y = box.top; y < box.bottom; ++y) {
-        const float py = static_cast<float>(y) + 0.5F - a.y;
-        for (std::int32_t x = box.left; x < box.right; x += lanes) {
-            const W px = hn::Add(hn::Set(d, static_cast<float>(x) + 0.5F - a.x), step);
-            const W along = hn::Mul(hn::Add(hn::Mul(px, hn::Set(d, ux)), hn::Set(d, py * uy)), hn::Set(d, scale));
-            const W at = hn::Min(hn::Max(along, zero), one);
-            const W dx = hn::Sub(px, hn::Mul(at, hn::Set(d, ux)));
-            const W dy = hn::Sub(hn::Set(d, py), hn::Mul(at, hn::Set(d, uy)));
-            const W distance = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
-            const W rim = hn::Sub(hn::Add(between(a.radius, b.radius, at), hn::Set(d, drawing::soft_rim)), distance);
-            W ink = hn::Mul(hn::Min(hn::Max(rim, zero), one), between(a.opacity, b.opacity, at));
-            float* const to = cover + y * t.stride + x;
-            if (t.host != nullptr)
-                // What lies behind the host's picture is not covered.
-                ink = hn::IfThenZeroElse(
-                    hn::Lt(hn::LoadU(d, t.host + y * t.stride + x), between(a.window, b.window, at)), ink);
-            hn::StoreU(hn::Max(hn::LoadU(d, to), ink), d, to);
-        }
+// What a segment gives to the pixels that it covers: both change evenly along it.
+struct Shade {
+    float from, step_x, step_y; // the place along it: from + step . pixel, in [0, 1]
+    float opacity, more_opacity;
+    float window, more_window;
+};
+
+struct Target {
+    const DiscTile& tile;
+    const StrokePlanes& planes;
+    Spans& spans;
+    bool careful; // count what overlaps
+};
+
+// An outline's edges, by the rows in which they begin.
+struct Edges {
+    Edge at[Outline::most];
+    std::int32_t first[most_rows];
+    std::int32_t count, top, bottom; // rows
+};
+
+HWY_INLINE void find_edges(const Outline& outline, std::int32_t rows, Edges& edges) {
+    const double height = static_cast<double>(rows);
+    double top = height;
+    double bottom = 0.0;
+    for (std::int32_t i = 0; i < outline.count; ++i) {
+        top = least(top, outline.at[i].y);
+        bottom = most(bottom, outline.at[i].y);
+    }
+    edges.count = 0;
+    edges.top = clamped(top, rows);
+    edges.bottom = clamped(bottom + 1.0, rows);
+    for (std::int32_t y = edges.top; y < edges.bottom; ++y) edges.first[y] = -1;
+    Place from = outline.at[outline.count - 1];
+    for (std::int32_t i = 0; i < outline.count; ++i) {
+        const Place to = outline.at[i];
+        const bool down = from.y < to.y;
+        const Place upper = down ? from : to;
+        const Place lower = down ? to : from;
+        from = to;
+        if (!(upper.y < lower.y && lower.y > 0.0 && upper.y < height)) continue;
+        std::int32_t& first = edges.first[clamped(upper.y, rows)];
+        edges.at[edges.count] = {
+            upper.x, upper.y, lower.y, (lower.x - upper.x) / (lower.y - upper.y), down ? -1.0F : 1.0F, first};
+        first = edges.count++;
     }
 }
 
-HWY_INLINE void blend(const DiscTile& t, const Box& box, const float* color, float* cover) {
+// The edges that pass a row, their parts there, and the columns that they bound.
+struct Row {
+    std::int32_t edges[Outline::most];
+    Part parts[Outline::most];
+    std::int32_t edge_count, count;
+    std::int32_t left, right;
+};
+
+// Leaves in the list the edges that go on below.
+HWY_INLINE void find_parts(const Edges& edges, std::int32_t y, std::int32_t width, Row& row) {
+    const double top = static_cast<double>(y);
+    const double wide = static_cast<double>(width);
+    double left = wide;
+    double right = 0.0;
+    for (std::int32_t i = edges.first[y]; i >= 0; i = edges.at[i].next) row.edges[row.edge_count++] = i;
+    row.count = 0;
+    std::int32_t kept = 0;
+    for (std::int32_t i = 0; i < row.edge_count; ++i) {
+        const Edge& e = edges.at[row.edges[i]];
+        if (e.bottom > top + 1.0) row.edges[kept++] = row.edges[i];
+        const double upper = most(e.top, top);
+        const double lower = least(e.bottom, top + 1.0);
+        const double x0 = e.x + (upper - e.top) * e.slope;
+        const double x1 = e.x + (lower - e.top) * e.slope;
+        const double low = least(x0, x1);
+        const double high = most(x0, x1);
+        left = least(left, low);
+        right = most(right, high);
+        if (low >= wide) continue;
+        const float tall = static_cast<float>(lower - upper) * e.sign;
+        const float way = static_cast<float>(x1 - x0);
+        Part& part = row.parts[row.count++];
+        part = {static_cast<float>(x0), way, tall, high <= 0.0 || (way < 1.0F / 128.0F && way > -1.0F / 128.0F)};
+        if (!part.steep)
+            part.scale = tall / way;
+        else // what lies to the left of the tile is clamped to it
+            part.x = high <= 0.0 ? 0.0F : static_cast<float>(x0 + 0.5 * (x1 - x0));
+    }
+    row.edge_count = kept;
+    row.left = clamped(left, width);
+    row.right = clamped(right + 1.0, width);
+}
+
+// The integral of clamp(u, 0, 1).
+HWY_INLINE W integral(W u) {
+    const F d;
+    const W zero = hn::Zero(d);
+    const W one = hn::Set(d, 1.0F);
+    const W within = hn::Min(hn::Max(u, zero), one);
+    const W beyond = hn::Max(hn::Sub(u, one), zero);
+    return hn::Add(hn::Mul(hn::Mul(within, within), hn::Set(d, 0.5F)), beyond);
+}
+
+HWY_INLINE W covered(const Row& row, W right) {
+    const F d;
+    const W zero = hn::Zero(d);
+    const W one = hn::Set(d, 1.0F);
+    W sum = zero;
+    for (std::int32_t i = 0; i < row.count; ++i) {
+        const Part& part = row.parts[i];
+        const W u = hn::Sub(right, hn::Set(d, part.x));
+        const W mean = part.steep ? hn::Min(hn::Max(u, zero), one)
+                                  : hn::Sub(integral(u), integral(hn::Sub(u, hn::Set(d, part.way))));
+        sum = hn::Add(sum, hn::Mul(mean, hn::Set(d, part.scale)));
+    }
+    return hn::Min(hn::Max(sum, zero), one);
+}
+
+// Which of the 64 places of each pixel of a row lie inside: sixteen lines of four, each shifted against the others, so
+// that no two stand above each other.
+struct Samples {
+    double left[sample_rows], right[sample_rows];
+};
+
+// The last one says instead that some of a pixel's cover was counted: what is covered there is not exact any more.
+constexpr std::uint64_t counted = std::uint64_t{1} << 63;
+constexpr std::uint64_t all_samples = ~counted;
+
+// Of a row of a convex outline.
+HWY_INLINE void find_samples(const Edges& edges, std::int32_t y, Samples& samples) {
+    for (std::int32_t k = 0; k < sample_rows; ++k) {
+        const double at = static_cast<double>(y) + (static_cast<double>(k) + 0.5) / sample_rows;
+        double left = 1e30;
+        double right = -1e30;
+        for (std::int32_t i = 0; i < edges.count; ++i) {
+            const Edge& e = edges.at[i];
+            if (!(e.top <= at && at < e.bottom)) continue;
+            const double x = e.x + (at - e.top) * e.slope;
+            left = least(left, x);
+            right = most(right, x);
+        }
+        const std::int32_t shift = (k & 1) << 3 | (k & 2) << 1 | (k & 4) >> 1 | (k & 8) >> 3;
+        const double first = (static_cast<double>(shift) + 0.5) / (4.0 * sample_rows);
+        samples.left[k] = left - first;
+        samples.right[k] = right - first;
+    }
+}
+
+HWY_INLINE std::uint64_t samples_of(const Samples& samples, std::int32_t x) {
+    std::uint64_t bits = 0;
+    for (std::int32_t k = 0; k < sample_rows; ++k)
+        for (std::int32_t i = 0; i < 4; ++i) {
+            const double at = static_cast<double>(x) + 0.25 * static_cast<double>(i);
+            if (at >= samples.left[k] && at < samples.right[k]) bits |= std::uint64_t{1} << (4 * k + i);
+        }
+    return bits;
+}
+
+// Leaves of `cover` what the stroke has not covered yet.
+HWY_INLINE void leave_new(const Target& t, const Edges& edges, const Row& row, std::int32_t y, float* cover) {
+    Samples samples;
+    find_samples(edges, y, samples);
+    for (std::int32_t x = row.left; x < row.right; ++x) {
+        float& own = cover[x - row.left];
+        if (!(own > 0.0F)) continue;
+        std::uint64_t& all = t.planes.samples[y * t.tile.stride + x];
+        const float left = 1.0F - t.planes.cover[y * t.tile.stride + x];
+        const bool full = own > 0.9999F;
+        const std::uint64_t bits = full ? all_samples : samples_of(samples, x) & all_samples;
+        const bool overlaps = (all & bits) != 0;
+        const bool inexact = overlaps || (all & counted) != 0;
+        if (full || (inexact && (all | bits | counted) == ~std::uint64_t{0}))
+            own = left;
+        else if (overlaps)
+            own = static_cast<float>(hwy::PopCount(bits & ~all)) / static_cast<float>(hwy::PopCount(all_samples));
+        if (overlaps) all |= counted;
+        own = own < left ? own : left;
+        own = own > 0.0F ? own : 0.0F;
+        all |= bits;
+    }
+}
+
+// How far along the segment pixels are.
+HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
+    const F d;
+    const W start = hn::Set(d, shade.from + (static_cast<float>(y) + 0.5F) * shade.step_y);
+    const W along = hn::Add(start, hn::Mul(x, hn::Set(d, shade.step_x)));
+    return hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, 1.0F));
+}
+
+// Adds what a row's pixels are covered by to the planes.
+HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
+    const F d;
+    const std::int32_t at = y * t.tile.stride + x;
+    const W center = hn::Add(hn::Set(d, static_cast<float>(x)), hn::Iota(d, 0.5F));
+    W opacity = hn::Set(d, shade.opacity);
+    if (shade.more_opacity != 0.0F)
+        opacity = hn::Add(opacity, hn::Mul(place_along(shade, y, center), hn::Set(d, shade.more_opacity)));
+    hn::StoreU(hn::Add(hn::LoadU(d, t.planes.cover + at), cover), d, t.planes.cover + at);
+    hn::StoreU(hn::Add(hn::LoadU(d, t.planes.ink + at), hn::Mul(cover, opacity)), d, t.planes.ink + at);
+}
+
+// Where the segment does not lie behind the host's picture.
+HWY_INLINE W shown(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
+    const F d;
+    if (t.tile.host == nullptr) return cover;
+    const W center = hn::Add(hn::Set(d, static_cast<float>(x)), hn::Iota(d, 0.5F));
+    const W window =
+        hn::Add(hn::Set(d, shade.window), hn::Mul(place_along(shade, y, center), hn::Set(d, shade.more_window)));
+    return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.tile.host + y * t.tile.stride + x), window), cover);
+}
+
+HWY_INLINE void lay_row(const Target& t, const Shade& shade, const Edges& edges, const Row& row, std::int32_t y) {
+    const F d;
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
+    float buffer[most_rows + 16];
+    for (std::int32_t x = row.left; x < row.right; x += lanes) {
+        const W inside = hn::Iota(d, static_cast<float>(x));
+        W cover = hn::IfThenElseZero(hn::Lt(inside, hn::Set(d, static_cast<float>(row.right))),
+                                     covered(row, hn::Add(inside, hn::Set(d, 1.0F))));
+        cover = shown(t, shade, y, x, cover);
+        if (t.careful)
+            hn::StoreU(cover, d, buffer + (x - row.left));
+        else
+            add(t, shade, y, x, cover);
+    }
+    if (t.careful) {
+        leave_new(t, edges, row, y, buffer);
+        for (std::int32_t x = row.left; x < row.right; x += lanes)
+            add(t, shade, y, x, hn::LoadU(d, buffer + (x - row.left)));
+    }
+    t.spans.left[y] = row.left < t.spans.left[y] ? row.left : t.spans.left[y];
+    t.spans.right[y] = row.right > t.spans.right[y] ? row.right : t.spans.right[y];
+}
+
+void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
+    if (outline.count == 0) return;
+    Edges edges;
+    find_edges(outline, t.tile.height, edges);
+    t.spans.top = edges.top < t.spans.top ? edges.top : t.spans.top;
+    t.spans.bottom = edges.bottom > t.spans.bottom ? edges.bottom : t.spans.bottom;
+    Row row;
+    row.edge_count = 0;
+    for (std::int32_t y = edges.top; y < edges.bottom; ++y) {
+        find_parts(edges, y, t.tile.width, row);
+        if (row.left < row.right) lay_row(t, shade, edges, row, y);
+    }
+}
+
+HWY_INLINE Shade shade_of(const SegmentList& list, const drawing::StrokePoint& a, const drawing::StrokePoint& b) {
+    // In doubles: a segment may begin far away.
+    const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
+    const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
+    const double square = x * x + y * y;
+    const double scale = square > 1e-12 ? 1.0 / square : 0.0;
+    const double from = (static_cast<double>(list.left) - static_cast<double>(a.x)) * x +
+                        (static_cast<double>(list.top) - static_cast<double>(a.y)) * y;
+    return {static_cast<float>(from * scale),
+            static_cast<float>(x * scale),
+            static_cast<float>(y * scale),
+            a.opacity,
+            b.opacity - a.opacity,
+            a.window * list.toward,
+            (b.window - a.window) * list.toward};
+}
+
+HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
+    spans.top = t.height;
+    spans.bottom = 0;
+    for (std::int32_t y = 0; y < t.height; ++y) {
+        spans.left[y] = t.width;
+        spans.right[y] = 0;
+    }
+}
+
+// False if it has to be careful and is not: what is laid so far does not count.
+HWY_INLINE bool lay_segments(const Target& t, const SegmentList& list) {
+    Outliner outliner(list);
+    Outline outline;
+    const bool single = t.careful || t.tile.host != nullptr;
+    for (std::int64_t i = 0; i < list.count;) {
+        const drawing::StrokePoint* const p = list.points + list.numbers[i];
+        const std::int64_t segments = outliner.outline(i, single, outline);
+        if (outliner.overlaps() && !t.careful) return false;
+        Shade shade = shade_of(list, p[0], p[1]);
+        if (segments > 1) shade.more_opacity = 0.0F;
+        lay_outline(t, outline, shade);
+        if (outliner.join(outline)) lay_outline(t, outline, shade);
+        i += segments;
+    }
+    return true;
+}
+
+// Clears the planes where the stroke has laid something.
+HWY_INLINE void clear(const Target& t) {
+    const F d;
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
+    for (std::int32_t y = t.spans.top; y < t.spans.bottom; ++y)
+        for (std::int32_t x = t.spans.left[y]; x < t.spans.right[y]; x += lanes) {
+            const std::int32_t at = y * t.tile.stride + x;
+            hn::StoreU(hn::Zero(d), d, t.planes.cover + at);
+            hn::StoreU(hn::Zero(d), d, t.planes.ink + at);
+            for (std::int32_t i = 0; t.careful && i < lanes; ++i) t.planes.samples[at + i] = 0;
+        }
+}
+
+HWY_INLINE void blend(const Target& t, const float* color) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const W alpha = hn::Set(d, color[3]);
-    for (std::int32_t y = box.top; y < box.bottom; ++y) {
-        for (std::int32_t x = box.left; x < box.right; x += lanes) {
-            const std::int32_t at = y * t.stride + x;
-            const W ink = hn::Mul(hn::LoadU(d, cover + at), alpha);
-            const W left = hn::Sub(hn::Set(d, 1.0F), ink);
-            hn::StoreU(hn::Zero(d), d, cover + at);
-            hn::StoreU(hn::Mul(hn::LoadU(d, t.transmittance + at), left), d, t.transmittance + at);
-            if (t.color[0] == nullptr) continue;
+    const W one = hn::Set(d, 1.0F);
+    for (std::int32_t y = t.spans.top; y < t.spans.bottom; ++y) {
+        for (std::int32_t x = t.spans.left[y]; x < t.spans.right[y]; x += lanes) {
+            const std::int32_t at = y * t.tile.stride + x;
+            const W cover = hn::Max(hn::LoadU(d, t.planes.cover + at), one);
+            const W ink = hn::Mul(hn::Div(hn::LoadU(d, t.planes.ink + at), cover), alpha);
+            const W left = hn::Sub(one, ink);
+            hn::StoreU(hn::Mul(hn::LoadU(d, t.tile.transmittance + at), left), d, t.tile.transmittance + at);
+            if (t.tile.color[0] == nullptr) continue;
             for (int c = 0; c < 3; ++c)
-                hn::StoreU(hn::Add(hn::Mul(hn::LoadU(d, t.color[c] + at), left), hn::Mul(hn::Set(d, color[c]), ink)), d,
-                           t.color[c] + at);
+                hn::StoreU(
+                    hn::Add(hn::Mul(hn::LoadU(d, t.tile.color[c] + at), left), hn::Mul(hn::Set(d, color[c]), ink)), d,
+                    t.tile.color[c] + at);
         }
     }
 }
 
-void lay(const DiscTile& t, const SegmentList& list, float* cover) {
-    Box all{t.width, t.height, 0, 0};
-    for (std::int64_t i = 0; i < list.count; ++i) {
-        const drawing::StrokePoint* const p = list.points + list.numbers[i];
-        const End a = end_of(list, p[0]);
-        const End b = end_of(list, p[1]);
-        const Box box = box_of(t, a, b);
-        cover_segment(t, a, b, box, cover);
-        all.left = box.left < all.left ? box.left : all.left;
-        all.top = box.top < all.top ? box.top : all.top;
-        all.right = box.right > all.right ? box.right : all.right;
-        all.bottom = box.bottom > all.bottom ? box.bottom : all.bottom;
+void lay(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes) {
+    Spans spans;
+    clear_spans(tile, spans);
+    Target target{tile, planes, spans, may_overlap(list)};
+    if (!lay_segments(target, list)) {
+        clear(target);
+        clear_spans(tile, spans);
+        target.careful = true;
+        (void)lay_segments(target, list);
     }
-    blend(t, all, list.color, cover);
+    blend(target, list.color);
+    clear(target);
 }
 
 } // namespace

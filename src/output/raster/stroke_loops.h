@@ -4,25 +4,23 @@
 
 #include "base/instruction_set.h"
 #include "output/raster/disc_loops.h"
+#include "output/raster/stroke_outline.h"
 
 #include <cstdint>
 
 namespace hrbfnpr::output {
 
-// One stroke's segments that reach the tile, by the numbers of their first points.
-struct SegmentList {
-    const drawing::StrokePoint* points;
-    const std::uint32_t* numbers;
-    std::int64_t count;
-    float left, top;    // the tile's first pixel
-    const float* color; // RGB of the ink, and its alpha; the RGB is not read where the tile has no colour
-    float toward;       // as in InkList
+// Planes of the tile's stride that are zero, and are zero again afterwards.
+struct StrokePlanes {
+    float* cover;           // the part of a pixel that is covered
+    float* ink;             // that, times the opacity
+    std::uint64_t* samples; // which of 63 places of a pixel are covered, where a stroke may overlap itself
 };
 
 struct StrokeLoops {
-    // Lays the union of the segments over the tile: where they overlap, the stroke is no darker.  `cover` is a plane
-    // of the tile's stride that is zero, and is zero again afterwards.
-    void (*lay)(const DiscTile& tile, const SegmentList& list, float* cover);
+    // Lays the union of the segments over the tile: where they overlap, the stroke is no darker.  A pixel takes the
+    // exact area that is covered of it; where parts of the stroke overlap, that is counted at 63 places.
+    void (*lay)(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes);
 };
 
 [[nodiscard]] StrokeLoops stroke_loops(base::InstructionSet set) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/raster/transmittance_raster.h"
 
+#include "drawing/segments.h"
 #include "output/raster/pixels.h"
 #include "output/raster/rects.h"
 #include "output/raster/srgb.h"
@@ -21,11 +22,12 @@ using drawing::StrokePoint;
 constexpr std::int32_t side = drawing::tile_size;
 constexpr std::int32_t stride = side + 16; // vectors may run over a row's end
 constexpr std::int64_t plane = std::int64_t{stride} * side;
-enum Plane : std::int64_t { transmittance, red, green, blue, host, cover, planes };
+enum Plane : std::int64_t { transmittance, red, green, blue, host, cover, ink, planes };
 
 // What a worker writes to.
 struct Scratch {
     float* planes;
+    StrokePlanes strokes;
     base::Array<std::uint32_t>& numbers;
 };
 
@@ -35,8 +37,8 @@ public:
     Painter(const Drawing& drawing, const Image& image, const DrawSettings& settings, const DiscLoops& loops,
             const StrokeLoops& stroke_loops, const Scratch& scratch, const float* colors, const Rect& drawn) noexcept
         : drawing_(drawing), convention_(drawing.window.depth), image_(image), settings_(settings), loops_(loops),
-          stroke_loops_(stroke_loops), scratch_(scratch.planes), numbers_(scratch.numbers), colors_(colors),
-          drawn_(drawn), coverage_(image.format == Format::coverage8),
+          stroke_loops_(stroke_loops), scratch_(scratch.planes), stroke_planes_(scratch.strokes),
+          numbers_(scratch.numbers), colors_(colors), drawn_(drawn), coverage_(image.format == Format::coverage8),
           paper_(coverage_ ? glm::vec4(0.0F) : in_light(premultiplied(drawing.paper))),
           outputs_(settings.depth || settings.id || settings.mark_class),
           // One colour, and nothing but the drawing: a pixel is a function of what is left of the paper.
@@ -100,9 +102,10 @@ private:
             lay_dots(part(laid, before), target, first);
             laid = before;
             stroke_loops_.lay(target,
-                              {drawing_.points.data(), numbers_.data() + i, end - i, static_cast<float>(first.x),
-                               static_cast<float>(first.y), colors_ + 4 * std::int64_t{stroke.layer}, toward()},
-                              scratch_ + cover * plane);
+                              {drawing_.points.data(), &stroke, numbers_.data() + i, end - i,
+                               static_cast<float>(first.x), static_cast<float>(first.y),
+                               colors_ + 4 * std::int64_t{stroke.layer}, toward()},
+                              stroke_planes_);
             i = end;
         }
         lay_dots(part(laid, dots), target, first);
@@ -201,7 +204,8 @@ private:
         for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
             row.fill(
                 {std::numeric_limits<float>::infinity(), drawing::far_depth(convention_), 0, drawing::MarkClass::none});
-            const auto note = [&](float cx, float cy, float radius, const Nearest& what, auto&& reaches) {
+            // reaches(dx, dy, what) may tell what is at that place.
+            const auto note = [&](float cx, float cy, float radius, Nearest what, auto&& reaches) {
                 const float dy = static_cast<float>(y) + 0.5F - cy;
                 if (!(dy * dy <= radius * radius)) return;
                 const auto last = static_cast<float>(rect.right - 1);
@@ -211,7 +215,7 @@ private:
                 for (std::int32_t x = from; x <= to; ++x) {
                     const float dx = static_cast<float>(x) + 0.5F - cx;
                     Nearest& nearest = row[static_cast<std::size_t>(x - rect.left)];
-                    if (what.depth < nearest.depth && reaches(dx, dy) && !behind_host(what.window, x, y))
+                    if (reaches(dx, dy, what) && what.depth < nearest.depth && !behind_host(what.window, x, y))
                         nearest = what;
                 }
             };
@@ -228,7 +232,7 @@ private:
         drawing_.splat_tiles.for_tile(tile, [&](std::uint32_t i) {
             const Splat& c = drawing_.splats[i];
             const drawing::MarkClass side_of = c.faces_back ? drawing::MarkClass::back : drawing::MarkClass::front;
-            note(c.x, c.y, c.radius, {c.depth, c.window, c.id, side_of}, [&](float dx, float dy) {
+            note(c.x, c.y, c.radius, {c.depth, c.window, c.id, side_of}, [&](float dx, float dy, Nearest&) {
                 const float fall = (dx * c.slope_x + dy * c.slope_y) * c.pixels_per_unit;
                 return dx * dx + dy * dy + fall * fall <= c.radius * c.radius;
             });
@@ -243,34 +247,31 @@ private:
             const float radius = std::max(ink.radius, drawing::smallest_radius);
             note(ink.x, ink.y, radius,
                  {ink.depth - 2.0F * radius / ink.pixels_per_unit, ink.window, ink.id, ink.mark_class},
-                 [&](float dx, float dy) { return dx * dx + dy * dy <= radius * radius; });
+                 [&](float dx, float dy, Nearest&) { return dx * dx + dy * dy <= radius * radius; });
         });
     }
 
-    // Each half of a segment belongs to the mark at its end.
+    // Pixels whose centre a segment covers: its depth there, and the id of the nearer end.
     template <class Note>
     void note_strokes(std::int64_t tile, const Note& note) const {
         if (drawing_.strokes.empty()) return;
         drawing_.segment_tiles.for_tile(tile, [&](std::uint32_t i) {
+            const Stroke& stroke = stroke_of(i);
             const StrokePoint& a = drawing_.points[i];
             const StrokePoint& b = drawing_.points[std::int64_t{i} + 1];
-            const glm::vec2 along(0.5F * (b.x - a.x), 0.5F * (b.y - a.y));
-            const float square = std::max(glm::dot(along, along), 1e-12F);
-            const float widest = std::max({a.radius, b.radius, drawing::smallest_radius});
-            for (const bool second : {false, true}) {
-                const StrokePoint& end = second ? b : a;
-                const float radius = std::max(end.radius, drawing::smallest_radius);
-                const auto reaches = [&](float dx, float dy) {
-                    const glm::vec2 d(dx, dy);
-                    const float at = std::clamp(glm::dot(d, along) / square, -1.0F, 1.0F);
-                    const glm::vec2 off = d - at * along;
-                    return (at > 0.0F) == second && glm::dot(off, off) <= radius * radius;
-                };
-                note(0.5F * (a.x + b.x), 0.5F * (a.y + b.y), std::sqrt(square) + widest,
-                     {end.depth - 2.0F * radius / end.pixels_per_unit, end.window, end.id,
-                      drawing_.layers[stroke_of(i).layer].mark_class},
-                     reaches);
-            }
+            const drawing::SegmentEnds ends = drawing::ends_of(stroke, i);
+            const drawing::Footprint print = drawing::footprint(ends, a, b);
+            const drawing::MarkClass mark_class = drawing_.layers[stroke.layer].mark_class;
+            note(print.x, print.y, print.radius, {0.0F, 0.0F, 0, mark_class}, [&](float dx, float dy, Nearest& what) {
+                float at = 0.0F;
+                if (!drawing::covers(ends, a, b, print.x + dx, print.y + dy, at)) return false;
+                const float radius = std::max(glm::mix(a.radius, b.radius, at), drawing::smallest_radius);
+                what.id = at > 0.5F ? b.id : a.id;
+                what.window = glm::mix(a.window, b.window, at);
+                what.depth =
+                    glm::mix(a.depth, b.depth, at) - 2.0F * radius / glm::mix(a.pixels_per_unit, b.pixels_per_unit, at);
+                return true;
+            });
         });
     }
 
@@ -297,6 +298,7 @@ private:
     const DiscLoops& loops_;
     const StrokeLoops& stroke_loops_;
     float* scratch_;
+    StrokePlanes stroke_planes_;
     base::Array<std::uint32_t>& numbers_; // a tile's dots, then its segments
     const float* colors_;                 // as in InkList
     Rect drawn_;
@@ -318,6 +320,7 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
     }
     const std::int64_t workers = std::max(1, runtime_.parallel.threads());
     base::resize_scratch(planes_, workers * planes * plane);
+    base::resize_scratch(samples_, drawing.strokes.empty() ? 0 : workers * plane);
     while (numbers_.size() < workers) numbers_.add(runtime_.memory);
     if (!drawing.strokes.empty()) { // for all of them: which of them draws the fullest tile is by chance
         const std::int64_t most = drawing.dot_tiles.most_of_a_tile() + drawing.segment_tiles.most_of_a_tile();
@@ -326,8 +329,15 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(workers, [&](std::int64_t worker) {
         float* const own = planes_.data() + worker * planes * plane;
-        if (!drawing.strokes.empty()) std::fill_n(own + cover * plane, plane, 0.0F);
-        Painter paint(drawing, image, settings, loops_, stroke_loops_, {own, numbers_[worker]}, colors_.data(), drawn);
+        StrokePlanes strokes{own + cover * plane, own + ink * plane, nullptr};
+        if (!drawing.strokes.empty()) {
+            strokes.samples = samples_.data() + worker * plane;
+            std::fill_n(strokes.cover, plane, 0.0F);
+            std::fill_n(strokes.ink, plane, 0.0F);
+            std::fill_n(strokes.samples, plane, 0U);
+        }
+        Painter paint(drawing, image, settings, loops_, stroke_loops_, {own, strokes, numbers_[worker]}, colors_.data(),
+                      drawn);
         for (std::int64_t tile = next++; tile < drawing.dot_tiles.tiles(); tile = next++) paint(tile);
     });
 }

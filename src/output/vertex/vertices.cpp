@@ -9,6 +9,7 @@ namespace hrbfnpr::output {
 namespace {
 
 constexpr std::int64_t grain = 4096;
+constexpr std::int64_t strokes_at_a_time = 64;
 
 using base::Scalar;
 using drawing::Dot;
@@ -121,20 +122,59 @@ private:
     bool sources_;
 };
 
-// Half the width of a stroke across its direction at a point: half way between those of the two segments, and so much
-// wider that both keep their width, but at most twice.
-[[nodiscard]] glm::vec2 side_at(std::span<const StrokePoint> points, std::size_t i) noexcept {
-    const auto across = [&](std::size_t a, std::size_t b) {
-        const glm::vec2 along(points[b].x - points[a].x, points[b].y - points[a].y);
-        const float length = glm::length(along);
-        return length > 0.0F ? glm::vec2(along.y, -along.x) / length : glm::vec2(0.0F);
-    };
-    const glm::vec2 before = across(i == 0 ? 0 : i - 1, i == 0 ? 1 : i);
-    const glm::vec2 after = i + 1 < points.size() ? across(i, i + 1) : before;
-    const glm::vec2 sum = before + after;
-    const float square = glm::dot(sum, sum);
-    const glm::vec2 miter = square > 1e-12F ? sum * (2.0F / std::max(square, 1.0F)) : before;
-    return miter * points[i].radius;
+// A stroke's points, and whether they go round.
+struct Line {
+    std::span<const StrokePoint> points;
+    bool closed;
+
+    // Across the segment that ends, or begins, at a point: the nearest one with a length.  0: there is none.
+    [[nodiscard]] glm::vec2 across(std::size_t i, bool behind) const noexcept {
+        const std::size_t segments = points.size() - 1;
+        for (std::size_t k = 0; k < segments; ++k) {
+            if (!closed && (behind ? i + k >= segments : i < k + 1)) break;
+            const std::size_t from = (behind ? i + k : i + 2 * segments - 1 - k) % segments;
+            const glm::vec2 along(points[from + 1].x - points[from].x, points[from + 1].y - points[from].y);
+            const float length = glm::length(along);
+            if (length > 0.0F) return glm::vec2(along.y, -along.x) / length;
+        }
+        return glm::vec2(0.0F);
+    }
+
+    // Half the width across the direction at a point: half way between those of the two segments, and so much wider
+    // that both keep their width, but at most twice.
+    [[nodiscard]] glm::vec2 side(std::size_t i) const noexcept {
+        glm::vec2 before = across(i, false);
+        glm::vec2 after = across(i, true);
+        if (before == glm::vec2(0.0F)) before = after;
+        if (after == glm::vec2(0.0F)) after = before;
+        const glm::vec2 sum = before + after;
+        const float square = glm::dot(sum, sum);
+        const glm::vec2 miter = square > 1e-12F ? sum * (2.0F / std::max(square, 1.0F)) : before;
+        return miter * points[i].radius;
+    }
+
+    // From an end to its tip.
+    [[nodiscard]] glm::vec2 tip(bool end) const noexcept {
+        const glm::vec2 left = across(end ? points.size() - 1 : 0, !end);
+        const float far = 2.0F * drawing::point_length * (end ? points.back() : points.front()).radius;
+        return glm::vec2(-left.y, left.x) * (end ? far : -far);
+    }
+};
+
+// A pointed end has two vertices more, in the place of its tip.
+[[nodiscard]] bool tip_at_begin(const Stroke& stroke) noexcept {
+    return !stroke.closed && stroke.cap_begin == drawing::Cap::pointed;
+}
+[[nodiscard]] bool tip_at_end(const Stroke& stroke) noexcept {
+    return !stroke.closed && stroke.cap_end == drawing::Cap::pointed;
+}
+[[nodiscard]] std::int64_t tips(const Stroke& stroke) noexcept {
+    return (tip_at_begin(stroke) ? 1 : 0) + (tip_at_end(stroke) ? 1 : 0);
+}
+[[nodiscard]] std::int64_t tips(const Drawing& drawing) noexcept {
+    std::int64_t sum = 0;
+    for (const Stroke& stroke : drawing.strokes) sum += tips(stroke);
+    return sum;
 }
 
 void write_dots(const base::Runtime& runtime, const Drawing& drawing, VertexScratch& scratch, const Writer& writer) {
@@ -157,24 +197,46 @@ void write_dots(const base::Runtime& runtime, const Drawing& drawing, VertexScra
     });
 }
 
-// Strokes stand far to near already.  `sides` vertices for each point, after those of the strokes before.
-void write_strokes(const base::Runtime& runtime, const Drawing& drawing, std::int64_t sides, const Writer& writer) {
-    constexpr std::int64_t strokes_at_a_time = 64;
+// Strokes stand far to near already, the first vertex of each after those of the strokes before.
+void write_lines(const base::Runtime& runtime, const Drawing& drawing, const Writer& writer) {
     runtime.parallel.for_chunks(drawing.strokes.size(), strokes_at_a_time, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t s = begin; s < end; ++s) {
             const Stroke& stroke = drawing.strokes[s];
-            const auto points = drawing.points.span().subspan(static_cast<std::size_t>(stroke.first),
-                                                              static_cast<std::size_t>(stroke.count));
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const std::int64_t at = sides * (stroke.first + static_cast<std::int64_t>(i));
-                if (sides == 1) {
-                    writer.point(at, stroke, points[i], glm::vec2(0.0F));
-                    continue;
-                }
-                const glm::vec2 side = side_at(points, i);
-                writer.point(at, stroke, points[i], side);
-                writer.point(at + 1, stroke, points[i], -side);
-            }
+            for (std::int64_t i = stroke.first; i < stroke.first + stroke.count; ++i)
+                writer.point(i, stroke, drawing.points[i], glm::vec2(0.0F));
+        }
+    });
+}
+
+// The number of a strip's first vertex is that of its first point and of the tips before, twice.
+void write_strip(const Drawing& drawing, const Stroke& stroke, std::int64_t number, const Writer& writer) {
+    const Line line{
+        drawing.points.span().subspan(static_cast<std::size_t>(stroke.first), static_cast<std::size_t>(stroke.count)),
+        stroke.closed};
+    const auto put_pair = [&](const StrokePoint& point, const glm::vec2& left, const glm::vec2& right) {
+        writer.point(number++, stroke, point, left);
+        writer.point(number++, stroke, point, right);
+    };
+    if (tip_at_begin(stroke)) put_pair(line.points.front(), line.tip(false), line.tip(false));
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const glm::vec2 side = line.side(i);
+        put_pair(line.points[i], side, -side);
+    }
+    if (tip_at_end(stroke)) put_pair(line.points.back(), line.tip(true), line.tip(true));
+}
+
+void write_strips(const base::Runtime& runtime, const Drawing& drawing, VertexScratch& scratch, const Writer& writer) {
+    scratch.keys.clear();
+    scratch.keys.reserve(drawing.strokes.size());
+    std::int64_t before = 0;
+    for (const Stroke& stroke : drawing.strokes) {
+        scratch.keys.push_back(static_cast<std::uint64_t>(before));
+        before += tips(stroke);
+    }
+    runtime.parallel.for_chunks(drawing.strokes.size(), strokes_at_a_time, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t s = begin; s < end; ++s) {
+            const Stroke& stroke = drawing.strokes[s];
+            write_strip(drawing, stroke, 2 * (stroke.first + static_cast<std::int64_t>(scratch.keys[s])), writer);
         }
     });
 }
@@ -185,10 +247,11 @@ void write_indices(const Drawing& drawing, Primitive primitive, std::uint32_t* t
         for (std::int64_t i = 0; i < count; ++i) *to++ = static_cast<std::uint32_t>(i);
         return;
     }
-    const std::int64_t sides = primitive == Primitive::triangle_strips ? 2 : 1;
+    const bool strips = primitive == Primitive::triangle_strips;
+    std::uint32_t number = 0;
     for (const Stroke& stroke : drawing.strokes) {
-        for (std::int64_t i = sides * stroke.first; i < sides * (stroke.first + stroke.count); ++i)
-            *to++ = static_cast<std::uint32_t>(i);
+        const std::int64_t count = strips ? 2 * (stroke.count + tips(stroke)) : stroke.count;
+        for (std::int64_t i = 0; i < count; ++i) *to++ = number++;
         *to++ = index_restart;
     }
 }
@@ -221,8 +284,8 @@ VertexBound vertex_bound(const Drawing& drawing, Primitive primitive) noexcept {
             drawing.painting == drawing::Painting::published ? drawing.dots.size() : drawing.dot_count;
         return {dots, dots};
     }
-    const std::int64_t sides = primitive == Primitive::triangle_strips ? 2 : 1;
-    const std::int64_t vertices = sides * drawing.points.size();
+    const std::int64_t vertices =
+        primitive == Primitive::triangle_strips ? 2 * (drawing.points.size() + tips(drawing)) : drawing.points.size();
     return {vertices, vertices + drawing.strokes.size()};
 }
 
@@ -231,8 +294,10 @@ void write_vertices(const base::Runtime& runtime, const Drawing& drawing, Vertex
     const Writer writer(drawing, layout, vertices);
     if (layout.primitive == Primitive::points)
         write_dots(runtime, drawing, scratch, writer);
+    else if (layout.primitive == Primitive::line_strips)
+        write_lines(runtime, drawing, writer);
     else
-        write_strokes(runtime, drawing, layout.primitive == Primitive::triangle_strips ? 2 : 1, writer);
+        write_strips(runtime, drawing, scratch, writer);
     if (indices != nullptr) write_indices(drawing, layout.primitive, indices);
 }
 

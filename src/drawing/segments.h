@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The segments of strokes: where one is, how it ends, and what is in its place.
+#pragma once
+
+#include "drawing/dot.h"
+#include "drawing/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::drawing {
+
+// How a segment ends that goes from one point of its stroke to the next: round where another one follows.
+struct SegmentEnds {
+    Cap begin = Cap::round, end = Cap::round;
+};
+[[nodiscard]] inline SegmentEnds ends_of(const Stroke& stroke, std::int64_t segment) noexcept {
+    if (stroke.closed) return {};
+    return {segment == stroke.first ? stroke.cap_begin : Cap::round,
+            segment + 2 == stroke.first + stroke.count ? stroke.cap_end : Cap::round};
+}
+
+// A disc around all that a segment covers.
+struct Footprint {
+    float x, y, radius;
+};
+[[nodiscard]] inline Footprint footprint(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b) noexcept {
+    const bool pointed = ends.begin == Cap::pointed || ends.end == Cap::pointed;
+    const float widest = std::max({a.radius, b.radius, smallest_radius});
+    return {0.5F * (a.x + b.x), 0.5F * (a.y + b.y),
+            0.5F * std::hypot(b.x - a.x, b.y - a.y) + widest * (pointed ? std::max(1.0F, 2.0F * point_length) : 1.0F) +
+                soft_rim};
+}
+
+// Whether a segment covers a place, and then how far along it that is, 0 to 1.  Thin ones are taken as a pixel wide.
+[[nodiscard]] inline bool covers(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b, float x, float y,
+                                 float& at) noexcept {
+    const float ux = b.x - a.x;
+    const float uy = b.y - a.y;
+    const float length = std::hypot(ux, uy);
+    const float along = length > 0.0F ? ((x - a.x) * ux + (y - a.y) * uy) / length : 0.0F;
+    at = length > 0.0F ? std::clamp(along / length, 0.0F, 1.0F) : 0.0F;
+    const float radius = std::max(a.radius + (b.radius - a.radius) * at, smallest_radius);
+    const float beyond = std::max(-along, along - length);
+    const float dx = x - a.x - at * ux;
+    const float dy = y - a.y - at * uy;
+    const float square = dx * dx + dy * dy;
+    const Cap cap = along < 0.0F ? ends.begin : ends.end;
+    if (!(beyond > 0.0F) || cap == Cap::round) return square <= radius * radius;
+    const float left = cap == Cap::pointed ? radius - beyond / (2.0F * point_length) : -1.0F; // half the tip's width
+    return left > 0.0F && square - beyond * beyond <= left * left;
+}
+
+// Puts the segments of a drawing's strokes into tiles like those of its dots: all that lie anywhere near.
+void bin_segments(const base::Parallel& parallel, Drawing& drawing);
+
+} // namespace hrbfnpr::drawing

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What a stroke covers, as polygons side by side: one for each segment.
+#pragma once
+
+#include "drawing/dot.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::output {
+
+// One stroke's segments that reach a tile, by the numbers of their first points, which ascend.
+struct SegmentList {
+    const drawing::StrokePoint* points;
+    const drawing::Stroke* stroke;
+    const std::uint32_t* numbers;
+    std::int64_t count;
+    float left, top;    // the tile's first pixel
+    const float* color; // RGB of the ink, and its alpha; the RGB is not read where the tile has no colour
+    float toward;       // as in InkList
+};
+
+struct Place {
+    double x, y; // pixels of the tile
+};
+
+// Goes round so that with y down the inside lies to the right: up along the left side of a line, and back along its
+// right one, which is filled from the other end.
+struct Outline {
+    static constexpr std::int32_t most = 320;
+    static constexpr std::int32_t most_of_a_leg = 140; // two quarters of 64 chords each, and corners
+    std::int32_t count = 0, back = most;
+    std::int32_t gentle[2] = {0, 0}; // how many of the last places, right and left, are those of gentle turns
+    Place at[most];
+
+    void clear() noexcept {
+        count = gentle[0] = gentle[1] = 0;
+        back = most;
+    }
+    // Whether the last place lies on the line between that before it and the next one.
+    [[nodiscard]] bool may_drop(const Place& next, bool left) const noexcept;
+    void drop(bool left) noexcept { left ? --count : ++back; }
+    void add(const Place& place, bool left = true) noexcept { at[left ? count++ : --back] = place; }
+    [[nodiscard]] bool has_room() const noexcept { return back - count > 2 * most_of_a_leg; }
+    // Once all is there.
+    void close() noexcept {
+        for (; back < most; ++back) at[count++] = at[back];
+    }
+};
+
+// Consecutive segments that turn gently share the edge that halves their angle, so that their polygons neither overlap
+// nor leave a gap.  Where a turn is too sharp for its segments' lengths they end across the line instead, and overlap.
+class Outliner {
+public:
+    explicit Outliner(const SegmentList& list) noexcept;
+
+    // The outline of the list's segment i, with what belongs to it of joins and caps; unless it is to be a single one,
+    // with segments behind it that go on alike.  How many segments these are; an empty outline: they cover nothing.
+    std::int64_t outline(std::int64_t i, bool single, Outline& outline) noexcept;
+    // What rounds the beginning off, if that overlaps the segment before.  After outline().
+    bool join(Outline& outline) const noexcept;
+    // Whether what outline() gave overlaps a neighbour.
+    [[nodiscard]] bool overlaps() const noexcept { return begin_.kind == Kind::open || end_.kind == Kind::open; }
+
+private:
+    enum class Kind : std::uint8_t { cap, shared, round, open };
+    // A segment with a length, as far as its joints need it.
+    struct Leg {
+        std::int64_t number = -1; // -1: there is none
+        Place a{}, b{};
+        double radius_a = 0.0, radius_b = 0.0, length = 0.0, taper = 0.0;
+        Place along{}; // unit
+        [[nodiscard]] Place left() const noexcept { return {along.y, -along.x}; }
+    };
+    // Where two legs meet.
+    struct Joint {
+        Kind kind = Kind::cap;
+        bool left_outside = false;
+        bool corner_a = false, corner_b = false; // whether the one's inner corner stands out from the other
+        Place inner{}, outer{};                  // the edge that both share; of `shared` its left end is `outer`
+        Place middle{};                          // of the outer arc, unit, from the centre
+    };
+
+    bool find_leg(std::int64_t number, Leg& leg) const noexcept;
+    void find_before(std::int64_t number, Leg& leg) const noexcept;
+    void find_after(std::int64_t number, Leg& leg) const noexcept;
+    static void find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept;
+    [[nodiscard]] static bool meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept;
+    bool start(std::int64_t number) noexcept;
+    void go_on() noexcept;
+    [[nodiscard]] bool goes_on(std::int64_t i, const Leg& from) const noexcept;
+    static void begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept;
+    static void end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept;
+    void disc(Outline& outline) const noexcept;
+
+    const SegmentList& list_;
+    std::int64_t first_, last_; // the stroke's first and last segment
+    Leg previous_, leg_, next_;
+    Joint begin_, end_;
+};
+
+// Whether parts of the stroke that do not follow each other may overlap in the tile.
+[[nodiscard]] bool may_overlap(const SegmentList& list) noexcept;
+
+} // namespace hrbfnpr::output

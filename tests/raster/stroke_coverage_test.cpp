@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// The part of a pixel that a stroke covers, against a plain reference in doubles.
+#include "base/random.h"
+#include "output/raster/stroke_loops.h"
+#include "raster/stroke_reference.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using drawing::Cap;
+using drawing::Stroke;
+using drawing::StrokePoint;
+
+constexpr std::int32_t side = 64;
+constexpr std::int32_t stride = side + 16;
+constexpr double pi = std::numbers::pi;
+constexpr double step = 1.0 / 255.0;
+constexpr double overlapped = 1.0 / 12.0; // where a stroke overlaps itself
+
+struct Difference {
+    double most = 0.0, ink = 0.0, expected_ink = 0.0;
+    int x = 0, y = 0;
+};
+
+class StrokeCoverage : public ::testing::Test {
+protected:
+    static StrokePoint point(double x, double y, double radius) {
+        StrokePoint p{};
+        p.x = static_cast<float>(x);
+        p.y = static_cast<float>(y);
+        p.radius = static_cast<float>(radius);
+        p.opacity = 1.0F;
+        return p;
+    }
+    void begin(Cap cap_begin = Cap::round, Cap cap_end = Cap::round) {
+        points.clear();
+        stroke = {};
+        stroke.cap_begin = cap_begin;
+        stroke.cap_end = cap_end;
+    }
+    void add(double x, double y, double radius) { points.push_back(point(x, y, radius)); }
+    // The tile's part of the stroke, in the tile at (left, top).
+    std::vector<float> lay(float left = 0.0F, float top = 0.0F) {
+        stroke.count = static_cast<std::int32_t>(points.size());
+        std::vector<std::uint32_t> numbers;
+        for (std::uint32_t i = 0; i + 1 < points.size(); ++i)
+            if (reaches(points[i], points[i + 1], left, top)) numbers.push_back(i);
+        std::vector<float> transmittance(stride * side, 1.0F);
+        std::vector<float> cover(stride * side, 0.0F);
+        std::vector<float> ink(stride * side, 0.0F);
+        std::vector<std::uint64_t> samples(stride * side, 0);
+        const float color[] = {0.0F, 0.0F, 0.0F, 1.0F};
+        output::stroke_loops(base::InstructionSet::automatic)
+            .lay({side, side, stride, transmittance.data(), {}, nullptr},
+                 {points.data(), &stroke, numbers.data(), static_cast<std::int64_t>(numbers.size()), left, top, color,
+                  1.0F},
+                 {cover.data(), ink.data(), samples.data()});
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const auto at = static_cast<std::size_t>(y * stride + x);
+                EXPECT_TRUE(cover[at] == 0.0F && ink[at] == 0.0F && samples[at] == 0) << x << " " << y;
+            }
+        return transmittance;
+    }
+    Difference compare(float left = 0.0F, float top = 0.0F) {
+        const std::vector<float> transmittance = lay(left, top);
+        const std::vector<double> expected =
+            StrokeReference(points, stroke).coverage(side, static_cast<double>(left), static_cast<double>(top));
+        Difference difference;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const double own = 1.0 - static_cast<double>(transmittance[static_cast<std::size_t>(y * stride + x)]);
+                const double other = expected[static_cast<std::size_t>(y * side + x)];
+                difference.ink += own;
+                difference.expected_ink += other;
+                if (std::abs(own - other) <= difference.most) continue;
+                difference.most = std::abs(own - other);
+                difference.x = x;
+                difference.y = y;
+            }
+        return difference;
+    }
+    // Within a step of 255; what the worst was is kept.
+    void expect_exact(const char* what, double limit = step, float left = 0.0F, float top = 0.0F) {
+        const Difference difference = compare(left, top);
+        EXPECT_LE(difference.most, limit) << what << " ink " << difference.ink << " of " << difference.expected_ink
+                                          << " at " << difference.x << " " << difference.y;
+        worst = std::max(worst, difference.most);
+    }
+    void TearDown() override { RecordProperty("worst_of_255", std::to_string(255.0 * worst)); }
+
+    static bool reaches(const StrokePoint& a, const StrokePoint& b, float left, float top) {
+        const float reach = 5.0F * std::max(a.radius, b.radius) + 1.0F;
+        const float far = static_cast<float>(side) + reach;
+        return std::max(a.x, b.x) > left - reach && std::min(a.x, b.x) < left + far &&
+               std::max(a.y, b.y) > top - reach && std::min(a.y, b.y) < top + far;
+    }
+
+    std::vector<StrokePoint> points;
+    Stroke stroke;
+    double worst = 0.0;
+};
+
+constexpr double radii[] = {0.1, 0.25, 0.5, 0.7, 1.0, 1.6, 3.0, 6.0};
+
+TEST_F(StrokeCoverage, OfStraightLinesIsExact) {
+    for (const Cap cap : {Cap::round, Cap::flat, Cap::pointed}) {
+        for (const double radius : radii) {
+            for (int k = 0; k < 24; ++k) {
+                begin(cap, cap);
+                const double angle = k < 20 ? 2.0 * pi * k / 20.0 : 1e-4 * std::pow(10.0, k - 20);
+                const double reach = cap == Cap::pointed ? 12.0 : 22.0;
+                const double x = 32.0 + 0.37 * k;
+                add(x - reach * std::cos(angle), 31.6 - reach * std::sin(angle), radius);
+                add(x + reach * std::cos(angle), 31.6 + reach * std::sin(angle), radius);
+                expect_exact(("radius " + std::to_string(radius) + " turn " + std::to_string(k)).c_str());
+            }
+        }
+    }
+}
+
+TEST_F(StrokeCoverage, OfTapersIsExact) {
+    for (int k = 0; k < 20; ++k) {
+        const double angle = 0.1 + 2.0 * pi * k / 20.0;
+        for (const double radius : {0.6, 2.0, 6.0}) {
+            begin(Cap::flat, Cap::round);
+            for (int i = 0; i <= 10; ++i) {
+                const double at = 5.0 * (i - 5) / 1.2;
+                add(32.0 + at * std::cos(angle), 32.0 + at * std::sin(angle), radius * i * (10 - i) / 25.0);
+            }
+            expect_exact("straight");
+        }
+    }
+}
+
+// Curves of a quarter of a turn, sampled finely and coarsely.
+TEST_F(StrokeCoverage, OfBentLinesIsExact) {
+    for (const int pieces : {3, 6, 12, 40}) {
+        for (const double radius : radii) {
+            for (int k = 0; k < 5; ++k) {
+                for (const double taper : {0.0, 0.5}) {
+                    begin();
+                    for (int i = 0; i <= pieces; ++i) {
+                        const double angle = 0.3 * k + 1.6 * i / pieces;
+                        add(10.0 + 35.0 * std::cos(angle), 12.0 + 35.0 * std::sin(angle),
+                            radius * (1.0 - taper * std::cos(9.0 * i / pieces)));
+                    }
+                    // Where the width changes by more than a third of the length, inner corners overlap.
+                    expect_exact(("radius " + std::to_string(radius) + " pieces " + std::to_string(pieces) + " taper " +
+                                  std::to_string(taper))
+                                     .c_str(),
+                                 taper > 0.0 && radius >= 3.0 ? overlapped : step);
+                }
+            }
+        }
+    }
+}
+
+TEST_F(StrokeCoverage, OfCornersIsExact) {
+    for (int degrees = -176; degrees <= 176; degrees += 8) {
+        for (const double radius : {0.3, 1.0, 2.5}) {
+            begin(Cap::flat, Cap::flat);
+            const double turn = degrees * pi / 180.0;
+            add(8.0, 30.3, radius);
+            add(38.4, 33.7, radius);
+            add(38.4 + 24.0 * std::cos(turn), 33.7 + 24.0 * std::sin(turn), radius);
+            // Arms that are nearly upon each other overlap beyond the middle.
+            const bool hairpin = radius * std::tan(0.5 * std::abs(turn)) > 4.0;
+            expect_exact(std::to_string(degrees).c_str(), hairpin ? overlapped : step);
+        }
+    }
+}
+
+// A curve that winds back and forth, over and beside itself.
+TEST_F(StrokeCoverage, OfOverlapsIsTheUnionNearly) {
+    for (const double radius : {0.4, 1.5, 5.0}) {
+        for (int k = 0; k < 8; ++k) {
+            begin();
+            for (int i = 0; i <= 120; ++i) {
+                const double t = 0.05 * i;
+                add(32.0 + 20.0 * std::sin(t + 0.1 * k) + 3.0 * std::sin(7.0 * t),
+                    32.0 + (2.0 + 2.0 * k) * std::sin(2.0 * t), radius);
+            }
+            expect_exact("winding", overlapped);
+        }
+        begin();
+        for (int i = 0; i <= 30; ++i) // a hairpin, its turn narrower than the stroke
+            add(10.0 + 1.3 * std::min(i, 30 - i), 30.0 + 0.05 * i, radius);
+        expect_exact("hairpin", overlapped);
+    }
+}
+
+TEST_F(StrokeCoverage, OfClosedLinesHasNoSeam) {
+    for (const int pieces : {3, 5, 24, 90}) {
+        for (const double radius : {0.3, 1.0, 4.0}) {
+            begin(Cap::pointed, Cap::flat); // not looked at
+            for (int i = 0; i <= pieces; ++i) {
+                const double angle = 2.0 * pi * (i % pieces) / pieces;
+                add(31.7 + 22.0 * std::cos(angle), 32.2 + 22.0 * std::sin(angle), radius);
+            }
+            stroke.closed = true;
+            expect_exact(std::to_string(pieces).c_str());
+        }
+    }
+}
+
+TEST_F(StrokeCoverage, TakesPointsThatAreRepeated) {
+    begin(Cap::flat, Cap::flat);
+    for (const double x : {5.0, 5.0, 20.0, 20.0, 20.0, 45.0, 45.0}) add(x, 0.7 * x, 2.0);
+    expect_exact("straight");
+    for (const Cap cap : {Cap::round, Cap::flat}) {
+        begin(cap, cap);
+        for (int i = 0; i < 4; ++i) add(30.3, 30.6, 3.0);
+        if (cap == Cap::round) {
+            expect_exact("dot");
+        } else {
+            for (const float left : lay()) EXPECT_EQ(left, 1.0F);
+        }
+    }
+}
+
+TEST_F(StrokeCoverage, ReachesFarOutside) {
+    for (int k = 0; k < 32; ++k) {
+        for (const double far : {1e3, 1e5, 1e7}) {
+            begin();
+            // Whole numbers, which floats can be.
+            const double x = std::round(far * std::cos(0.2 * k));
+            const double y = std::round(far * std::sin(0.2 * k));
+            add(32.0 - x, 32.0 - y, 2.5);
+            add(32.0 + x, 32.0 + y, 2.5);
+            expect_exact(std::to_string(far).c_str());
+        }
+    }
+}
+
+// Each tile finds its own part.
+TEST_F(StrokeCoverage, GoesOnFromTileToTile) {
+    begin(Cap::pointed, Cap::round);
+    for (int i = 0; i <= 400; ++i) add(30.0 * i, 6000.0 + 5000.0 * std::sin(0.03 * i), 3.0 + 1.5 * std::sin(0.1 * i));
+    int inked = 0;
+    for (int row = 0; row < 172; row += 7) {
+        for (int column = 0; column < 190; column += 3) {
+            const float left = 64.0F * static_cast<float>(column);
+            const float top = 64.0F * static_cast<float>(row);
+            bool near = false;
+            for (std::size_t i = 1; i < points.size(); ++i) near |= reaches(points[i - 1], points[i], left, top);
+            if (!near) continue;
+            const Difference difference = compare(left, top);
+            ASSERT_LE(difference.most, step) << column << " " << row;
+            inked += difference.ink > 0.0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inked, 20);
+}
+
+} // namespace
+} // namespace hrbfnpr::testing
