@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A triangulation of f = 0: where curves on the surface are looked for, and what rays are counted against.
-// By marching tetrahedra over the cells that a flood from seeds reaches.  [Doi & Koide 1991]
+// By marching tetrahedra over the cells that a flood from seeds reaches.  [Doi & Koide 1991]  Vertices stand on edges
+// of the tetrahedra, so that triangles meet nowhere but in their edges and corners.
 #pragma once
 
 #include "base/memory.h"
@@ -14,8 +15,8 @@
 namespace hrbfnpr::curves {
 
 struct MeshSettings {
-    geometry::Bounds region; // beyond it there is no surface: the mesh ends there
-    double side = 0.0;       // of a cell, > 0: what is thinner or smaller may be missed
+    geometry::Bounds region; // beyond it there is no surface: the mesh ends there, and f is not asked for but at seeds
+    double side = 0.0;       // of a cell at most, > 0: what is thinner or smaller may be missed
     std::int64_t triangle_limit = 4'000'000;
 };
 
@@ -29,8 +30,14 @@ struct SurfaceMesh {
     base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
     base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none
     geometry::Bounds region;
-    double side = 0.0;           // of the cells
-    std::int64_t unresolved = 0; // vertices that Newton's steps did not bring onto the surface, or whose gradient is 0
+    double side = 0.0;           // of the cells: the longest
+    std::int64_t unresolved = 0; // vertices that the search did not bring onto the surface, or whose gradient is 0
+    // Seeds on the surface, or less than a side from it, with no triangle that faces their way within 1.5 sides: a part
+    // of the surface there is too thin or too small for the cells.
+    std::int64_t missed_seeds = 0;
+    // Triangles that look away from the gradient at one of their corners: the surface is finer than the cells there, as
+    // where a wall is thinner than a cell's diagonal.
+    std::int64_t turned = 0;
 
     [[nodiscard]] std::int64_t vertices() const noexcept { return position.size(); }
     [[nodiscard]] std::int64_t triangles() const noexcept { return corner.size() / 3; }

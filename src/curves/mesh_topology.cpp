@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "curves/mesh_topology.h"
+
+namespace hrbfnpr::curves {
+namespace {
+
+[[nodiscard]] std::int64_t next_in_triangle(std::int64_t edge) noexcept { return edge % 3 == 2 ? edge - 2 : edge + 1; }
+
+} // namespace
+
+base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime, const base::Array<std::int32_t>& corner,
+                                          std::int64_t vertices) {
+    // Edges by the vertex that they start at: edge e = 3 t + k leads from corner k of triangle t.
+    base::Array<std::int64_t> begin(runtime.memory, vertices + 2);
+    for (const std::int32_t vertex : corner) ++begin[vertex + 2];
+    for (std::int64_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
+    base::Array<std::int64_t> edge(runtime.memory, corner.size());
+    for (std::int64_t e = 0; e < corner.size(); ++e) edge[begin[corner[e] + 1]++] = e;
+    base::Array<std::int32_t> neighbour(runtime.memory, corner.size());
+    runtime.parallel.for_chunks(corner.size(), 8192, [&](std::int64_t first, std::int64_t end) {
+        for (std::int64_t e = first; e < end; ++e) {
+            const std::int32_t to = corner[next_in_triangle(e)];
+            neighbour[e] = -1;
+            for (std::int64_t i = begin[to]; i < begin[to + 1]; ++i)
+                if (corner[next_in_triangle(edge[i])] == corner[e])
+                    neighbour[e] = static_cast<std::int32_t>(edge[i] / 3);
+        }
+    });
+    return neighbour;
+}
+
+} // namespace hrbfnpr::curves

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Which triangle lies across each edge.
+#pragma once
+
+#include "base/memory.h"
+#include "base/runtime.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::curves {
+
+// Of oriented triangles, no two of which have an edge in the same direction: see SurfaceMesh.
+[[nodiscard]] base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime,
+                                                        const base::Array<std::int32_t>& corner, std::int64_t vertices);
+
+} // namespace hrbfnpr::curves
