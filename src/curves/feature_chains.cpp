@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "curves/feature_chains.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hrbfnpr::curves {
+namespace {
+
+constexpr std::int64_t triangles_a_task = 8192;
+
+class Edges {
+public:
+    Edges(const SurfaceMesh& mesh, const base::Array<FeatureValue>& value, bool directed, double least) noexcept
+        : mesh_(mesh), value_(value), directed_(directed), least_(least) {}
+
+    [[nodiscard]] std::int32_t corner(std::int64_t triangle, int k) const noexcept {
+        return mesh_.corner[3 * triangle + k % 3];
+    }
+    // Of an edge both triangles say the same.
+    [[nodiscard]] bool changes_sign(std::int32_t a, std::int32_t b) const noexcept {
+        return negative(a) != (negative(b) != turned(a, b));
+    }
+    [[nodiscard]] bool counts(const FeatureCrossing& crossing) const noexcept {
+        return crossing.strength > 0.0 && crossing.strength >= least_;
+    }
+    [[nodiscard]] FeatureCrossing crossing(std::int64_t triangle, int k) const noexcept {
+        const auto [a, b] = std::minmax({corner(triangle, k), corner(triangle, k + 1)});
+        const double g_a = value_[a].g;
+        const double g_b = turned(a, b) ? -value_[b].g : value_[b].g;
+        const double share = g_a / (g_a - g_b);
+        const double s = share >= 0.0 && share <= 1.0 ? share : 0.5;
+        return {a, b, s, g_a, g_b, (1.0 - s) * value_[a].strength + s * value_[b].strength};
+    }
+    // The two edges that a line through the triangle crosses, as bits 1, 2, 4; 0: there is no line.
+    [[nodiscard]] std::uint8_t crossed(std::int64_t triangle) const noexcept {
+        unsigned bits = 0;
+        int count = 0;
+        for (int k = 0; k < 3; ++k) {
+            if (!changes_sign(corner(triangle, k), corner(triangle, k + 1))) continue;
+            bits |= 1U << static_cast<unsigned>(k);
+            ++count;
+            if (!counts(crossing(triangle, k))) return 0;
+        }
+        return count == 2 ? static_cast<std::uint8_t>(bits) : std::uint8_t{0};
+    }
+    // Whether a walk over this edge goes out of the triangle with what is negative to the left.
+    [[nodiscard]] bool leaves(std::int64_t triangle, int k) const noexcept { return !negative(corner(triangle, k)); }
+    [[nodiscard]] std::int64_t across(std::int64_t triangle, int k) const noexcept {
+        return mesh_.neighbour[3 * triangle + k];
+    }
+
+private:
+    [[nodiscard]] bool negative(std::int32_t vertex) const noexcept { return value_[vertex].g < 0.0; }
+    [[nodiscard]] bool turned(std::int32_t a, std::int32_t b) const noexcept {
+        return directed_ && glm::dot(value_[a].along, value_[b].along) < 0.0;
+    }
+
+    const SurfaceMesh& mesh_;
+    const base::Array<FeatureValue>& value_;
+    bool directed_;
+    double least_;
+};
+
+// Walks from triangle to triangle, each of which is crossed once.
+class Walker {
+public:
+    Walker(base::Memory& memory, const Edges& edges, base::Array<std::uint8_t>& crossed, bool directed)
+        : edges_(edges), crossed_(crossed), directed_(directed), chains_(memory) {
+        chains_.first.push_back(0);
+    }
+
+    // A chain that ends at one of the triangle's edges.
+    void open(std::int64_t triangle) {
+        for (int k = 0; k < 3; ++k) {
+            if (!has(triangle, k)) continue;
+            const std::int64_t before = edges_.across(triangle, k);
+            if (before >= 0 && crossed_[before] != 0) continue;
+            const bool backwards = !directed_ && edges_.leaves(triangle, k);
+            chains_.crossing.push_back(edges_.crossing(triangle, k));
+            walk(triangle, k);
+            close(false, backwards);
+            return;
+        }
+    }
+    void loop(std::int64_t triangle) {
+        if (crossed_[triangle] == 0) return;
+        int k = 0;
+        while (!has(triangle, k)) ++k;
+        const bool backwards = !directed_ && edges_.leaves(triangle, k);
+        walk(triangle, k);
+        close(true, backwards);
+    }
+    [[nodiscard]] FeatureChains result() && { return std::move(chains_); }
+
+private:
+    [[nodiscard]] bool has(std::int64_t triangle, int k) const noexcept {
+        return (crossed_[triangle] >> static_cast<unsigned>(k) & 1U) != 0;
+    }
+    // From its edge `entry` on, to the end or back to the beginning; what is passed is crossed no more.
+    void walk(std::int64_t triangle, int entry) {
+        while (triangle >= 0 && crossed_[triangle] != 0) {
+            int exit = (entry + 1) % 3;
+            if (!has(triangle, exit)) exit = (entry + 2) % 3;
+            crossed_[triangle] = 0;
+            chains_.crossing.push_back(edges_.crossing(triangle, exit));
+            const std::int64_t next = edges_.across(triangle, exit);
+            for (entry = 0; next >= 0 && edges_.across(next, entry) != triangle;) ++entry;
+            triangle = next;
+        }
+    }
+    void close(bool closed, bool backwards) {
+        if (backwards) std::reverse(chains_.crossing.data() + chains_.first.back(), chains_.crossing.end());
+        chains_.first.push_back(chains_.crossing.size());
+        chains_.closed.push_back(closed ? 1 : 0);
+    }
+
+    const Edges& edges_;
+    base::Array<std::uint8_t>& crossed_;
+    bool directed_;
+    FeatureChains chains_;
+};
+
+} // namespace
+
+FeatureChains find_feature_chains(const base::Runtime& runtime, const SurfaceMesh& mesh,
+                                  const base::Array<FeatureValue>& value, bool directed, double least,
+                                  const base::Progress& progress) {
+    const Edges edges(mesh, value, directed, least);
+    base::Array<std::uint8_t> crossed(runtime.memory);
+    crossed.resize_for_overwrite(mesh.triangles());
+    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t t = begin; t < end; ++t) crossed[t] = edges.crossed(t);
+    });
+    Walker walker(runtime.memory, edges, crossed, directed);
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t)
+        if (crossed[t] != 0) walker.open(t);
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) walker.loop(t);
+    return std::move(walker).result();
+}
+
+} // namespace hrbfnpr::curves

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "curves/feature_refine.h"
+
+#include "surface/project.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+
+namespace hrbfnpr::curves {
+namespace {
+
+constexpr auto batch = static_cast<std::size_t>(implicit::batch_size);
+
+// A root is found where g is this much smaller than at the ends of its edge.
+constexpr double small_enough = 1e-4;
+
+// The search for one root between the shares low and high of an edge.
+struct Search {
+    std::int64_t crossing;
+    double low, high;     // shares of the edge
+    double g_low, g_high; // unlike signs; Illinois halves the one that stays
+    double smallest;      // |g| so far
+    int side;             // which end moved last
+
+    [[nodiscard]] double trial() const noexcept {
+        const double s = low + (high - low) * (g_low / (g_low - g_high));
+        return s >= low && s <= high ? s : 0.5 * (low + high);
+    }
+    void take(double share, double g) noexcept {
+        const bool to_low = (g < 0.0) == (g_low < 0.0);
+        if (to_low) {
+            if (side < 0) g_high *= 0.5;
+            low = share;
+            g_low = g;
+        } else {
+            if (side > 0) g_low *= 0.5;
+            high = share;
+            g_high = g;
+        }
+        side = to_low ? -1 : 1;
+    }
+};
+
+// g at the points, and for a kind that needs it all else.
+void evaluate(const base::Runtime& runtime, const FeatureSurface& surface, const FeatureRequest& request, double level,
+              const surface::Projection& at, base::Array<ShapePoint>& shape, base::Array<FeatureValue>& value,
+              const base::Progress& progress) {
+    const std::int64_t count = at.position.size();
+    value.resize_for_overwrite(count);
+    if (!needs_shape(request.kind)) {
+        const base::Parallel threads = request.function->concurrent() ? runtime.parallel : base::Parallel();
+        threads.for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+            std::array<double, batch> g;
+            request.function->evaluate(
+                implicit::slice({at.position.x.data(), at.position.y.data(), at.position.z.data(), count}, begin, end),
+                g.data());
+            for (std::int64_t i = begin; i < end; ++i)
+                value[i] = {g[static_cast<std::size_t>(i - begin)] - level, 1.0, glm::dvec3(0.0)};
+        });
+        return;
+    }
+    measure_shape(runtime, surface.source, at.position, at.gradient, shape, progress);
+    const double unit = surface.implicit.diagonal();
+    for (std::int64_t i = 0; i < count; ++i) {
+        value[i] = feature_value(request.kind, shape[i], at.position[i], request.towards, unit);
+        value[i].g -= level;
+    }
+}
+
+class Refiner {
+public:
+    Refiner(const base::Runtime& runtime, const FeatureSurface& surface, const FeatureRequest& request, double level,
+            const base::Array<FeatureValue>& vertex, const base::Array<FeatureCrossing>& crossing)
+        : runtime_(runtime), surface_(surface), request_(request), level_(level), vertex_(vertex), crossing_(crossing),
+          points_(runtime.memory), active_(runtime.memory), at_(runtime.memory), shape_(runtime.memory),
+          value_(runtime.memory), done_(runtime.memory, crossing.size()) {}
+
+    [[nodiscard]] FeaturePoints run(const base::Progress& progress) && {
+        begin();
+        for (std::int32_t round = 0; round < request_.rounds && !active_.empty(); ++round) this->round(progress);
+        for (const std::uint8_t done : done_) points_.unresolved += done == 0 ? 1 : 0;
+        return std::move(points_);
+    }
+
+private:
+    // Where the mesh has them.
+    void begin() {
+        const SurfaceMesh& mesh = surface_.mesh;
+        active_.reserve(crossing_.size());
+        for (std::int64_t i = 0; i < crossing_.size(); ++i) {
+            const FeatureCrossing& c = crossing_[i];
+            points_.position.push_back(glm::mix(mesh.position[c.a], mesh.position[c.b], c.share));
+            points_.normal.push_back(glm::normalize(glm::mix(unit(c.a), unit(c.b), c.share)));
+            points_.strength.push_back(c.strength);
+            active_.push_back({i, 0.0, 1.0, c.g_a, c.g_b, std::max(std::abs(c.g_a), std::abs(c.g_b)), 0});
+        }
+    }
+    [[nodiscard]] glm::dvec3 unit(std::int32_t vertex) const noexcept {
+        return glm::normalize(surface_.mesh.gradient[vertex]);
+    }
+    void round(const base::Progress& progress) {
+        const SurfaceMesh& mesh = surface_.mesh;
+        at_.position.resize(active_.size());
+        for (std::int64_t i = 0; i < active_.size(); ++i) {
+            const FeatureCrossing& c = crossing_[active_[i].crossing];
+            at_.position.set(i, glm::mix(mesh.position[c.a], mesh.position[c.b], active_[i].trial()));
+        }
+        surface::project(runtime_, surface_.implicit, {}, at_, {});
+        evaluate(runtime_, surface_, request_, level_, at_, shape_, value_, progress);
+        std::int64_t kept = 0;
+        for (std::int64_t i = 0; i < active_.size(); ++i) {
+            Search search = active_[i];
+            if (goes_on(i, search)) active_[kept++] = search;
+        }
+        active_.resize(kept);
+    }
+    [[nodiscard]] bool goes_on(std::int64_t i, Search& search) {
+        if (at_.status[i] != surface::ProjectionStatus::converged) return false;
+        const FeatureCrossing& c = crossing_[search.crossing];
+        const FeatureValue& value = value_[i];
+        const bool turned = glm::dot(value.along, vertex_[c.a].along) < 0.0;
+        const double g = turned ? -value.g : value.g;
+        if (!std::isfinite(g)) return false;
+        if (std::abs(g) <= search.smallest) {
+            search.smallest = std::abs(g);
+            points_.position.set(search.crossing, at_.position[i]);
+            points_.normal.set(search.crossing, glm::normalize(at_.gradient[i]));
+            points_.strength[search.crossing] = value.strength;
+            done_[search.crossing] = 1;
+        }
+        search.take(search.trial(), g);
+        return search.smallest > small_enough * std::max(std::abs(c.g_a), std::abs(c.g_b));
+    }
+
+    const base::Runtime& runtime_;
+    const FeatureSurface& surface_;
+    const FeatureRequest& request_;
+    double level_;
+    const base::Array<FeatureValue>& vertex_;
+    const base::Array<FeatureCrossing>& crossing_;
+    FeaturePoints points_;
+    base::Array<Search> active_;
+    surface::Projection at_;
+    base::Array<ShapePoint> shape_;
+    base::Array<FeatureValue> value_;
+    base::Array<std::uint8_t> done_;
+};
+
+// A batch of points on their way to where f and the plane meet.
+struct Pair {
+    std::array<double, batch> x, y, z, f, gx, gy, gz;
+
+    void evaluate(const implicit::Implicit& implicit, std::int64_t count) {
+        implicit::FieldBatch fields;
+        fields.value = f.data();
+        fields.gradient = {gx.data(), gy.data(), gz.data()};
+        implicit.evaluate({x.data(), y.data(), z.data(), count}, fields);
+    }
+    // The shortest step with J step = -(f, h), J = (grad f, plane); whether there is still one to take.
+    [[nodiscard]] bool step(std::size_t i, const glm::dvec3& plane, double level, double tolerance) noexcept {
+        const glm::dvec3 g(gx[i], gy[i], gz[i]);
+        const double slope = glm::length(g);
+        const double h = plane.x * x[i] + plane.y * y[i] + plane.z * z[i] - level;
+        const double d = f[i] / slope;
+        if (std::abs(d) <= tolerance && std::abs(h) <= tolerance) return false;
+        const double mixed = glm::dot(g, plane) / slope;
+        const double determinant = 1.0 - mixed * mixed;
+        if (!(determinant > 1e-12)) return false;
+        const double along_g = -(d - mixed * h) / determinant;
+        const double along_plane = -(h - mixed * d) / determinant;
+        x[i] += along_g * g.x / slope + along_plane * plane.x;
+        y[i] += along_g * g.y / slope + along_plane * plane.y;
+        z[i] += along_g * g.z / slope + along_plane * plane.z;
+        return true;
+    }
+};
+
+} // namespace
+
+FeaturePoints refine_crossings(const base::Runtime& runtime, const FeatureSurface& surface,
+                               const FeatureRequest& request, double level, const base::Array<FeatureValue>& value,
+                               const base::Array<FeatureCrossing>& crossing, const base::Progress& progress) {
+    return Refiner(runtime, surface, request, level, value, crossing).run(progress);
+}
+
+FeaturePoints refine_section(const base::Runtime& runtime, const FeatureSurface& surface, const glm::dvec3& plane,
+                             double level, const base::Array<FeatureCrossing>& crossing,
+                             const base::Progress& progress) {
+    constexpr int steps = 8;
+    const double tolerance = 1e-9 * surface.implicit.diagonal();
+    FeaturePoints points(runtime.memory);
+    points.position.resize(crossing.size());
+    points.normal.resize(crossing.size());
+    points.strength.resize(crossing.size());
+    std::atomic<std::int64_t> unresolved{0};
+    const base::Parallel threads = surface.implicit.threads(runtime.parallel);
+    threads.for_chunks(crossing.size(), implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        base::Boxed<Pair> at(runtime.memory);
+        for (std::int64_t i = begin; i < end; ++i) {
+            const FeatureCrossing& c = crossing[i];
+            const glm::dvec3 p = glm::mix(surface.mesh.position[c.a], surface.mesh.position[c.b], c.share);
+            const auto lane = static_cast<std::size_t>(i - begin);
+            at->x[lane] = p.x;
+            at->y[lane] = p.y;
+            at->z[lane] = p.z;
+        }
+        std::int64_t moving = end - begin;
+        for (int step = 0; step < steps && moving > 0; ++step) {
+            at->evaluate(surface.implicit, end - begin);
+            moving = 0;
+            for (std::size_t lane = 0; lane < static_cast<std::size_t>(end - begin); ++lane)
+                moving += at->step(lane, plane, level, tolerance) ? 1 : 0;
+        }
+        unresolved += moving;
+        for (std::int64_t i = begin; i < end; ++i) {
+            const auto lane = static_cast<std::size_t>(i - begin);
+            const glm::dvec3 n = glm::normalize(glm::dvec3(at->gx[lane], at->gy[lane], at->gz[lane]));
+            points.position.set(i, {at->x[lane], at->y[lane], at->z[lane]});
+            points.normal.set(i, n);
+            points.strength[i] = glm::length(plane - glm::dot(plane, n) * n);
+        }
+    });
+    points.unresolved = unresolved;
+    return points;
+}
+
+void weigh_by_drop(const base::Runtime& runtime, const FeatureSurface& surface, FeatureKind kind, FeaturePoints& points,
+                   const base::Progress& progress) {
+    const std::int64_t count = points.position.size();
+    const double step = 0.25 * surface.mesh.side;
+    const double unit = surface.implicit.diagonal();
+    surface::Projection at(runtime.memory);
+    for (std::int64_t i = 0; i < count; ++i) at.position.push_back(points.position[i]);
+    surface::project(runtime, surface.implicit, {}, at, {});
+    base::Array<ShapePoint> here(runtime.memory);
+    measure_shape(runtime, surface.source, at.position, at.gradient, here, progress);
+    surface::Projection aside(runtime.memory);
+    aside.position.resize(2 * count);
+    const auto along = [&](std::int64_t i) { return kind == FeatureKind::ridge ? here[i].d2() : here[i].d1; };
+    for (std::int64_t i = 0; i < count; ++i) {
+        aside.position.set(2 * i, points.position[i] - step * along(i));
+        aside.position.set(2 * i + 1, points.position[i] + step * along(i));
+    }
+    surface::project(runtime, surface.implicit, {}, aside, {});
+    base::Array<ShapePoint> shape(runtime.memory);
+    measure_shape(runtime, surface.source, aside.position, aside.gradient, shape, progress);
+    const double sign = kind == FeatureKind::ridge ? 1.0 : -1.0; // a ridge's k is least
+    for (std::int64_t i = 0; i < count; ++i) {
+        std::array<double, 2> g;
+        for (int k = 0; k < 2; ++k) {
+            const FeatureValue value =
+                feature_value(kind, shape[2 * i + k], aside.position[2 * i + k], glm::dvec4(0.0), unit);
+            g[static_cast<std::size_t>(k)] = glm::dot(value.along, along(i)) < 0.0 ? -value.g : value.g;
+        }
+        const double k = kind == FeatureKind::ridge ? here[i].k2 : here[i].k1;
+        const double drop = sign * (g[1] - g[0]) / (2.0 * step) / std::abs(k * k * k);
+        points.strength[i] *= std::isfinite(drop) ? std::clamp(drop / full_drop, 0.0, 1.0) : 0.0;
+    }
+}
+
+} // namespace hrbfnpr::curves
