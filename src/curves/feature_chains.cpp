@@ -2,6 +2,7 @@
 #include "curves/feature_chains.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace hrbfnpr::curves {
@@ -21,33 +22,55 @@ public:
     [[nodiscard]] bool changes_sign(std::int32_t a, std::int32_t b) const noexcept {
         return negative(a) != (negative(b) != turned(a, b));
     }
-    [[nodiscard]] bool counts(const FeatureCrossing& crossing) const noexcept {
-        return crossing.strength > 0.0 && crossing.strength >= least_;
-    }
     [[nodiscard]] FeatureCrossing crossing(std::int64_t triangle, int k) const noexcept {
         const auto [a, b] = std::minmax({corner(triangle, k), corner(triangle, k + 1)});
         const double g_a = value_[a].g;
         const double g_b = turned(a, b) ? -value_[b].g : value_[b].g;
         const double share = g_a / (g_a - g_b);
         const double s = share >= 0.0 && share <= 1.0 ? share : 0.5;
-        return {a, b, s, g_a, g_b, (1.0 - s) * value_[a].strength + s * value_[b].strength};
+        const double strength = (1.0 - s) * value_[a].strength + s * value_[b].strength;
+        const double facing = (1.0 - s) * value_[a].facing + s * value_[b].facing;
+        return {a, b, s, g_a, g_b, strength, strength > 0.0 && strength >= least_ && facing >= 0.0, 0.0};
     }
     // The two edges that a line through the triangle crosses, as bits 1, 2, 4; 0: there is no line.
     [[nodiscard]] std::uint8_t crossed(std::int64_t triangle) const noexcept {
         unsigned bits = 0;
         int count = 0;
+        bool counts = false;
         for (int k = 0; k < 3; ++k) {
             if (!changes_sign(corner(triangle, k), corner(triangle, k + 1))) continue;
             bits |= 1U << static_cast<unsigned>(k);
             ++count;
-            if (!counts(crossing(triangle, k))) return 0;
+            counts = counts || crossing(triangle, k).counts;
         }
-        return count == 2 ? static_cast<std::uint8_t>(bits) : std::uint8_t{0};
+        return count == 2 && counts ? static_cast<std::uint8_t>(bits) : std::uint8_t{0};
     }
     // Whether a walk over this edge goes out of the triangle with what is negative to the left.
     [[nodiscard]] bool leaves(std::int64_t triangle, int k) const noexcept { return !negative(corner(triangle, k)); }
     [[nodiscard]] std::int64_t across(std::int64_t triangle, int k) const noexcept {
         return mesh_.neighbour[3 * triangle + k];
+    }
+
+    // Of the linear g along the mean direction, times twice the area.
+    [[nodiscard]] double slope(std::int64_t triangle) const noexcept {
+        if (!directed_) return 0.0;
+        const std::int32_t a = corner(triangle, 0);
+        const std::int32_t b = corner(triangle, 1);
+        const std::int32_t c = corner(triangle, 2);
+        const double b_sign = turned(a, b) ? -1.0 : 1.0;
+        const double c_sign = turned(a, c) ? -1.0 : 1.0;
+        const glm::dvec3 along = value_[a].along + b_sign * value_[b].along + c_sign * value_[c].along;
+        const glm::dvec3 ab = mesh_.position[b] - mesh_.position[a];
+        const glm::dvec3 ac = mesh_.position[c] - mesh_.position[a];
+        const double to_b = b_sign * value_[b].g - value_[a].g;
+        const double to_c = c_sign * value_[c].g - value_[a].g;
+        const double bb = glm::dot(ab, ab);
+        const double bc = glm::dot(ab, ac);
+        const double cc = glm::dot(ac, ac);
+        const double area = std::sqrt(bb * cc - bc * bc);
+        const double sum =
+            (cc * to_b - bc * to_c) * glm::dot(ab, along) + (bb * to_c - bc * to_b) * glm::dot(ac, along);
+        return area > 0.0 ? sum / area : 0.0;
     }
 
 private:
@@ -103,13 +126,20 @@ private:
             int exit = (entry + 1) % 3;
             if (!has(triangle, exit)) exit = (entry + 2) % 3;
             crossed_[triangle] = 0;
+            const double slope = edges_.slope(triangle);
+            if (chains_.crossing.size() > chains_.first.back())
+                chains_.crossing.back().slope += slope;
+            else
+                first_slope_ = slope;
             chains_.crossing.push_back(edges_.crossing(triangle, exit));
+            chains_.crossing.back().slope = slope;
             const std::int64_t next = edges_.across(triangle, exit);
             for (entry = 0; next >= 0 && edges_.across(next, entry) != triangle;) ++entry;
             triangle = next;
         }
     }
     void close(bool closed, bool backwards) {
+        if (closed) chains_.crossing.back().slope += first_slope_;
         if (backwards) std::reverse(chains_.crossing.data() + chains_.first.back(), chains_.crossing.end());
         chains_.first.push_back(chains_.crossing.size());
         chains_.closed.push_back(closed ? 1 : 0);
@@ -119,6 +149,7 @@ private:
     base::Array<std::uint8_t>& crossed_;
     bool directed_;
     FeatureChains chains_;
+    double first_slope_ = 0.0; // of a loop's first triangle, whose entry stands last
 };
 
 } // namespace
@@ -138,6 +169,28 @@ FeatureChains find_feature_chains(const base::Runtime& runtime, const SurfaceMes
         if (crossed[t] != 0) walker.open(t);
     for (std::int64_t t = 0; t < mesh.triangles(); ++t) walker.loop(t);
     return std::move(walker).result();
+}
+
+FeatureChains keep_extrema(const FeatureChains& chains, double sign) {
+    FeatureChains kept(chains.first.memory());
+    kept.first.push_back(0);
+    for (std::int64_t c = 0; c < chains.chains(); ++c) {
+        const std::int64_t first = chains.first[c];
+        const std::int64_t count = chains.first[c + 1] - first;
+        const bool closed = chains.closed[c] != 0;
+        const auto is_one = [&](std::int64_t i) {
+            double sum = 0.0;
+            for (std::int64_t k = i - 2; k <= i + 2; ++k)
+                if (closed || (k >= 0 && k < count)) sum += chains.crossing[first + (k + 2 * count) % count].slope;
+            return sign * sum > 0.0;
+        };
+        for_parts(count, closed, is_one, [&](std::int64_t begin, std::int64_t end, bool whole) {
+            for (std::int64_t i = begin; i < end; ++i) kept.crossing.push_back(chains.crossing[first + i % count]);
+            kept.first.push_back(kept.crossing.size());
+            kept.closed.push_back(whole ? 1 : 0);
+        });
+    }
+    return kept;
 }
 
 } // namespace hrbfnpr::curves

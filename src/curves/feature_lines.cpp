@@ -29,8 +29,7 @@ void value_by_place(const base::Runtime& runtime, const SurfaceMesh& mesh, const
             request.function->evaluate({mesh.position.x.data() + begin, mesh.position.y.data() + begin,
                                         mesh.position.z.data() + begin, end - begin},
                                        g.data());
-        for (std::int64_t i = begin; i < end; ++i)
-            value[i] = {g[static_cast<std::size_t>(i - begin)], 1.0, glm::dvec3(0.0)};
+        for (std::int64_t i = begin; i < end; ++i) value[i] = {g[static_cast<std::size_t>(i - begin)], 1.0};
     });
 }
 
@@ -45,16 +44,10 @@ base::Array<FeatureValue> vertex_values(const base::Runtime& runtime, const Feat
         return value;
     }
     const double unit = surface.implicit.diagonal();
-    const bool one_side = depends_on_view(request.kind) && !request.far_side;
-    const glm::dvec3 eye(request.towards);
     runtime.parallel.for_chunks(mesh.vertices(), 4096, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        for (std::int64_t i = begin; i < end; ++i) {
-            const glm::dvec3 p = mesh.position[i];
-            value[i] = feature_value(request.kind, surface.shape[i], p, request.towards, unit);
-            if (one_side && glm::dot(surface.shape[i].normal, eye - request.towards.w * p) < 0.0)
-                value[i].strength = -1.0;
-        }
+        for (std::int64_t i = begin; i < end; ++i)
+            value[i] = requested_value(request, surface.shape[i], mesh.position[i], unit);
     });
     return value;
 }
@@ -89,54 +82,64 @@ public:
         : request_(request), shortest_(request.shortest * diagonal), lines_(lines) {}
 
     void cut(const FeatureChains& chains, const FeaturePoints& points, std::int32_t level) {
-        for (std::int64_t c = 0; c < chains.chains(); ++c)
-            cut(points, chains.first[c], chains.first[c + 1] - chains.first[c], chains.closed[c] != 0, level);
+        for (std::int64_t c = 0; c < chains.chains(); ++c) {
+            const std::int64_t first = chains.first[c];
+            const std::int64_t count = chains.first[c + 1] - first;
+            const bool closed = chains.closed[c] != 0;
+            const auto at = [&](std::int64_t i) { return first + (i + count) % count; };
+            for_parts(
+                count, closed, [&](std::int64_t i) { return counts(points, first + i); },
+                [&](std::int64_t begin, std::int64_t end, bool whole) {
+                    if (!whole && (closed || begin > 0)) add_end(points, at(begin), at(begin - 1));
+                    for (std::int64_t i = begin; i < end; ++i) add(points, at(i));
+                    if (!whole && (closed || end < count)) add_end(points, at(end - 1), at(end));
+                    finish(whole, level);
+                });
+        }
     }
 
 private:
-    [[nodiscard]] bool goes_on(double strength) const noexcept { return strength > 0.0 && strength >= request_.lower; }
-
-    void cut(const FeaturePoints& points, std::int64_t first, std::int64_t count, bool closed, std::int32_t level) {
-        const auto at = [&](std::int64_t i) { return first + i % count; };
-        std::int64_t start = 0;
-        while (closed && start < count && goes_on(points.strength[at(start)])) ++start;
-        if (closed && start == count) {
-            add(points, first, count, 0, count, true, level);
-            return;
-        }
-        // A closed one begins after the place where it is cut.
-        for (std::int64_t i = start; i < start + count;) {
-            std::int64_t end = i;
-            while (end < start + count && goes_on(points.strength[at(end)])) ++end;
-            if (end > i + 1) add(points, first, count, i, end, false, level);
-            i = end + 1;
-        }
+    [[nodiscard]] bool counts(const FeaturePoints& points, std::int64_t i) const noexcept {
+        return points.strength[i] > 0.0 && points.strength[i] >= request_.lower && points.facing[i] >= 0.0 &&
+               points.resolved[i] != 0;
     }
-    void add(const FeaturePoints& points, std::int64_t first, std::int64_t count, std::int64_t begin, std::int64_t end,
-             bool closed, std::int32_t level) {
+    void add(const FeaturePoints& points, std::int64_t i) {
+        lines_.position.push_back(points.position[i]);
+        lines_.normal.push_back(points.normal[i]);
+        lines_.strength.push_back(points.strength[i]);
+    }
+    // Between a point that counts and one that does not, where the line ends by linear interpolation.
+    void add_end(const FeaturePoints& points, std::int64_t inside, std::int64_t outside) {
+        if (points.resolved[outside] == 0) return;
+        const auto root = [](double in, double out) { return out < 0.0 && in >= 0.0 ? in / (in - out) : 1.0; };
+        const double share =
+            std::min(root(points.strength[inside] - request_.lower, points.strength[outside] - request_.lower),
+                     root(points.facing[inside], points.facing[outside]));
+        if (!(share > 0.0 && share < 1.0)) return;
+        lines_.position.push_back(glm::mix(points.position[inside], points.position[outside], share));
+        lines_.normal.push_back(glm::normalize(glm::mix(points.normal[inside], points.normal[outside], share)));
+        lines_.strength.push_back(std::max(glm::mix(points.strength[inside], points.strength[outside], share), 0.0));
+    }
+    // What was added since the last line is one, unless it is too weak or too short.
+    void finish(bool closed, std::int32_t level) {
+        const std::int64_t begin = lines_.first.back();
+        const std::int64_t end = lines_.position.size();
         double strongest = 0.0;
         double length = 0.0;
         for (std::int64_t i = begin; i < end; ++i) {
-            const std::int64_t at = first + i % count;
-            strongest = std::max(strongest, points.strength[at]);
+            strongest = std::max(strongest, lines_.strength[i]);
             if (i + 1 < end || closed)
-                length += glm::distance(points.position[at], points.position[first + (i + 1) % count]);
+                length += glm::distance(lines_.position[i], lines_.position[i + 1 < end ? i + 1 : begin]);
         }
-        if (strongest < request_.upper) {
-            ++lines_.weak;
+        const bool weak = strongest < request_.upper;
+        if (weak || length < shortest_ || end < begin + (closed ? 3 : 2)) {
+            ++(weak ? lines_.weak : lines_.small);
+            lines_.position.resize(begin);
+            lines_.normal.resize(begin);
+            lines_.strength.resize(begin);
             return;
         }
-        if (length < shortest_ || end < begin + (closed ? 3 : 2)) {
-            ++lines_.small;
-            return;
-        }
-        for (std::int64_t i = begin; i < end; ++i) {
-            const std::int64_t at = first + i % count;
-            lines_.position.push_back(points.position[at]);
-            lines_.normal.push_back(points.normal[at]);
-            lines_.strength.push_back(points.strength[at]);
-        }
-        lines_.first.push_back(lines_.position.size());
+        lines_.first.push_back(end);
         lines_.closed.push_back(closed ? 1 : 0);
         lines_.level.push_back(level);
     }
@@ -175,9 +178,11 @@ FeatureLines find_feature_lines(const base::Runtime& runtime, const FeatureSurfa
         before = levels[k];
         FeatureChains chains =
             find_feature_chains(runtime, surface.mesh, value, is_directed(request.kind), request.lower, progress);
+        // A ridge's curvature is least, that of the others largest.
+        if (is_directed(request.kind)) chains = keep_extrema(chains, request.kind == FeatureKind::ridge ? 1.0 : -1.0);
         lines.weak += keep_promising(chains, request.upper);
         const FeaturePoints points = refine(runtime, surface, request, levels[k], value, chains.crossing, progress);
-        lines.unresolved += points.unresolved;
+        for (const std::uint8_t resolved : points.resolved) lines.unresolved += resolved != 0 ? 0 : 1;
         Cutter(request, surface.implicit.diagonal(), lines).cut(chains, points, static_cast<std::int32_t>(k));
     }
     return lines;

@@ -38,7 +38,7 @@ struct FeatureRequest {
     double lower = 0.0;
     double upper = 0.0;
     double shortest = 0.0;   // lines that are not as long, in diagonals, are dropped
-    std::int32_t rounds = 4; // evaluations of g at most to find each point
+    std::int32_t rounds = 6; // evaluations of g at most to find each point
     bool far_side = false;   // view-dependent: also where the surface faces away
 };
 
@@ -63,7 +63,7 @@ struct FeatureLines {
     base::Array<double> strength;     // as feature_value.h has it; of sections the sine between plane and surface
     std::int64_t weak = 0;            // lines that stay below `upper`
     std::int64_t small = 0;           // lines that are too short
-    std::int64_t unresolved = 0;      // points that stayed where the mesh has them
+    std::int64_t unresolved = 0;      // crossings of the mesh that no point was found for, where lines end
 
     [[nodiscard]] std::int64_t lines() const noexcept { return closed.size(); }
 };

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 
 namespace hrbfnpr::curves {
@@ -13,8 +12,12 @@ namespace {
 
 constexpr auto batch = static_cast<std::size_t>(implicit::batch_size);
 
-// A root is found where g is this much smaller than at the ends of its edge.
+// A root is found where g is this much smaller than at the ends of its edge, and good enough if no better is found.
 constexpr double small_enough = 1e-4;
+constexpr double acceptable = 0.02;
+
+// Apparent ridges end so near to the contour, as n . v: there their curvature q1 grows without bound.
+constexpr double grazing = 0.02;
 
 // The search for one root between the shares low and high of an edge.
 struct Search {
@@ -56,15 +59,14 @@ void evaluate(const base::Runtime& runtime, const FeatureSurface& surface, const
             request.function->evaluate(
                 implicit::slice({at.position.x.data(), at.position.y.data(), at.position.z.data(), count}, begin, end),
                 g.data());
-            for (std::int64_t i = begin; i < end; ++i)
-                value[i] = {g[static_cast<std::size_t>(i - begin)] - level, 1.0, glm::dvec3(0.0)};
+            for (std::int64_t i = begin; i < end; ++i) value[i] = {g[static_cast<std::size_t>(i - begin)] - level, 1.0};
         });
         return;
     }
     measure_shape(runtime, surface.source, at.position, at.gradient, shape, progress);
     const double unit = surface.implicit.diagonal();
     for (std::int64_t i = 0; i < count; ++i) {
-        value[i] = feature_value(request.kind, shape[i], at.position[i], request.towards, unit);
+        value[i] = requested_value(request, shape[i], at.position[i], unit);
         value[i].g -= level;
     }
 }
@@ -75,12 +77,11 @@ public:
             const base::Array<FeatureValue>& vertex, const base::Array<FeatureCrossing>& crossing)
         : runtime_(runtime), surface_(surface), request_(request), level_(level), vertex_(vertex), crossing_(crossing),
           points_(runtime.memory), active_(runtime.memory), at_(runtime.memory), shape_(runtime.memory),
-          value_(runtime.memory), done_(runtime.memory, crossing.size()) {}
+          value_(runtime.memory) {}
 
     [[nodiscard]] FeaturePoints run(const base::Progress& progress) && {
         begin();
         for (std::int32_t round = 0; round < request_.rounds && !active_.empty(); ++round) this->round(progress);
-        for (const std::uint8_t done : done_) points_.unresolved += done == 0 ? 1 : 0;
         return std::move(points_);
     }
 
@@ -94,6 +95,8 @@ private:
             points_.position.push_back(glm::mix(mesh.position[c.a], mesh.position[c.b], c.share));
             points_.normal.push_back(glm::normalize(glm::mix(unit(c.a), unit(c.b), c.share)));
             points_.strength.push_back(c.strength);
+            points_.facing.push_back(glm::mix(vertex_[c.a].facing, vertex_[c.b].facing, c.share));
+            points_.resolved.push_back(0);
             active_.push_back({i, 0.0, 1.0, c.g_a, c.g_b, std::max(std::abs(c.g_a), std::abs(c.g_b)), 0});
         }
     }
@@ -120,6 +123,7 @@ private:
         if (at_.status[i] != surface::ProjectionStatus::converged) return false;
         const FeatureCrossing& c = crossing_[search.crossing];
         const FeatureValue& value = value_[i];
+        const double largest = std::max(std::abs(c.g_a), std::abs(c.g_b));
         const bool turned = glm::dot(value.along, vertex_[c.a].along) < 0.0;
         const double g = turned ? -value.g : value.g;
         if (!std::isfinite(g)) return false;
@@ -128,10 +132,11 @@ private:
             points_.position.set(search.crossing, at_.position[i]);
             points_.normal.set(search.crossing, glm::normalize(at_.gradient[i]));
             points_.strength[search.crossing] = value.strength;
-            done_[search.crossing] = 1;
+            points_.facing[search.crossing] = value.facing;
+            points_.resolved[search.crossing] = search.smallest <= acceptable * largest ? 1 : 0;
         }
         search.take(search.trial(), g);
-        return search.smallest > small_enough * std::max(std::abs(c.g_a), std::abs(c.g_b));
+        return search.smallest > small_enough * largest;
     }
 
     const base::Runtime& runtime_;
@@ -145,7 +150,6 @@ private:
     surface::Projection at_;
     base::Array<ShapePoint> shape_;
     base::Array<FeatureValue> value_;
-    base::Array<std::uint8_t> done_;
 };
 
 // A batch of points on their way to where f and the plane meet.
@@ -158,13 +162,21 @@ struct Pair {
         fields.gradient = {gx.data(), gy.data(), gz.data()};
         implicit.evaluate({x.data(), y.data(), z.data(), count}, fields);
     }
+    [[nodiscard]] double height(std::size_t i, const glm::dvec3& plane, double level) const noexcept {
+        return plane.x * x[i] + plane.y * y[i] + plane.z * z[i] - level;
+    }
+    // By what was evaluated, before the last step.
+    [[nodiscard]] bool arrived(std::size_t i, const glm::dvec3& plane, double level, double tolerance) const noexcept {
+        const double slope = std::sqrt(gx[i] * gx[i] + gy[i] * gy[i] + gz[i] * gz[i]);
+        return std::abs(f[i]) <= tolerance * slope && std::abs(height(i, plane, level)) <= tolerance;
+    }
     // The shortest step with J step = -(f, h), J = (grad f, plane); whether there is still one to take.
     [[nodiscard]] bool step(std::size_t i, const glm::dvec3& plane, double level, double tolerance) noexcept {
         const glm::dvec3 g(gx[i], gy[i], gz[i]);
         const double slope = glm::length(g);
-        const double h = plane.x * x[i] + plane.y * y[i] + plane.z * z[i] - level;
+        const double h = height(i, plane, level);
         const double d = f[i] / slope;
-        if (std::abs(d) <= tolerance && std::abs(h) <= tolerance) return false;
+        if (arrived(i, plane, level, tolerance)) return false;
         const double mixed = glm::dot(g, plane) / slope;
         const double determinant = 1.0 - mixed * mixed;
         if (!(determinant > 1e-12)) return false;
@@ -178,6 +190,18 @@ struct Pair {
 };
 
 } // namespace
+
+FeatureValue requested_value(const FeatureRequest& request, const ShapePoint& shape, const glm::dvec3& position,
+                             double unit) noexcept {
+    FeatureValue value = feature_value(request.kind, shape, position, request.towards, unit);
+    if (request.far_side && value.facing < 0.0) {
+        // Seen with the normal turned over, which changes the sign of a suggestive contour's slope.
+        if (request.kind == FeatureKind::suggestive_contour) value.strength = -value.strength;
+        value.facing = -value.facing;
+    }
+    if (request.kind == FeatureKind::apparent_ridge) value.facing -= grazing;
+    return value;
+}
 
 FeaturePoints refine_crossings(const base::Runtime& runtime, const FeatureSurface& surface,
                                const FeatureRequest& request, double level, const base::Array<FeatureValue>& value,
@@ -194,7 +218,8 @@ FeaturePoints refine_section(const base::Runtime& runtime, const FeatureSurface&
     points.position.resize(crossing.size());
     points.normal.resize(crossing.size());
     points.strength.resize(crossing.size());
-    std::atomic<std::int64_t> unresolved{0};
+    points.facing.resize(crossing.size());
+    points.resolved.resize(crossing.size());
     const base::Parallel threads = surface.implicit.threads(runtime.parallel);
     threads.for_chunks(crossing.size(), implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
@@ -207,23 +232,23 @@ FeaturePoints refine_section(const base::Runtime& runtime, const FeatureSurface&
             at->y[lane] = p.y;
             at->z[lane] = p.z;
         }
-        std::int64_t moving = end - begin;
-        for (int step = 0; step < steps && moving > 0; ++step) {
+        bool moving = true;
+        for (int step = 0; step < steps && moving; ++step) {
             at->evaluate(surface.implicit, end - begin);
-            moving = 0;
-            for (std::size_t lane = 0; lane < static_cast<std::size_t>(end - begin); ++lane)
-                moving += at->step(lane, plane, level, tolerance) ? 1 : 0;
+            moving = false;
+            for (std::int64_t i = begin; i < end; ++i)
+                moving = at->step(static_cast<std::size_t>(i - begin), plane, level, tolerance) || moving;
         }
-        unresolved += moving;
         for (std::int64_t i = begin; i < end; ++i) {
             const auto lane = static_cast<std::size_t>(i - begin);
             const glm::dvec3 n = glm::normalize(glm::dvec3(at->gx[lane], at->gy[lane], at->gz[lane]));
             points.position.set(i, {at->x[lane], at->y[lane], at->z[lane]});
             points.normal.set(i, n);
             points.strength[i] = glm::length(plane - glm::dot(plane, n) * n);
+            points.facing[i] = 1.0;
+            points.resolved[i] = at->arrived(lane, plane, level, tolerance) ? 1 : 0;
         }
     });
-    points.unresolved = unresolved;
     return points;
 }
 

@@ -8,13 +8,20 @@
 namespace hrbfnpr::curves {
 
 struct FeaturePoints {
-    explicit FeaturePoints(base::Memory& memory) noexcept : position(memory), normal(memory), strength(memory) {}
+    explicit FeaturePoints(base::Memory& memory) noexcept
+        : position(memory), normal(memory), strength(memory), facing(memory), resolved(memory) {}
 
     geometry::VecArray position;
     geometry::VecArray normal;
-    base::Array<double> strength; // at the place; unset if the kind needs no shape
-    std::int64_t unresolved = 0;
+    base::Array<double> strength; // at the place
+    base::Array<double> facing;
+    base::Array<std::uint8_t> resolved; // 0: no root was found
 };
+
+// g and all else for a request, at a place with its shape; on the far side as it is seen from there, if it is wanted.
+// There are lines where `facing` is not negative.
+[[nodiscard]] FeatureValue requested_value(const FeatureRequest& request, const ShapePoint& shape,
+                                           const glm::dvec3& position, double unit) noexcept;
 
 // The root of g on the surface between the two vertices of each crossed edge: the Illinois method (Dowell & Jarratt
 // 1971) along the edge, whose points are projected onto f = 0; all points side by side.  `value` is what the chains

@@ -3,13 +3,11 @@
 
 #include "surface/curvature.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hrbfnpr::curves {
 namespace {
-
-// Nearer to the contour, as n . v, the view-dependent curvature q1 is too large to tell anything.
-constexpr double grazing = 0.02;
 
 // The direction v to the eye: unit, in the tangent basis and along the normal.
 struct View {
@@ -36,14 +34,14 @@ struct View {
 
 // With B = -II, so that a ball has B > 0, the line is B(w, w) = 0 where D_w (B(w, w)) > 0; there
 //   D_w (B(w, w)) = -C(w, w, w) - 2 (n . v) |B w|^2   [DeCarlo 2003, appendix].
-// A side that looks away is seen with its normal turned over, which changes all signs.
 FeatureValue suggestive(const ShapePoint& shape, const View& view, double unit) noexcept {
     const glm::dvec2 bent = shape.bend(view.w);
     const double sine2 = glm::dot(view.w, view.w);
     const double rise = -glm::dot(shape.change(view.w, view.w), view.w) - 2.0 * view.facing * glm::dot(bent, bent);
     FeatureValue value;
     value.g = -glm::dot(bent, view.w);
-    value.strength = sine2 > 1e-12 ? std::copysign(1.0, view.facing) * rise / sine2 * unit * unit : 0.0;
+    value.strength = sine2 > 1e-12 ? rise / sine2 * unit * unit : 0.0;
+    value.facing = view.facing;
     return value;
 }
 
@@ -62,8 +60,9 @@ FeatureValue crest(const ShapePoint& shape, bool convex, double unit) noexcept {
 //   D_s q1^2 = 2 q1 C(x, s, s) + y^T (D_s M) y,     y = II x
 FeatureValue apparent_ridge(const ShapePoint& shape, const View& view, double unit) noexcept {
     FeatureValue value;
-    if (std::abs(view.facing) < grazing) return value;
-    const double inverse = 1.0 / view.facing;
+    value.facing = view.facing;
+    const double facing = std::copysign(std::max(std::abs(view.facing), 1e-6), view.facing);
+    const double inverse = 1.0 / facing;
     const glm::dvec2 m = inverse * view.w; // M = I + m m^T
     const glm::dvec2 bm = shape.bend(m);
     const surface::Eigen2 eigen =
@@ -77,7 +76,7 @@ FeatureValue apparent_ridge(const ShapePoint& shape, const View& view, double un
     const double facing_change = glm::dot(view.gradient_of_facing(shape), s);
     const glm::dvec2 m_change = inverse * (view.turn(shape, s) - facing_change * m);
     value.g = 2.0 * (glm::dot(shape.change(x, s), qs) + glm::dot(y, m_change) * glm::dot(y, m));
-    value.g *= std::abs(view.facing * view.facing * view.facing); // bounded at the contour
+    value.g *= std::abs(facing * facing * facing); // of the size of a curvature
     value.along = shape.in_space(s);
     value.strength = std::sqrt(eigen.high) * unit;
     return value;
@@ -86,7 +85,7 @@ FeatureValue apparent_ridge(const ShapePoint& shape, const View& view, double un
 FeatureValue parabolic(const ShapePoint& shape, double unit) noexcept {
     const glm::dvec2 gradient =
         shape.k2 * glm::dvec2(shape.c[0], shape.c[1]) + shape.k1 * glm::dvec2(shape.c[2], shape.c[3]);
-    return {shape.k1 * shape.k2 * unit * unit, glm::length(gradient) * unit * unit * unit, glm::dvec3(0.0)};
+    return {shape.k1 * shape.k2 * unit * unit, glm::length(gradient) * unit * unit * unit};
 }
 
 } // namespace
@@ -102,7 +101,7 @@ FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm:
     case FeatureKind::parabolic: return parabolic(shape, unit);
     case FeatureKind::isophote: {
         const View view(shape, position, towards);
-        return {view.facing, glm::length(view.gradient_of_facing(shape)) * unit, glm::dvec3(0.0)};
+        return {view.facing, glm::length(view.gradient_of_facing(shape)) * unit, view.facing};
     }
     case FeatureKind::section:
     case FeatureKind::level: break;

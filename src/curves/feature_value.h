@@ -35,6 +35,7 @@ enum class FeatureKind : std::uint8_t {
 struct FeatureValue {
     double g = 1.0;
     double strength = -1.0; // without a unit; not positive: no line here, whatever g is
+    double facing = 1.0;    // view-dependent kinds: n . v, v the direction to the eye or light; else 1
     glm::dvec3 along{0.0};  // directed kinds: the unit direction that g is a derivative along; both have one sign
 };
 
@@ -50,7 +51,8 @@ struct FeatureValue {
 //   isophote             n . l                                  |grad (n . l)| unit
 //
 // sin is that of the angle between the normal and the view: without it the first strength grows without bound where
-// the surface faces the eye.  Whether a ridge is one, and not a line of least curvature, is for the caller to see.
+// the surface faces the eye.  It is that of the side that `towards` looks at also where that is the inside.  Whether a
+// ridge is one, and not a line of least curvature, is for the caller to see.
 [[nodiscard]] FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm::dvec3& position,
                                          const glm::dvec4& towards, double unit) noexcept;
 
