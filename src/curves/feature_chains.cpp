@@ -10,6 +10,22 @@ namespace {
 
 constexpr std::int64_t triangles_a_task = 8192;
 
+// A root in [0, 1] of the cubic with these values and slopes at 0 and 1; the values have unlike signs.
+double cubic_root(double at_0, double at_1, double slope_0, double slope_1, double start) noexcept {
+    const double c2 = 3.0 * (at_1 - at_0) - 2.0 * slope_0 - slope_1;
+    const double c3 = slope_0 + slope_1 - 2.0 * (at_1 - at_0);
+    double low = 0.0;
+    double high = 1.0;
+    double s = start;
+    for (int step = 0; step < 8; ++step) {
+        const double g = at_0 + s * (slope_0 + s * (c2 + s * c3));
+        ((g < 0.0) == (at_0 < 0.0) ? low : high) = s;
+        const double newton = s - g / (slope_0 + s * (2.0 * c2 + s * 3.0 * c3));
+        s = newton > low && newton < high ? newton : 0.5 * (low + high);
+    }
+    return s;
+}
+
 class Edges {
 public:
     Edges(const SurfaceMesh& mesh, const base::Array<FeatureValue>& value, bool directed, double least) noexcept
@@ -26,11 +42,12 @@ public:
         const auto [a, b] = std::minmax({corner(triangle, k), corner(triangle, k + 1)});
         const double g_a = value_[a].g;
         const double g_b = turned(a, b) ? -value_[b].g : value_[b].g;
-        const double share = g_a / (g_a - g_b);
-        const double s = share >= 0.0 && share <= 1.0 ? share : 0.5;
+        const double s = root(a, b, g_a, g_b);
         const double strength = (1.0 - s) * value_[a].strength + s * value_[b].strength;
         const double facing = (1.0 - s) * value_[a].facing + s * value_[b].facing;
-        return {a, b, s, g_a, g_b, strength, strength > 0.0 && strength >= least_ && facing >= 0.0, 0.0};
+        // At a contour an apparent ridge's g has a pole, not a root.
+        const bool seen = facing >= 0.0 && (!directed_ || (value_[a].facing >= 0.0 && value_[b].facing >= 0.0));
+        return {a, b, s, g_a, g_b, strength, strength > 0.0 && strength >= least_ && seen, 0.0};
     }
     // The two edges that a line through the triangle crosses, as bits 1, 2, 4; 0: there is no line.
     [[nodiscard]] std::uint8_t crossed(std::int64_t triangle) const noexcept {
@@ -77,6 +94,17 @@ private:
     [[nodiscard]] bool negative(std::int32_t vertex) const noexcept { return value_[vertex].g < 0.0; }
     [[nodiscard]] bool turned(std::int32_t a, std::int32_t b) const noexcept {
         return directed_ && glm::dot(value_[a].along, value_[b].along) < 0.0;
+    }
+
+    // Where between a and b; by a cubic where gradients are known.
+    [[nodiscard]] double root(std::int32_t a, std::int32_t b, double g_a, double g_b) const noexcept {
+        const double linear = g_a / (g_a - g_b);
+        if (!(linear >= 0.0 && linear <= 1.0)) return 0.5;
+        if (directed_) return linear;
+        const glm::dvec3 edge = mesh_.position[b] - mesh_.position[a];
+        const double slope_a = glm::dot(value_[a].gradient, edge);
+        const double slope_b = glm::dot(value_[b].gradient, edge);
+        return slope_a != 0.0 || slope_b != 0.0 ? cubic_root(g_a, g_b, slope_a, slope_b, linear) : linear;
     }
 
     const SurfaceMesh& mesh_;

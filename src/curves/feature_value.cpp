@@ -23,7 +23,8 @@ struct View {
         facing = glm::dot(shape.normal, inverse * v);
         nearness = std::abs(towards.w) * inverse;
     }
-    // The derivative of w along the surface: D_u n = -bend(u), and v turns by -(u - v (v . u)) / distance.
+    // The derivative of w along the surface, a symmetric map: D_u n = -bend(u), and v turns by
+    // -(u - v (v . u)) / distance.
     [[nodiscard]] glm::dvec2 turn(const ShapePoint& shape, const glm::dvec2& u) const noexcept {
         return facing * shape.bend(u) - nearness * (u - glm::dot(w, u) * w);
     }
@@ -42,6 +43,7 @@ FeatureValue suggestive(const ShapePoint& shape, const View& view, double unit) 
     value.g = -glm::dot(bent, view.w);
     value.strength = sine2 > 1e-12 ? rise / sine2 * unit * unit : 0.0;
     value.facing = view.facing;
+    value.gradient = shape.in_space(-shape.change(view.w, view.w) - 2.0 * view.turn(shape, bent));
     return value;
 }
 
@@ -85,7 +87,8 @@ FeatureValue apparent_ridge(const ShapePoint& shape, const View& view, double un
 FeatureValue parabolic(const ShapePoint& shape, double unit) noexcept {
     const glm::dvec2 gradient =
         shape.k2 * glm::dvec2(shape.c[0], shape.c[1]) + shape.k1 * glm::dvec2(shape.c[2], shape.c[3]);
-    return {shape.k1 * shape.k2 * unit * unit, glm::length(gradient) * unit * unit * unit};
+    return {shape.k1 * shape.k2 * unit * unit, glm::length(gradient) * unit * unit * unit, 1.0, glm::dvec3(0.0),
+            unit * unit * shape.in_space(gradient)};
 }
 
 } // namespace
@@ -101,7 +104,8 @@ FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm:
     case FeatureKind::parabolic: return parabolic(shape, unit);
     case FeatureKind::isophote: {
         const View view(shape, position, towards);
-        return {view.facing, glm::length(view.gradient_of_facing(shape)) * unit, view.facing};
+        const glm::dvec2 gradient = view.gradient_of_facing(shape);
+        return {view.facing, glm::length(gradient) * unit, view.facing, glm::dvec3(0.0), shape.in_space(gradient)};
     }
     case FeatureKind::section:
     case FeatureKind::level: break;

@@ -34,9 +34,10 @@ enum class FeatureKind : std::uint8_t {
 
 struct FeatureValue {
     double g = 1.0;
-    double strength = -1.0; // without a unit; not positive: no line here, whatever g is
-    double facing = 1.0;    // view-dependent kinds: n . v, v the direction to the eye or light; else 1
-    glm::dvec3 along{0.0};  // directed kinds: the unit direction that g is a derivative along; both have one sign
+    double strength = -1.0;   // without a unit; not positive: no line here, whatever g is
+    double facing = 1.0;      // view-dependent kinds: n . v, v the direction to the eye or light; else 1
+    glm::dvec3 along{0.0};    // directed kinds: the unit direction that g is a derivative along; both have one sign
+    glm::dvec3 gradient{0.0}; // of g along the surface, where derivatives up to the third give it; else 0
 };
 
 // `towards`: the eye or the light, a place (w = 1) or the direction to it (w = 0).
