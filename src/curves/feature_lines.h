@@ -37,9 +37,11 @@ struct FeatureRequest {
     // draw it with (strength - lower) / (upper - lower).
     double lower = 0.0;
     double upper = 0.0;
-    double shortest = 0.0;   // lines that are not as long, in diagonals, are dropped
-    std::int32_t rounds = 6; // evaluations of g at most to find each point
-    bool far_side = false;   // view-dependent: also where the surface faces away
+    double shortest = 0.0; // lines that are not as long, in diagonals, are dropped
+    // Evaluations of g at most to find each point.  With none, points are where g is 0 by interpolation: a cubic one
+    // for suggestive contours, parabolic lines and isophotes, which is enough to draw; a linear one else.
+    std::int32_t rounds = 6;
+    bool far_side = false; // view-dependent: also where the surface faces away
 };
 
 // What is known of the surface before any line.  All of it outlives the call.

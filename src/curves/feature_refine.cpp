@@ -14,7 +14,7 @@ constexpr auto batch = static_cast<std::size_t>(implicit::batch_size);
 
 // A root is found where g is this much smaller than at the ends of its edge, and good enough if no better is found.
 constexpr double small_enough = 1e-4;
-constexpr double acceptable = 0.02;
+constexpr double acceptable = 0.1;
 
 // Apparent ridges end so near to the contour, as n . v: there their curvature q1 grows without bound.
 constexpr double grazing = 0.02;
@@ -22,12 +22,14 @@ constexpr double grazing = 0.02;
 // The search for one root between the shares low and high of an edge.
 struct Search {
     std::int64_t crossing;
+    double first;         // share of the edge to try first
     double low, high;     // shares of the edge
     double g_low, g_high; // unlike signs; Illinois halves the one that stays
     double smallest;      // |g| so far
     int side;             // which end moved last
 
     [[nodiscard]] double trial() const noexcept {
+        if (side == 0) return first;
         const double s = low + (high - low) * (g_low / (g_low - g_high));
         return s >= low && s <= high ? s : 0.5 * (low + high);
     }
@@ -52,6 +54,15 @@ void evaluate(const base::Runtime& runtime, const FeatureSurface& surface, const
               const base::Progress& progress) {
     const std::int64_t count = at.position.size();
     value.resize_for_overwrite(count);
+    if (request.kind == FeatureKind::isophote) {
+        for (std::int64_t i = 0; i < count; ++i) {
+            ShapePoint flat; // all that n . l needs
+            flat.normal = glm::normalize(at.gradient[i]);
+            value[i] = requested_value(request, flat, at.position[i], 0.0);
+            value[i].g -= level;
+        }
+        return;
+    }
     if (!needs_shape(request.kind)) {
         const base::Parallel threads = request.function->concurrent() ? runtime.parallel : base::Parallel();
         threads.for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
@@ -81,6 +92,7 @@ public:
 
     [[nodiscard]] FeaturePoints run(const base::Progress& progress) && {
         begin();
+        if (request_.rounds <= 0) project_all();
         for (std::int32_t round = 0; round < request_.rounds && !active_.empty(); ++round) this->round(progress);
         return std::move(points_);
     }
@@ -97,11 +109,21 @@ private:
             points_.strength.push_back(c.strength);
             points_.facing.push_back(glm::mix(vertex_[c.a].facing, vertex_[c.b].facing, c.share));
             points_.resolved.push_back(0);
-            active_.push_back({i, 0.0, 1.0, c.g_a, c.g_b, std::max(std::abs(c.g_a), std::abs(c.g_b)), 0});
+            active_.push_back({i, c.share, 0.0, 1.0, c.g_a, c.g_b, std::max(std::abs(c.g_a), std::abs(c.g_b)), 0});
         }
     }
     [[nodiscard]] glm::dvec3 unit(std::int32_t vertex) const noexcept {
         return glm::normalize(surface_.mesh.gradient[vertex]);
+    }
+    // Without any evaluation of g.
+    void project_all() {
+        std::swap(at_.position, points_.position);
+        surface::project(runtime_, surface_.implicit, {}, at_, {});
+        std::swap(at_.position, points_.position);
+        for (std::int64_t i = 0; i < crossing_.size(); ++i) {
+            points_.resolved[i] = at_.status[i] == surface::ProjectionStatus::converged ? 1 : 0;
+            if (points_.resolved[i] != 0) points_.normal.set(i, glm::normalize(at_.gradient[i]));
+        }
     }
     void round(const base::Progress& progress) {
         const SurfaceMesh& mesh = surface_.mesh;
@@ -131,7 +153,7 @@ private:
             search.smallest = std::abs(g);
             points_.position.set(search.crossing, at_.position[i]);
             points_.normal.set(search.crossing, glm::normalize(at_.gradient[i]));
-            points_.strength[search.crossing] = value.strength;
+            if (request_.kind != FeatureKind::isophote) points_.strength[search.crossing] = value.strength;
             points_.facing[search.crossing] = value.facing;
             points_.resolved[search.crossing] = search.smallest <= acceptable * largest ? 1 : 0;
         }
@@ -254,35 +276,33 @@ FeaturePoints refine_section(const base::Runtime& runtime, const FeatureSurface&
 
 void weigh_by_drop(const base::Runtime& runtime, const FeatureSurface& surface, FeatureKind kind, FeaturePoints& points,
                    const base::Progress& progress) {
+    const bool convex = kind == FeatureKind::ridge;
+    const auto bend = [&](const ShapePoint& s) { return convex ? -s.k2 : s.k1; };
     const std::int64_t count = points.position.size();
-    const double step = 0.25 * surface.mesh.side;
-    const double unit = surface.implicit.diagonal();
-    surface::Projection at(runtime.memory);
-    for (std::int64_t i = 0; i < count; ++i) at.position.push_back(points.position[i]);
-    surface::project(runtime, surface.implicit, {}, at, {});
-    base::Array<ShapePoint> here(runtime.memory);
-    measure_shape(runtime, surface.source, at.position, at.gradient, here, progress);
+    const double least = 2.0 * surface.mesh.side;
+    const double most = std::max(least, 0.1 * surface.implicit.diagonal());
+    surface::Projection here(runtime.memory);
+    for (std::int64_t i = 0; i < count; ++i) here.position.push_back(points.position[i]);
+    surface::project(runtime, surface.implicit, {}, here, {});
+    base::Array<ShapePoint> shape(runtime.memory);
+    measure_shape(runtime, surface.source, here.position, here.gradient, shape, progress);
     surface::Projection aside(runtime.memory);
-    aside.position.resize(2 * count);
-    const auto along = [&](std::int64_t i) { return kind == FeatureKind::ridge ? here[i].d2() : here[i].d1; };
+    base::Array<double> curvature(runtime.memory, count);
+    base::Array<double> turn(runtime.memory, count);
     for (std::int64_t i = 0; i < count; ++i) {
-        aside.position.set(2 * i, points.position[i] - step * along(i));
-        aside.position.set(2 * i + 1, points.position[i] + step * along(i));
+        curvature[i] = bend(shape[i]);
+        const double step = curvature[i] > 0.0 ? std::clamp(0.5 / curvature[i], least, most) : least;
+        turn[i] = step * curvature[i];
+        const glm::dvec3 along = convex ? shape[i].d2() : shape[i].d1;
+        aside.position.push_back(points.position[i] - step * along);
+        aside.position.push_back(points.position[i] + step * along);
     }
     surface::project(runtime, surface.implicit, {}, aside, {});
-    base::Array<ShapePoint> shape(runtime.memory);
     measure_shape(runtime, surface.source, aside.position, aside.gradient, shape, progress);
-    const double sign = kind == FeatureKind::ridge ? 1.0 : -1.0; // a ridge's k is least
     for (std::int64_t i = 0; i < count; ++i) {
-        std::array<double, 2> g;
-        for (int k = 0; k < 2; ++k) {
-            const FeatureValue value =
-                feature_value(kind, shape[2 * i + k], aside.position[2 * i + k], glm::dvec4(0.0), unit);
-            g[static_cast<std::size_t>(k)] = glm::dot(value.along, along(i)) < 0.0 ? -value.g : value.g;
-        }
-        const double k = kind == FeatureKind::ridge ? here[i].k2 : here[i].k1;
-        const double drop = sign * (g[1] - g[0]) / (2.0 * step) / std::abs(k * k * k);
-        points.strength[i] *= std::isfinite(drop) ? std::clamp(drop / full_drop, 0.0, 1.0) : 0.0;
+        const double mean = 0.5 * (bend(shape[2 * i]) + bend(shape[2 * i + 1]));
+        const double drop = 2.0 * (1.0 - mean / curvature[i]) / (turn[i] * turn[i]);
+        points.strength[i] *= turn[i] > 0.0 ? std::clamp(drop / full_drop, 0.0, 1.0) : 0.0;
     }
 }
 

@@ -38,8 +38,10 @@ struct FeaturePoints {
                                            const base::Array<FeatureCrossing>& crossing,
                                            const base::Progress& progress);
 
-// Ridges and valleys: multiplies strengths by how much the curvature drops to both sides, as a share of its own cube
-// (there the drop has its scale), from 0 for none, as on a cylinder, to 1 where it is `full_drop`.
+// Ridges and valleys: multiplies strengths by how much the curvature drops to both sides, from 0 for none, as on a
+// cylinder, to 1 where it is `full_drop`.  What is measured is 2 (1 - k' / k) / (k s)^2, which for small s is
+// -k'' / k^3, at s = 1 / 2k, a turn of half a radian, but two cells at least: derivatives at the place itself would
+// take the ripple of a fit for ridges.
 void weigh_by_drop(const base::Runtime& runtime, const FeatureSurface& surface, FeatureKind kind, FeaturePoints& points,
                    const base::Progress& progress);
 
