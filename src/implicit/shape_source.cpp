@@ -95,4 +95,16 @@ void DifferencedShape::evaluate(const PointBatch& points, const ThirdBatch& out)
     }
 }
 
+void ScaledShape::evaluate(const PointBatch& points, const ThirdBatch& out) const {
+    std::array<std::array<double, batch>, 3> at;
+    const std::array<const double*, 3> from = {points.x, points.y, points.z};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        std::transform(from[axis], from[axis] + points.count, at[axis].begin(), [&](double x) { return unit_ * x; });
+    own_.evaluate({at[0].data(), at[1].data(), at[2].data(), points.count}, out);
+    for (double* h : out.hessian)
+        for (std::int64_t i = 0; i < points.count; ++i) h[i] *= unit_;
+    for (double* t : out.third)
+        for (std::int64_t i = 0; i < points.count; ++i) t[i] *= unit_ * unit_;
+}
+
 } // namespace hrbfnpr::implicit

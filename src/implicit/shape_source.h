@@ -66,4 +66,18 @@ private:
     double step_;
 };
 
+// Of an implicit in another unit of length, as implicit/scaled.h has it: g(y) = f(unit y) / unit.
+class ScaledShape final : public ShapeSource {
+public:
+    // `own` lives as long as this.
+    ScaledShape(const ShapeSource& own, double unit) noexcept : own_(own), unit_(unit) {}
+
+    void evaluate(const PointBatch& points, const ThirdBatch& out) const override;
+    [[nodiscard]] bool concurrent() const noexcept override { return own_.concurrent(); }
+
+private:
+    const ShapeSource& own_;
+    double unit_;
+};
+
 } // namespace hrbfnpr::implicit

@@ -4,6 +4,8 @@
 
 #include "feature_shapes.h"
 #include "fit/shapes.h"
+#include "geometry/tangent_frame.h"
+#include "surface/project.h"
 
 #include <gtest/gtest.h>
 
@@ -84,6 +86,65 @@ TEST(FittedFeatures, SuggestiveContoursAreThoseOfADenseReference) {
             EXPECT_GE(recall, 0.99) << rounds;
         }
     }
+}
+
+// How far the parabolic lines of a fitted torus are from its circles on average, in spacings.
+double off_circles(const fit_test::Cloud& cloud, double smoothing) {
+    const Fitted fitted(cloud, smoothing);
+    const double spacing = fitted.hrbf.data().spacing;
+    FeatureRequest request;
+    request.kind = FeatureKind::parabolic;
+    const FeatureLines found = fitted.meshed(0.5 * spacing).find(runtime(), request);
+    EXPECT_EQ(found.lines(), 2);
+    double sum = 0.0;
+    for (std::int64_t i = 0; i < found.position.size(); ++i) {
+        const glm::dvec3 p = found.position[i];
+        sum += std::hypot(std::hypot(p.x, p.y) - 1.0, std::abs(p.z) - 0.4);
+    }
+    return sum / static_cast<double>(found.position.size()) / spacing;
+}
+
+// By its square: 0.3 spacings of smoothing move a line by some thousandth of a spacing.
+TEST(FittedFeatures, SmoothingMovesLinesLittle) {
+    const fit_test::Cloud cloud = fit_test::torus(1000);
+    EXPECT_LT(off_circles(cloud, 0.05), 1e-3);
+    EXPECT_LT(off_circles(cloud, implicit::ordinary_smoothing), 3e-3);
+    EXPECT_GT(off_circles(cloud, 1.0), 1e-2) << "or nothing was smoothed";
+}
+
+// The largest difference of what C is on four sides of a sample, a thousandth of a spacing away, over the mean |C|.
+double spread_at_samples(const Fitted& fitted) {
+    const implicit::HrbfData& data = fitted.hrbf.data();
+    surface::Projection around(runtime().memory);
+    for (std::int64_t i = 0; i < data.count(); ++i) {
+        const glm::dvec3 p(data.sample_position[3 * i], data.sample_position[3 * i + 1],
+                           data.sample_position[3 * i + 2]);
+        const glm::dvec3 n(data.sample_normal[3 * i], data.sample_normal[3 * i + 1], data.sample_normal[3 * i + 2]);
+        const glm::dvec3 u = geometry::any_perpendicular(n);
+        const glm::dvec3 v = glm::cross(n, u);
+        for (const glm::dvec3& side : {u, v, -u, -v}) around.position.push_back(p + 1e-3 * data.spacing * side);
+    }
+    surface::project(runtime(), fitted.hrbf, {}, around, {});
+    base::Array<ShapePoint> shape(runtime().memory);
+    measure_shape(runtime(), fitted.source, around.position, around.gradient, shape, {});
+    double spread = 0.0;
+    double size = 0.0;
+    for (std::int64_t i = 0; i < shape.size(); ++i) {
+        // C(u, u, u) for one u in space, whatever the principal directions are.
+        const auto along = [&](const ShapePoint& s) {
+            const glm::dvec2 u = glm::normalize(s.in_tangent(geometry::any_perpendicular(shape[i].normal)));
+            return glm::dot(s.change(u, u), u);
+        };
+        spread = std::max(spread, std::abs(along(shape[i]) - along(shape[i - i % 4])));
+        size += std::abs(along(shape[i]));
+    }
+    return spread * static_cast<double>(shape.size()) / size;
+}
+
+TEST(FittedFeatures, SmoothingMendsDerivativesAtSamples) {
+    const fit_test::Cloud cloud = fit_test::bumpy(1000);
+    EXPECT_GT(spread_at_samples(Fitted(cloud, 1e-6)), 10.0);
+    EXPECT_LT(spread_at_samples(Fitted(cloud, implicit::ordinary_smoothing)), 0.3);
 }
 
 TEST(FittedFeatures, ASphereHasNone) {

@@ -2,6 +2,7 @@
 #include "implicit/hermite_thirds.h"
 
 #include "fields.h"
+#include "implicit/scaled.h"
 #include "implicit/shape_source.h"
 #include "kernel/polynomial.h"
 #include "support/analytic.h"
@@ -248,6 +249,23 @@ TEST(DifferencedShape, DifferencesHessiansOfAPolynomial) {
         const std::array<double, 10> expected = {6 * y, 6 * x, 0, 0, 2 * z, 2 * y, 0, 0, 2 * x, 6 * z};
         for (std::size_t c = 0; c < 10; ++c) EXPECT_NEAR(at.third[c][i], expected[c], 1e-10) << c;
     }
+}
+
+TEST(ScaledShape, IsThatOfTheScaledFunction) {
+    const hrbfnpr::test::Torus torus(40.0, 15.0);
+    const implicit::Scaled scaled(torus, 32.0);
+    const implicit::DifferencedShape own(torus);
+    const implicit::ScaledShape shape(own, 32.0);
+    const implicit::DifferencedShape expected(scaled);
+    Points points;
+    for (int i = 0; i < 40; ++i)
+        points.add({1.0 + 0.3 * scatter(i), 0.4 * scatter(i + 50), 0.2 + 0.1 * scatter(i + 90)});
+    Thirds found(points.size());
+    Thirds differenced(points.size());
+    shape.evaluate(points.batch(), found.batch());
+    expected.evaluate(points.batch(), differenced.batch());
+    expect_near(found.hessian, differenced.hessian, 1e-12, "scaled");
+    expect_near(found.third, differenced.third, 1e-9, "scaled");
 }
 
 } // namespace
