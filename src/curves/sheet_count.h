@@ -7,6 +7,7 @@
 #include "base/operation.h"
 #include "base/runtime.h"
 #include "curves/surface_mesh.h"
+#include "curves/triangle_tree.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
@@ -17,26 +18,26 @@ namespace hrbfnpr::curves {
 // Made once for a mesh, which must outlive it; const afterwards, for any number of threads.
 class SheetCounter {
 public:
-    SheetCounter(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress);
-    ~SheetCounter();
-    SheetCounter(const SheetCounter&) = delete;
-    SheetCounter& operator=(const SheetCounter&) = delete;
+    SheetCounter(const base::Runtime& runtime, const SurfaceMesh& mesh) : mesh_(mesh), tree_(runtime, mesh) {}
 
     struct Answer {
         std::int32_t sheets = 0;
         bool certain = true; // false: the segment grazes the surface, or its two counts do not agree
     };
-    // The crossings of f = 0 with the open segments from[i] to to[i].  `to` may itself lie on the surface: crossings
-    // nearer to it than clear[i] are not counted.  answer is resized.
+    // The crossings of f = 0 with the open segments from[i] to to[i], as far as the mesh goes.  `to` may itself lie on
+    // the surface: crossings nearer to it than clear[i] are not counted.  answer is resized.
+    //
+    // Triangles say where to look, and within these intervals f and its slope along the segment decide; both are
+    // counted.  Beside an end of the segment f alone is asked: there the triangles are not near enough to the surface.
     void count(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& from,
                const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Answer>& answer,
                const base::Progress& progress) const;
 
-    [[nodiscard]] std::int64_t bytes() const noexcept;
+    [[nodiscard]] std::int64_t bytes() const noexcept { return tree_.bytes(); }
 
 private:
-    struct Impl;
-    Impl* impl_;
+    const SurfaceMesh& mesh_;
+    TriangleTree tree_;
 };
 
 } // namespace hrbfnpr::curves

@@ -49,7 +49,7 @@ void TriangleTree::visit(Meets&& meets, Visit&& visit) const {
     std::size_t depth = 1;
     while (depth > 0) {
         const std::int64_t node = stack[--depth];
-        if (!meets(box_[node])) continue;
+        if (box_[node].empty() || !meets(box_[node])) continue;
         if (node < leaves_) {
             stack[depth++] = 2 * node + 1;
             stack[depth++] = 2 * node;

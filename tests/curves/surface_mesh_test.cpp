@@ -91,11 +91,226 @@ INSTANTIATE_TEST_SUITE_P(
         Shape{"shell",
               [] { return any(cube(1.1), Shell{0.09}); },
               {{0, 0, 1}, {0, .91, 0}},
-              0.08,
+              0.05,
               4,
               4 * pi*(1.0 + 0.91 * 0.91)},
         Shape{"linked_tori", [] { return std::make_unique<TwoTori>(); }, {{1.3, 0, 0}, {1, 0, 1.3}}, 0.05, 0, 0.0}),
     [](const testing::TestParamInfo<Shape>& shape) { return std::string(shape.param.name); });
+
+// The mesh of a sphere that is cut by its region at z = 0.3.
+TEST(SurfaceMesh, EndsWhereTheRegionEnds) {
+    const base::Runtime runtime = with_threads(2);
+    const Sphere sphere;
+    MeshSettings half = settings(sphere, 0.05);
+    half.region.max.z = 0.3;
+    const SurfaceMesh mesh = triangulate(runtime, sphere, seeds(runtime, {{0, 0, -1}}), half, {});
+    const Measures found = measure(mesh, sphere);
+    EXPECT_EQ(found.euler, 1);
+    EXPECT_EQ(found.bad_edges, 0);
+    EXPECT_EQ(found.bad_across, 0);
+    EXPECT_GT(found.border, 100);
+    EXPECT_NEAR(found.area, 2 * pi * 1.3, 0.01 * 2 * pi * 1.3);
+    std::int64_t on_border = 0;
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t)
+        for (std::int64_t k = 0; k < 3; ++k)
+            if (mesh.neighbour[3 * t + k] < 0) {
+                ++on_border;
+                EXPECT_NEAR(test_checks::corner(mesh, t, k).z, 0.3, 1e-12);
+                EXPECT_NEAR(test_checks::corner(mesh, t, k + 1).z, 0.3, 1e-12);
+            }
+    EXPECT_EQ(on_border, found.border);
+    for (std::int64_t i = 0; i < mesh.vertices(); ++i) ASSERT_TRUE(half.region.contains(mesh.position[i]));
+}
+
+TEST(SurfaceMesh, ReachesOnlyPartsWithASeed) {
+    const base::Runtime runtime = with_threads(2);
+    const AnyField both(cube(1.2), two_spheres);
+    const SurfaceMesh mesh = triangulate(runtime, both, seeds(runtime, {{.6, .1, .1}}), settings(both, 0.04), {});
+    EXPECT_EQ(measure(mesh, both).euler, 2);
+    EXPECT_NEAR(measure(mesh, both).area, 4 * pi * 0.09, 0.01 * 4 * pi * 0.09);
+    EXPECT_EQ(triangulate(runtime, both, seeds(runtime, {}), settings(both, 0.04), {}).triangles(), 0);
+    // Outside of the region, and far from the surface.
+    EXPECT_EQ(
+        triangulate(runtime, both, seeds(runtime, {{9, 9, 9}, {.6, -.2, .1}}), settings(both, 0.04), {}).triangles(),
+        0);
+}
+
+// The seed's own cell has all corners on one side: the cap above it is lower than the cell.
+TEST(SurfaceMesh, FindsTheSurfaceFromASeedBesideIt) {
+    const base::Runtime runtime = with_threads(2);
+    const Sphere sphere;
+    for (int k = 0; k < 200; ++k) {
+        const auto at = spiral_point(k, 200);
+        const glm::dvec3 n(at[0], at[1], at[2]);
+        const SurfaceMesh mesh =
+            triangulate(runtime, sphere, seeds(runtime, {n * (1.0 + 0.09 * std::sin(k))}), settings(sphere, 0.2), {});
+        ASSERT_EQ(measure(mesh, sphere).euler, 2) << k;
+        ASSERT_EQ(mesh.missed_seeds, 0);
+    }
+}
+
+// The pole is in the middle of a cell's face, and a little above it: the cell has all corners outside.
+TEST(SurfaceMesh, FindsTheSurfaceFromACellWithoutAChangeOfSign) {
+    const base::Runtime runtime = with_threads(2);
+    const Sphere sphere;
+    MeshSettings cells;
+    cells.side = 0.2001;
+    cells.region = {{-1.1, -1.1, -1.205}, {1.1, 1.1, 1.195}};
+    const SurfaceMesh mesh = triangulate(runtime, sphere, seeds(runtime, {{0, 0, 1}}), cells, {});
+    EXPECT_EQ(measure(mesh, sphere).euler, 2);
+    EXPECT_EQ(mesh.missed_seeds, 0);
+}
+
+// A small sphere that no corner is in.
+TEST(SurfaceMesh, CountsSeedsOfPartsThatCellsMiss) {
+    const base::Runtime runtime = with_threads(2);
+    const AnyField two(cube(1.0), [](const glm::dvec3& p) {
+        const double large = glm::length(p) - 0.6;
+        const glm::dvec3 q = p - glm::dvec3(0.83, 0.83, 0.83);
+        const double small = glm::length(q) - 0.02;
+        return large < small ? Field{large, p / glm::length(p), {}} : Field{small, q / glm::length(q), {}};
+    });
+    MeshSettings coarse = settings(two, 0.1);
+    const glm::dvec3 small(0.85, 0.83, 0.83);
+    geometry::VecArray seed = seeds(runtime, {{0.6, 0, 0}, {0, 0.6, 0}, small, small - glm::dvec3(0.04, 0, 0)});
+    EXPECT_EQ(triangulate(runtime, two, seed, coarse, {}).missed_seeds, 2);
+    coarse.side = 0.01;
+    EXPECT_EQ(triangulate(runtime, two, seed, coarse, {}).missed_seeds, 0);
+}
+
+// It is near triangles, but they face the other way.
+TEST(SurfaceMesh, CountsMissedSeedsBesideAnotherPart) {
+    const base::Runtime runtime = with_threads(2);
+    const AnyField drop(cube(1.0), [](const glm::dvec3& p) {
+        const glm::dvec3 q = p - glm::dvec3(0.03, 0.02, 0.1);
+        const double small = glm::length(q) - 0.02;
+        return p.z < small ? Field{p.z, {0, 0, 1}, {}} : Field{small, q / glm::length(q), {}};
+    });
+    const geometry::VecArray seed = seeds(runtime, {{0.5, 0, 0}, {0.03, 0.02, 0.08}});
+    MeshSettings cells;
+    cells.side = 0.1501;
+    cells.region = {{-1.05, -1.05, -1.125}, {1.05, 1.05, 1.125}};
+    EXPECT_EQ(triangulate(runtime, drop, seed, cells, {}).missed_seeds, 1);
+}
+
+TEST(SurfaceMesh, SaysWhereAWallIsTooThin) {
+    const base::Runtime runtime = with_threads(2);
+    const AnyField shell(cube(1.1), Shell{0.03});
+    EXPECT_GT(triangulate(runtime, shell, seeds(runtime, {{0, 0, 1}}), settings(shell, 0.06), {}).turned, 0);
+}
+
+void expect_same(const SurfaceMesh& a, const SurfaceMesh& b) {
+    EXPECT_TRUE(same_bits(a.position.x, b.position.x) && same_bits(a.position.y, b.position.y) &&
+                same_bits(a.position.z, b.position.z));
+    EXPECT_TRUE(same_bits(a.gradient.x, b.gradient.x) && same_bits(a.corner, b.corner) &&
+                same_bits(a.neighbour, b.neighbour));
+    EXPECT_EQ(a.missed_seeds, b.missed_seeds);
+}
+
+TEST(SurfaceMesh, IsTheSameForAnyNumberOfThreads) {
+    const TwoTori tori;
+    const base::Runtime alone = with_threads(1);
+    const auto mesh = [&](const base::Runtime& runtime, const implicit::Implicit& of) {
+        return triangulate(runtime, of, seeds(runtime, {{1.3, 0, 0}, {1, 0, 1.3}}), settings(of, 0.05), {});
+    };
+    const SurfaceMesh one = mesh(alone, tori);
+    for (const int threads : {2, 3, 7}) expect_same(one, mesh(with_threads(threads), tori));
+    TwoTori serial;
+    serial.is_concurrent = false;
+    expect_same(one, mesh(with_threads(3), serial));
+    EXPECT_FALSE(serial.strange_thread);
+}
+
+TEST(SurfaceMesh, TooManyTrianglesNameTheRemedy) {
+    const base::Runtime runtime = with_threads(2);
+    const Sphere sphere;
+    MeshSettings fine = settings(sphere, 0.05);
+    const geometry::VecArray seed = seeds(runtime, {{0, 0, 1}});
+    const std::int64_t triangles = triangulate(runtime, sphere, seed, fine, {}).triangles();
+    fine.triangle_limit = triangles;
+    EXPECT_EQ(triangulate(runtime, sphere, seed, fine, {}).triangles(), triangles);
+    const auto refused = [&] {
+        try {
+            static_cast<void>(triangulate(runtime, sphere, seed, fine, {}));
+        } catch (const Error& error) {
+            return error.status() == Status::invalid_argument &&
+                   std::string(error.what()).find("larger side") != std::string::npos;
+        }
+        return false;
+    };
+    --fine.triangle_limit;
+    EXPECT_TRUE(refused());
+    fine.triangle_limit = 1000;
+    const std::int64_t before = sphere.evaluations;
+    fine.side = 1e-4;
+    EXPECT_TRUE(refused());
+    EXPECT_LT(sphere.evaluations - before, 100000) << "it is found in time";
+    fine.side = 1e-9; // more cells along an axis than can be numbered
+    EXPECT_TRUE(refused());
+}
+
+TEST(SurfaceMesh, IsCancelled) {
+    const base::Runtime runtime = with_threads(2);
+    const Sphere sphere;
+    for (const double at : {0.01, 0.2, 0.5, 0.8}) {
+        WatchedOperation operation(at);
+        EXPECT_THROW(static_cast<void>(triangulate(runtime, sphere, seeds(runtime, {{0, 0, 1}}), settings(sphere, 0.02),
+                                                   operation.progress())),
+                     Error)
+            << at;
+        EXPECT_FALSE(operation.watcher.fell());
+    }
+}
+
+// f is no number in a ball around a pole and in a thin layer that cells hardly meet.
+TEST(SurfaceMesh, LeavesOutWhereThereIsNoNumber) {
+    const base::Runtime runtime = with_threads(2);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const AnyField holed(cube(1.0), [&](const glm::dvec3& p) {
+        const double r = glm::length(p);
+        if (p.z > 0.9 || std::abs(p.z + 0.30101) < 1e-4) return Field{nan, glm::dvec3(nan), {}};
+        return Field{r - 1.0, p / r, {}};
+    });
+    const SurfaceMesh mesh = triangulate(runtime, holed, seeds(runtime, {{1, 0, 0}}), settings(holed, 0.05), {});
+    const Measures found = measure(mesh, Sphere());
+    EXPECT_EQ(found.euler, 1);
+    EXPECT_EQ(found.bad_edges, 0);
+    EXPECT_EQ(found.bad_across, 0);
+    EXPECT_GT(found.border, 10);
+    EXPECT_NEAR(found.area, 2 * pi * 1.9, 0.2);
+    EXPECT_EQ(mesh.gradient.size(), mesh.position.size());
+    std::int64_t off = 0;
+    for (std::int64_t i = 0; i < mesh.vertices(); ++i) {
+        ASSERT_TRUE(std::isfinite(glm::length(mesh.position[i])) && std::isfinite(glm::length(mesh.gradient[i])));
+        if (std::abs(glm::length(mesh.position[i]) - 1.0) > 1e-8) ++off;
+    }
+    EXPECT_LE(off, mesh.unresolved);
+}
+
+TEST(SurfaceMesh, CostsTwoEvaluationsAVertex) {
+    const base::Runtime runtime = with_threads(2);
+    const AnyField quartic(cube(1.2), two_holes);
+    const SurfaceMesh mesh = triangulate(runtime, quartic, seeds(runtime, {{0, 0, .2}}), settings(quartic, 0.03), {});
+    EXPECT_LT(quartic.evaluations, 3 * mesh.vertices());
+}
+
+TEST(SurfaceMesh, FailsCleanlyWithoutMemory) {
+    const Sphere sphere;
+    std::int64_t failures = 0;
+    for (std::int64_t k = 1; k < 60; k += 3) {
+        Allocator allocator;
+        allocator.refuse_at = k;
+        const base::Runtime runtime = with_allocator(allocator);
+        try {
+            static_cast<void>(triangulate(runtime, sphere, seeds(runtime, {{0, 0, 1}}), settings(sphere, 0.2), {}));
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status(), Status::out_of_memory);
+            ++failures;
+        }
+        EXPECT_EQ(runtime.memory.bytes_now(), 0);
+    }
+    EXPECT_GT(failures, 5);
+}
 
 } // namespace
 } // namespace hrbfnpr::curves

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "curves/sheet_count.h"
+
+#include "base/list.h"
+#include "curves/near_spans.h"
+#include "curves/span_roots.h"
+
+namespace hrbfnpr::curves {
+namespace {
+
+constexpr std::int64_t grain = 16; // segments of a task
+
+void append(Spans& all, const Spans& some) {
+    for (const Span& span : some.span) all.span.push_back(span);
+    for (const double place : some.place) all.place.push_back(place);
+}
+
+// Between two spans of a line there is no surface.
+void compare(const Spans& spans, const base::Array<RootCount>& count, base::Array<SheetCounter::Answer>& answer) {
+    for (std::int64_t i = 0; i < spans.span.size(); ++i) {
+        const Span& span = spans.span[i];
+        SheetCounter::Answer& of = answer[span.line];
+        of.sheets += count[i].roots;
+        const bool beside_end = span.line_begins || span.line_ends;
+        const bool jumps =
+            i > 0 && spans.span[i - 1].line == span.line && count[i - 1].negative_at_end != count[i].negative_at_begin;
+        if (!count[i].certain || jumps || (!beside_end && count[i].roots != span.crossings)) of.certain = false;
+    }
+}
+
+} // namespace
+
+void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                         const geometry::VecArray& from, const geometry::VecArray& to, const base::Array<double>& clear,
+                         base::Array<Answer>& answer, const base::Progress& progress) const {
+    const std::int64_t segments = from.size();
+    base::Array<Line> lines(runtime.memory, segments);
+    base::List<Spans> found(runtime.memory);
+    found.reserve((segments + grain - 1) / grain);
+    for (std::int64_t k = 0; k < segments; k += grain) found.add(runtime.memory);
+    runtime.parallel.for_chunks(segments, grain, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        SpanFinder finder(mesh_, tree_, runtime.memory);
+        for (std::int64_t i = begin; i < end; ++i) {
+            lines[i] = Line(mesh_.region, from[i], to[i], clear[i]);
+            finder.find(lines[i], i, found[begin / grain]);
+        }
+    });
+    Spans spans(runtime.memory);
+    for (const Spans& some : found) append(spans, some);
+    base::Array<RootCount> roots(runtime.memory);
+    count_roots(runtime, implicit, lines, spans, roots, progress);
+    answer.resize(segments);
+    std::fill(answer.begin(), answer.end(), Answer{});
+    compare(spans, roots, answer);
+    progress.update(1.0);
+}
+
+} // namespace hrbfnpr::curves
