@@ -25,6 +25,11 @@ struct Radial {
 // in the direction of d, so 0 is their mean over all directions.
 [[nodiscard]] Radial radial(Kind kind, double radius, double r) noexcept;
 
+// The next of these functions, c'/r, of which fourth derivatives of psi are made:
+//   fourth = b (3 terms delta delta) + c (6 terms delta d d) + (c'/r) d d d d
+// For r > 0; of the triharmonic and Wendland it grows without bound towards r = 0.
+[[nodiscard]] double radial_fourth(Kind kind, double radius, double r) noexcept;
+
 // phi scales as s^exponent when the points and the radius scale by s (3 for r^3, else 0).
 [[nodiscard]] constexpr int homogeneity(Kind kind) noexcept { return kind == Kind::triharmonic ? 3 : 0; }
 

@@ -66,4 +66,13 @@ PolynomialField polynomial(std::int32_t degree, const double* coefficients, cons
     return field;
 }
 
+std::array<double, 10> polynomial_thirds(std::int32_t degree, const double* coefficients) noexcept {
+    // x^a y^b z^c of degree 3, differentiated by its own powers, is a! b! c!.
+    constexpr std::array<double, 10> factorials = {6, 2, 2, 2, 1, 2, 6, 2, 2, 6};
+    std::array<double, 10> third{};
+    if (degree < 3) return third;
+    for (std::size_t k = 0; k < third.size(); ++k) third[k] = factorials[k] * coefficients[10 + k];
+    return third;
+}
+
 } // namespace hrbfnpr::kernel

@@ -34,4 +34,7 @@ struct PolynomialField {
 // The polynomial with polynomial_size(degree) coefficients at p.
 [[nodiscard]] PolynomialField polynomial(std::int32_t degree, const double* coefficients, const glm::dvec3& p) noexcept;
 
+// Its third derivatives, which are the same everywhere: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
+[[nodiscard]] std::array<double, 10> polynomial_thirds(std::int32_t degree, const double* coefficients) noexcept;
+
 } // namespace hrbfnpr::kernel

@@ -101,6 +101,17 @@ TEST(Radial, WendlandVanishesFromItsRadiusOn) {
     }
 }
 
+TEST(Radial, FourthIsTheDerivativeOfC) {
+    for (const Case& c : cases) {
+        for (const double r : {0.3, 0.9, 1.7, 2.5}) {
+            const double h = 1e-5;
+            const double slope = (radial(c.kind, c.radius, r + h).c - radial(c.kind, c.radius, r - h).c) / (2.0 * h);
+            const double fourth = hrbfnpr::kernel::radial_fourth(c.kind, c.radius, r);
+            EXPECT_NEAR(fourth, slope / r, 1e-7 * (1.0 + std::abs(fourth))) << describe(c, r);
+        }
+    }
+}
+
 TEST(Radial, ScalesWithItsHomogeneity) {
     for (const Case& c : cases) {
         const double s = 3.5;
