@@ -146,7 +146,7 @@ public:
 
 private:
     [[nodiscard]] bool has(std::int64_t triangle, int k) const noexcept {
-        return (crossed_[triangle] >> static_cast<unsigned>(k) & 1U) != 0;
+        return (crossed_[triangle] & (1U << static_cast<unsigned>(k))) != 0;
     }
     // From its edge `entry` on, to the end or back to the beginning; what is passed is crossed no more.
     void walk(std::int64_t triangle, int entry) {
