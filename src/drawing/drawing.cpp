@@ -38,6 +38,7 @@ Drawing::Drawing(base::Memory& memory) noexcept
       posed_direction(memory) {}
 
 void Drawing::clear() noexcept {
+    line_counts = LineCounts{};
     counts = {};
     one_color = true;
     dot_count = 0;

@@ -27,10 +27,11 @@ enum class Painting : std::uint8_t {
 // Ink of one layer of one item's marks, of one class.
 struct Layer {
     std::int32_t item = 0;
-    std::int32_t layer = 0; // of the item's point set
+    std::int32_t layer = 0; // of the item's point set; -1: of lines
     MarkClass mark_class = MarkClass::front;
     bool as_strokes = false;
-    glm::vec4 ink{0.0F}; // straight RGBA
+    glm::vec4 ink{0.0F};     // straight RGBA
+    std::int32_t lines = -1; // of the style's lists of lines, where `layer` is -1
 };
 
 // Counted while the drawing was made; hrbfnpr_drawing_info says what each is.
@@ -41,6 +42,12 @@ struct Counts {
     std::int64_t scratch_bytes = 0;
 
     Counts& operator+=(const Counts& other) noexcept; // but for times and bytes
+};
+
+// Of lines, counted while the drawing was made; hrbfnpr_drawing_info says what each is.
+struct LineCounts {
+    std::int64_t curves = 0, cusps = 0, crossings = 0, broken = 0, settled = 0, contradictions = 0;
+    std::int64_t nanoseconds = 0;
 };
 
 // The marks of one layer of one item: where their ids begin, and where the marks are if they have moved.
@@ -81,6 +88,7 @@ struct Drawing {
     glm::vec4 paper{1.0F};
     Painting painting = Painting::transmittance;
     Counts counts;
+    LineCounts line_counts;
 
     base::Array<Layer> layers;
     // All inks have one colour: then their order does not matter.

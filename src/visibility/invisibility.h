@@ -14,6 +14,7 @@ struct Interval {
     double begin_share, end_share;
     double begin_at, end_at; // along the line, pixels; the end of one round a closed line may be beyond the line's
     std::int32_t sheets;     // before it
+    bool begins_at_cusp, ends_at_cusp;
 };
 
 struct InvisibilityReport {

@@ -25,6 +25,7 @@ FLOORS = {
     "output/vector": 9,
     "output/vertex": 9,
     "frame/depth_layers": 9,
+    "frame/lines": 9,
     "frame/published": 9,
     "frame/scene": 8,
     "generate": 8,

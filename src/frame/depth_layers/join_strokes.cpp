@@ -12,8 +12,34 @@ namespace hrbfnpr::frame {
 using drawing::Stroke;
 using drawing::StrokePoint;
 
-void StrokeJoiner::run(const Scene& scene, drawing::Drawing& drawing) {
+void StrokeJoiner::run(const Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing) {
     found_.clear();
+    find_joined(scene, drawing);
+    for (std::int64_t i = 0; i < lines.strokes.size(); ++i) found_.push_back({-1, lines.strokes[i].depth, i, 0});
+    if (found_.empty()) return;
+    keys_.clear();
+    for (std::int64_t i = 0; i < found_.size(); ++i)
+        keys_.push_back(drawing::far_first_key(found_[i].depth, static_cast<std::uint32_t>(i)));
+    order_.sort(runtime_.parallel, keys_);
+    for (const std::uint64_t key : keys_) {
+        const Found& found = found_[static_cast<std::uint32_t>(key)];
+        if (found.run < 0)
+            put(lines, found.begin, drawing);
+        else
+            put(scene, found, drawing);
+    }
+    drawing::bin_segments(runtime_.parallel, drawing);
+}
+
+void StrokeJoiner::put(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing) {
+    Stroke stroke = lines.strokes[number];
+    const std::int64_t first = stroke.first;
+    stroke.first = drawing.points.size();
+    for (std::int64_t i = 0; i < stroke.count; ++i) drawing.points.push_back(lines.points[first + i]);
+    drawing.strokes.push_back(stroke);
+}
+
+void StrokeJoiner::find_joined(const Scene& scene, const drawing::Drawing& drawing) {
     std::int64_t marks = 0;
     for (const Run& run : scene.runs)
         if (run.as_strokes) marks += run.count;
@@ -26,12 +52,6 @@ void StrokeJoiner::run(const Scene& scene, drawing::Drawing& drawing) {
         note_dots(run, static_cast<std::uint32_t>(2 * r), drawing);
         find_lines(run, static_cast<std::int32_t>(r), drawing);
     }
-    keys_.clear();
-    for (std::int64_t i = 0; i < found_.size(); ++i)
-        keys_.push_back(drawing::far_first_key(found_[i].depth, static_cast<std::uint32_t>(i)));
-    order_.sort(runtime_.parallel, keys_);
-    for (const std::uint64_t key : keys_) put(scene, found_[static_cast<std::uint32_t>(key)], drawing);
-    drawing::bin_segments(runtime_.parallel, drawing);
 }
 
 void StrokeJoiner::note_dots(const Run& run, std::uint32_t layer, const drawing::Drawing& drawing) {

@@ -4,6 +4,7 @@
 
 #include "base/runtime.h"
 #include "drawing/far_to_near.h"
+#include "frame/scene/line_strokes.h"
 #include "frame/scene/scene.h"
 
 namespace hrbfnpr::frame {
@@ -16,7 +17,8 @@ public:
         : runtime_(runtime), dot_of_(runtime.memory), found_(runtime.memory), keys_(runtime.memory),
           order_(runtime.memory) {}
 
-    void run(const Scene& scene, drawing::Drawing& drawing);
+    // And the strokes of lines, which are ready, into the same order.
+    void run(const Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return dot_of_.bytes() + found_.bytes() + keys_.bytes() + order_.bytes();
@@ -25,7 +27,7 @@ public:
 private:
     // A line before it is sorted: places in the order of its layer's marks along strokes.
     struct Found {
-        std::int32_t run;
+        std::int32_t run; // -1: of lines, and `begin` is the stroke's number
         float depth;
         std::int64_t begin, end;
     };
@@ -33,6 +35,8 @@ private:
     void note_dots(const Run& run, std::uint32_t layer, const drawing::Drawing& drawing);
     void find_lines(const Run& run, std::int32_t number, const drawing::Drawing& drawing);
     void put(const Scene& scene, const Found& line, drawing::Drawing& drawing);
+    static void put(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing);
+    void find_joined(const Scene& scene, const drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;
     base::Array<std::int64_t> dot_of_; // of each mark of the runs that are drawn as strokes; -1: not shown

@@ -23,6 +23,11 @@ void find_color(const Scene& scene, drawing::Drawing& drawing) {
             drawing.one_color = drawing.one_color && ink == drawing.ink_color;
         }
     }
+    for (std::int64_t l = 2 * scene.runs.size(); l < drawing.layers.size(); ++l) { // of lines
+        const glm::vec4& ink = drawing.layers[l].ink;
+        if (std::exchange(first, false)) drawing.ink_color = ink;
+        drawing.one_color = drawing.one_color && ink == drawing.ink_color;
+    }
 }
 
 } // namespace
@@ -30,7 +35,7 @@ void find_color(const Scene& scene, drawing::Drawing& drawing) {
 LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
     : runtime_(runtime), gather_(runtime), layers_(runtime), exact_(runtime.memory), joiner_(runtime) {}
 
-void LayerFrame::run(Scene& scene, drawing::Drawing& drawing) {
+void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing) {
     drawing.painting = drawing::Painting::transmittance;
     find_color(scene, drawing);
     base::Stopwatch watch;
@@ -47,7 +52,7 @@ void LayerFrame::run(Scene& scene, drawing::Drawing& drawing) {
     drawing.counts.nanoseconds_visibility = watch.nanoseconds();
 
     watch.restart();
-    joiner_.run(scene, drawing);
+    joiner_.run(scene, lines, drawing);
     drawing.counts.nanoseconds_sort += watch.nanoseconds();
 }
 

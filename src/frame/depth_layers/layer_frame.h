@@ -14,7 +14,7 @@ public:
     explicit LayerFrame(const base::Runtime& runtime) noexcept;
 
     // Fills what the scene does not.  Throws Error{callback, out_of_memory}.
-    void run(Scene& scene, drawing::Drawing& drawing);
+    void run(Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 

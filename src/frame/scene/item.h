@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/view.h"
+#include "curves/line_set.h"
 #include "frame/scene/style.h"
 #include "implicit/implicit.h"
 #include "marks/point_set.h"
@@ -25,6 +26,7 @@ struct Item {
     Style style;
     glm::dmat4 transform{1.0};
     std::span<const Pose> poses; // whoever made it keeps them
+    const curves::LineSet* lines = nullptr;
 };
 
 } // namespace hrbfnpr::frame

@@ -82,10 +82,13 @@ double mean_scale(const glm::dmat4& transform) noexcept {
     return std::cbrt(std::abs(glm::determinant(glm::dmat3(transform))));
 }
 
+Optics make_optics(const Camera& camera) { return {window_matrix(camera), centre_of_projection(camera.projection)}; }
+
 Lens make_lens(const Camera& camera) {
+    const Optics optics = make_optics(camera);
     Lens lens;
-    lens.window = glm::mat4(window_matrix(camera));
-    lens.centre = glm::vec4(centre_of_projection(camera.projection));
+    lens.window = glm::mat4(optics.window);
+    lens.centre = glm::vec4(optics.centre);
     lens.viewport = glm::vec4(camera.viewport);
     const glm::dmat4& p = camera.projection;
     // The mean of both axes, whatever turn in the image plane the projection contains.

@@ -20,6 +20,13 @@ struct Lens {
     }
 };
 
+// The same in double: for curves.
+struct Optics {
+    glm::dmat4 window{1.0}; // eye to (x w, y w, depth w, w)
+    glm::dvec4 centre{0.0}; // as Lens::centre
+};
+[[nodiscard]] Optics make_optics(const Camera& camera);
+
 // Throws Error{invalid_argument} for a camera that cannot be drawn with.
 void check(const Camera& camera);
 // Of a checked camera; its projection may still be singular.

@@ -103,6 +103,13 @@ bool has_surface(const marks::PointSet& set, const Style& style) noexcept {
                        [&](const marks::Layer& layer) { return is_drawn(layer, style) && is_surface(layer); });
 }
 
+// Then its marks draw none.
+bool draws_contour_lines(const Item& item) noexcept {
+    return item.lines != nullptr && item.style.visibility == Visibility::depth_layers &&
+           std::any_of(item.style.lines.begin(), item.style.lines.end(),
+                       [](const LineStyle& style) { return style.kind == LineKind::contour; });
+}
+
 // Which layer's marks are the splats of an item; -1: none's.  Stipples are spread the most evenly, so theirs are
 // unless they are few.
 std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
@@ -196,7 +203,7 @@ private:
         // A stipple belongs to no direction.
         run.directions = run.scattered ? 3U : style.directions;
         run.draws_front = style.shown && style.share > 0.0F && run.directions != 0;
-        run.draws_silhouettes = style.contours && is_surface(marks);
+        run.draws_silhouettes = style.contours && is_surface(marks) && !draws_contour_lines(item_);
         run.makes_tone = is_surface(marks) || !any_surface_;
         const bool splats = number == splats_;
         // With a given overlap, one evenly spread layer is as opaque as all; as published, every mark counts.
@@ -271,6 +278,7 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
     check(given);
     const Camera camera = in_unit(given, geometry::unit_for(reach_of(items, given)));
     scene.lens = make_lens(camera);
+    scene.camera = camera;
     scene.items.clear();
     scene.runs.clear();
     scene.joined = 0;

@@ -197,6 +197,7 @@ struct Scene {
         : items(memory), runs(memory), chunks(memory), marks(memory), posed(memory) {}
 
     Lens lens;
+    Camera camera; // in the unit that eye space is measured in
     base::Array<ItemView> items;
     base::Array<Run> runs;
     base::Array<Chunk> chunks;

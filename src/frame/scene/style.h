@@ -39,6 +39,25 @@ struct LayerStyle {
     [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept;
 };
 
+// Same numbers as HRBFNPR_LINE_KIND_...
+enum class LineKind : std::uint32_t { contour = 1 };
+enum class HiddenParts : std::uint32_t { none = 0, attenuated = 1, dashed = 2, shown = 3 };
+
+// How lines of one kind are drawn; meaning of every field as in hrbfnpr_line_style.
+struct LineStyle {
+    LineKind kind = LineKind::contour;
+    HiddenParts hidden = HiddenParts::none;
+    std::uint32_t cap = 2; // drawing::Cap of ends at cusps
+    float width = 2.0F;
+    float taper = 12.0F;
+    float hidden_width = 1.0F;
+    float hidden_opacity = 0.35F;
+    float dash = 4.0F;
+    float gap = 3.0F;
+    float shortest = 2.0F;
+    float ink[4] = {0.0F, 0.0F, 0.0F, 1.0F};
+};
+
 struct Style {
     HiddenLines hidden_lines = HiddenLines::attenuate;
     double silhouette_threshold = 0.2;
@@ -68,6 +87,7 @@ struct Style {
     float silhouette_radius = 1.0F;
     float silhouette_radius_zoom = 0.0F;
     std::span<const LayerStyle> layers; // whoever made it keeps them
+    std::span<const LineStyle> lines;   // the same
 
     // That of the first element for it, or defaults.
     [[nodiscard]] const LayerStyle& of(const marks::Layer& layer) const noexcept;

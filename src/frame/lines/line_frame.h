@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The strokes of lines: curves traced for this camera, their visibility, and what the styles make of them.
+#pragma once
+
+#include "base/runtime.h"
+#include "frame/scene/line_strokes.h"
+#include "frame/scene/scene.h"
+#include "visibility/invisibility.h"
+
+#include <span>
+
+namespace hrbfnpr::frame {
+
+class LineFrame {
+public:
+    explicit LineFrame(const base::Runtime& runtime) noexcept : runtime_(runtime), strokes_(runtime.memory) {}
+
+    // Of the items that have lines and styles for them; adds their layers, and what was found, to the drawing.
+    // All items with lines hide each other's.  Throws Error{callback, out_of_memory}.
+    const LineStrokes& run(const Scene& scene, std::span<const Item> items, drawing::Drawing& drawing);
+
+private:
+    const base::Runtime& runtime_;
+    LineStrokes strokes_;
+};
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "frame/lines/stroke_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::frame {
+namespace {
+
+// Parts shorter than this belong to the one before, pixels: nobody sees them, and gaps would be seen.
+constexpr double unseen = 0.35;
+
+std::int32_t layers_before(std::int32_t sheets) noexcept { return std::max(0, (sheets + 1) / 2); }
+
+double length_of(const visibility::Interval& i) noexcept { return i.end_at - i.begin_at; }
+
+// The share of its width that a line has so far from a free end: half an ellipse.
+double tapered(double from_end, double taper) noexcept {
+    if (!(from_end < taper)) return 1.0;
+    const double left = 1.0 - std::max(0.0, from_end) / taper;
+    return std::sqrt(std::max(0.0, 1.0 - left * left));
+}
+
+} // namespace
+
+void StrokeParts::run(std::span<const DrawnAs> styles) {
+    for (std::int64_t first = 0; first < found_.intervals.size();) {
+        std::int64_t end = first;
+        const std::int32_t line = found_.intervals[first].line;
+        while (end < found_.intervals.size() && found_.intervals[end].line == line) ++end;
+        collect(first, end);
+        for (const DrawnAs& as : styles)
+            if (as.subject == found_.lines.lines[line].subject)
+                for (const Part& part : parts_) draw(as, part);
+        first = end;
+    }
+}
+
+// The intervals of a line that look alike are one part; so are the last and the first of a closed line.
+void StrokeParts::collect(std::int64_t first, std::int64_t end) {
+    parts_.clear();
+    const visibility::Line& line = found_.lines.lines[found_.intervals[first].line];
+    for (std::int64_t i = first; i < end; ++i) {
+        const visibility::Interval& next = found_.intervals[i];
+        const std::int32_t layers = layers_before(next.sheets);
+        const bool joins = !parts_.empty() && (parts_[parts_.size() - 1].layers == layers || length_of(next) < unseen);
+        if (!joins) {
+            parts_.push_back({next, layers, next.begins_at_cusp, next.ends_at_cusp});
+            continue;
+        }
+        Part& last = parts_[parts_.size() - 1];
+        last.interval.end_piece = next.end_piece;
+        last.interval.end_share = next.end_share;
+        last.interval.end_at = next.end_at;
+        last.free_end = next.ends_at_cusp;
+    }
+    if (!line.closed) {
+        parts_[0].free_begin = true;
+        parts_[parts_.size() - 1].free_end = true;
+    } else if (parts_.size() > 1 && parts_[0].layers == parts_[parts_.size() - 1].layers) {
+        Part& last = parts_[parts_.size() - 1];
+        const Part& begin = parts_[0];
+        last.interval.end_piece = begin.interval.end_piece;
+        last.interval.end_share = begin.interval.end_share;
+        last.interval.end_at = begin.interval.end_at + lengths_.whole(line);
+        last.free_end = begin.free_end;
+        for (std::int64_t i = 0; i + 1 < parts_.size(); ++i) parts_[i] = parts_[i + 1];
+        parts_.resize(parts_.size() - 1);
+    }
+}
+
+// The points of the image along a part, and its ends.
+void StrokeParts::find_places(const Part& part) {
+    const visibility::Interval& in = part.interval;
+    const visibility::Line& line = found_.lines.lines[in.line];
+    const double whole = lengths_.whole(line);
+    place_.clear();
+    place_.push_back({in.begin_at, in.begin_piece, in.begin_share});
+    std::int64_t p = line.first_point;
+    const auto at = [&](std::int64_t i) {
+        const visibility::ImagePoint& point = found_.lines.points[i];
+        return lengths_.at(line, point.piece, point.share);
+    };
+    while (p + 1 < line.first_point + line.points && at(p) <= in.begin_at) ++p;
+    double beyond = 0.0;
+    for (std::int64_t step = 0; step < 2 * line.points; ++step, ++p) {
+        if (p + 1 >= line.first_point + line.points) { // the last point of a closed line is its first
+            if (!line.closed) break;
+            p = line.first_point;
+            beyond += whole;
+        }
+        if (!(at(p) + beyond < in.end_at) || beyond > whole) break;
+        place_.push_back({at(p) + beyond, found_.lines.points[p].piece, found_.lines.points[p].share});
+    }
+    place_.push_back({in.end_at, in.end_piece, in.end_share});
+}
+
+drawing::StrokePoint StrokeParts::point_at(const visibility::Subject& subject, const Place& place) const {
+    const glm::dvec3 p = visibility::cubic(subjects_, found_.lines.pieces[place.piece]).at(place.share);
+    const glm::dvec4 q = subject.view.to_window * glm::dvec4(p, 1.0);
+    const glm::dvec4 eye = scene_.camera.view * (subject.to_world * glm::dvec4(p, 1.0));
+    drawing::StrokePoint point{};
+    point.x = static_cast<float>(q.x / q.w);
+    point.y = static_cast<float>(q.y / q.w);
+    point.window = static_cast<float>(q.z / q.w);
+    point.depth = static_cast<float>(-eye.z);
+    point.pixels_per_unit = scene_.lens.pixels / static_cast<float>(q.w);
+    return point;
+}
+
+void StrokeParts::draw(const DrawnAs& as, const Part& part) {
+    const LineStyle& style = *as.style;
+    const double begin = part.interval.begin_at;
+    const double end = part.interval.end_at;
+    const bool hidden = part.layers > 0;
+    if (hidden && style.hidden == HiddenParts::none) return;
+    if (end - begin < static_cast<double>(style.shortest) && (part.free_begin || part.free_end || hidden)) return;
+    find_places(part);
+    if (!hidden || style.hidden != HiddenParts::dashed) return add(as, part, begin, end);
+    // The more layers lie before it, the shorter its dashes.
+    const double width = static_cast<double>(style.hidden_width);
+    const double dash = std::max(1.0, width * static_cast<double>(style.dash) / part.layers);
+    const double period = dash + std::max(1.0, width * static_cast<double>(style.gap));
+    const double dashes = std::max(1.0, std::round((end - begin) / period));
+    const double step = (end - begin) / dashes;
+    for (double k = 0.0; k < dashes; k += 1.0) {
+        const double middle = begin + (k + 0.5) * step;
+        add(as, part, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period);
+    }
+}
+
+// A stroke along a part, from one place along its line to another.
+void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double to) {
+    const LineStyle& style = *as.style;
+    const visibility::Subject& subject = subjects_[static_cast<std::size_t>(as.subject)];
+    const bool hidden = part.layers > 0;
+    const double width =
+        static_cast<double>(hidden && style.hidden != HiddenParts::shown ? style.hidden_width : style.width);
+    const double opacity = hidden && style.hidden == HiddenParts::attenuated
+                               ? std::pow(static_cast<double>(style.hidden_opacity), part.layers)
+                               : 1.0;
+    const double taper = std::min(static_cast<double>(style.taper), 0.5 * length_of(part.interval));
+    const bool round = !part.free_begin && !part.free_end && found_.lines.lines[part.interval.line].closed &&
+                       to - from >= lengths_.whole(found_.lines.lines[part.interval.line]);
+    drawing::Stroke stroke;
+    stroke.first = strokes_.points.size();
+    stroke.layer = as.layer;
+    stroke.closed = round;
+    const auto put = [&](drawing::StrokePoint point, double at) {
+        const double begin = part.free_begin && !hidden ? tapered(at - part.interval.begin_at, taper) : 1.0;
+        const double end = part.free_end && !hidden ? tapered(part.interval.end_at - at, taper) : 1.0;
+        point.radius = static_cast<float>(0.5 * width * std::min(begin, end));
+        point.opacity = static_cast<float>(opacity);
+        point.length = static_cast<float>(at - from);
+        strokes_.points.push_back(point);
+    };
+    // Between two places on one chord of the image, along it.
+    const auto between = [&](std::int64_t i, double at) {
+        const drawing::StrokePoint a = point_at(subject, place_[i]);
+        const drawing::StrokePoint b = point_at(subject, place_[i + 1]);
+        const double span = place_[i + 1].at - place_[i].at;
+        const auto u = static_cast<float>(span > 0.0 ? (at - place_[i].at) / span : 0.0);
+        drawing::StrokePoint point = a;
+        point.x += u * (b.x - a.x);
+        point.y += u * (b.y - a.y);
+        point.window += u * (b.window - a.window);
+        point.depth += u * (b.depth - a.depth);
+        return point;
+    };
+    for (std::int64_t i = 0; i < place_.size(); ++i) {
+        const double here = place_[i].at;
+        if (i > 0 && place_[i - 1].at < from && here > from) put(between(i - 1, from), from);
+        if (here >= from && here <= to) put(point_at(subject, place_[i]), here);
+        if (i > 0 && place_[i - 1].at < to && here > to) put(between(i - 1, to), to);
+    }
+    stroke.count = static_cast<std::int32_t>(strokes_.points.size() - stroke.first);
+    if (stroke.count < 2) {
+        strokes_.points.resize(stroke.first);
+        return;
+    }
+    stroke.depth = strokes_.points[stroke.first + stroke.count / 2].depth;
+    strokes_.strokes.push_back(stroke);
+}
+
+} // namespace hrbfnpr::frame
