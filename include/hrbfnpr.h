@@ -1153,7 +1153,58 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* contex
 
 /*
  * ==========================================================================
- * 8  CAMERA AND STYLE: plain data
+ * 8  LINE SET: what the lines of a surface are drawn from, immutable
+ * ==========================================================================
+ *
+ * Contours as curves, traced on the surface itself for every camera, with a
+ * visibility that is counted and checked (Appel 1967, quantitative
+ * invisibility; Benard & Hertzmann 2019).  A line set is made once for a model;
+ * an item that has one, and a style with lines, is drawn with curves in the
+ * place of contour marks.
+ */
+
+typedef struct hrbfnpr_line_set hrbfnpr_line_set;
+
+typedef struct hrbfnpr_line_set_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double cell_size; /* of the mesh on which curves are looked for, units of the model; 0 = half the samples'
+                         spacing, and finer where walls are thin.  Loops that are smaller, and walls that are
+                         thinner than 1.75 cells, may be missed */
+    hrbfnpr_array seed_points; /* FLOAT32 or FLOAT64, 3: near each part of the surface; not given = the samples,
+                                  or places found in the bounds of a custom model */
+} hrbfnpr_line_set_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size);
+
+/* The line set keeps the model.  desc NULL = defaults.
+ * Errors: INVALID_ARGUMENT (more than 4 000 000 triangles: a larger cell_size), NOT_CONVERGED (no surface was
+ * found), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_create(hrbfnpr_context* context, const hrbfnpr_model* model,
+                                                   const hrbfnpr_line_set_desc* desc, hrbfnpr_operation* operation,
+                                                   hrbfnpr_line_set** out_line_set, hrbfnpr_error* error);
+HRBFNPR_API void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_line_set_release(const hrbfnpr_line_set* line_set); /* any thread; NULL is ignored */
+
+typedef struct hrbfnpr_line_set_info {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t triangles;    /* of the mesh */
+    int64_t turned;       /* of these, triangles that look away from the surface: it is finer than the cells there,
+                             and curves may be missed */
+    int64_t missed_seeds; /* seeds that no triangle is near: a part of the surface is too thin for the cells */
+    double cell_size;     /* as used */
+    double seconds;       /* that it took to make */
+    int64_t bytes;        /* kept */
+} hrbfnpr_line_set_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_info_init(hrbfnpr_line_set_info* info, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_get_info(const hrbfnpr_line_set* line_set, hrbfnpr_line_set_info* info,
+                                                     hrbfnpr_error* error);
+
+/*
+ * ==========================================================================
+ * 9  CAMERA AND STYLE: plain data
  * ==========================================================================
  */
 
@@ -1286,6 +1337,46 @@ typedef struct hrbfnpr_layer_style {
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
 
+/* Kinds of lines. */
+enum {
+    HRBFNPR_LINE_KIND_CONTOUR = 1 /* occluding contours: where the line of sight is tangent to the surface */
+};
+
+/* What is drawn of the parts of a line that surface hides. */
+enum {
+    HRBFNPR_HIDDEN_PARTS_NONE = 0,
+    HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, /* paler with each layer of surface (two sheets) before them */
+    HRBFNPR_HIDDEN_PARTS_DASHED = 2,     /* dashes, the shorter the more layers lie before them */
+    HRBFNPR_HIDDEN_PARTS_SHOWN = 3       /* like what is visible */
+};
+
+/* How a line ends where it ends in the picture without meeting another: at a cusp, where it turns behind its own
+ * surface. */
+enum {
+    HRBFNPR_CAP_ROUND = 0,
+    HRBFNPR_CAP_FLAT = 1,
+    HRBFNPR_CAP_POINTED = 2 /* narrowing to a tip twice as long as the line is wide there */
+};
+
+/* How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels. */
+typedef struct hrbfnpr_line_style {
+    uint32_t struct_size;
+    uint32_t kind;        /* HRBFNPR_LINE_KIND_...; CONTOUR */
+    uint32_t hidden;      /* HRBFNPR_HIDDEN_PARTS_...; NONE */
+    uint32_t cap;         /* HRBFNPR_CAP_...: of free ends; ROUND */
+    float width;          /* > 0; 2 */
+    float taper;          /* over which a line narrows to a free end, half an ellipse; 0 = not at all; 12 */
+    float hidden_width;   /* of ATTENUATED and DASHED, > 0; 1.2 */
+    float hidden_opacity; /* 0 .. 1: of ATTENUATED, for each layer; 0.35 */
+    float dash;           /* of DASHED, in hidden_widths, > 0; 5 */
+    float gap;            /* between dashes, in hidden_widths, > 0; 3 */
+    float shortest;       /* parts with a free end, and hidden ones, that are shorter are not drawn; 2 */
+    uint32_t reserved;
+    float ink[4];         /* straight RGBA; black */
+} hrbfnpr_line_style;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
+
 typedef struct hrbfnpr_style {
     uint32_t struct_size;
     uint32_t tone;               /* HRBFNPR_TONE_...; LIGHT */
@@ -1339,6 +1430,12 @@ typedef struct hrbfnpr_style {
                               exponential in the zoom level ln zoom; the area of the paper
                               of back marks scales alike [NPAR 6.2] */
     double zoom_exponent;  /* >= 0; 2 keeps the ink per area */
+
+    /* Lines, with DEPTH_LAYERS, of items that have a line set; with one of kind CONTOUR their marks draw no
+     * contours. */
+    const hrbfnpr_line_style* lines; /* a list; NULL and 0 */
+    int64_t line_count;
+    int64_t line_stride;
 } hrbfnpr_style;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
@@ -1369,7 +1466,7 @@ HRBFNPR_API const char* hrbfnpr_preset_name(uint32_t preset);
 
 /*
  * ==========================================================================
- * 9  RENDERER: from items and a camera to a drawing        [NPAR 6]
+ * 10  RENDERER: from items and a camera to a drawing        [NPAR 6]
  * ==========================================================================
  *
  * A renderer is the scratch of one thread.  It keeps a few of its last drawings
@@ -1413,6 +1510,8 @@ typedef struct hrbfnpr_item {
     const hrbfnpr_layer_pose* poses; /* a list: layers whose marks have moved; NULL and 0 */
     int64_t pose_count;
     int64_t pose_stride;
+    const hrbfnpr_line_set* line_set; /* NULL, or what the style's lines are drawn from.  All items of a drawing that
+                                         have one hide each other's lines; others hide none */
 } hrbfnpr_item;
 
 /* NULL pointers and the identity transform. */
@@ -1428,7 +1527,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, con
 
 /*
  * ==========================================================================
- * 10  DRAWING: a picture as a value, immutable
+ * 11  DRAWING: a picture as a value, immutable
  * ==========================================================================
  *
  * A drawing is dots and strokes in window coordinates, in layers of one ink and
@@ -1476,6 +1575,13 @@ typedef struct hrbfnpr_drawing_info {
     int64_t nanoseconds_sort;
     int64_t bytes;         /* kept by the drawing */
     int64_t scratch_bytes; /* kept by its renderer, drawings left out */
+    int64_t line_curves;         /* curves that lines were drawn from */
+    int64_t line_cusps;          /* of these */
+    int64_t line_crossings;      /* of their images, where the farther one changes its visibility */
+    int64_t line_broken;         /* curves that end inside the surface, and places where one was missed */
+    int64_t line_settled;        /* curves whose visibility did not add up: each part is as a ray of its own says */
+    int64_t line_contradictions; /* of these, curves with a part whose ray was not certain */
+    int64_t nanoseconds_lines;
 } hrbfnpr_drawing_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);
@@ -1487,8 +1593,8 @@ typedef struct hrbfnpr_drawing_layer_info {
     uint32_t struct_size;
     uint32_t mark_class; /* HRBFNPR_CLASS_FRONT or SILHOUETTE */
     int64_t item;
-    int64_t layer;       /* of the item's point set */
-    uint32_t kind;       /* HRBFNPR_LAYER_KIND_... */
+    int64_t layer;       /* of the item's point set; -1: of lines */
+    uint32_t kind;       /* HRBFNPR_LAYER_KIND_...; of lines HRBFNPR_LINE_KIND_... */
     uint32_t shape;      /* HRBFNPR_SHAPE_... */
     char name[64];
     float ink[4];        /* straight RGBA */

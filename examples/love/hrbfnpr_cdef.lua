@@ -226,6 +226,20 @@ hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn 
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
+typedef struct hrbfnpr_line_set hrbfnpr_line_set;
+typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t reserved; double cell_size;
+    hrbfnpr_array seed_points; } hrbfnpr_line_set_desc;
+hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_line_set_create(hrbfnpr_context* context, const hrbfnpr_model* model,
+    const hrbfnpr_line_set_desc* desc, hrbfnpr_operation* operation, hrbfnpr_line_set** out_line_set,
+    hrbfnpr_error* error);
+void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set);
+void hrbfnpr_line_set_release(const hrbfnpr_line_set* line_set);
+typedef struct hrbfnpr_line_set_info { uint32_t struct_size; uint32_t reserved; int64_t triangles; int64_t turned;
+    int64_t missed_seeds; double cell_size; double seconds; int64_t bytes; } hrbfnpr_line_set_info;
+hrbfnpr_status hrbfnpr_line_set_info_init(hrbfnpr_line_set_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_line_set_get_info(const hrbfnpr_line_set* line_set, hrbfnpr_line_set_info* info,
+    hrbfnpr_error* error);
 enum { HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE = 0, HRBFNPR_DEPTH_ZERO_TO_ONE = 1, HRBFNPR_DEPTH_REVERSED = 2 };
 typedef struct hrbfnpr_camera { uint32_t struct_size; uint32_t depth_convention; double view[16]; double projection[16];
     double viewport[4]; } hrbfnpr_camera;
@@ -255,13 +269,22 @@ typedef struct hrbfnpr_layer_style { uint32_t struct_size; uint32_t kind; const 
     uint32_t contours; uint32_t directions; uint32_t shape; float share; float radius; float radius_zoom;
     uint32_t reserved; float ink[4]; } hrbfnpr_layer_style;
 hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
+enum { HRBFNPR_LINE_KIND_CONTOUR = 1 };
+enum { HRBFNPR_HIDDEN_PARTS_NONE = 0, HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, HRBFNPR_HIDDEN_PARTS_DASHED = 2,
+    HRBFNPR_HIDDEN_PARTS_SHOWN = 3 };
+enum { HRBFNPR_CAP_ROUND = 0, HRBFNPR_CAP_FLAT = 1, HRBFNPR_CAP_POINTED = 2 };
+typedef struct hrbfnpr_line_style { uint32_t struct_size; uint32_t kind; uint32_t hidden; uint32_t cap; float width;
+    float taper; float hidden_width; float hidden_opacity; float dash; float gap; float shortest; uint32_t reserved;
+    float ink[4]; } hrbfnpr_line_style;
+hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
 typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[4]; const hrbfnpr_layer_style* layers;
     int64_t layer_count; int64_t layer_stride; uint32_t tone_rule; uint32_t tone_curve; double light[3];
     double tone_exponent; hrbfnpr_tone_fn tone_function; void* tone_user; uint32_t light_space; float tone_fade;
     uint32_t silhouette_law; float silhouette_width; double silhouette_threshold; float silhouette_radius;
     float silhouette_radius_zoom; float silhouette_ink[4]; uint32_t visibility; uint32_t hidden_lines;
     double attenuation_front; double attenuation_back; float splat_radius; float splat_overlap; float halo_width;
-    uint32_t reserved; double depth_min; double depth_max; double zoom_reference; double zoom_exponent; } hrbfnpr_style;
+    uint32_t reserved; double depth_min; double depth_max; double zoom_reference; double zoom_exponent;
+    const hrbfnpr_line_style* lines; int64_t line_count; int64_t line_stride; } hrbfnpr_style;
 hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,
@@ -280,7 +303,7 @@ typedef struct hrbfnpr_layer_pose { uint32_t struct_size; uint32_t reserved; int
 hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size);
 typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t reserved; const hrbfnpr_point_set* point_set;
     const hrbfnpr_style* style; const hrbfnpr_model* model; double transform[16]; const hrbfnpr_layer_pose* poses;
-    int64_t pose_count; int64_t pose_stride; } hrbfnpr_item;
+    int64_t pose_count; int64_t pose_stride; const hrbfnpr_line_set* line_set; } hrbfnpr_item;
 hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t item_count,
     int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);
@@ -291,8 +314,9 @@ typedef struct hrbfnpr_drawing_info { uint32_t struct_size; uint32_t reserved; i
     int64_t dots; int64_t strokes; int64_t stroke_points; int64_t marks; int64_t outside; int64_t front; int64_t back;
     int64_t silhouette; int64_t culled; int64_t shown; int64_t dropped_tone; int64_t dropped_depth;
     int64_t dropped_zoom; int64_t dropped_hidden; int64_t splats; int64_t nanoseconds_classify;
-    int64_t nanoseconds_visibility; int64_t nanoseconds_sort; int64_t bytes; int64_t scratch_bytes;
-    } hrbfnpr_drawing_info;
+    int64_t nanoseconds_visibility; int64_t nanoseconds_sort; int64_t bytes; int64_t scratch_bytes; int64_t line_curves;
+    int64_t line_cusps; int64_t line_crossings; int64_t line_broken; int64_t line_settled; int64_t line_contradictions;
+    int64_t nanoseconds_lines; } hrbfnpr_drawing_info;
 hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
     hrbfnpr_error* error);

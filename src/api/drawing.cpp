@@ -99,6 +99,13 @@ hrbfnpr_drawing_info describe(const drawing::Drawing& from) noexcept {
     info.nanoseconds_sort = counts.nanoseconds_sort;
     info.bytes = from.bytes();
     info.scratch_bytes = counts.scratch_bytes;
+    info.line_curves = from.line_counts.curves;
+    info.line_cusps = from.line_counts.cusps;
+    info.line_crossings = from.line_counts.crossings;
+    info.line_broken = from.line_counts.broken;
+    info.line_settled = from.line_counts.settled;
+    info.line_contradictions = from.line_counts.contradictions;
+    info.nanoseconds_lines = from.line_counts.nanoseconds;
     return info;
 }
 
@@ -108,14 +115,18 @@ hrbfnpr_drawing_layer_info describe_layer(const drawing::Drawing& from, std::int
         fail(Status::invalid_argument, "number is %lld; the drawing has %lld layers", static_cast<long long>(number),
              static_cast<long long>(layers));
     const drawing::Layer& layer = from.layers[number];
-    const marks::Layer& source = from.items[layer.item].set->layers[layer.layer];
     hrbfnpr_drawing_layer_info info{};
     info.mark_class = static_cast<std::uint32_t>(layer.mark_class);
     info.item = layer.item;
     info.layer = layer.layer;
-    info.kind = static_cast<std::uint32_t>(source.kind);
     info.shape = layer.as_strokes ? HRBFNPR_SHAPE_STROKES : HRBFNPR_SHAPE_DOTS;
-    std::memcpy(info.name, source.name.data(), sizeof info.name);
+    if (layer.layer >= 0) {
+        const marks::Layer& source = from.items[layer.item].set->layers[layer.layer];
+        info.kind = static_cast<std::uint32_t>(source.kind);
+        std::memcpy(info.name, source.name.data(), sizeof info.name);
+    } else {
+        info.kind = layer.line_kind;
+    }
     for (int i = 0; i < 4; ++i) info.ink[i] = layer.ink[i];
     const auto is_own = [&](std::uint32_t other) { return other == static_cast<std::uint32_t>(number); };
     for (const drawing::Piece& piece : from.dot_pieces)

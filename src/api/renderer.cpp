@@ -5,6 +5,7 @@
 #include "api/camera.h"
 #include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/line_set.h"
 #include "api/lists.h"
 #include "api/model.h"
 #include "api/style.h"
@@ -45,20 +46,25 @@ public:
     void operator()() {
         renderer_.items.clear();
         renderer_.layer_styles.clear();
+        renderer_.line_styles.clear();
         renderer_.poses.clear();
         for (std::int64_t i = 0; i < items_.count(); ++i) read(items_[i], items_.name(i).text);
         // The arrays do not move any more.
         std::size_t style = 0;
+        std::size_t line = 0;
         std::size_t pose = 0;
         for (std::int64_t i = 0; i < items_.count(); ++i) {
             const hrbfnpr_item given = items_[i];
             frame::Item& item = renderer_.items[i];
-            const auto layers = given.style == nullptr ? 0 : read_struct(given.style, "style").layer_count;
+            const hrbfnpr_style its = given.style == nullptr ? hrbfnpr_style{} : read_struct(given.style, "style");
             item.style.layers =
-                std::as_const(renderer_.layer_styles).span().subspan(style, static_cast<std::size_t>(layers));
+                std::as_const(renderer_.layer_styles).span().subspan(style, static_cast<std::size_t>(its.layer_count));
+            item.style.lines =
+                std::as_const(renderer_.line_styles).span().subspan(line, static_cast<std::size_t>(its.line_count));
             item.poses =
                 std::as_const(renderer_.poses).span().subspan(pose, static_cast<std::size_t>(given.pose_count));
             style += item.style.layers.size();
+            line += item.style.lines.size();
             pose += item.poses.size();
         }
     }
@@ -71,14 +77,19 @@ private:
         if (given.model != nullptr && given.pose_count > 0)
             fail(Status::invalid_argument, "%s.model is given, and so are poses: marks that have moved lie on no model",
                  name);
+        if (given.line_set != nullptr && given.pose_count > 0)
+            fail(Status::invalid_argument,
+                 "%s.line_set is given, and so are poses: its surface does not move with them", name);
         frame::Item item;
         item.set = &given.point_set->set;
         item.model = given.model != nullptr ? &given.model->implicit() : nullptr;
+        item.lines = given.line_set != nullptr ? &given.line_set->lines : nullptr;
         item.transform = to_matrix(given.transform);
         char part[128];
         std::snprintf(part, sizeof part, "%.60s.style", name);
         if (given.style != nullptr)
-            item.style = checked_style(read_struct(given.style, part), part, renderer_.layer_styles);
+            item.style =
+                checked_style(read_struct(given.style, part), part, renderer_.layer_styles, renderer_.line_styles);
         std::snprintf(part, sizeof part, "%.60s.poses", name);
         read_poses(given, part);
         renderer_.items.push_back(item);
@@ -143,7 +154,7 @@ void fill(hrbfnpr_renderer& renderer, const Items& items, const frame::Camera& c
     }
     renderer.frame.draw(renderer.items.span(), camera, drawing.drawing);
     drawing.drawing.counts.scratch_bytes +=
-        renderer.items.bytes() + renderer.layer_styles.bytes() + renderer.poses.bytes();
+        renderer.items.bytes() + renderer.layer_styles.bytes() + renderer.line_styles.bytes() + renderer.poses.bytes();
 }
 
 hrbfnpr_drawing* draw(hrbfnpr_renderer& renderer, const Items& items, const hrbfnpr_camera* camera) {

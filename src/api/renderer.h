@@ -9,7 +9,7 @@
 struct hrbfnpr_renderer : hrbfnpr::api::Child {
     explicit hrbfnpr_renderer(hrbfnpr_context& context)
         : Child(context), frame(context.runtime), items(context.runtime.memory), layer_styles(context.runtime.memory),
-          poses(context.runtime.memory), drawings(context.runtime.memory) {}
+          line_styles(context.runtime.memory), poses(context.runtime.memory), drawings(context.runtime.memory) {}
     ~hrbfnpr_renderer() {
         for (const hrbfnpr_drawing* drawing : drawings) hrbfnpr::api::release_handle(drawing);
     }
@@ -18,6 +18,7 @@ struct hrbfnpr_renderer : hrbfnpr::api::Child {
     // Of the drawing that is being made.
     hrbfnpr::base::Array<hrbfnpr::frame::Item> items;
     hrbfnpr::base::Array<hrbfnpr::frame::LayerStyle> layer_styles;
+    hrbfnpr::base::Array<hrbfnpr::frame::LineStyle> line_styles;
     hrbfnpr::base::Array<hrbfnpr::frame::Pose> poses;
     hrbfnpr::base::Array<hrbfnpr_drawing*> drawings; // a reference to each
 };

@@ -102,9 +102,33 @@ constexpr auto style_fields() noexcept {
         field("depth_min", &Style::depth_min, &To::depth_min, not_negative),
         field("depth_max", &Style::depth_max, &To::depth_max, not_negative),
         field("zoom_reference", &Style::zoom_reference, &To::zoom_reference, not_negative),
-        field("zoom_exponent", &Style::zoom_exponent, &To::zoom_exponent, not_negative)};
+        field("zoom_exponent", &Style::zoom_exponent, &To::zoom_exponent, not_negative),
+        field("lines", &Style::lines, rule::Any{}),
+        field("line_count", &Style::line_count, rule::Any{}),
+        field("line_stride", &Style::line_stride, rule::Any{})};
 }
 static_assert(style_fields().covers<Style>());
+
+using LineStyle = hrbfnpr_line_style;
+
+constexpr auto line_fields() noexcept {
+    using To = frame::LineStyle;
+    return FieldTable{
+        field("kind", &LineStyle::kind, &To::kind, rule::OneOf{HRBFNPR_LINE_KIND_CONTOUR, "HRBFNPR_LINE_KIND_..."}),
+        field("hidden", &LineStyle::hidden, &To::hidden,
+              rule::OneOf{HRBFNPR_HIDDEN_PARTS_SHOWN, "HRBFNPR_HIDDEN_PARTS_..."}),
+        field("cap", &LineStyle::cap, &To::cap, rule::OneOf{HRBFNPR_CAP_POINTED, "HRBFNPR_CAP_..."}),
+        field("width", &LineStyle::width, &To::width, radius),
+        field("taper", &LineStyle::taper, &To::taper, pixels),
+        field("hidden_width", &LineStyle::hidden_width, &To::hidden_width, radius),
+        field("hidden_opacity", &LineStyle::hidden_opacity, &To::hidden_opacity, share),
+        field("dash", &LineStyle::dash, &To::dash, radius),
+        field("gap", &LineStyle::gap, &To::gap, radius),
+        field("shortest", &LineStyle::shortest, &To::shortest, pixels),
+        reserved("reserved", &LineStyle::reserved),
+        field("ink", &LineStyle::ink, &To::ink, ink)};
+}
+static_assert(line_fields().covers<LineStyle>());
 
 void check_between_fields(const Style& style, const char* owner) {
     if (style.tone == HRBFNPR_TONE_LIGHT && style.light[0] == 0.0 && style.light[1] == 0.0 && style.light[2] == 0.0)
@@ -128,6 +152,50 @@ void add_layers(const Style& style, const char* owner, base::Array<frame::LayerS
         frame::LayerStyle layer;
         layer_fields().copy(given, layer);
         layers.push_back(layer);
+    }
+}
+
+void add_lines(const Style& style, const char* owner, base::Array<frame::LineStyle>& lines) {
+    char name[80];
+    std::snprintf(name, sizeof name, "%.60s.lines", owner);
+    const List<LineStyle> list(style.lines, style.line_count, style.line_stride, most_layer_styles, name);
+    for (std::int64_t i = 0; i < list.count(); ++i) {
+        const LineStyle given = list[i];
+        line_fields().check(list.name(i).text, given);
+        if (given.kind == 0)
+            fail(Status::invalid_argument, "%s.kind is 0; it must be one of HRBFNPR_LINE_KIND_...", list.name(i).text);
+        frame::LineStyle line;
+        line_fields().copy(given, line);
+        lines.push_back(line);
+    }
+}
+
+constexpr LineStyle constant(const frame::LineStyle& from) {
+    LineStyle to{};
+    to.struct_size = sizeof to;
+    to.kind = static_cast<std::uint32_t>(from.kind);
+    to.hidden = static_cast<std::uint32_t>(from.hidden);
+    to.cap = static_cast<std::uint32_t>(from.cap);
+    to.width = from.width;
+    to.taper = from.taper;
+    to.hidden_width = from.hidden_width;
+    to.hidden_opacity = from.hidden_opacity;
+    to.dash = from.dash;
+    to.gap = from.gap;
+    to.shortest = from.shortest;
+    for (std::size_t i = 0; i < 4; ++i) to.ink[i] = from.ink[i];
+    return to;
+}
+constexpr std::array plain_lines = {constant(frame::presets::plain_lines[0])};
+constexpr std::array silhouette_lines = {constant(frame::presets::silhouette_lines[0])};
+constexpr std::array xray_lines = {constant(frame::presets::xray_lines[0])};
+
+std::span<const LineStyle> preset_line_styles(std::uint32_t preset) noexcept {
+    switch (preset) {
+    case HRBFNPR_PRESET_STIPPLE: return {};
+    case HRBFNPR_PRESET_SILHOUETTE: return silhouette_lines;
+    case HRBFNPR_PRESET_XRAY: return xray_lines;
+    default: return plain_lines;
     }
 }
 
@@ -190,10 +258,17 @@ hrbfnpr_layer_style defaults() noexcept {
     return constant(frame::LayerStyle{});
 }
 
-frame::Style checked_style(const hrbfnpr_style& style, const char* owner, base::Array<frame::LayerStyle>& layers) {
+template <>
+hrbfnpr_line_style defaults() noexcept {
+    return constant(frame::LineStyle{});
+}
+
+frame::Style checked_style(const hrbfnpr_style& style, const char* owner, base::Array<frame::LayerStyle>& layers,
+                           base::Array<frame::LineStyle>& lines) {
     style_fields().check(owner, style);
     check_between_fields(style, owner);
     add_layers(style, owner, layers);
+    add_lines(style, owner, lines);
     frame::Style to;
     style_fields().copy(style, to);
     return to;
@@ -211,6 +286,10 @@ hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t str
     return api::init_struct(style, struct_size);
 }
 
+hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size) {
+    return api::init_struct(style, struct_size);
+}
+
 hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
                                          hrbfnpr_error* error) {
     return api::guarded(error, [&] {
@@ -224,6 +303,9 @@ hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_s
         const std::span<const hrbfnpr_layer_style> layers = api::preset_layer_styles(preset);
         full.layers = layers.data();
         full.layer_count = static_cast<int64_t>(layers.size());
+        const std::span<const hrbfnpr_line_style> lines = api::preset_line_styles(preset);
+        full.lines = lines.data();
+        full.line_count = static_cast<int64_t>(lines.size());
         api::write_struct(style, full);
     });
 }

@@ -10,9 +10,9 @@
 
 namespace hrbfnpr::api {
 
-// Checks every field; `owner` names the struct in messages, such as "items[2].style".  The style's layers are added
-// to `layers`; its own span of them is left empty, as the array may still move.
+// Checks every field; `owner` names the struct in messages, such as "items[2].style".  The style's layers and lines
+// are added to arrays; its own spans of them are left empty, as the arrays may still move.
 [[nodiscard]] frame::Style checked_style(const hrbfnpr_style& style, const char* owner,
-                                         base::Array<frame::LayerStyle>& layers);
+                                         base::Array<frame::LayerStyle>& layers, base::Array<frame::LineStyle>& lines);
 
 } // namespace hrbfnpr::api

@@ -104,7 +104,7 @@ void LineDrawer::add_layers(std::size_t i) {
         drawing::Layer layer;
         layer.item = static_cast<std::int32_t>(i);
         layer.layer = -1;
-        layer.lines = static_cast<std::int32_t>(s);
+        layer.line_kind = static_cast<std::uint32_t>(style.kind);
         layer.mark_class = drawing::MarkClass::silhouette;
         layer.as_strokes = true;
         layer.ink = glm::vec4(style.ink[0], style.ink[1], style.ink[2], style.ink[3]);

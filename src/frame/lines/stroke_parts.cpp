@@ -146,6 +146,8 @@ void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double t
     stroke.first = strokes_.points.size();
     stroke.layer = as.layer;
     stroke.closed = round;
+    stroke.cap_begin = part.free_begin && !hidden ? style.cap : drawing::Cap::round;
+    stroke.cap_end = part.free_end && !hidden ? style.cap : drawing::Cap::round;
     const auto put = [&](drawing::StrokePoint point, double at) {
         const double begin = part.free_begin && !hidden ? tapered(at - part.interval.begin_at, taper) : 1.0;
         const double end = part.free_end && !hidden ? tapered(part.interval.end_at - at, taper) : 1.0;

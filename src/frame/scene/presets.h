@@ -53,4 +53,25 @@ constexpr LayerStyle contour_and_stipple_layers[] = {shown(Kind::stipples), hidd
 constexpr LayerStyle full_layers[] = {shown(Kind::stipples), sharing(shown(Kind::principal), 0.6F),
                                       hidden(Kind::combing), sharing(shown(Kind::field), 0.6F)};
 
+// Of items that have a line set: in the place of contours that marks draw.
+constexpr LineStyle contour_line(float width, HiddenParts hidden) {
+    LineStyle style;
+    style.width = width;
+    style.hidden = hidden;
+    return style;
+}
+constexpr LineStyle plain_lines[] = {contour_line(2.2F, HiddenParts::none)};
+constexpr LineStyle silhouette_lines[] = {contour_line(2.6F, HiddenParts::attenuated)};
+constexpr LineStyle xray_lines[] = {contour_line(2.2F, HiddenParts::dashed)};
+
+// By the number of the preset; stippling alone has none.
+constexpr std::span<const LineStyle> lines_of(std::uint32_t preset) {
+    switch (preset) {
+    case 0: return {};
+    case 4: return silhouette_lines;
+    case 6: return xray_lines;
+    default: return plain_lines;
+    }
+}
+
 } // namespace hrbfnpr::frame::presets

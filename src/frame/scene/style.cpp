@@ -32,6 +32,7 @@ Preset preset(std::uint32_t number) noexcept {
     Preset preset{preset_name(number), Style{}};
     Style& style = preset.style;
     style.silhouette_radius = 1.2F;
+    style.lines = presets::lines_of(number);
     switch (number) {
     case 0: // stipple
         style.layers = presets::stipple_layers;

@@ -3,6 +3,7 @@
 // hrbfnpr_style.                                                         [NPAR 6]
 #pragma once
 
+#include "drawing/dot.h"
 #include "geometry/vec.h"
 #include "marks/point_set.h"
 
@@ -47,12 +48,12 @@ enum class HiddenParts : std::uint32_t { none = 0, attenuated = 1, dashed = 2, s
 struct LineStyle {
     LineKind kind = LineKind::contour;
     HiddenParts hidden = HiddenParts::none;
-    std::uint32_t cap = 2; // drawing::Cap of ends at cusps
+    drawing::Cap cap = drawing::Cap::round; // of free ends
     float width = 2.0F;
     float taper = 12.0F;
-    float hidden_width = 1.0F;
+    float hidden_width = 1.2F;
     float hidden_opacity = 0.35F;
-    float dash = 4.0F;
+    float dash = 5.0F;
     float gap = 3.0F;
     float shortest = 2.0F;
     float ink[4] = {0.0F, 0.0F, 0.0F, 1.0F};
