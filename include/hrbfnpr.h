@@ -1165,14 +1165,57 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* contex
 
 typedef struct hrbfnpr_line_set hrbfnpr_line_set;
 
+/* Kinds of lines.  Those marked "once" are found when a line set is made, for each element of its list; the others
+ * with every drawing.  Strengths have no unit: lengths are in diagonals of the model. */
+enum {
+    HRBFNPR_LINE_KIND_CONTOUR = 1,            /* occluding contours: the line of sight is tangent to the surface */
+    HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, /* where a contour would appear soon; strength: the derivative of the
+                                                 radial curvature towards the eye; WITH_CURVATURE [DeCarlo 2003] */
+    HRBFNPR_LINE_KIND_RIDGE = 3,              /* once; strength: curvature across the ridge less that along it
+                                                 [Ohtake, Belyaev & Seidel 2004] */
+    HRBFNPR_LINE_KIND_VALLEY = 4,             /* once; the same */
+    HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5,     /* strength: view-dependent curvature; WITH_CURVATURE [Judd 2007] */
+    HRBFNPR_LINE_KIND_PARABOLIC = 6,          /* once; Gaussian curvature 0 */
+    HRBFNPR_LINE_KIND_ISOPHOTE = 7,           /* n . l = the levels of the style, l its light; WITH_CURVATURE */
+    HRBFNPR_LINE_KIND_SECTION = 8,            /* once; parallel planes */
+    HRBFNPR_LINE_KIND_BORDER = 9,             /* where the surface ends: at the search box */
+    HRBFNPR_LINE_KIND_OWN = 10                /* once; polylines of the caller, such as creases of a mesh */
+};
+
+/* Lines to find once. */
+typedef struct hrbfnpr_line_desc {
+    uint32_t struct_size;
+    uint32_t kind;     /* HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; RIDGE */
+    const char* name;  /* up to 63 bytes of UTF-8, for styles; NULL = "" */
+    double lower;      /* lines go on while their strength is at least `lower` ... */
+    double upper;      /* ... and are kept if it is `upper` somewhere; 0 and 0 = those of the kind: 6 and 15 of ridges
+                          and valleys, 0 and 0 else */
+    double shortest;   /* shorter ones are dropped, in diagonals; 0.01 */
+    double plane[3];   /* of SECTION: normal of the planes, of any length; (0, 0, 1) */
+    hrbfnpr_array levels; /* of SECTION: FLOAT64, 1: where the planes are, along the unit normal */
+    hrbfnpr_array position; /* of OWN: FLOAT32 or FLOAT64, 3: on the surface or near it */
+    hrbfnpr_array line_first; /* of OWN: UINT32, 1: the first position of each line, ascending, and the end; one whose
+                                 last position is its first is closed */
+} hrbfnpr_line_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
+
+enum {
+    HRBFNPR_LINE_SET_WITH_CURVATURE = 1 /* measure curvatures and their derivatives, for kinds that need them with
+                                           every drawing */
+};
+
 typedef struct hrbfnpr_line_set_desc {
     uint32_t struct_size;
-    uint32_t reserved;
+    uint32_t flags; /* HRBFNPR_LINE_SET_WITH_...; 0 */
     double cell_size; /* of the mesh on which curves are looked for, units of the model; 0 = half the samples'
                          spacing, and finer where walls are thin.  Loops that are smaller, and walls that are
                          thinner than 1.75 cells, may be missed */
     hrbfnpr_array seed_points; /* FLOAT32 or FLOAT64, 3: near each part of the surface; not given = the samples,
                                   or places found in the bounds of a custom model */
+    const hrbfnpr_line_desc* lines; /* a list; NULL and 0 */
+    int64_t line_count;
+    int64_t line_stride;
 } hrbfnpr_line_set_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size);
@@ -1193,6 +1236,8 @@ typedef struct hrbfnpr_line_set_info {
     int64_t turned;       /* of these, triangles that look away from the surface: it is finer than the cells there,
                              and curves may be missed */
     int64_t missed_seeds; /* seeds that no triangle is near: a part of the surface is too thin for the cells */
+    int64_t lines;        /* that were found once, of all elements of the list */
+    int64_t borders;      /* curves where the surface ends */
     double cell_size;     /* as used */
     double seconds;       /* that it took to make */
     int64_t bytes;        /* kept */
@@ -1337,11 +1382,6 @@ typedef struct hrbfnpr_layer_style {
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
 
-/* Kinds of lines. */
-enum {
-    HRBFNPR_LINE_KIND_CONTOUR = 1 /* occluding contours: where the line of sight is tangent to the surface */
-};
-
 /* What is drawn of the parts of a line that surface hides. */
 enum {
     HRBFNPR_HIDDEN_PARTS_NONE = 0,
@@ -1362,6 +1402,7 @@ enum {
 typedef struct hrbfnpr_line_style {
     uint32_t struct_size;
     uint32_t kind;        /* HRBFNPR_LINE_KIND_...; CONTOUR */
+    const char* name;     /* of lines found once: those that are called so; NULL = any name.  Read during _draw only */
     uint32_t hidden;      /* HRBFNPR_HIDDEN_PARTS_...; NONE */
     uint32_t cap;         /* HRBFNPR_CAP_...: of free ends; ROUND */
     float width;          /* > 0; 2 */
@@ -1371,7 +1412,11 @@ typedef struct hrbfnpr_line_style {
     float dash;           /* of DASHED, in hidden_widths, > 0; 5 */
     float gap;            /* between dashes, in hidden_widths, > 0; 3 */
     float shortest;       /* parts with a free end, and hidden ones, that are shorter are not drawn; 2 */
-    uint32_t reserved;
+    float fade;           /* 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1 */
+    double lower;         /* strengths as in hrbfnpr_line_desc; 0 and 0 = those of the kind: 10 and 30 of suggestive
+                             contours, 12 and 25 of apparent ridges */
+    double upper;
+    hrbfnpr_array levels; /* of ISOPHOTE: FLOAT64, 1: -1 .. 1.  Read during _draw only */
     float ink[4];         /* straight RGBA; black */
 } hrbfnpr_line_style;
 

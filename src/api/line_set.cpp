@@ -4,10 +4,15 @@
 #include "api/barrier.h"
 #include "api/checks.h"
 #include "api/descriptor.h"
+#include "api/lists.h"
 #include "api/operation.h"
 #include "api/views.h"
 
 #include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <vector>
 
 using namespace hrbfnpr;
 
@@ -19,6 +24,15 @@ hrbfnpr_line_set_desc defaults() noexcept {
 }
 
 template <>
+hrbfnpr_line_desc defaults() noexcept {
+    hrbfnpr_line_desc desc{};
+    desc.kind = HRBFNPR_LINE_KIND_RIDGE;
+    desc.shortest = 0.01;
+    desc.plane[2] = 1.0;
+    return desc;
+}
+
+template <>
 hrbfnpr_line_set_info defaults() noexcept {
     return {};
 }
@@ -27,6 +41,7 @@ namespace {
 
 // Frames trace curves again and again: worth preparing for.
 constexpr double expected_evaluations = 1e6;
+constexpr std::int64_t most_lines = 65536;
 
 base::Array<double> seeds_of(base::Memory& memory, const hrbfnpr_array& array) {
     base::Array<double> seeds(memory);
@@ -43,21 +58,120 @@ base::Array<double> seeds_of(base::Memory& memory, const hrbfnpr_array& array) {
     return seeds;
 }
 
+// What the requests of a descriptor refer to, until the set is made.
+struct Requests {
+    explicit Requests(base::Memory& memory) noexcept : memory_(memory) {}
+
+    void add(const hrbfnpr_line_desc& desc, const char* name);
+    [[nodiscard]] std::span<const curves::LineRequest> all() const noexcept { return requests_; }
+
+private:
+    [[nodiscard]] std::span<const double> numbers(const hrbfnpr_array& array, const char* owner, const char* field,
+                                                  ArrayType type);
+    void add_own(const hrbfnpr_line_desc& desc, const char* name, curves::LineRequest& request);
+
+    base::Memory& memory_;
+    std::vector<curves::LineRequest> requests_;
+    std::vector<std::unique_ptr<base::Array<double>>> numbers_;
+    std::vector<std::unique_ptr<base::Array<std::int64_t>>> firsts_;
+};
+
+std::span<const double> Requests::numbers(const hrbfnpr_array& array, const char* owner, const char* field,
+                                          ArrayType type) {
+    char name[128];
+    std::snprintf(name, sizeof name, "%.90s.%s", owner, field);
+    const base::InView view = in_view(array, name, type);
+    auto kept = std::make_unique<base::Array<double>>(memory_);
+    for (std::int64_t i = 0; i < view.count; ++i) {
+        for (std::uint32_t c = 0; c < type.components; ++c) {
+            kept->push_back(view.get(i, c));
+            if (!std::isfinite(view.get(i, c)))
+                fail(Status::invalid_argument, "%s[%lld] is %g; it must be finite", name, static_cast<long long>(i),
+                     view.get(i, c));
+        }
+    }
+    numbers_.push_back(std::move(kept));
+    return std::as_const(*numbers_.back()).span();
+}
+
+void Requests::add_own(const hrbfnpr_line_desc& desc, const char* name, curves::LineRequest& request) {
+    request.points = numbers(desc.position, name, "position", points_type);
+    const std::span<const double> first = numbers(desc.line_first, name, "line_first", {1, uint32_only});
+    auto kept = std::make_unique<base::Array<std::int64_t>>(memory_);
+    const auto points = static_cast<double>(request.points.size() / 3);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] > points || (i > 0 && first[i] < first[i - 1]))
+            fail(Status::invalid_argument, "%s.line_first[%zu] is %.0f; numbers must ascend, up to %.0f positions",
+                 name, i, first[i], points);
+        kept->push_back(static_cast<std::int64_t>(first[i]));
+    }
+    if (first.size() < 2)
+        fail(Status::invalid_argument, "%s.line_first has %zu numbers; it needs one more than there are lines", name,
+             first.size());
+    firsts_.push_back(std::move(kept));
+    request.first = std::as_const(*firsts_.back()).span();
+}
+
+void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
+    const Checks checks(name);
+    curves::LineRequest request;
+    request.kind = static_cast<curves::LineKind>(desc.kind);
+    if (desc.kind == 0 || desc.kind > HRBFNPR_LINE_KIND_OWN || curves::depends_on_view(request.kind) ||
+        request.kind == curves::LineKind::border)
+        fail(Status::invalid_argument,
+             "%s.kind is %u; it must be HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or "
+             "OWN: others are found with every drawing",
+             name, desc.kind);
+    if (desc.name != nullptr) {
+        if (std::strlen(desc.name) >= request.name.size())
+            fail(Status::invalid_argument, "%s.name is longer than 63 bytes", name);
+        std::strcpy(request.name.data(), desc.name);
+    }
+    checks.at_least("lower", desc.lower, 0.0);
+    checks.at_least("upper", desc.upper, desc.lower);
+    checks.at_least("shortest", desc.shortest, 0.0);
+    request.thresholds = {desc.lower, desc.upper};
+    request.shortest = desc.shortest;
+    request.plane = {desc.plane[0], desc.plane[1], desc.plane[2]};
+    if (!(glm::length(request.plane) > 0.0 && std::isfinite(glm::length(request.plane))))
+        fail(Status::invalid_argument, "%s.plane is %g %g %g; it must be a direction", name, desc.plane[0],
+             desc.plane[1], desc.plane[2]);
+    if (request.kind == curves::LineKind::section) {
+        request.levels = numbers(desc.levels, name, "levels", {1, float_types});
+        if (request.levels.empty()) fail(Status::invalid_argument, "%s.levels is empty; give the planes' places", name);
+    }
+    if (request.kind == curves::LineKind::own) add_own(desc, name, request);
+    requests_.push_back(request);
+}
+
 hrbfnpr_line_set* create(hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_line_set_desc& desc,
                          hrbfnpr_operation* operation) {
     const Checks checks("line_set_desc");
-    checks.zero("reserved", desc.reserved);
+    if ((desc.flags & ~std::uint32_t{HRBFNPR_LINE_SET_WITH_CURVATURE}) != 0)
+        fail(Status::invalid_argument, "line_set_desc.flags has bits that are no HRBFNPR_LINE_SET_WITH_...");
     checks.at_least("cell_size", desc.cell_size, 0.0);
     const base::Array<double> seeds = seeds_of(context.runtime.memory, desc.seed_points);
+    const List<hrbfnpr_line_desc> list(desc.lines, desc.line_count, desc.line_stride, most_lines,
+                                       "line_set_desc.lines");
+    Requests requests(context.runtime.memory);
+    for (std::int64_t i = 0; i < list.count(); ++i) requests.add(list[i], list.name(i).text);
     const generate::SampleHint samples = model.samples();
     const OperationUse use(operation);
     curves::LineSetSettings settings;
     settings.side = desc.cell_size;
     settings.spacing = samples.spacing;
     settings.seeds = seeds.empty() ? samples.position : seeds.span();
+    settings.with_shape = (desc.flags & HRBFNPR_LINE_SET_WITH_CURVATURE) != 0;
+    settings.lines = requests.all();
     auto* const set = make_handle<hrbfnpr_line_set>(context, model, settings, use.progress());
     use.finish();
     return set;
+}
+
+std::unique_ptr<const implicit::ShapeSource> shape_of(const hrbfnpr_context& context, const hrbfnpr_model& model) {
+    if (const implicit::HrbfData* const data = model.data())
+        return std::make_unique<implicit::HrbfShape>(context.runtime.instruction_set, *data);
+    return std::make_unique<implicit::DifferencedShape>(model.implicit());
 }
 
 hrbfnpr_line_set_info describe(const hrbfnpr_line_set& set) noexcept {
@@ -66,6 +180,8 @@ hrbfnpr_line_set_info describe(const hrbfnpr_line_set& set) noexcept {
     info.triangles = mesh.triangles();
     info.turned = mesh.turned;
     info.missed_seeds = mesh.missed_seeds;
+    for (const curves::FoundLines& found : set.lines.found()) info.lines += found.lines.curves.count();
+    info.borders = set.lines.border().curves.count();
     info.cell_size = mesh.side;
     info.seconds = set.lines.seconds();
     info.bytes = set.lines.bytes();
@@ -77,14 +193,18 @@ hrbfnpr_line_set_info describe(const hrbfnpr_line_set& set) noexcept {
 
 hrbfnpr_line_set::hrbfnpr_line_set(hrbfnpr_context& context, const hrbfnpr_model& of,
                                    const curves::LineSetSettings& settings, const base::Progress& progress)
-    : Child(context), model(of),
-      lines(context.runtime, of.implicit_for(api::expected_evaluations, progress), settings, progress) {
+    : Child(context), model(of), lines(context.runtime, of.implicit_for(api::expected_evaluations, progress),
+                                       api::shape_of(context, of), settings, progress) {
     model.add_reference();
 }
 
 hrbfnpr_line_set::~hrbfnpr_line_set() { api::release_handle(&model); }
 
 extern "C" {
+
+hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
 
 hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size) {
     return api::init_struct(desc, struct_size);

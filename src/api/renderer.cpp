@@ -83,6 +83,7 @@ private:
         frame::Item item;
         item.set = &given.point_set->set;
         item.model = given.model != nullptr ? &given.model->implicit() : nullptr;
+        const auto first_line = static_cast<std::size_t>(renderer_.line_styles.size());
         item.lines = given.line_set != nullptr ? &given.line_set->lines : nullptr;
         item.transform = to_matrix(given.transform);
         char part[128];
@@ -90,9 +91,20 @@ private:
         if (given.style != nullptr)
             item.style =
                 checked_style(read_struct(given.style, part), part, renderer_.layer_styles, renderer_.line_styles);
+        check_curvature(given, renderer_.line_styles.span().subspan(first_line), part);
         std::snprintf(part, sizeof part, "%.60s.poses", name);
         read_poses(given, part);
         renderer_.items.push_back(item);
+    }
+
+    static void check_curvature(const hrbfnpr_item& item, std::span<const frame::LineStyle> lines, const char* style) {
+        if (item.line_set == nullptr || item.line_set->lines.has_shape()) return;
+        for (const frame::LineStyle& line : lines)
+            if (curves::depends_on_view(line.kind) && line.kind != curves::LineKind::contour)
+                fail(Status::invalid_argument,
+                     "%s has lines that need curvatures; make the item's line set with "
+                     "HRBFNPR_LINE_SET_WITH_CURVATURE",
+                     style);
     }
 
     void read_poses(const hrbfnpr_item& item, const char* name) {

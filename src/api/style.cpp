@@ -5,6 +5,7 @@
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/lists.h"
+#include "api/views.h"
 #include "frame/scene/presets.h"
 
 #include <array>
@@ -114,7 +115,8 @@ using LineStyle = hrbfnpr_line_style;
 constexpr auto line_fields() noexcept {
     using To = frame::LineStyle;
     return FieldTable{
-        field("kind", &LineStyle::kind, &To::kind, rule::OneOf{HRBFNPR_LINE_KIND_CONTOUR, "HRBFNPR_LINE_KIND_..."}),
+        field("kind", &LineStyle::kind, &To::kind, rule::OneOf{HRBFNPR_LINE_KIND_OWN, "HRBFNPR_LINE_KIND_..."}),
+        field("name", &LineStyle::name, &To::name, rule::Any{}),
         field("hidden", &LineStyle::hidden, &To::hidden,
               rule::OneOf{HRBFNPR_HIDDEN_PARTS_SHOWN, "HRBFNPR_HIDDEN_PARTS_..."}),
         field("cap", &LineStyle::cap, &To::cap, rule::OneOf{HRBFNPR_CAP_POINTED, "HRBFNPR_CAP_..."}),
@@ -125,7 +127,10 @@ constexpr auto line_fields() noexcept {
         field("dash", &LineStyle::dash, &To::dash, radius),
         field("gap", &LineStyle::gap, &To::gap, radius),
         field("shortest", &LineStyle::shortest, &To::shortest, pixels),
-        reserved("reserved", &LineStyle::reserved),
+        field("fade", &LineStyle::fade, &To::fade, share),
+        field("lower", &LineStyle::lower, &To::lower, not_negative),
+        field("upper", &LineStyle::upper, &To::upper, not_negative),
+        field("levels", &LineStyle::levels, rule::Any{}),
         field("ink", &LineStyle::ink, &To::ink, ink)};
 }
 static_assert(line_fields().covers<LineStyle>());
@@ -155,6 +160,24 @@ void add_layers(const Style& style, const char* owner, base::Array<frame::LayerS
     }
 }
 
+// The caller's, which are packed and are read while the call lasts.
+std::span<const double> levels_of(const LineStyle& style, const char* owner) {
+    char name[112];
+    std::snprintf(name, sizeof name, "%.95s.levels", owner);
+    const base::InView view = in_view(style.levels, name, {1, 1U << HRBFNPR_SCALAR_FLOAT64});
+    if (style.kind != HRBFNPR_LINE_KIND_ISOPHOTE) return {};
+    if (view.count == 0) fail(Status::invalid_argument, "%s is empty; give some numbers from -1 to 1", name);
+    if (view.count > 1 && view.stride != sizeof(double))
+        fail(Status::invalid_argument, "%s must be packed: a stride of 8 bytes", name);
+    if (reinterpret_cast<std::uintptr_t>(view.data) % alignof(double) != 0)
+        fail(Status::invalid_argument, "%s must be aligned to 8 bytes", name);
+    for (std::int64_t i = 0; i < view.count; ++i)
+        if (const double level = view.get(i, 0); !(level >= -1.0 && level <= 1.0))
+            fail(Status::invalid_argument, "%s[%lld] is %g; it must be from -1 to 1", name, static_cast<long long>(i),
+                 level);
+    return {reinterpret_cast<const double*>(view.data), static_cast<std::size_t>(view.count)};
+}
+
 void add_lines(const Style& style, const char* owner, base::Array<frame::LineStyle>& lines) {
     char name[80];
     std::snprintf(name, sizeof name, "%.60s.lines", owner);
@@ -166,6 +189,7 @@ void add_lines(const Style& style, const char* owner, base::Array<frame::LineSty
             fail(Status::invalid_argument, "%s.kind is 0; it must be one of HRBFNPR_LINE_KIND_...", list.name(i).text);
         frame::LineStyle line;
         line_fields().copy(given, line);
+        line.levels = levels_of(given, list.name(i).text);
         lines.push_back(line);
     }
 }
@@ -183,6 +207,7 @@ constexpr LineStyle constant(const frame::LineStyle& from) {
     to.dash = from.dash;
     to.gap = from.gap;
     to.shortest = from.shortest;
+    to.fade = from.fade;
     for (std::size_t i = 0; i < 4; ++i) to.ink[i] = from.ink[i];
     return to;
 }

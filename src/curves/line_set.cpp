@@ -2,6 +2,7 @@
 #include "curves/line_set.h"
 
 #include "base/clock.h"
+#include "implicit/evaluate_all.h"
 #include "surface/project.h"
 #include "surface/region.h"
 
@@ -42,20 +43,41 @@ geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Imp
 
 } // namespace
 
-LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface, const LineSetSettings& settings,
-                 const base::Progress& progress)
-    : surface_(surface) {
-    const base::Stopwatch watch;
+FeatureKind feature_of(LineKind kind) noexcept {
+    switch (kind) {
+    case LineKind::ridge: return FeatureKind::ridge;
+    case LineKind::valley: return FeatureKind::valley;
+    case LineKind::apparent_ridge: return FeatureKind::apparent_ridge;
+    case LineKind::parabolic: return FeatureKind::parabolic;
+    case LineKind::isophote: return FeatureKind::isophote;
+    case LineKind::section: return FeatureKind::section;
+    default: return FeatureKind::suggestive_contour;
+    }
+}
+
+// Chosen by eye on scans and on smooth models.
+Thresholds default_thresholds(LineKind kind) noexcept {
+    switch (kind) {
+    case LineKind::suggestive_contour: return {10.0, 30.0};
+    case LineKind::ridge:
+    case LineKind::valley: return {6.0, 15.0};
+    case LineKind::apparent_ridge: return {12.0, 25.0};
+    default: return {0.0, 0.0};
+    }
+}
+
+void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& settings, const base::Progress& progress) {
     MeshSettings mesh;
-    mesh.region = surface::search_region(surface);
+    mesh.region = surface::search_region(surface_);
     mesh.side = settings.side;
     if (!(mesh.side > 0.0))
-        mesh.side = settings.spacing > 0.0 ? settings.spacing / sides_a_spacing : surface.diagonal() / sides_a_diagonal;
+        mesh.side =
+            settings.spacing > 0.0 ? settings.spacing / sides_a_spacing : surface_.diagonal() / sides_a_diagonal;
     const geometry::VecArray seeds = settings.seeds.empty()
-                                         ? found_seeds(runtime, surface, mesh.region, progress.part(0.0, 0.2))
+                                         ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
                                          : given_seeds(runtime.memory, settings.seeds);
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
-        mesh_ = triangulate(runtime, surface, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
+        mesh_ = triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
         const auto triangles = static_cast<double>(mesh_->triangles());
         const bool thin = static_cast<double>(mesh_->turned) > turned_share * triangles || mesh_->missed_seeds > 0;
         if (settings.side > 0.0 || !thin || 4 * mesh_->triangles() > most_triangles_of_finer) break;
@@ -65,12 +87,72 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
         fail(Status::not_converged, "no surface was found to draw lines of: f has no zero near the seeds; give "
                                     "seed_points on the surface");
     sheets_.emplace(runtime, *mesh_);
+}
+
+SurfaceLines own_lines(const base::Runtime& runtime, const implicit::Implicit& surface, const LineRequest& request,
+                       const base::Progress& progress) {
+    const geometry::VecArray points = given_seeds(runtime.memory, request.points);
+    base::Array<double> value(runtime.memory, points.size());
+    geometry::VecArray gradient(runtime.memory, points.size());
+    implicit::evaluate_all(runtime, surface, points,
+                           {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}}, progress);
+    SurfaceLines lines(runtime.memory);
+    LineBuilder builder(lines);
+    for (std::size_t l = 0; l + 1 < request.first.size(); ++l) {
+        const std::int64_t begin = request.first[l];
+        const std::int64_t end = request.first[l + 1];
+        const bool closed = end - begin > 3 && points[begin] == points[end - 1];
+        for (std::int64_t i = begin; i < end - (closed ? 1 : 0); ++i) builder.add(points[i], gradient[i], 1.0);
+        builder.end(closed);
+    }
+    return lines;
+}
+
+SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& request,
+                           const base::Progress& progress) const {
+    if (request.kind == LineKind::own) return own_lines(runtime, surface_, request, progress);
+    FeatureRequest feature;
+    feature.kind = feature_of(request.kind);
+    feature.plane = glm::normalize(request.plane);
+    feature.levels = request.levels;
+    const bool given = request.thresholds.lower > 0.0 || request.thresholds.upper > 0.0;
+    const Thresholds thresholds = given ? request.thresholds : default_thresholds(request.kind);
+    feature.lower = thresholds.lower;
+    feature.upper = thresholds.upper;
+    feature.shortest = request.shortest;
+    return as_lines(runtime.memory, find_feature_lines(runtime, features(), feature, progress));
+}
+
+LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,
+                 std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings,
+                 const base::Progress& progress)
+    : surface_(surface), source_(std::move(shape)), shape_(runtime.memory), border_(runtime.memory),
+      found_(runtime.memory) {
+    const base::Stopwatch watch;
+    make_mesh(runtime, settings, progress.part(0.0, 0.4));
+    border_ = border_lines(runtime.memory, *mesh_);
+    bool with_shape = settings.with_shape;
+    for (const LineRequest& request : settings.lines)
+        with_shape = with_shape || (request.kind != LineKind::own && needs_shape(feature_of(request.kind)));
+    if (with_shape) measure_shape(runtime, *source_, mesh_->position, mesh_->gradient, shape_, progress.part(0.4, 0.7));
+    for (const LineRequest& request : settings.lines) {
+        FoundLines& found = found_.add(runtime.memory);
+        found.kind = request.kind;
+        found.name = request.name;
+        found.lines = find(runtime, request, progress.part(0.7, 0.7));
+    }
     seconds_ = watch.seconds();
     runtime.log(base::LogLevel::info,
                 "lines: %lld triangles of cells of %.3g in %.3f s, %lld look away, %lld seeds missed",
                 static_cast<long long>(mesh_->triangles()), mesh_->side, seconds_,
                 static_cast<long long>(mesh_->turned), static_cast<long long>(mesh_->missed_seeds));
     progress.update(1.0);
+}
+
+std::int64_t LineSet::bytes() const noexcept {
+    std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shape_.bytes() + border_.bytes();
+    for (const FoundLines& found : found_) bytes += found.lines.bytes();
+    return bytes;
 }
 
 } // namespace hrbfnpr::curves

@@ -2,24 +2,78 @@
 // What the lines of a surface are drawn from, whatever the camera: made once for a model.
 #pragma once
 
+#include "base/list.h"
 #include "curves/sheet_count.h"
+#include "curves/surface_lines.h"
 #include "curves/surface_mesh.h"
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <span>
 
 namespace hrbfnpr::curves {
 
+// Same numbers as HRBFNPR_LINE_KIND_...
+enum class LineKind : std::uint32_t {
+    contour = 1,
+    suggestive_contour = 2,
+    ridge = 3,
+    valley = 4,
+    apparent_ridge = 5,
+    parabolic = 6,
+    isophote = 7,
+    section = 8,
+    border = 9,
+    own = 10
+};
+inline constexpr std::uint32_t line_kind_count = 11;
+// Lines that are traced anew for every camera or light.
+[[nodiscard]] constexpr bool depends_on_view(LineKind kind) noexcept {
+    return kind == LineKind::contour || kind == LineKind::suggestive_contour || kind == LineKind::apparent_ridge ||
+           kind == LineKind::isophote;
+}
+// Of those that feature_lines.h finds.
+[[nodiscard]] FeatureKind feature_of(LineKind kind) noexcept;
+struct Thresholds {
+    double lower, upper;
+};
+// Of strengths; what feature_value.h calls them.
+[[nodiscard]] Thresholds default_thresholds(LineKind kind) noexcept;
+
+// Lines that are found once.
+struct LineRequest {
+    LineKind kind = LineKind::ridge;
+    std::array<char, 64> name{};
+    Thresholds thresholds{0.0, 0.0};     // both 0: default_thresholds()
+    double shortest = 0.0;               // diagonals
+    glm::dvec3 plane{0.0, 0.0, 1.0};     // of sections: the planes' normal
+    std::span<const double> levels;      // ... and where they are along it
+    std::span<const double> points;      // own lines: 3n packed positions
+    std::span<const std::int64_t> first; // ... and the first of each line, and the end
+};
+
+struct FoundLines {
+    explicit FoundLines(base::Memory& memory) noexcept : lines(memory) {}
+    LineKind kind = LineKind::ridge;
+    std::array<char, 64> name{};
+    SurfaceLines lines;
+};
+
 struct LineSetSettings {
     double side = 0.0;             // of the mesh's cells; 0: half a spacing, and finer where walls are thinner
     std::span<const double> seeds; // 3n packed positions near the surface; empty: found from a lattice of the bounds
     double spacing = 0.0;          // mean, of the seeds; 0: not known
+    bool with_shape = false;       // for lines that depend on the view and on curvatures
+    std::span<const LineRequest> lines;
 };
 
 class LineSet {
 public:
-    // The implicit must outlive it.  Throws as triangulate() does, and Error{not_converged} where no surface is found.
-    LineSet(const base::Runtime& runtime, const implicit::Implicit& surface, const LineSetSettings& settings,
+    // The implicit, and what `shape` refers to, must outlive it.  Throws as triangulate() does, and
+    // Error{not_converged} where no surface is found.
+    LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,
+            std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings,
             const base::Progress& progress);
     LineSet(const LineSet&) = delete;
     LineSet& operator=(const LineSet&) = delete;
@@ -27,13 +81,26 @@ public:
     [[nodiscard]] const implicit::Implicit& surface() const noexcept { return surface_; }
     [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return *mesh_; }
     [[nodiscard]] const SheetCounter& sheets() const noexcept { return *sheets_; }
+    // As find_feature_lines() wants it; has_shape(): also for what needs curvatures.
+    [[nodiscard]] FeatureSurface features() const noexcept { return {surface_, *source_, *mesh_, shape_}; }
+    [[nodiscard]] bool has_shape() const noexcept { return !shape_.empty(); }
+    [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
+    [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }
-    [[nodiscard]] std::int64_t bytes() const noexcept { return mesh_->bytes() + sheets_->bytes(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
+    void make_mesh(const base::Runtime& runtime, const LineSetSettings& settings, const base::Progress& progress);
+    [[nodiscard]] SurfaceLines find(const base::Runtime& runtime, const LineRequest& request,
+                                    const base::Progress& progress) const;
+
     const implicit::Implicit& surface_;
+    std::unique_ptr<const implicit::ShapeSource> source_;
     std::optional<SurfaceMesh> mesh_;
     std::optional<SheetCounter> sheets_;
+    base::Array<ShapePoint> shape_; // of the mesh's vertices; empty: nobody asked
+    SurfaceLines border_;           // where an open surface ends
+    base::List<FoundLines> found_;
     double seconds_ = 0.0;
 };
 

@@ -22,6 +22,7 @@ constexpr double slack = 0.01;       // beyond the ends of a piece before the ne
 // In sides: curves that come nearer are the same; and a line does not cross itself nearer to where it turns back.
 constexpr double nearest_gap = 1e-5;
 constexpr double smallest_loop = 0.02;
+constexpr double touching = 0.05;
 
 // A segment of the image: from its point to the next.
 struct Grid {
@@ -75,6 +76,8 @@ private:
         double share;
     };
     [[nodiscard]] bool refine(const Pair& pair, Crossing& crossing) const noexcept;
+    [[nodiscard]] double nearest_allowed(const OnLine& a, const OnLine& b) const noexcept;
+    [[nodiscard]] bool shows_inside(const Subject& subject, const OnLine& place) const noexcept;
     [[nodiscard]] OnLine place_on(std::int64_t segment, double t) const noexcept;
     [[nodiscard]] Moving at(const OnLine& place) const noexcept;
     [[nodiscard]] bool go(OnLine& place, double by) const noexcept;
@@ -194,14 +197,14 @@ bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
     const bool second_far = glm::dot(world_q - world_p, sight) > 0.0;
     const double side = sa.side * glm::length(sight) / glm::length(sa.view.sight(p.point));
     crossing.gap = glm::distance(world_p, world_q) / side;
-    const bool same_line = lines_.pieces[a.piece].line == lines_.pieces[b.piece].line;
-    if (!(crossing.gap > (same_line ? smallest_loop : nearest_gap))) return false;
+    if (!(crossing.gap > nearest_allowed(a, b))) return false;
     const OnLine& far = second_far ? b : a;
     const OnLine& near = second_far ? a : b;
     const Subject& near_one = second_far ? sa : sb;
     // With y up the nearer surface lies to the left of its contour.
     const double turn = -cross2(second_far ? p.velocity : q.velocity, second_far ? q.velocity : p.velocity);
-    const std::int32_t sign = ((turn > 0.0) != near_one.mirrored) ? 1 : -1;
+    const bool left = (turn > 0.0) != (near_one.mirrored != shows_inside(near_one, near));
+    const std::int32_t sign = left ? 1 : -1;
     crossing.far_piece = far.piece;
     crossing.near_piece = near.piece;
     crossing.far_share = std::clamp(far.share, 0.0, 1.0);
@@ -209,6 +212,23 @@ bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
     crossing.change = sign * near_one.sheets;
     crossing.place = p.place;
     return true;
+}
+
+// A line does not cross itself nearer to where it turns back, and where it meets a contour of its own surface it
+// touches its image.
+double Finder::nearest_allowed(const OnLine& a, const OnLine& b) const noexcept {
+    if (lines_.pieces[a.piece].line == lines_.pieces[b.piece].line) return smallest_loop;
+    const Subject& sa = subject_of(a.piece);
+    const Subject& sb = subject_of(b.piece);
+    return sa.item == sb.item && (sa.level == nullptr || sb.level == nullptr) ? touching : nearest_gap;
+}
+
+// At a border the surface lies to the left as seen from outside; of contours it always does.
+bool Finder::shows_inside(const Subject& subject, const OnLine& place) const noexcept {
+    if (subject.sheets != 1) return false;
+    const curves::CurvePoint& p = subject.curves->point[lines_.pieces[place.piece].a];
+    const curves::CurvePoint& q = subject.curves->point[lines_.pieces[place.piece].b];
+    return glm::dot(p.gradient + q.gradient, subject.view.sight(p.position)) > 0.0;
 }
 
 Finder::OnLine Finder::place_on(std::int64_t segment, double t) const noexcept {

@@ -14,7 +14,6 @@ namespace {
 constexpr double finer = 0.1; // tolerance from round to round
 // Groups of cusps are seen as one within so many pixels along a line: what adds up first is taken.
 constexpr std::array<double, 5> swallowtails = {0.25, 0.0, 0.5, 1.0, 2.0};
-constexpr double clear_sides = 0.02; // beside a point of a contour the line of sight is tangent to the surface
 // Where the surface bends less along the line of sight, a ray to the contour is less certain.  In 1 / sides.
 constexpr double bent = 0.25;
 
@@ -100,8 +99,9 @@ Lengths Round::start(double tolerance) {
 Candidate Round::best_of(const Interval& part) const noexcept {
     const Line& its = line(part.line);
     const Subject& subject = subjects_[static_cast<std::size_t>(its.subject)];
-    Candidate best{
-        0.5 * (part.begin_at + part.end_at), -1.0, {its.subject, glm::dvec3(0.0), clear_sides * subject.side, 0, true}};
+    Candidate best{0.5 * (part.begin_at + part.end_at),
+                   -1.0,
+                   {its.subject, glm::dvec3(0.0), subject.clear * subject.side, 0, true}};
     const double whole = lengths_.whole(its);
     const bool all = its.closed && part.end_at - part.begin_at >= whole;
     std::int64_t k = part.begin_piece - its.first_piece;

@@ -26,6 +26,7 @@ struct Subject {
     const curves::Level* level = nullptr; // whose zero lines they are; null: polylines as they are
     curves::View view;
     double side = 0.0;        // of its mesh's cells: its unit of length
+    double clear = 0.02;      // in sides: surface so near before a place of a curve does not hide it
     glm::dmat4 to_world{1.0}; // affine
     std::int32_t item = 0;    // of its surface among the occluders
     std::int32_t sheets = 2;  // that begin or end at these curves: 2 of a contour, 1 of a border, 0 of other lines

@@ -21,6 +21,14 @@ double tapered(double from_end, double taper) noexcept {
     return std::sqrt(std::max(0.0, 1.0 - left * left));
 }
 
+// By its strength there.
+float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
+    if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
+    const float strength = (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
+    const float full = std::clamp((strength - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
+    return 1.0F - as.style->fade * (1.0F - full);
+}
+
 } // namespace
 
 void StrokeParts::run(std::span<const DrawnAs> styles) {
@@ -95,7 +103,8 @@ void StrokeParts::find_places(const Part& part) {
     place_.push_back({in.end_at, in.end_piece, in.end_share});
 }
 
-drawing::StrokePoint StrokeParts::point_at(const visibility::Subject& subject, const Place& place) const {
+drawing::StrokePoint StrokeParts::point_at(const DrawnAs& as, const Place& place) const {
+    const visibility::Subject& subject = subjects_[static_cast<std::size_t>(as.subject)];
     const glm::dvec3 p = visibility::cubic(subjects_, found_.lines.pieces[place.piece]).at(place.share);
     const glm::dvec4 q = subject.view.to_window * glm::dvec4(p, 1.0);
     const glm::dvec4 eye = scene_.camera.view * (subject.to_world * glm::dvec4(p, 1.0));
@@ -105,6 +114,7 @@ drawing::StrokePoint StrokeParts::point_at(const visibility::Subject& subject, c
     point.window = static_cast<float>(q.z / q.w);
     point.depth = static_cast<float>(-eye.z);
     point.pixels_per_unit = scene_.lens.pixels / static_cast<float>(q.w);
+    point.opacity = faded(as, found_.lines.pieces[place.piece], static_cast<float>(place.share));
     return point;
 }
 
@@ -132,7 +142,6 @@ void StrokeParts::draw(const DrawnAs& as, const Part& part) {
 // A stroke along a part, from one place along its line to another.
 void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double to) {
     const LineStyle& style = *as.style;
-    const visibility::Subject& subject = subjects_[static_cast<std::size_t>(as.subject)];
     const bool hidden = part.layers > 0;
     const double width =
         static_cast<double>(hidden && style.hidden != HiddenParts::shown ? style.hidden_width : style.width);
@@ -152,14 +161,14 @@ void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double t
         const double begin = part.free_begin && !hidden ? tapered(at - part.interval.begin_at, taper) : 1.0;
         const double end = part.free_end && !hidden ? tapered(part.interval.end_at - at, taper) : 1.0;
         point.radius = static_cast<float>(0.5 * width * std::min(begin, end));
-        point.opacity = static_cast<float>(opacity);
+        point.opacity *= static_cast<float>(opacity);
         point.length = static_cast<float>(at - from);
         strokes_.points.push_back(point);
     };
     // Between two places on one chord of the image, along it.
     const auto between = [&](std::int64_t i, double at) {
-        const drawing::StrokePoint a = point_at(subject, place_[i]);
-        const drawing::StrokePoint b = point_at(subject, place_[i + 1]);
+        const drawing::StrokePoint a = point_at(as, place_[i]);
+        const drawing::StrokePoint b = point_at(as, place_[i + 1]);
         const double span = place_[i + 1].at - place_[i].at;
         const auto u = static_cast<float>(span > 0.0 ? (at - place_[i].at) / span : 0.0);
         drawing::StrokePoint point = a;
@@ -167,12 +176,13 @@ void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double t
         point.y += u * (b.y - a.y);
         point.window += u * (b.window - a.window);
         point.depth += u * (b.depth - a.depth);
+        point.opacity += u * (b.opacity - a.opacity);
         return point;
     };
     for (std::int64_t i = 0; i < place_.size(); ++i) {
         const double here = place_[i].at;
         if (i > 0 && place_[i - 1].at < from && here > from) put(between(i - 1, from), from);
-        if (here >= from && here <= to) put(point_at(subject, place_[i]), here);
+        if (here >= from && here <= to) put(point_at(as, place_[i]), here);
         if (i > 0 && place_[i - 1].at < to && here > to) put(between(i - 1, to), to);
     }
     stroke.count = static_cast<std::int32_t>(strokes_.points.size() - stroke.first);

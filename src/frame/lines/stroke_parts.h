@@ -16,6 +16,8 @@ struct DrawnAs {
     const LineStyle* style;
     std::int32_t subject;
     std::uint32_t layer;
+    const float* strength = nullptr;  // of the points of the subject's curves; null: lines of one strength
+    float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
 };
 
 class StrokeParts {
@@ -45,7 +47,7 @@ private:
     void find_places(const Part& part);
     void draw(const DrawnAs& as, const Part& part);
     void add(const DrawnAs& as, const Part& part, double from, double to);
-    [[nodiscard]] drawing::StrokePoint point_at(const visibility::Subject& subject, const Place& place) const;
+    [[nodiscard]] drawing::StrokePoint point_at(const DrawnAs& as, const Place& place) const;
 
     const Scene& scene_;
     std::span<const visibility::Subject> subjects_;

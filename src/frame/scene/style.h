@@ -3,6 +3,7 @@
 // hrbfnpr_style.                                                         [NPAR 6]
 #pragma once
 
+#include "curves/line_set.h"
 #include "drawing/dot.h"
 #include "geometry/vec.h"
 #include "marks/point_set.h"
@@ -25,6 +26,8 @@ using ToneFn = std::int32_t (*)(void* user, std::int64_t count, const float* pos
 
 enum class Shape : std::uint32_t { dots = 0, strokes = 1 };
 
+using curves::LineKind;
+
 struct LayerStyle {
     marks::Kind kind = marks::Kind::any; // the layers that this is for
     const char* name = nullptr;          // ... and are called so; NULL: any name
@@ -40,13 +43,12 @@ struct LayerStyle {
     [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept;
 };
 
-// Same numbers as HRBFNPR_LINE_KIND_...
-enum class LineKind : std::uint32_t { contour = 1 };
 enum class HiddenParts : std::uint32_t { none = 0, attenuated = 1, dashed = 2, shown = 3 };
 
 // How lines of one kind are drawn; meaning of every field as in hrbfnpr_line_style.
 struct LineStyle {
     LineKind kind = LineKind::contour;
+    const char* name = nullptr; // of those that are found once; NULL: any name
     HiddenParts hidden = HiddenParts::none;
     drawing::Cap cap = drawing::Cap::round; // of free ends
     float width = 2.0F;
@@ -56,6 +58,9 @@ struct LineStyle {
     float dash = 5.0F;
     float gap = 3.0F;
     float shortest = 2.0F;
+    float fade = 1.0F;
+    double lower = 0.0, upper = 0.0;
+    std::span<const double> levels; // of isophotes
     float ink[4] = {0.0F, 0.0F, 0.0F, 1.0F};
 };
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "curves/surface_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hrbfnpr::curves {
+namespace {
+
+// As CurvePoint::direction() wants it: gradient x level_gradient is the tangent.
+void set_tangent(CurvePoint& p, const glm::dvec3& tangent) noexcept {
+    const glm::dvec3 n = glm::normalize(p.gradient);
+    const glm::dvec3 along = tangent - glm::dot(tangent, n) * n;
+    const double length = glm::length(along);
+    p.gradient = n;
+    p.level_gradient = length > 0.0 ? glm::cross(along / length, n) : glm::cross(tangent, n);
+}
+
+// Whether the outside of the surface is seen.
+bool shows_outside(const CurvePoint& p, const View& view) noexcept {
+    return glm::dot(p.gradient, view.sight(p.position)) < 0.0;
+}
+
+class FacingParts {
+public:
+    FacingParts(const SurfaceLines& lines, const View& view, bool outside, SurfaceLines& parts)
+        : lines_(lines), view_(view), outside_(outside), parts_(parts), builder_(parts) {}
+
+    void add_curve(std::int64_t curve) {
+        const Curves& curves = lines_.curves;
+        const std::int64_t first = curves.first[curve];
+        const std::int64_t count = curves.size_of(curve);
+        std::int64_t begin = 0; // of a closed curve a point that is not wanted, if there is one
+        const bool closed = curves.closed[curve] != 0;
+        while (closed && begin < count && wanted(first + begin)) ++begin;
+        if (begin == count) {
+            for (std::int64_t i = 0; i < count; ++i) put(first + i);
+            return builder_.end(true);
+        }
+        for (std::int64_t i = 0; i < count + (closed ? 1 : 0); ++i) {
+            const std::int64_t at = first + (begin + i) % count;
+            const std::int64_t before = first + (begin + i - 1 + count) % count;
+            const bool has_before = i > 0;
+            if (wanted(at)) {
+                if (has_before && !wanted(before)) put_between(before, at);
+                put(at);
+            } else if (has_before && wanted(before)) {
+                put_between(before, at);
+                builder_.end(false);
+            }
+        }
+        builder_.end(false);
+    }
+
+private:
+    [[nodiscard]] bool wanted(std::int64_t point) const noexcept {
+        return shows_outside(lines_.curves.point[point], view_) == outside_;
+    }
+    void put(std::int64_t at) {
+        const CurvePoint& p = lines_.curves.point[at];
+        builder_.add(p.position, p.gradient, static_cast<double>(lines_.strength[at]));
+    }
+    // Where n . v vanishes, by its values at both points.
+    void put_between(std::int64_t a, std::int64_t b) {
+        const CurvePoint& p = lines_.curves.point[a];
+        const CurvePoint& q = lines_.curves.point[b];
+        const double from = glm::dot(p.gradient, view_.sight(p.position));
+        const double to = glm::dot(q.gradient, view_.sight(q.position));
+        const double u = std::clamp(from / (from - to), 0.0, 1.0);
+        const auto strength =
+            static_cast<double>(lines_.strength[a]) * (1.0 - u) + static_cast<double>(lines_.strength[b]) * u;
+        builder_.add(CubicPiece(p, q).at(u), (1.0 - u) * p.gradient + u * q.gradient, strength);
+    }
+
+    const SurfaceLines& lines_;
+    const View& view_;
+    bool outside_;
+    SurfaceLines& parts_;
+    LineBuilder builder_;
+};
+
+} // namespace
+
+LineBuilder::LineBuilder(SurfaceLines& lines) noexcept : lines_(lines) {
+    if (lines_.curves.first.empty()) lines_.curves.first.push_back(0);
+}
+
+void LineBuilder::add(const glm::dvec3& position, const glm::dvec3& normal, double strength) {
+    Curves& curves = lines_.curves;
+    const std::int64_t first = curves.first[curves.first.size() - 1];
+    if (curves.point.size() > first && curves.point[curves.point.size() - 1].position == position) return;
+    CurvePoint p;
+    p.position = position;
+    p.gradient = normal;
+    curves.point.push_back(p);
+    lines_.strength.push_back(static_cast<float>(strength));
+}
+
+void LineBuilder::end(bool closed) {
+    Curves& curves = lines_.curves;
+    const std::int64_t first = curves.first[curves.first.size() - 1];
+    const std::int64_t count = curves.point.size() - first;
+    if (count < (closed ? 3 : 2)) {
+        curves.point.resize(first);
+        lines_.strength.resize(first);
+        return;
+    }
+    for (std::int64_t i = 0; i < count; ++i) {
+        const std::int64_t before = closed ? (i + count - 1) % count : std::max<std::int64_t>(0, i - 1);
+        const std::int64_t after = closed ? (i + 1) % count : std::min(count - 1, i + 1);
+        const glm::dvec3 in = curves.point[first + i].position - curves.point[first + before].position;
+        const glm::dvec3 out = curves.point[first + after].position - curves.point[first + i].position;
+        // By the circle through three points: the nearer one counts more.
+        const double a = glm::dot(in, in);
+        const double b = glm::dot(out, out);
+        set_tangent(curves.point[first + i], a > 0.0 && b > 0.0 ? in / a + out / b : in + out);
+    }
+    curves.first.push_back(curves.point.size());
+    curves.closed.push_back(closed ? 1 : 0);
+}
+
+SurfaceLines as_lines(base::Memory& memory, const FeatureLines& features) {
+    SurfaceLines lines(memory);
+    LineBuilder builder(lines);
+    for (std::int64_t l = 0; l < features.lines(); ++l) {
+        for (std::int64_t i = features.first[l]; i < features.first[l + 1]; ++i)
+            builder.add(features.position[i], features.normal[i], features.strength[i]);
+        builder.end(features.closed[l] != 0);
+    }
+    return lines;
+}
+
+SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh) {
+    base::Array<std::int32_t> after(memory, mesh.vertices()); // 1 + the next vertex along the border
+    for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
+        if (mesh.neighbour[e] < 0) after[mesh.corner[e]] = 1 + mesh.corner[e - e % 3 + (e + 1) % 3];
+    SurfaceLines lines(memory);
+    LineBuilder builder(lines);
+    for (std::int64_t start = 0; start < mesh.vertices(); ++start) {
+        if (after[start] == 0) continue;
+        std::int64_t at = start;
+        while (after[at] != 0) {
+            builder.add(mesh.position[at], mesh.gradient[at], 1.0);
+            at = std::exchange(after[at], 0) - 1;
+        }
+        builder.end(at == start);
+    }
+    return lines;
+}
+
+SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view, bool outside) {
+    SurfaceLines parts(memory);
+    FacingParts facing(lines, view, outside, parts);
+    for (std::int64_t c = 0; c < lines.curves.count(); ++c) facing.add_curve(c);
+    return parts;
+}
+
+} // namespace hrbfnpr::curves

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Lines that lie on a surface whatever the camera, as curves with a strength along them; and the parts of them that
+// face a camera.
+#pragma once
+
+#include "curves/curves.h"
+#include "curves/feature_lines.h"
+#include "curves/view.h"
+
+namespace hrbfnpr::curves {
+
+// CurvePoint::direction() runs along the line, and `gradient` is the surface's normal; f and g mean nothing.
+struct SurfaceLines {
+    explicit SurfaceLines(base::Memory& memory) noexcept : curves(memory), strength(memory) {}
+
+    Curves curves;
+    base::Array<float> strength; // of each point
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return curves.bytes() + strength.bytes(); }
+};
+
+// Points one after the other, with normals; closed or not.
+class LineBuilder {
+public:
+    explicit LineBuilder(SurfaceLines& lines) noexcept;
+
+    void add(const glm::dvec3& position, const glm::dvec3& normal, double strength);
+    // Ends the line: tangents come from its points.  Of less than two it is none.
+    void end(bool closed);
+
+private:
+    SurfaceLines& lines_;
+};
+
+[[nodiscard]] SurfaceLines as_lines(base::Memory& memory, const FeatureLines& features);
+// Where the mesh of an open surface ends; the surface lies to the left, as seen from outside.
+[[nodiscard]] SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh);
+
+// The parts that show their outside to the eye, or those that show their inside; they end where the line of sight is
+// tangent to the surface.
+[[nodiscard]] SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view,
+                                        bool outside);
+
+} // namespace hrbfnpr::curves

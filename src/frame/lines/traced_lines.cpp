@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "frame/lines/traced_lines.h"
+
+#include "curves/cusps.h"
+#include "curves/trace.h"
+
+#include <glm/matrix.hpp>
+
+#include <cstring>
+#include <memory>
+
+namespace hrbfnpr::frame {
+namespace {
+
+// In sides of the mesh: lines of the caller's may lie somewhat inside the surface.
+constexpr double clear_of_own = 1.0;
+
+curves::View view_of(const Scene& scene, const Item& item) {
+    const Optics optics = make_optics(scene.camera);
+    const glm::dmat4 to_eye = scene.camera.view * item.transform;
+    const glm::dvec4 eye = glm::inverse(to_eye) * optics.centre;
+    return {eye.w != 0.0 ? eye / eye.w : eye, optics.window * to_eye};
+}
+
+bool is_mirrored(const Scene& scene, const Item& item) {
+    return glm::determinant(glm::dmat3(scene.camera.view * item.transform)) < 0.0;
+}
+
+// To the eye, as features want it.
+glm::dvec4 towards_eye(const curves::View& view) noexcept {
+    return view.eye.w == 0.0 ? glm::dvec4(-glm::dvec3(view.eye), 0.0) : view.eye;
+}
+
+// The light of a style, in the item's own space.
+glm::dvec4 towards_light(const Scene& scene, const Item& item) {
+    const glm::dmat3 to_space = item.style.light_space == LightSpace::camera
+                                    ? glm::dmat3(scene.camera.view * item.transform)
+                                    : glm::dmat3(item.transform);
+    // Normals go by the inverse transpose, so that n . l is that of the space.
+    return {glm::normalize(glm::inverse(to_space) * item.style.light), 0.0};
+}
+
+} // namespace
+
+TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
+                         drawing::Drawing& drawing)
+    : runtime_(runtime), sources_(runtime.memory), kept_(runtime.memory), subjects_(runtime.memory),
+      occluders_(runtime.memory), styles_(runtime.memory), contours_of_(runtime.memory), borders_of_(runtime.memory) {
+    for (const Item& item : items) {
+        if (item.lines == nullptr) continue;
+        const Source source{&item, view_of(scene, item), static_cast<std::int32_t>(occluders_.size()),
+                            is_mirrored(scene, item)};
+        occluders_.push_back(
+            {&item.lines->sheets(), &item.lines->surface(), item.transform, source.view.eye, item.lines->mesh().side});
+        sources_.push_back(source);
+        trace_contours(source);
+        add_border(source);
+    }
+    for (const Source& source : sources_) {
+        light_ = towards_light(scene, *source.item);
+        for (const LineStyle& style : source.item->style.lines) {
+            drawing::Layer layer;
+            layer.item = static_cast<std::int32_t>(source.item - items.data());
+            layer.layer = -1;
+            layer.mark_class =
+                style.kind == LineKind::contour ? drawing::MarkClass::silhouette : drawing::MarkClass::front;
+            layer.as_strokes = true;
+            layer.ink = glm::vec4(style.ink[0], style.ink[1], style.ink[2], style.ink[3]);
+            layer.line_kind = static_cast<std::uint32_t>(style.kind);
+            add_style(source, style, static_cast<std::uint32_t>(drawing.layers.size()));
+            drawing.layers.push_back(layer);
+        }
+    }
+}
+
+visibility::Subject& TracedLines::add_subject(const Source& source, const Kept& kept) {
+    visibility::Subject subject;
+    subject.curves = &kept.lines.curves;
+    subject.view = source.view;
+    subject.side = source.item->lines->mesh().side;
+    subject.to_world = source.item->transform;
+    subject.item = source.number;
+    subject.mirrored = source.mirrored;
+    subjects_.push_back(subject);
+    return subjects_[subjects_.size() - 1];
+}
+
+void TracedLines::trace_contours(const Source& source) {
+    Kept& kept = *kept_.add(std::make_unique<Kept>(runtime_.memory, *source.item, source.view));
+    curves::TraceReport report;
+    const curves::Curves curves =
+        curves::trace(runtime_, kept.level, source.item->lines->mesh(), {}, report, base::Progress());
+    kept.lines.curves =
+        curves::with_cusps(runtime_, kept.level, source.view, curves, report.evaluations, base::Progress());
+    broken_ += report.broken + report.missed;
+    contours_of_.push_back(static_cast<std::int32_t>(subjects_.size()));
+    add_subject(source, kept).level = &kept.level;
+}
+
+// Whatever is drawn: what lies behind it depends on where the surface ends.
+void TracedLines::add_border(const Source& source) {
+    borders_of_.push_back(static_cast<std::int32_t>(subjects_.size()));
+    add_lines(source, source.item->lines->border(), nullptr, 0, 1);
+}
+
+void TracedLines::add_lines(const Source& source, const curves::SurfaceLines& lines, const LineStyle* style,
+                            std::uint32_t layer, std::int32_t sheets) {
+    if (lines.curves.count() == 0) return;
+    for (const bool outside : {true, false}) {
+        // What shows its inside is behind its own surface, unless that is open.
+        if (!outside && sheets == 0 && style->hidden == HiddenParts::none &&
+            source.item->lines->border().curves.count() == 0)
+            continue;
+        Kept& kept = *kept_.add(std::make_unique<Kept>(runtime_.memory, *source.item, source.view));
+        kept.lines = curves::facing_parts(runtime_.memory, lines, source.view, outside);
+        visibility::Subject& subject = add_subject(source, kept);
+        subject.sheets = sheets;
+        const auto number = static_cast<std::int32_t>(subjects_.size() - 1);
+        if (style == nullptr) continue;
+        if (style->kind == LineKind::own) subject.clear = clear_of_own;
+        const bool given = style->lower > 0.0 || style->upper > 0.0;
+        const curves::Thresholds by =
+            given ? curves::Thresholds{style->lower, style->upper} : curves::default_thresholds(style->kind);
+        styles_.push_back({style, number, layer, kept.lines.strength.data(), static_cast<float>(by.lower),
+                           static_cast<float>(by.upper)});
+    }
+}
+
+void TracedLines::add_style(const Source& source, const LineStyle& style, std::uint32_t layer) {
+    switch (style.kind) {
+    case LineKind::contour: styles_.push_back({&style, contours_of_[source.number], layer}); break;
+    case LineKind::border:
+        for (std::int32_t s = borders_of_[source.number]; s < subjects_.size(); ++s)
+            if (subjects_[s].item == source.number && subjects_[s].sheets == 1) styles_.push_back({&style, s, layer});
+        break;
+    case LineKind::suggestive_contour:
+    case LineKind::apparent_ridge:
+    case LineKind::isophote: add_features(source, style, layer); break;
+    default: add_found(source, style, layer);
+    }
+}
+
+void TracedLines::add_found(const Source& source, const LineStyle& style, std::uint32_t layer) {
+    for (const curves::FoundLines& found : source.item->lines->found())
+        if (found.kind == style.kind && (style.name == nullptr || std::strcmp(style.name, found.name.data()) == 0))
+            add_lines(source, found.lines, &style, layer, 0);
+}
+
+// By interpolation on the mesh: enough to draw.
+void TracedLines::add_features(const Source& source, const LineStyle& style, std::uint32_t layer) {
+    curves::FeatureRequest request;
+    request.kind = curves::feature_of(style.kind);
+    request.towards = style.kind == LineKind::isophote ? light_ : towards_eye(source.view);
+    request.levels = style.levels;
+    const bool given = style.lower > 0.0 || style.upper > 0.0;
+    const curves::Thresholds by =
+        given ? curves::Thresholds{style.lower, style.upper} : curves::default_thresholds(style.kind);
+    request.lower = by.lower;
+    request.upper = by.upper;
+    request.shortest = 0.01;
+    request.rounds = style.kind == LineKind::apparent_ridge ? 2 : 0;
+    const curves::FeatureLines lines =
+        find_feature_lines(runtime_, source.item->lines->features(), request, base::Progress());
+    add_lines(source, curves::as_lines(runtime_.memory, lines), &style, layer, 0);
+}
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// All lines of a drawing's items, traced for its camera, and the styles that they are drawn in.
+#pragma once
+
+#include "curves/contour_level.h"
+#include "curves/line_set.h"
+#include "frame/lines/stroke_parts.h"
+#include "visibility/subject.h"
+
+#include <span>
+
+namespace hrbfnpr::frame {
+
+class TracedLines {
+public:
+    // Adds a layer to the drawing for each style of lines.
+    TracedLines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
+                drawing::Drawing& drawing);
+
+    [[nodiscard]] std::span<const visibility::Subject> subjects() const noexcept { return subjects_.span(); }
+    [[nodiscard]] std::span<const visibility::Occluder> occluders() const noexcept { return occluders_.span(); }
+    [[nodiscard]] std::span<const DrawnAs> styles() const noexcept { return styles_.span(); }
+    // Contours that end inside the surface, and places where one was missed.
+    [[nodiscard]] std::int64_t broken() const noexcept { return broken_; }
+
+private:
+    // What subjects refer to, in a place of its own.
+    struct Kept {
+        Kept(base::Memory& memory, const Item& item, const curves::View& view)
+            : level(item.lines->surface(), view), lines(memory) {}
+        curves::ContourLevel level;
+        curves::SurfaceLines lines;
+    };
+    // An item that has lines.
+    struct Source {
+        const Item* item;
+        curves::View view;
+        std::int32_t number; // among the occluders
+        bool mirrored;
+    };
+
+    void trace_contours(const Source& source);
+    void add_border(const Source& source);
+    void add_style(const Source& source, const LineStyle& style, std::uint32_t layer);
+    void add_found(const Source& source, const LineStyle& style, std::uint32_t layer);
+    void add_features(const Source& source, const LineStyle& style, std::uint32_t layer);
+    // Lines on the surface, cut where they turn away from the eye; `sheets` as of a Subject.
+    void add_lines(const Source& source, const curves::SurfaceLines& lines, const LineStyle* style, std::uint32_t layer,
+                   std::int32_t sheets);
+    visibility::Subject& add_subject(const Source& source, const Kept& kept);
+
+    const base::Runtime& runtime_;
+    base::Array<Source> sources_;
+    base::List<std::unique_ptr<Kept>> kept_;
+    base::Array<visibility::Subject> subjects_;
+    base::Array<visibility::Occluder> occluders_;
+    base::Array<DrawnAs> styles_;
+    base::Array<std::int32_t> contours_of_; // subjects of each source: of its contours, of its border
+    base::Array<std::int32_t> borders_of_;
+    glm::dvec4 light_{0.0}; // of the item at hand, in its own space
+    std::int64_t broken_ = 0;
+};
+
+} // namespace hrbfnpr::frame
