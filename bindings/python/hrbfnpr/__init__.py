@@ -40,6 +40,8 @@ from ._layer import Layer, OwnLayer, preset_layers
 from ._library import ffi as _ffi
 from ._library import lib as _lib
 from ._library import library_path
+from ._line_set import Lines, LineSet, LineSetInfo
+from ._line_style import LineStyle
 from ._marks import MarkLayer
 from ._model import Model
 from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits
@@ -58,7 +60,8 @@ __all__ = [
     "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "BufferTooSmallError", "CallbackError",
     "Camera", "CancelledError", "Context", "ContextInfo", "CorruptDataError", "Curvature",
     "Drawing", "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError",
-    "InvalidArgumentError", "Item", "Layer", "LayerInfo", "LayerStyle", "MarkIdentity", "MarkLayer",
+    "InvalidArgumentError", "Item", "Layer", "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines",
+    "MarkIdentity", "MarkLayer",
     "MarkResults", "Model", "ModelInfo", "NotConvergedError", "Operation", "OutOfMemoryError",
     "OwnLayer", "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits",
     "Renderer", "SingularSystemError", "StepPatches", "StreamError", "Style",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Tuple
 
-from ._names import CLASSES, SHAPES, name_of
+from ._names import CLASSES, LINE_KINDS, SHAPES, name_of
 from ._point_set_info import kind_name, text
 from ._structs import read_struct
 
@@ -35,6 +35,14 @@ class DrawingInfo:
     nanoseconds_classify, nanoseconds_visibility, nanoseconds_sort : int
     bytes, scratch_bytes : int
         Kept by the drawing, and by its renderer.
+    line_curves, line_cusps, line_crossings : int
+        Curves that lines were drawn from, their cusps, and crossings where the farther one changes its visibility.
+    line_broken : int
+        Curves that end inside the surface, and places where one was missed.
+    line_settled, line_contradictions : int
+        Curves whose visibility did not add up, so that each part is as a ray of its own says; of these, those with
+        a ray that was not certain.
+    nanoseconds_lines : int
     """
 
     items: int
@@ -59,6 +67,13 @@ class DrawingInfo:
     nanoseconds_sort: int
     bytes: int
     scratch_bytes: int
+    line_curves: int
+    line_cusps: int
+    line_crossings: int
+    line_broken: int
+    line_settled: int
+    line_contradictions: int
+    nanoseconds_lines: int
 
 
 @dataclass(frozen=True)
@@ -69,9 +84,9 @@ class DrawingLayerInfo:
     ----------
     mark_class : {"front", "silhouette"}
     item, layer : int
-        Number of the item, and of the layer of its point set.
+        Number of the item, and of the layer of its point set; -1: of lines.
     kind, name : str
-        Of that layer.
+        Of that layer, or the kind of lines.
     shape : {"dots", "strokes"}
     ink : tuple of float
         Straight RGBA.
@@ -115,7 +130,7 @@ def read_drawing_layer(struct: Any) -> DrawingLayerInfo:
     convert = {
         "mark_class": lambda number: name_of(CLASSES, number),
         "shape": lambda number: name_of(SHAPES, number),
-        "kind": kind_name,
+        "kind": (lambda number: name_of(LINE_KINDS, number)) if struct.layer < 0 else kind_name,
         "name": text,
     }
     return read_struct(DrawingLayerInfo, struct, convert)

@@ -15,6 +15,7 @@ from ._errors import new_error
 from ._handles import Owner, own
 from ._layer import new_list
 from ._library import ffi, lib
+from ._line_set import LineSet
 from ._model import Model
 from ._point_set import PointSet
 from ._style import Style
@@ -40,6 +41,9 @@ class Item:
     poses : mapping of layer to arrays, optional
         Where the marks of some layers, by number or name, have moved: (positions, normals) or (positions,
         normals, directions), of shape (n, 3) each, absolute, in the order of the layer's marks.
+    line_set : LineSet, optional
+        What the style's lines are drawn from, in the place of contours that marks draw.  All items of a drawing
+        that have one hide each other's lines.
     """
 
     point_set: PointSet
@@ -47,6 +51,7 @@ class Item:
     transform: Optional[Array] = None
     model: Optional[Model] = None
     poses: Optional[Poses] = None
+    line_set: Optional[LineSet] = None
 
 
 def _as_items(items: Items) -> List[Item]:
@@ -140,6 +145,11 @@ class Renderer(Owner):
                 keep.append(struct.model)
                 if item.model._function is not None:
                     functions.append(item.model._function)
+            if item.line_set is not None:
+                struct.line_set = item.line_set._handle
+                keep.append(struct.line_set)
+                if item.line_set._function is not None:
+                    functions.append(item.line_set._function)
             if item.transform is not None:
                 struct.transform = matrix_in("transform", item.transform)
             if item.poses:

@@ -2,13 +2,15 @@
 """Styles: how a point set is drawn."""
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Generic, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from ._arrays import Array, store, vector
 from ._callbacks import CallbackState, callback
 from ._errors import check, new_error, new_struct
+from ._fields import Attributes, Color, Field, choice, color_field, flag, number
 from ._layer import c_name, new_list
 from ._library import ffi, lib
+from ._line_style import LineStyle
 from ._names import (
     HIDDEN_LINES,
     LAYER_KINDS,
@@ -25,74 +27,7 @@ from ._names import (
 )
 from ._numpy import np
 
-Get = TypeVar("Get")
-Set = TypeVar("Set")
-Color = Union[str, Tuple[float, ...]]
 ToneFunction = Callable[[Array, Array], Any]
-
-
-def color(argument: str, value: Color) -> Tuple[float, float, float, float]:
-    """Straight RGBA in [0, 1] from "#rrggbb", "#rrggbbaa", or 3 or 4 numbers."""
-    if isinstance(value, str):
-        digits = value.lstrip("#")
-        if value[:1] != "#" or len(digits) not in (6, 8) or set(digits.lower()) - set("0123456789abcdef"):
-            raise ValueError(f"{argument} must be '#rrggbb' or '#rrggbbaa', not {value!r}")
-        value = tuple(byte / 255 for byte in bytes.fromhex(digits))
-    numbers = [float(number) for number in value]
-    if len(numbers) == 3:
-        numbers.append(1.0)
-    if len(numbers) != 4:
-        raise ValueError(f"{argument} must be 3 or 4 numbers, or '#rrggbb'")
-    return numbers[0], numbers[1], numbers[2], numbers[3]
-
-
-class _Field(Generic[Get, Set]):
-    """An attribute that is a field of the struct."""
-
-    def __init__(self, write: Callable[[str, Set], Any], read: Callable[[Any], Get], doc: str) -> None:
-        self._write, self._read = write, read
-        self.__doc__ = doc
-
-    def __set_name__(self, owner: type, name: str) -> None:
-        self._name = name
-
-    def __get__(self, instance: Any, owner: Any = None) -> Get:
-        if instance is None:
-            return self  # type: ignore[return-value]
-        return self._read(getattr(instance._struct, self._name))
-
-    def __set__(self, instance: Any, value: Set) -> None:
-        setattr(instance._struct, self._name, self._write(self._name, value))
-
-
-def _number(doc: str) -> _Field[float, float]:
-    return _Field(lambda name, value: float(value), float, doc)
-
-
-def _color(doc: str) -> _Field[Tuple[float, ...], Color]:
-    return _Field(color, tuple, doc)
-
-
-def _choice(numbers: Dict[str, int], doc: str) -> _Field[str, str]:
-    return _Field(lambda name, value: number_of(name, numbers, value), lambda n: name_of(numbers, n), doc)
-
-
-class _Attributes:
-    """Refuses attributes that are not fields: a misspelt name must not pass silently."""
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if not name.startswith("_") and not hasattr(type(self), name):
-            raise AttributeError(f"{type(self).__name__} has no field {name!r}")
-        object.__setattr__(self, name, value)
-
-    @classmethod
-    def fields(cls) -> Tuple[str, ...]:
-        """Names of all fields."""
-        return tuple(name for name, value in vars(cls).items() if isinstance(value, _Field))
-
-
-def _flag(doc: str) -> _Field[bool, bool]:
-    return _Field(lambda name, value: int(bool(value)), bool, doc)
 
 
 def _directions(name: str, value: Union[int, str, Iterable[str]]) -> int:
@@ -103,7 +38,7 @@ def _directions(name: str, value: Union[int, str, Iterable[str]]) -> int:
     return sum({number_of(name, names, part) for part in ([value] if isinstance(value, str) else value)})
 
 
-class LayerStyle(_Attributes):
+class LayerStyle(Attributes):
     """How layers of marks are drawn; an element of `Style.layers`.
 
     Parameters
@@ -116,19 +51,19 @@ class LayerStyle(_Attributes):
         Other fields to change.
     """
 
-    kind = _choice(LAYER_KINDS, "The layers that this is for: a kind of them, or \"any\" ...")
-    shown = _flag("Whether front marks are drawn.")
-    contours = _flag("Whether marks near a contour draw it.")
-    directions = _Field[Tuple[str, ...], Union[int, str, Iterable[str]]](
+    kind = choice(LAYER_KINDS, "The layers that this is for: a kind of them, or \"any\" ...")
+    shown = flag("Whether front marks are drawn.")
+    contours = flag("Whether marks near a contour draw it.")
+    directions = Field[Tuple[str, ...], Union[int, str, Iterable[str]]](
         _directions,
         lambda bits: tuple(name for bit, name in enumerate(("first", "second")) if bits >> bit & 1),
         'Of strokes: those of ("first", "second") that are drawn.',
     )
-    shape = _choice(SHAPES, '"dots", or "strokes": marks that follow each other along a stroke are one line.')
-    share = _number("Share of the layer's marks that is used at all, 0 to 1.")
-    radius = _number("Of a mark, half the width of a stroke, pixels.")
-    radius_zoom = _number("0: radius is in pixels at any zoom; 1: grows with the zoom; or between.")
-    ink = _color("Straight RGBA in [0, 1], or '#rrggbb'.")
+    shape = choice(SHAPES, '"dots", or "strokes": marks that follow each other along a stroke are one line.')
+    share = number("Share of the layer's marks that is used at all, 0 to 1.")
+    radius = number("Of a mark, half the width of a stroke, pixels.")
+    radius_zoom = number("0: radius is in pixels at any zoom; 1: grows with the zoom; or between.")
+    ink = color_field("Straight RGBA in [0, 1], or '#rrggbb'.")
 
     def __init__(self, kind: str = "any", name: Optional[str] = None, **fields: Any) -> None:
         self._struct = new_struct("hrbfnpr_layer_style")
@@ -188,7 +123,7 @@ def _restore_layer(values: Mapping[str, Any]) -> LayerStyle:
     return LayerStyle(**values)
 
 
-class Style(_Attributes):
+class Style(Attributes):
     """How a point set is drawn.  Every field is an attribute and may be changed at any time.
 
     Parameters
@@ -203,6 +138,8 @@ class Style(_Attributes):
     ----------
     layers : list of LayerStyle
         A layer of marks takes the first that is for it, or the defaults.
+    lines : list of LineStyle
+        What is drawn of the lines of items that have a `LineSet`.
 
     Examples
     --------
@@ -211,55 +148,56 @@ class Style(_Attributes):
     >>> style.layers.insert(0, hrbfnpr.LayerStyle(name="fur", shape="strokes", ink="#402010"))
     """
 
-    hidden_lines = _choice(
+    hidden_lines = choice(
         HIDDEN_LINES, '"attenuate" (seen faintly through what is in front), "hide" or "show" [NPAR 6.1].'
     )
-    visibility = _choice(
+    visibility = choice(
         VISIBILITIES,
         '"depth_layers": marks are seen through the layers of surface in front of them, whatever the number of marks; '
         '"published": paper and ink from far to near [NPAR 6.1].  One for all styles of a drawing.',
     )
-    silhouette_threshold = _number(
+    silhouette_threshold = number(
         'delta in (0, 1): marks with abs(n . v) below it are silhouettes [NPAR 6]; of silhouette_law "width" only a '
         "limit that the line keeps."
     )
-    silhouette_law = _choice(
+    silhouette_law = choice(
         SILHOUETTE_LAWS, '"width": a line of constant width; "angle": by silhouette_threshold alone, as published.'
     )
-    silhouette_width = _number('Of silhouette_law "width": pixels on either side of the contour.')
-    attenuation_front = _number("lambda of alpha_f = nu^2 lambda.")
-    attenuation_back = _number("lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda.")
-    splat_radius = _number("Of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing.")
-    halo_width = _number(
+    silhouette_width = number('Of silhouette_law "width": pixels on either side of the contour.')
+    attenuation_front = number("lambda of alpha_f = nu^2 lambda.")
+    attenuation_back = number("lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda.")
+    splat_radius = number("Of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing.")
+    halo_width = number(
         'Pixels; of visibility "depth_layers" how far beyond its contour a surface hides what lies behind, else how '
         "much wider the paper of back marks is."
     )
-    splat_overlap = _number("n > 0: a depth layer is as opaque as n overlapping splats; 0: as published.")
-    tone_rule = _choice(TONE_RULES, '"share" or "published": how tone, depth, zoom and share are combined.')
-    tone_curve = _choice(
+    splat_overlap = number("n > 0: a depth layer is as opaque as n overlapping splats; 0: as published.")
+    tone_rule = choice(TONE_RULES, '"share" or "published": how tone, depth, zoom and share are combined.')
+    tone_curve = choice(
         TONE_CURVES,
         'Of tone_rule "share".  "coverage": marks cover 1 - tau of the paper at any zoom and number of marks; '
         '"linear": the share of marks is 1 - tau [NPAR 6.2].',
     )
-    tone_fade = _number(
+    tone_fade = number(
         "0 to 1: marks grow from nothing to their full area over this share of the marks shown; 0 = they pop."
     )
-    light_space = _choice(LIGHT_SPACES, '"world" or "camera".')
-    tone_exponent = _number("lambda of the tone law tau = max(0, n . l)^lambda, > 0 [NPAR 6.2].")
-    depth_min = _number("Distance from the camera where depth attenuation starts.")
-    depth_max = _number("... and where nothing is shown any more; 0 and 0 = off.")
-    zoom_reference = _number("Pixels per world unit at which all marks are shown; 0 = off.")
-    zoom_exponent = _number("How fast marks vanish below it; 2 keeps the ink per area.")
-    paper = _color("Straight RGBA in [0, 1], or '#rrggbb'; alpha 0 = transparent.")
-    silhouette_ink = _color("Of silhouette marks.")
-    silhouette_radius = _number("Of silhouette marks, pixels.")
-    silhouette_radius_zoom = _number("As radius_zoom of a `LayerStyle`.")
-    light = _Field[Tuple[float, ...], Sequence[float]](vector, tuple, "Towards the light; normalised on use.")
+    light_space = choice(LIGHT_SPACES, '"world" or "camera".')
+    tone_exponent = number("lambda of the tone law tau = max(0, n . l)^lambda, > 0 [NPAR 6.2].")
+    depth_min = number("Distance from the camera where depth attenuation starts.")
+    depth_max = number("... and where nothing is shown any more; 0 and 0 = off.")
+    zoom_reference = number("Pixels per world unit at which all marks are shown; 0 = off.")
+    zoom_exponent = number("How fast marks vanish below it; 2 keeps the ink per area.")
+    paper = color_field("Straight RGBA in [0, 1], or '#rrggbb'; alpha 0 = transparent.")
+    silhouette_ink = color_field("Of silhouette marks.")
+    silhouette_radius = number("Of silhouette marks, pixels.")
+    silhouette_radius_zoom = number("As radius_zoom of a `LayerStyle`.")
+    light = Field[Tuple[float, ...], Sequence[float]](vector, tuple, "Towards the light; normalised on use.")
 
     def __init__(self, preset: Optional[str] = None, **fields: Any) -> None:
         self._preset = preset
         self._tone: Optional[ToneFunction] = None
         self._layers: List[LayerStyle] = []
+        self._lines: List[LineStyle] = []
         if preset is None:
             self._struct = new_struct("hrbfnpr_style")
         else:
@@ -274,14 +212,12 @@ class Style(_Attributes):
         status = lib.hrbfnpr_style_init_preset(struct, ffi.sizeof("hrbfnpr_style"), PRESETS.index(preset), error)
         check(status, error)
         # Copied, so that they can be changed.
-        first, stride = ffi.cast("char *", struct.layers), struct.layer_stride
-        if struct.layer_count and not stride:
-            stride = struct.layers.struct_size
-        self._layers = [
-            LayerStyle._from_struct(ffi.cast("hrbfnpr_layer_style *", first + i * stride)[0])
-            for i in range(struct.layer_count)
-        ]
-        struct.layers, struct.layer_count, struct.layer_stride = ffi.NULL, 0, 0
+        self._layers = [LayerStyle._from_struct(each) for each in _elements(struct, "layer")]
+        self._lines = [LineStyle._from_struct(each) for each in _elements(struct, "line")]
+        for name in ("layer", "line"):
+            setattr(struct, f"{name}s", ffi.NULL)
+            setattr(struct, f"{name}_count", 0)
+            setattr(struct, f"{name}_stride", 0)
 
     @property
     def preset(self) -> Optional[str]:
@@ -300,6 +236,19 @@ class Style(_Attributes):
             if not isinstance(layer, LayerStyle):
                 raise TypeError(f"layers must be hrbfnpr.LayerStyle objects, not {type(layer).__name__}")
         self._layers = layers
+
+    @property
+    def lines(self) -> List[LineStyle]:
+        """What is drawn of the lines of items that have a `LineSet`."""
+        return self._lines
+
+    @lines.setter
+    def lines(self, value: Iterable[Union[LineStyle, str]]) -> None:
+        lines = [LineStyle(line) if isinstance(line, str) else line for line in value]
+        for line in lines:
+            if not isinstance(line, LineStyle):
+                raise TypeError(f"lines must be hrbfnpr.LineStyle objects or kinds, not {type(line).__name__}")
+        self._lines = lines
 
     def layer(self, which: str) -> LayerStyle:
         """The element of `layers` for a kind of layers ("any": those that no other is for), or for a name.
@@ -346,8 +295,10 @@ class Style(_Attributes):
         self._tone, self._struct.tone = None, number
 
     def set_ink(self, ink: Color) -> None:
-        """Give all layers and the contours one ink."""
+        """Give all layers, lines and the contours one ink."""
         self.silhouette_ink = ink
+        for line in self._lines:
+            line.ink = ink
         self.layer("any")
         for style in self._layers:
             style.ink = ink
@@ -357,6 +308,7 @@ class Style(_Attributes):
         copy = Style()
         copy._preset, copy._tone = self._preset, self._tone
         copy._layers = [style.copy() for style in self._layers]
+        copy._lines = [style.copy() for style in self._lines]
         copy._struct[0] = self._struct[0]
         copy.update(**fields)
         return copy
@@ -370,14 +322,15 @@ class Style(_Attributes):
                 layer = self.layer(name)
                 for field, part in dict(value).items():
                     setattr(layer, field, part)
-            elif name in self.fields() or name in ("tone", "layers"):
+            elif name in self.fields() or name in ("tone", "layers", "lines"):
                 setattr(self, name, value)
             else:
                 raise TypeError(f"Style has no field {name!r}")
 
     def _values(self) -> Dict[str, Any]:
         values = {name: getattr(self, name) for name in self.fields()}
-        return {**values, "tone": self.tone, "layers": [style.copy() for style in self._layers]}
+        return {**values, "tone": self.tone, "layers": [style.copy() for style in self._layers],
+                "lines": [style.copy() for style in self._lines]}
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Style) and self._values() == other._values()
@@ -400,12 +353,25 @@ class Style(_Attributes):
         for i, style in enumerate(self._layers):
             keep.append(style._fill(ffi.addressof(layers, i)))
         struct.layers, struct.layer_count = layers, len(self._layers)
+        lines = new_list("hrbfnpr_line_style", len(self._lines))
+        keep.append(lines)
+        for i, line in enumerate(self._lines):
+            keep.append(line._fill(ffi.addressof(lines, i)))
+        struct.lines, struct.line_count = lines, len(self._lines)
         if self._tone is None:
             return struct, None, keep
         state = CallbackState(self._tone)
         user = state.new_handle()
         struct.tone_function, struct.tone_user = _on_tone, user
         return struct, state, [*keep, user]
+
+
+def _elements(style: Any, name: str) -> List[Any]:
+    """The structs of a list of a style's."""
+    first, count = getattr(style, f"{name}s"), getattr(style, f"{name}_count")
+    stride = getattr(style, f"{name}_stride") or (first.struct_size if count else 0)
+    kind = f"hrbfnpr_{name}_style *"
+    return [ffi.cast(kind, ffi.cast("char *", first) + i * stride)[0] for i in range(count)]
 
 
 def _restore(preset: Optional[str], values: Mapping[str, Any]) -> Style:

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""Attributes that are fields of a struct."""
+from __future__ import annotations
+
+from typing import Any, Callable, Dict, Generic, Tuple, TypeVar, Union
+
+from ._names import name_of, number_of
+
+Get = TypeVar("Get")
+Set = TypeVar("Set")
+Color = Union[str, Tuple[float, ...]]
+
+
+def color(argument: str, value: Color) -> Tuple[float, float, float, float]:
+    """Straight RGBA in [0, 1] from "#rrggbb", "#rrggbbaa", or 3 or 4 numbers."""
+    if isinstance(value, str):
+        digits = value.lstrip("#")
+        if value[:1] != "#" or len(digits) not in (6, 8) or set(digits.lower()) - set("0123456789abcdef"):
+            raise ValueError(f"{argument} must be '#rrggbb' or '#rrggbbaa', not {value!r}")
+        value = tuple(byte / 255 for byte in bytes.fromhex(digits))
+    numbers = [float(number) for number in value]
+    if len(numbers) == 3:
+        numbers.append(1.0)
+    if len(numbers) != 4:
+        raise ValueError(f"{argument} must be 3 or 4 numbers, or '#rrggbb'")
+    return numbers[0], numbers[1], numbers[2], numbers[3]
+
+
+class Field(Generic[Get, Set]):
+    """An attribute that is a field of the struct."""
+
+    def __init__(self, write: Callable[[str, Set], Any], read: Callable[[Any], Get], doc: str) -> None:
+        self._write, self._read = write, read
+        self.__doc__ = doc
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, instance: Any, owner: Any = None) -> Get:
+        if instance is None:
+            return self  # type: ignore[return-value]
+        return self._read(getattr(instance._struct, self._name))
+
+    def __set__(self, instance: Any, value: Set) -> None:
+        setattr(instance._struct, self._name, self._write(self._name, value))
+
+
+def number(doc: str) -> Field[float, float]:
+    return Field(lambda name, value: float(value), float, doc)
+
+
+def color_field(doc: str) -> Field[Tuple[float, ...], Color]:
+    return Field(color, tuple, doc)
+
+
+def choice(numbers: Dict[str, int], doc: str) -> Field[str, str]:
+    return Field(lambda name, value: number_of(name, numbers, value), lambda n: name_of(numbers, n), doc)
+
+
+class Attributes:
+    """Refuses attributes that are not fields: a misspelt name must not pass silently."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_") and not hasattr(type(self), name):
+            raise AttributeError(f"{type(self).__name__} has no field {name!r}")
+        object.__setattr__(self, name, value)
+
+    @classmethod
+    def fields(cls) -> Tuple[str, ...]:
+        """Names of all fields."""
+        return tuple(name for name, value in vars(cls).items() if isinstance(value, Field))
+
+
+def flag(doc: str) -> Field[bool, bool]:
+    return Field(lambda name, value: int(bool(value)), bool, doc)
