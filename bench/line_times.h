@@ -17,7 +17,6 @@ public:
         const glm::dvec3 low = glm::make_vec3(info.bounds_min);
         const glm::dvec3 high = glm::make_vec3(info.bounds_max);
         middle_ = 0.5 * (low + high);
-        start_ = camera_of(info.bounds_min, info.bounds_max, glm::normalize(glm::dvec3(-0.3, -0.2, -1.0)), 0.5);
         // So that all of it stays in the picture and between the planes, whatever the angle.
         const glm::dvec3 half(0.5 * glm::length(high - low) / std::sqrt(3.0));
         const glm::dvec3 lower = middle_ - half;

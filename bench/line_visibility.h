@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -109,11 +110,11 @@ inline void settle_on_contour(const hrbfnpr_model* model, const glm::dvec3& eye,
 
 struct VisibilityCount {
     std::int64_t places = 0, visible = 0, right = 0;
-    std::int64_t layers_right = 0; // with as many layers, too
-    std::int64_t hidden_by_mistake = 0;
-    std::int64_t wrong_in_short = 0; // of the wrong ones, those in parts shorter than a pixel
-    std::int64_t astray = 0;         // farther than half a pixel from any contour: not counted among the places
-    std::int64_t unsure = 0;         // no ray can tell: not counted either
+    std::int64_t layers_right = 0;      // with as many layers, too
+    std::int64_t hidden_by_mistake = 0; // of the wrong ones
+    std::int64_t astray = 0;            // farther than half a pixel from any contour: not counted among the places
+    std::int64_t unsure = 0;            // no ray can tell: not counted either
+    std::vector<std::string> wrong;     // in words
 
     void add(const VisibilityCount& other) {
         places += other.places;
@@ -121,9 +122,24 @@ struct VisibilityCount {
         right += other.right;
         layers_right += other.layers_right;
         hidden_by_mistake += other.hidden_by_mistake;
-        wrong_in_short += other.wrong_in_short;
         astray += other.astray;
         unsure += other.unsure;
+        wrong.insert(wrong.end(), other.wrong.begin(), other.wrong.end());
+    }
+    void count(const LinePlace& place, std::uint32_t hits) {
+        const auto layers = static_cast<int>((hits + 1) / 2);
+        const bool is_right = (hits == 0) == (place.layers == 0);
+        ++places;
+        if (hits == 0) ++visible;
+        if (is_right) ++right;
+        if (place.layers == layers) ++layers_right;
+        if (is_right) return;
+        if (hits == 0) ++hidden_by_mistake;
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "pixel (%.2f %.2f), %.2f px from an end of a part of %.2f px: %d layers, not %d", place.pixel.x,
+                      place.pixel.y, place.from_end, place.part, place.layers, layers);
+        wrong.emplace_back(text);
     }
 };
 
@@ -132,11 +148,7 @@ class VisibilityCheck {
 public:
     explicit VisibilityCheck(const hrbfnpr_model* model) : model_(model) {
         scenes::Check check;
-        const auto info = [&] {
-            auto its = scenes::made(hrbfnpr_model_info_init);
-            check(hrbfnpr_model_get_info(model, &its, check.error()));
-            return its;
-        }();
+        const hrbfnpr_model_info info = info_of(model);
         diagonal_ = glm::distance(glm::make_vec3(info.bounds_min), glm::make_vec3(info.bounds_max));
         check(hrbfnpr_model_lipschitz(model, &lipschitz_, nullptr, check.error()));
     }
@@ -153,21 +165,12 @@ public:
         const std::vector<double> little = gaps(lens.eye, places);
         const std::vector<std::uint32_t> hits = hits_before(lens.eye, places, little);
         for (std::size_t i = 0; i < drawn.size(); ++i) {
-            if (glm::distance(lens.image_of(places[i]), drawn[i].pixel) > 0.5) {
+            if (glm::distance(lens.image_of(places[i]), drawn[i].pixel) > 0.5)
                 ++found.astray;
-                continue;
-            }
-            if (little[i] < smallest * diagonal_) {
+            else if (little[i] < smallest * diagonal_)
                 ++found.unsure;
-                continue;
-            }
-            ++found.places;
-            if (hits[i] == 0) ++found.visible;
-            const bool right = (hits[i] == 0) == (drawn[i].layers == 0);
-            if (right) ++found.right;
-            if (drawn[i].layers == static_cast<int>((hits[i] + 1) / 2)) ++found.layers_right;
-            if (!right && hits[i] == 0) ++found.hidden_by_mistake;
-            if (!right && drawn[i].part < 1.0) ++found.wrong_in_short;
+            else
+                found.count(drawn[i], hits[i]);
         }
         return found;
     }

@@ -106,43 +106,75 @@ void run_truth(hrbfnpr_context* context, Results& results) {
 
 void print(const bench::VisibilityCount& c) {
     const auto number = [](std::int64_t n) { return static_cast<long long>(n); };
-    std::printf("   visibility: %lld of %lld places, %lld of which are visible, wrong (%lld hidden by mistake, %lld in "
-                "parts below a pixel), %lld with another number of layers; %lld off the contour, %lld unsure\n",
-                number(c.places - c.right), number(c.places), number(c.visible), number(c.hidden_by_mistake),
-                number(c.wrong_in_short), number(c.places - c.layers_right), number(c.astray), number(c.unsure));
+    std::printf(
+        "   visibility: %lld of %lld places wrong (%lld hidden by mistake; %lld are visible), %lld with another "
+        "number of layers; %lld off the contour, %lld unsure\n",
+        number(c.places - c.right), number(c.places), number(c.hidden_by_mistake), number(c.visible),
+        number(c.places - c.layers_right), number(c.astray), number(c.unsure));
+}
+
+// What may be wrong with what lines are looked for on.
+void print_faults(const LineModel& model) {
+    const hrbfnpr_line_set_info info = bench::info_of(model.lines.get());
+    if (info.turned == 0 && info.missed_seeds == 0 && info.borders == 0) return;
+    std::printf("   mesh: %lld triangles turned, %lld seeds missed, %lld borders, cells of %.4g, spacing %.4g\n",
+                static_cast<long long>(info.turned), static_cast<long long>(info.missed_seeds),
+                static_cast<long long>(info.borders), info.cell_size, bench::info_of(model.model.get()).spacing);
+}
+
+// Of one surface, in so many places a view.
+struct Measured {
+    Views views;
+    bench::VisibilityCount visible;
+
+    void add(const Measured& other) {
+        views.add(other.views);
+        visible.add(other.visible);
+    }
+};
+
+Measured measure(hrbfnpr_context* context, const bench::Source& source, std::int64_t places) {
+    const LineModel model =
+        bench::line_model(context, source.name, bench::fit_centres(context, source.samples(), source.centres));
+    std::vector<std::pair<hrbfnpr_camera, std::vector<bench::Polyline>>> drawn;
+    Measured found;
+    found.views = bench::draw_views(context, model, [&](bench::LinePainter& painter, const auto& camera) {
+        drawn.emplace_back(camera, painter.polylines());
+    });
+    bench::print(source.name, bench::info_of(model.model.get()).centres, bench::info_of(model.lines.get()).triangles,
+                 found.views);
+    print_faults(model);
+    // Later, so that rays take no time from lines.
+    const bench::VisibilityCheck check(model.model.get());
+    const std::vector<glm::dvec3> directions = bench::cube_directions();
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        bench::VisibilityCount its = check(drawn[i].first, drawn[i].second, places);
+        for (std::string& wrong : its.wrong)
+            wrong = bench::view_name(source.name, directions[i]).append(", ").append(wrong);
+        found.visible.add(its);
+    }
+    print(found.visible);
+    return found;
 }
 
 void run_views(hrbfnpr_context* context, const Settings& settings, Results& results) {
     std::vector<bench::Source> sources = bench::generated_sources();
     if (!settings.models.empty())
         for (bench::Source& source : bench::sources_of(settings.models)) sources.push_back(std::move(source));
+    const auto places = std::max<std::int64_t>(1, settings.places / (26 * static_cast<std::int64_t>(sources.size())));
     std::printf("\ncontours from 26 sides, 1280 x 720, each view for the first time\n");
     bench::print_head();
-    Views all;
-    bench::VisibilityCount visible;
-    const auto places = std::max<std::int64_t>(1, settings.places / (26 * static_cast<std::int64_t>(sources.size())));
-    for (const bench::Source& source : sources) {
-        const LineModel model =
-            bench::line_model(context, source.name, bench::fit_centres(context, source.samples(), source.centres));
-        std::vector<std::pair<hrbfnpr_camera, std::vector<bench::Polyline>>> drawn;
-        const Views views = bench::draw_views(context, model, [&](bench::LinePainter& painter, const auto& camera) {
-            drawn.emplace_back(camera, painter.polylines());
-        });
-        // Later, so that rays take no time from lines.
-        const bench::VisibilityCheck check(model.model.get());
-        bench::VisibilityCount its;
-        for (const auto& [camera, polylines] : drawn) its.add(check(camera, polylines, places));
-        bench::print(source.name, bench::info_of(model.model.get()).centres,
-                     bench::info_of(model.lines.get()).triangles, views);
-        print(its);
-        all.add(views);
-        visible.add(its);
-    }
-    for (const std::string& bad : all.bad) std::printf("not valid: %s\n", bad.c_str());
-    results.add("valid_views", static_cast<double>(all.valid) / static_cast<double>(all.views));
-    results.add("visibility_right", static_cast<double>(visible.right) / static_cast<double>(visible.places));
-    results.add("median_ms", bench::quantile(all.ms, 0.5));
-    results.add("p90_ms", bench::quantile(all.ms, 0.9));
+    Measured all;
+    for (const bench::Source& source : sources) all.add(measure(context, source, places));
+    for (const std::string& bad : all.views.bad) std::printf("not valid: %s\n", bad.c_str());
+    for (const std::string& wrong : all.visible.wrong) std::printf("wrong: %s\n", wrong.c_str());
+    const auto share = [](std::int64_t part, std::int64_t whole) {
+        return static_cast<double>(part) / static_cast<double>(whole);
+    };
+    results.add("valid_views", share(all.views.valid, all.views.views));
+    results.add("visibility_right", share(all.visible.right, all.visible.places));
+    results.add("median_ms", bench::quantile(all.views.ms, 0.5));
+    results.add("p90_ms", bench::quantile(all.views.ms, 0.9));
 }
 
 // ---- On the way around -----------------------------------------------------------------------
