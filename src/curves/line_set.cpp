@@ -6,6 +6,7 @@
 #include "surface/project.h"
 #include "surface/region.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hrbfnpr::curves {
@@ -16,6 +17,8 @@ constexpr double sides_a_diagonal = 96.0; // where no spacing is known
 constexpr std::int64_t lattice = 24;      // points of the bounds that seeds are looked for from, along each axis
 // More triangles than this share that look away from the surface: walls are too thin for the cells.
 constexpr double turned_share = 2e-4;
+// Lines of the caller's that turn by more are two, each straight up to the corner: 25 degrees.
+constexpr double corner_cosine = 0.906;
 constexpr std::int64_t most_triangles_of_finer = 1'200'000;
 
 geometry::VecArray given_seeds(base::Memory& memory, std::span<const double> given) {
@@ -89,28 +92,48 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     sheets_.emplace(runtime, *mesh_);
 }
 
+// Points on the way from a to b, so that cubics between them are straight.
+void add_between(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& from, const glm::dvec3& to, double side,
+                 LineBuilder& builder) {
+    const double steps = std::min(1e4, std::ceil(glm::distance(a, b) / side));
+    for (double k = 1.0; k < steps; k += 1.0) {
+        const double u = k / steps;
+        builder.add(a + u * (b - a), (1.0 - u) * from + u * to, 1.0);
+    }
+}
+
+bool is_corner(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) noexcept {
+    return glm::dot(b - a, c - b) < corner_cosine * glm::length(b - a) * glm::length(c - b);
+}
+
 SurfaceLines own_lines(const base::Runtime& runtime, const implicit::Implicit& surface, const LineRequest& request,
-                       const base::Progress& progress) {
+                       double side, const base::Progress& progress) {
     const geometry::VecArray points = given_seeds(runtime.memory, request.points);
     base::Array<double> value(runtime.memory, points.size());
     geometry::VecArray gradient(runtime.memory, points.size());
     implicit::evaluate_all(runtime, surface, points,
                            {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}}, progress);
     SurfaceLines lines(runtime.memory);
-    LineBuilder builder(lines);
+    LineBuilder builder(lines, true);
     for (std::size_t l = 0; l + 1 < request.first.size(); ++l) {
         const std::int64_t begin = request.first[l];
         const std::int64_t end = request.first[l + 1];
-        const bool closed = end - begin > 3 && points[begin] == points[end - 1];
-        for (std::int64_t i = begin; i < end - (closed ? 1 : 0); ++i) builder.add(points[i], gradient[i], 1.0);
-        builder.end(closed);
+        for (std::int64_t i = begin; i < end; ++i) {
+            if (i > begin) add_between(points[i - 1], points[i], gradient[i - 1], gradient[i], side, builder);
+            builder.add(points[i], gradient[i], 1.0);
+            if (i > begin && i + 1 < end && is_corner(points[i - 1], points[i], points[i + 1])) {
+                builder.end(false);
+                builder.add(points[i], gradient[i], 1.0);
+            }
+        }
+        builder.end(false);
     }
     return lines;
 }
 
 SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& request,
                            const base::Progress& progress) const {
-    if (request.kind == LineKind::own) return own_lines(runtime, surface_, request, progress);
+    if (request.kind == LineKind::own) return own_lines(runtime, surface_, request, mesh_->side, progress);
     FeatureRequest feature;
     feature.kind = feature_of(request.kind);
     feature.plane = glm::normalize(request.plane);
