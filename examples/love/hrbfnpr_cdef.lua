@@ -227,8 +227,18 @@ hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn 
 hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 typedef struct hrbfnpr_line_set hrbfnpr_line_set;
-typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t reserved; double cell_size;
-    hrbfnpr_array seed_points; } hrbfnpr_line_set_desc;
+enum { HRBFNPR_LINE_KIND_CONTOUR = 1, HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3,
+    HRBFNPR_LINE_KIND_VALLEY = 4, HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6,
+    HRBFNPR_LINE_KIND_ISOPHOTE = 7, HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9,
+    HRBFNPR_LINE_KIND_OWN = 10 };
+typedef struct hrbfnpr_line_desc { uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper;
+    double shortest; double plane[3]; hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first;
+    } hrbfnpr_line_desc;
+hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
+enum { HRBFNPR_LINE_SET_WITH_CURVATURE = 1 };
+typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t flags; double cell_size;
+    hrbfnpr_array seed_points; const hrbfnpr_line_desc* lines; int64_t line_count; int64_t line_stride;
+    } hrbfnpr_line_set_desc;
 hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_line_set_create(hrbfnpr_context* context, const hrbfnpr_model* model,
     const hrbfnpr_line_set_desc* desc, hrbfnpr_operation* operation, hrbfnpr_line_set** out_line_set,
@@ -236,7 +246,8 @@ hrbfnpr_status hrbfnpr_line_set_create(hrbfnpr_context* context, const hrbfnpr_m
 void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set);
 void hrbfnpr_line_set_release(const hrbfnpr_line_set* line_set);
 typedef struct hrbfnpr_line_set_info { uint32_t struct_size; uint32_t reserved; int64_t triangles; int64_t turned;
-    int64_t missed_seeds; double cell_size; double seconds; int64_t bytes; } hrbfnpr_line_set_info;
+    int64_t missed_seeds; int64_t lines; int64_t borders; double cell_size; double seconds; int64_t bytes;
+    } hrbfnpr_line_set_info;
 hrbfnpr_status hrbfnpr_line_set_info_init(hrbfnpr_line_set_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_line_set_get_info(const hrbfnpr_line_set* line_set, hrbfnpr_line_set_info* info,
     hrbfnpr_error* error);
@@ -269,13 +280,12 @@ typedef struct hrbfnpr_layer_style { uint32_t struct_size; uint32_t kind; const 
     uint32_t contours; uint32_t directions; uint32_t shape; float share; float radius; float radius_zoom;
     uint32_t reserved; float ink[4]; } hrbfnpr_layer_style;
 hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
-enum { HRBFNPR_LINE_KIND_CONTOUR = 1 };
 enum { HRBFNPR_HIDDEN_PARTS_NONE = 0, HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, HRBFNPR_HIDDEN_PARTS_DASHED = 2,
     HRBFNPR_HIDDEN_PARTS_SHOWN = 3 };
 enum { HRBFNPR_CAP_ROUND = 0, HRBFNPR_CAP_FLAT = 1, HRBFNPR_CAP_POINTED = 2 };
-typedef struct hrbfnpr_line_style { uint32_t struct_size; uint32_t kind; uint32_t hidden; uint32_t cap; float width;
-    float taper; float hidden_width; float hidden_opacity; float dash; float gap; float shortest; uint32_t reserved;
-    float ink[4]; } hrbfnpr_line_style;
+typedef struct hrbfnpr_line_style { uint32_t struct_size; uint32_t kind; const char* name; uint32_t hidden;
+    uint32_t cap; float width; float taper; float hidden_width; float hidden_opacity; float dash; float gap;
+    float shortest; float fade; double lower; double upper; hrbfnpr_array levels; float ink[4]; } hrbfnpr_line_style;
 hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
 typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[4]; const hrbfnpr_layer_style* layers;
     int64_t layer_count; int64_t layer_stride; uint32_t tone_rule; uint32_t tone_curve; double light[3];
