@@ -44,6 +44,19 @@ geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Imp
     return seeds;
 }
 
+// With cells twice as wide, and again, where samples that are very uneven would give too many.
+SurfaceMesh of_any_size(const base::Runtime& runtime, const implicit::Implicit& surface,
+                        const geometry::VecArray& seeds, MeshSettings& settings, const base::Progress& progress) {
+    while (true) {
+        try {
+            return triangulate(runtime, surface, seeds, settings, progress);
+        } catch (const Error& error) {
+            if (error.status() != Status::invalid_argument) throw;
+            settings.side *= 2.0;
+        }
+    }
+}
+
 } // namespace
 
 FeatureKind feature_of(LineKind kind) noexcept {
@@ -73,17 +86,19 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     MeshSettings mesh;
     mesh.region = surface::search_region(surface_);
     mesh.side = settings.side;
-    if (!(mesh.side > 0.0))
+    const bool automatic = !(settings.side > 0.0);
+    if (automatic)
         mesh.side =
             settings.spacing > 0.0 ? settings.spacing / sides_a_spacing : surface_.diagonal() / sides_a_diagonal;
     const geometry::VecArray seeds = settings.seeds.empty()
                                          ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
                                          : given_seeds(runtime.memory, settings.seeds);
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
-        mesh_ = triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
+        mesh_ = automatic ? of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
+                          : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
         const auto triangles = static_cast<double>(mesh_->triangles());
         const bool thin = static_cast<double>(mesh_->turned) > turned_share * triangles || mesh_->missed_seeds > 0;
-        if (settings.side > 0.0 || !thin || 4 * mesh_->triangles() > most_triangles_of_finer) break;
+        if (!automatic || !thin || 4 * mesh_->triangles() > most_triangles_of_finer) break;
         mesh.side *= 0.5;
     }
     if (mesh_->triangles() == 0)

@@ -53,9 +53,12 @@ def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
         for kind in MADE_KINDS:
             style.layer(kind).contours = kind in arguments.contours_of
         style.layer("any").contours = False
+    _lines.style_lines(arguments, style, pen)
     style.update(**given(arguments, _STYLE))
     style.update(**given(arguments, ("silhouette_ink", "silhouette_radius")))
-    _lines.style_lines(arguments, style, pen)
+    if arguments.silhouette_ink is not None:
+        for line in style.lines:
+            line.ink = arguments.silhouette_ink
     if arguments.transparent:
         red, green, blue, _ = style.paper
         style.paper = (red, green, blue, 0.0)

@@ -23,6 +23,9 @@ _SHORT = {
 }  # fmt: skip
 NAMES = ("contour", "suggestive", "ridges", "valleys", "apparent", "parabolic", "isophotes", "section", "border", "crease")
 _FOUND_ONCE = ("ridge", "valley", "parabolic")
+# Options that mean something to contours of marks only: given, these are drawn unless --lines is given too.
+_OF_MARKS = ("silhouette_threshold", "silhouette_law", "silhouette_width", "silhouette_radius", "contours_of")
+_HIDDEN = {"attenuate": "attenuated", "hide": "none", "show": "shown"}
 # What is drawn finer than contours, as a share of their width.
 _FINE = 0.6
 
@@ -65,15 +68,16 @@ def _parse_one(part: str) -> Wanted:
 
 def style_lines(arguments: Any, style: Style, pen: float) -> None:
     """Set the lines of a style: its own or those asked for, sized for the picture."""
-    widths = {line.kind: line for line in style.lines}
-    contour = widths.get("contour", LineStyle("contour", width=2.2))
+    contour = next((line for line in style.lines if line.kind == "contour"), LineStyle("contour", width=2.2))
     if arguments.lines is not None:
         style.lines = [_line(wanted, contour) for wanted in arguments.lines]
+    elif any(getattr(arguments, option) is not None for option in _OF_MARKS):
+        style.lines = []
     for line in style.lines:
         if arguments.line_width is not None:
             line.width = arguments.line_width / pen * (1.0 if line.kind in ("contour", "border") else _FINE)
-        if arguments.hidden is not None:
-            line.hidden = arguments.hidden
+        if arguments.hidden is not None or arguments.hidden_lines is not None:
+            line.hidden = arguments.hidden or _HIDDEN[arguments.hidden_lines.replace("-", "_")]
         for field in ("width", "hidden_width", "taper", "shortest"):
             setattr(line, field, getattr(line, field) * pen)
 
@@ -84,7 +88,8 @@ def _line(wanted: Wanted, contour: LineStyle) -> LineStyle:
     kind, name = ("own", "crease") if wanted.kind == "crease" else (wanted.kind, None)
     levels = wanted.levels if kind == "isophote" else ()
     share = 1.0 if wanted.kind in ("border", "crease") else _FINE
-    return LineStyle(kind, name, levels, width=contour.width * share, hidden=contour.hidden)
+    taper = 0.0 if wanted.kind in ("border", "crease", "section") else contour.taper
+    return LineStyle(kind, name, levels, width=contour.width * share, hidden=contour.hidden, taper=taper)
 
 
 def make(arguments: Any, model: Model, style: Style, context: Context, report: Reporter) -> Optional[LineSet]:

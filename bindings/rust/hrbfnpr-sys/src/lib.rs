@@ -2403,7 +2403,7 @@ pub const HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS: u32 = 3;
 pub const HRBFNPR_INDEX_RESTART: i32 = -1;
 
 // What a vertex can carry, and the types it can have.
-/// world, FLOAT32 x 3
+/// world, FLOAT32 x 3; of lines as exact as their window depth
 pub const HRBFNPR_VERTEX_ATTRIBUTE_POSITION: u32 = 0;
 /// pixel x, pixel y, depth; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_WINDOW: u32 = 1;
@@ -2411,11 +2411,11 @@ pub const HRBFNPR_VERTEX_ATTRIBUTE_WINDOW: u32 = 1;
 pub const HRBFNPR_VERTEX_ATTRIBUTE_RADIUS: u32 = 2;
 /// straight RGBA; FLOAT32 x 4, or UINT8 x 4
 pub const HRBFNPR_VERTEX_ATTRIBUTE_COLOR: u32 = 3;
-/// world, unit; FLOAT32 x 3
+/// world, unit; of lines 0; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_NORMAL: u32 = 4;
-/// world, unit; FLOAT32 x 3
+/// world, unit; of lines 0; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION: u32 = 5;
-/// of the mark; UINT32
+/// of the mark; 0 of lines; UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_ID: u32 = 6;
 /// HRBFNPR_CLASS_...; UINT8 or UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_CLASS: u32 = 7;
