@@ -17,6 +17,7 @@ using hrbfnpr::test::Drawing;
 using hrbfnpr::test::Generation;
 using hrbfnpr::test::made;
 using hrbfnpr::test::Model;
+using hrbfnpr::test::LineSet;
 using hrbfnpr::test::PointSet;
 using hrbfnpr::test::Renderer;
 using hrbfnpr::test::three_layers;

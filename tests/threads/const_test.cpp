@@ -212,6 +212,14 @@ void add_point_sets(std::map<std::string, Call>& calls) {
             hrbfnpr_point_set_step_patches(s.context.get(), s.model.get(), nullptr, &corners, nullptr, nullptr, error);
         result.add(corner);
     });
+    CALL(hrbfnpr_line_set_create) {
+        hrbfnpr_line_set* lines = nullptr;
+        status = hrbfnpr_line_set_create(s.context.get(), s.model.get(), nullptr, nullptr, &lines, error);
+        const LineSet owned(lines);
+        auto info = made(hrbfnpr_line_set_info_init);
+        if (lines != nullptr) static_cast<void>(hrbfnpr_line_set_get_info(lines, &info, error));
+        result.add(info.triangles);
+    });
     CALL(hrbfnpr_line_set_retain) {
         UNUSED();
         hrbfnpr_line_set_retain(s.lines.get());
