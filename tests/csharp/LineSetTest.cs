@@ -99,7 +99,7 @@ namespace HrbfNpr.Tests
         [Fact]
         public void LinesThatAreFoundOnce()
         {
-            float[] path = { 0, 0, 1, 0.2f, 0, 1, 0.4f, 0, 0.9f, 0, 0.5f, 0.85f, 0.1f, 0.5f, 0.85f };
+            float[] path = { 0, 0, 1, 0.2f, 0, 1, 0.4f, 0, 0.95f, 0, 0.5f, 0.85f, 0.1f, 0.5f, 0.85f };
             var options = new LineSetOptions
             {
                 Lines =

@@ -15,9 +15,9 @@ namespace host_test {
 using hrbfnpr::test::Context;
 using hrbfnpr::test::Drawing;
 using hrbfnpr::test::Generation;
+using hrbfnpr::test::LineSet;
 using hrbfnpr::test::made;
 using hrbfnpr::test::Model;
-using hrbfnpr::test::LineSet;
 using hrbfnpr::test::PointSet;
 using hrbfnpr::test::Renderer;
 using hrbfnpr::test::three_layers;
