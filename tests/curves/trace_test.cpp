@@ -107,6 +107,7 @@ void expect_sound_at_all_views(const Meshed& meshed, double distance) {
         const Contours found(runtime(), meshed, eye.view());
         EXPECT_GT(found.curves.count(), 0);
         expect_sound(runtime(), meshed, found);
+        EXPECT_LE(found.report.evaluations, 3 * found.curves.point.size());
     }
 }
 
