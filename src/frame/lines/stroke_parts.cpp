@@ -118,12 +118,21 @@ drawing::StrokePoint StrokeParts::point_at(const DrawnAs& as, const Place& place
     return point;
 }
 
+bool StrokeParts::is_whole(const Part& part) const noexcept {
+    const visibility::Line& line = found_.lines.lines[part.interval.line];
+    return line.closed && !part.free_begin && !part.free_end && length_of(part.interval) >= lengths_.whole(line);
+}
+
 void StrokeParts::draw(const DrawnAs& as, const Part& part) {
     const LineStyle& style = *as.style;
-    const double begin = part.interval.begin_at;
-    const double end = part.interval.end_at;
     const bool hidden = part.layers > 0;
     if (hidden && style.hidden == HiddenParts::none) return;
+    // Where a nearer line crosses, a visible one ends before it; not behind it, where its end would be seen.
+    const bool ends_at_line = !hidden && as.halo > 0.0F && !is_whole(part);
+    const double gap = ends_at_line ? static_cast<double>(as.halo + style.width) : 0.0;
+    const double begin = part.interval.begin_at + (part.free_begin ? 0.0 : gap);
+    const double end = part.interval.end_at - (part.free_end ? 0.0 : gap);
+    if (!(end > begin)) return;
     if (end - begin < static_cast<double>(style.shortest) && (part.free_begin || part.free_end || hidden)) return;
     find_places(part);
     if (!hidden || style.hidden != HiddenParts::dashed) return add(as, part, begin, end);
@@ -149,17 +158,17 @@ void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double t
                                ? std::pow(static_cast<double>(style.hidden_opacity), part.layers)
                                : 1.0;
     const double taper = std::min(static_cast<double>(style.taper), 0.5 * length_of(part.interval));
-    const bool round = !part.free_begin && !part.free_end && found_.lines.lines[part.interval.line].closed &&
-                       to - from >= lengths_.whole(found_.lines.lines[part.interval.line]);
+    const bool round = is_whole(part);
     drawing::Stroke stroke;
     stroke.first = strokes_.points.size();
     stroke.layer = as.layer;
     stroke.closed = round;
     stroke.cap_begin = part.free_begin && !hidden ? style.cap : drawing::Cap::round;
     stroke.cap_end = part.free_end && !hidden ? style.cap : drawing::Cap::round;
+    const bool dashed = hidden && style.hidden == HiddenParts::dashed;
     const auto put = [&](drawing::StrokePoint point, double at) {
-        const double begin = part.free_begin && !hidden ? tapered(at - part.interval.begin_at, taper) : 1.0;
-        const double end = part.free_end && !hidden ? tapered(part.interval.end_at - at, taper) : 1.0;
+        const double begin = part.free_begin && !dashed ? tapered(at - part.interval.begin_at, taper) : 1.0;
+        const double end = part.free_end && !dashed ? tapered(part.interval.end_at - at, taper) : 1.0;
         point.radius = static_cast<float>(0.5 * width * std::min(begin, end));
         point.opacity *= static_cast<float>(opacity);
         point.length = static_cast<float>(at - from);

@@ -18,6 +18,7 @@ struct DrawnAs {
     std::uint32_t layer;
     const float* strength = nullptr;  // of the points of the subject's curves; null: lines of one strength
     float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
+    float halo = 0.0F;                // of its item's style: pixels between a nearer line and where this one ends
 };
 
 class StrokeParts {
@@ -45,6 +46,8 @@ private:
 
     void collect(std::int64_t first, std::int64_t end);
     void find_places(const Part& part);
+    // Of a closed line, all of it.
+    [[nodiscard]] bool is_whole(const Part& part) const noexcept;
     void draw(const DrawnAs& as, const Part& part);
     void add(const DrawnAs& as, const Part& part, double from, double to);
     [[nodiscard]] drawing::StrokePoint point_at(const DrawnAs& as, const Place& place) const;
