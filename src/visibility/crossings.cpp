@@ -214,6 +214,7 @@ bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
     crossing.near_share = std::clamp(near.share, 0.0, 1.0);
     crossing.change = sign * near_one.sheets;
     crossing.place = p.place;
+    crossing.sine = std::abs(turn) / (glm::length(p.velocity) * glm::length(q.velocity));
     return true;
 }
 

@@ -185,6 +185,49 @@ TEST(Invisibility, LinkedItems) {
     EXPECT_GT(compared, 2000);
 }
 
+// Swallowtails of a torus, from those that are just born to those that can be seen: four cusps come at once.  What is
+// hidden by one too small to be seen may be shown.
+TEST(Invisibility, YoungSwallowtails) {
+    const test::Torus torus(1.0, 0.4);
+    Stage stage;
+    add(runtime(), stage, torus, {1.4, 0.0, 0.0}, 0.08);
+    const auto eye_at = [](double angle, bool perspective) {
+        return Eye::at({std::cos(angle), 0.013, std::sin(angle)}, 4.0, perspective);
+    };
+    const auto cusps = [&](double angle, bool perspective) {
+        Picture picture(runtime(), stage, eye_at(angle, perspective));
+        picture.find();
+        return picture.found->report.cusps;
+    };
+    int compared = 0;
+    for (const bool perspective : {true, false}) {
+        double some = 0.4;
+        double none = 1.4;
+        ASSERT_GT(cusps(some, perspective), 0);
+        ASSERT_EQ(cusps(none, perspective), 0);
+        for (int k = 0; k < 40; ++k) {
+            const double middle = 0.5 * (some + none);
+            (cusps(middle, perspective) > 0 ? some : none) = middle;
+        }
+        for (double older = 1e-7; older < 0.3; older *= 1.6) {
+            SCOPED_TRACE(testing::Message() << perspective << ' ' << older);
+            Picture picture(runtime(), stage, eye_at(some - older, perspective));
+            picture.find();
+            EXPECT_GT(picture.found->report.cusps, 0);
+            EXPECT_EQ(picture.found->report.settled, 0);
+            EXPECT_EQ(picture.found->report.contradictions, 0);
+            for (int i = 0; i < 60; ++i) {
+                const Place place = picture.random_place(i);
+                const std::optional<std::int32_t> sheets = picture.sheets_at(place);
+                if (!sheets || picture.near_cusp(place)) continue;
+                ++compared;
+                EXPECT_EQ(*sheets, picture.dense_count(place, 400));
+            }
+        }
+    }
+    EXPECT_GT(compared, 1000);
+}
+
 // Where there is no contour of the surface around the eye; it is one sheet before what is beyond it.
 TEST(Invisibility, EyeInsideASphere) {
     const test::SquareSphere sphere;

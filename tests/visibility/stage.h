@@ -99,6 +99,14 @@ public:
         }
         return std::nullopt;
     }
+    // Nearer to a cusp of its line than 0.25 pixels.
+    [[nodiscard]] bool near_cusp(const Place& place) const {
+        const Events events = collect_events(runtime_.memory, subjects, found->lines, found->crossings, *lengths);
+        bool near = false;
+        for (const Event& e : events.of(place.line))
+            near = near || (e.near_piece < 0 && std::abs(e.at - place.at) < 0.25);
+        return near;
+    }
     // In the subject's coordinates, on the curve itself.
     [[nodiscard]] glm::dvec3 point_at(const Place& place) const {
         const Piece& piece = found->lines.pieces[place.piece];
