@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Contours as lines: how near to the truth, how often whole, visible where they should be, times, and flicker.
+// --models=DIR: a folder of PLY files of points with normals, besides generated surfaces; --only=PART,...: of truth,
+// views, times, flicker; --places=N: of lines whose visibility is looked at.
+#include "line_flicker.h"
+#include "line_times.h"
+#include "line_truth.h"
+#include "line_views.h"
+#include "line_visibility.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using bench::LineModel;
+using bench::Views;
+
+struct Settings {
+    std::string models;
+    std::string only;
+    std::int64_t places;
+
+    [[nodiscard]] bool wants(const char* part) const { return only.empty() || only.find(part) != std::string::npos; }
+};
+
+struct Results {
+    std::vector<std::pair<std::string, double>> pairs;
+
+    void add(const char* name, double value) { pairs.emplace_back(std::string("lines.").append(name), value); }
+};
+
+// ---- Against what is known ------------------------------------------------------------------
+
+// Of the lines that are drawn, and of the contours that there are.
+struct Truth {
+    bench::Nearness drawn, wanted;
+    Views views;
+
+    void add(const Truth& other) {
+        drawn.add(other.drawn);
+        wanted.add(other.wanted);
+        views.add(other.views);
+    }
+    [[nodiscard]] double precision() const { return drawn.near / drawn.length; }
+    [[nodiscard]] double recall() const { return wanted.near / wanted.length; }
+    [[nodiscard]] double error() const { return drawn.moment / drawn.length; }
+};
+
+Truth compare_views(hrbfnpr_context* context, const LineModel& model, const bench::Exact& exact, double angle) {
+    const glm::dvec3 low = -exact.shape->half;
+    const glm::dvec3 high = exact.shape->half;
+    bench::LinePainter painter(context, model.marks.get(), model.lines.get());
+    Truth truth;
+    for (const glm::dvec3& direction : bench::turned_directions()) {
+        const hrbfnpr_camera camera = bench::camera_of(glm::value_ptr(low), glm::value_ptr(high), direction, angle);
+        painter.draw(camera);
+        const std::string name = bench::view_name(model.name, direction);
+        bench::count(truth.views, painter.info(), name);
+        const bench::ImageLines drawn = bench::image_lines(painter.polylines());
+        const bench::ImageLines wanted = exact.contours->of(bench::Sight(camera));
+        const bench::Nearness of_drawn = bench::nearness(drawn, wanted);
+        const bench::Nearness of_wanted = bench::nearness(wanted, drawn);
+        for (const auto& [what, near] : {std::pair("drawn beside", of_drawn), std::pair("not drawn", of_wanted)})
+            if (near.longest > 1.0)
+                std::printf("%s: %.1f of %.0f px %s, %.1f at most\n", name.c_str(), near.length - near.near,
+                            near.length, what, near.longest);
+        truth.drawn.add(of_drawn);
+        truth.wanted.add(of_wanted);
+    }
+    return truth;
+}
+
+void run_truth(hrbfnpr_context* context, Results& results) {
+    std::printf("\ncontours of known surfaces from 26 sides, hidden ones too, within a pixel\n");
+    Truth all;
+    std::vector<std::string> rows;
+    for (const bench::Exact& exact : bench::exact_shapes())
+        for (const double angle : {0.5, 0.0}) {
+            const std::string name = exact.name + (angle > 0.0 ? ", perspective" : ", orthographic");
+            const LineModel model = bench::line_model(context, name, bench::custom_shape(context, *exact.shape));
+            const Truth truth = compare_views(context, model, exact, angle);
+            char row[160];
+            std::snprintf(row, sizeof row, "%-28s %9.6f %9.6f %9.5f %9.2f %9.2f %6lld %8lld %7lld %8.1f", name.c_str(),
+                          truth.precision(), truth.recall(), truth.error(), truth.drawn.longest, truth.wanted.longest,
+                          static_cast<long long>(truth.views.valid), static_cast<long long>(truth.views.settled),
+                          static_cast<long long>(truth.views.broken), bench::quantile(truth.views.ms, 0.5));
+            rows.emplace_back(row);
+            all.add(truth);
+        }
+    std::printf("%-28s %9s %9s %9s %9s %9s %6s %8s %7s %8s\n", "surface", "precision", "recall", "error px",
+                "beside px", "gap px", "valid", "settled", "broken", "ms");
+    for (const std::string& row : rows) std::printf("%s\n", row.c_str());
+    results.add("precision", all.precision());
+    results.add("recall", all.recall());
+    results.add("mean_error_px", all.error());
+    results.add("longest_gap_px", all.wanted.longest);
+}
+
+// ---- Of fitted surfaces ---------------------------------------------------------------------
+
+void print(const bench::VisibilityCount& c) {
+    const auto number = [](std::int64_t n) { return static_cast<long long>(n); };
+    std::printf("   visibility: %lld of %lld places, %lld of which are visible, wrong (%lld hidden by mistake, %lld in "
+                "parts below a pixel), %lld with another number of layers; %lld off the contour, %lld unsure\n",
+                number(c.places - c.right), number(c.places), number(c.visible), number(c.hidden_by_mistake),
+                number(c.wrong_in_short), number(c.places - c.layers_right), number(c.astray), number(c.unsure));
+}
+
+void run_views(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    std::vector<bench::Source> sources = bench::generated_sources();
+    if (!settings.models.empty())
+        for (bench::Source& source : bench::sources_of(settings.models)) sources.push_back(std::move(source));
+    std::printf("\ncontours from 26 sides, 1280 x 720, each view for the first time\n");
+    bench::print_head();
+    Views all;
+    bench::VisibilityCount visible;
+    const auto places = std::max<std::int64_t>(1, settings.places / (26 * static_cast<std::int64_t>(sources.size())));
+    for (const bench::Source& source : sources) {
+        const LineModel model =
+            bench::line_model(context, source.name, bench::fit_centres(context, source.samples(), source.centres));
+        std::vector<std::pair<hrbfnpr_camera, std::vector<bench::Polyline>>> drawn;
+        const Views views = bench::draw_views(context, model, [&](bench::LinePainter& painter, const auto& camera) {
+            drawn.emplace_back(camera, painter.polylines());
+        });
+        // Later, so that rays take no time from lines.
+        const bench::VisibilityCheck check(model.model.get());
+        bench::VisibilityCount its;
+        for (const auto& [camera, polylines] : drawn) its.add(check(camera, polylines, places));
+        bench::print(source.name, bench::info_of(model.model.get()).centres,
+                     bench::info_of(model.lines.get()).triangles, views);
+        print(its);
+        all.add(views);
+        visible.add(its);
+    }
+    for (const std::string& bad : all.bad) std::printf("not valid: %s\n", bad.c_str());
+    results.add("valid_views", static_cast<double>(all.valid) / static_cast<double>(all.views));
+    results.add("visibility_right", static_cast<double>(visible.right) / static_cast<double>(visible.places));
+    results.add("median_ms", bench::quantile(all.ms, 0.5));
+    results.add("p90_ms", bench::quantile(all.ms, 0.9));
+}
+
+// ---- On the way around -----------------------------------------------------------------------
+
+[[nodiscard]] LineModel orbit_model(hrbfnpr_context* context, const Settings& settings) {
+    const bench::Samples samples =
+        settings.models.empty() ? bench::bumpy(4096) : bench::read_ply(settings.models + "/head_4096.ply");
+    return bench::line_model(context, "orbit", bench::fit_centres(context, samples, 4096));
+}
+
+void run_times(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    const LineModel model = orbit_model(context, settings);
+    std::printf("\ntimes; other programs' work falls on them too\n");
+    const bench::LineOrbit orbit(model.model.get());
+    bench::LinePainter painter(context, model.marks.get(), model.lines.get());
+    std::vector<double> ms;
+    for (int frame = 0; frame < 120; ++frame) {
+        painter.draw(orbit.at(0.5 * frame));
+        if (frame > 0) ms.push_back(bench::line_ms(painter.info()));
+    }
+    results.add("warm_ms", bench::quantile(ms, 0.5));
+    results.add("vs_marks", bench::lines_over_marks(context, model));
+    bench::print_head();
+    const double few = bench::median_ms(context, 256);
+    results.add("growth", bench::median_ms(context, 16384) / few);
+}
+
+void run_flicker(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    const LineModel model = orbit_model(context, settings);
+    bench::LinePainter painter(context, model.marks.get(), model.lines.get());
+    const bench::Flicker found = bench::flicker_of(painter, bench::LineOrbit(model.model.get()), 120, 0.5);
+    std::printf("\n%lld of %lld places of visible contours vanish for a frame or two\n",
+                static_cast<long long>(found.gone), static_cast<long long>(found.places));
+    results.add("flicker", static_cast<double>(found.gone) / static_cast<double>(found.places));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        Settings settings{bench::option(argc, argv, "--models="), bench::option(argc, argv, "--only="), 100'000};
+        const std::string places = bench::option(argc, argv, "--places=");
+        if (!places.empty()) settings.places = std::stoll(places);
+        const scenes::Context context = bench::make_context();
+        Results results;
+        if (settings.wants("truth")) run_truth(context.get(), results);
+        if (settings.wants("views")) run_views(context.get(), settings, results);
+        if (settings.wants("times")) run_times(context.get(), settings, results);
+        if (settings.wants("flicker")) run_flicker(context.get(), settings, results);
+        std::printf("\n");
+        for (const auto& [name, value] : results.pairs) bench::report(name.c_str(), value);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}
