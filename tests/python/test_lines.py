@@ -37,6 +37,14 @@ def test_contours_are_curves(model, marks):
     info = drawing.info
     assert info.line_curves >= 2 and info.line_broken == info.line_settled == info.line_contradictions == 0
     assert info.silhouette == 0  # marks draw no contours then
+    lines = drawing.polylines(drawing.layers.index(contour))
+    assert len(lines) == contour.strokes
+    for line in lines:
+        steps = np.linalg.norm(np.diff(line["window"][:, :2], axis=0), axis=1)
+        assert np.allclose(np.cumsum(steps), line["length"][1:], atol=0.05)
+        ring = np.hypot(line["position"][:, 0], line["position"][:, 1])
+        off = np.abs(np.hypot(ring - 1, line["position"][:, 2]) - 0.4)
+        assert off.max() < 0.02  # world positions lie on the torus
     assert (drawing.image()[..., :3].min(axis=2) < 128).mean() > 0.005
 
 

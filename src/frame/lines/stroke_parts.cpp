@@ -243,7 +243,10 @@ void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double t
         const double end = part.free_end && !dashed ? tapered(part.interval.end_at - at, taper) : 1.0;
         point.radius = static_cast<float>(0.5 * width * std::min(begin, end));
         point.opacity *= static_cast<float>(opacity);
-        point.length = static_cast<float>(at - from);
+        if (strokes_.points.size() > stroke.first) {
+            const drawing::StrokePoint& last = strokes_.points[strokes_.points.size() - 1];
+            point.length = last.length + std::hypot(point.x - last.x, point.y - last.y);
+        }
         strokes_.points.push_back(point);
     };
     // Between two places on one chord of the image, along it.
