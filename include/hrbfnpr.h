@@ -1693,13 +1693,13 @@ enum { HRBFNPR_INDEX_RESTART = -1 };
 
 /* What a vertex can carry, and the types it can have. */
 enum {
-    HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0,  /* world, FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0,  /* world, FLOAT32 x 3; of lines as exact as their window depth */
     HRBFNPR_VERTEX_ATTRIBUTE_WINDOW = 1,    /* pixel x, pixel y, depth; FLOAT32 x 3 */
     HRBFNPR_VERTEX_ATTRIBUTE_RADIUS = 2,    /* pixels; FLOAT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_COLOR = 3,     /* straight RGBA; FLOAT32 x 4, or UINT8 x 4 */
-    HRBFNPR_VERTEX_ATTRIBUTE_NORMAL = 4,    /* world, unit; FLOAT32 x 3 */
-    HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION = 5, /* world, unit; FLOAT32 x 3 */
-    HRBFNPR_VERTEX_ATTRIBUTE_ID = 6,        /* of the mark; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_NORMAL = 4,    /* world, unit; of lines 0; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION = 5, /* world, unit; of lines 0; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_ID = 6,        /* of the mark; 0 of lines; UINT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_CLASS = 7,     /* HRBFNPR_CLASS_...; UINT8 or UINT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER = 8,  /* 1 = a disc of paper, 0 = ink; UINT8 or UINT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_LAYER = 9,     /* of the drawing; UINT32 */

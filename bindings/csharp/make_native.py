@@ -15,6 +15,7 @@ HANDLES = {
     "hrbfnpr_operation": "OperationHandle",
     "hrbfnpr_model": "ModelHandle",
     "hrbfnpr_point_set": "PointSetHandle",
+    "hrbfnpr_line_set": "LineSetHandle",
     "hrbfnpr_renderer": "RendererHandle",
     "hrbfnpr_drawing": "DrawingHandle",
 }
@@ -25,6 +26,7 @@ BY_HAND = {
     "hrbfnpr_point_set_info": "PointSetInfo",
     "hrbfnpr_layer_info": "LayerInfo",
     "hrbfnpr_placement_info": "PlacementInfo",
+    "hrbfnpr_line_set_info": "LineSetInfo",
     "hrbfnpr_drawing_info": "DrawingInfo",
     "hrbfnpr_drawing_layer_info": "DrawingLayerInfo",
     "hrbfnpr_mark_identity": "MarkIdentity",

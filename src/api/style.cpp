@@ -211,9 +211,9 @@ constexpr LineStyle constant(const frame::LineStyle& from) {
     for (std::size_t i = 0; i < 4; ++i) to.ink[i] = from.ink[i];
     return to;
 }
-constexpr std::array plain_lines = {constant(frame::presets::plain_lines[0])};
-constexpr std::array silhouette_lines = {constant(frame::presets::silhouette_lines[0])};
-constexpr std::array xray_lines = {constant(frame::presets::xray_lines[0])};
+constexpr std::array<LineStyle, 1> plain_lines = {constant(frame::presets::plain_lines[0])};
+constexpr std::array<LineStyle, 1> silhouette_lines = {constant(frame::presets::silhouette_lines[0])};
+constexpr std::array<LineStyle, 1> xray_lines = {constant(frame::presets::xray_lines[0])};
 
 std::span<const LineStyle> preset_line_styles(std::uint32_t preset) noexcept {
     switch (preset) {

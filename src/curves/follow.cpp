@@ -34,8 +34,9 @@ struct Passed {
 };
 
 constexpr int most_iterations = 5;
-// Where a corrector's step is below this share of the curve's, the one that follows is nothing.
-constexpr double converged = 1e-2;
+// Where a corrector's step is below this share of the curve's, the one that follows is nothing: below 1e-6 sides, since
+// rays to points that are farther off the surface cross it beside them.
+constexpr double converged = 1e-3;
 // In sides of the mesh: where steps are shorter, a curve may have a kink, since the Hessian of a Hermite sum jumps at
 // each sample.
 constexpr double kink = 2e-3;

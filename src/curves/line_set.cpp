@@ -6,6 +6,7 @@
 #include "surface/project.h"
 #include "surface/region.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hrbfnpr::curves {
@@ -16,6 +17,8 @@ constexpr double sides_a_diagonal = 96.0; // where no spacing is known
 constexpr std::int64_t lattice = 24;      // points of the bounds that seeds are looked for from, along each axis
 // More triangles than this share that look away from the surface: walls are too thin for the cells.
 constexpr double turned_share = 2e-4;
+// Lines of the caller's that turn by more are two, each straight up to the corner: 25 degrees.
+constexpr double corner_cosine = 0.906;
 constexpr std::int64_t most_triangles_of_finer = 1'200'000;
 
 geometry::VecArray given_seeds(base::Memory& memory, std::span<const double> given) {
@@ -39,6 +42,19 @@ geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Imp
         if (points.status[i] == surface::ProjectionStatus::converged && region.contains(points.position[i]))
             seeds.push_back(points.position[i]);
     return seeds;
+}
+
+// With cells twice as wide, and again, where samples that are very uneven would give too many.
+SurfaceMesh of_any_size(const base::Runtime& runtime, const implicit::Implicit& surface,
+                        const geometry::VecArray& seeds, MeshSettings& settings, const base::Progress& progress) {
+    while (true) {
+        try {
+            return triangulate(runtime, surface, seeds, settings, progress);
+        } catch (const Error& error) {
+            if (error.status() != Status::invalid_argument) throw;
+            settings.side *= 2.0;
+        }
+    }
 }
 
 } // namespace
@@ -70,17 +86,19 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     MeshSettings mesh;
     mesh.region = surface::search_region(surface_);
     mesh.side = settings.side;
-    if (!(mesh.side > 0.0))
+    const bool automatic = !(settings.side > 0.0);
+    if (automatic)
         mesh.side =
             settings.spacing > 0.0 ? settings.spacing / sides_a_spacing : surface_.diagonal() / sides_a_diagonal;
     const geometry::VecArray seeds = settings.seeds.empty()
                                          ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
                                          : given_seeds(runtime.memory, settings.seeds);
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
-        mesh_ = triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
+        mesh_ = automatic ? of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
+                          : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
         const auto triangles = static_cast<double>(mesh_->triangles());
         const bool thin = static_cast<double>(mesh_->turned) > turned_share * triangles || mesh_->missed_seeds > 0;
-        if (settings.side > 0.0 || !thin || 4 * mesh_->triangles() > most_triangles_of_finer) break;
+        if (!automatic || !thin || 4 * mesh_->triangles() > most_triangles_of_finer) break;
         mesh.side *= 0.5;
     }
     if (mesh_->triangles() == 0)
@@ -89,28 +107,48 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     sheets_.emplace(runtime, *mesh_);
 }
 
+// Points on the way from a to b, so that cubics between them are straight.
+void add_between(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& from, const glm::dvec3& to, double side,
+                 LineBuilder& builder) {
+    const double steps = std::min(1e4, std::ceil(glm::distance(a, b) / side));
+    for (double k = 1.0; k < steps; k += 1.0) {
+        const double u = k / steps;
+        builder.add(a + u * (b - a), (1.0 - u) * from + u * to, 1.0);
+    }
+}
+
+bool is_corner(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) noexcept {
+    return glm::dot(b - a, c - b) < corner_cosine * glm::length(b - a) * glm::length(c - b);
+}
+
 SurfaceLines own_lines(const base::Runtime& runtime, const implicit::Implicit& surface, const LineRequest& request,
-                       const base::Progress& progress) {
+                       double side, const base::Progress& progress) {
     const geometry::VecArray points = given_seeds(runtime.memory, request.points);
     base::Array<double> value(runtime.memory, points.size());
     geometry::VecArray gradient(runtime.memory, points.size());
     implicit::evaluate_all(runtime, surface, points,
                            {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}}, progress);
     SurfaceLines lines(runtime.memory);
-    LineBuilder builder(lines);
+    LineBuilder builder(lines, true);
     for (std::size_t l = 0; l + 1 < request.first.size(); ++l) {
         const std::int64_t begin = request.first[l];
         const std::int64_t end = request.first[l + 1];
-        const bool closed = end - begin > 3 && points[begin] == points[end - 1];
-        for (std::int64_t i = begin; i < end - (closed ? 1 : 0); ++i) builder.add(points[i], gradient[i], 1.0);
-        builder.end(closed);
+        for (std::int64_t i = begin; i < end; ++i) {
+            if (i > begin) add_between(points[i - 1], points[i], gradient[i - 1], gradient[i], side, builder);
+            builder.add(points[i], gradient[i], 1.0);
+            if (i > begin && i + 1 < end && is_corner(points[i - 1], points[i], points[i + 1])) {
+                builder.end(false);
+                builder.add(points[i], gradient[i], 1.0);
+            }
+        }
+        builder.end(false);
     }
     return lines;
 }
 
 SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& request,
                            const base::Progress& progress) const {
-    if (request.kind == LineKind::own) return own_lines(runtime, surface_, request, progress);
+    if (request.kind == LineKind::own) return own_lines(runtime, surface_, request, mesh_->side, progress);
     FeatureRequest feature;
     feature.kind = feature_of(request.kind);
     feature.plane = glm::normalize(request.plane);

@@ -8,8 +8,11 @@ namespace hrbfnpr::curves {
 namespace {
 
 // As CurvePoint::direction() wants it: gradient x level_gradient is the tangent.
-void set_tangent(CurvePoint& p, const glm::dvec3& tangent) noexcept {
-    const glm::dvec3 n = glm::normalize(p.gradient);
+void set_tangent(CurvePoint& p, const glm::dvec3& tangent, bool as_given) noexcept {
+    glm::dvec3 n = glm::normalize(p.gradient);
+    const double square = glm::dot(tangent, tangent);
+    if (const glm::dvec3 across = n - glm::dot(n, tangent) / square * tangent; as_given && glm::length(across) > 1e-3)
+        n = glm::normalize(across);
     const glm::dvec3 along = tangent - glm::dot(tangent, n) * n;
     const double length = glm::length(along);
     p.gradient = n;
@@ -81,7 +84,7 @@ private:
 
 } // namespace
 
-LineBuilder::LineBuilder(SurfaceLines& lines) noexcept : lines_(lines) {
+LineBuilder::LineBuilder(SurfaceLines& lines, bool as_given) noexcept : lines_(lines), as_given_(as_given) {
     if (lines_.curves.first.empty()) lines_.curves.first.push_back(0);
 }
 
@@ -113,7 +116,7 @@ void LineBuilder::end(bool closed) {
         // By the circle through three points: the nearer one counts more.
         const double a = glm::dot(in, in);
         const double b = glm::dot(out, out);
-        set_tangent(curves.point[first + i], a > 0.0 && b > 0.0 ? in / a + out / b : in + out);
+        set_tangent(curves.point[first + i], a > 0.0 && b > 0.0 ? in / a + out / b : in + out, as_given_);
     }
     curves.first.push_back(curves.point.size());
     curves.closed.push_back(closed ? 1 : 0);

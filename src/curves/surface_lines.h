@@ -22,7 +22,9 @@ struct SurfaceLines {
 // Points one after the other, with normals; closed or not.
 class LineBuilder {
 public:
-    explicit LineBuilder(SurfaceLines& lines) noexcept;
+    // as_given: of lines that need not lie on the surface tangents are kept, and normals made perpendicular to them;
+    // else it is the other way round.
+    explicit LineBuilder(SurfaceLines& lines, bool as_given = false) noexcept;
 
     void add(const glm::dvec3& position, const glm::dvec3& normal, double strength);
     // Ends the line: tangents come from its points.  Of less than two it is none.
@@ -30,6 +32,7 @@ public:
 
 private:
     SurfaceLines& lines_;
+    bool as_given_;
 };
 
 [[nodiscard]] SurfaceLines as_lines(base::Memory& memory, const FeatureLines& features);

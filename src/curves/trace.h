@@ -14,7 +14,7 @@ struct TraceSettings {
     double longest = 1.0;                  // step, in the mesh's sides
     double shortest = 1e-4;                // in the mesh's sides: a curve that needs shorter ones is given up
     double turn = 0.25;                    // radians between points, at most
-    double tolerance = 1e-7;               // of places, in the mesh's sides
+    double tolerance = 1e-7;               // of starts, in the mesh's sides
     std::int64_t apart = 12;               // crossings of a chain between two starts
     std::int32_t evaluation_limit = 20000; // for each start
 };

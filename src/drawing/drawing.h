@@ -110,6 +110,9 @@ struct Drawing {
     Tiles splat_tiles;
     Tiles segment_tiles; // a segment's number is that of its first point
 
+    // From (x, y, window depth, 1) to the world, homogeneous: where points of lines are, which have no mark.
+    glm::dmat4 from_window{1.0};
+
     base::Array<ItemSource> items;
     base::Array<Run> runs; // of all layers of all items, drawn or not, in the order of their ids
     base::Array<float> posed_position, posed_normal, posed_direction; // 3 of each mark, relative to the set's origin
@@ -127,6 +130,8 @@ struct Drawing {
     // Of an id that is a mark's.
     [[nodiscard]] Identity identify(std::uint32_t id) const noexcept;
     [[nodiscard]] MarkSource source(std::uint32_t id) const noexcept;
+    // Of a line's point: its place, and neither normal nor direction.
+    [[nodiscard]] MarkSource source_at(const glm::vec3& window) const noexcept;
 
 private:
     // The last run that begins no later than the id.

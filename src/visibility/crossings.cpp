@@ -15,18 +15,26 @@ namespace {
 
 constexpr double cell_side = 4.0;    // pixels, at least
 constexpr double most_cells = 1.0e6; // of the grid
+constexpr double grid_end = 1.0e4;   // pixels from the image's corner: its last cells hold all that lies beyond
 constexpr int most_steps = 20;       // of Newton's
 constexpr double known = 1e-10;      // shares of a piece
 constexpr double same_place = 1e-7;  // the same
-constexpr double slack = 0.01;       // beyond the ends of a piece before the next one is taken
+constexpr double slack = 1e-8;       // beyond the ends of a piece before the next one is taken
 // In sides: curves that come nearer are the same; and a line does not cross itself nearer to where it turns back.
 constexpr double nearest_gap = 1e-5;
 constexpr double smallest_loop = 0.02;
 constexpr double touching = 0.05;
 
-// A segment of the image: from its point to the next.
+// Of segments of the image, each from a point to the next.
 struct Grid {
     explicit Grid(base::Memory& memory) noexcept : begin(memory), segment(memory) {}
+
+    // Of a place in cells from the origin.
+    [[nodiscard]] std::int64_t column(double x) const noexcept { return within(x, columns); }
+    [[nodiscard]] std::int64_t row(double y) const noexcept { return within(y, rows); }
+    [[nodiscard]] static std::int64_t within(double at, std::int64_t count) noexcept {
+        return static_cast<std::int64_t>(std::clamp(at, 0.0, static_cast<double>(count - 1)));
+    }
 
     glm::dvec2 origin{0.0};
     double side = cell_side;
@@ -80,7 +88,7 @@ private:
     [[nodiscard]] bool shows_inside(const Subject& subject, const OnLine& place) const noexcept;
     [[nodiscard]] OnLine place_on(std::int64_t segment, double t) const noexcept;
     [[nodiscard]] Moving at(const OnLine& place) const noexcept;
-    [[nodiscard]] bool go(OnLine& place, double by) const noexcept;
+    void go(OnLine& place, double by) const noexcept;
 
     void sort_and_merge();
 
@@ -96,14 +104,8 @@ template <class F>
 void Finder::for_cells(std::int64_t segment, const F& f) const {
     const glm::dvec2 low = (glm::min(place(segment), place(segment + 1)) - grid_.origin) / grid_.side;
     const glm::dvec2 high = (glm::max(place(segment), place(segment + 1)) - grid_.origin) / grid_.side;
-    const auto column = [&](double x) {
-        return std::clamp<std::int64_t>(static_cast<std::int64_t>(x), 0, grid_.columns - 1);
-    };
-    const auto row = [&](double y) {
-        return std::clamp<std::int64_t>(static_cast<std::int64_t>(y), 0, grid_.rows - 1);
-    };
-    for (std::int64_t r = row(low.y); r <= row(high.y); ++r)
-        for (std::int64_t c = column(low.x); c <= column(high.x); ++c) f(r * grid_.columns + c);
+    for (std::int64_t r = grid_.row(low.y); r <= grid_.row(high.y); ++r)
+        for (std::int64_t c = grid_.column(low.x); c <= grid_.column(high.x); ++c) f(r * grid_.columns + c);
 }
 
 void Finder::make_grid() {
@@ -114,6 +116,8 @@ void Finder::make_grid() {
         high = glm::max(high, p.place);
     }
     if (lines_.points.empty()) low = high = glm::dvec2(0.0);
+    low = glm::clamp(low, -grid_end, grid_end);
+    high = glm::clamp(high, -grid_end, grid_end);
     const glm::dvec2 size = high - low;
     grid_.origin = low;
     grid_.side = std::max(cell_side, std::sqrt(size.x * size.y / most_cells));
@@ -165,9 +169,7 @@ void Finder::in_cell(std::int64_t cell, base::Array<Pair>& pairs) const {
                 continue;
             const glm::dvec2 at = place(a) + std::clamp(crossing_of(a, b).x, 0.0, 1.0) * (place(a + 1) - place(a));
             const glm::dvec2 in = (at - grid_.origin) / grid_.side;
-            const std::int64_t column = std::clamp<std::int64_t>(static_cast<std::int64_t>(in.x), 0, grid_.columns - 1);
-            const std::int64_t row = std::clamp<std::int64_t>(static_cast<std::int64_t>(in.y), 0, grid_.rows - 1);
-            if (row * grid_.columns + column == cell) pairs.push_back({a, b});
+            if (grid_.row(in.y) * grid_.columns + grid_.column(in.x) == cell) pairs.push_back({a, b});
         }
     }
 }
@@ -188,7 +190,8 @@ bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
         const auto [da, db] = meeting(p, q);
         if (!(std::abs(da) <= 1.0 && std::abs(db) <= 1.0) || step == most_steps) return false;
         if (std::abs(da) <= known && std::abs(db) <= known) break;
-        if (!go(a, da) || !go(b, db)) return false;
+        go(a, da);
+        go(b, db);
     }
     // Along the common line of sight.
     const glm::dvec3 world_p(sa.to_world * glm::dvec4(p.point, 1.0));
@@ -211,6 +214,7 @@ bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
     crossing.near_share = std::clamp(near.share, 0.0, 1.0);
     crossing.change = sign * near_one.sheets;
     crossing.place = p.place;
+    crossing.sine = std::abs(turn) / (glm::length(p.velocity) * glm::length(q.velocity));
     return true;
 }
 
@@ -243,20 +247,20 @@ Moving Finder::at(const OnLine& place) const noexcept {
     return moving(subject_of(place.piece).view, its.at(place.share), its.derivative(place.share));
 }
 
-// Over the ends of pieces, where the line goes on.
-bool Finder::go(OnLine& place, double by) const noexcept {
+// Over the ends of pieces, where the line goes on; no farther than the line's end.
+void Finder::go(OnLine& place, double by) const noexcept {
     place.share += by;
     const Line& line = lines_.lines[lines_.pieces[place.piece].line];
     const auto first = static_cast<std::int32_t>(line.first_piece);
-    const auto end = static_cast<std::int32_t>(line.first_piece + line.pieces);
-    if (place.share < -slack) {
-        if (place.piece == first && !line.closed) return false;
-        place = {place.piece == first ? end - 1 : place.piece - 1, 1.0};
-    } else if (place.share > 1.0 + slack) {
-        if (place.piece == end - 1 && !line.closed) return false;
-        place = {place.piece == end - 1 ? first : place.piece + 1, 0.0};
-    }
-    return true;
+    const auto last = static_cast<std::int32_t>(line.first_piece + line.pieces - 1);
+    if (place.share < -slack)
+        place = place.piece != first ? OnLine{place.piece - 1, 1.0}
+                : line.closed        ? OnLine{last, 1.0}
+                                     : OnLine{first, 0.0};
+    else if (place.share > 1.0 + slack)
+        place = place.piece != last ? OnLine{place.piece + 1, 0.0}
+                : line.closed       ? OnLine{first, 0.0}
+                                    : OnLine{last, 1.0};
 }
 
 void Finder::run(CrossingReport& report, const base::Progress& progress) {

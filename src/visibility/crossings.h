@@ -13,6 +13,7 @@ struct Crossing {
     std::int32_t change;          // of the number of sheets before the farther line, along it
     glm::dvec2 place;             // pixels
     double gap;                   // between the curves, in sides of the farther one's mesh
+    double sine;                  // of the angle between their images
 };
 
 struct CrossingReport {

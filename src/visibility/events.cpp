@@ -26,12 +26,13 @@ Events collect_events(base::Memory& memory, std::span<const Subject> subjects, c
             if (!curves.cusp.empty() && curves.cusp[a] != 0 && (k > 0 || line.closed)) {
                 const curves::CurvePoint& p = curves.point[a];
                 const bool away = glm::dot(p.direction(), subject.view.sight(p.position)) > 0.0;
-                events.event.push_back({piece, 0.0, away ? 1 : -1, -1, lengths.at(line, piece, 0.0)});
+                events.event.push_back({piece, 0.0, away ? 1 : -1, -1, lengths.at(line, piece, 0.0), 0.0F});
                 ++events.cusps;
             }
             for (; c < crossings.size() && crossings[c].far_piece == piece; ++c)
                 events.event.push_back({piece, crossings[c].far_share, crossings[c].change, crossings[c].near_piece,
-                                        lengths.at(line, piece, crossings[c].far_share)});
+                                        lengths.at(line, piece, crossings[c].far_share),
+                                        static_cast<float>(crossings[c].sine)});
         }
     }
     events.first.push_back(events.event.size());

@@ -6,7 +6,8 @@
 namespace hrbfnpr::visibility {
 namespace {
 
-constexpr int deepest = 8; // halvings of a piece
+constexpr int deepest = 8;         // halvings of a piece
+constexpr double farthest = 1.0e9; // pixels: what is seen beyond is too near to the plane of the eye
 
 class Sampler {
 public:
@@ -26,7 +27,9 @@ public:
     }
 
 private:
-    [[nodiscard]] glm::dvec2 at(double u) const noexcept { return see(view_, cubic_.at(u)).place; }
+    [[nodiscard]] glm::dvec2 at(double u) const noexcept {
+        return glm::clamp(see(view_, cubic_.at(u)).place, -farthest, farthest);
+    }
     void add(double u, const glm::dvec2& place) { points_.push_back({place, piece_, u}); }
     void split(double u, const glm::dvec2& a, double v, const glm::dvec2& b, int left) {
         const double middle = 0.5 * (u + v);
@@ -64,10 +67,13 @@ public:
         const Subject& s = subjects_[static_cast<std::size_t>(subject)];
         const curves::Curves& curves = *s.curves;
         const std::int64_t pieces = curves.pieces_of(curve);
+        const auto before_eye = [&](std::int64_t point) {
+            const Seen at = see(s.view, curves.point[point].position);
+            return at.w > 0.0 && std::abs(at.place.x) < farthest && std::abs(at.place.y) < farthest;
+        };
         const auto seen = [&](std::int64_t k) {
             const std::int64_t at = curves.first[curve] + k;
-            return see(s.view, curves.point[at].position).w > 0.0 &&
-                   see(s.view, curves.point[curves.next(curve, at)].position).w > 0.0;
+            return before_eye(at) && before_eye(curves.next(curve, at));
         };
         std::int64_t hidden = -1; // a piece that is not seen
         for (std::int64_t k = 0; k < pieces && hidden < 0; ++k)

@@ -46,7 +46,7 @@ struct Seen {
 };
 [[nodiscard]] Seen see(const curves::View& view, const glm::dvec3& p) noexcept;
 
-// The image is off the curves by `tolerance` pixels at most, but where the eye is nearer than `nearest` (in w).
+// The image is off the curves by `tolerance` pixels, or little more.
 [[nodiscard]] ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance);
 
 [[nodiscard]] inline curves::CubicPiece cubic(std::span<const Subject> subjects, const Piece& piece) noexcept {

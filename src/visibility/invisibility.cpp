@@ -33,8 +33,8 @@ base::Array<Interval> parts_of(base::Memory& memory, std::int64_t number, const 
     const auto last = static_cast<std::int32_t>(line.first_piece + line.pieces - 1);
     const auto is_cusp = [](const Event& e) { return e.near_piece < 0 && e.change != 0; };
     const auto add = [&](const Event& from, const Event& to, double beyond) {
-        parts.push_back(
-            {l, from.piece, to.piece, from.share, to.share, from.at, to.at + beyond, 0, is_cusp(from), is_cusp(to)});
+        parts.push_back({l, from.piece, to.piece, from.share, to.share, from.at, to.at + beyond, 0, is_cusp(from),
+                         is_cusp(to), from.sine, to.sine});
     };
     const Event begin{first, 0.0, 0, -1, 0.0};
     const Event end{last, 1.0, 0, -1, whole};

@@ -15,6 +15,7 @@ struct Interval {
     double begin_at, end_at; // along the line, pixels; the end of one round a closed line may be beyond the line's
     std::int32_t sheets;     // before it
     bool begins_at_cusp, ends_at_cusp;
+    float begin_sine, end_sine; // of the angle to the nearer line that crosses there; 0: none does
 };
 
 struct InvisibilityReport {

@@ -45,6 +45,7 @@ namespace HrbfNpr.Tests
                 Cancelled(() => model.Lipschitz(cancellationToken: token));
                 Cancelled(() => model.Generate(cancellationToken: token));
                 Cancelled(() => model.StepPatches(3, cancellationToken: token));
+                Cancelled(() => model.LineSet(cancellationToken: token));
             }
         }
 

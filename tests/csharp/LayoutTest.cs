@@ -78,7 +78,8 @@ namespace HrbfNpr.Tests
                 // Flags are properties here, and checked by what they do.
                 bool elsewhere = name.Contains("VERSION_") || name.EndsWith("ABI_VERSION")
                     || name.StartsWith("HRBFNPR_CUSTOM_") || name.StartsWith("HRBFNPR_LAYER_WITH_")
-                    || name.StartsWith("HRBFNPR_RASTER_") || name == "HRBFNPR_INDEX_RESTART";
+                    || name.StartsWith("HRBFNPR_LINE_SET_WITH_") || name.StartsWith("HRBFNPR_RASTER_")
+                    || name == "HRBFNPR_INDEX_RESTART";
                 if (!elsewhere && !seen.Contains(name))
                 {
                     faults.Add(name + " is missing");
@@ -89,6 +90,7 @@ namespace HrbfNpr.Tests
             Assert.Equal(2L, facts["constant HRBFNPR_CUSTOM_HAS_HESSIAN"]);
             Assert.Equal(4L, facts["constant HRBFNPR_CUSTOM_THREAD_SAFE"]);
             Assert.Equal(1L, facts["constant HRBFNPR_LAYER_WITH_CURVATURE"]);
+            Assert.Equal(1L, facts["constant HRBFNPR_LINE_SET_WITH_CURVATURE"]);
             Assert.Equal(1L, facts["constant HRBFNPR_RASTER_OVER"]);
             Assert.Equal(2L, facts["constant HRBFNPR_RASTER_LINEAR_LIGHT"]);
             Assert.Equal(unchecked((int)Vertices.Restart), (int)facts["constant HRBFNPR_INDEX_RESTART"]);
@@ -107,7 +109,12 @@ namespace HrbfNpr.Tests
             faults.AddRange(Unseen(typeof(hrbfnpr_generate_desc), typeof(GenerateOptions), "layer_count", "layer_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_layer_arrays), typeof(OwnLayer)));
             faults.AddRange(Unseen(typeof(hrbfnpr_layer_style), typeof(LayerStyle)));
-            faults.AddRange(Unseen(typeof(hrbfnpr_style), typeof(Style), "tone_user", "layer_count", "layer_stride"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_line_desc), typeof(LineOptions), "position")); // Positions
+            faults.AddRange(Unseen(typeof(hrbfnpr_line_set_desc), typeof(LineSetOptions),
+                "flags", "line_count", "line_stride"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_line_style), typeof(LineStyle)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_style), typeof(Style),
+                "tone_user", "layer_count", "layer_stride", "line_count", "line_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_layer_pose), typeof(LayerPose)));
             faults.AddRange(Unseen(typeof(hrbfnpr_item), typeof(Item), "pose_count", "pose_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_raster_desc), typeof(RasterOptions), "flags"));

@@ -12,6 +12,13 @@ namespace HrbfNpr.Tests
 {
     public class LifetimeTest
     {
+        private static readonly LineSetOptions Coarse = new LineSetOptions
+        {
+            CellSize = 0.5, Lines = { LineOptions.Section((0, 0, 1), 0.0) },
+        };
+
+        private static readonly Style Contours = Style.Preset(Preset.Silhouette);
+
         [Fact]
         public void AThousandCyclesLeaveNothingBehind()
         {
@@ -271,12 +278,14 @@ namespace HrbfNpr.Tests
         {
             using (Model model = Shapes.FitSphere(context))
             using (PointSet marks = Shapes.Stipple(model, 20, context))
+            using (LineSet lines = model.LineSet(Coarse, context))
             using (var renderer = new Renderer(context))
             using (NativeView view = marks.Layers[0].View(MarkAttribute.Position))
             using (Model function = Model.FromFunction((p, v, g, h) => { }, (0, 0, 0), (1, 1, 1), null, context))
             using (var other = new Context(new ContextOptions { ThreadCount = 1, Log = (level, message) => { } }))
             {
                 Shapes.Draw(renderer, marks, Shapes.Look(marks, 8));
+                Shapes.Draw(renderer, new Item(marks, Contours) { LineSet = lines }, Shapes.Look(marks, 8));
                 model.Evaluate(Shapes.Sphere6, progress: new Reports());
             }
         }
@@ -292,7 +301,8 @@ namespace HrbfNpr.Tests
                 var renderer = new Renderer(context);
                 Drawing drawing = renderer.Draw(marks, Shapes.Look(marks, 8));
                 NativeView view = marks.Layers[0].View(MarkAttribute.Rank);
-                object[] all = { model, marks, renderer, drawing, view };
+                LineSet lines = model.LineSet(Coarse, context);
+                object[] all = { model, marks, renderer, drawing, view, lines };
                 kept.AddRange(i % 2 == 0 ? all : all.Reverse());
             }
         }

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The mesh and the counter on what a fit makes.
+// The mesh, the counter and contours on what a fit makes.
 #include "base/random.h"
 #include "curves/sheet_count.h"
 #include "dense_count.h"
 #include "fit/fit.h"
 #include "mesh_checks.h"
-#include "shapes.h"
-#include "support/runtime.h"
-
-#include <gtest/gtest.h>
+#include "traced.h"
 
 namespace hrbfnpr::curves {
 namespace {
@@ -98,6 +95,22 @@ TEST_F(Fitted, SheetsAreThoseOfTheReference) {
     }
     EXPECT_GT(certain, count * 97 / 100);
     EXPECT_GT(sheets, 200);
+}
+
+// The Hessian jumps at each sample, where a contour may turn sharply.
+TEST_F(Fitted, ContoursAreClosedAndOnTheCurve) {
+    const test_traced::Meshed meshed(runtime, hrbf, points_of(runtime, samples), 0.06);
+    std::int64_t cusps = 0;
+    for (const Eye& eye : eyes(cube_directions(), 4.0)) {
+        const test_traced::Contours found(runtime, meshed, eye.view());
+        EXPECT_GT(found.curves.count(), 0);
+        EXPECT_EQ(found.closed(), found.curves.count());
+        EXPECT_EQ(found.report.broken + found.report.missed, 0);
+        EXPECT_LE(test_traced::farthest_off(runtime, found.level, found.curves), 1e-6 * mesh.side);
+        EXPECT_EQ(test_traced::run_alike(found.curves, 0.01 * mesh.side), 0);
+        cusps += found.cusps();
+    }
+    EXPECT_GT(cusps, 100);
 }
 
 } // namespace

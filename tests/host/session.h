@@ -15,6 +15,7 @@ namespace host_test {
 using hrbfnpr::test::Context;
 using hrbfnpr::test::Drawing;
 using hrbfnpr::test::Generation;
+using hrbfnpr::test::LineSet;
 using hrbfnpr::test::made;
 using hrbfnpr::test::Model;
 using hrbfnpr::test::PointSet;

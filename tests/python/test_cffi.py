@@ -84,6 +84,7 @@ def test_dataclasses_hold_every_field_of_their_structs():
         "hrbfnpr_layer_info": hrbfnpr.LayerInfo,
         "hrbfnpr_placement_info": hrbfnpr.PlacementInfo,
         "hrbfnpr_drawing_info": hrbfnpr.DrawingInfo,
+        "hrbfnpr_line_set_info": hrbfnpr.LineSetInfo,
         "hrbfnpr_drawing_layer_info": hrbfnpr.DrawingLayerInfo,
         "hrbfnpr_mark_identity": hrbfnpr.MarkIdentity,
     }
@@ -97,8 +98,11 @@ def test_style_has_every_field_of_its_struct():
 
     layers = {name for name, _ in ffi.typeof("hrbfnpr_layer_style").fields} - {"struct_size", "reserved"}
     assert {*hrbfnpr.LayerStyle.fields(), "name"} == layers
+    lines = {name for name, _ in ffi.typeof("hrbfnpr_line_style").fields} - {"struct_size"}
+    assert {*hrbfnpr.LineStyle.fields(), "name", "levels"} == lines
     theirs = {name for name, _ in ffi.typeof("hrbfnpr_style").fields}
     theirs -= {"struct_size", "reserved", "tone_function", "tone_user", "layers", "layer_count", "layer_stride"}
+    theirs -= {"lines", "line_count", "line_stride"}
     assert {*hrbfnpr.Style.fields(), "tone"} == theirs
 
 

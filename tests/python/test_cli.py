@@ -102,6 +102,9 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
         ["--set", "stipples.shown=true", "--set", "principal.directions=first", "--style", "cross-hatch"],
         ["--set", "light=y", "--set", "stipples.ink=#ff0000", "--set", "combing.contours=0"],
         ["--shape", "strokes", "--style", "hatch"],
+        ["--lines", "contour,suggestive,ridges,valleys,apparent,parabolic,border", "--style", "silhouette"],
+        ["--lines", "contour,section=z:5,isophotes=0.2:0.6", "--hidden", "dashed", "--line-width", "1.5"],
+        ["--lines", "none", "--style", "xray"],
         ["--tone-ranges", "in-turn", "--style", "full", "--set", "principal.shape=strokes"],
         ["--tone-ranges", "in-turn", "--shared-marks", "3000", "--layers", "stipples,principal,combing"],
         ["--crease", "30", "--threads", "1", "--max-centres", "100"],
@@ -121,6 +124,7 @@ def test_every_option(files, tmp_path, options, capsys):
 def test_flip(files, tmp_path):
     pictures = []
     for name, options in (("a", []), ("b", ["--flip"])):
+        options += ["--lines", "none"]  # those are the same from inside
         assert main(["draw", str(files["xyz"]), str(tmp_path / name), *QUICK, *options]) == 0
         pictures.append(ink(tmp_path / name))
     assert pictures[0] > 2 * pictures[1]

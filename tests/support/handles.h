@@ -16,6 +16,7 @@ struct Release {
     void operator()(hrbfnpr_operation* handle) const { hrbfnpr_operation_release(handle); }
     void operator()(const hrbfnpr_model* handle) const { hrbfnpr_model_release(handle); }
     void operator()(const hrbfnpr_point_set* handle) const { hrbfnpr_point_set_release(handle); }
+    void operator()(const hrbfnpr_line_set* handle) const { hrbfnpr_line_set_release(handle); }
     void operator()(hrbfnpr_renderer* handle) const { hrbfnpr_renderer_release(handle); }
     void operator()(const hrbfnpr_drawing* handle) const { hrbfnpr_drawing_release(handle); }
 };
@@ -24,6 +25,7 @@ using Context = std::unique_ptr<hrbfnpr_context, Release>;
 using Operation = std::unique_ptr<hrbfnpr_operation, Release>;
 using Model = std::unique_ptr<hrbfnpr_model, Release>;
 using PointSet = std::unique_ptr<hrbfnpr_point_set, Release>;
+using LineSet = std::unique_ptr<hrbfnpr_line_set, Release>;
 using Renderer = std::unique_ptr<hrbfnpr_renderer, Release>;
 using Drawing = std::unique_ptr<hrbfnpr_drawing, Release>;
 
@@ -56,6 +58,7 @@ namespace scenes {
 using hrbfnpr::test::Check;
 using hrbfnpr::test::Context;
 using hrbfnpr::test::Drawing;
+using hrbfnpr::test::LineSet;
 using hrbfnpr::test::made;
 using hrbfnpr::test::Model;
 using hrbfnpr::test::PointSet;

@@ -80,11 +80,19 @@ Drawing drawing_of(const Context& context, const PointSet& marks) {
     return Drawing(drawing);
 }
 
+LineSet line_set_of(const Context& context, const Model& model) {
+    scenes::Check check;
+    hrbfnpr_line_set* lines = nullptr;
+    check(hrbfnpr_line_set_create(context.get(), model.get(), nullptr, nullptr, &lines, check.error()));
+    return LineSet(lines);
+}
+
 // What the calls share, and the calls by their names.
 struct Shared {
     Context context = make_context(2);
     Model model = fit(context, 60);
     PointSet marks = generate(context, model, three_layers(200));
+    LineSet lines = line_set_of(context, model);
     Drawing drawing = drawing_of(context, marks);
     hrbfnpr_operation* operation = nullptr;
     std::vector<double> point;
@@ -203,6 +211,29 @@ void add_point_sets(std::map<std::string, Call>& calls) {
         status =
             hrbfnpr_point_set_step_patches(s.context.get(), s.model.get(), nullptr, &corners, nullptr, nullptr, error);
         result.add(corner);
+    });
+    CALL(hrbfnpr_line_set_create) {
+        hrbfnpr_line_set* lines = nullptr;
+        status = hrbfnpr_line_set_create(s.context.get(), s.model.get(), nullptr, nullptr, &lines, error);
+        const LineSet owned(lines);
+        auto info = made(hrbfnpr_line_set_info_init);
+        if (lines != nullptr) static_cast<void>(hrbfnpr_line_set_get_info(lines, &info, error));
+        result.add(info.triangles);
+    });
+    CALL(hrbfnpr_line_set_retain) {
+        UNUSED();
+        hrbfnpr_line_set_retain(s.lines.get());
+        hrbfnpr_line_set_release(s.lines.get());
+    });
+    CALL(hrbfnpr_line_set_release) {
+        UNUSED();
+        hrbfnpr_line_set_retain(s.lines.get());
+        hrbfnpr_line_set_release(s.lines.get());
+    });
+    CALL(hrbfnpr_line_set_get_info) {
+        auto info = made(hrbfnpr_line_set_info_init);
+        status = hrbfnpr_line_set_get_info(s.lines.get(), &info, error);
+        result.add(info);
     });
     CALL(hrbfnpr_point_set_retain) {
         UNUSED();

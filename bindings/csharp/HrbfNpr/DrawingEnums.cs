@@ -47,6 +47,35 @@ namespace HrbfNpr
         Strokes = 1,
     }
 
+    /// <summary>What is drawn of the parts of a line that surface hides.</summary>
+    [NativeConstants("HRBFNPR_HIDDEN_PARTS_")]
+    public enum HiddenParts
+    {
+        /// <summary>Nothing (default).</summary>
+        None = 0,
+        /// <summary>Paler with each layer of surface (two sheets) before them.</summary>
+        Attenuated = 1,
+        /// <summary>Dashes, the shorter the more layers lie before them.</summary>
+        Dashed = 2,
+        /// <summary>They are drawn like what is visible.</summary>
+        Shown = 3,
+    }
+
+    /// <summary>
+    /// How a line ends where it ends in the picture without meeting another: at a cusp, where it turns behind its own
+    /// surface.
+    /// </summary>
+    [NativeConstants("HRBFNPR_CAP_")]
+    public enum Cap
+    {
+        /// <summary>Half a disc (default).</summary>
+        Round = 0,
+        /// <summary>Cut off.</summary>
+        Flat = 1,
+        /// <summary>Narrowing to a tip twice as long as the line is wide there.</summary>
+        Pointed = 2,
+    }
+
     /// <summary>Directions of strokes.</summary>
     [Flags]
     public enum StrokeDirections

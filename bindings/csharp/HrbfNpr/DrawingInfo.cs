@@ -75,9 +75,32 @@ namespace HrbfNpr
 
         /// <summary>Bytes kept by its renderer, drawings left out.</summary>
         public readonly long ScratchBytes;
+
+        /// <summary>Curves that lines were drawn from.</summary>
+        public readonly long LineCurves;
+
+        /// <summary>Cusps of these.</summary>
+        public readonly long LineCusps;
+
+        /// <summary>Crossings of their images, where the farther one changes its visibility.</summary>
+        public readonly long LineCrossings;
+
+        /// <summary>Curves that end inside the surface, and places where one was missed.</summary>
+        public readonly long LineBroken;
+
+        /// <summary>Curves whose visibility did not add up: each part is as a ray of its own says.</summary>
+        public readonly long LineSettled;
+
+        /// <summary>Of these, curves with a part whose ray was not certain.</summary>
+        public readonly long LineContradictions;
+
+        /// <summary>Nanoseconds to trace lines, and to find what hides them.</summary>
+        public readonly long NanosecondsLines;
     }
 
-    /// <summary>A layer of a drawing: ink of one layer of marks, of the front or of contours.</summary>
+    /// <summary>
+    /// A layer of a drawing: ink of one layer of marks, of the front or of contours, or of an item's lines.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_drawing_layer_info")]
     public unsafe struct DrawingLayerInfo
     {
@@ -87,7 +110,7 @@ namespace HrbfNpr
         /// <summary>Number of the item.</summary>
         public readonly long Item;
 
-        /// <summary>Number of the layer in the item's point set.</summary>
+        /// <summary>Number of the layer in the item's point set; -1: of lines.</summary>
         public readonly long Layer;
 
         private readonly uint kind;
@@ -107,10 +130,16 @@ namespace HrbfNpr
             get { return (MarkClass)markClass; }
         }
 
-        /// <summary>What the marks are.</summary>
+        /// <summary>What the marks are; Any of lines.</summary>
         public LayerKind Kind
         {
-            get { return (LayerKind)kind; }
+            get { return Layer < 0 ? LayerKind.Any : (LayerKind)kind; }
+        }
+
+        /// <summary>What the lines are; null of marks.</summary>
+        public LineKind? LineKind
+        {
+            get { return Layer < 0 ? (LineKind?)kind : null; }
         }
 
         /// <summary>How they are drawn.</summary>
@@ -119,7 +148,7 @@ namespace HrbfNpr
             get { return (Shape)shape; }
         }
 
-        /// <summary>What the layer of marks is called.</summary>
+        /// <summary>What the layer of marks is called; empty of lines.</summary>
         public string Name
         {
             get

@@ -225,6 +225,46 @@ namespace HrbfNpr
         Own = 5,
     }
 
+    /// <summary>
+    /// Kinds of lines.  Those marked "once" are found when a line set is made, for each of its
+    /// <see cref="LineSetOptions.Lines"/>; the others with every drawing.  Strengths have no unit: lengths are in
+    /// diagonals of the model.
+    /// </summary>
+    [NativeConstants("HRBFNPR_LINE_KIND_")]
+    public enum LineKind
+    {
+        /// <summary>Occluding contours: the line of sight is tangent to the surface.</summary>
+        Contour = 1,
+        /// <summary>
+        /// Where a contour would appear soon; strength: the derivative of the radial curvature towards the eye; needs
+        /// <see cref="LineSetOptions.WithCurvature"/> [DeCarlo 2003].
+        /// </summary>
+        SuggestiveContour = 2,
+        /// <summary>
+        /// Once; strength: curvature across the ridge less that along it [Ohtake, Belyaev and Seidel 2004].
+        /// </summary>
+        Ridge = 3,
+        /// <summary>Once; the same.</summary>
+        Valley = 4,
+        /// <summary>
+        /// Strength: view-dependent curvature; needs <see cref="LineSetOptions.WithCurvature"/> [Judd 2007].
+        /// </summary>
+        ApparentRidge = 5,
+        /// <summary>Once; Gaussian curvature 0.</summary>
+        Parabolic = 6,
+        /// <summary>
+        /// n . l = <see cref="LineStyle.Levels"/>, l the style's light; needs
+        /// <see cref="LineSetOptions.WithCurvature"/>.
+        /// </summary>
+        Isophote = 7,
+        /// <summary>Once; parallel planes.</summary>
+        Section = 8,
+        /// <summary>Where the surface ends: at the search box.</summary>
+        Border = 9,
+        /// <summary>Once; polylines of the program's own, such as creases of a mesh.</summary>
+        Own = 10,
+    }
+
     /// <summary>How marks are spread.</summary>
     [NativeConstants("HRBFNPR_DISTRIBUTION_")]
     public enum Distribution

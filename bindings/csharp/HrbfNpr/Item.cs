@@ -69,6 +69,12 @@ namespace HrbfNpr
         /// </summary>
         public Model Model { get; set; }
 
+        /// <summary>
+        /// What the style's <see cref="HrbfNpr.Style.Lines"/> are drawn from, or null.  All items of a drawing that
+        /// have one hide each other's lines; others hide none.
+        /// </summary>
+        public LineSet LineSet { get; set; }
+
         /// <summary>Object to world, 16 numbers, column-major, affine, invertible; the identity if null.</summary>
         public double[] Transform
         {

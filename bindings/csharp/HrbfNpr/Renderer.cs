@@ -46,9 +46,10 @@ namespace HrbfNpr
         /// <param name="item">What is drawn; a point set stands for itself in the default style.</param>
         /// <param name="camera">Where it is seen from.</param>
         /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
-        /// <exception cref="InvalidArgumentException">A camera without a viewport, a singular transform, or a style's
-        /// number out of its range.</exception>
-        /// <exception cref="CallbackException">A tone function, or the function of an item's model, threw.</exception>
+        /// <exception cref="InvalidArgumentException">A camera without a viewport, a singular transform, a style's
+        /// number out of its range, or lines that need curvatures, of a line set without.</exception>
+        /// <exception cref="CallbackException">A tone function, or the function of an item's model or of its line
+        /// set's, threw.</exception>
         public Drawing Draw(Item item, Camera camera)
         {
             lock (gate)
@@ -71,8 +72,10 @@ namespace HrbfNpr
         /// <param name="camera">Where they are seen from.</param>
         /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
         /// <exception cref="InvalidArgumentException">A camera without a viewport, a singular transform, a style's
-        /// number out of its range, or styles of different paper or visibility.</exception>
-        /// <exception cref="CallbackException">A tone function, or the function of an item's model, threw.</exception>
+        /// number out of its range, lines that need curvatures, of a line set without, or styles of different paper
+        /// or visibility.</exception>
+        /// <exception cref="CallbackException">A tone function, or the function of an item's model or of its line
+        /// set's, threw.</exception>
         public Drawing Draw(IReadOnlyList<Item> items, Camera camera)
         {
             if (items == null)
@@ -114,6 +117,18 @@ namespace HrbfNpr
                     throw new ArgumentNullException(nameof(Style.Layers));
                 }
                 size += layers[i].NameUtf8 == null ? 0 : Memory.Rounded(layers[i].NameUtf8.Length);
+            }
+            return size + Size(item.Style.Lines);
+        }
+
+        private static long Size(IList<LineStyle> lines)
+        {
+            long size = Memory.Rounded((long)lines.Count * sizeof(hrbfnpr_line_style));
+            for (int i = 0; i < lines.Count; ++i)
+            {
+                LineStyle line = lines[i] ?? throw new ArgumentNullException(nameof(Style.Lines));
+                size += line.NameUtf8 == null ? 0 : Memory.Rounded(line.NameUtf8.Length);
+                size += line.Levels == null ? 0 : line.Levels.LongLength * sizeof(double);
             }
             return size;
         }
@@ -176,6 +191,10 @@ namespace HrbfNpr
             {
                 native->model = held.Hold(item.Model.Handle);
             }
+            if (item.LineSet != null)
+            {
+                native->line_set = held.Hold(item.LineSet.Handle);
+            }
             if (item.Style != null)
             {
                 native->style = (IntPtr)Describe(item.Style);
@@ -216,15 +235,10 @@ namespace HrbfNpr
                 {
                     LayerStyle layer = style.Layers[i];
                     layer.Write(layers + i);
-                    byte[] name = layer.NameUtf8;
-                    if (name != null)
-                    {
-                        byte* copy = memory.Take(name.Length);
-                        Marshal.Copy(name, 0, (IntPtr)copy, name.Length);
-                        layers[i].name = (IntPtr)copy;
-                    }
+                    layers[i].name = Copy(layer.NameUtf8);
                 }
             }
+            Describe(style.Lines, native);
             if (style.ToneFunction != null)
             {
                 var tone = new ToneState(style.ToneFunction);
@@ -234,6 +248,45 @@ namespace HrbfNpr
                 native->tone_user = users[users.Count - 1].Pointer;
             }
             return native;
+        }
+
+        private void Describe(IList<LineStyle> lines, hrbfnpr_style* native)
+        {
+            int count = lines.Count;
+            if (count == 0)
+            {
+                return;
+            }
+            var first = (hrbfnpr_line_style*)memory.Take((long)count * sizeof(hrbfnpr_line_style));
+            native->lines = (IntPtr)first;
+            native->line_count = count;
+            for (int i = 0; i < count; ++i)
+            {
+                LineStyle line = lines[i];
+                line.Write(first + i);
+                first[i].name = Copy(line.NameUtf8);
+                double[] levels = line.Levels;
+                if (levels != null)
+                {
+                    byte* copy = memory.Take(levels.LongLength * sizeof(double));
+                    Marshal.Copy(levels, 0, (IntPtr)copy, levels.Length);
+                    first[i].levels.data = (IntPtr)copy;
+                    first[i].levels.count = levels.Length;
+                    first[i].levels.scalar = (uint)ScalarType.Float64;
+                    first[i].levels.components = 1;
+                }
+            }
+        }
+
+        private IntPtr Copy(byte[] name)
+        {
+            if (name == null)
+            {
+                return IntPtr.Zero;
+            }
+            byte* copy = memory.Take(name.Length);
+            Marshal.Copy(name, 0, (IntPtr)copy, name.Length);
+            return (IntPtr)copy;
         }
 
         private Drawing Call(IReadOnlyList<Item> items, Camera camera, hrbfnpr_item* first, int count)
@@ -272,12 +325,17 @@ namespace HrbfNpr
             }
             for (int i = 0; status != 0 && i < items.Count; ++i)
             {
-                FunctionState function = items[i].Model == null ? null : items[i].Model.Function;
-                Exception thrown = function == null ? null : function.TakeException();
-                if (thrown != null)
-                {
-                    throw new CallbackException("the function of a model threw: " + thrown.Message, thrown);
-                }
+                CheckFunction(items[i].Model == null ? null : items[i].Model.Function);
+                CheckFunction(items[i].LineSet == null ? null : items[i].LineSet.Function);
+            }
+        }
+
+        private static void CheckFunction(FunctionState function)
+        {
+            Exception thrown = function == null ? null : function.TakeException();
+            if (thrown != null)
+            {
+                throw new CallbackException("the function of a model threw: " + thrown.Message, thrown);
             }
         }
     }

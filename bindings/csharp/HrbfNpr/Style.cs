@@ -28,6 +28,7 @@ namespace HrbfNpr
             hrbfnpr_style style;
             Errors.Check(NativeMethods.hrbfnpr_style_init(&style, (uint)sizeof(hrbfnpr_style)));
             Layers = new List<LayerStyle>();
+            Lines = new List<LineStyle>();
             Read(&style);
         }
 
@@ -42,6 +43,15 @@ namespace HrbfNpr
                 layer += stride != 0 ? stride : ((hrbfnpr_layer_style*)style->layers)->struct_size;
             }
             Layers = layers;
+            var lines = new List<LineStyle>();
+            byte* line = (byte*)style->lines;
+            for (long i = 0; i < style->line_count; ++i)
+            {
+                long stride = style->line_stride;
+                lines.Add(new LineStyle((hrbfnpr_line_style*)line));
+                line += stride != 0 ? stride : ((hrbfnpr_line_style*)style->lines)->struct_size;
+            }
+            Lines = lines;
             Read(style);
         }
 
@@ -51,6 +61,11 @@ namespace HrbfNpr
             foreach (LayerStyle layer in other.Layers)
             {
                 Layers.Add(layer.Clone());
+            }
+            Lines = new List<LineStyle>();
+            foreach (LineStyle line in other.Lines)
+            {
+                Lines.Add(line.Clone());
             }
             hrbfnpr_style style;
             other.Write(&style);
@@ -63,6 +78,13 @@ namespace HrbfNpr
         /// <see cref="LayerStyle"/>.
         /// </summary>
         public IList<LayerStyle> Layers { get; }
+
+        /// <summary>
+        /// The lines that are drawn, with <see cref="HrbfNpr.Visibility.DepthLayers"/>, of items that have a
+        /// <see cref="Item.LineSet"/>; with one of kind Contour their marks draw no contours.  All presets but Stipple
+        /// have one; a new style has none.
+        /// </summary>
+        public IList<LineStyle> Lines { get; }
 
         /// <summary>What becomes of marks behind nearer surfaces.</summary>
         public HiddenLines HiddenLines { get; set; }
@@ -145,7 +167,7 @@ namespace HrbfNpr
         /// <summary>Colour of the paper; alpha 0 = transparent.  One for all styles of a drawing.</summary>
         public Color Paper { get; set; }
 
-        /// <summary>Gives all layers and the contours one ink.</summary>
+        /// <summary>Gives all layers, all lines and the contours one ink.</summary>
         public Color Ink
         {
             set
@@ -158,6 +180,10 @@ namespace HrbfNpr
                 foreach (LayerStyle layer in Layers)
                 {
                     layer.Ink = value;
+                }
+                foreach (LineStyle line in Lines)
+                {
+                    line.Ink = value;
                 }
             }
         }
@@ -189,7 +215,7 @@ namespace HrbfNpr
             return new Style(this);
         }
 
-        /// <summary>Everything but the layers and the tone function.</summary>
+        /// <summary>Everything but the layers, the lines and the tone function.</summary>
         internal void Write(hrbfnpr_style* style)
         {
             Errors.Check(NativeMethods.hrbfnpr_style_init(style, (uint)sizeof(hrbfnpr_style)));

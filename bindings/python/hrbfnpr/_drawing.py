@@ -15,6 +15,7 @@ from ._handles import Owner
 from ._library import ffi, lib
 from ._marks import MarkLayer
 from ._names import CLASSES, PRIMITIVES, number_of
+from ._numpy import np
 from ._structs import read_struct
 from ._vertices import layout_of, vertex_array
 
@@ -213,6 +214,24 @@ class Drawing(Owner):
         check(status, error)
         del keep
         return Vertices(array[: counts[0]], indices[: counts[1]])
+
+    def polylines(self, layer: Optional[int] = None) -> List[Array]:
+        """The strokes as structured arrays, far to near: one for each, a row for each of its points.  Needs NumPy.
+
+        Fields are "window" (pixel x, y and depth), "position" (world), "radius" (half the width, pixels),
+        "color" (straight RGBA, uint8) and "length" (along the stroke, pixels).
+
+        Parameters
+        ----------
+        layer : int, optional
+            Number of a layer in `layers`; those of all if omitted.
+        """
+        fields = ("window", "position", "radius", "color", "length", "layer")
+        vertices, indices = self.vertices("line_strips", fields)
+        ends = np.flatnonzero(indices == 0xFFFFFFFF)
+        strips = np.split(indices, ends)
+        lines = [vertices[strip[strip != 0xFFFFFFFF]] for strip in strips if len(strip) > 1]
+        return [line for line in lines if layer is None or line["layer"][0] == layer]
 
     def _layer(self, item: int, layer: Union[int, str]) -> MarkLayer:
         """A layer of marks by its number or name."""

@@ -4,6 +4,8 @@
 #include "base/clock.h"
 #include "frame/lines/traced_lines.h"
 
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 
 namespace hrbfnpr::frame {
@@ -27,6 +29,8 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     strokes_.points.clear();
     if (std::none_of(items.begin(), items.end(), draws_lines)) return strokes_;
     const base::Stopwatch watch;
+    const Optics optics = make_optics(scene.camera);
+    drawing.from_window = glm::inverse(optics.window * scene.camera.view);
     TracedLines traced(runtime_, scene, items, drawing);
     const visibility::Invisibility found =
         visibility::find_invisibility(runtime_, traced.subjects(), traced.occluders(), {}, base::Progress());

@@ -29,6 +29,9 @@ float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noex
     return 1.0F - as.style->fade * (1.0F - full);
 }
 
+// A line that runs into another one joins it: gaps are for those that cross at more than some 20 degrees.
+double halo_share(float sine) noexcept { return std::clamp((static_cast<double>(sine) - 0.35) / 0.25, 0.0, 1.0); }
+
 } // namespace
 
 void StrokeParts::run(std::span<const DrawnAs> styles) {
@@ -60,6 +63,7 @@ void StrokeParts::collect(std::int64_t first, std::int64_t end) {
         last.interval.end_piece = next.end_piece;
         last.interval.end_share = next.end_share;
         last.interval.end_at = next.end_at;
+        last.interval.end_sine = next.end_sine;
         last.free_end = next.ends_at_cusp;
     }
     if (!line.closed) {
@@ -72,6 +76,7 @@ void StrokeParts::collect(std::int64_t first, std::int64_t end) {
         last.interval.end_share = begin.interval.end_share;
         last.interval.end_at = begin.interval.end_at + lengths_.whole(line);
         last.free_end = begin.free_end;
+        last.interval.end_sine = begin.interval.end_sine;
         for (std::int64_t i = 0; i + 1 < parts_.size(); ++i) parts_[i] = parts_[i + 1];
         parts_.resize(parts_.size() - 1);
     }
@@ -118,25 +123,107 @@ drawing::StrokePoint StrokeParts::point_at(const DrawnAs& as, const Place& place
     return point;
 }
 
+bool StrokeParts::is_whole(const Part& part) const noexcept {
+    const visibility::Line& line = found_.lines.lines[part.interval.line];
+    return line.closed && !part.free_begin && !part.free_end && length_of(part.interval) >= lengths_.whole(line);
+}
+
+glm::dvec2 StrokeParts::seen_at(const visibility::Subject& subject, const Place& place) const {
+    return visibility::see(subject.view, visibility::cubic(subjects_, found_.lines.pieces[place.piece]).at(place.share))
+        .place;
+}
+
+// On the chord from a place to the next.  In double: a chord may begin far outside the window.
+drawing::StrokePoint StrokeParts::point_between(const DrawnAs& as, std::int64_t place, double share) const {
+    const visibility::Subject& subject = subjects_[static_cast<std::size_t>(as.subject)];
+    const drawing::StrokePoint a = point_at(as, place_[place]);
+    const drawing::StrokePoint b = point_at(as, place_[place + 1]);
+    const glm::dvec2 seen = glm::mix(seen_at(subject, place_[place]), seen_at(subject, place_[place + 1]), share);
+    const auto u = static_cast<float>(share);
+    drawing::StrokePoint point = a;
+    point.x = static_cast<float>(seen.x);
+    point.y = static_cast<float>(seen.y);
+    point.window += u * (b.window - a.window);
+    point.depth += u * (b.depth - a.depth);
+    point.opacity += u * (b.opacity - a.opacity);
+    return point;
+}
+
 void StrokeParts::draw(const DrawnAs& as, const Part& part) {
     const LineStyle& style = *as.style;
-    const double begin = part.interval.begin_at;
-    const double end = part.interval.end_at;
     const bool hidden = part.layers > 0;
     if (hidden && style.hidden == HiddenParts::none) return;
+    // Where a nearer line crosses, a visible one ends before it; not behind it, where its end would be seen.
+    const bool ends_at_line = !hidden && as.halo > 0.0F && !is_whole(part);
+    const double gap = ends_at_line ? static_cast<double>(as.halo + style.width) : 0.0;
+    const double begin = part.interval.begin_at + gap * halo_share(part.interval.begin_sine);
+    const double end = part.interval.end_at - gap * halo_share(part.interval.end_sine);
+    if (!(end > begin)) return;
     if (end - begin < static_cast<double>(style.shortest) && (part.free_begin || part.free_end || hidden)) return;
     find_places(part);
-    if (!hidden || style.hidden != HiddenParts::dashed) return add(as, part, begin, end);
+    if (hidden && style.hidden == HiddenParts::dashed)
+        add_dashes(as, part);
+    else
+        add(as, part, begin, end);
+}
+
+// Those that are seen: a line that passes beside the eye is as long as numbers go.
+void StrokeParts::add_dashes(const DrawnAs& as, const Part& part) {
+    const double begin = part.interval.begin_at;
+    const double whole = length_of(part.interval);
     // The more layers lie before it, the shorter its dashes.
-    const double width = static_cast<double>(style.hidden_width);
-    const double dash = std::max(1.0, width * static_cast<double>(style.dash) / part.layers);
-    const double period = dash + std::max(1.0, width * static_cast<double>(style.gap));
-    const double dashes = std::max(1.0, std::round((end - begin) / period));
-    const double step = (end - begin) / dashes;
-    for (double k = 0.0; k < dashes; k += 1.0) {
-        const double middle = begin + (k + 0.5) * step;
-        add(as, part, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period);
+    const double width = static_cast<double>(as.style->hidden_width);
+    const double dash = std::max(1.0, width * static_cast<double>(as.style->dash) / part.layers);
+    const double period = dash + std::max(1.0, width * static_cast<double>(as.style->gap));
+    const double dashes = std::max(1.0, std::round(whole / period));
+    const double step = whole / dashes;
+    double next = 0.0;
+    for (std::int64_t i = 0; i + 1 < place_.size(); ++i) {
+        const Shares seen = in_window(as, i, dash + width);
+        if (!(seen.low <= seen.high)) continue;
+        const double span = place_[i + 1].at - place_[i].at;
+        const double last = std::floor((place_[i].at + seen.high * span - begin) / step);
+        next = std::max(next, std::floor((place_[i].at + seen.low * span - begin) / step));
+        for (; next <= std::min(last, dashes - 1.0); next += 1.0) {
+            const double middle = begin + (next + 0.5) * step;
+            add(as, part, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period);
+        }
     }
+}
+
+// Of the chord from a place to the next, what lies in the window or so near to it.
+StrokeParts::Shares StrokeParts::in_window(const DrawnAs& as, std::int64_t place, double beside) const {
+    const visibility::Subject& subject = subjects_[static_cast<std::size_t>(as.subject)];
+    const glm::dvec2 a = seen_at(subject, place_[place]);
+    const glm::dvec2 b = seen_at(subject, place_[place + 1]);
+    const glm::dvec4 window(scene_.lens.viewport);
+    Shares shares{0.0, 1.0};
+    const auto keep = [&](double from, double to, double low, double high) {
+        const double way = to - from;
+        const double enters = ((way < 0.0 ? high : low) - from) / way;
+        const double leaves = ((way < 0.0 ? low : high) - from) / way;
+        if (way != 0.0) {
+            shares.low = std::max(shares.low, enters);
+            shares.high = std::min(shares.high, leaves);
+        } else if (from < low || from > high) {
+            shares.high = -1.0;
+        }
+    };
+    keep(a.x, b.x, window.x - beside, window.x + window.z + beside);
+    keep(a.y, b.y, window.y - beside, window.y + window.w + beside);
+    return shares;
+}
+
+drawing::Stroke StrokeParts::begun(const DrawnAs& as, const Part& part, double length) const {
+    const visibility::Line& line = found_.lines.lines[part.interval.line];
+    const bool hidden = part.layers > 0;
+    drawing::Stroke stroke;
+    stroke.first = strokes_.points.size();
+    stroke.layer = as.layer;
+    stroke.closed = !part.free_begin && !part.free_end && line.closed && length >= lengths_.whole(line);
+    stroke.cap_begin = part.free_begin && !hidden ? as.style->cap : drawing::Cap::round;
+    stroke.cap_end = part.free_end && !hidden ? as.style->cap : drawing::Cap::round;
+    return stroke;
 }
 
 // A stroke along a part, from one place along its line to another.
@@ -149,35 +236,23 @@ void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double t
                                ? std::pow(static_cast<double>(style.hidden_opacity), part.layers)
                                : 1.0;
     const double taper = std::min(static_cast<double>(style.taper), 0.5 * length_of(part.interval));
-    const bool round = !part.free_begin && !part.free_end && found_.lines.lines[part.interval.line].closed &&
-                       to - from >= lengths_.whole(found_.lines.lines[part.interval.line]);
-    drawing::Stroke stroke;
-    stroke.first = strokes_.points.size();
-    stroke.layer = as.layer;
-    stroke.closed = round;
-    stroke.cap_begin = part.free_begin && !hidden ? style.cap : drawing::Cap::round;
-    stroke.cap_end = part.free_end && !hidden ? style.cap : drawing::Cap::round;
+    const bool dashed = hidden && style.hidden == HiddenParts::dashed;
+    drawing::Stroke stroke = begun(as, part, to - from);
     const auto put = [&](drawing::StrokePoint point, double at) {
-        const double begin = part.free_begin && !hidden ? tapered(at - part.interval.begin_at, taper) : 1.0;
-        const double end = part.free_end && !hidden ? tapered(part.interval.end_at - at, taper) : 1.0;
+        const double begin = part.free_begin && !dashed ? tapered(at - part.interval.begin_at, taper) : 1.0;
+        const double end = part.free_end && !dashed ? tapered(part.interval.end_at - at, taper) : 1.0;
         point.radius = static_cast<float>(0.5 * width * std::min(begin, end));
         point.opacity *= static_cast<float>(opacity);
-        point.length = static_cast<float>(at - from);
+        if (strokes_.points.size() > stroke.first) {
+            const drawing::StrokePoint& last = strokes_.points[strokes_.points.size() - 1];
+            point.length = last.length + std::hypot(point.x - last.x, point.y - last.y);
+        }
         strokes_.points.push_back(point);
     };
     // Between two places on one chord of the image, along it.
     const auto between = [&](std::int64_t i, double at) {
-        const drawing::StrokePoint a = point_at(as, place_[i]);
-        const drawing::StrokePoint b = point_at(as, place_[i + 1]);
         const double span = place_[i + 1].at - place_[i].at;
-        const auto u = static_cast<float>(span > 0.0 ? (at - place_[i].at) / span : 0.0);
-        drawing::StrokePoint point = a;
-        point.x += u * (b.x - a.x);
-        point.y += u * (b.y - a.y);
-        point.window += u * (b.window - a.window);
-        point.depth += u * (b.depth - a.depth);
-        point.opacity += u * (b.opacity - a.opacity);
-        return point;
+        return point_between(as, i, span > 0.0 ? (at - place_[i].at) / span : 0.0);
     };
     for (std::int64_t i = 0; i < place_.size(); ++i) {
         const double here = place_[i].at;

@@ -18,6 +18,7 @@ struct DrawnAs {
     std::uint32_t layer;
     const float* strength = nullptr;  // of the points of the subject's curves; null: lines of one strength
     float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
+    float halo = 0.0F;                // of its item's style: pixels between a nearer line and where this one ends
 };
 
 class StrokeParts {
@@ -42,12 +43,23 @@ private:
         std::int32_t piece;
         double share;
     };
+    // Of the way from one place to the next; low > high: nothing.
+    struct Shares {
+        double low, high;
+    };
 
     void collect(std::int64_t first, std::int64_t end);
     void find_places(const Part& part);
+    // Of a closed line, all of it.
+    [[nodiscard]] bool is_whole(const Part& part) const noexcept;
     void draw(const DrawnAs& as, const Part& part);
+    void add_dashes(const DrawnAs& as, const Part& part);
+    [[nodiscard]] Shares in_window(const DrawnAs& as, std::int64_t place, double beside) const;
+    [[nodiscard]] drawing::Stroke begun(const DrawnAs& as, const Part& part, double length) const;
     void add(const DrawnAs& as, const Part& part, double from, double to);
     [[nodiscard]] drawing::StrokePoint point_at(const DrawnAs& as, const Place& place) const;
+    [[nodiscard]] drawing::StrokePoint point_between(const DrawnAs& as, std::int64_t place, double share) const;
+    [[nodiscard]] glm::dvec2 seen_at(const visibility::Subject& subject, const Place& place) const;
 
     const Scene& scene_;
     std::span<const visibility::Subject> subjects_;

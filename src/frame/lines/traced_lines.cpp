@@ -58,6 +58,7 @@ TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::
     }
     for (const Source& source : sources_) {
         light_ = towards_light(scene, *source.item);
+        const std::int64_t first = styles_.size();
         for (const LineStyle& style : source.item->style.lines) {
             drawing::Layer layer;
             layer.item = static_cast<std::int32_t>(source.item - items.data());
@@ -70,6 +71,7 @@ TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::
             add_style(source, style, static_cast<std::uint32_t>(drawing.layers.size()));
             drawing.layers.push_back(layer);
         }
+        for (std::int64_t i = first; i < styles_.size(); ++i) styles_[i].halo = source.item->style.halo_width;
     }
 }
 

@@ -111,7 +111,7 @@ public:
 
 private:
     void store(std::int64_t number, Vertex& vertex) const noexcept {
-        if (sources_) vertex.source = drawing_.source(vertex.id);
+        if (sources_) vertex.source = vertex.id != 0 ? drawing_.source(vertex.id) : drawing_.source_at(vertex.window);
         for (const VertexField& field : layout_.fields)
             put_field(vertices_ + number * layout_.stride + field.offset, field, vertex);
     }

@@ -164,6 +164,14 @@ namespace HrbfNpr
         }
     }
 
+    internal sealed class LineSetHandle : NativeHandle
+    {
+        protected override void Free(IntPtr value)
+        {
+            NativeMethods.hrbfnpr_line_set_release(value);
+        }
+    }
+
     internal sealed class RendererHandle : NativeHandle
     {
         protected override void Free(IntPtr value)

@@ -237,6 +237,29 @@ namespace HrbfNpr
             out IntPtr out_point_set, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_line_set_create(ContextHandle context, ModelHandle model,
+            hrbfnpr_line_set_desc* desc, OperationHandle operation, out IntPtr out_line_set, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_line_set_retain(IntPtr line_set);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_line_set_release(IntPtr line_set);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_line_set_info_init(LineSetInfo* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_line_set_get_info(LineSetHandle line_set, LineSetInfo* info,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_camera_init(hrbfnpr_camera* camera, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
@@ -263,6 +286,9 @@ namespace HrbfNpr
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_style_init(hrbfnpr_style* style, uint struct_size);

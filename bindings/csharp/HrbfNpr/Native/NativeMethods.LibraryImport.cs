@@ -238,6 +238,29 @@ namespace HrbfNpr
             out IntPtr out_point_set, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_line_set_create(ContextHandle context, ModelHandle model,
+            hrbfnpr_line_set_desc* desc, OperationHandle operation, out IntPtr out_line_set, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void hrbfnpr_line_set_retain(IntPtr line_set);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void hrbfnpr_line_set_release(IntPtr line_set);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_line_set_info_init(LineSetInfo* info, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_line_set_get_info(LineSetHandle line_set, LineSetInfo* info,
+            hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_camera_init(hrbfnpr_camera* camera, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
@@ -264,6 +287,9 @@ namespace HrbfNpr
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_style_init(hrbfnpr_style* style, uint struct_size);

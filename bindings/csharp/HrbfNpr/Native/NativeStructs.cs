@@ -237,6 +237,33 @@ namespace HrbfNpr
         internal ulong random_seed;
     }
 
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_line_desc")]
+    internal unsafe struct hrbfnpr_line_desc
+    {
+        internal uint struct_size;
+        internal uint kind;
+        internal IntPtr name;
+        internal double lower;
+        internal double upper;
+        internal double shortest;
+        internal fixed double plane[3];
+        internal hrbfnpr_array levels;
+        internal hrbfnpr_array position;
+        internal hrbfnpr_array line_first;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_line_set_desc")]
+    internal unsafe struct hrbfnpr_line_set_desc
+    {
+        internal uint struct_size;
+        internal uint flags;
+        internal double cell_size;
+        internal hrbfnpr_array seed_points;
+        internal IntPtr lines;
+        internal long line_count;
+        internal long line_stride;
+    }
+
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_camera")]
     internal unsafe struct hrbfnpr_camera
     {
@@ -261,6 +288,28 @@ namespace HrbfNpr
         internal float radius;
         internal float radius_zoom;
         internal uint reserved;
+        internal fixed float ink[4];
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_line_style")]
+    internal unsafe struct hrbfnpr_line_style
+    {
+        internal uint struct_size;
+        internal uint kind;
+        internal IntPtr name;
+        internal uint hidden;
+        internal uint cap;
+        internal float width;
+        internal float taper;
+        internal float hidden_width;
+        internal float hidden_opacity;
+        internal float dash;
+        internal float gap;
+        internal float shortest;
+        internal float fade;
+        internal double lower;
+        internal double upper;
+        internal hrbfnpr_array levels;
         internal fixed float ink[4];
     }
 
@@ -299,6 +348,9 @@ namespace HrbfNpr
         internal double depth_max;
         internal double zoom_reference;
         internal double zoom_exponent;
+        internal IntPtr lines;
+        internal long line_count;
+        internal long line_stride;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_pose")]
@@ -324,6 +376,7 @@ namespace HrbfNpr
         internal IntPtr poses;
         internal long pose_count;
         internal long pose_stride;
+        internal IntPtr line_set;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_raster_desc")]

@@ -17,9 +17,9 @@ from .._layer import Layer, preset_layers
 from .._model import Model
 from .._names import MADE_KINDS
 from .._point_set import PointSet
-from .._renderer import Renderer
+from .._renderer import Item, Renderer
 from .._style import Style
-from . import _automatic
+from . import _automatic, _lines
 from . import _values as values
 from ._inputs import given
 from ._progress import Reporter
@@ -53,8 +53,12 @@ def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
         for kind in MADE_KINDS:
             style.layer(kind).contours = kind in arguments.contours_of
         style.layer("any").contours = False
+    _lines.style_lines(arguments, style, pen)
     style.update(**given(arguments, _STYLE))
     style.update(**given(arguments, ("silhouette_ink", "silhouette_radius")))
+    if arguments.silhouette_ink is not None:
+        for line in style.lines:
+            line.ink = arguments.silhouette_ink
     if arguments.transparent:
         red, green, blue, _ = style.paper
         style.paper = (red, green, blue, 0.0)
@@ -132,12 +136,16 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
         if arguments.tone_ranges == "in-turn":
             layers = _automatic.in_turn(layers, style)
         marks = generate(arguments, source, layers, context, report)
+        line_set = _lines.make(arguments, source, style, context, report)
     else:
         marks = source
+        line_set = None
+        if arguments.lines:
+            report.note("lines are drawn of a model, not of saved points: contours come from marks")
     if arguments.save_points:
         marks.save(arguments.save_points)
     with report.stage("drawing"):
-        drawing = Renderer(context=context).draw((marks, style), camera)
+        drawing = Renderer(context=context).draw(Item(marks, style, line_set=line_set), camera)
         drawing.save(output)
     if not report.quiet:
         width, height = camera.size

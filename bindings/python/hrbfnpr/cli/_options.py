@@ -16,6 +16,7 @@ from .._names import (
     DENSITIES,
     DISTRIBUTIONS,
     HIDDEN_LINES,
+    HIDDEN_PARTS,
     KERNELS,
     LIGHT_SPACES,
     PRESETS,
@@ -31,6 +32,7 @@ from .._names import (
     TONE_RULES,
     VISIBILITIES,
 )
+from . import _lines
 from . import _values as values
 
 
@@ -157,6 +159,9 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--delta", "silhouette_threshold", values.number, "X", "limit of silhouettes, 0 to 1")
     _add_choice(group, "--silhouette-law", "silhouette_law", tuple(SILHOUETTE_LAWS), "which marks are silhouettes")
     _add(group, "--silhouette-width", "silhouette_width", values.number, "PIXELS", "on either side of the contour")
+    _add(group, "--lines", "lines", _lines.parse, "KINDS", f"lines drawn as curves: {', '.join(_lines.NAMES)}, with commas between; section=z:20, isophotes=0.3:0.6; none: contours by marks; those of the style")
+    _add_choice(group, "--hidden", "hidden", tuple(HIDDEN_PARTS), "hidden parts of lines")
+    _add(group, "--line-width", "line_width", values.number, "PIXELS", "of contours; others are finer")
     _add(group, "--attenuation-front", "attenuation_front", values.number, "LAMBDA", "of what lies behind front marks")
     _add(group, "--attenuation-back", "attenuation_back", values.number, "LAMBDA", "of what lies behind back marks")
     _add(group, "--splat-radius", "splat_radius", values.number, "PIXELS", "of the splats that stand for the surface; automatic")

@@ -6,8 +6,9 @@ import argparse
 import math
 from typing import Callable, Dict, List, Optional, Tuple, Union
 
+from .._fields import color
 from .._names import LAYER_KINDS, STROKE_KINDS
-from .._style import LayerStyle, Style, color
+from .._style import LayerStyle, Style
 
 Vector = Tuple[float, float, float]
 

@@ -434,6 +434,60 @@ const _: () = {
 };
 
 const _: () = {
+    assert!(size_of::<hrbfnpr_line_desc>() == either(160, 160, 144));
+    assert!(align_of::<hrbfnpr_line_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_line_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_line_desc, kind) == 4);
+    assert!(offset_of!(hrbfnpr_line_desc, name) == 8);
+    assert!(offset_of!(hrbfnpr_line_desc, lower) == either(16, 16, 12));
+    assert!(offset_of!(hrbfnpr_line_desc, upper) == either(24, 24, 20));
+    assert!(offset_of!(hrbfnpr_line_desc, shortest) == either(32, 32, 28));
+    assert!(offset_of!(hrbfnpr_line_desc, plane) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_line_desc, levels) == either(64, 64, 60));
+    assert!(offset_of!(hrbfnpr_line_desc, position) == either(96, 96, 88));
+    assert!(offset_of!(hrbfnpr_line_desc, line_first) == either(128, 128, 116));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_line_set_desc>() == either(72, 72, 64));
+    assert!(align_of::<hrbfnpr_line_set_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_line_set_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_line_set_desc, flags) == 4);
+    assert!(offset_of!(hrbfnpr_line_set_desc, cell_size) == 8);
+    assert!(offset_of!(hrbfnpr_line_set_desc, seed_points) == 16);
+    assert!(offset_of!(hrbfnpr_line_set_desc, lines) == either(48, 48, 44));
+    assert!(offset_of!(hrbfnpr_line_set_desc, line_count) == either(56, 56, 48));
+    assert!(offset_of!(hrbfnpr_line_set_desc, line_stride) == either(64, 64, 56));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_line_set_info>() == 72);
+    assert!(align_of::<hrbfnpr_line_set_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_line_set_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_line_set_info, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_line_set_info, triangles) == 8);
+    assert!(offset_of!(hrbfnpr_line_set_info, turned) == 16);
+    assert!(offset_of!(hrbfnpr_line_set_info, missed_seeds) == 24);
+    assert!(offset_of!(hrbfnpr_line_set_info, lines) == 32);
+    assert!(offset_of!(hrbfnpr_line_set_info, borders) == 40);
+    assert!(offset_of!(hrbfnpr_line_set_info, cell_size) == 48);
+    assert!(offset_of!(hrbfnpr_line_set_info, seconds) == 56);
+    assert!(offset_of!(hrbfnpr_line_set_info, bytes) == 64);
+};
+
+const _: () = {
     assert!(size_of::<hrbfnpr_camera>() == 296);
     assert!(align_of::<hrbfnpr_camera>() == either(8, 8, 4));
 };
@@ -469,7 +523,33 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_style>() == either(224, 216, 212));
+    assert!(size_of::<hrbfnpr_line_style>() == either(120, 120, 112));
+    assert!(align_of::<hrbfnpr_line_style>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_line_style, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_line_style, kind) == 4);
+    assert!(offset_of!(hrbfnpr_line_style, name) == 8);
+    assert!(offset_of!(hrbfnpr_line_style, hidden) == either(16, 12, 12));
+    assert!(offset_of!(hrbfnpr_line_style, cap) == either(20, 16, 16));
+    assert!(offset_of!(hrbfnpr_line_style, width) == either(24, 20, 20));
+    assert!(offset_of!(hrbfnpr_line_style, taper) == either(28, 24, 24));
+    assert!(offset_of!(hrbfnpr_line_style, hidden_width) == either(32, 28, 28));
+    assert!(offset_of!(hrbfnpr_line_style, hidden_opacity) == either(36, 32, 32));
+    assert!(offset_of!(hrbfnpr_line_style, dash) == either(40, 36, 36));
+    assert!(offset_of!(hrbfnpr_line_style, gap) == either(44, 40, 40));
+    assert!(offset_of!(hrbfnpr_line_style, shortest) == either(48, 44, 44));
+    assert!(offset_of!(hrbfnpr_line_style, fade) == either(52, 48, 48));
+    assert!(offset_of!(hrbfnpr_line_style, lower) == either(56, 56, 52));
+    assert!(offset_of!(hrbfnpr_line_style, upper) == either(64, 64, 60));
+    assert!(offset_of!(hrbfnpr_line_style, levels) == either(72, 72, 68));
+    assert!(offset_of!(hrbfnpr_line_style, ink) == either(104, 104, 96));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_style>() == either(248, 240, 232));
     assert!(align_of::<hrbfnpr_style>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -507,6 +587,9 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, depth_max) == either(200, 192, 188));
     assert!(offset_of!(hrbfnpr_style, zoom_reference) == either(208, 200, 196));
     assert!(offset_of!(hrbfnpr_style, zoom_exponent) == either(216, 208, 204));
+    assert!(offset_of!(hrbfnpr_style, lines) == either(224, 216, 212));
+    assert!(offset_of!(hrbfnpr_style, line_count) == either(232, 224, 216));
+    assert!(offset_of!(hrbfnpr_style, line_stride) == either(240, 232, 224));
 };
 
 const _: () = {
@@ -525,7 +608,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_item>() == either(184, 176, 168));
+    assert!(size_of::<hrbfnpr_item>() == either(192, 184, 172));
     assert!(align_of::<hrbfnpr_item>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -540,10 +623,11 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_item, poses) == either(160, 152, 148));
     assert!(offset_of!(hrbfnpr_item, pose_count) == either(168, 160, 152));
     assert!(offset_of!(hrbfnpr_item, pose_stride) == either(176, 168, 160));
+    assert!(offset_of!(hrbfnpr_item, line_set) == either(184, 176, 168));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_drawing_info>() == 184);
+    assert!(size_of::<hrbfnpr_drawing_info>() == 240);
     assert!(align_of::<hrbfnpr_drawing_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -573,6 +657,13 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_drawing_info, nanoseconds_sort) == 160);
     assert!(offset_of!(hrbfnpr_drawing_info, bytes) == 168);
     assert!(offset_of!(hrbfnpr_drawing_info, scratch_bytes) == 176);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_curves) == 184);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_cusps) == 192);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_crossings) == 200);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_broken) == 208);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_settled) == 216);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_contradictions) == 224);
+    assert!(offset_of!(hrbfnpr_drawing_info, nanoseconds_lines) == 232);
 };
 
 const _: () = {

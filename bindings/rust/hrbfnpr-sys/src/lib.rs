@@ -103,6 +103,14 @@
 //! made in one way and drawn in one style; its number is its place in the
 //! list, from 0.  The marks of some layers form strokes.
 //!
+//! # LINE SET: what the lines of a surface are drawn from, immutable
+//!
+//! Contours as curves, traced on the surface itself for every camera, with a
+//! visibility that is counted and checked (Appel 1967, quantitative
+//! invisibility; Benard & Hertzmann 2019).  A line set is made once for a model;
+//! an item that has one, and a style with lines, is drawn with curves in the
+//! place of contour marks.
+//!
 //! # RENDERER: from items and a camera to a drawing [NPAR 6]
 //!
 //! A renderer is the scratch of one thread.  It keeps a few of its last drawings
@@ -1605,7 +1613,152 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 8  CAMERA AND STYLE: plain data
+// 8  LINE SET: what the lines of a surface are drawn from, immutable
+
+#[repr(C)]
+pub struct hrbfnpr_line_set {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+// Kinds of lines.  Those marked "once" are found when a line set is made, for each element
+// of its list; the others
+// with every drawing.  Strengths have no unit: lengths are in diagonals of the model.
+/// occluding contours: the line of sight is tangent to the surface
+pub const HRBFNPR_LINE_KIND_CONTOUR: u32 = 1;
+/// where a contour would appear soon; strength: the derivative of the radial curvature
+/// towards the eye; WITH_CURVATURE [DeCarlo 2003]
+pub const HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR: u32 = 2;
+/// once; strength: curvature across the ridge less that along it [Ohtake, Belyaev & Seidel 2004]
+pub const HRBFNPR_LINE_KIND_RIDGE: u32 = 3;
+/// once; the same
+pub const HRBFNPR_LINE_KIND_VALLEY: u32 = 4;
+/// strength: view-dependent curvature; WITH_CURVATURE [Judd 2007]
+pub const HRBFNPR_LINE_KIND_APPARENT_RIDGE: u32 = 5;
+/// once; Gaussian curvature 0
+pub const HRBFNPR_LINE_KIND_PARABOLIC: u32 = 6;
+/// n . l = the levels of the style, l its light; WITH_CURVATURE
+pub const HRBFNPR_LINE_KIND_ISOPHOTE: u32 = 7;
+/// once; parallel planes
+pub const HRBFNPR_LINE_KIND_SECTION: u32 = 8;
+/// where the surface ends: at the search box
+pub const HRBFNPR_LINE_KIND_BORDER: u32 = 9;
+/// once; polylines of the caller, such as creases of a mesh
+pub const HRBFNPR_LINE_KIND_OWN: u32 = 10;
+
+/// Lines to find once.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_line_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; RIDGE
+    pub kind: u32,
+    /// up to 63 bytes of UTF-8, for styles; NULL = ""
+    pub name: *const c_char,
+    /// lines go on while their strength is at least `lower` ...
+    pub lower: f64,
+    /// ... and are kept if it is `upper` somewhere; 0 and 0 = those of the kind: 6 and 15 of
+    /// ridges and valleys, 0 and 0 else
+    pub upper: f64,
+    /// shorter ones are dropped, in diagonals; 0.01
+    pub shortest: f64,
+    /// of SECTION: normal of the planes, of any length; (0, 0, 1)
+    pub plane: [f64; 3],
+    /// of SECTION: FLOAT64, 1: where the planes are, along the unit normal
+    pub levels: hrbfnpr_array,
+    /// of OWN: FLOAT32 or FLOAT64, 3: on the surface or near it
+    pub position: hrbfnpr_array,
+    /// of OWN: UINT32, 1: the first position of each line, ascending, and the end; one whose last
+    /// position is its first is closed
+    pub line_first: hrbfnpr_array,
+}
+
+extern "C" {
+    pub fn hrbfnpr_line_desc_init(desc: *mut hrbfnpr_line_desc, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// measure curvatures and their derivatives, for kinds that need them with every drawing
+pub const HRBFNPR_LINE_SET_WITH_CURVATURE: u32 = 1;
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_line_set_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_LINE_SET_WITH_...; 0
+    pub flags: u32,
+    /// of the mesh on which curves are looked for, units of the model; 0 = half the samples'
+    /// spacing, and finer where walls are thin. Loops that are smaller, and walls that are
+    /// thinner than 1.75 cells, may be missed
+    pub cell_size: f64,
+    /// FLOAT32 or FLOAT64, 3: near each part of the surface; not given = the samples, or places
+    /// found in the bounds of a custom model
+    pub seed_points: hrbfnpr_array,
+    /// a list; NULL and 0
+    pub lines: *const hrbfnpr_line_desc,
+    pub line_count: i64,
+    pub line_stride: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_line_set_desc_init(
+        desc: *mut hrbfnpr_line_set_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// The line set keeps the model.  desc NULL = defaults.
+    /// Errors: INVALID_ARGUMENT (more than 4 000 000 triangles: a larger cell_size),
+    /// NOT_CONVERGED (no surface was
+    /// found), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    pub fn hrbfnpr_line_set_create(
+        context: *mut hrbfnpr_context,
+        model: *const hrbfnpr_model,
+        desc: *const hrbfnpr_line_set_desc,
+        operation: *mut hrbfnpr_operation,
+        out_line_set: *mut *mut hrbfnpr_line_set,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_line_set_retain(line_set: *const hrbfnpr_line_set);
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_line_set_release(line_set: *const hrbfnpr_line_set);
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_line_set_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// of the mesh
+    pub triangles: i64,
+    /// of these, triangles that look away from the surface: it is finer than the cells there, and
+    /// curves may be missed
+    pub turned: i64,
+    /// seeds that no triangle is near: a part of the surface is too thin for the cells
+    pub missed_seeds: i64,
+    /// that were found once, of all elements of the list
+    pub lines: i64,
+    /// curves where the surface ends
+    pub borders: i64,
+    /// as used
+    pub cell_size: f64,
+    /// that it took to make
+    pub seconds: f64,
+    /// kept
+    pub bytes: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_line_set_info_init(
+        info: *mut hrbfnpr_line_set_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    pub fn hrbfnpr_line_set_get_info(
+        line_set: *const hrbfnpr_line_set,
+        info: *mut hrbfnpr_line_set_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// 9  CAMERA AND STYLE: plain data
 
 // Range of window depth from near to far plane.
 /// clip space of OpenGL; written depth is 0 .. 1
@@ -1796,6 +1949,69 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+// What is drawn of the parts of a line that surface hides.
+pub const HRBFNPR_HIDDEN_PARTS_NONE: u32 = 0;
+/// paler with each layer of surface (two sheets) before them
+pub const HRBFNPR_HIDDEN_PARTS_ATTENUATED: u32 = 1;
+/// dashes, the shorter the more layers lie before them
+pub const HRBFNPR_HIDDEN_PARTS_DASHED: u32 = 2;
+/// like what is visible
+pub const HRBFNPR_HIDDEN_PARTS_SHOWN: u32 = 3;
+
+// How a line ends where it ends in the picture without meeting another: at a cusp, where it
+// turns behind its own
+// surface.
+pub const HRBFNPR_CAP_ROUND: u32 = 0;
+pub const HRBFNPR_CAP_FLAT: u32 = 1;
+/// narrowing to a tip twice as long as the line is wide there
+pub const HRBFNPR_CAP_POINTED: u32 = 2;
+
+/// How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_line_style {
+    pub struct_size: u32,
+    /// HRBFNPR_LINE_KIND_...; CONTOUR
+    pub kind: u32,
+    /// of lines found once: those that are called so; NULL = any name. Read during _draw only
+    pub name: *const c_char,
+    /// HRBFNPR_HIDDEN_PARTS_...; NONE
+    pub hidden: u32,
+    /// HRBFNPR_CAP_...: of free ends; ROUND
+    pub cap: u32,
+    /// > 0; 2
+    pub width: f32,
+    /// over which a line narrows to a free end, half an ellipse; 0 = not at all; 12
+    pub taper: f32,
+    /// of ATTENUATED and DASHED, > 0; 1.2
+    pub hidden_width: f32,
+    /// 0 .. 1: of ATTENUATED, for each layer; 0.35
+    pub hidden_opacity: f32,
+    /// of DASHED, in hidden_widths, > 0; 5
+    pub dash: f32,
+    /// between dashes, in hidden_widths, > 0; 3
+    pub gap: f32,
+    /// parts with a free end, and hidden ones, that are shorter are not drawn; 2
+    pub shortest: f32,
+    /// 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1
+    pub fade: f32,
+    /// strengths as in hrbfnpr_line_desc; 0 and 0 = those of the kind: 10 and 30 of suggestive
+    /// contours, 12 and 25 of apparent ridges
+    pub lower: f64,
+    pub upper: f64,
+    /// of ISOPHOTE: FLOAT64, 1: -1 .. 1. Read during _draw only
+    pub levels: hrbfnpr_array,
+    /// straight RGBA; black
+    pub ink: [f32; 4],
+}
+
+extern "C" {
+    pub fn hrbfnpr_line_style_init(
+        style: *mut hrbfnpr_line_style,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_style {
@@ -1874,6 +2090,14 @@ pub struct hrbfnpr_style {
     pub zoom_reference: f64,
     /// >= 0; 2 keeps the ink per area
     pub zoom_exponent: f64,
+    /// a list; NULL and 0
+    ///
+    /// Lines, with DEPTH_LAYERS, of items that have a line set; with one of kind CONTOUR their
+    /// marks draw no
+    /// contours.
+    pub lines: *const hrbfnpr_line_style,
+    pub line_count: i64,
+    pub line_stride: i64,
 }
 
 extern "C" {
@@ -1916,7 +2140,7 @@ extern "C" {
     pub fn hrbfnpr_preset_name(preset: u32) -> *const c_char;
 }
 
-// 9  RENDERER: from items and a camera to a drawing [NPAR 6]
+// 10  RENDERER: from items and a camera to a drawing [NPAR 6]
 
 #[repr(C)]
 pub struct hrbfnpr_renderer {
@@ -1984,6 +2208,9 @@ pub struct hrbfnpr_item {
     pub poses: *const hrbfnpr_layer_pose,
     pub pose_count: i64,
     pub pose_stride: i64,
+    /// NULL, or what the style's lines are drawn from. All items of a drawing that have one hide
+    /// each other's lines; others hide none
+    pub line_set: *const hrbfnpr_line_set,
 }
 
 extern "C" {
@@ -2003,7 +2230,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 10  DRAWING: a picture as a value, immutable
+// 11  DRAWING: a picture as a value, immutable
 
 extern "C" {
     /// any thread; NULL is ignored
@@ -2063,6 +2290,19 @@ pub struct hrbfnpr_drawing_info {
     pub bytes: i64,
     /// kept by its renderer, drawings left out
     pub scratch_bytes: i64,
+    /// curves that lines were drawn from
+    pub line_curves: i64,
+    /// of these
+    pub line_cusps: i64,
+    /// of their images, where the farther one changes its visibility
+    pub line_crossings: i64,
+    /// curves that end inside the surface, and places where one was missed
+    pub line_broken: i64,
+    /// curves whose visibility did not add up: each part is as a ray of its own says
+    pub line_settled: i64,
+    /// of these, curves with a part whose ray was not certain
+    pub line_contradictions: i64,
+    pub nanoseconds_lines: i64,
 }
 
 extern "C" {
@@ -2085,9 +2325,9 @@ pub struct hrbfnpr_drawing_layer_info {
     /// HRBFNPR_CLASS_FRONT or SILHOUETTE
     pub mark_class: u32,
     pub item: i64,
-    /// of the item's point set
+    /// of the item's point set; -1: of lines
     pub layer: i64,
-    /// HRBFNPR_LAYER_KIND_...
+    /// HRBFNPR_LAYER_KIND_...; of lines HRBFNPR_LINE_KIND_...
     pub kind: u32,
     /// HRBFNPR_SHAPE_...
     pub shape: u32,
@@ -2163,7 +2403,7 @@ pub const HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS: u32 = 3;
 pub const HRBFNPR_INDEX_RESTART: i32 = -1;
 
 // What a vertex can carry, and the types it can have.
-/// world, FLOAT32 x 3
+/// world, FLOAT32 x 3; of lines as exact as their window depth
 pub const HRBFNPR_VERTEX_ATTRIBUTE_POSITION: u32 = 0;
 /// pixel x, pixel y, depth; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_WINDOW: u32 = 1;
@@ -2171,11 +2411,11 @@ pub const HRBFNPR_VERTEX_ATTRIBUTE_WINDOW: u32 = 1;
 pub const HRBFNPR_VERTEX_ATTRIBUTE_RADIUS: u32 = 2;
 /// straight RGBA; FLOAT32 x 4, or UINT8 x 4
 pub const HRBFNPR_VERTEX_ATTRIBUTE_COLOR: u32 = 3;
-/// world, unit; FLOAT32 x 3
+/// world, unit; of lines 0; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_NORMAL: u32 = 4;
-/// world, unit; FLOAT32 x 3
+/// world, unit; of lines 0; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION: u32 = 5;
-/// of the mark; UINT32
+/// of the mark; 0 of lines; UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_ID: u32 = 6;
 /// HRBFNPR_CLASS_...; UINT8 or UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_CLASS: u32 = 7;

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Runtime.InteropServices;
+using System.Text;
+
+namespace HrbfNpr
+{
+    /// <summary>How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels.</summary>
+    /// <remarks>Numbers out of range are refused by <c>Renderer.Draw</c>.</remarks>
+    public sealed unsafe class LineStyle
+    {
+        private string name;
+
+        /// <summary>With all defaults: for lines of one kind.</summary>
+        public LineStyle(LineKind kind = LineKind.Contour)
+        {
+            hrbfnpr_line_style native;
+            Errors.Check(NativeMethods.hrbfnpr_line_style_init(&native, (uint)sizeof(hrbfnpr_line_style)));
+            Read(&native);
+            Kind = kind;
+        }
+
+        internal LineStyle(hrbfnpr_line_style* native)
+        {
+            Read(native);
+        }
+
+        /// <summary>The lines that this is for.</summary>
+        public LineKind Kind { get; set; }
+
+        /// <summary>Of lines found once: those that are called so; null = any name.</summary>
+        public string Name
+        {
+            get
+            {
+                return name;
+            }
+
+            set
+            {
+                name = value;
+                NameUtf8 = value == null ? null : Encoding.UTF8.GetBytes(value + "\0");
+            }
+        }
+
+        /// <summary>What is drawn of parts that surface hides; None.</summary>
+        public HiddenParts Hidden { get; set; }
+
+        /// <summary>How free ends look; Round.</summary>
+        public Cap Cap { get; set; }
+
+        /// <summary>Pixels, above 0; 2.</summary>
+        public float Width { get; set; }
+
+        /// <summary>
+        /// Pixels, 0 or more, over which a line narrows to a free end, half an ellipse; 0 = not at all; 12.
+        /// </summary>
+        public float Taper { get; set; }
+
+        /// <summary>Of hidden parts that are Attenuated or Dashed: pixels, above 0; 1.2.</summary>
+        public float HiddenWidth { get; set; }
+
+        /// <summary>Of hidden parts that are Attenuated: 0 to 1, for each layer of surface; 0.35.</summary>
+        public float HiddenOpacity { get; set; }
+
+        /// <summary>Of hidden parts that are Dashed: length of a dash in hidden widths, above 0; 5.</summary>
+        public float Dash { get; set; }
+
+        /// <summary>Between dashes, in hidden widths, above 0; 3.</summary>
+        public float Gap { get; set; }
+
+        /// <summary>Parts with a free end, and hidden ones, that are shorter are not drawn; pixels, 0 or more; 2.</summary>
+        public float Shortest { get; set; }
+
+        /// <summary>
+        /// 0 to 1: how much paler a line is where its strength is <see cref="Lower"/> than where it is
+        /// <see cref="Upper"/>; 1.
+        /// </summary>
+        public float Fade { get; set; }
+
+        /// <summary>Lines go on while their strength, of no unit, is at least this, 0 or more ...</summary>
+        public double Lower { get; set; }
+
+        /// <summary>
+        /// ... and are drawn if it is this somewhere.  0 and 0 = those of the kind: 10 and 30 of suggestive contours,
+        /// 12 and 25 of apparent ridges; 0 and 0.
+        /// </summary>
+        public double Upper { get; set; }
+
+        /// <summary>Of isophotes, and needed there: n . l, numbers from -1 to 1; null.</summary>
+        public double[] Levels { get; set; }
+
+        /// <summary>Colour of the lines; black.</summary>
+        public Color Ink { get; set; }
+
+        /// <summary>The name with a zero behind it.</summary>
+        internal byte[] NameUtf8 { get; private set; }
+
+        /// <summary>Another one like this.</summary>
+        public LineStyle Clone()
+        {
+            var copy = (LineStyle)MemberwiseClone();
+            copy.Levels = Levels == null ? null : (double[])Levels.Clone();
+            return copy;
+        }
+
+        /// <summary>Everything but the name and the levels.</summary>
+        internal void Write(hrbfnpr_line_style* native)
+        {
+            Errors.Check(NativeMethods.hrbfnpr_line_style_init(native, (uint)sizeof(hrbfnpr_line_style)));
+            native->kind = (uint)Kind;
+            native->hidden = (uint)Hidden;
+            native->cap = (uint)Cap;
+            native->width = Width;
+            native->taper = Taper;
+            native->hidden_width = HiddenWidth;
+            native->hidden_opacity = HiddenOpacity;
+            native->dash = Dash;
+            native->gap = Gap;
+            native->shortest = Shortest;
+            native->fade = Fade;
+            native->lower = Lower;
+            native->upper = Upper;
+            Ink.Write(native->ink);
+        }
+
+        private void Read(hrbfnpr_line_style* native)
+        {
+            Kind = (LineKind)native->kind;
+            Name = native->name == IntPtr.Zero ? null : Errors.Utf8((byte*)native->name);
+            Hidden = (HiddenParts)native->hidden;
+            Cap = (Cap)native->cap;
+            Width = native->width;
+            Taper = native->taper;
+            HiddenWidth = native->hidden_width;
+            HiddenOpacity = native->hidden_opacity;
+            Dash = native->dash;
+            Gap = native->gap;
+            Shortest = native->shortest;
+            Fade = native->fade;
+            Lower = native->lower;
+            Upper = native->upper;
+            if (native->levels.count > 0)
+            {
+                Levels = new double[native->levels.count];
+                Marshal.Copy(native->levels.data, Levels, 0, Levels.Length);
+            }
+            Ink = Color.Read(native->ink);
+        }
+    }
+}

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: MIT
+"""Lines on the command line: contours and feature lines as curves."""
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+
+from .. import shapes
+from .._context import Context
+from .._line_set import Lines, LineSet
+from .._line_style import LineStyle
+from .._model import Model
+from .._names import LINE_KINDS
+from .._style import Style
+from ._progress import Reporter
+
+_SHORT = {
+    "suggestive": "suggestive_contour", "ridges": "ridge", "valleys": "valley", "apparent": "apparent_ridge",
+    "contours": "contour", "isophotes": "isophote", "sections": "section", "borders": "border", "creases": "crease",
+}  # fmt: skip
+NAMES = ("contour", "suggestive", "ridges", "valleys", "apparent", "parabolic", "isophotes", "section", "border", "crease")
+_FOUND_ONCE = ("ridge", "valley", "parabolic")
+# Options that mean something to contours of marks only: given, these are drawn unless --lines is given too.
+_OF_MARKS = ("silhouette_threshold", "silhouette_law", "silhouette_width", "silhouette_radius", "contours_of")
+_HIDDEN = {"attenuate": "attenuated", "hide": "none", "show": "shown"}
+# What is drawn finer than contours, as a share of their width.
+_FINE = 0.6
+
+
+class Wanted(NamedTuple):
+    """One kind of lines, and what was said of it: an axis and a number of planes, or levels."""
+
+    kind: str
+    axis: int = 2
+    count: int = 10
+    levels: Tuple[float, ...] = (0.25, 0.5, 0.75)
+
+
+def parse(text: str) -> List[Wanted]:
+    """contour,suggestive,ridges,section=z:20,isophotes=0.3:0.6 ...; none for no lines."""
+    if text == "none":
+        return []
+    return [_parse_one(part) for part in text.split(",")]
+
+
+def _parse_one(part: str) -> Wanted:
+    name, _, value = part.partition("=")
+    kind = _SHORT.get(name, name).replace("-", "_")
+    if kind not in (*LINE_KINDS, "crease") or kind == "own":
+        raise argparse.ArgumentTypeError(f"{name!r} is no kind of lines; there are {', '.join(NAMES)} and none")
+    if not value:
+        return Wanted(kind)
+    try:
+        if kind == "section":
+            axis, _, count = value.partition(":")
+            if axis not in ("x", "y", "z") or int(count) < 1:
+                raise ValueError
+            return Wanted(kind, "xyz".index(axis), int(count))
+        if kind == "isophote":
+            return Wanted(kind, levels=tuple(float(level) for level in value.split(":")))
+    except ValueError:
+        pass
+    raise argparse.ArgumentTypeError(f"{part!r} is not understood; write section=z:20 or isophotes=0.3:0.6")
+
+
+def style_lines(arguments: Any, style: Style, pen: float) -> None:
+    """Set the lines of a style: its own or those asked for, sized for the picture."""
+    contour = next((line for line in style.lines if line.kind == "contour"), LineStyle("contour", width=2.2))
+    if arguments.lines is not None:
+        style.lines = [_line(wanted, contour) for wanted in arguments.lines]
+    elif any(getattr(arguments, option) is not None for option in _OF_MARKS):
+        style.lines = []
+    for line in style.lines:
+        if arguments.line_width is not None:
+            line.width = arguments.line_width / pen * (1.0 if line.kind in ("contour", "border") else _FINE)
+        if arguments.hidden is not None or arguments.hidden_lines is not None:
+            line.hidden = arguments.hidden or _HIDDEN[arguments.hidden_lines.replace("-", "_")]
+        for field in ("width", "hidden_width", "taper", "shortest"):
+            setattr(line, field, getattr(line, field) * pen)
+
+
+def _line(wanted: Wanted, contour: LineStyle) -> LineStyle:
+    if wanted.kind == "contour":
+        return contour.copy()
+    kind, name = ("own", "crease") if wanted.kind == "crease" else (wanted.kind, None)
+    levels = wanted.levels if kind == "isophote" else ()
+    share = 1.0 if wanted.kind in ("border", "crease") else _FINE
+    taper = 0.0 if wanted.kind in ("border", "crease", "section") else contour.taper
+    return LineStyle(kind, name, levels, width=contour.width * share, hidden=contour.hidden, taper=taper)
+
+
+def make(arguments: Any, model: Model, style: Style, context: Context, report: Reporter) -> Optional[LineSet]:
+    """The line set that a style's lines want; None if it has none."""
+    if not style.lines or style.visibility == "published":
+        return None
+    wanted = arguments.lines if arguments.lines is not None else []
+    once = [_once(one, model, arguments) for one in wanted if one.kind in (*_FOUND_ONCE, "section", "crease")]
+    curved = any(line.kind in ("suggestive_contour", "apparent_ridge", "isophote") for line in style.lines)
+    with report.stage("looking for lines") as bar:
+        made = LineSet(model, once, with_curvature=curved, progress=bar, context=context)
+    info = made.info
+    if info.turned > 2e-3 * info.triangles or info.missed_seeds:
+        report.note(
+            f"the surface is thinner than the cells that lines are looked for in ({info.turned} of {info.triangles} "
+            f"triangles look away, {info.missed_seeds} samples are missed): lines may be missing there"
+        )
+    return made
+
+
+def _once(wanted: Wanted, model: Model, arguments: Any) -> Lines:
+    if wanted.kind == "section":
+        low, high = (corner[wanted.axis] for corner in model.bounds)
+        places = low + (high - low) * (np.arange(wanted.count) + 0.5) / wanted.count
+        return Lines("section", levels=list(places), plane=np.eye(3)[wanted.axis])
+    if wanted.kind == "crease":
+        return Lines("own", "crease", polylines=creases(shapes.read(Path(arguments.input))))
+    return Lines(wanted.kind)
+
+
+def creases(shape: Any, angle: float = 30.0) -> Sequence[Any]:
+    """Edges of a mesh where faces meet at more than an angle, joined to polylines."""
+    if not shape.is_mesh:
+        raise shapes.ShapeError("creases come from a mesh; this file has no faces")
+    points, index = np.unique(shape.points, axis=0, return_inverse=True)
+    faces = index.reshape(-1)[shape.triangles]
+    normals = np.cross(points[faces[:, 1]] - points[faces[:, 0]], points[faces[:, 2]] - points[faces[:, 0]])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+    beside: "dict[Tuple[int, int], List[int]]" = {}
+    for number, face in enumerate(faces.tolist()):
+        for a, b in zip(face, (*face[1:], face[0])):
+            beside.setdefault((min(a, b), max(a, b)), []).append(number)
+    limit = float(np.cos(np.radians(angle)))
+    sharp = [edge for edge, two in beside.items() if len(two) == 2 and normals[two[0]] @ normals[two[1]] < limit]
+    return [points[line] for line in _chains(sharp)]
+
+
+def _chains(edges: Sequence[Tuple[int, int]]) -> List[List[int]]:
+    """Edges that follow each other as lines: through vertices of two edges, from corners first."""
+    around: "dict[int, List[int]]" = {}
+    for a, b in edges:
+        around.setdefault(a, []).append(b)
+        around.setdefault(b, []).append(a)
+    left = {frozenset(edge) for edge in edges}
+    lines: List[List[int]] = []
+    starts = [v for v, others in around.items() if len(others) != 2] + list(around)
+    for start in starts:
+        for other in around[start]:
+            if frozenset((start, other)) not in left:
+                continue
+            line = [start, other]
+            left.remove(frozenset(line))
+            while len(around[line[-1]]) == 2:
+                after = next((v for v in around[line[-1]] if frozenset((line[-1], v)) in left), None)
+                if after is None:
+                    break
+                left.remove(frozenset((line[-1], after)))
+                line.append(after)
+            lines.append(line)
+    return lines

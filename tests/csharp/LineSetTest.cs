@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Xunit;
+
+namespace HrbfNpr.Tests
+{
+    public unsafe class LineSetTest : IDisposable
+    {
+        private readonly Model model = Shapes.FitSphere();
+        private readonly LineSet lines;
+        private readonly PointSet marks;
+        private readonly Camera camera;
+        private readonly Renderer renderer = new Renderer();
+        private readonly Style silhouette = Style.Preset(Preset.Silhouette);
+
+        public LineSetTest()
+        {
+            lines = model.LineSet();
+            marks = Shapes.Stipple(model, 500);
+            camera = Camera.FitBounds((-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), (0, 0, -1), (0, 1, 0), 96, 96);
+        }
+
+        public void Dispose()
+        {
+            renderer.Dispose();
+            marks.Dispose();
+            lines.Dispose();
+            model.Dispose();
+        }
+
+        [Fact]
+        public void ALineSetSaysWhatItIs()
+        {
+            LineSetInfo info = lines.Info;
+            Assert.True(info.Triangles > 100 && info.CellSize > 0 && info.Seconds > 0 && info.Bytes > 0);
+            Assert.Equal(0L, info.Turned + info.MissedSeeds + info.Lines + info.Borders);
+            using (LineSet coarse = model.LineSet(new LineSetOptions { CellSize = 2 * info.CellSize }))
+            using (LineSet seeded = model.LineSet(new LineSetOptions { SeedPoints = new float[] { 0, 0, 1.01f } }))
+            {
+                Assert.Equal(2 * info.CellSize, coarse.Info.CellSize, 1e-12);
+                Assert.InRange(coarse.Info.Triangles, 1L, info.Triangles / 2);
+                Assert.True(seeded.Info.Triangles > 100);
+                Assert.Equal(0L, seeded.Info.MissedSeeds);
+            }
+        }
+
+        [Fact]
+        public void ContoursAreStrokesOfALayerOfTheirOwn()
+        {
+            using (Drawing drawing = renderer.Draw(With(silhouette), camera))
+            {
+                DrawingInfo info = drawing.Info;
+                Assert.True(info.LineCurves > 0 && info.NanosecondsLines > 0);
+                Assert.Equal(0L, info.LineCusps + info.LineCrossings + info.LineBroken);
+                Assert.Equal(0L, info.LineSettled + info.LineContradictions + info.Dots);
+                DrawingLayerInfo layer = OfLines(drawing);
+                Assert.Equal(-1L, layer.Layer);
+                Assert.Equal(0L, layer.Item);
+                Assert.Equal((LineKind?)LineKind.Contour, layer.LineKind);
+                Assert.Equal(LayerKind.Any, layer.Kind);
+                Assert.Equal(Shape.Strokes, layer.Shape);
+                Assert.Equal(MarkClass.Silhouette, layer.MarkClass);
+                Assert.Equal(string.Empty, layer.Name);
+                Assert.True(layer.Strokes > 0);
+                Assert.Equal(info.Strokes, layer.Strokes);
+                Assert.True(drawing.Rasterize(PixelFormat.Coverage8).Count(value => value > 100) > 50);
+            }
+            using (Drawing drawing = renderer.Draw(new Item(marks, silhouette), camera))
+            {
+                Assert.Equal(0L, drawing.Info.LineCurves);
+                Assert.True(drawing.Layers.All(layer => layer.Layer >= 0 && layer.LineKind == null));
+            }
+        }
+
+        [Fact]
+        public void HiddenPartsAreDashed()
+        {
+            var strokes = new Dictionary<HiddenParts, long>();
+            foreach (HiddenParts hidden in Enum.GetValues(typeof(HiddenParts)))
+            {
+                silhouette.Lines[0].Hidden = hidden;
+                DrawingInfo info = Shapes.Count(renderer, camera, With(silhouette), With(silhouette, 0.5, -3));
+                strokes[hidden] = info.Strokes;
+                Assert.True(info.LineCrossings >= 2);
+            }
+            Assert.True(strokes[HiddenParts.Dashed] > strokes[HiddenParts.None] + 2);
+            Assert.True(strokes[HiddenParts.Attenuated] > strokes[HiddenParts.None]);
+            Assert.True(strokes[HiddenParts.Shown] >= strokes[HiddenParts.None]);
+            Style xray = Style.Preset(Preset.Xray);
+            long dashed = Shapes.Count(renderer, camera, With(xray), With(xray, 0.5, -3)).Strokes;
+            xray.Lines[0].Dash = 2;
+            xray.Lines[0].Gap = 2;
+            Assert.True(Shapes.Count(renderer, camera, With(xray), With(xray, 0.5, -3)).Strokes > dashed);
+        }
+
+        [Fact]
+        public void LinesThatAreFoundOnce()
+        {
+            float[] path = { 0, 0, 1, 0.2f, 0, 1, 0.4f, 0, 0.95f, 0, 0.5f, 0.85f, 0.1f, 0.5f, 0.85f };
+            var options = new LineSetOptions
+            {
+                Lines =
+                {
+                    LineOptions.Section((0, 0, 2), -0.5, 0, 0.5),
+                    LineOptions.Own(path, new uint[] { 0, 3, 5 }, "crease"),
+                },
+            };
+            using (LineSet found = model.LineSet(options))
+            {
+                Assert.Equal(5L, found.Info.Lines);
+                var style = new Style { Lines = { new LineStyle(LineKind.Section), new LineStyle(LineKind.Own) } };
+                style.Lines[1].Name = "crease";
+                style.Lines[1].Width = 4;
+                style.Lines[1].Ink = new Color(0, 0, 1);
+                style.Layers.Add(new LayerStyle { Shown = false, Contours = false });
+                var item = new Item(marks, style) { LineSet = found };
+                using (Drawing drawing = renderer.Draw(item, camera))
+                {
+                    DrawingLayerInfo own = drawing.Layers.Single(layer => layer.LineKind == LineKind.Own);
+                    Assert.Equal(2L, own.Strokes);
+                    Assert.Equal(new Color(0, 0, 1), own.Ink);
+                    Assert.True(drawing.Layers.Single(layer => layer.LineKind == LineKind.Section).Strokes >= 1);
+                }
+                style.Lines[1].Name = "seam";
+                using (Drawing drawing = renderer.Draw(item, camera))
+                {
+                    Assert.Equal(0L, drawing.Layers.Where(layer => layer.LineKind == LineKind.Own).Sum(layer => layer.Strokes));
+                }
+            }
+        }
+
+        [Fact]
+        public void LinesThatNeedCurvatures()
+        {
+            var style = new Style { LightSpace = LightSpace.Camera, Light = (0, 0, 1) };
+            style.Lines.Add(new LineStyle(LineKind.SuggestiveContour));
+            style.Lines.Add(new LineStyle(LineKind.ApparentRidge) { Lower = 1, Upper = 2 });
+            style.Lines.Add(new LineStyle(LineKind.Isophote) { Levels = new[] { 0.5, 0.8 } });
+            Assert.Contains("WITH_CURVATURE", Refused(With(style)));
+            using (LineSet measured = model.LineSet(new LineSetOptions { WithCurvature = true }))
+            using (Drawing drawing = renderer.Draw(new Item(marks, style) { LineSet = measured }, camera))
+            {
+                Assert.True(measured.Info.Bytes > lines.Info.Bytes);
+                Assert.True(drawing.Layers.Single(layer => layer.LineKind == LineKind.Isophote).Strokes >= 2);
+            }
+        }
+
+        [Fact]
+        public void ThePresetsHaveLinesThatCanBeChanged()
+        {
+            foreach (Preset preset in Enum.GetValues(typeof(Preset)))
+            {
+                Assert.Equal(preset == Preset.Stipple ? 0 : 1, Style.Preset(preset).Lines.Count);
+            }
+            Assert.Equal(HiddenParts.Attenuated, silhouette.Lines[0].Hidden);
+            Assert.Equal(HiddenParts.Dashed, Style.Preset(Preset.Xray).Lines[0].Hidden);
+            silhouette.Lines[0].Width = 5;
+            silhouette.Lines[0].Cap = Cap.Pointed;
+            silhouette.Ink = new Color(1, 0, 0);
+            Style copy = silhouette.Clone();
+            copy.Lines[0].Width = 1;
+            Assert.Equal(5f, silhouette.Lines[0].Width);
+            Assert.Equal(Cap.Pointed, copy.Lines[0].Cap);
+            Assert.Equal(2.6f, Style.Preset(Preset.Silhouette).Lines[0].Width); // another one
+            using (Drawing thick = renderer.Draw(With(silhouette), camera))
+            using (Drawing thin = renderer.Draw(With(copy), camera))
+            {
+                Assert.Equal(new Color(1, 0, 0), OfLines(thick).Ink);
+                Assert.True(Ink(thick) > 3 * Ink(thin));
+            }
+            silhouette.Lines.Clear();
+            Assert.Equal(0L, Shapes.Count(renderer, camera, With(silhouette)).LineCurves);
+        }
+
+        [Fact]
+        public void DefaultsAreThoseOfTheLibrary()
+        {
+            var style = new LineStyle();
+            Assert.Equal(LineKind.Contour, style.Kind);
+            Assert.Equal(HiddenParts.None, style.Hidden);
+            Assert.Equal(Cap.Round, style.Cap);
+            Assert.True(style.Name == null && style.Levels == null && style.Lower == 0 && style.Upper == 0);
+            Assert.True(style.Width == 2 && style.Taper == 12 && style.HiddenWidth == 1.2f);
+            Assert.True(style.HiddenOpacity == 0.35f && style.Dash == 5 && style.Gap == 3);
+            Assert.True(style.Shortest == 2 && style.Fade == 1);
+            Assert.Equal(new Color(0, 0, 0), style.Ink);
+            Assert.Equal(0, new Style().Lines.Count);
+            style.Levels = new[] { 0.5 };
+            style.Clone().Levels[0] = 0.7;
+            Assert.Equal(0.5, style.Levels[0], 0);
+
+            hrbfnpr_line_desc library, ours;
+            Errors.Check(NativeMethods.hrbfnpr_line_desc_init(&library, (uint)sizeof(hrbfnpr_line_desc)));
+            using (var pins = new Pins())
+            {
+                new LineOptions().Write(&ours, pins);
+            }
+            for (int i = 0; i < sizeof(hrbfnpr_line_desc); ++i)
+            {
+                Assert.Equal(((byte*)&library)[i], ((byte*)&ours)[i]);
+            }
+            hrbfnpr_line_set_desc wanted, made;
+            Errors.Check(NativeMethods.hrbfnpr_line_set_desc_init(&wanted, (uint)sizeof(hrbfnpr_line_set_desc)));
+            using (var pins = new Pins())
+            {
+                new LineSetOptions().Write(&made, pins);
+            }
+            Assert.True(made.flags == wanted.flags && made.cell_size == wanted.cell_size && made.line_count == 0);
+        }
+
+        [Fact]
+        public void MessagesNameTheArgument()
+        {
+            Assert.Contains("lines[1].kind", Refused(new LineOptions(), new LineOptions(LineKind.Contour)));
+            Assert.Contains("lines[0].kind", Refused(new LineOptions((LineKind)99)));
+            Assert.Contains("lines[0].upper", Refused(new LineOptions { Lower = 2, Upper = 1 }));
+            Assert.Contains("lines[0].shortest", Refused(new LineOptions { Shortest = -1 }));
+            Assert.Contains("lines[0].plane", Refused(LineOptions.Section((0, 0, 0), 1)));
+            Assert.Contains("lines[0].levels", Refused(LineOptions.Section((0, 0, 1))));
+            Assert.Contains("lines[0].name", Refused(new LineOptions { Name = new string('x', 64) }));
+            Assert.Contains("line_first", Refused(LineOptions.Own(new double[6], new uint[] { 0, 3 })));
+            Assert.Contains("Positions", Refused(LineOptions.Own(new double[7], new uint[] { 0, 2 })));
+            Assert.Contains("cell_size", Assert.Throws<InvalidArgumentException>(
+                () => model.LineSet(new LineSetOptions { CellSize = -1 })).Message);
+            Assert.Contains("seed_points", Assert.Throws<InvalidArgumentException>(
+                () => model.LineSet(new LineSetOptions { SeedPoints = new[] { 0, double.NaN, 0 } })).Message);
+            Assert.Throws<ArgumentNullException>(() => model.LineSet(new LineSetOptions { Lines = { null } }));
+
+            Assert.Contains("lines[0].kind", Refused(Drawn(line => line.Kind = (LineKind)99)));
+            Assert.Contains("lines[0].kind", Refused(Drawn(line => line.Kind = 0)));
+            Assert.Contains("lines[0].width", Refused(Drawn(line => line.Width = 0)));
+            Assert.Contains("lines[0].hidden", Refused(Drawn(line => line.Hidden = (HiddenParts)4)));
+            Assert.Contains("lines[0].levels", Refused(Drawn(line => line.Kind = LineKind.Isophote)));
+            Assert.Contains("levels[1]", Refused(Drawn(line =>
+            {
+                line.Kind = LineKind.Isophote;
+                line.Levels = new[] { 0.0, 2.0 };
+            })));
+            silhouette.Lines[0] = null;
+            Assert.Throws<ArgumentNullException>(() => renderer.Draw(With(silhouette), camera));
+        }
+
+        [Fact]
+        public void DisposalInAnyOrder()
+        {
+            var context = new Context();
+            Model ball = Shapes.FitSphere(context);
+            LineSet kept = ball.LineSet(null, context);
+            PointSet dots = Shapes.Stipple(ball, 100, context);
+            var its = new Renderer(context);
+            context.Dispose();
+            ball.Dispose();
+            Drawing drawing = its.Draw(new Item(dots, silhouette) { LineSet = kept }, camera);
+            kept.Dispose();
+            kept.Dispose();
+            dots.Dispose();
+            its.Dispose();
+            Assert.True(OfLines(drawing).Strokes > 0);
+            Assert.True(Ink(drawing) > 0);
+            drawing.Dispose();
+            Assert.Throws<ObjectDisposedException>(() => kept.Info);
+            Assert.Throws<ObjectDisposedException>(() => ball.LineSet());
+            Assert.Throws<ObjectDisposedException>(
+                () => renderer.Draw(new Item(marks, silhouette) { LineSet = kept }, camera));
+        }
+
+        [Fact]
+        public void ProgressAndCancelling()
+        {
+            var reports = new Reports();
+            model.LineSet(null, null, reports).Dispose();
+            Assert.True(reports.Seen.Count > 1);
+            Assert.Equal(reports.Seen.OrderBy(at => at).ToArray(), reports.Seen.ToArray());
+            using (var source = new CancellationTokenSource())
+            {
+                CancelledException thrown = Assert.Throws<CancelledException>(
+                    () => model.LineSet(null, null, new Reports(at => source.Cancel()), source.Token));
+                Assert.Equal(source.Token, thrown.CancellationToken);
+            }
+            var own = new InvalidOperationException("enough");
+            Assert.Same(own, Assert.Throws<CallbackException>(
+                () => model.LineSet(null, null, new Reports(at => { throw own; }))).InnerException);
+        }
+
+        [Fact]
+        public void AFunctionsLinesAndWhatItThrows()
+        {
+            Exception own = null;
+            ImplicitFunction function = (points, value, gradient, hessian) =>
+            {
+                if (own != null)
+                {
+                    throw own;
+                }
+                for (int i = 0; i < value.Length; ++i)
+                {
+                    value[i] = Shapes.Length(points, i) - 1;
+                }
+            };
+            var options = new LineSetOptions { CellSize = 0.25 };
+            using (Model ball = Model.FromFunction(function, (-1.3, -1.3, -1.3), (1.3, 1.3, 1.3)))
+            using (LineSet its = ball.LineSet(options))
+            {
+                var item = new Item(marks, silhouette) { LineSet = its };
+                Assert.True(Shapes.Count(renderer, camera, item).LineCurves > 0);
+                own = new InvalidOperationException("no more");
+                Assert.Same(own, Assert.Throws<CallbackException>(
+                    () => renderer.Draw(item, camera)).InnerException);
+                Assert.Same(own, Assert.Throws<CallbackException>(() => ball.LineSet(options)).InnerException);
+            }
+            using (Model nothing = Model.FromFunction(
+                (points, value, gradient, hessian) =>
+                {
+                    for (int i = 0; i < value.Length; ++i)
+                    {
+                        value[i] = 1;
+                    }
+                },
+                (0, 0, 0), (1, 1, 1)))
+            {
+                Assert.Throws<NotConvergedException>(() => nothing.LineSet());
+            }
+        }
+
+        private static DrawingLayerInfo OfLines(Drawing drawing)
+        {
+            return drawing.Layers.Single(layer => layer.Layer == -1);
+        }
+
+        private static long Ink(Drawing drawing)
+        {
+            return drawing.Rasterize(PixelFormat.Coverage8).Sum(value => (long)value);
+        }
+
+        private Item With(Style style, double right = 0, double away = 0)
+        {
+            double[] shift = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, right, 0, away, 1 };
+            return new Item(marks, style) { LineSet = lines, Transform = shift };
+        }
+
+        private Item Drawn(Action<LineStyle> change)
+        {
+            Style style = Style.Preset(Preset.Silhouette);
+            change(style.Lines[0]);
+            return With(style);
+        }
+
+        private string Refused(Item item)
+        {
+            return Assert.Throws<InvalidArgumentException>(() => renderer.Draw(item, camera)).Message;
+        }
+
+        private string Refused(params LineOptions[] wanted)
+        {
+            var options = new LineSetOptions();
+            foreach (LineOptions line in wanted)
+            {
+                options.Lines.Add(line);
+            }
+            return Assert.Throws<InvalidArgumentException>(() => model.LineSet(options)).Message;
+        }
+    }
+}

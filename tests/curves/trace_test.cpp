@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// Traced contours of surfaces whose contours are known.
+#include "curves/trace.h"
+
+#include "support/contour_shapes.h"
+#include "traced.h"
+
+namespace hrbfnpr::curves {
+namespace {
+
+using namespace test_traced;
+
+constexpr double tau = 6.283185307179586;
+
+base::Runtime& runtime() {
+    static base::Runtime instance = test::with_threads(2);
+    return instance;
+}
+
+TEST(Trace, SphereHasTheCircleThatIsKnown) {
+    const test::SquareSphere sphere;
+    const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.08);
+    for (const Eye& eye : test::eyes(cube_directions(), 3.0)) {
+        const Contours found(runtime(), meshed, eye.view());
+        expect_sound(runtime(), meshed, found);
+        ASSERT_EQ(found.curves.count(), 1);
+        EXPECT_EQ(found.cusps(), 0);
+        const double height = eye.perspective ? 1.0 / 3.0 : 0.0;
+        for (const CurvePoint& p : found.curves.point) {
+            EXPECT_NEAR(glm::length(p.position), 1.0, 1e-7);
+            EXPECT_NEAR(glm::dot(p.position, eye.back), height, 1e-7);
+        }
+        EXPECT_NEAR(length(found.curves, 0), tau * std::sqrt(1.0 - height * height), 1e-4);
+    }
+}
+
+// The outline runs so that the surface lies to the left of it in the image, y up.
+TEST(Trace, OutlineRunsRoundItsSurface) {
+    const test::SquareSphere sphere;
+    const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.08);
+    for (const Eye& eye : test::eyes(cube_directions(), 3.0)) {
+        const Contours found(runtime(), meshed, eye.view());
+        for (const CurvePoint& p : found.curves.point)
+            EXPECT_GT(glm::dot(glm::cross(p.position, p.direction()), eye.back), 0.0);
+    }
+}
+
+TEST(Trace, EllipsoidHasTheSectionThatIsKnown) {
+    const test::Ellipsoid ellipsoid({1.0, 0.7, 0.45});
+    const Meshed meshed(runtime(), ellipsoid, {{1.0, 0.0, 0.0}}, 0.06);
+    for (const Eye& eye : test::eyes(cube_directions(), 3.0)) {
+        const Contours found(runtime(), meshed, eye.view());
+        expect_sound(runtime(), meshed, found);
+        ASSERT_EQ(found.curves.count(), 1);
+        EXPECT_EQ(found.cusps(), 0);
+        const glm::dvec3 polar = ellipsoid.times(glm::dvec3(eye.centre()));
+        for (const CurvePoint& p : found.curves.point)
+            EXPECT_NEAR(glm::dot(polar, p.position), eye.perspective ? 1.0 : 0.0, 1e-6);
+    }
+}
+
+// Of the circle through three places.
+double circle_curvature(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    return 2.0 * glm::length(glm::cross(b - a, c - a)) /
+           (glm::distance(a, b) * glm::distance(b, c) * glm::distance(a, c));
+}
+
+// The curvature of the cone or cylinder of sight across it, from the drawn curve alone.
+double apparent_curvature(const Eye& eye, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    if (!eye.perspective) {
+        const auto flat = [&](const glm::dvec3& p) { return p - glm::dot(p, eye.back) * eye.back; };
+        return circle_curvature(flat(a), flat(b), flat(c));
+    }
+    const auto on_sphere = [&](const glm::dvec3& p) { return glm::normalize(p - eye.place()); };
+    const double whole = circle_curvature(on_sphere(a), on_sphere(b), on_sphere(c));
+    return std::sqrt(std::max(0.0, whole * whole - 1.0)) / glm::distance(b, eye.place());
+}
+
+// K = radial curvature times apparent curvature.  [Koenderink 1984]
+TEST(Trace, CurvaturesMultiplyToThatOfGauss) {
+    const test::Ellipsoid ellipsoid({1.0, 0.7, 0.45});
+    const Meshed meshed(runtime(), ellipsoid, {{1.0, 0.0, 0.0}}, 0.06);
+    TraceSettings fine;
+    fine.longest = 0.25;
+    for (const Eye& eye : test::eyes(cube_directions(0.1), 3.0)) {
+        const Contours found(runtime(), meshed, eye.view(), fine);
+        const std::int64_t count = found.curves.point.size();
+        ASSERT_GT(count, 50);
+        for (std::int64_t i = 0; i < count; ++i) {
+            const glm::dvec3 p = found.curves.point[i].position;
+            const test::Field field = ellipsoid.at(p);
+            const glm::dvec3 v = glm::normalize(found.view.sight(p));
+            const double radial =
+                (field.hessian[0] * v.x * v.x + field.hessian[3] * v.y * v.y + field.hessian[5] * v.z * v.z) /
+                glm::length(field.gradient);
+            const double apparent = apparent_curvature(eye, found.curves.point[(i + count - 1) % count].position, p,
+                                                       found.curves.point[(i + 1) % count].position);
+            EXPECT_NEAR(radial * apparent, ellipsoid.curvature(p), 0.03 * ellipsoid.curvature(p));
+        }
+    }
+}
+
+void expect_sound_at_all_views(const Meshed& meshed, double distance) {
+    for (const Eye& eye : test::eyes(cube_directions(0.05), distance)) {
+        SCOPED_TRACE(testing::Message() << (eye.perspective ? "perspective " : "orthographic ") << eye.back.x << ' '
+                                        << eye.back.y << ' ' << eye.back.z);
+        const Contours found(runtime(), meshed, eye.view());
+        EXPECT_GT(found.curves.count(), 0);
+        expect_sound(runtime(), meshed, found);
+        EXPECT_LE(found.report.evaluations, 3 * found.curves.point.size());
+    }
+}
+
+TEST(Trace, GenusTwo) {
+    const test::TwoHoles surface;
+    const Meshed meshed(runtime(), surface, {{1.05, 0.1, 0.0}}, 0.04);
+    ASSERT_GT(meshed.mesh.triangles(), 1000);
+    expect_sound_at_all_views(meshed, 3.0);
+}
+
+TEST(Trace, Knot) {
+    const test::Knot knot;
+    const Meshed meshed(runtime(), knot, {{1.0 + test::Knot::tube, 0.0, 0.0}}, 0.05);
+    ASSERT_GT(meshed.mesh.triangles(), 1000);
+    expect_sound_at_all_views(meshed, 4.0);
+}
+
+// Where the surface leaves its region.
+TEST(Trace, OpenContoursEndAtTheBorder) {
+    const test::Cylinder cylinder(0.5, 1.0);
+    const Meshed meshed(runtime(), cylinder, {{0.5, 0.0, 0.0}}, 0.07);
+    for (const Eye& eye : test::eyes(cube_directions(0.1), 3.0)) {
+        if (std::abs(eye.back.z) > 0.95) continue; // perspective: may be seen along the axis
+        const Contours found(runtime(), meshed, eye.view());
+        ASSERT_EQ(found.curves.count(), 2);
+        EXPECT_EQ(found.closed(), 0);
+        EXPECT_EQ(found.report.broken, 0);
+        EXPECT_LE(farthest_off(runtime(), found.level, found.curves), 1e-6 * meshed.mesh.side);
+        for (std::int64_t c = 0; c < 2; ++c) {
+            const double a = found.curves.point[found.curves.first[c]].position.z;
+            const double b = found.curves.point[found.curves.first[c + 1] - 1].position.z;
+            EXPECT_NEAR(std::min(a, b), meshed.mesh.region.min.z, 2e-3 * meshed.mesh.side);
+            EXPECT_NEAR(std::max(a, b), meshed.mesh.region.max.z, 2e-3 * meshed.mesh.side);
+        }
+    }
+}
+
+TEST(Trace, SameBitsForAnyThreadCount) {
+    const test::Knot knot;
+    const Eye eye = Eye::at({0.3, -0.8, 0.5}, 4.0, true);
+    const base::Runtime one = test::with_threads(1);
+    const Meshed meshed(one, knot, {{1.0 + test::Knot::tube, 0.0, 0.0}}, 0.05);
+    const Contours first(one, meshed, eye.view());
+    for (const int threads : {2, 3, 7}) {
+        const base::Runtime more = test::with_threads(threads);
+        const Contours again(more, meshed, eye.view());
+        EXPECT_TRUE(test::same_bits(first.curves.point, again.curves.point));
+        EXPECT_TRUE(test::same_bits(first.curves.first, again.curves.first));
+        EXPECT_TRUE(test::same_bits(first.curves.closed, again.curves.closed));
+        EXPECT_TRUE(test::same_bits(first.curves.cusp, again.curves.cusp));
+        EXPECT_EQ(first.report.evaluations, again.report.evaluations);
+    }
+}
+
+TEST(Trace, CanBeCancelledOnTheWay) {
+    const test::SquareSphere sphere;
+    base::Operation operation;
+    operation.begin();
+    bool armed = false;
+    const test::AnyField field(sphere.bounds(), [&](const glm::dvec3& p) {
+        if (armed) operation.cancel();
+        return sphere.at(p);
+    });
+    const Meshed meshed(runtime(), field, {{1.0, 0.0, 0.0}}, 0.1);
+    const ContourLevel level(field, Eye::at({1.0, 0.2, 0.1}, 3.0, true).view());
+    TraceReport report;
+    const base::Progress progress(&operation);
+    const Curves found = trace(runtime(), level, meshed.mesh, {}, report, progress);
+    EXPECT_EQ(found.count(), 1);
+    armed = true;
+    try {
+        (void)trace(runtime(), level, meshed.mesh, {}, report, progress);
+        ADD_FAILURE() << "was not cancelled";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::cancelled);
+    }
+}
+
+TEST(Trace, NothingIsSeenFromWithinASphere) {
+    const test::SquareSphere sphere;
+    const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);
+    for (const double distance : {0.0001, 0.5, 0.95})
+        for (const glm::dvec3& towards : cube_directions(0.1)) {
+            const Contours found(runtime(), meshed, Eye::at(towards, distance, true).view());
+            EXPECT_EQ(found.curves.count(), 0);
+            EXPECT_EQ(found.report.starts, 0);
+        }
+}
+
+// All that is asked is an end, and no point that is none.
+void expect_finite(const Contours& found) {
+    for (const CurvePoint& p : found.curves.point) {
+        EXPECT_TRUE(std::isfinite(p.position.x + p.position.y + p.position.z));
+        EXPECT_GT(glm::length(p.direction()), 0.0);
+    }
+}
+
+TEST(Trace, EyeOnTheSurface) {
+    const test::SquareSphere sphere;
+    const Meshed ball(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);
+    const test::Torus torus(1.0, 0.35);
+    const Meshed ring(runtime(), torus, {{1.35, 0.0, 0.0}}, 0.08);
+    for (const glm::dvec3& towards : cube_directions(0.1)) {
+        expect_finite(Contours(runtime(), ball, Eye::at(towards, 1.0, true).view()));
+        const double angle = 5.0 * towards.x;
+        const double around = 3.0 * towards.y;
+        const double r = 1.0 + 0.35 * std::cos(around);
+        const glm::dvec3 place(r * std::cos(angle), r * std::sin(angle), 0.35 * std::sin(around));
+        expect_finite(Contours(runtime(), ring, Eye::at(place, glm::length(place), true).view()));
+    }
+}
+
+TEST(Trace, EndsWhereTheFunctionIsNoNumber) {
+    const test::SquareSphere sphere;
+    const test::AnyField torn(sphere.bounds(), [&](const glm::dvec3& p) {
+        test::Field field = sphere.at(p);
+        if (p.x + 0.3 * p.y > 0.4) field.value = field.gradient.x = field.hessian[0] = NAN;
+        return field;
+    });
+    const Meshed meshed(runtime(), torn, {{-1.0, 0.0, 0.0}}, 0.08);
+    for (const Eye& eye : test::eyes(cube_directions(0.05), 3.0)) {
+        const Contours found(runtime(), meshed, eye.view());
+        expect_finite(found);
+        for (const CurvePoint& p : found.curves.point) EXPECT_LE(p.position.x + 0.3 * p.position.y, 0.4);
+    }
+    const test::AnyField flat(sphere.bounds(), [&](const glm::dvec3& p) {
+        return test::Field{sphere.at(p).value, glm::dvec3(0.0), {}};
+    });
+    const Meshed levelled(runtime(), flat, {{-1.0, 0.0, 0.0}}, 0.08);
+    for (const Eye& eye : test::eyes(cube_directions(0.05), 3.0))
+        expect_finite(Contours(runtime(), levelled, eye.view()));
+}
+
+TEST(Trace, EmptyMesh) {
+    const test::SquareSphere sphere;
+    const Meshed meshed(runtime(), sphere, {}, 0.08);
+    ASSERT_EQ(meshed.mesh.triangles(), 0);
+    for (const Eye& eye : test::eyes({{1.0, 0.3, 0.2}}, 3.0)) {
+        const Contours found(runtime(), meshed, eye.view());
+        EXPECT_EQ(found.curves.count(), 0);
+        EXPECT_EQ(found.curves.point.size(), 0);
+    }
+}
+
+} // namespace
+} // namespace hrbfnpr::curves

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: MIT
+// Lines of items as strokes: of spheres, whose outlines are circles, and of tori, which hide themselves.
+#include "frame/hand_made.h"
+#include "support/analytic.h"
+#include "support/runtime.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using drawing::Cap;
+using drawing::Stroke;
+using drawing::StrokePoint;
+using frame::HiddenParts;
+using frame::LineStyle;
+
+constexpr int size = 500; // 200 pixels a unit
+
+// No marks at all, but those of contours.
+const std::array<frame::LayerStyle, 1> blank{[] {
+    frame::LayerStyle style;
+    style.share = 0.0F;
+    return style;
+}()};
+
+curves::LineSetSettings cells(double side) {
+    curves::LineSetSettings settings;
+    settings.side = side;
+    return settings;
+}
+
+glm::dmat4 moved(const glm::dvec3& to, double scale) {
+    glm::dmat4 m(scale);
+    m[3] = glm::dvec4(to, 1.0);
+    return m;
+}
+
+class LineStrokes : public ::testing::Test {
+protected:
+    [[nodiscard]] frame::Item item_of(const curves::LineSet* lines, const glm::dmat4& transform = glm::dmat4(1.0)) {
+        frame::Item item = layered_item(set, frame::Style(), transform);
+        item.style.hidden_lines = frame::HiddenLines::show;
+        item.style.tone = frame::Tone::none;
+        item.style.layers = blank;
+        item.style.lines = style;
+        item.style.halo_width = halo;
+        item.lines = lines;
+        return item;
+    }
+    const drawing::Drawing& draw(std::span<const frame::Item> items) { return draw(items, front_camera(size, size)); }
+    const drawing::Drawing& draw(std::span<const frame::Item> items, const frame::Camera& camera) {
+        frame.draw(items, camera);
+        expect_sound();
+        return frame.drawing();
+    }
+    [[nodiscard]] std::span<const StrokePoint> points_of(const Stroke& stroke) const {
+        return frame.drawing().points.span().subspan(static_cast<std::size_t>(stroke.first),
+                                                     static_cast<std::size_t>(stroke.count));
+    }
+    // Along its points.
+    [[nodiscard]] double length_of(const Stroke& stroke) const {
+        double sum = 0.0;
+        const auto points = points_of(stroke);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            sum += std::hypot(static_cast<double>(points[i + 1].x - points[i].x),
+                              static_cast<double>(points[i + 1].y - points[i].y));
+        return sum;
+    }
+    // Strokes of an item.
+    [[nodiscard]] std::vector<Stroke> strokes_of(std::int32_t item) const {
+        std::vector<Stroke> found;
+        for (const Stroke& stroke : frame.drawing().strokes)
+            if (frame.drawing().layers[stroke.layer].item == item) found.push_back(stroke);
+        return found;
+    }
+
+    base::Runtime runtime = test::with_threads(2);
+    test::SquareSphere ball;
+    test::Torus ring{1.0, 0.4};
+    curves::LineSet ball_lines{runtime, ball, std::make_unique<implicit::DifferencedShape>(ball), cells(0.1), {}};
+    curves::LineSet ring_lines{runtime, ring, std::make_unique<implicit::DifferencedShape>(ring), cells(0.1), {}};
+    marks::PointSet set = clustered(runtime, sphere(runtime.memory, 2000));
+    std::array<LineStyle, 1> style{};
+    DrawnFrame frame{runtime};
+    float halo = 0.0F;       // pixels
+    double stretched = 1e-3; // how far lengths may be off, as shares
+
+private:
+    void expect_sound() {
+        const drawing::Drawing& drawing = frame.drawing();
+        for (const Stroke& stroke : drawing.strokes) {
+            EXPECT_GE(stroke.count, 2);
+            const drawing::Layer& layer = drawing.layers[stroke.layer];
+            EXPECT_EQ(layer.layer, -1);
+            EXPECT_TRUE(layer.as_strokes);
+            EXPECT_EQ(layer.line_kind, 1U);
+            float before = 0.0F;
+            for (const StrokePoint& p : points_of(stroke)) {
+                EXPECT_TRUE(std::isfinite(p.x + p.y + p.radius + p.opacity + p.depth + p.window + p.pixels_per_unit));
+                EXPECT_GE(p.length, before);
+                EXPECT_EQ(p.id, 0U);
+                before = p.length;
+            }
+            EXPECT_NEAR(static_cast<double>(before), length_of(stroke), 0.1 + stretched * length_of(stroke));
+            const StrokePoint& a = points_of(stroke).front();
+            const StrokePoint& b = points_of(stroke).back();
+            if (stroke.closed) {
+                EXPECT_NEAR(a.x, b.x, 1e-3F);
+                EXPECT_NEAR(a.y, b.y, 1e-3F);
+            }
+        }
+    }
+};
+
+TEST_F(LineStrokes, TheOutlineOfASphereIsOneClosedStroke) {
+    style[0].width = 3.0F;
+    const std::array items{item_of(&ball_lines)};
+    const drawing::Drawing& drawing = draw(items);
+    ASSERT_EQ(drawing.strokes.size(), 1);
+    const Stroke& stroke = drawing.strokes[0];
+    EXPECT_TRUE(stroke.closed);
+    EXPECT_NEAR(length_of(stroke), 2.0 * pi * 200.0, 0.001 * 2.0 * pi * 200.0);
+    for (const StrokePoint& p : points_of(stroke)) {
+        EXPECT_NEAR(std::hypot(p.x - 250.0F, p.y - 250.0F), 200.0F, 0.02F);
+        EXPECT_EQ(p.radius, 1.5F);
+        EXPECT_EQ(p.opacity, 1.0F);
+        EXPECT_NEAR(p.depth, 10.0F, 1e-3F);
+        EXPECT_NEAR(p.pixels_per_unit, 200.0F, 1e-2F);
+    }
+    EXPECT_EQ(drawing.line_counts.curves, 1);
+    EXPECT_EQ(drawing.line_counts.cusps + drawing.line_counts.crossings + drawing.line_counts.broken, 0);
+}
+
+// In perspective: the cone of sight.
+TEST_F(LineStrokes, CircumferenceInPerspective) {
+    for (const glm::dvec3& from : {glm::dvec3(3.0, 0.0, 0.0), {1.0, -2.0, 2.0}, {-2.0, 1.5, 1.66}}) {
+        frame::Camera camera;
+        camera.view = frame::look_at(from, glm::dvec3(0.0), {0.1, 0.2, 1.0});
+        camera.projection = frame::perspective(0.9, size, size, 0.1, 20.0, camera.depth);
+        camera.viewport = {0.0, 0.0, size, size};
+        const std::array items{item_of(&ball_lines)};
+        const drawing::Drawing& drawing = draw(items, camera);
+        ASSERT_EQ(drawing.strokes.size(), 1);
+        const double radius = std::tan(std::asin(1.0 / glm::length(from))) * 0.5 * size / std::tan(0.45);
+        EXPECT_NEAR(length_of(drawing.strokes[0]), 2.0 * pi * radius, 0.001 * 2.0 * pi * radius);
+    }
+}
+
+// Contours of marks are not drawn where there are lines of them.
+TEST_F(LineStrokes, TakeThePlaceOfContourMarks) {
+    frame::Item item = item_of(nullptr);
+    draw(std::array{item});
+    EXPECT_GT(frame.drawing().counts.silhouette, 20);
+    EXPECT_GT(frame.discs().size(), 20U);
+    EXPECT_EQ(frame.drawing().strokes.size(), 0);
+    for (const drawing::Layer& layer : frame.drawing().layers) EXPECT_GE(layer.layer, 0);
+    item.lines = &ball_lines;
+    draw(std::array{item});
+    EXPECT_EQ(frame.discs().size(), 0U);
+    EXPECT_EQ(frame.drawing().strokes.size(), 1);
+    item.style.lines = {}; // no style for them: all is as without
+    draw(std::array{item});
+    EXPECT_GT(frame.discs().size(), 20U);
+    EXPECT_EQ(frame.drawing().strokes.size(), 0);
+}
+
+// A drawing that is filled again keeps nothing of the one before.
+TEST_F(LineStrokes, CountsAreOfTheLastDrawing) {
+    frame::Item item = item_of(&ring_lines);
+    draw(std::array{item});
+    EXPECT_EQ(frame.drawing().line_counts.curves, 2);
+    item.lines = nullptr;
+    draw(std::array{item});
+    EXPECT_EQ(frame.drawing().line_counts.curves, 0);
+    EXPECT_EQ(frame.drawing().line_counts.nanoseconds, 0);
+}
+
+TEST_F(LineStrokes, ItemsWithoutLinesAreAsTheyWere) {
+    frame::Item plain = item_of(nullptr, moved({0.5, 0.0, 0.0}, 0.6));
+    draw(std::array{plain});
+    std::vector<Disc> before(frame.discs().begin(), frame.discs().end());
+    const std::array items{plain, item_of(&ball_lines, moved({-0.4, 0.2, 0.0}, 0.5))};
+    draw(items);
+    std::vector<Disc> after(frame.discs().begin(), frame.discs().end());
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_EQ(before[i].x, after[i].x);
+        EXPECT_EQ(before[i].y, after[i].y);
+        EXPECT_EQ(before[i].color.w, after[i].color.w);
+    }
+    EXPECT_EQ(strokes_of(0).size(), 0U);
+    EXPECT_EQ(strokes_of(1).size(), 1U);
+}
+
+// Two circles of 100 and 80 pixels, the smaller behind and half hidden.
+class HiddenPart : public LineStrokes {
+protected:
+    // Whether a place is in the nearer circle.
+    [[nodiscard]] static bool covered(const StrokePoint& p, double slack = 0.0) {
+        return std::hypot(static_cast<double>(p.x) - 250.0, static_cast<double>(p.y) - 250.0) < 100.0 + slack;
+    }
+    [[nodiscard]] std::vector<Stroke> far_strokes(HiddenParts hidden) {
+        style[0].hidden = hidden;
+        const std::array items{item_of(&ball_lines, moved({0.0, 0.0, 3.0}, 0.5)),
+                               item_of(&ball_lines, moved({0.5, 0.0, 0.0}, 0.4))};
+        draw(items);
+        EXPECT_EQ(strokes_of(0).size(), 1U);
+        return strokes_of(1);
+    }
+    // Of the arc inside of the other circle, pixels: centres 100 apart.
+    const double arc = 2.0 * 80.0 * std::acos((100.0 * 100.0 + 80.0 * 80.0 - 100.0 * 100.0) / (2.0 * 100.0 * 80.0));
+    const double whole = 2.0 * pi * 80.0;
+};
+
+TEST_F(HiddenPart, IsNotDrawn) {
+    const std::vector<Stroke> strokes = far_strokes(HiddenParts::none);
+    ASSERT_EQ(strokes.size(), 1U);
+    EXPECT_FALSE(strokes[0].closed);
+    EXPECT_NEAR(length_of(strokes[0]), whole - arc, 0.2);
+    for (const StrokePoint& p : points_of(strokes[0])) {
+        EXPECT_FALSE(covered(p, -0.1));
+        EXPECT_EQ(p.radius, 0.5F * style[0].width); // it is no free end where it is hidden
+    }
+}
+
+// On both sides, by the halo, half of either line's width: they cross at more than 30 degrees.
+TEST_F(HiddenPart, HasGapsBesideIt) {
+    halo = 3.0F;
+    const std::vector<Stroke> strokes = far_strokes(HiddenParts::none);
+    ASSERT_EQ(strokes.size(), 1U);
+    EXPECT_NEAR(length_of(strokes[0]), whole - arc - 2.0 * static_cast<double>(halo + style[0].width), 0.2);
+}
+
+TEST_F(HiddenPart, IsAttenuated) {
+    style[0].hidden_opacity = 0.3F;
+    style[0].hidden_width = 1.0F;
+    const std::vector<Stroke> strokes = far_strokes(HiddenParts::attenuated);
+    ASSERT_EQ(strokes.size(), 2U);
+    for (const Stroke& stroke : strokes) {
+        const bool hidden = points_of(stroke)[static_cast<std::size_t>(stroke.count / 2)].opacity < 1.0F;
+        EXPECT_NEAR(length_of(stroke), hidden ? arc : whole - arc, 0.2);
+        for (const StrokePoint& p : points_of(stroke)) {
+            EXPECT_EQ(p.opacity, hidden ? 0.3F : 1.0F);
+            EXPECT_EQ(p.radius, hidden ? 0.5F : 0.5F * style[0].width);
+            EXPECT_TRUE(hidden ? covered(p, 0.1) : !covered(p, -0.1));
+        }
+    }
+}
+
+TEST_F(HiddenPart, IsShownAsTheOthers) {
+    const std::vector<Stroke> strokes = far_strokes(HiddenParts::shown);
+    double sum = 0.0;
+    for (const Stroke& stroke : strokes) {
+        sum += length_of(stroke);
+        for (const StrokePoint& p : points_of(stroke)) {
+            EXPECT_EQ(p.opacity, 1.0F);
+            EXPECT_EQ(p.radius, 0.5F * style[0].width);
+        }
+    }
+    EXPECT_NEAR(sum, whole, 0.2);
+}
+
+TEST_F(HiddenPart, IsDashed) {
+    style[0].hidden_width = 2.0F;
+    style[0].dash = 4.0F;
+    style[0].gap = 3.0F; // 8 pixels, 6 pixels
+    const std::vector<Stroke> strokes = far_strokes(HiddenParts::dashed);
+    const auto dashes = static_cast<std::int64_t>(std::round(arc / 14.0));
+    ASSERT_EQ(static_cast<std::int64_t>(strokes.size()), dashes + 1);
+    for (const Stroke& stroke : strokes) {
+        const bool dash = length_of(stroke) < 20.0;
+        EXPECT_NEAR(length_of(stroke), dash ? 8.0 / 14.0 * arc / static_cast<double>(dashes) : whole - arc, 0.2);
+        for (const StrokePoint& p : points_of(stroke)) {
+            EXPECT_TRUE(dash ? covered(p, 0.1) : !covered(p, -0.1));
+            EXPECT_EQ(p.radius, 0.5F * (dash ? 2.0F : style[0].width));
+        }
+    }
+}
+
+// A part behind two layers is fainter by their number.
+TEST_F(LineStrokes, LayersMultiply) {
+    style[0].hidden = HiddenParts::attenuated;
+    style[0].hidden_opacity = 0.5F;
+    const std::array items{item_of(&ball_lines, moved({0.0, 0.0, 4.0}, 0.5)),
+                           item_of(&ball_lines, moved({0.0, 0.0, 2.0}, 0.4)),
+                           item_of(&ball_lines, moved({0.0, 0.0, 0.0}, 0.3))};
+    draw(items);
+    for (const std::int32_t i : {0, 1, 2}) {
+        const std::vector<Stroke> strokes = strokes_of(i);
+        ASSERT_EQ(strokes.size(), 1U);
+        EXPECT_TRUE(strokes[0].closed);
+        for (const StrokePoint& p : points_of(strokes[0])) EXPECT_EQ(p.opacity, std::pow(0.5F, static_cast<float>(i)));
+    }
+}
+
+// A torus seen from the side: its inner contour ends at cusps, in a point.
+class TaperedAtCusps : public LineStrokes {
+protected:
+    void look() {
+        frame::Camera camera = front_camera(size, size, 1.6);
+        camera.view = frame::look_at({0.0, -8.5, 5.0}, glm::dvec3(0.0), {0.0, 0.0, 1.0});
+        draw(std::array{item_of(&ring_lines)}, camera);
+        ASSERT_EQ(frame.drawing().line_counts.cusps, 4);
+    }
+};
+
+TEST_F(TaperedAtCusps, OnlyThere) {
+    style[0].taper = 20.0F;
+    style[0].width = 4.0F;
+    style[0].cap = Cap::pointed;
+    look();
+    int free_ends = 0;
+    for (const Stroke& stroke : frame.drawing().strokes) {
+        const auto points = points_of(stroke);
+        const float whole = points.back().length;
+        const bool begins = points.front().radius == 0.0F;
+        const bool ends = points.back().radius == 0.0F;
+        free_ends += (begins ? 1 : 0) + (ends ? 1 : 0);
+        EXPECT_EQ(stroke.cap_begin == Cap::pointed, begins);
+        EXPECT_EQ(stroke.cap_end == Cap::pointed, ends);
+        for (const StrokePoint& p : points) {
+            const float from_end = std::min(begins ? p.length : 1e9F, ends ? whole - p.length : 1e9F);
+            const float taper = std::min(20.0F, 0.5F * whole);
+            const float left = std::max(0.0F, 1.0F - from_end / taper);
+            EXPECT_NEAR(p.radius, 2.0F * std::sqrt(1.0F - left * left), 0.05F);
+        }
+    }
+    EXPECT_EQ(free_ends, 2); // at the other two cusps the line is hidden
+}
+
+TEST_F(TaperedAtCusps, NotAtAll) {
+    style[0].taper = 0.0F;
+    style[0].width = 4.0F;
+    look();
+    EXPECT_GT(frame.drawing().strokes.size(), 1);
+    for (const StrokePoint& p : frame.drawing().points) EXPECT_EQ(p.radius, 2.0F);
+}
+
+// From within the torus and beside it, and of mirrored items; dashes beyond the window are not made.
+TEST_F(LineStrokes, AnyCameraGivesNumbers) {
+    style[0].hidden = HiddenParts::dashed;
+    stretched = 0.25; // a piece beside the eye is not drawn evenly
+    glm::dmat4 mirrored(1.0);
+    mirrored[0][0] = -0.7;
+    for (int i = 0; i < 40; ++i) {
+        const double angle = 0.37 * i;
+        const glm::dvec3 from =
+            (0.05 + 0.05 * i) * glm::dvec3(std::cos(angle), std::sin(angle), 0.4 * std::cos(3.0 * angle));
+        frame::Camera camera;
+        camera.view = frame::look_at(from, {0.0, 0.1, 0.05}, {0.0, 0.0, 1.0});
+        camera.projection = frame::perspective(1.2, size, size, 0.01, 20.0, camera.depth);
+        camera.viewport = {0.0, 0.0, size, size};
+        draw(std::array{item_of(&ring_lines, i % 2 == 0 ? mirrored : glm::dmat4(1.0))}, camera);
+        EXPECT_LT(frame.drawing().strokes.size(), 2000);
+    }
+}
+
+// Of a mirrored item the same strokes, mirrored.
+TEST_F(LineStrokes, MirroredItems) {
+    frame::Camera camera = front_camera(size, size, 1.6);
+    camera.view = frame::look_at({0.0, -8.5, 5.0}, glm::dvec3(0.0), {0.0, 0.0, 1.0});
+    glm::dmat4 mirror(1.0);
+    mirror[0][0] = -1.0;
+    double length[2] = {0.0, 0.0};
+    std::int64_t strokes[2] = {0, 0};
+    for (const int i : {0, 1}) {
+        draw(std::array{item_of(&ring_lines, i == 0 ? glm::dmat4(1.0) : mirror)}, camera);
+        strokes[i] = frame.drawing().strokes.size();
+        for (const Stroke& stroke : frame.drawing().strokes) length[i] += length_of(stroke);
+        EXPECT_EQ(frame.drawing().line_counts.settled, 0);
+    }
+    EXPECT_EQ(strokes[0], strokes[1]);
+    EXPECT_NEAR(length[0], length[1], 0.2);
+}
+
+} // namespace
+} // namespace hrbfnpr::testing

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: MIT
+"""Line sets and styles of lines."""
+import pickle
+
+import hrbfnpr
+import numpy as np
+import pytest
+from conftest import fibonacci_sphere, torus
+
+
+@pytest.fixture(scope="module")
+def model():
+    points, normals = torus()
+    return hrbfnpr.Model.fit(points, normals)
+
+
+@pytest.fixture(scope="module")
+def marks(model):
+    return model.generate(budget=2000)
+
+
+def camera(model, size=(200, 160)):
+    return hrbfnpr.Camera.fit(model, (0.3, 1, -0.7), (0, 0, 1), size=size)
+
+
+def layers(drawing, kind):
+    return [layer for layer in drawing.layers if layer.layer == -1 and layer.kind == kind]
+
+
+def test_contours_are_curves(model, marks):
+    lines = hrbfnpr.LineSet(model)
+    assert lines.info.triangles > 1000 and lines.info.turned == 0 and lines.info.borders == 0
+    style = hrbfnpr.Style("silhouette")
+    drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), camera(model))
+    (contour,) = layers(drawing, "contour")
+    assert contour.strokes > 2 and contour.mark_class == "silhouette"
+    info = drawing.info
+    assert info.line_curves >= 2 and info.line_broken == info.line_settled == info.line_contradictions == 0
+    assert info.silhouette == 0  # marks draw no contours then
+    lines = drawing.polylines(drawing.layers.index(contour))
+    assert len(lines) == contour.strokes
+    for line in lines:
+        steps = np.linalg.norm(np.diff(line["window"][:, :2], axis=0), axis=1)
+        assert np.allclose(np.cumsum(steps), line["length"][1:], atol=0.05)
+        ring = np.hypot(line["position"][:, 0], line["position"][:, 1])
+        off = np.abs(np.hypot(ring - 1, line["position"][:, 2]) - 0.4)
+        assert off.max() < 0.02  # world positions lie on the torus
+    assert (drawing.image()[..., :3].min(axis=2) < 128).mean() > 0.005
+
+
+def test_hidden_parts(model, marks):
+    lines = hrbfnpr.LineSet(model)
+    strokes = {}
+    for hidden in ("none", "attenuated", "dashed", "shown"):
+        style = hrbfnpr.Style("silhouette", lines=[hrbfnpr.LineStyle("contour", hidden=hidden, shortest=0)])
+        view = camera(model, (900, 700))
+        drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), view)
+        strokes[hidden] = drawing.info.strokes
+    assert strokes["none"] < strokes["shown"] == strokes["attenuated"] < strokes["dashed"]
+
+
+def test_lines_of_every_kind(model, marks):
+    ring = [(1.4 * np.cos(a), 1.4 * np.sin(a), 0) for a in np.linspace(0, 2 * np.pi, 100)]
+    once = [
+        "ridge", "valley", "parabolic",
+        hrbfnpr.Lines("section", name="slices", levels=[-0.1, 0.1], plane=(0, 0, 3)),
+        hrbfnpr.Lines("own", "ring", polylines=[ring]),
+    ]  # fmt: skip
+    lines = hrbfnpr.LineSet(model, once, with_curvature=True)
+    assert lines.info.lines >= 4 and lines.has_curvature
+    kinds = ("contour", "suggestive_contour", "apparent_ridge", "parabolic", "border", "own")
+    style = hrbfnpr.Style("silhouette", lines=kinds)
+    style.lines += [hrbfnpr.LineStyle("section", "slices"), hrbfnpr.LineStyle("isophote", levels=[0.3, 0.6])]
+    drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), camera(model))
+    for kind in ("contour", "parabolic", "section", "isophote", "own"):
+        assert layers(drawing, kind)[0].strokes > 0, kind
+    assert layers(drawing, "border")[0].strokes == 0
+    style.lines = [hrbfnpr.LineStyle("section", "others")]
+    assert hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), camera(model)).info.strokes == 0
+
+
+def test_a_border_ends_an_open_surface():
+    n = 12
+    grid = np.stack(np.meshgrid(np.linspace(-1, 1, n), np.linspace(-1, 1, n)), -1).reshape(-1, 2)
+    points = np.c_[grid, 0.2 * np.sin(3 * grid[:, 0])]
+    normals = np.c_[-0.6 * np.cos(3 * grid[:, 0]), 0 * grid[:, 0], np.ones(len(grid))]
+    sheet = hrbfnpr.Model.fit(points, normals)
+    lines = hrbfnpr.LineSet(sheet)
+    assert lines.info.borders == 1
+    style = hrbfnpr.Style("silhouette", lines=["contour", "border"])
+    view = hrbfnpr.Camera.fit(sheet, (0.2, 1, -1), (0, 0, 1), size=(200, 160))
+    drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(sheet.generate(budget=500), style, line_set=lines), view)
+    assert layers(drawing, "border")[0].strokes > 0
+
+
+def test_several_items_hide_each_other(model, marks):
+    ball = hrbfnpr.Model.fit(fibonacci_sphere(200), fibonacci_sphere(200))
+    ball_marks, ball_lines, lines = ball.generate(budget=500), hrbfnpr.LineSet(ball), hrbfnpr.LineSet(model)
+    style = hrbfnpr.Style("silhouette", lines=[hrbfnpr.LineStyle("contour", hidden="none")])
+    view = camera(model)
+
+    def visible(place):
+        shift = np.eye(4)
+        shift[:3, 3] = place
+        items = [hrbfnpr.Item(marks, style, line_set=lines), hrbfnpr.Item(ball_marks, style, shift, line_set=ball_lines)]
+        drawing = hrbfnpr.Renderer().draw(items, view)
+        assert drawing.info.line_contradictions == 0
+        return layers(drawing, "contour")[1].strokes
+
+    eye_ward = -np.array([0.3, 1, -0.7]) / np.linalg.norm([0.3, 1, -0.7])
+    assert visible(2.5 * eye_ward) == 1  # whole, in front
+    assert visible(-2.5 * eye_ward) > 1  # in parts, behind
+
+
+def test_styles_of_lines():
+    style = hrbfnpr.Style("xray")
+    assert [line.kind for line in style.lines] == ["contour"] and style.lines[0].hidden == "dashed"
+    assert hrbfnpr.Style("stipple").lines == []
+    copy = style.copy()
+    copy.lines[0].width = 7
+    assert style.lines[0].width != 7 and copy != style
+    assert pickle.loads(pickle.dumps(copy)) == copy
+    assert "width=7" in repr(copy.lines[0])
+    copy.set_ink("#ff0000")
+    assert copy.lines[0].ink == (1, 0, 0, 1)
+    with pytest.raises(AttributeError):
+        copy.lines[0].widht = 3
+    with pytest.raises(TypeError):
+        copy.lines = [3]
+
+
+def test_errors_name_the_argument(model, marks):
+    lines = hrbfnpr.LineSet(model)
+    style = hrbfnpr.Style("silhouette", lines=["suggestive_contour"])
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="WITH_CURVATURE"):
+        hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), camera(model))
+    for once, text in (
+        (hrbfnpr.Lines("contour"), r"lines\[0\].kind"),
+        (hrbfnpr.Lines("section"), r"lines\[0\].levels"),
+        (hrbfnpr.Lines("section", levels=[np.nan]), r"lines\[0\].levels\[0\]"),
+        (hrbfnpr.Lines("ridge", lower=3, upper=1), r"lines\[0\].upper"),
+        (hrbfnpr.Lines("section", levels=[0], plane=(0, 0, 0)), r"lines\[0\].plane"),
+        (hrbfnpr.Lines("own"), r"lines\[0\].line_first"),
+        (hrbfnpr.Lines("ridge", name="x" * 64), r"lines\[0\].name"),
+    ):
+        with pytest.raises(hrbfnpr.InvalidArgumentError, match=text):
+            hrbfnpr.LineSet(model, once)
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="cell_size"):
+        hrbfnpr.LineSet(model, cell_size=-1)
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="larger side"):
+        hrbfnpr.LineSet(model, cell_size=1e-4)
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="levels"):
+        bad = hrbfnpr.Style("silhouette", lines=[hrbfnpr.LineStyle("isophote", levels=[2])])
+        curved = hrbfnpr.LineSet(model, with_curvature=True)
+        hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, bad, line_set=curved), camera(model))
+
+
+def test_cancelling(model):
+    def stop(fraction):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        hrbfnpr.LineSet(model, progress=stop)

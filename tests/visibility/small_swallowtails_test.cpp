@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Groups of cusps that are too small to be seen, of events made by hand.
+#include "visibility/small_swallowtails.h"
+
+#include "support/runtime.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace hrbfnpr::visibility {
+namespace {
+
+constexpr double size = 0.25;
+
+// One line of 100 pieces of a pixel each.
+class SmallSwallowtailsOf : public testing::TestWithParam<bool> {
+protected:
+    SmallSwallowtailsOf() : lines(runtime.memory) {
+        for (std::int32_t i = 0; i < 100; ++i) {
+            lines.pieces.push_back({0, 0, i, (i + 1) % 100});
+            lines.points.push_back({{static_cast<double>(i), 0.0}, i, 0.0});
+        }
+        lines.points.push_back({{100.0, 0.0}, 99, 1.0});
+        lines.lines.push_back({0, 0, 0, 100, 0, 101, GetParam()});
+    }
+    [[nodiscard]] Event cusp(double at, int change) const { return event(at, change, -1); }
+    // The branch before it passes there.
+    [[nodiscard]] Event crossed(double at, int change, double near) const {
+        return event(at, change, static_cast<std::int32_t>(near));
+    }
+    [[nodiscard]] std::vector<double> kept(const std::vector<Event>& events) {
+        const Lengths lengths(runtime.memory, lines);
+        base::Array<Event> left(runtime.memory);
+        SmallSwallowtails(runtime.memory, lines.lines[0], lengths, size).keep(events, left);
+        std::vector<double> at;
+        for (const Event& e : left) at.push_back(e.at);
+        return at;
+    }
+
+    base::Runtime runtime;
+    ImageLines lines;
+
+private:
+    [[nodiscard]] static Event event(double at, int change, std::int32_t near) {
+        const auto piece = static_cast<std::int32_t>(at);
+        return {piece, at - piece, change, near, at};
+    }
+};
+
+using At = std::vector<double>;
+
+TEST_P(SmallSwallowtailsOf, KeepsCuspsThatAreApart) {
+    EXPECT_EQ(kept({cusp(20.5, 1), cusp(21.0, 1), cusp(60.0, 1)}), (At{20.5, 21.0, 60.0}));
+    EXPECT_EQ(kept({cusp(20.5, 1)}), At{20.5});
+    EXPECT_EQ(kept({}), At{});
+}
+
+// A whole one: hidden by itself at the crossing, and at both cusps shown again.
+TEST_P(SmallSwallowtailsOf, KeepsWhatAddsUp) {
+    EXPECT_EQ(kept({cusp(50.1, 1), cusp(50.3, -1)}), (At{50.1, 50.3}));
+    EXPECT_EQ(kept({crossed(49.9, 2, 50.6), cusp(50.1, -1), cusp(50.3, -1)}), (At{49.9, 50.1, 50.3}));
+}
+
+// The crossing was missed, or found twice.
+TEST_P(SmallSwallowtailsOf, DropsWhatDoesNot) {
+    EXPECT_EQ(kept({cusp(50.1, -1), cusp(50.3, -1)}), At{});
+    EXPECT_EQ(kept({crossed(49.8, 2, 50.6), crossed(49.9, 2, 50.6), cusp(50.1, -1), cusp(50.3, -1)}), At{});
+    EXPECT_EQ(kept({cusp(10.0, 1), cusp(50.1, -1), cusp(50.3, -1), cusp(80.0, 1)}), (At{10.0, 80.0}));
+}
+
+// Of an odd number one remains.
+TEST_P(SmallSwallowtailsOf, LeavesACuspOfThree) {
+    EXPECT_EQ(kept({cusp(50.1, -1), cusp(50.3, -1), cusp(50.5, 1)}), At{50.5});
+    EXPECT_EQ(kept({cusp(50.1, 1), cusp(50.3, -1), cusp(50.5, 1)}), (At{50.1, 50.3, 50.5}));
+}
+
+// Other lines that cross there, and the line itself where it comes from elsewhere.
+TEST_P(SmallSwallowtailsOf, KeepsCrossingsOfOthers) {
+    EXPECT_EQ(kept({crossed(50.0, 2, 150.0), cusp(50.1, -1), crossed(50.2, -2, 90.0), cusp(50.3, -1)}),
+              (At{50.0, 50.2}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lines, SmallSwallowtailsOf, testing::Bool(),
+                         [](const auto& of) { return of.param ? "Closed" : "Open"; });
+
+// A group over the end of a closed line, which goes on at its begin.
+class SmallSwallowtailsOfClosed : public SmallSwallowtailsOf {};
+INSTANTIATE_TEST_SUITE_P(Lines, SmallSwallowtailsOfClosed, testing::Values(true));
+
+TEST_P(SmallSwallowtailsOfClosed, OverTheEnd) {
+    EXPECT_EQ(kept({cusp(0.1, -1), cusp(40.0, 1), cusp(99.95, -1)}), At{40.0});
+    EXPECT_EQ(kept({cusp(0.1, 1), cusp(40.0, 1), cusp(99.95, -1)}), (At{0.1, 40.0, 99.95}));
+    EXPECT_EQ(kept({cusp(0.1, -1), crossed(0.3, 2, 99.0), cusp(99.95, -1)}), (At{0.1, 0.3, 99.95}));
+    EXPECT_EQ(kept({cusp(0.1, -1), crossed(0.3, 4, 99.0), cusp(99.95, -1)}), At{});
+}
+
+class SmallSwallowtailsOfOpen : public SmallSwallowtailsOf {};
+INSTANTIATE_TEST_SUITE_P(Lines, SmallSwallowtailsOfOpen, testing::Values(false));
+
+TEST_P(SmallSwallowtailsOfOpen, NotOverTheEnd) {
+    EXPECT_EQ(kept({cusp(0.1, -1), cusp(40.0, 1), cusp(99.95, -1)}), (At{0.1, 40.0, 99.95}));
+}
+
+} // namespace
+} // namespace hrbfnpr::visibility
