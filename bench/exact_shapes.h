@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -58,7 +59,7 @@ struct Shape {
     glm::dvec3 half; // of its box about 0
 };
 
-// sqrt(q) - 1 over the mean axis would be no better a distance: (q - 1) times half the smallest axis.
+// q - 1, times half the smallest axis.
 struct Ellipsoid : Shape {
     explicit Ellipsoid(const glm::dvec3& its_axes) : Shape(its_axes), axes(its_axes) {}
     [[nodiscard]] Jet at(const glm::dvec3& p) const override {

@@ -101,6 +101,7 @@ public:
         style.layer_count = 1;
         style.lines = &line_;
         style.line_count = 1;
+        style.halo_width = 0.0F; // no gaps where a line passes behind another
         return style;
     }
 
