@@ -12,8 +12,13 @@ namespace hrbfnpr::visibility {
 namespace {
 
 constexpr double finer = 0.1; // tolerance from round to round
-// Groups of cusps are seen as one within so many pixels along a line: what adds up first is taken.
+// Groups of cusps are seen as one within so many pixels along a line: what adds up first is taken.  The larger ones in
+// the last round only: two wrong groups may add up as well.
 constexpr std::array<double, 5> swallowtails = {0.25, 0.0, 0.5, 1.0, 2.0};
+constexpr std::size_t first_sizes = 2;
+// One more ray for so many events of a line, so that no long part of it goes unasked.
+constexpr std::int64_t events_a_ray = 8;
+constexpr std::int64_t most_rays = 48;
 // Where the surface bends less along the line of sight, a ray to the contour is less certain.  In 1 / sides.
 constexpr double bent = 0.25;
 
@@ -63,7 +68,7 @@ public:
     }
 
     // Returns how many lines contradict themselves.
-    std::int64_t run(int probes);
+    std::int64_t run(int probes, bool last);
     // Each part of these lines as its own ray says.
     void settle();
 
@@ -71,10 +76,10 @@ private:
     [[nodiscard]] Lengths start(double tolerance);
     [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return out_.lines.lines[l]; }
     [[nodiscard]] Candidate best_of(const Interval& part) const noexcept;
-    void choose_probes(std::int64_t l, int most);
+    void choose_probes(std::int64_t l, std::int64_t most);
     void send();
     [[nodiscard]] bool consistent(std::int64_t l, base::Array<Interval>& parts, std::span<const Event> events) const;
-    void find_parts(std::int64_t l);
+    void find_parts(std::int64_t l, std::span<const double> sizes);
 
     const base::Runtime& runtime_;
     std::span<const Subject> subjects_;
@@ -134,7 +139,7 @@ Candidate Round::best_of(const Interval& part) const noexcept {
     return best;
 }
 
-void Round::choose_probes(std::int64_t l, int most) {
+void Round::choose_probes(std::int64_t l, std::int64_t most) {
     base::Array<Event> clear(runtime_.memory);
     SmallSwallowtails(runtime_.memory, line(l), lengths_, swallowtails[0]).keep(events_.of(l), clear);
     base::Array<Candidate> all(runtime_.memory);
@@ -143,7 +148,7 @@ void Round::choose_probes(std::int64_t l, int most) {
     std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
         return a.score != b.score ? a.score > b.score : a.at < b.at;
     });
-    for (std::int64_t i = 0; i < std::min<std::int64_t>(most, all.size()); ++i) chosen_.push_back(all[i]);
+    for (std::int64_t i = 0; i < std::min(most, all.size()); ++i) chosen_.push_back(all[i]);
 }
 
 void Round::send() {
@@ -190,9 +195,9 @@ bool Round::consistent(std::int64_t l, base::Array<Interval>& parts, std::span<c
     return closes && agree && possible;
 }
 
-void Round::find_parts(std::int64_t l) {
+void Round::find_parts(std::int64_t l, std::span<const double> sizes) {
     base::Array<Interval> first(runtime_.memory);
-    for (const double size : swallowtails) {
+    for (const double size : sizes) {
         base::Array<Event> events(runtime_.memory);
         SmallSwallowtails(runtime_.memory, line(l), lengths_, size).keep(events_.of(l), events);
         base::Array<Interval> parts = parts_of(runtime_.memory, l, line(l), lengths_.whole(line(l)), events.span());
@@ -207,16 +212,18 @@ void Round::find_parts(std::int64_t l) {
     for (const Interval& part : first) out_.intervals.push_back(part);
 }
 
-std::int64_t Round::run(int probes) {
+std::int64_t Round::run(int probes, bool last) {
     const std::int64_t lines = out_.lines.lines.size();
     for (std::int64_t l = 0; l < lines; ++l) {
         first_chosen_.push_back(chosen_.size());
-        choose_probes(l, probes);
+        const auto events = static_cast<std::int64_t>(events_.of(l).size());
+        choose_probes(l, std::min(most_rays, probes + events / events_a_ray));
     }
     first_chosen_.push_back(chosen_.size());
     send();
     out_.intervals.clear();
-    for (std::int64_t l = 0; l < lines; ++l) find_parts(l);
+    const std::span<const double> sizes(swallowtails.data(), last ? swallowtails.size() : first_sizes);
+    for (std::int64_t l = 0; l < lines; ++l) find_parts(l, sizes);
     return bad_.size();
 }
 
@@ -252,7 +259,7 @@ Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Sub
     double tolerance = settings.tolerance;
     for (int r = 0; r < settings.rounds; ++r, tolerance *= finer) {
         Round round(runtime, subjects, occluders, tolerance, out, progress);
-        const std::int64_t bad = round.run(settings.probes);
+        const std::int64_t bad = round.run(settings.probes, r + 1 == settings.rounds);
         out.report.rounds = r;
         if (r == 0) out.report.refined = bad;
         if (bad == 0) break;
