@@ -10,9 +10,11 @@ namespace {
 
 constexpr double suspicious_gap = 0.5; // in sides
 constexpr int most_rounds = 8;
-// In gaps between the curves: steps that are shorter end the search, and longer ways in all make it fail.
+// In gaps between the curves: steps that are shorter end the search, and longer ways in all make it fail.  So does a
+// gap that vanishes: at a cusp a curve meets itself.
 constexpr double settled = 0.01;
 constexpr double farthest = 0.5;
+constexpr double smallest = 0.1;
 
 // A crossing, and a place on either curve.
 struct Suspect {
@@ -100,7 +102,8 @@ void Verifier::advance(std::int64_t i) noexcept {
     const auto strayed = [&](int k) {
         return !(glm::distance(point[k].position, suspect.begin[k]) <= farthest * suspect.gap);
     };
-    const bool lost = !(std::abs(dp) <= suspect.gap && std::abs(dq) <= suspect.gap) || strayed(0) || strayed(1);
+    const bool met = glm::distance(point[0].position, point[1].position) < smallest * suspect.gap;
+    const bool lost = !(std::abs(dp) <= suspect.gap && std::abs(dq) <= suspect.gap) || met || strayed(0) || strayed(1);
     suspect.right = !lost && std::abs(dp) <= settled * suspect.gap && std::abs(dq) <= settled * suspect.gap;
     suspect.done = lost || suspect.right;
     if (suspect.done) return;
