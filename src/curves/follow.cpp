@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hrbfnpr::curves {
 namespace {
@@ -216,7 +217,8 @@ class Joiner {
 public:
     Joiner(base::Memory& memory, const base::Array<CurvePoint>& starts, const Follower& follower)
         : starts_(starts), follower_(follower), forward_(memory, starts.size()), backward_(memory, starts.size()),
-          before_(memory, starts.size()), done_(memory, starts.size()), begin_(memory), order_(memory) {
+          before_(memory, starts.size()), done_(memory, starts.size()), passed_by_(memory, starts.size()),
+          begin_(memory), order_(memory) {
         std::fill(forward_.begin(), forward_.end(), -1);
         std::fill(backward_.begin(), backward_.end(), -1);
         std::fill(before_.begin(), before_.end(), -1);
@@ -230,19 +232,21 @@ public:
             forward_[paths[p].start] = p;
             if (paths[p].met >= 0 && before_[paths[p].met] < 0) before_[paths[p].met] = paths[p].start;
         }
+        for (std::int64_t s = 0; s < starts.size(); ++s) find_passed_by(s);
     }
 
     // Starts that no path leads to.
     [[nodiscard]] base::Array<std::int64_t> first_ones(base::Memory& memory) const {
         base::Array<std::int64_t> found(memory);
         for (std::int64_t s = 0; s < starts_.size(); ++s)
-            if (before_[s] < 0) found.push_back(s);
+            if (before_[s] < 0 && passed_by_[s] == 0) found.push_back(s);
         return found;
     }
     void join(Curves& curves, TraceReport& report);
 
 private:
     void sort_points();
+    void find_passed_by(std::int64_t s);
     [[nodiscard]] std::int64_t next(std::int64_t s) const noexcept {
         const std::int64_t met = follower_.paths()[forward_[s]].met;
         return met >= 0 && before_[met] == s ? met : -1;
@@ -258,6 +262,7 @@ private:
     const Follower& follower_;
     base::Array<std::int64_t> forward_, backward_, before_; // of each start: its paths, and the start that leads to it
     base::Array<std::uint8_t> done_;
+    base::Array<std::uint8_t> passed_by_;     // 1: a start on a path that goes on
     base::Array<std::int64_t> begin_, order_; // of each path's points
 };
 
@@ -270,6 +275,19 @@ void Joiner::sort_points() {
     base::Array<std::int64_t> at(order_.memory());
     for (const std::int64_t begin : begin_) at.push_back(begin);
     for (std::int64_t i = 0; i < passed.size(); ++i) order_[at[passed[i].path]++] = i;
+}
+
+// Where two paths come to one start, and none to the start of one of them, the other has passed that by at a kink:
+// there is nothing left for it to do.  What it does not stand for, changes of sign that no curve passes will tell.
+void Joiner::find_passed_by(std::int64_t s) {
+    const std::int64_t met = follower_.paths()[forward_[s]].met;
+    if (met < 0 || before_[met] == s) return;
+    std::int64_t other = before_[met];
+    if (before_[s] >= 0 && before_[other] < 0) {
+        before_[met] = s;
+        std::swap(s, other);
+    }
+    if (before_[s] < 0) passed_by_[s] = 1;
 }
 
 void Joiner::add_path(std::int64_t path, bool reversed, Curves& curves) const {
@@ -290,19 +308,21 @@ void Joiner::add_from(std::int64_t s, Curves& curves) {
 
 void Joiner::join(Curves& curves, TraceReport& report) {
     for (std::int64_t s = 0; s < starts_.size(); ++s) {
-        if (before_[s] >= 0) continue;
+        if (before_[s] >= 0 || passed_by_[s] != 0) continue;
         add_path(backward_[s], true, curves);
         add_from(s, curves);
         close(curves, false);
     }
     for (std::int64_t s = 0; s < starts_.size(); ++s) {
-        if (done_[s] != 0) continue;
+        if (done_[s] != 0 || passed_by_[s] != 0) continue;
         add_from(s, curves);
         close(curves, true);
     }
-    for (const Path& path : follower_.paths())
+    for (const Path& path : follower_.paths()) {
+        if (passed_by_[path.start] != 0) continue;
         if (path.end == End::broken || (path.sense > 0.0 && path.met >= 0 && before_[path.met] != path.start))
             ++report.broken;
+    }
 }
 
 } // namespace
