@@ -1395,7 +1395,7 @@ enum {
 enum {
     HRBFNPR_CAP_ROUND = 0,
     HRBFNPR_CAP_FLAT = 1,
-    HRBFNPR_CAP_POINTED = 2 /* narrowing to a tip twice as long as the line is wide there */
+    HRBFNPR_CAP_POINTED = 2 /* narrowing to a tip; the tip's length is twice the width there */
 };
 
 /* How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels. */
@@ -1411,7 +1411,8 @@ typedef struct hrbfnpr_line_style {
     float hidden_opacity; /* 0 .. 1: of ATTENUATED, for each layer; 0.35 */
     float dash;           /* of DASHED, in hidden_widths, > 0; 5 */
     float gap;            /* between dashes, in hidden_widths, > 0; 3 */
-    float shortest;       /* parts with a free end, and hidden ones, that are shorter are not drawn; 2 */
+    float shortest;       /* parts with a free end, and hidden ones, that are shorter are not drawn; 2.  Feature lines
+                             that are found with every drawing are 0.01 diagonals long at least */
     float fade;           /* 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1 */
     double lower;         /* strengths as in hrbfnpr_line_desc; 0 and 0 = those of the kind: 10 and 30 of suggestive
                              contours, 12 and 25 of apparent ridges */
@@ -1740,7 +1741,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_vertex_bound(const hrbfnpr_drawing* d
  * discs of paper must erase: destination times (1 - alpha).
  * Strips: `indices` (UINT32, nullable) lists, far to near, the vertices of one stroke after
  * the other, each ended by HRBFNPR_INDEX_RESTART (0xFFFFFFFF); of points it is
- * 0, 1, 2 ...
+ * 0, 1, 2 ...  A triangle strip has two vertices for each point, left and right of it, and two at the tip of a
+ * pointed end; round ends are cut off flat.
  * Capacities are in vertices and in indices; *vertex_count and *index_count
  * (nullable) get the numbers written, or needed with BUFFER_TOO_SMALL. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_write_vertices(const hrbfnpr_drawing* drawing,

@@ -43,19 +43,20 @@ namespace {
 constexpr double expected_evaluations = 1e6;
 constexpr std::int64_t most_lines = 65536;
 
-base::Array<double> seeds_of(base::Memory& memory, const hrbfnpr_array& array) {
-    base::Array<double> seeds(memory);
-    const base::InView view = in_view(array, "line_set_desc.seed_points", points_type);
+// Element by element, all of them finite.
+base::Array<double> finite_numbers(base::Memory& memory, const hrbfnpr_array& array, const char* name, ArrayType type) {
+    base::Array<double> numbers(memory);
+    const base::InView view = in_view(array, name, type);
     for (std::int64_t i = 0; i < view.count; ++i) {
-        for (std::uint32_t c = 0; c < 3; ++c) {
+        for (std::uint32_t c = 0; c < type.components; ++c) {
             const double number = view.get(i, c);
             if (!std::isfinite(number))
-                fail(Status::invalid_argument, "line_set_desc.seed_points[%lld][%u] is %g; it must be finite",
-                     static_cast<long long>(i), c, number);
-            seeds.push_back(number);
+                fail(Status::invalid_argument, "%s[%lld] has %g; numbers must be finite", name,
+                     static_cast<long long>(i), number);
+            numbers.push_back(number);
         }
     }
-    return seeds;
+    return numbers;
 }
 
 // What the requests of a descriptor refer to, until the set is made.
@@ -80,16 +81,7 @@ std::span<const double> Requests::numbers(const hrbfnpr_array& array, const char
                                           ArrayType type) {
     char name[128];
     std::snprintf(name, sizeof name, "%.90s.%s", owner, field);
-    const base::InView view = in_view(array, name, type);
-    auto kept = std::make_unique<base::Array<double>>(memory_);
-    for (std::int64_t i = 0; i < view.count; ++i) {
-        for (std::uint32_t c = 0; c < type.components; ++c) {
-            kept->push_back(view.get(i, c));
-            if (!std::isfinite(view.get(i, c)))
-                fail(Status::invalid_argument, "%s[%lld] is %g; it must be finite", name, static_cast<long long>(i),
-                     view.get(i, c));
-        }
-    }
+    auto kept = std::make_unique<base::Array<double>>(finite_numbers(memory_, array, name, type));
     numbers_.push_back(std::move(kept));
     return std::as_const(*numbers_.back()).span();
 }
@@ -150,7 +142,8 @@ hrbfnpr_line_set* create(hrbfnpr_context& context, const hrbfnpr_model& model, c
     if ((desc.flags & ~std::uint32_t{HRBFNPR_LINE_SET_WITH_CURVATURE}) != 0)
         fail(Status::invalid_argument, "line_set_desc.flags has bits that are no HRBFNPR_LINE_SET_WITH_...");
     checks.at_least("cell_size", desc.cell_size, 0.0);
-    const base::Array<double> seeds = seeds_of(context.runtime.memory, desc.seed_points);
+    const base::Array<double> seeds =
+        finite_numbers(context.runtime.memory, desc.seed_points, "line_set_desc.seed_points", points_type);
     const List<hrbfnpr_line_desc> list(desc.lines, desc.line_count, desc.line_stride, most_lines,
                                        "line_set_desc.lines");
     Requests requests(context.runtime.memory);

@@ -51,7 +51,7 @@ SurfaceMesh of_any_size(const base::Runtime& runtime, const implicit::Implicit& 
         try {
             return triangulate(runtime, surface, seeds, settings, progress);
         } catch (const Error& error) {
-            if (error.status() != Status::invalid_argument) throw;
+            if (error.status() != Status::invalid_argument || settings.side > surface.diagonal()) throw;
             settings.side *= 2.0;
         }
     }
@@ -153,8 +153,7 @@ SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& requ
     feature.kind = feature_of(request.kind);
     feature.plane = glm::normalize(request.plane);
     feature.levels = request.levels;
-    const bool given = request.thresholds.lower > 0.0 || request.thresholds.upper > 0.0;
-    const Thresholds thresholds = given ? request.thresholds : default_thresholds(request.kind);
+    const Thresholds thresholds = thresholds_of(request.kind, request.thresholds);
     feature.lower = thresholds.lower;
     feature.upper = thresholds.upper;
     feature.shortest = request.shortest;

@@ -40,6 +40,10 @@ struct Thresholds {
 };
 // Of strengths; what feature_value.h calls them.
 [[nodiscard]] Thresholds default_thresholds(LineKind kind) noexcept;
+// Those given, or if both are 0 the defaults.
+[[nodiscard]] inline Thresholds thresholds_of(LineKind kind, const Thresholds& given) noexcept {
+    return given.lower > 0.0 || given.upper > 0.0 ? given : default_thresholds(kind);
+}
 
 // Lines that are found once.
 struct LineRequest {

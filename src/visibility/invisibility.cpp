@@ -162,11 +162,11 @@ void Round::send() {
 // Counts along the line, and from its rays.  The changes round a closed line must add up to 0, all certain rays must
 // agree, and no count may be negative.
 bool Round::consistent(std::int64_t l, base::Array<Interval>& parts, std::span<const Event> events) const {
+    // The first part of a closed line begins at its first event, that of an open one before it.
     const bool closed = line(l).closed;
     std::int32_t sheets = 0;
     for (std::int64_t i = 0; i < parts.size(); ++i) {
-        const std::int64_t before = closed ? i : i - 1;
-        if (before >= 0 && !events.empty() && i > 0) sheets += events[static_cast<std::size_t>(before)].change;
+        if (i > 0) sheets += events[static_cast<std::size_t>(closed ? i : i - 1)].change;
         parts[i].sheets = sheets;
     }
     const bool closes = !closed || events.empty() || sheets + events[0].change == 0;
@@ -196,20 +196,18 @@ bool Round::consistent(std::int64_t l, base::Array<Interval>& parts, std::span<c
 }
 
 void Round::find_parts(std::int64_t l, std::span<const double> sizes) {
-    base::Array<Interval> first(runtime_.memory);
+    base::Array<Interval> taken(runtime_.memory);
+    bool right = false;
     for (const double size : sizes) {
         base::Array<Event> events(runtime_.memory);
         SmallSwallowtails(runtime_.memory, line(l), lengths_, size).keep(events_.of(l), events);
         base::Array<Interval> parts = parts_of(runtime_.memory, l, line(l), lengths_.whole(line(l)), events.span());
-        const bool right = consistent(l, parts, events.span());
-        if (right || first.empty()) first = std::move(parts);
-        if (right) {
-            for (const Interval& part : first) out_.intervals.push_back(part);
-            return;
-        }
+        right = consistent(l, parts, events.span());
+        if (right || taken.empty()) taken = std::move(parts);
+        if (right) break;
     }
-    bad_.push_back(l);
-    for (const Interval& part : first) out_.intervals.push_back(part);
+    if (!right) bad_.push_back(l);
+    for (const Interval& part : taken) out_.intervals.push_back(part);
 }
 
 std::int64_t Round::run(int probes, bool last) {

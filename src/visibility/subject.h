@@ -17,7 +17,6 @@ struct Occluder {
     const implicit::Implicit* surface = nullptr;
     glm::dmat4 to_world{1.0}; // affine
     glm::dvec4 eye{0.0};      // curves::View::eye, in its own coordinates
-    double side = 0.0;        // of its mesh's cells
 };
 
 // Curves on one surface.

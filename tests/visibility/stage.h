@@ -129,7 +129,7 @@ public:
             glm::dvec3 to(glm::inverse(occluder.to_world) * glm::dvec4(in_world, 1.0));
             glm::dvec3 from =
                 occluder.eye.w != 0.0 ? glm::dvec3(occluder.eye) : to - 20.0 * glm::normalize(glm::dvec3(occluder.eye));
-            if (static_cast<std::size_t>(subject.item) == o) to -= 5e-3 * occluder.side * glm::normalize(to - from);
+            if (static_cast<std::size_t>(subject.item) == o) to -= 5e-3 * subject.side * glm::normalize(to - from);
             if (curves::test_dense::clip(surface::search_region(*occluder.surface), from, to))
                 sheets += curves::test_dense::roots({*occluder.surface, from, to}, samples);
         }
@@ -158,7 +158,7 @@ private:
         subject.item = static_cast<std::int32_t>(occluders.size());
         subject.mirrored = glm::determinant(glm::dmat3(actor.to_world)) < 0.0;
         subjects.push_back(subject);
-        occluders.push_back({&actor.sheets, &actor.surface, actor.to_world, view.eye, actor.mesh.side});
+        occluders.push_back({&actor.sheets, &actor.surface, actor.to_world, view.eye});
     }
 
     const base::Runtime& runtime_;

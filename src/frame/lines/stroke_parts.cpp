@@ -215,12 +215,11 @@ StrokeParts::Shares StrokeParts::in_window(const DrawnAs& as, std::int64_t place
 }
 
 drawing::Stroke StrokeParts::begun(const DrawnAs& as, const Part& part, double length) const {
-    const visibility::Line& line = found_.lines.lines[part.interval.line];
     const bool hidden = part.layers > 0;
     drawing::Stroke stroke;
     stroke.first = strokes_.points.size();
     stroke.layer = as.layer;
-    stroke.closed = !part.free_begin && !part.free_end && line.closed && length >= lengths_.whole(line);
+    stroke.closed = is_whole(part) && length >= length_of(part.interval);
     stroke.cap_begin = part.free_begin && !hidden ? as.style->cap : drawing::Cap::round;
     stroke.cap_end = part.free_end && !hidden ? as.style->cap : drawing::Cap::round;
     return stroke;

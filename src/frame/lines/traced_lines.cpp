@@ -14,6 +14,8 @@ namespace {
 
 // In sides of the mesh: lines of the caller's may lie somewhat inside the surface.
 constexpr double clear_of_own = 1.0;
+// In diagonals: shorter ones are noise.
+constexpr double shortest_feature = 0.01;
 
 curves::View view_of(const Scene& scene, const Item& item) {
     const Optics optics = make_optics(scene.camera);
@@ -50,8 +52,7 @@ TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::
         if (item.lines == nullptr) continue;
         const Source source{&item, view_of(scene, item), static_cast<std::int32_t>(occluders_.size()),
                             is_mirrored(scene, item)};
-        occluders_.push_back(
-            {&item.lines->sheets(), &item.lines->surface(), item.transform, source.view.eye, item.lines->mesh().side});
+        occluders_.push_back({&item.lines->sheets(), &item.lines->surface(), item.transform, source.view.eye});
         sources_.push_back(source);
         trace_contours(source);
         add_border(source);
@@ -120,9 +121,7 @@ void TracedLines::add_lines(const Source& source, const curves::SurfaceLines& li
         const auto number = static_cast<std::int32_t>(subjects_.size() - 1);
         if (style == nullptr) continue;
         if (style->kind == LineKind::own) subject.clear = clear_of_own;
-        const bool given = style->lower > 0.0 || style->upper > 0.0;
-        const curves::Thresholds by =
-            given ? curves::Thresholds{style->lower, style->upper} : curves::default_thresholds(style->kind);
+        const curves::Thresholds by = curves::thresholds_of(style->kind, {style->lower, style->upper});
         styles_.push_back({style, number, layer, kept.lines.strength.data(), static_cast<float>(by.lower),
                            static_cast<float>(by.upper)});
     }
@@ -154,12 +153,10 @@ void TracedLines::add_features(const Source& source, const LineStyle& style, std
     request.kind = curves::feature_of(style.kind);
     request.towards = style.kind == LineKind::isophote ? light_ : towards_eye(source.view);
     request.levels = style.levels;
-    const bool given = style.lower > 0.0 || style.upper > 0.0;
-    const curves::Thresholds by =
-        given ? curves::Thresholds{style.lower, style.upper} : curves::default_thresholds(style.kind);
+    const curves::Thresholds by = curves::thresholds_of(style.kind, {style.lower, style.upper});
     request.lower = by.lower;
     request.upper = by.upper;
-    request.shortest = 0.01;
+    request.shortest = shortest_feature;
     request.rounds = style.kind == LineKind::apparent_ridge ? 2 : 0;
     const curves::FeatureLines lines =
         find_feature_lines(runtime_, source.item->lines->features(), request, base::Progress());

@@ -1963,7 +1963,7 @@ pub const HRBFNPR_HIDDEN_PARTS_SHOWN: u32 = 3;
 // surface.
 pub const HRBFNPR_CAP_ROUND: u32 = 0;
 pub const HRBFNPR_CAP_FLAT: u32 = 1;
-/// narrowing to a tip twice as long as the line is wide there
+/// narrowing to a tip; the tip's length is twice the width there
 pub const HRBFNPR_CAP_POINTED: u32 = 2;
 
 /// How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels.
@@ -1991,7 +1991,8 @@ pub struct hrbfnpr_line_style {
     pub dash: f32,
     /// between dashes, in hidden_widths, > 0; 3
     pub gap: f32,
-    /// parts with a free end, and hidden ones, that are shorter are not drawn; 2
+    /// parts with a free end, and hidden ones, that are shorter are not drawn; 2. Feature lines
+    /// that are found with every drawing are 0.01 diagonals long at least
     pub shortest: f32,
     /// 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1
     pub fade: f32,
@@ -2482,7 +2483,9 @@ extern "C" {
     /// discs of paper must erase: destination times (1 - alpha).
     /// Strips: `indices` (UINT32, nullable) lists, far to near, the vertices of one stroke after
     /// the other, each ended by HRBFNPR_INDEX_RESTART (0xFFFFFFFF); of points it is
-    /// 0, 1, 2 ...
+    /// 0, 1, 2 ...  A triangle strip has two vertices for each point, left and right of it, and
+    /// two at the tip of a
+    /// pointed end; round ends are cut off flat.
     /// Capacities are in vertices and in indices; *vertex_count and *index_count
     /// (nullable) get the numbers written, or needed with BUFFER_TOO_SMALL.
     pub fn hrbfnpr_drawing_write_vertices(
