@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "curves/contour_level.h"
 
+#include <algorithm>
+
 namespace hrbfnpr::curves {
 namespace {
 
 constexpr std::int64_t vertices_a_task = 16384;
 
+// Points at a time: a caller's function stands below on the same small stack.
+constexpr std::int64_t block = 32;
+
 // Upper triangles of the points' Hessians: xx xy xz yy yz zz.
 struct Hessians {
-    std::array<std::array<double, static_cast<std::size_t>(implicit::batch_size)>, 6> of;
+    std::array<std::array<double, static_cast<std::size_t>(block)>, 6> of;
 
     [[nodiscard]] glm::dvec3 times(std::size_t i, const glm::dvec3& v) const noexcept {
         return {of[0][i] * v.x + of[1][i] * v.y + of[2][i] * v.z, of[1][i] * v.x + of[3][i] * v.y + of[4][i] * v.z,
@@ -16,10 +21,24 @@ struct Hessians {
     }
 };
 
+LevelBatch from(const LevelBatch& out, std::int64_t begin) noexcept {
+    LevelBatch part{out.value + begin, {}, out.level + begin, {}};
+    for (std::size_t c = 0; c < 3; ++c) {
+        part.gradient[c] = out.gradient[c] + begin;
+        part.level_gradient[c] = out.level_gradient[c] + begin;
+    }
+    return part;
+}
+
 } // namespace
 
-// grad g = H v + grad f where v depends on the point, H v where it does not.
 void ContourLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {
+    for (std::int64_t begin = 0; begin < points.count; begin += block)
+        evaluate_block(implicit::slice(points, begin, std::min(points.count, begin + block)), from(out, begin));
+}
+
+// grad g = H v + grad f where v depends on the point, H v where it does not.
+void ContourLevel::evaluate_block(const implicit::PointBatch& points, const LevelBatch& out) const {
     Hessians h;
     implicit::FieldBatch fields{out.value, out.gradient, {}};
     for (std::size_t c = 0; c < 6; ++c) fields.hessian[c] = h.of[c].data();

@@ -17,6 +17,8 @@ public:
                      const base::Progress& progress) const override;
 
 private:
+    void evaluate_block(const implicit::PointBatch& points, const LevelBatch& out) const;
+
     const implicit::Implicit& surface_;
     View view_;
 };

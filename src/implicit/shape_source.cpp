@@ -65,10 +65,21 @@ void HrbfShape::evaluate(const PointBatch& points, const ThirdBatch& out) const 
     }
 }
 
-// T_ijk is the mean of the derivatives along i of H_jk, along j of H_ik and along k of H_ij.
 void DifferencedShape::evaluate(const PointBatch& points, const ThirdBatch& out) const {
-    std::array<std::array<double, batch>, 6> hessian;
-    std::array<std::array<double, batch>, 3> at;
+    for (std::int64_t begin = 0; begin < points.count; begin += block_size) {
+        ThirdBatch part = out;
+        for (double*& column : part.hessian) column += begin;
+        for (double*& column : part.third) column += begin;
+        evaluate_block(slice(points, begin, std::min(points.count, begin + block_size)), part);
+    }
+}
+
+// T_ijk is the mean of the derivatives along i of H_jk, along j of H_ik and along k of H_ij.  At most block_size
+// points: a caller's function stands below on the same small stack.
+void DifferencedShape::evaluate_block(const PointBatch& points, const ThirdBatch& out) const {
+    constexpr auto most = static_cast<std::size_t>(block_size);
+    std::array<std::array<double, most>, 6> hessian;
+    std::array<std::array<double, most>, 3> at;
     FieldBatch moved;
     for (std::size_t c = 0; c < 6; ++c) moved.hessian[c] = hessian[c].data();
     FieldBatch here;
@@ -86,7 +97,7 @@ void DifferencedShape::evaluate(const PointBatch& points, const ThirdBatch& out)
             for (std::size_t c = 0; c < 10; ++c)
                 for (std::size_t k = 0; k < 3; ++k) {
                     if (axes[c][k] != axis) continue;
-                    const std::array<double, batch>& h = hessian[second[axes[c][(k + 1) % 3]][axes[c][(k + 2) % 3]]];
+                    const std::array<double, most>& h = hessian[second[axes[c][(k + 1) % 3]][axes[c][(k + 2) % 3]]];
                     for (std::int64_t i = 0; i < points.count; ++i)
                         out.third[c][i] += weight * h[static_cast<std::size_t>(i)];
                 }

@@ -200,7 +200,7 @@ hrbfnpr_camera front_camera() {
 }
 
 Drawing drawing_of(const Context& context, const PointSet& marks, const hrbfnpr_style* style, const hrbfnpr_model* rays,
-                   const hrbfnpr_layer_pose* pose = nullptr) {
+                   const hrbfnpr_layer_pose* pose = nullptr, const hrbfnpr_line_set* lines = nullptr) {
     scenes::Check check;
     hrbfnpr_renderer* renderer = nullptr;
     check(hrbfnpr_renderer_create(context.get(), &renderer, check.error()));
@@ -211,6 +211,7 @@ Drawing drawing_of(const Context& context, const PointSet& marks, const hrbfnpr_
     item.model = rays;
     item.poses = pose;
     item.pose_count = pose != nullptr ? 1 : 0;
+    item.line_set = lines;
     const hrbfnpr_camera camera = front_camera();
     hrbfnpr_drawing* drawing = nullptr;
     check(hrbfnpr_renderer_draw(renderer, &item, 1, 0, &camera, &drawing, check.error()));
@@ -241,6 +242,31 @@ Bytes draw_presets(const Scene& scene) {
         output.add(draw(scene.context, scene.marks, &style));
     }
     return output.bytes();
+}
+
+// Of every kind, hidden parts dashed.
+Bytes draw_lines(const Scene& scene) {
+    scenes::Check check;
+    auto ridges = made(hrbfnpr_line_desc_init);
+    auto desc = made(hrbfnpr_line_set_desc_init);
+    desc.flags = HRBFNPR_LINE_SET_WITH_CURVATURE;
+    desc.lines = &ridges;
+    desc.line_count = 1;
+    hrbfnpr_line_set* raw = nullptr;
+    check(hrbfnpr_line_set_create(scene.context.get(), scene.model.get(), &desc, nullptr, &raw, check.error()));
+    const LineSet lines(raw);
+    std::vector<hrbfnpr_line_style> styles;
+    double level = 0.5;
+    for (std::uint32_t kind = HRBFNPR_LINE_KIND_CONTOUR; kind <= HRBFNPR_LINE_KIND_OWN; ++kind) {
+        styles.push_back(made(hrbfnpr_line_style_init));
+        styles.back().kind = kind;
+        styles.back().hidden = HRBFNPR_HIDDEN_PARTS_DASHED;
+        styles.back().levels = {&level, 1, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    }
+    auto style = preset_style(HRBFNPR_PRESET_SILHOUETTE);
+    style.lines = styles.data();
+    style.line_count = static_cast<std::int64_t>(styles.size());
+    return drawn(drawing_of(scene.context, scene.marks, &style, nullptr, nullptr, lines.get()));
 }
 
 Bytes draw_published(const Scene& scene) {
@@ -398,7 +424,8 @@ Bytes custom_model(const Scene& scene) {
     hrbfnpr_context_retain(scene.context.get());
     const Scene custom(Context(scene.context.get()), Model(model));
     Output output;
-    for (const auto run : {evaluate, project, curvature, cast_rays, contains, generate_blue_noise, draw_with_rays})
+    for (const auto run :
+         {evaluate, project, curvature, cast_rays, contains, generate_blue_noise, draw_with_rays, draw_lines})
         output.add(run(custom));
     return output.bytes();
 }
@@ -446,6 +473,7 @@ constexpr Step all_steps[] = {
     {"point_set_create", marks_from_arrays},
     {"custom model, all of these", custom_model},
     {"draw presets", draw_presets},
+    {"draw lines", draw_lines},
     {"draw PUBLISHED", draw_published},
     {"draw, a model hides", draw_with_rays},
     {"draw into buffers", draw_into_buffers},
