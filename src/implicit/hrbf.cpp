@@ -123,14 +123,7 @@ void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& 
 // Value and gradient come from the same sums whether a Hessian is wanted or not.
 void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
               const FieldBatch& fields) noexcept {
-    const Sources sources{data.centre_position.x.data(),
-                          data.centre_position.y.data(),
-                          data.centre_position.z.data(),
-                          data.alpha.data(),
-                          data.beta.x.data(),
-                          data.beta.y.data(),
-                          data.beta.z.data(),
-                          data.count()};
+    const Sources sources = sources_of(data);
     Block block;
     double(&g)[3][block_size] = block.gradient;
     double(&h)[6][block_size] = block.hessian;

@@ -2,6 +2,7 @@
 // The frame around the sums of an HRBF: normalisation and polynomial before them, and the way back after.
 #pragma once
 
+#include "implicit/hermite_sums.h"
 #include "implicit/hrbf.h"
 
 namespace hrbfnpr::implicit {
@@ -9,6 +10,18 @@ namespace hrbfnpr::implicit {
 // Points whose results are accumulated together: they stay in the first-level cache while
 // all centres pass by.
 inline constexpr std::int64_t block_size = 64;
+
+// The centres, as the sums take them.
+[[nodiscard]] inline Sources sources_of(const HrbfData& data) noexcept {
+    return {data.centre_position.x.data(),
+            data.centre_position.y.data(),
+            data.centre_position.z.data(),
+            data.alpha.data(),
+            data.beta.x.data(),
+            data.beta.y.data(),
+            data.beta.z.data(),
+            data.count()};
+}
 
 // Normalised points and what has been summed up for them.
 struct Block {

@@ -12,17 +12,6 @@ namespace {
 
 constexpr auto batch = static_cast<std::size_t>(batch_size);
 
-Sources sources_of(const HrbfData& data) noexcept {
-    return {data.centre_position.x.data(),
-            data.centre_position.y.data(),
-            data.centre_position.z.data(),
-            data.alpha.data(),
-            data.beta.x.data(),
-            data.beta.y.data(),
-            data.beta.z.data(),
-            data.count()};
-}
-
 // The places of hessian[j][k] among xx xy xz yy yz zz.
 constexpr std::array<std::array<std::size_t, 3>, 3> second = {{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
 

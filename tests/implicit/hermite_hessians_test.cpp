@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/hermite_hessians.h"
 
+#include "implicit/hrbf_block.h"
+
 #include "fields.h"
 #include "support/instruction_sets.h"
 
@@ -61,17 +63,6 @@ Hessians plain_sums(const implicit::HrbfData& data, const Points& points) {
     return sums;
 }
 
-implicit::Sources sources(const implicit::HrbfData& data) {
-    return {data.centre_position.x.data(),
-            data.centre_position.y.data(),
-            data.centre_position.z.data(),
-            data.alpha.data(),
-            data.beta.x.data(),
-            data.beta.y.data(),
-            data.beta.z.data(),
-            data.count()};
-}
-
 // The first and every fifth one are centres.
 Points targets(const implicit::HrbfData& data, int count) {
     Points points;
@@ -94,7 +85,8 @@ implicit::HessianTargets slice(const Points& points, Hessians& sums, std::size_t
 Hessians sum_up(base::InstructionSet set, const implicit::HrbfData& data, const Points& points, std::size_t count) {
     Hessians sums = Fields(points.size()).hessian;
     for (std::vector<double>& sum : sums) std::fill_n(sum.begin(), count, before);
-    implicit::hermite_hessians(set, data.kernel)(data.kernel_radius, sources(data), slice(points, sums, 0, count));
+    implicit::hermite_hessians(set, data.kernel)(data.kernel_radius, implicit::sources_of(data),
+                                                 slice(points, sums, 0, count));
     return sums;
 }
 
@@ -141,7 +133,7 @@ TEST_P(HermiteHessians, DoNotDependOnHowTheTargetsAreCut) {
             Hessians apart;
             for (std::vector<double>& sum : apart) sum.assign(points.size(), before);
             for (std::size_t begin = 0; begin < points.size(); begin += piece)
-                add(data.kernel_radius, sources(data),
+                add(data.kernel_radius, implicit::sources_of(data),
                     slice(points, apart, begin, std::min(points.size(), begin + piece)));
             EXPECT_EQ(together, apart) << base::name(set) << piece;
         }

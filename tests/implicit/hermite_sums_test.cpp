@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/hermite_sums.h"
 
+#include "implicit/hrbf_block.h"
+
 #include "fields.h"
 #include "support/instruction_sets.h"
 
@@ -54,17 +56,6 @@ Fields plain_sums(const implicit::HrbfData& data, const Points& points) {
     return sums;
 }
 
-implicit::Sources sources(const implicit::HrbfData& data) {
-    return {data.centre_position.x.data(),
-            data.centre_position.y.data(),
-            data.centre_position.z.data(),
-            data.alpha.data(),
-            data.beta.x.data(),
-            data.beta.y.data(),
-            data.beta.z.data(),
-            data.count()};
-}
-
 // The first and every fifth one are centres.
 Points targets(const implicit::HrbfData& data, int count) {
     Points points;
@@ -108,7 +99,7 @@ TEST_P(HermiteSums, AreThePlainOnesForAnyCount) {
                 Fields sums(points.size());
                 for (std::vector<double>* sum : {&sums.value, &sums.gradient[0], &sums.gradient[1], &sums.gradient[2]})
                     std::fill_n(sum->begin(), count, before);
-                implicit::hermite_sums(set, GetParam())(data.kernel_radius, sources(data),
+                implicit::hermite_sums(set, GetParam())(data.kernel_radius, implicit::sources_of(data),
                                                         slice(points, sums, 0, count));
                 const std::string what = std::string(base::name(set)) + " " + std::to_string(count) + " at ";
                 expect_sums(sums.value, plain.value, count, what);
@@ -125,11 +116,11 @@ TEST_P(HermiteSums, DoNotDependOnHowTheTargetsAreCut) {
     for (const base::InstructionSet set : instruction_sets()) {
         const implicit::AddHermiteSums add = implicit::hermite_sums(set, GetParam());
         Fields together(points.size());
-        add(data.kernel_radius, sources(data), slice(points, together, 0, points.size()));
+        add(data.kernel_radius, implicit::sources_of(data), slice(points, together, 0, points.size()));
         for (const std::size_t piece : {1U, 3U, 8U, 13U, 64U}) {
             Fields apart(points.size());
             for (std::size_t begin = 0; begin < points.size(); begin += piece)
-                add(data.kernel_radius, sources(data),
+                add(data.kernel_radius, implicit::sources_of(data),
                     slice(points, apart, begin, std::min(points.size(), begin + piece)));
             EXPECT_EQ(together.value, apart.value) << base::name(set) << piece;
             EXPECT_EQ(together.gradient, apart.gradient) << base::name(set) << piece;
@@ -147,7 +138,7 @@ TEST_P(HermiteSums, AreFiniteNextToASource) {
         Fields sums(points.size());
         for (std::vector<double>* sum : {&sums.value, &sums.gradient[0], &sums.gradient[1], &sums.gradient[2]})
             std::fill(sum->begin(), sum->end(), before);
-        implicit::hermite_sums(set, GetParam())(data.kernel_radius, sources(data),
+        implicit::hermite_sums(set, GetParam())(data.kernel_radius, implicit::sources_of(data),
                                                 slice(points, sums, 0, points.size()));
         expect_sums(sums.value, plain.value, points.size(), base::name(set));
         for (std::size_t c = 0; c < 3; ++c)
@@ -168,8 +159,8 @@ TEST(TriharmonicValues, AreTheValuesOfTheSums) {
         for (const base::InstructionSet set : instruction_sets()) {
             std::vector<double> found(points.size() + 1, before);
             found.back() = untouched;
-            implicit::triharmonic_values_of(set)(sources(data), points.x.data(), points.y.data(), points.z.data(),
-                                                 found.data(), count);
+            implicit::triharmonic_values_of(set)(implicit::sources_of(data), points.x.data(), points.y.data(),
+                                                 points.z.data(), found.data(), count);
             expect_sums(found, expected.value, points.size(), base::name(set));
         }
     }

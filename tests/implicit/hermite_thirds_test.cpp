@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/hermite_thirds.h"
 
+#include "implicit/hrbf_block.h"
+
 #include "fields.h"
 #include "implicit/scaled.h"
 #include "implicit/shape_source.h"
@@ -68,17 +70,6 @@ implicit::HrbfData make(base::Memory& memory, kernel::Kind kind, int centres, st
     return data;
 }
 
-implicit::Sources sources(const implicit::HrbfData& data) {
-    return {data.centre_position.x.data(),
-            data.centre_position.y.data(),
-            data.centre_position.z.data(),
-            data.alpha.data(),
-            data.beta.x.data(),
-            data.beta.y.data(),
-            data.beta.z.data(),
-            data.count()};
-}
-
 // The first and every fifth one are centres.
 Points points_of(const implicit::HrbfData& data, int count) {
     Points points;
@@ -115,17 +106,17 @@ TEST_P(HermiteThirds, AreThePlainOnesForAnyCountAndCut) {
     for (const std::size_t count : {1U, 2U, 3U, 5U, 8U, 9U, 16U, 67U}) {
         const Points points = points_of(data, static_cast<int>(count));
         Thirds plain(count);
-        implicit::add_hermite_thirds_plainly(GetParam(), data.kernel_radius, smoothing(), sources(data),
+        implicit::add_hermite_thirds_plainly(GetParam(), data.kernel_radius, smoothing(), implicit::sources_of(data),
                                              plain.targets(points, 0, count));
         for (const base::InstructionSet set : instruction_sets()) {
             Thirds found(count);
             const implicit::AddHermiteThirds add = implicit::hermite_thirds(set, GetParam());
-            add(data.kernel_radius, smoothing(), sources(data), found.targets(points, 0, count));
+            add(data.kernel_radius, smoothing(), implicit::sources_of(data), found.targets(points, 0, count));
             expect_near(found.hessian, plain.hessian, 1e-12, base::name(set));
             expect_near(found.third, plain.third, 1e-12, base::name(set));
             Thirds apart(count);
             for (std::size_t begin = 0; begin < count; begin += 3)
-                add(data.kernel_radius, smoothing(), sources(data),
+                add(data.kernel_radius, smoothing(), implicit::sources_of(data),
                     apart.targets(points, begin, std::min(count, begin + 3)));
             EXPECT_EQ(found, apart) << base::name(set);
         }
@@ -140,13 +131,13 @@ TEST_P(HermiteThirds, HessiansAreTheFunctionsAndThirdsTheirDifferences) {
     test::Fields fields(points.size());
     implicit::evaluate(data, points.batch(), fields.all());
     Thirds bare(points.size());
-    implicit::add_hermite_thirds_plainly(GetParam(), data.kernel_radius, 0.0, sources(data),
+    implicit::add_hermite_thirds_plainly(GetParam(), data.kernel_radius, 0.0, implicit::sources_of(data),
                                          bare.targets(points, 0, points.size()));
     expect_near(bare.hessian, fields.hessian, 1e-12, "bare");
 
     const double h = 1e-4;
     Thirds at(points.size());
-    implicit::add_hermite_thirds_plainly(GetParam(), data.kernel_radius, smoothing(), sources(data),
+    implicit::add_hermite_thirds_plainly(GetParam(), data.kernel_radius, smoothing(), implicit::sources_of(data),
                                          at.targets(points, 0, points.size()));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::array<Thirds, 2> moved = {Thirds(points.size()), Thirds(points.size())};
@@ -154,7 +145,7 @@ TEST_P(HermiteThirds, HessiansAreTheFunctionsAndThirdsTheirDifferences) {
             Points shifted = points;
             for (double& x : axis == 0 ? shifted.x : axis == 1 ? shifted.y : shifted.z) x += side == 0 ? -h : h;
             implicit::add_hermite_thirds_plainly(
-                GetParam(), data.kernel_radius, smoothing(), sources(data),
+                GetParam(), data.kernel_radius, smoothing(), implicit::sources_of(data),
                 moved[static_cast<std::size_t>(side)].targets(shifted, 0, points.size()));
         }
         for (std::size_t c = 0; c < 10; ++c) {
