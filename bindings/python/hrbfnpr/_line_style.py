@@ -2,17 +2,15 @@
 """Styles of lines: contours and feature lines as curves."""
 from __future__ import annotations
 
-from typing import Any, Dict, Mapping, Optional, Sequence, Tuple
+from typing import Any, Dict, Optional, Sequence, Tuple
 
 from ._arrays import block_in
-from ._errors import new_struct
-from ._fields import Attributes, choice, color_field, number
-from ._layer import c_name
-from ._library import ffi
+from ._fields import choice, color_field, number
+from ._kind_style import KindStyle
 from ._names import CAPS, HIDDEN_PARTS, LINE_KINDS
 
 
-class LineStyle(Attributes):
+class LineStyle(KindStyle):
     """How the lines of one kind are drawn, of items that have a `LineSet`; an element of `Style.lines`.
 
     Parameters
@@ -42,24 +40,13 @@ class LineStyle(Attributes):
     upper = number("... and is drawn if it is this somewhere.")
     ink = color_field("Straight RGBA in [0, 1], or '#rrggbb'.")
 
+    _c_type = "hrbfnpr_line_style"
+
     def __init__(
         self, kind: str = "contour", name: Optional[str] = None, levels: Sequence[float] = (), **fields: Any
     ) -> None:
-        self._struct = new_struct("hrbfnpr_line_style")
-        self.kind = kind
-        self.name = name
+        super().__init__(kind, name, fields)
         self.levels = tuple(levels)
-        for field, value in fields.items():
-            setattr(self, field, value)
-
-    @property
-    def name(self) -> Optional[str]:
-        """Of lines that are found once: those that are called so; None: whatever they are called."""
-        return self._name
-
-    @name.setter
-    def name(self, value: Optional[str]) -> None:
-        self._name = value
 
     @property
     def levels(self) -> Tuple[float, ...]:
@@ -70,44 +57,11 @@ class LineStyle(Attributes):
     def levels(self, value: Sequence[float]) -> None:
         self._levels = tuple(float(level) for level in value)
 
-    @classmethod
-    def _from_struct(cls, struct: Any) -> LineStyle:
-        made = cls()
-        made._struct[0] = struct
-        made._struct.struct_size = ffi.sizeof("hrbfnpr_line_style")
-        made._name = None if struct.name == ffi.NULL else ffi.string(struct.name).decode()
-        made._struct.name = ffi.NULL
-        return made
-
-    def copy(self, **fields: Any) -> LineStyle:
-        """Another one like this, with some fields changed."""
-        return LineStyle(**{**self._values(), **fields})
-
     def _values(self) -> Dict[str, Any]:
-        fields = {name: getattr(self, name) for name in self.fields()}
-        return {"name": self.name, "levels": self.levels, **fields}
+        return {**super()._values(), "levels": self.levels}
 
     def _fill(self, target: Any) -> Any:
-        """Write a hrbfnpr_line_style; returns what must be kept alive."""
-        target[0] = self._struct[0]
-        keep = [c_name(target, self._name)]
+        keep = [super()._fill(target)]
         if self._levels:
             keep.append(block_in("levels", self._levels, 1, "d").fill(target.levels))
         return keep
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, LineStyle) and self._values() == other._values()
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __reduce__(self) -> Any:
-        return _restore, (self._values(),)
-
-    def __repr__(self) -> str:
-        base = LineStyle()._values()
-        changed = [f"{k}={v!r}" for k, v in self._values().items() if v != base[k] and k != "kind"]
-        return f"LineStyle({', '.join([repr(self.kind), *changed])})"
-
-
-def _restore(values: Mapping[str, Any]) -> LineStyle:
-    return LineStyle(**values)

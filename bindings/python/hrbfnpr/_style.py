@@ -8,7 +8,8 @@ from ._arrays import Array, store, vector
 from ._callbacks import CallbackState, callback
 from ._errors import check, new_error, new_struct
 from ._fields import Attributes, Color, Field, choice, color_field, flag, number
-from ._layer import c_name, new_list
+from ._kind_style import KindStyle
+from ._layer import new_list
 from ._library import ffi, lib
 from ._line_style import LineStyle
 from ._names import (
@@ -38,7 +39,7 @@ def _directions(name: str, value: Union[int, str, Iterable[str]]) -> int:
     return sum({number_of(name, names, part) for part in ([value] if isinstance(value, str) else value)})
 
 
-class LayerStyle(Attributes):
+class LayerStyle(KindStyle):
     """How layers of marks are drawn; an element of `Style.layers`.
 
     Parameters
@@ -65,62 +66,13 @@ class LayerStyle(Attributes):
     radius_zoom = number("0: radius is in pixels at any zoom; 1: grows with the zoom; or between.")
     ink = color_field("Straight RGBA in [0, 1], or '#rrggbb'.")
 
+    _c_type = "hrbfnpr_layer_style"
+
     def __init__(self, kind: str = "any", name: Optional[str] = None, **fields: Any) -> None:
-        self._struct = new_struct("hrbfnpr_layer_style")
-        self.kind = kind
-        self.name = name
-        for field, value in fields.items():
-            setattr(self, field, value)
-
-    @property
-    def name(self) -> Optional[str]:
-        """... and are called so; None: whatever they are called."""
-        return self._name
-
-    @name.setter
-    def name(self, value: Optional[str]) -> None:
-        self._name = value
-
-    @classmethod
-    def _from_struct(cls, struct: Any) -> LayerStyle:
-        made = cls()
-        made._struct[0] = struct
-        made._struct.struct_size = ffi.sizeof("hrbfnpr_layer_style")
-        made._name = None if struct.name == ffi.NULL else ffi.string(struct.name).decode()
-        made._struct.name = ffi.NULL
-        return made
-
-    def copy(self, **fields: Any) -> LayerStyle:
-        """Another one like this, with some fields changed."""
-        return LayerStyle(**{**self._values(), **fields})
-
-    def _values(self) -> Dict[str, Any]:
-        return {"name": self.name, **{name: getattr(self, name) for name in self.fields()}}
+        super().__init__(kind, name, fields)
 
     def _is_for(self, kind: str, name: Optional[str]) -> bool:
         return self.kind in ("any", kind) and self.name in (None, name)
-
-    def _fill(self, target: Any) -> Any:
-        """Write a hrbfnpr_layer_style; returns what must be kept alive."""
-        target[0] = self._struct[0]
-        return c_name(target, self._name)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, LayerStyle) and self._values() == other._values()
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __reduce__(self) -> Any:
-        return _restore_layer, (self._values(),)
-
-    def __repr__(self) -> str:
-        base = LayerStyle()._values()
-        changed = [f"{k}={v!r}" for k, v in self._values().items() if v != base[k] and k != "kind"]
-        return f"LayerStyle({', '.join([repr(self.kind), *changed])})"
-
-
-def _restore_layer(values: Mapping[str, Any]) -> LayerStyle:
-    return LayerStyle(**values)
 
 
 class Style(Attributes):

@@ -35,7 +35,7 @@ class Wanted(NamedTuple):
 
     kind: str
     axis: int = 2
-    count: int = 10
+    planes: int = 10
     levels: Tuple[float, ...] = (0.25, 0.5, 0.75)
 
 
@@ -113,7 +113,7 @@ def make(arguments: Any, model: Model, style: Style, context: Context, report: R
 def _once(wanted: Wanted, model: Model, arguments: Any) -> Lines:
     if wanted.kind == "section":
         low, high = (corner[wanted.axis] for corner in model.bounds)
-        places = low + (high - low) * (np.arange(wanted.count) + 0.5) / wanted.count
+        places = low + (high - low) * (np.arange(wanted.planes) + 0.5) / wanted.planes
         return Lines("section", levels=list(places), plane=np.eye(3)[wanted.axis])
     if wanted.kind == "crease":
         return Lines("own", "crease", polylines=creases(shapes.read(Path(arguments.input))))

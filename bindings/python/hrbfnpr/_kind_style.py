@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""What styles of one kind of layers or lines have in common."""
+from __future__ import annotations
+
+from typing import Any, Dict, Mapping, Optional, Type, TypeVar
+
+from ._errors import new_struct
+from ._fields import Attributes, Field
+from ._layer import c_name
+from ._library import ffi
+
+Made = TypeVar("Made", bound="KindStyle")
+
+
+class KindStyle(Attributes):
+    """A value that names what it is for by a kind and a name."""
+
+    _c_type: str
+    kind: Field[str, str]
+
+    def __init__(self, kind: str, name: Optional[str], fields: Mapping[str, Any]) -> None:
+        self._struct = new_struct(self._c_type)
+        self.kind = kind
+        self.name = name
+        for field, value in fields.items():
+            setattr(self, field, value)
+
+    @property
+    def name(self) -> Optional[str]:
+        """Only those that are called so; None: whatever they are called."""
+        return self._name
+
+    @name.setter
+    def name(self, value: Optional[str]) -> None:
+        self._name = value
+
+    @classmethod
+    def _from_struct(cls: Type[Made], struct: Any) -> Made:
+        made = cls()  # type: ignore[call-arg]
+        made._struct[0] = struct
+        made._struct.struct_size = ffi.sizeof(cls._c_type)
+        made._name = None if struct.name == ffi.NULL else ffi.string(struct.name).decode()
+        made._struct.name = ffi.NULL
+        return made
+
+    def copy(self: Made, **fields: Any) -> Made:
+        """Another one like this, with some fields changed."""
+        return type(self)(**{**self._values(), **fields})
+
+    def _values(self) -> Dict[str, Any]:
+        return {"name": self.name, **{name: getattr(self, name) for name in self.fields()}}
+
+    def _fill(self, target: Any) -> Any:
+        """Write the C struct; returns what must be kept alive."""
+        target[0] = self._struct[0]
+        return c_name(target, self._name)
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and self._values() == other._values()  # type: ignore[attr-defined]
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> Any:
+        return _restore, (type(self), self._values())
+
+    def __repr__(self) -> str:
+        base = type(self)()._values()  # type: ignore[call-arg]
+        changed = [f"{k}={v!r}" for k, v in self._values().items() if v != base[k] and k != "kind"]
+        return f"{type(self).__name__}({', '.join([repr(self.kind), *changed])})"
+
+
+def _restore(made: Type[Made], values: Mapping[str, Any]) -> Made:
+    return made(**values)
