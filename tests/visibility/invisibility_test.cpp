@@ -91,6 +91,18 @@ TEST(Invisibility, CirclesThatOverlap) {
     }
 }
 
+void expect_right_from_everywhere(Stage& stage, const std::vector<glm::dvec3>& directions, double distance,
+                                  int places) {
+    int compared = 0;
+    for (const Eye& eye : test::eyes(directions, distance)) {
+        SCOPED_TRACE(named(eye));
+        Picture picture(runtime(), stage, eye);
+        picture.find();
+        compared += expect_right(picture, places);
+    }
+    EXPECT_GT(compared, 2000);
+}
+
 TEST(Invisibility, TorusFromEverywhere) {
     const test::Torus torus(1.0, 0.4);
     Stage stage;
@@ -132,14 +144,7 @@ TEST(Invisibility, TwoHolesFromEverywhere) {
     const test::TwoHoles surface;
     Stage stage;
     add(runtime(), stage, surface, {1.05, 0.1, 0.0}, 0.04);
-    int compared = 0;
-    for (const Eye& eye : test::eyes(cube_directions(0.05), 3.0)) {
-        SCOPED_TRACE(named(eye));
-        Picture picture(runtime(), stage, eye);
-        picture.find();
-        compared += expect_right(picture, 45);
-    }
-    EXPECT_GT(compared, 2000);
+    expect_right_from_everywhere(stage, cube_directions(0.05), 3.0, 45);
 }
 
 // Turned, stretched and mirrored, each partly before and behind the others.
@@ -158,14 +163,7 @@ TEST(Invisibility, ItemsWithTransforms) {
     for (const std::unique_ptr<Actor>& actor : stage)
         mirrored += glm::determinant(glm::dmat3(actor->to_world)) < 0.0 ? 1 : 0;
     ASSERT_EQ(mirrored, 2);
-    int compared = 0;
-    for (const Eye& eye : test::eyes(cube_directions(0.1), 5.0)) {
-        SCOPED_TRACE(named(eye));
-        Picture picture(runtime(), stage, eye);
-        picture.find();
-        compared += expect_right(picture, 50);
-    }
-    EXPECT_GT(compared, 2000);
+    expect_right_from_everywhere(stage, cube_directions(0.1), 5.0, 50);
 }
 
 // Each lies before and behind the other.
@@ -175,14 +173,7 @@ TEST(Invisibility, LinkedItems) {
     add(runtime(), stage, torus, {1.3, 0.0, 0.0}, 0.1);
     add(runtime(), stage, torus, {1.3, 0.0, 0.0}, 0.1,
         affine({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {1.0, 0.05, 0.02})); // mirrors
-    int compared = 0;
-    for (const Eye& eye : test::eyes(cube_directions(0.1), 5.0)) {
-        SCOPED_TRACE(named(eye));
-        Picture picture(runtime(), stage, eye);
-        picture.find();
-        compared += expect_right(picture, 50);
-    }
-    EXPECT_GT(compared, 2000);
+    expect_right_from_everywhere(stage, cube_directions(0.1), 5.0, 50);
 }
 
 // Swallowtails of a torus, from those that are just born to those that can be seen: four cusps come at once.  What is
