@@ -368,14 +368,16 @@ void LocalField::add(std::int32_t cube, const Targets& t) const noexcept {
                               samples(cell, t.x, t.y, t.z, t.count), t.value, gradient);
 }
 
-void LocalField::add_hessians(std::int32_t cube, const HessianTargets& t) const noexcept {
+void LocalField::add_jets(std::int32_t cube, const JetTargets& t) const noexcept {
     const Cell& cell = cells_[cube];
-    const AddHermiteHessians add_sums = hermite_hessians(set_, kernel::Kind::triharmonic);
-    for (std::int64_t k = cell.near_begin; k < cell.near_end; ++k)
-        add_sums(0.0, sources_.sources(near_[k].begin, near_[k].end), t);
+    triharmonic_jets_of(set_)(sources_.sources(0, sources_.tree().points().size()), near_.data() + cell.near_begin,
+                              cell.near_end - cell.near_begin, t);
     if (cell.terms < 0) return;
-    cube_loops(set_).hessian(sources_.basis(cell.level).degree(), terms_.data() + cell.terms,
-                             samples(cell, t.x, t.y, t.z, t.count), t.hessian);
+    const CubeLoops loops = cube_loops(set_);
+    const int degree = sources_.basis(cell.level).degree();
+    const CubeSamples at = samples(cell, t.x, t.y, t.z, t.count);
+    loops.evaluate(degree, terms_.data() + cell.terms, at, t.value, t.gradient);
+    loops.hessian(degree, terms_.data() + cell.terms, at, t.hessian);
 }
 
 std::int64_t LocalField::bytes() const noexcept {

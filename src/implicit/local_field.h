@@ -6,7 +6,7 @@
 #pragma once
 
 #include "implicit/cube_loops.h"
-#include "implicit/hermite_hessians.h"
+#include "implicit/hermite_jets.h"
 #include "implicit/source_tree.h"
 
 #include <array>
@@ -38,9 +38,9 @@ public:
     [[nodiscard]] std::int32_t cube_of(const glm::dvec3& point) const noexcept;
     [[nodiscard]] std::int64_t cubes() const noexcept { return cells_.size(); }
 
-    // Add the sums, or their Hessians, at places in the cube.  Thread-safe.
+    // Add the sums, or them and their Hessians, at places in the cube.  Thread-safe.
     void add(std::int32_t cube, const Targets& targets) const noexcept;
-    void add_hessians(std::int32_t cube, const HessianTargets& targets) const noexcept;
+    void add_jets(std::int32_t cube, const JetTargets& targets) const noexcept;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
@@ -60,10 +60,6 @@ private:
             return first_child + bits_of_byte[octants & ((1U << octant) - 1U)];
         }
     };
-    struct Range {
-        std::int64_t begin; // of centres in the tree's order
-        std::int64_t end;
-    };
     class Builder;
 
     [[nodiscard]] glm::dvec3 centre(const Cell& cell) const noexcept;
@@ -73,7 +69,7 @@ private:
     base::InstructionSet set_;
     SourceTree sources_;
     base::Array<Cell> cells_; // level by level
-    base::Array<Range> near_;
+    base::Array<SourceRange> near_; // of centres in the tree's order
     base::Array<double> terms_;
 };
 

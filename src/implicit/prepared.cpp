@@ -94,10 +94,16 @@ void Prepared::evaluate_cell(std::int32_t cell, const PointBatch& points, const 
     for (std::int64_t begin = 0; begin < points.count; begin += block_size) {
         const std::int64_t count = std::min(block_size, points.count - begin);
         start(data_, slice(points, begin, begin + count), block);
-        if (fields.value != nullptr || fields.wants_gradient())
-            field_.add(cell, {block.x, block.y, block.z, block.value, g[0], g[1], g[2], count});
         if (fields.wants_hessian())
-            field_.add_hessians(cell, {block.x, block.y, block.z, {h[0], h[1], h[2], h[3], h[4], h[5]}, count});
+            field_.add_jets(cell, {block.x,
+                                   block.y,
+                                   block.z,
+                                   block.value,
+                                   {g[0], g[1], g[2]},
+                                   {h[0], h[1], h[2], h[3], h[4], h[5]},
+                                   count});
+        else
+            field_.add(cell, {block.x, block.y, block.z, block.value, g[0], g[1], g[2], count});
         finish(data_, block, count, fields.from(begin));
     }
 }

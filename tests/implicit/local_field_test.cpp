@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 #include "fields.h"
+#include "implicit/hermite_hessians.h"
 
 #include <gtest/gtest.h>
 
@@ -68,22 +69,28 @@ Error largest_error(const base::Runtime& runtime, const Sources& sources, const 
         const glm::dvec3 p = sources.position[i] + 1.5 * glm::dvec3(scatter(k), scatter(k + 1), scatter(k + 2));
         const std::int32_t cube = field.cube_of(p);
         if (cube < 0) continue;
-        double found[10] = {};
+        double found[4] = {};
+        double jet[10] = {};
         double expected[10] = {};
-        for (double* to : {found, expected}) {
-            const implicit::Targets t{&p.x, &p.y, &p.z, to, to + 1, to + 2, to + 3, 1};
-            const implicit::HessianTargets h{&p.x, &p.y, &p.z, {to + 4, to + 5, to + 6, to + 7, to + 8, to + 9}, 1};
-            if (to == found) {
-                field.add(cube, t);
-                field.add_hessians(cube, h);
-            } else {
-                sums(0.0, sources.all(), t);
-                hessians(0.0, sources.all(), h);
-            }
-        }
-        error.value = std::max(error.value, std::abs(found[0] - expected[0]));
-        for (int c = 1; c < 4; ++c) error.gradient = std::max(error.gradient, std::abs(found[c] - expected[c]));
-        for (int c = 4; c < 10; ++c) error.hessian = std::max(error.hessian, std::abs(found[c] - expected[c]));
+        field.add(cube, {&p.x, &p.y, &p.z, found, found + 1, found + 2, found + 3, 1});
+        field.add_jets(cube, {&p.x,
+                              &p.y,
+                              &p.z,
+                              jet,
+                              {jet + 1, jet + 2, jet + 3},
+                              {jet + 4, jet + 5, jet + 6, jet + 7, jet + 8, jet + 9},
+                              1});
+        sums(0.0, sources.all(), {&p.x, &p.y, &p.z, expected, expected + 1, expected + 2, expected + 3, 1});
+        hessians(0.0, sources.all(),
+                 {&p.x,
+                  &p.y,
+                  &p.z,
+                  {expected + 4, expected + 5, expected + 6, expected + 7, expected + 8, expected + 9},
+                  1});
+        const auto off = [&](const double* of, int c) { return std::abs(of[c] - expected[c]); };
+        error.value = std::max({error.value, off(found, 0), off(jet, 0)});
+        for (int c = 1; c < 4; ++c) error.gradient = std::max({error.gradient, off(found, c), off(jet, c)});
+        for (int c = 4; c < 10; ++c) error.hessian = std::max(error.hessian, off(jet, c));
     }
     double all = 0.0;
     for (std::int64_t j = 0; j < sources.position.size(); ++j) {
