@@ -1,17 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/events.h"
 
+#include <algorithm>
+
 namespace hrbfnpr::visibility {
 
-Lengths::Lengths(base::Memory& memory, const ImageLines& lines) : length_(memory, lines.pieces.size() + 1) {
-    for (const Line& line : lines.lines)
-        for (std::int64_t p = line.first_point; p + 1 < line.first_point + line.points; ++p)
-            length_[lines.points[p].piece + 1] += glm::distance(lines.points[p].place, lines.points[p + 1].place);
-    for (std::int64_t i = 0; i + 1 < length_.size(); ++i) length_[i + 1] += length_[i];
+Lengths::Lengths(base::Memory& memory, const ImageLines& lines)
+    : lines_(lines), length_(memory, lines.points.size()), first_(memory, lines.pieces.size()) {
+    double all = 0.0;
+    for (const Line& line : lines.lines) {
+        const std::int64_t end = line.first_point + line.points;
+        for (std::int64_t p = line.first_point; p < end; ++p) {
+            if (p > line.first_point) all += glm::distance(lines.points[p - 1].place, lines.points[p].place);
+            length_[p] = all;
+        }
+        for (std::int64_t p = end - 2; p >= line.first_point; --p) first_[lines.points[p].piece] = p;
+    }
 }
 
-// At a cusp the curve goes on behind its own surface where it turns away from the eye, and comes out where it turns
-// to it.
+// Along the chord that the share lies on: the image of a cubic is not passed at one speed, least of all at a cusp.
+double Lengths::at(const Line& line, std::int64_t piece, double share) const noexcept {
+    const bool last = piece + 1 == line.first_piece + line.pieces;
+    const std::int64_t end = last ? line.first_point + line.points - 1 : first_[piece + 1];
+    const ImagePoint* const begin = lines_.points.data() + first_[piece];
+    const ImagePoint* const next = std::upper_bound(begin + 1, lines_.points.data() + end, share,
+                                                    [](double s, const ImagePoint& p) { return s < p.share; });
+    const std::int64_t p = next - 1 - lines_.points.data();
+    const double from = lines_.points[p].share;
+    const double to = p + 1 == end ? 1.0 : lines_.points[p + 1].share;
+    const double on_chord = to > from ? std::clamp((share - from) / (to - from), 0.0, 1.0) : 0.0;
+    return length_[p] + on_chord * (length_[p + 1] - length_[p]) - length_[line.first_point];
+}
+
 Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
                       const base::Array<Crossing>& crossings, const Lengths& lengths) {
     Events events(memory);

@@ -17,21 +17,21 @@ struct Event {
     float sine = 0.0F;       // of the angle to the line that crosses; 0 of a cusp
 };
 
-// Lengths along the images of lines.
+// Lengths along the images of lines, which must outlive it.
 class Lengths {
 public:
     Lengths(base::Memory& memory, const ImageLines& lines);
 
     // From the line's begin, pixels.
-    [[nodiscard]] double at(const Line& line, std::int64_t piece, double share) const noexcept {
-        return length_[piece] + share * (length_[piece + 1] - length_[piece]) - length_[line.first_piece];
-    }
+    [[nodiscard]] double at(const Line& line, std::int64_t piece, double share) const noexcept;
     [[nodiscard]] double whole(const Line& line) const noexcept {
-        return length_[line.first_piece + line.pieces] - length_[line.first_piece];
+        return length_[line.first_point + line.points - 1] - length_[line.first_point];
     }
 
 private:
-    base::Array<double> length_; // up to each piece, over all lines
+    const ImageLines& lines_;
+    base::Array<double> length_;      // up to each point of the image, over all lines
+    base::Array<std::int64_t> first_; // point of each piece
 };
 
 // Of all lines, line by line, along each.
