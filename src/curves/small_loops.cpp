@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "curves/small_loops.h"
 
+#include "base/list.h"
 #include "geometry/tangent_frame.h"
 
-#include <atomic>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hrbfnpr::curves {
@@ -19,45 +21,73 @@ constexpr double longest_step = 0.5;
 constexpr double farthest = 1.5;
 constexpr int most_steps = 5;
 
-// Whether |g| is least at a vertex among its neighbours, and none of these has the other sign.
-base::Array<std::uint8_t> find_least(const base::Runtime& runtime, const SurfaceMesh& mesh,
-                                     const base::Array<double>& level) {
-    base::Array<std::uint8_t> least(runtime.memory, mesh.vertices());
-    std::fill(least.begin(), least.end(), std::uint8_t{1});
-    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
-        const auto exclude = [&](std::int32_t v) {
-            std::atomic_ref<std::uint8_t>(least[v]).store(0, std::memory_order_relaxed);
-        };
-        for (std::int64_t t = begin; t < end; ++t) {
-            for (std::int64_t k = 0; k < 3; ++k) {
-                const std::int32_t a = mesh.corner[3 * t + k];
-                const std::int32_t b = mesh.corner[3 * t + (k + 1) % 3];
-                const bool apart = (level[a] < 0.0) != (level[b] < 0.0);
-                if (apart || std::abs(level[a]) > std::abs(level[b])) exclude(a);
-                if (apart || std::abs(level[b]) > std::abs(level[a])) exclude(b);
-            }
-        }
-    });
-    return least;
+std::int64_t corner_of(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex) noexcept {
+    std::int64_t k = 0;
+    while (mesh.corner[3 * triangle + k] != vertex) ++k;
+    return k;
 }
 
-// Of the least ones those that are low, ascending.
+// Whether `holds` does for all neighbours of a triangle's corner: around it over the edges that begin there, and at a
+// border also the other way.
+template <class Holds>
+bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex, Holds&& holds) {
+    for (const std::int64_t over : {0, 2}) {
+        std::int64_t t = triangle;
+        do {
+            const std::int64_t k = corner_of(mesh, t, vertex);
+            if (!holds(mesh.corner[3 * t + (k + 1) % 3]) || !holds(mesh.corner[3 * t + (k + 2) % 3])) return false;
+            t = mesh.neighbour[3 * t + (k + over) % 3];
+        } while (t >= 0 && t != triangle);
+        if (t >= 0) break;
+    }
+    return true;
+}
+
+// Whether g has one sign in a triangle, and |g| is low at a corner beside another.
+bool is_low(double a, double b, double c) noexcept {
+    const double least = std::min({a, b, c});
+    const double most = std::max({a, b, c});
+    const double lower = least >= 0.0 ? least : -most; // of |g|; negative where the signs differ
+    const double upper = least >= 0.0 ? most : -least;
+    return lower >= 0.0 && lower < low * (upper - lower);
+}
+
+// The corner where |g| is least.
+std::int32_t least_corner(const SurfaceMesh& mesh, const base::Array<double>& level, std::int64_t triangle) noexcept {
+    const std::int32_t* const v = mesh.corner.data() + 3 * triangle;
+    return *std::min_element(v, v + 3,
+                             [&](std::int32_t a, std::int32_t b) { return std::abs(level[a]) < std::abs(level[b]); });
+}
+
+// Whether |g| is nowhere less among a vertex' neighbours, and none of these has the other sign.
+bool is_least(const SurfaceMesh& mesh, const base::Array<double>& level, std::int64_t triangle, std::int32_t vertex) {
+    const double here = level[vertex];
+    return all_neighbours(mesh, triangle, vertex, [&](std::int32_t other) {
+        return (level[other] < 0.0) == (here < 0.0) && std::abs(level[other]) >= std::abs(here);
+    });
+}
+
+// Vertices where |g| is least and low, ascending.
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
-    const base::Array<std::uint8_t> least = find_least(runtime, mesh, level);
-    base::Array<double> rise(runtime.memory, mesh.vertices());
-    for (std::int64_t i = 0; i < mesh.corner.size(); ++i) {
-        const std::int32_t v = mesh.corner[i];
-        if (least[v] == 0) continue;
-        for (std::int64_t k = 1; k < 3; ++k) {
-            const std::int32_t other = mesh.corner[i - i % 3 + (i + k) % 3];
-            rise[v] = std::max(rise[v], std::abs(level[other]) - std::abs(level[v]));
+    const std::int64_t tasks = (mesh.triangles() + triangles_a_task - 1) / triangles_a_task;
+    base::List<base::Array<std::int32_t>> found(runtime.memory);
+    for (std::int64_t task = 0; task < tasks; ++task) found.add(base::Array<std::int32_t>(runtime.memory));
+    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<std::int32_t>& here = found[begin / triangles_a_task];
+        for (std::int64_t t = begin; t < end; ++t) {
+            const std::int32_t* const v = mesh.corner.data() + 3 * t;
+            if (!is_low(level[v[0]], level[v[1]], level[v[2]])) continue;
+            const std::int32_t lowest = least_corner(mesh, level, t);
+            if (is_least(mesh, level, t, lowest)) here.push_back(lowest);
         }
-    }
-    base::Array<std::int32_t> found(runtime.memory);
-    for (std::int64_t v = 0; v < mesh.vertices(); ++v)
-        if (least[v] != 0 && std::abs(level[v]) < low * rise[v]) found.push_back(static_cast<std::int32_t>(v));
-    return found;
+    });
+    base::Array<std::int32_t> all(runtime.memory);
+    for (const base::Array<std::int32_t>& some : found)
+        for (const std::int32_t v : some) all.push_back(v);
+    std::sort(all.begin(), all.end());
+    all.resize(std::unique(all.begin(), all.end()) - all.begin());
+    return all;
 }
 
 // On the way to an extremum.
