@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "curves/curve_points.h"
 
+#include "implicit/evaluate_all.h"
+
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace hrbfnpr::curves {
 namespace {
 
 // Small enough for two threads to share a few hundred points, and several vectors long.
-constexpr std::int64_t points_a_task = 64;
+constexpr std::int64_t points_a_task = 32;
 
 using Column = std::array<double, static_cast<std::size_t>(points_a_task)>;
 
-void evaluate_some(const Level& level, CurvePoint* points, std::int64_t count) {
+// Points from all over, side by side.
+void evaluate_some(const Level& level, CurvePoint* points, const std::int32_t* order, std::int64_t count) {
     std::array<Column, 3> place;
     std::array<Column, 8> out;
     for (std::int64_t i = 0; i < count; ++i)
         for (int c = 0; c < 3; ++c)
-            place[static_cast<std::size_t>(c)][static_cast<std::size_t>(i)] = points[i].position[c];
+            place[static_cast<std::size_t>(c)][static_cast<std::size_t>(i)] = points[order[i]].position[c];
     level.evaluate({place[0].data(), place[1].data(), place[2].data(), count},
                    {out[0].data(),
                     {out[1].data(), out[2].data(), out[3].data()},
@@ -25,12 +29,27 @@ void evaluate_some(const Level& level, CurvePoint* points, std::int64_t count) {
                     {out[5].data(), out[6].data(), out[7].data()}});
     for (std::int64_t i = 0; i < count; ++i) {
         const auto lane = static_cast<std::size_t>(i);
-        CurvePoint& p = points[i];
+        CurvePoint& p = points[order[i]];
         p.value = out[0][lane];
         p.gradient = {out[1][lane], out[2][lane], out[3][lane]};
         p.level = out[4][lane];
         p.level_gradient = {out[5][lane], out[6][lane], out[7][lane]};
     }
+}
+
+// Cell by cell where the surface has cells and that pays; else as they come.
+base::Array<std::int32_t> order_of(const base::Runtime& runtime, const Level& level,
+                                   const base::Array<CurvePoint>& points) {
+    base::Array<std::int32_t> order(runtime.memory);
+    if (points.size() > points_a_task) {
+        geometry::VecArray places(runtime.memory, points.size());
+        for (std::int64_t i = 0; i < points.size(); ++i) places.set(i, points[i].position);
+        order = implicit::order_by_cell(runtime, level.surface(), places);
+    }
+    if (!order.empty()) return order;
+    order.resize(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    return order;
 }
 
 // A point on its way.
@@ -55,9 +74,10 @@ glm::dvec3 CurvePoint::newton_step() const noexcept {
 void evaluate(const base::Runtime& runtime, const Level& level, base::Array<CurvePoint>& points,
               const base::Progress& progress) {
     const base::Parallel threads = level.surface().threads(runtime.parallel);
+    const base::Array<std::int32_t> order = order_of(runtime, level, points);
     threads.for_chunks(points.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        evaluate_some(level, points.data() + begin, end - begin);
+        evaluate_some(level, points.data(), order.data() + begin, end - begin);
     });
 }
 

@@ -10,12 +10,12 @@
 namespace hrbfnpr::curves {
 namespace {
 
-enum class End : std::uint8_t { none, at_start, border, broken };
+enum class End : std::uint8_t { none, at_run, border, broken };
 
 // One that is being followed.
 struct Path {
-    std::int64_t start;
-    double sense; // 1, or -1 backwards
+    std::int64_t start; // its run
+    double sense;       // 1, or -1 backwards
     CurvePoint last;
     glm::dvec3 tangent;   // unit, in its sense
     glm::dvec3 bend{0.0}; // change of the tangent along the last step, by length
@@ -24,7 +24,8 @@ struct Path {
     glm::dvec3 predicted{0.0};
     int iteration = 0;
     std::int32_t steps = 0, evaluations = 0;
-    std::int64_t met = -1; // the start that it came to
+    std::int64_t met = -1;      // the run that it came to
+    std::int64_t met_point = 0; // ... and where: at its first point, or behind it if the ends overlapped
     End end = End::none;
 };
 
@@ -38,11 +39,7 @@ constexpr int most_iterations = 5;
 // Where a corrector's step is below this share of the curve's, the one that follows is nothing: below 1e-6 sides, since
 // rays to points that are farther off the surface cross it beside them.
 constexpr double converged = 1e-3;
-// In sides of the mesh: where steps are shorter, a curve may have a kink, since the Hessian of a Hermite sum jumps at
-// each sample.
-constexpr double kink = 2e-3;
-constexpr double sharpest = 1.2;
-// A start is met within this share of the step beside the curve.
+// A point is met within this share of the step beside the curve.
 constexpr double beside = 0.05;
 constexpr std::int32_t fewest_steps_of_loop = 3;
 
@@ -50,39 +47,53 @@ glm::dvec3 unit_direction(const CurvePoint& p, double sense) noexcept { return s
 
 class Follower {
 public:
-    Follower(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-             const base::Array<CurvePoint>& starts, const TraceSettings& settings)
-        : runtime_(runtime), level_(level), mesh_(mesh), starts_(starts), settings_(settings), paths_(runtime.memory),
-          passed_(runtime.memory), grid_(places(), (settings.longest * 0.75) * mesh.side) {}
+    Follower(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const Curves& runs,
+             const TraceSettings& settings)
+        : runtime_(runtime), level_(level), mesh_(mesh), runs_(runs), settings_(settings), paths_(runtime.memory),
+          passed_(runtime.memory), targets_(open_points()), grid_(places(), (settings.longest * 0.75) * mesh.side) {}
 
-    // Follows one path from each of these starts.
+    // Follows one path from each of these runs: from its last point, or backwards from its first.
     void run(const base::Array<std::int64_t>& from, double sense, TraceReport& report, const base::Progress& progress);
     [[nodiscard]] const base::Array<Path>& paths() const noexcept { return paths_; }
     [[nodiscard]] const base::Array<Passed>& passed() const noexcept { return passed_; }
 
 private:
+    [[nodiscard]] const CurvePoint& start(std::int64_t run) const noexcept { return runs_.point[runs_.first[run]]; }
+    // A point of a run that paths may come to.
+    struct Target {
+        std::int64_t run, point;
+    };
+    [[nodiscard]] base::Array<Target> open_points() const {
+        base::Array<Target> targets(runtime_.memory);
+        for (std::int64_t r = 0; r < runs_.count(); ++r)
+            for (std::int64_t i = runs_.first[r]; i < runs_.first[r + 1] && runs_.closed[r] == 0; ++i)
+                targets.push_back({r, i});
+        return targets;
+    }
     [[nodiscard]] geometry::VecArray places() const {
-        geometry::VecArray at(runtime_.memory);
-        for (const CurvePoint& p : starts_) at.push_back(p.position);
+        geometry::VecArray at(runtime_.memory, targets_.size());
+        for (std::int64_t i = 0; i < targets_.size(); ++i) at.set(i, runs_.point[targets_[i].point].position);
         return at;
     }
+    [[nodiscard]] Path begun(std::int64_t run, double sense) const noexcept;
     void predict(Path& path) const noexcept;
     void shorten(Path& path, double share) const noexcept;
     [[nodiscard]] double turn_limit(const Path& path) const noexcept {
-        return path.step < kink * mesh_.side ? sharpest : settings_.turn;
+        return path.step < kink_length * mesh_.side ? sharpest_kink : settings_.turn;
     }
     void take(std::int64_t number);
     void accept(std::int64_t number, const glm::dvec3& tangent);
     [[nodiscard]] bool leaves(Path& path) const noexcept;
-    [[nodiscard]] std::int64_t start_on_way(const Path& path, const glm::dvec3& tangent) const;
+    [[nodiscard]] bool meets_run(Path& path, const glm::dvec3& tangent) const;
 
     const base::Runtime& runtime_;
     const Level& level_;
     const SurfaceMesh& mesh_;
-    const base::Array<CurvePoint>& starts_;
+    const Curves& runs_;
     const TraceSettings& settings_;
     base::Array<Path> paths_;
     base::Array<Passed> passed_;
+    base::Array<Target> targets_;
     geometry::PointGrid grid_;
 };
 
@@ -120,18 +131,18 @@ bool Follower::leaves(Path& path) const noexcept {
     return true;
 }
 
-// The cubic through both ends says how far beside the curve a start lies.
-std::int64_t Follower::start_on_way(const Path& path, const glm::dvec3& tangent) const {
+// The first point of a run on the way.  The cubic through both ends says how far beside the curve a point lies.
+bool Follower::meets_run(Path& path, const glm::dvec3& tangent) const {
     const glm::dvec3 a = path.last.position;
     const glm::dvec3 b = path.trial.position;
     const glm::dvec3 chord = b - a;
     const double length = glm::length(chord);
-    std::int64_t met = -1;
     double first = 2.0;
     grid_.around(0.5 * (a + b), [&](std::int64_t at) {
-        const std::int64_t s = grid_.index(at);
-        if (s == path.start && path.steps < fewest_steps_of_loop) return;
-        const glm::dvec3 place = starts_[s].position;
+        const Target& target = targets_[grid_.index(at)];
+        if (target.run == path.start && path.steps < fewest_steps_of_loop) return;
+        const CurvePoint& p = runs_.point[target.point];
+        const glm::dvec3 place = p.position;
         const double u = glm::dot(place - a, chord) / (length * length);
         if (!(u > 1e-9 && u <= 1.0 + beside && u < first)) return;
         const double v = 1.0 - u;
@@ -140,24 +151,25 @@ std::int64_t Follower::start_on_way(const Path& path, const glm::dvec3& tangent)
         const glm::dvec3 off = place - on_curve;
         const double along = glm::dot(off, chord) / length;
         if (glm::dot(off, off) - along * along > beside * beside * length * length) return;
-        if (glm::dot(unit_direction(starts_[s], path.sense), tangent) < 0.7) return;
-        met = s;
+        if (glm::dot(unit_direction(p, path.sense), tangent) < 0.7) return;
+        path.met = target.run;
+        path.met_point = target.point;
         first = u;
     });
-    return met;
+    return path.met >= 0;
 }
 
 void Follower::accept(std::int64_t number, const glm::dvec3& tangent) {
     Path& path = paths_[number];
-    path.met = start_on_way(path, tangent);
+    const bool meets = meets_run(path, tangent);
     const double length = glm::distance(path.trial.position, path.last.position);
     const glm::dvec3 turned = tangent - path.tangent;
     path.bend = turned / length;
     path.last = path.trial;
     path.tangent = tangent;
     ++path.steps;
-    if (path.met >= 0) {
-        path.end = End::at_start;
+    if (meets) {
+        path.end = End::at_run;
         return;
     }
     passed_.push_back({number, path.trial});
@@ -187,11 +199,21 @@ void Follower::take(std::int64_t number) {
     if (!leaves(path)) accept(number, tangent);
 }
 
+// As if it had come along its run.
+Path Follower::begun(std::int64_t run, double sense) const noexcept {
+    const std::int64_t size = runs_.size_of(run);
+    const CurvePoint& last = sense > 0.0 ? runs_.point[runs_.first[run] + size - 1] : start(run);
+    Path path{run, sense, last, unit_direction(last, sense), glm::dvec3(0.0), 0.25 * mesh_.side, {}};
+    if (sense > 0.0) path.steps = static_cast<std::int32_t>(size - 1);
+    return path;
+}
+
 void Follower::run(const base::Array<std::int64_t>& from, double sense, TraceReport& report,
                    const base::Progress& progress) {
     base::Array<std::int64_t> active(runtime_.memory);
-    for (const std::int64_t s : from) {
-        Path path{s, sense, starts_[s], unit_direction(starts_[s], sense), glm::dvec3(0.0), 0.25 * mesh_.side, {}};
+    for (const std::int64_t r : from) {
+        if (runs_.closed[r] != 0) continue;
+        Path path = begun(r, sense);
         predict(path);
         active.push_back(paths_.size());
         paths_.push_back(path);
@@ -215,10 +237,10 @@ void Follower::run(const base::Array<std::int64_t>& from, double sense, TraceRep
 // Puts paths together to curves.
 class Joiner {
 public:
-    Joiner(base::Memory& memory, const base::Array<CurvePoint>& starts, const Follower& follower)
-        : starts_(starts), follower_(follower), forward_(memory, starts.size()), backward_(memory, starts.size()),
-          before_(memory, starts.size()), done_(memory, starts.size()), passed_by_(memory, starts.size()),
-          begin_(memory), order_(memory) {
+    Joiner(base::Memory& memory, const Curves& runs, const Follower& follower)
+        : runs_(runs), follower_(follower), forward_(memory, runs.count()), backward_(memory, runs.count()),
+          before_(memory, runs.count()), done_(memory, runs.count()), passed_by_(memory, runs.count()), begin_(memory),
+          order_(memory) {
         std::fill(forward_.begin(), forward_.end(), -1);
         std::fill(backward_.begin(), backward_.end(), -1);
         std::fill(before_.begin(), before_.end(), -1);
@@ -230,25 +252,36 @@ public:
                 continue;
             }
             forward_[paths[p].start] = p;
-            if (paths[p].met >= 0 && before_[paths[p].met] < 0) before_[paths[p].met] = paths[p].start;
+            const std::int64_t met = paths[p].met;
+            if (met >= 0 && (before_[met] < 0 || paths[p].met_point < path_from(before_[met]).met_point))
+                before_[met] = paths[p].start;
         }
-        for (std::int64_t s = 0; s < starts.size(); ++s) find_passed_by(s);
+        for (std::int64_t s = 0; s < runs.count(); ++s) find_passed_by(s);
     }
 
-    // Starts that no path leads to.
+    // Open runs that no path leads to.
     [[nodiscard]] base::Array<std::int64_t> first_ones(base::Memory& memory) const {
         base::Array<std::int64_t> found(memory);
-        for (std::int64_t s = 0; s < starts_.size(); ++s)
-            if (before_[s] < 0 && passed_by_[s] == 0) found.push_back(s);
+        for (std::int64_t s = 0; s < runs_.count(); ++s)
+            if (is_first(s)) found.push_back(s);
         return found;
     }
     void join(Curves& curves, TraceReport& report);
 
 private:
+    [[nodiscard]] const Path& path_from(std::int64_t s) const noexcept { return follower_.paths()[forward_[s]]; }
+    // The first point that counts.
+    [[nodiscard]] std::int64_t begin_of(std::int64_t s) const noexcept {
+        return runs_.closed[s] == 0 && before_[s] >= 0 ? path_from(before_[s]).met_point : runs_.first[s];
+    }
+    [[nodiscard]] bool is_first(std::int64_t s) const noexcept {
+        return runs_.closed[s] == 0 && before_[s] < 0 && passed_by_[s] == 0;
+    }
     void sort_points();
     void find_passed_by(std::int64_t s);
     [[nodiscard]] std::int64_t next(std::int64_t s) const noexcept {
-        const std::int64_t met = follower_.paths()[forward_[s]].met;
+        if (runs_.closed[s] != 0) return -1;
+        const std::int64_t met = path_from(s).met;
         return met >= 0 && before_[met] == s ? met : -1;
     }
     void add_path(std::int64_t path, bool reversed, Curves& curves) const;
@@ -258,11 +291,11 @@ private:
         curves.closed.push_back(closed ? 1 : 0);
     }
 
-    const base::Array<CurvePoint>& starts_;
+    const Curves& runs_;
     const Follower& follower_;
-    base::Array<std::int64_t> forward_, backward_, before_; // of each start: its paths, and the start that leads to it
+    base::Array<std::int64_t> forward_, backward_, before_; // of each run: its paths, and the run that leads to it
     base::Array<std::uint8_t> done_;
-    base::Array<std::uint8_t> passed_by_;     // 1: a start on a path that goes on
+    base::Array<std::uint8_t> passed_by_;     // 1: the start of a run on a path that goes on
     base::Array<std::int64_t> begin_, order_; // of each path's points
 };
 
@@ -277,10 +310,11 @@ void Joiner::sort_points() {
     for (std::int64_t i = 0; i < passed.size(); ++i) order_[at[passed[i].path]++] = i;
 }
 
-// Where two paths come to one start, and none to the start of one of them, the other has passed that by at a kink:
+// Where two paths come to one run, and none to the run of one of them, the other has passed that by at a kink:
 // there is nothing left for it to do.  What it does not stand for, changes of sign that no curve passes will tell.
 void Joiner::find_passed_by(std::int64_t s) {
-    const std::int64_t met = follower_.paths()[forward_[s]].met;
+    if (runs_.closed[s] != 0) return;
+    const std::int64_t met = path_from(s).met;
     if (met < 0 || before_[met] == s) return;
     std::int64_t other = before_[met];
     if (before_[s] >= 0 && before_[other] < 0) {
@@ -301,19 +335,19 @@ void Joiner::add_path(std::int64_t path, bool reversed, Curves& curves) const {
 void Joiner::add_from(std::int64_t s, Curves& curves) {
     for (std::int64_t at = s; at >= 0 && done_[at] == 0; at = next(at)) {
         done_[at] = 1;
-        curves.point.push_back(starts_[at]);
+        for (std::int64_t i = begin_of(at); i < runs_.first[at + 1]; ++i) curves.point.push_back(runs_.point[i]);
         add_path(forward_[at], false, curves);
     }
 }
 
 void Joiner::join(Curves& curves, TraceReport& report) {
-    for (std::int64_t s = 0; s < starts_.size(); ++s) {
-        if (before_[s] >= 0 || passed_by_[s] != 0) continue;
+    for (std::int64_t s = 0; s < runs_.count(); ++s) {
+        if (!is_first(s)) continue;
         add_path(backward_[s], true, curves);
         add_from(s, curves);
         close(curves, false);
     }
-    for (std::int64_t s = 0; s < starts_.size(); ++s) {
+    for (std::int64_t s = 0; s < runs_.count(); ++s) {
         if (done_[s] != 0 || passed_by_[s] != 0) continue;
         add_from(s, curves);
         close(curves, true);
@@ -327,15 +361,14 @@ void Joiner::join(Curves& curves, TraceReport& report) {
 
 } // namespace
 
-void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-            const base::Array<CurvePoint>& starts, const TraceSettings& settings, Curves& curves, TraceReport& report,
-            const base::Progress& progress) {
-    Follower follower(runtime, level, mesh, starts, settings);
+void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const Curves& runs,
+            const TraceSettings& settings, Curves& curves, TraceReport& report, const base::Progress& progress) {
+    Follower follower(runtime, level, mesh, runs, settings);
     base::Array<std::int64_t> all(runtime.memory);
-    for (std::int64_t s = 0; s < starts.size(); ++s) all.push_back(s);
+    for (std::int64_t r = 0; r < runs.count(); ++r) all.push_back(r);
     follower.run(all, 1.0, report, progress);
-    follower.run(Joiner(runtime.memory, starts, follower).first_ones(runtime.memory), -1.0, report, progress);
-    Joiner(runtime.memory, starts, follower).join(curves, report);
+    follower.run(Joiner(runtime.memory, runs, follower).first_ones(runtime.memory), -1.0, report, progress);
+    Joiner(runtime.memory, runs, follower).join(curves, report);
 }
 
 } // namespace hrbfnpr::curves

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Curves from starts on them: predictor and corrector, all in step, until each comes to the next start.
+// Curves from runs of points on them: predictor and corrector from their ends, all in step, until each comes to where a
+// run begins.
 #pragma once
 
 #include "curves/trace.h"
@@ -7,8 +8,7 @@
 namespace hrbfnpr::curves {
 
 // Adds the curves to those that there are.
-void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-            const base::Array<CurvePoint>& starts, const TraceSettings& settings, Curves& curves, TraceReport& report,
-            const base::Progress& progress);
+void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const Curves& runs,
+            const TraceSettings& settings, Curves& curves, TraceReport& report, const base::Progress& progress);
 
 } // namespace hrbfnpr::curves

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All curves of f = g = 0 on a meshed surface: where the mesh sees g change its sign, curves are started and followed,
-// all at once, until each has come to where another started.  Then every change of sign is asked for its curve, and
-// every vertex where |g| is least for a loop between vertices.
+// All curves of f = g = 0 on a meshed surface: where the mesh sees g change its sign, points are brought onto curves,
+// all at once; what lies between those that cannot be linked is followed step by step.  Then every change of sign is
+// asked for its curve, and every vertex where |g| is least for a loop between vertices.
 #pragma once
 
 #include "base/operation.h"
@@ -14,10 +14,14 @@ struct TraceSettings {
     double longest = 1.0;                  // step, in the mesh's sides
     double shortest = 1e-4;                // in the mesh's sides: a curve that needs shorter ones is given up
     double turn = 0.25;                    // radians between points, at most
-    double tolerance = 1e-7;               // of starts, in the mesh's sides
-    std::int64_t apart = 12;               // crossings of a chain between two starts
+    double tolerance = 2e-4;               // a Newton's step that is shorter is the last one; in the mesh's sides
     std::int32_t evaluation_limit = 20000; // for each start
 };
+
+// In the mesh's sides: where points are nearer to each other, a curve may have a kink between them, of so many radians,
+// since the Hessian of a Hermite sum jumps at each sample.
+inline constexpr double kink_length = 2e-3;
+inline constexpr double sharpest_kink = 1.2;
 
 struct TraceReport {
     std::int64_t starts = 0;
