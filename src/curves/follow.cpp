@@ -39,8 +39,12 @@ constexpr int most_iterations = 5;
 // Where a corrector's step is below this share of the curve's, the one that follows is nothing: below 1e-6 sides, since
 // rays to points that are farther off the surface cross it beside them.
 constexpr double converged = 1e-3;
-// A point is met within this share of the step beside the curve.
+// A point is met within this share of the step beside the cubic of a step.  One that lies farther beside it, but runs
+// along with it, asks for shorter steps, until they are as short as `sure` in sides: curves bend within a long step
+// where samples lie, and its cubic does not know.
 constexpr double beside = 0.05;
+constexpr double maybe_beside = 0.3;
+constexpr double sure = 0.02;
 constexpr std::int32_t fewest_steps_of_loop = 3;
 
 glm::dvec3 unit_direction(const CurvePoint& p, double sense) noexcept { return sense * glm::normalize(p.direction()); }
@@ -84,7 +88,7 @@ private:
     void take(std::int64_t number);
     void accept(std::int64_t number, const glm::dvec3& tangent);
     [[nodiscard]] bool leaves(Path& path) const noexcept;
-    [[nodiscard]] bool meets_run(Path& path, const glm::dvec3& tangent) const;
+    [[nodiscard]] bool meets_run(Path& path, const glm::dvec3& tangent, double within) const;
 
     const base::Runtime& runtime_;
     const Level& level_;
@@ -131,8 +135,9 @@ bool Follower::leaves(Path& path) const noexcept {
     return true;
 }
 
-// The first point of a run on the way.  The cubic through both ends says how far beside the curve a point lies.
-bool Follower::meets_run(Path& path, const glm::dvec3& tangent) const {
+// The first point of a run on the way.  The cubic through both ends says how far beside the curve a point lies:
+// `within` steps.
+bool Follower::meets_run(Path& path, const glm::dvec3& tangent, double within) const {
     const glm::dvec3 a = path.last.position;
     const glm::dvec3 b = path.trial.position;
     const glm::dvec3 chord = b - a;
@@ -150,7 +155,7 @@ bool Follower::meets_run(Path& path, const glm::dvec3& tangent) const {
                                     u * v * length * (v * path.tangent - u * tangent);
         const glm::dvec3 off = place - on_curve;
         const double along = glm::dot(off, chord) / length;
-        if (glm::dot(off, off) - along * along > beside * beside * length * length) return;
+        if (glm::dot(off, off) - along * along > within * within * length * length) return;
         if (glm::dot(unit_direction(p, path.sense), tangent) < 0.7) return;
         path.met = target.run;
         path.met_point = target.point;
@@ -161,7 +166,14 @@ bool Follower::meets_run(Path& path, const glm::dvec3& tangent) const {
 
 void Follower::accept(std::int64_t number, const glm::dvec3& tangent) {
     Path& path = paths_[number];
-    const bool meets = meets_run(path, tangent);
+    bool meets = meets_run(path, tangent, beside);
+    if (!meets && meets_run(path, tangent, maybe_beside)) {
+        if (path.step > sure * mesh_.side) {
+            path.met = -1;
+            return shorten(path, 0.5);
+        }
+        meets = true;
+    }
     const double length = glm::distance(path.trial.position, path.last.position);
     const glm::dvec3 turned = tangent - path.tangent;
     path.bend = turned / length;

@@ -20,13 +20,13 @@ NearCurves::NearCurves(base::Memory& memory, const Curves& curves, double longes
         std::fill(curve_.data() + curves.first[c], curve_.data() + curves.first[c + 1], static_cast<std::int32_t>(c));
 }
 
-// From the pieces on both sides of a point of a curve.
-double NearCurves::distance_to(std::int64_t point, const glm::dvec3& place) const noexcept {
+// On the pieces on both sides of a point of a curve.
+NearCurves::Foot NearCurves::foot_beside(std::int64_t point, const glm::dvec3& place) const noexcept {
     const std::int64_t curve = curve_[point];
     const std::int64_t begin = curves_.first[curve];
     const std::int64_t end = curves_.first[curve + 1];
     const CurvePoint& p = curves_.point[point];
-    double nearest = glm::distance(p.position, place);
+    Foot best{p.position, glm::distance(p.position, place)};
     for (const std::int64_t other : {point - 1, point + 1}) {
         std::int64_t at = other;
         if (other < begin || other >= end) {
@@ -38,9 +38,20 @@ double NearCurves::distance_to(std::int64_t point, const glm::dvec3& place) cons
         if (!(share > 0.0 && share < 1.0)) continue;
         const CurvePoint& q = curves_.point[at];
         const glm::dvec3 foot = other > point ? CubicPiece(p, q).at(share) : CubicPiece(q, p).at(1.0 - share);
-        nearest = std::min(nearest, glm::distance(foot, place));
+        if (const double distance = glm::distance(foot, place); distance < best.distance) best = {foot, distance};
     }
-    return nearest;
+    return best;
+}
+
+NearCurves::Foot NearCurves::nearest(const glm::dvec3& place, const glm::dvec3& along) const {
+    Foot best;
+    grid_.around(place, [&](std::int64_t at) {
+        const std::int64_t point = grid_.index(at);
+        if (!(glm::dot(curves_.point[point].direction(), along) >= 0.0)) return;
+        const Foot foot = foot_beside(point, place);
+        if (foot.distance < best.distance) best = foot;
+    });
+    return best;
 }
 
 std::int64_t NearCurves::passing(const glm::dvec3& place, const glm::dvec3& along, double distance,
@@ -49,7 +60,7 @@ std::int64_t NearCurves::passing(const glm::dvec3& place, const glm::dvec3& alon
     grid_.around(place, [&](std::int64_t at) {
         const std::int64_t point = grid_.index(at);
         if (found >= 0 || curve_[point] == but || !(glm::dot(curves_.point[point].direction(), along) >= 0.0)) return;
-        if (distance_to(point, place) <= distance) found = curve_[point];
+        if (foot_beside(point, place).distance <= distance) found = curve_[point];
     });
     return found;
 }

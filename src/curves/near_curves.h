@@ -6,6 +6,8 @@
 #include "curves/curves.h"
 #include "geometry/point_grid.h"
 
+#include <cmath>
+
 namespace hrbfnpr::curves {
 
 class NearCurves {
@@ -13,12 +15,19 @@ public:
     // Of curves whose pieces are no longer than `longest`, up to the distance `farthest`; they must outlive it.
     NearCurves(base::Memory& memory, const Curves& curves, double longest, double farthest);
 
-    // A curve that runs the way `along` within this distance of the place, and is not `but`; -1: none does.
+    // A place of a cubic.
+    struct Foot {
+        glm::dvec3 place{0.0};
+        double distance = HUGE_VAL;
+    };
+    // The nearest of curves that run the way `along`.
+    [[nodiscard]] Foot nearest(const glm::dvec3& place, const glm::dvec3& along) const;
+    // One of them that is not `but`, within this distance of the place; -1: none is.
     [[nodiscard]] std::int64_t passing(const glm::dvec3& place, const glm::dvec3& along, double distance,
                                        std::int64_t but = -1) const;
 
 private:
-    [[nodiscard]] double distance_to(std::int64_t point, const glm::dvec3& place) const noexcept;
+    [[nodiscard]] Foot foot_beside(std::int64_t point, const glm::dvec3& place) const noexcept;
 
     const Curves& curves_;
     base::Array<std::int32_t> curve_; // of each point

@@ -65,6 +65,7 @@ private:
         report_.starts += runs.count();
         follow(runtime_, level_, mesh_, runs, settings_, curves_, report_, progress_);
     }
+    [[nodiscard]] base::Array<std::uint8_t> on_curves(const base::Array<CurvePoint>& points) const;
 
     const base::Runtime& runtime_;
     const Level& level_;
@@ -74,6 +75,32 @@ private:
     const base::Progress& progress_;
     Curves curves_;
 };
+
+// Which points lie on a curve that there is.  Where samples lie a cubic may be off its curve by some percent of its
+// length: then its foot is brought onto the curve, and the point must lie along that from there.
+base::Array<std::uint8_t> Rounds::on_curves(const base::Array<CurvePoint>& points) const {
+    const NearCurves near = near_curves();
+    base::Array<std::uint8_t> on(runtime_.memory, points.size());
+    base::Array<CurvePoint> feet(runtime_.memory);
+    base::Array<std::int64_t> of(runtime_.memory);
+    for (std::int64_t i = 0; i < points.size(); ++i) {
+        const NearCurves::Foot foot = near.nearest(points[i].position, points[i].direction());
+        on[i] = foot.distance <= on_curve * mesh_.side ? 1 : 0;
+        if (on[i] != 0 || foot.distance > covered * mesh_.side) continue;
+        feet.push_back({foot.place});
+        of.push_back(i);
+    }
+    base::Array<std::uint8_t> found(runtime_.memory);
+    const NewtonSettings newton{settings_.tolerance * mesh_.side, covered * mesh_.side};
+    report_.evaluations += bring_to_curve(runtime_, level_, newton, feet, found, progress_);
+    for (std::int64_t i = 0; i < of.size(); ++i) {
+        const glm::dvec3 way = points[of[i]].position - feet[i].position;
+        const glm::dvec3 along = glm::normalize(feet[i].direction());
+        const double off = glm::length(way - glm::dot(way, along) * along);
+        on[of[i]] = found[i] != 0 && off <= on_curve * mesh_.side ? 1 : 0;
+    }
+    return on;
+}
 
 base::Array<Bead> Rounds::uncovered(const base::Array<Bead>& beads) const {
     const NearCurves near = near_curves();
@@ -91,12 +118,12 @@ base::Array<Bead> Rounds::uncovered(const base::Array<Bead>& beads) const {
 // Each place once, and none that a curve passes through already.
 base::Array<CurvePoint> Rounds::new_ones(const base::Array<CurvePoint>& points,
                                          const base::Array<std::uint8_t>& found) const {
-    const NearCurves before = near_curves();
+    const base::Array<std::uint8_t> known = on_curves(points);
     base::Array<CurvePoint> fresh(runtime_.memory);
     geometry::VecArray places(runtime_.memory);
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const CurvePoint& p = points[i];
-        if (found[i] == 0 || before.passing(p.position, p.direction(), on_curve * mesh_.side) >= 0) continue;
+        if (found[i] == 0 || known[i] != 0) continue;
         fresh.push_back(p);
         places.push_back(p.position);
     }
