@@ -81,6 +81,15 @@ void evaluate(const base::Runtime& runtime, const Level& level, base::Array<Curv
     });
 }
 
+void bring_close(const base::Runtime& runtime, const Level& level, base::Array<CurvePoint>& points,
+                 std::int64_t& evaluations, const base::Progress& progress) {
+    for (int step = 0; step < 2; ++step) {
+        evaluate(runtime, level, points, progress);
+        for (CurvePoint& p : points) p.position += p.newton_step();
+    }
+    evaluations += 2 * points.size();
+}
+
 std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, const NewtonSettings& settings,
                             base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found,
                             const base::Progress& progress) {

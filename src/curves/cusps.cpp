@@ -20,16 +20,6 @@ double radial(const CurvePoint& p, const View& view) noexcept {
     return glm::dot(p.level_gradient, view.sight(p.position));
 }
 
-// Points of the cubics onto the curves.
-void bring_close(const base::Runtime& runtime, const Level& contour, base::Array<CurvePoint>& points,
-                 std::int64_t& evaluations, const base::Progress& progress) {
-    for (int step = 0; step < 2; ++step) {
-        evaluate(runtime, contour, points, progress);
-        for (CurvePoint& p : points) p.position += p.newton_step();
-    }
-    evaluations += 2 * points.size();
-}
-
 // The same along a cubic between points, by normals between theirs: t . (n x v) = v . grad g for t = n x grad g.
 double radial_of(const CubicPiece& cubic, const CurvePoint& a, const CurvePoint& b, const View& view,
                  double u) noexcept {

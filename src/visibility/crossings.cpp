@@ -43,6 +43,13 @@ struct Grid {
     base::Array<std::int64_t> segment;
 };
 
+bool before(const Crossing& a, const Crossing& b) noexcept {
+    if (a.far_piece != b.far_piece) return a.far_piece < b.far_piece;
+    if (a.far_share != b.far_share) return a.far_share < b.far_share;
+    if (a.near_piece != b.near_piece) return a.near_piece < b.near_piece;
+    return a.near_share < b.near_share;
+}
+
 class Finder {
 public:
     Finder(const base::Runtime& runtime, std::span<const Subject> subjects, const ImageLines& lines)
@@ -83,14 +90,21 @@ private:
         std::int32_t piece;
         double share;
     };
-    [[nodiscard]] bool refine(const Pair& pair, Crossing& crossing) const noexcept;
+    // A crossing of segments, and what it stands for.
+    struct Found {
+        Crossing exact, rough; // of the cubics, by Newton's steps, and of the segments
+        bool converged, same;  // the exact one crosses the same way as the segments do
+    };
+    [[nodiscard]] bool refine(OnLine& a, OnLine& b) const noexcept;
+    [[nodiscard]] bool describe(const OnLine& a, const OnLine& b, double turn, Crossing& crossing) const noexcept;
+    [[nodiscard]] bool look_at(const Pair& pair, Found& found) const noexcept;
+    void take(base::Array<Found>& all, CrossingReport& report);
+    void take_group(std::span<const Found> group, CrossingReport& report);
     [[nodiscard]] double nearest_allowed(const OnLine& a, const OnLine& b) const noexcept;
     [[nodiscard]] bool shows_inside(const Subject& subject, const OnLine& place) const noexcept;
     [[nodiscard]] OnLine place_on(std::int64_t segment, double t) const noexcept;
     [[nodiscard]] Moving at(const OnLine& place) const noexcept;
     void go(OnLine& place, double by) const noexcept;
-
-    void sort_and_merge();
 
     const base::Runtime& runtime_;
     std::span<const Subject> subjects_;
@@ -174,25 +188,24 @@ void Finder::in_cell(std::int64_t cell, base::Array<Pair>& pairs) const {
     }
 }
 
-// Newton's steps on the cubics themselves.  Those that end where the curves are one, as beside a cusp, or far away had
-// begun at a crossing that is of the polylines only.
-bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
-    const glm::dvec2 start = crossing_of(pair.a, pair.b);
-    OnLine a = place_on(pair.a, start.x);
-    OnLine b = place_on(pair.b, start.y);
-    const Subject& sa = subject_of(a.piece);
-    const Subject& sb = subject_of(b.piece);
-    Moving p{};
-    Moving q{};
+// Newton's steps on the cubics themselves.
+bool Finder::refine(OnLine& a, OnLine& b) const noexcept {
     for (int step = 0;; ++step) {
-        p = at(a);
-        q = at(b);
-        const auto [da, db] = meeting(p, q);
+        const auto [da, db] = meeting(at(a), at(b));
         if (!(std::abs(da) <= 1.0 && std::abs(db) <= 1.0) || step == most_steps) return false;
-        if (std::abs(da) <= known && std::abs(db) <= known) break;
+        if (std::abs(da) <= known && std::abs(db) <= known) return true;
         go(a, da);
         go(b, db);
     }
+}
+
+// turn: of the image directions from the first to the second; > 0 clockwise, as seen.  Where the curves are one, as
+// beside a cusp, they do not cross.
+bool Finder::describe(const OnLine& a, const OnLine& b, double turn, Crossing& crossing) const noexcept {
+    const Moving p = at(a);
+    const Moving q = at(b);
+    const Subject& sa = subject_of(a.piece);
+    const Subject& sb = subject_of(b.piece);
     // Along the common line of sight.
     const glm::dvec3 world_p(sa.to_world * glm::dvec4(p.point, 1.0));
     const glm::dvec3 world_q(sb.to_world * glm::dvec4(q.point, 1.0));
@@ -205,8 +218,8 @@ bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
     const OnLine& near = second_far ? a : b;
     const Subject& near_one = second_far ? sa : sb;
     // With y up the nearer surface lies to the left of its contour.
-    const double turn = -cross2(second_far ? p.velocity : q.velocity, second_far ? q.velocity : p.velocity);
-    const bool left = (turn > 0.0) != (near_one.mirrored != shows_inside(near_one, near));
+    const bool to_left = second_far ? turn < 0.0 : turn > 0.0;
+    const bool left = to_left != (near_one.mirrored != shows_inside(near_one, near));
     const std::int32_t sign = left ? 1 : -1;
     crossing.far_piece = far.piece;
     crossing.near_piece = near.piece;
@@ -214,8 +227,22 @@ bool Finder::refine(const Pair& pair, Crossing& crossing) const noexcept {
     crossing.near_share = std::clamp(near.share, 0.0, 1.0);
     crossing.change = sign * near_one.sheets;
     crossing.place = p.place;
-    crossing.sine = std::abs(turn) / (glm::length(p.velocity) * glm::length(q.velocity));
+    crossing.sine = std::abs(cross2(p.velocity, q.velocity)) / (glm::length(p.velocity) * glm::length(q.velocity));
     return true;
+}
+
+// Returns whether there is a crossing at all.
+bool Finder::look_at(const Pair& pair, Found& found) const noexcept {
+    const glm::dvec2 start = crossing_of(pair.a, pair.b);
+    OnLine a = place_on(pair.a, start.x);
+    OnLine b = place_on(pair.b, start.y);
+    const double turn = cross2(place(pair.a + 1) - place(pair.a), place(pair.b + 1) - place(pair.b));
+    const bool apart = describe(a, b, turn, found.rough);
+    found.converged = refine(a, b);
+    if (!found.converged) return apart;
+    const double exact_turn = cross2(at(a).velocity, at(b).velocity);
+    found.same = (exact_turn > 0.0) == (turn > 0.0);
+    return describe(a, b, exact_turn, found.exact);
 }
 
 // A line does not cross itself nearer to where it turns back, and where it meets a contour of its own surface it
@@ -268,35 +295,54 @@ void Finder::run(CrossingReport& report, const base::Progress& progress) {
     for (std::int64_t cell = 0; cell + 1 < grid_.begin.size(); ++cell) in_cell(cell, pairs);
     progress.check();
     report.of_polylines = pairs.size();
+    base::Array<Found> all(runtime_.memory);
     for (const Pair& pair : pairs) {
-        Crossing crossing{};
-        if (!refine(pair, crossing))
+        Found found{};
+        if (!look_at(pair, found))
             ++report.rejected;
-        else if (crossing.change != 0)
-            found_.push_back(crossing);
+        else
+            all.push_back(found);
     }
+    take(all, report);
     report.rejected += verify_crossings(runtime_, subjects_, lines_, found_, progress);
-    sort_and_merge();
+    std::sort(found_.begin(), found_.end(), before);
 }
 
-// Several crossings of the polylines may be one of the curves.
-void Finder::sort_and_merge() {
-    std::sort(found_.begin(), found_.end(), [](const Crossing& a, const Crossing& b) {
-        if (a.far_piece != b.far_piece) return a.far_piece < b.far_piece;
-        if (a.far_share != b.far_share) return a.far_share < b.far_share;
-        return a.near_piece < b.near_piece;
+// Where curves touch, Newton's steps from several crossings of segments may come to the same one.
+void Finder::take(base::Array<Found>& all, CrossingReport& report) {
+    for (Found& found : all)
+        if (!found.converged) found.exact = found.rough;
+    std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) {
+        if (before(a.exact, b.exact)) return true;
+        return !before(b.exact, a.exact) && before(a.rough, b.rough);
     });
-    std::int64_t kept = 0;
-    for (std::int64_t i = 0; i < found_.size(); ++i) {
-        const Crossing& c = found_[i];
-        bool again = false;
-        for (std::int64_t k = kept - 1; k >= 0 && !again; --k) {
-            if (found_[k].far_piece != c.far_piece || c.far_share - found_[k].far_share > same_place) break;
-            again = found_[k].near_piece == c.near_piece && std::abs(found_[k].near_share - c.near_share) <= same_place;
-        }
-        if (!again) found_[kept++] = c;
+    const auto same = [](const Found& a, const Found& b) {
+        return a.converged && b.converged && a.exact.far_piece == b.exact.far_piece &&
+               a.exact.near_piece == b.exact.near_piece && b.exact.far_share - a.exact.far_share <= same_place &&
+               std::abs(a.exact.near_share - b.exact.near_share) <= same_place;
+    };
+    for (std::int64_t i = 0; i < all.size();) {
+        std::int64_t end = i + 1;
+        while (end < all.size() && same(all[i], all[end])) ++end;
+        take_group(std::as_const(all).span().subspan(static_cast<std::size_t>(i), static_cast<std::size_t>(end - i)),
+                   report);
+        i = end;
     }
-    found_.resize(kept);
+}
+
+// Those that came to one place.  Of closed lines the segments cross as often in each way as the curves do: what is
+// left when those one way are set off against those the other way must stay.
+void Finder::take_group(std::span<const Found> group, CrossingReport& report) {
+    const std::int64_t first = found_.size();
+    std::int64_t left = 0;
+    for (const Found& found : group) left += found.same || !found.converged ? 1 : -1;
+    if (left >= 0) found_.push_back(group[0].exact);
+    std::int64_t more = left > 0 ? left - 1 : left == 0 ? 1 : -left;
+    for (const Found& found : group) {
+        const bool wanted = found.same == (left > 0) && (left <= 0 || &found != group.data());
+        if (wanted && more-- > 0) found_.push_back(found.rough);
+    }
+    report.rejected += static_cast<std::int64_t>(group.size()) - (found_.size() - first);
 }
 
 } // namespace

@@ -52,7 +52,7 @@ Events collect_events(base::Memory& memory, std::span<const Subject> subjects, c
             for (; c < crossings.size() && crossings[c].far_piece == piece; ++c)
                 events.event.push_back({piece, crossings[c].far_share, crossings[c].change, crossings[c].near_piece,
                                         lengths.at(line, piece, crossings[c].far_share),
-                                        static_cast<float>(crossings[c].sine)});
+                                        static_cast<float>(crossings[c].sine), crossings[c].near_share});
         }
     }
     events.first.push_back(events.event.size());

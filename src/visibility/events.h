@@ -15,6 +15,7 @@ struct Event {
     std::int32_t near_piece; // of the line that crosses before it; -1: a cusp
     double at;               // along its line, pixels
     float sine = 0.0F;       // of the angle to the line that crosses; 0 of a cusp
+    double near_share = 0.5; // along the piece of the line that crosses
 };
 
 // Lengths along the images of lines, which must outlive it.

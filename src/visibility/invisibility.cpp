@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/invisibility.h"
 
+#include "curves/finer_curves.h"
 #include "visibility/probes.h"
 #include "visibility/small_swallowtails.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace hrbfnpr::visibility {
 namespace {
@@ -21,6 +23,10 @@ constexpr std::int64_t events_a_ray = 8;
 constexpr std::int64_t most_rays = 48;
 // Where the surface bends less along the line of sight, a ray to the contour is less certain.  In 1 / sides.
 constexpr double bent = 0.25;
+// Of the image's tolerance: how far curves that are made finer may be off.
+constexpr double off_curve = 0.2;
+// Pieces of a curve before and after one with a crossing that are made finer with it.
+constexpr std::int64_t beside_crossing = 2;
 
 // A place of a line that a ray is sent to.
 struct Candidate {
@@ -58,11 +64,11 @@ base::Array<Interval> parts_of(base::Memory& memory, std::int64_t number, const 
 
 class Round {
 public:
-    Round(const base::Runtime& runtime, std::span<const Subject> subjects, std::span<const Occluder> occluders,
-          double tolerance, Invisibility& out, const base::Progress& progress)
-        : runtime_(runtime), subjects_(subjects), occluders_(occluders), out_(out), progress_(progress),
-          lengths_(start(tolerance)),
-          events_(collect_events(runtime.memory, subjects, out.lines, out.crossings, lengths_)),
+    Round(const base::Runtime& runtime, std::span<const Occluder> occluders, double tolerance, Invisibility& out,
+          const base::Progress& progress)
+        : runtime_(runtime), subjects_(std::as_const(out.subjects).span()), occluders_(occluders), out_(out),
+          progress_(progress), lengths_(start(tolerance)),
+          events_(collect_events(runtime.memory, subjects_, out.lines, out.crossings, lengths_)),
           chosen_(runtime.memory), first_chosen_(runtime.memory), bad_(runtime.memory) {
         out_.report.cusps = events_.cusps;
     }
@@ -71,6 +77,9 @@ public:
     std::int64_t run(int probes, bool last);
     // Each part of these lines as its own ray says.
     void settle();
+    // Makes their curves finer, and those of lines that cross them: off by the tolerance at most, pixels.  After this
+    // the round is over.
+    void refine(double tolerance);
 
 private:
     [[nodiscard]] Lengths start(double tolerance);
@@ -80,6 +89,8 @@ private:
     void send();
     [[nodiscard]] bool consistent(std::int64_t l, base::Array<Interval>& parts, std::span<const Event> events) const;
     void find_parts(std::int64_t l, std::span<const double> sizes);
+    [[nodiscard]] bool is_bad(std::int64_t l) const noexcept { return std::binary_search(bad_.begin(), bad_.end(), l); }
+    void mark(std::int32_t subject, base::Array<std::uint8_t>& marked) const;
 
     const base::Runtime& runtime_;
     std::span<const Subject> subjects_;
@@ -225,11 +236,45 @@ std::int64_t Round::run(int probes, bool last) {
     return bad_.size();
 }
 
+// Pieces of a subject's curves that may be why lines contradict themselves.
+void Round::mark(std::int32_t subject, base::Array<std::uint8_t>& marked) const {
+    const auto mark_piece = [&](const Line& its, std::int64_t k) {
+        if (its.closed) k = (k + its.pieces) % its.pieces;
+        if (its.subject == subject && k >= 0 && k < its.pieces) marked[out_.lines.pieces[its.first_piece + k].a] = 1;
+    };
+    for (const std::int64_t l : bad_)
+        for (std::int64_t k = 0; k < line(l).pieces; ++k) mark_piece(line(l), k);
+    for (const Crossing& c : out_.crossings) {
+        const std::int32_t far = out_.lines.pieces[c.far_piece].line;
+        const std::int32_t near = out_.lines.pieces[c.near_piece].line;
+        if (!is_bad(far) && !is_bad(near)) continue;
+        for (std::int64_t k = -beside_crossing; k <= beside_crossing; ++k) {
+            mark_piece(line(far), c.far_piece - line(far).first_piece + k);
+            mark_piece(line(near), c.near_piece - line(near).first_piece + k);
+        }
+    }
+}
+
+void Round::refine(double tolerance) {
+    for (std::int64_t s = 0; s < out_.subjects.size(); ++s) {
+        Subject& subject = out_.subjects[s];
+        if (subject.level == nullptr) continue;
+        base::Array<std::uint8_t> marked(runtime_.memory, subject.curves->point.size());
+        mark(static_cast<std::int32_t>(s), marked);
+        if (std::none_of(marked.begin(), marked.end(), [](std::uint8_t m) { return m != 0; })) continue;
+        std::int64_t evaluations = 0;
+        auto& made = out_.finer.add(std::make_unique<curves::Curves>(
+            curves::finer_curves(runtime_, *subject.level, subject.view, *subject.curves, std::as_const(marked).span(),
+                                 tolerance, evaluations, progress_)));
+        subject.curves = made.get();
+    }
+}
+
 void Round::settle() {
     base::Array<Probe> rays(runtime_.memory);
     base::Array<std::int64_t> of(runtime_.memory);
     for (std::int64_t i = 0; i < out_.intervals.size(); ++i) {
-        if (!std::binary_search(bad_.begin(), bad_.end(), std::int64_t{out_.intervals[i].line})) continue;
+        if (!is_bad(out_.intervals[i].line)) continue;
         rays.push_back(best_of(out_.intervals[i]).probe);
         of.push_back(i);
     }
@@ -254,14 +299,19 @@ Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Sub
                                std::span<const Occluder> occluders, const InvisibilitySettings& settings,
                                const base::Progress& progress) {
     Invisibility out(runtime.memory);
+    for (const Subject& subject : subjects) out.subjects.push_back(subject);
     double tolerance = settings.tolerance;
     for (int r = 0; r < settings.rounds; ++r, tolerance *= finer) {
-        Round round(runtime, subjects, occluders, tolerance, out, progress);
-        const std::int64_t bad = round.run(settings.probes, r + 1 == settings.rounds);
+        Round round(runtime, occluders, tolerance, out, progress);
+        const bool last = r + 1 == settings.rounds;
+        const std::int64_t bad = round.run(settings.probes, last);
         out.report.rounds = r;
         if (r == 0) out.report.refined = bad;
         if (bad == 0) break;
-        if (r + 1 == settings.rounds) round.settle();
+        if (last)
+            round.settle();
+        else
+            round.refine(off_curve * finer * tolerance);
     }
     out.report.lines = out.lines.lines.size();
     for (const Line& l : out.lines.lines) out.report.closed += l.closed ? 1 : 0;

@@ -3,7 +3,10 @@
 // [Appel 1967; Benard & Hertzmann 2019, 4]
 #pragma once
 
+#include "base/list.h"
 #include "visibility/events.h"
+
+#include <memory>
 
 namespace hrbfnpr::visibility {
 
@@ -34,8 +37,11 @@ struct InvisibilitySettings {
 };
 
 struct Invisibility {
-    explicit Invisibility(base::Memory& memory) noexcept : lines(memory), intervals(memory), crossings(memory) {}
+    explicit Invisibility(base::Memory& memory) noexcept
+        : subjects(memory), finer(memory), lines(memory), intervals(memory), crossings(memory) {}
 
+    base::Array<Subject> subjects;                     // as given, but for curves that had to be finer
+    base::List<std::unique_ptr<curves::Curves>> finer; // ... which are these; the last ones count
     ImageLines lines;
     base::Array<Interval> intervals; // line by line, along it
     base::Array<Crossing> crossings;

@@ -2,6 +2,7 @@
 #include "visibility/small_swallowtails.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hrbfnpr::visibility {
 namespace {
@@ -11,8 +12,11 @@ constexpr double branches = 8.0;
 
 } // namespace
 
-// Or beside it, where the branches cross.
-bool SmallSwallowtails::in(const Group& group, double at) const noexcept { return within(group, at, branches * size_); }
+// Along the line, by the shorter way around a closed one.
+double SmallSwallowtails::from_begin(const Group& group, double at) const noexcept {
+    const double way = at - group.begin;
+    return line_.closed ? way - whole() * std::round(way / whole()) : way;
+}
 
 bool SmallSwallowtails::within(const Group& group, double at, double beside) const noexcept {
     const double low = group.begin - beside;
@@ -34,15 +38,26 @@ void SmallSwallowtails::find_groups(std::span<const Event> events) {
     for (std::int64_t i = first; i < first + count;) {
         std::int64_t end = i + 1;
         while (end < first + count && at(end) - at(end - 1) <= size_) ++end;
-        if (end - i > 1) groups_.push_back({at(i), at(end - 1), (end - i) % 2 != 0, cusps_[(end - 1) % count]});
+        if (end - i > 1) {
+            const double before = i > 0 ? at(i) - at(i - 1) : line_.closed ? at(i) + whole() - at(count - 1) : whole();
+            const double after = end < count || line_.closed ? at(end) - at(end - 1) : whole();
+            groups_.push_back({at(i), at(end - 1), before, after, (end - i) % 2 != 0, cusps_[(end - 1) % count]});
+        }
         i = end;
     }
 }
 
-// Crossings of the branches before a group with those behind it, and within it.
+// Crossings of the branches before a group with those behind it, and within it: the loops that begin and end there have
+// cusps of the group, and none of others.
 bool SmallSwallowtails::crosses_itself(const Group& group, const Event& e) const noexcept {
     if (e.near_piece < line_.first_piece || e.near_piece >= line_.first_piece + line_.pieces) return false;
-    return in(group, e.at) && in(group, lengths_.at(line_, e.near_piece, 0.5));
+    const double far = from_begin(group, e.at);
+    const double near = from_begin(group, lengths_.at(line_, e.near_piece, e.near_share));
+    const double length = group.end - group.begin;
+    const double first = std::min(far, near);
+    const double last = std::max(far, near);
+    return first > -std::min(group.before, branches * size_) && first < length && last > 0.0 &&
+           last < length + std::min(group.after, branches * size_);
 }
 
 // Together, all changes of a group are those of a smooth contour, or of one cusp.

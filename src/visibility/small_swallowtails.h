@@ -21,13 +21,14 @@ private:
     // From the first to the last cusp, pixels along the line; `end` may lie beyond the line's end, if it is closed.
     struct Group {
         double begin, end;
+        double before, after; // to the cusps of the line beside it
         bool odd;
         std::int64_t last; // cusp, of the events
     };
 
     [[nodiscard]] double whole() const noexcept { return lengths_.whole(line_); }
     [[nodiscard]] bool within(const Group& group, double place, double beside) const noexcept;
-    [[nodiscard]] bool in(const Group& group, double place) const noexcept;
+    [[nodiscard]] double from_begin(const Group& group, double place) const noexcept;
     [[nodiscard]] bool is_cusp_of(const Group& group, const Event& e) const noexcept {
         return within(group, e.at, 1e-9 * size_);
     }

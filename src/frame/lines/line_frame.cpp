@@ -35,7 +35,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const visibility::Invisibility found =
         visibility::find_invisibility(runtime_, traced.subjects(), traced.occluders(), {}, base::Progress());
     count(found, traced, drawing.line_counts);
-    StrokeParts(runtime_, scene, traced.subjects(), found, strokes_).run(traced.styles());
+    StrokeParts(runtime_, scene, found.subjects.span(), found, strokes_).run(traced.styles());
     drawing.line_counts.nanoseconds = watch.nanoseconds();
     return strokes_;
 }
