@@ -1419,6 +1419,26 @@ typedef struct hrbfnpr_line_style {
     double upper;
     hrbfnpr_array levels; /* of ISOPHOTE: FLOAT64, 1: -1 .. 1.  Read during _draw only */
     float ink[4];         /* straight RGBA; black */
+
+    /* Laws of the width: factors, 0 .. 16, of which all that apply to a place are multiplied; 1 = no effect.  By depth,
+     * light and radial curvature goes the distance between a contour and an isophote [Goodwin et al. 2007]. */
+    float outline_factor;   /* of CONTOUR and BORDER, where nothing lies beside the line on its outer side: the outline of
+                               all items that have lines.  Falls to 1 over 6 widths beyond its ends; 1 */
+    float far_factor;       /* at the farthest place in the viewport of lines that are drawn, hidden ones too; 1 at the
+                               nearest, evenly by depth between; 1 */
+    float lit_factor;       /* where the surface faces the style's light, whatever its tone; 1 where it faces away,
+                               evenly by n . l between; 1 */
+    float curvature_factor; /* where the surface bends sharply; 1 where its radius of curvature is curvature_radius or
+                               more, evenly by the radius between.  Of CONTOUR the radial curvature, along the line of
+                               sight; of others the normal curvature across the line; 1 */
+    float curvature_radius; /* diagonals, > 0; 0.1 */
+
+    /* An unsteady hand, the same in each drawing and, as the lengths are in widths, at each size of the picture. */
+    float wobble;         /* how far a line may stray to either side, widths, 0 .. 16; 0 */
+    float wobble_width;   /* 0 .. 1: the share by which its width may vary; 0 */
+    float wobble_length;  /* from swing to swing, about, widths, >= 1; 40 */
+    uint32_t wobble_seed; /* 0 */
+    uint32_t reserved;
 } hrbfnpr_line_style;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);

@@ -284,7 +284,9 @@ enum { HRBFNPR_HIDDEN_PARTS_NONE = 0, HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, HRBFN
 enum { HRBFNPR_CAP_ROUND = 0, HRBFNPR_CAP_FLAT = 1, HRBFNPR_CAP_POINTED = 2 };
 typedef struct hrbfnpr_line_style { uint32_t struct_size; uint32_t kind; const char* name; uint32_t hidden;
     uint32_t cap; float width; float taper; float hidden_width; float hidden_opacity; float dash; float gap;
-    float shortest; float fade; double lower; double upper; hrbfnpr_array levels; float ink[4]; } hrbfnpr_line_style;
+    float shortest; float fade; double lower; double upper; hrbfnpr_array levels; float ink[4]; float outline_factor;
+    float far_factor; float lit_factor; float curvature_factor; float curvature_radius; float wobble;
+    float wobble_width; float wobble_length; uint32_t wobble_seed; uint32_t reserved; } hrbfnpr_line_style;
 hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
 typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[4]; const hrbfnpr_layer_style* layers;
     int64_t layer_count; int64_t layer_stride; uint32_t tone_rule; uint32_t tone_curve; double light[3];

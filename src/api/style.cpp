@@ -44,6 +44,7 @@ constexpr std::int64_t most_layer_styles = 65536;
 constexpr rule::Between pixels{0.0, largest_radius};
 constexpr rule::PositiveUpTo radius{largest_radius};
 constexpr rule::Between share{0.0, 1.0};
+constexpr rule::Between factor{0.0, 16.0}; // of a line's width
 constexpr rule::AtLeast not_negative{0.0};
 constexpr auto ink = rule::Each{share};
 
@@ -131,7 +132,17 @@ constexpr auto line_fields() noexcept {
         field("lower", &LineStyle::lower, &To::lower, not_negative),
         field("upper", &LineStyle::upper, &To::upper, not_negative),
         field("levels", &LineStyle::levels, rule::Any{}),
-        field("ink", &LineStyle::ink, &To::ink, ink)};
+        field("ink", &LineStyle::ink, &To::ink, ink),
+        field("outline_factor", &LineStyle::outline_factor, &To::outline_factor, factor),
+        field("far_factor", &LineStyle::far_factor, &To::far_factor, factor),
+        field("lit_factor", &LineStyle::lit_factor, &To::lit_factor, factor),
+        field("curvature_factor", &LineStyle::curvature_factor, &To::curvature_factor, factor),
+        field("curvature_radius", &LineStyle::curvature_radius, &To::curvature_radius, rule::Positive{}),
+        field("wobble", &LineStyle::wobble, &To::wobble, factor),
+        field("wobble_width", &LineStyle::wobble_width, &To::wobble_width, share),
+        field("wobble_length", &LineStyle::wobble_length, &To::wobble_length, rule::Between{1.0, largest_radius}),
+        field("wobble_seed", &LineStyle::wobble_seed, &To::wobble_seed, rule::Any{}),
+        reserved("reserved", &LineStyle::reserved)};
 }
 static_assert(line_fields().covers<LineStyle>());
 
@@ -187,6 +198,9 @@ void add_lines(const Style& style, const char* owner, base::Array<frame::LineSty
         line_fields().check(list.name(i).text, given);
         if (given.kind == 0)
             fail(Status::invalid_argument, "%s.kind is 0; it must be one of HRBFNPR_LINE_KIND_...", list.name(i).text);
+        if (given.lit_factor != 1.0F && style.light[0] == 0.0 && style.light[1] == 0.0 && style.light[2] == 0.0)
+            fail(Status::invalid_argument, "%s.light is zero; give it a direction, or set %s.lit_factor to 1", owner,
+                 list.name(i).text);
         frame::LineStyle line;
         line_fields().copy(given, line);
         line.levels = levels_of(given, list.name(i).text);
@@ -209,6 +223,15 @@ constexpr LineStyle constant(const frame::LineStyle& from) {
     to.shortest = from.shortest;
     to.fade = from.fade;
     for (std::size_t i = 0; i < 4; ++i) to.ink[i] = from.ink[i];
+    to.outline_factor = from.outline_factor;
+    to.far_factor = from.far_factor;
+    to.lit_factor = from.lit_factor;
+    to.curvature_factor = from.curvature_factor;
+    to.curvature_radius = from.curvature_radius;
+    to.wobble = from.wobble;
+    to.wobble_width = from.wobble_width;
+    to.wobble_length = from.wobble_length;
+    to.wobble_seed = from.wobble_seed;
     return to;
 }
 constexpr std::array<LineStyle, 1> plain_lines = {constant(frame::presets::plain_lines[0])};

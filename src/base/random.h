@@ -21,7 +21,8 @@ enum class Purpose : std::uint32_t {
     candidate = 6,
     candidate_order = 7,
     probe = 8,
-    layer = 9
+    layer = 9,
+    wobble = 10
 };
 
 using Philox = std::array<std::uint32_t, 4>;

@@ -164,7 +164,7 @@ namespace HrbfNpr.Tests
             copy.Lines[0].Width = 1;
             Assert.Equal(5f, silhouette.Lines[0].Width);
             Assert.Equal(Cap.Pointed, copy.Lines[0].Cap);
-            Assert.Equal(2.6f, Style.Preset(Preset.Silhouette).Lines[0].Width); // another one
+            Assert.Equal(2.2f, Style.Preset(Preset.Silhouette).Lines[0].Width); // another one
             using (Drawing thick = renderer.Draw(With(silhouette), camera))
             using (Drawing thin = renderer.Draw(With(copy), camera))
             {
@@ -173,6 +173,33 @@ namespace HrbfNpr.Tests
             }
             silhouette.Lines.Clear();
             Assert.Equal(0L, Shapes.Count(renderer, camera, With(silhouette)).LineCurves);
+        }
+
+        [Fact]
+        public void LawsOfTheWidth()
+        {
+            silhouette.Lines[0].OutlineFactor = 1;
+            long plain = InkOf(silhouette);
+            foreach (Action<LineStyle> law in new Action<LineStyle>[]
+            {
+                style => style.OutlineFactor = 3,
+                style => style.LitFactor = 3,
+                style => { style.CurvatureFactor = 3; style.CurvatureRadius = 2; },
+            })
+            {
+                Style changed = silhouette.Clone();
+                law(changed.Lines[0]);
+                Assert.True(InkOf(changed) > plain);
+            }
+            silhouette.Lines[0].Wobble = 1;
+            silhouette.Lines[0].WobbleWidth = 0.5f;
+            silhouette.Lines[0].WobbleLength = 10;
+            long wobbling = InkOf(silhouette);
+            Assert.NotEqual(plain, wobbling);
+            silhouette.Lines[0].WobbleSeed = 7;
+            Assert.NotEqual(wobbling, InkOf(silhouette));
+            silhouette.Lines[0].FarFactor = -1;
+            Assert.Contains("far_factor", Assert.Throws<InvalidArgumentException>(() => InkOf(silhouette)).Message);
         }
 
         [Fact]
@@ -328,6 +355,14 @@ namespace HrbfNpr.Tests
         private static DrawingLayerInfo OfLines(Drawing drawing)
         {
             return drawing.Layers.Single(layer => layer.Layer == -1);
+        }
+
+        private long InkOf(Style style)
+        {
+            using (Drawing drawing = renderer.Draw(With(style), camera))
+            {
+                return Ink(drawing);
+            }
         }
 
         private static long Ink(Drawing drawing)

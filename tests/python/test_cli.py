@@ -105,6 +105,7 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
         ["--lines", "contour,suggestive,ridges,valleys,apparent,parabolic,border", "--style", "silhouette"],
         ["--lines", "contour,section=z:5,isophotes=0.2:0.6", "--hidden", "dashed", "--line-width", "1.5"],
         ["--lines", "none", "--style", "xray"],
+        ["--outline", "2", "--far-lines", "0.5", "--lit-lines", "0.5", "--sharp-lines", "0.5", "--wobble", "0.5"],
         ["--tone-ranges", "in-turn", "--style", "full", "--set", "principal.shape=strokes"],
         ["--tone-ranges", "in-turn", "--shared-marks", "3000", "--layers", "stipples,principal,combing"],
         ["--crease", "30", "--threads", "1", "--max-centres", "100"],

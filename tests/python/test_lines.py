@@ -129,11 +129,68 @@ def test_styles_of_lines():
         copy.lines = [3]
 
 
+def contours(drawing):
+    (contour,) = layers(drawing, "contour")
+    return drawing.polylines(drawing.layers.index(contour))
+
+
+@pytest.mark.parametrize("law", ["outline_factor", "far_factor", "lit_factor", "curvature_factor"])
+def test_laws_of_the_width(model, marks, law):
+    lines, renderer, view = hrbfnpr.LineSet(model), hrbfnpr.Renderer(), camera(model, (600, 480))
+
+    def draw(**fields):
+        line = hrbfnpr.LineStyle("contour", width=4, taper=0, curvature_radius=0.5, **fields)
+        style = hrbfnpr.Style("silhouette", lines=[line], light=(1, 0, 0))
+        drawing = renderer.draw(hrbfnpr.Item(marks, style, line_set=lines), view)
+        return np.concatenate([line["radius"] for line in contours(drawing)])
+
+    assert getattr(hrbfnpr.LineStyle(), law) == 1 and np.all(draw() == 2)
+    found = draw(**{law: 0.25})
+    assert found.min() < 1.9 and 0.49 < found.min() and found.max() <= 2.001
+    assert np.ptp(found) > 0.1
+
+
+def test_an_unsteady_hand(model, marks):
+    lines, renderer, view = hrbfnpr.LineSet(model), hrbfnpr.Renderer(), camera(model, (600, 480))
+
+    def draw(**fields):
+        style = hrbfnpr.Style("hatch", lines=[hrbfnpr.LineStyle("contour", **fields)])
+        return renderer.draw(hrbfnpr.Item(marks, style, line_set=lines), view).image()
+
+    straight, wobbling = draw(), draw(wobble=0.8, wobble_width=0.5)
+    assert not np.array_equal(straight, wobbling)
+    assert np.array_equal(wobbling, draw(wobble=0.8, wobble_width=0.5))
+    assert not np.array_equal(wobbling, draw(wobble=0.8, wobble_width=0.5, wobble_seed=1))
+
+
+def test_styles_scale_with_the_picture(model, marks):
+    lines, renderer, found = hrbfnpr.LineSet(model), hrbfnpr.Renderer(), []
+    for scale in (1, 2, 4):
+        style = hrbfnpr.Style("xray", halo_width=3.0 * scale)
+        style.lines[0].wobble = 0.5
+        style.lines[0].scale(scale)
+        drawing = renderer.draw(hrbfnpr.Item(marks, style, line_set=lines), camera(model, (300 * scale, 240 * scale)))
+        picture = drawing.image()[..., 0].reshape(240, scale, 300, scale).mean(axis=(1, 3))
+        found.append((drawing.info.strokes, sum(line["length"][-1] for line in contours(drawing)) / scale, picture))
+    for strokes, length, picture in found[1:]:
+        assert strokes == found[0][0]
+        assert length == pytest.approx(found[0][1], rel=2e-3)
+        assert np.abs(picture - found[0][2]).max() < 40  # of 255, where a line moves by some hundredths of a pixel
+
+
 def test_errors_name_the_argument(model, marks):
     lines = hrbfnpr.LineSet(model)
     style = hrbfnpr.Style("silhouette", lines=["suggestive_contour"])
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="WITH_CURVATURE"):
         hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), camera(model))
+    for fields in ({"lit_factor": -1}, {"far_factor": 17}, {"curvature_radius": 0}, {"wobble_width": 2}, {"wobble_length": 0}):
+        (name,) = fields
+        bad = hrbfnpr.Style("silhouette", lines=[hrbfnpr.LineStyle("contour", **fields)])
+        with pytest.raises(hrbfnpr.InvalidArgumentError, match=rf"lines\[0\].{name}"):
+            hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, bad, line_set=lines), camera(model))
+    dark = hrbfnpr.Style("silhouette", lines=[hrbfnpr.LineStyle("contour", lit_factor=0.5)], tone="none", light=(0, 0, 0))
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="light is zero"):
+        hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, dark, line_set=lines), camera(model))
     for once, text in (
         (hrbfnpr.Lines("contour"), r"lines\[0\].kind"),
         (hrbfnpr.Lines("section"), r"lines\[0\].levels"),

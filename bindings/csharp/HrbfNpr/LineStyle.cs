@@ -93,6 +93,44 @@ namespace HrbfNpr
         /// <summary>Colour of the lines; black.</summary>
         public Color Ink { get; set; }
 
+        /// <summary>
+        /// Of the width of contours and borders where nothing lies beside them, the outline of the drawing: 0 to 16; 1.
+        /// </summary>
+        public float OutlineFactor { get; set; }
+
+        /// <summary>
+        /// Of the width at the farthest place of all lines in the viewport, 1 at the nearest: 0 to 16; 1.
+        /// </summary>
+        public float FarFactor { get; set; }
+
+        /// <summary>
+        /// Of the width where the surface faces the style's light, 1 where it faces away: 0 to 16; 1.
+        /// </summary>
+        public float LitFactor { get; set; }
+
+        /// <summary>
+        /// Of the width where the surface bends sharply, of contours along the line of sight, of others across the
+        /// line: 0 to 16; 1.
+        /// </summary>
+        public float CurvatureFactor { get; set; }
+
+        /// <summary>
+        /// Diagonals, above 0: the radius of curvature from which on <see cref="CurvatureFactor"/> has no effect; 0.1.
+        /// </summary>
+        public float CurvatureRadius { get; set; }
+
+        /// <summary>How far an unsteady hand may stray to either side, in widths: 0 to 16; 0.</summary>
+        public float Wobble { get; set; }
+
+        /// <summary>0 to 1: the share by which its width may vary; 0.</summary>
+        public float WobbleWidth { get; set; }
+
+        /// <summary>From swing to swing, about, in widths, 1 or more; 40.</summary>
+        public float WobbleLength { get; set; }
+
+        /// <summary>Which of many wobbles; 0.</summary>
+        public uint WobbleSeed { get; set; }
+
         /// <summary>The name with a zero behind it.</summary>
         internal byte[] NameUtf8 { get; private set; }
 
@@ -122,6 +160,15 @@ namespace HrbfNpr
             native->lower = Lower;
             native->upper = Upper;
             Ink.Write(native->ink);
+            native->outline_factor = OutlineFactor;
+            native->far_factor = FarFactor;
+            native->lit_factor = LitFactor;
+            native->curvature_factor = CurvatureFactor;
+            native->curvature_radius = CurvatureRadius;
+            native->wobble = Wobble;
+            native->wobble_width = WobbleWidth;
+            native->wobble_length = WobbleLength;
+            native->wobble_seed = WobbleSeed;
         }
 
         private void Read(hrbfnpr_line_style* native)
@@ -146,6 +193,15 @@ namespace HrbfNpr
                 Marshal.Copy(native->levels.data, Levels, 0, Levels.Length);
             }
             Ink = Color.Read(native->ink);
+            OutlineFactor = native->outline_factor;
+            FarFactor = native->far_factor;
+            LitFactor = native->lit_factor;
+            CurvatureFactor = native->curvature_factor;
+            CurvatureRadius = native->curvature_radius;
+            Wobble = native->wobble;
+            WobbleWidth = native->wobble_width;
+            WobbleLength = native->wobble_length;
+            WobbleSeed = native->wobble_seed;
         }
     }
 }

@@ -49,6 +49,10 @@ def number(doc: str) -> Field[float, float]:
     return Field(lambda name, value: float(value), float, doc)
 
 
+def integer(doc: str) -> Field[int, int]:
+    return Field(lambda name, value: int(value), int, doc)
+
+
 def color_field(doc: str) -> Field[Tuple[float, ...], Color]:
     return Field(color, tuple, doc)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Dict, Optional, Sequence, Tuple
 
 from ._arrays import block_in
-from ._fields import choice, color_field, number
+from ._fields import choice, color_field, integer, number
 from ._kind_style import KindStyle
 from ._names import CAPS, HIDDEN_PARTS, LINE_KINDS
 
@@ -39,6 +39,15 @@ class LineStyle(KindStyle):
     lower = number("A line goes on while its strength is at least this; 0 with `upper` 0 = that of the kind.")
     upper = number("... and is drawn if it is this somewhere.")
     ink = color_field("Straight RGBA in [0, 1], or '#rrggbb'.")
+    outline_factor = number("Of the width of contours and borders, where nothing lies beside them: the drawing's outline.")
+    far_factor = number("Of the width at the farthest of all lines' places in view; 1 at the nearest.")
+    lit_factor = number("Of the width where the surface faces the style's light; 1 where it faces away.")
+    curvature_factor = number("Of the width where the surface bends sharply: of contours along the line of sight.")
+    curvature_radius = number("Diagonals: the radius of curvature from which on curvature_factor has no effect.")
+    wobble = number("How far an unsteady hand may stray to either side, in widths.")
+    wobble_width = number("0 to 1: the share by which its width may vary.")
+    wobble_length = number("From swing to swing, about, in widths.")
+    wobble_seed = integer("Which of many wobbles.")
 
     _c_type = "hrbfnpr_line_style"
 
@@ -56,6 +65,14 @@ class LineStyle(KindStyle):
     @levels.setter
     def levels(self, value: Sequence[float]) -> None:
         self._levels = tuple(float(level) for level in value)
+
+    def scale(self, factor: float) -> None:
+        """Multiply all lengths that are in pixels, as for a picture so many times as large.
+
+        The others are in widths.  Of a `Style`, `halo_width` belongs to them.
+        """
+        for field in ("width", "hidden_width", "taper", "shortest"):
+            setattr(self, field, getattr(self, field) * factor)
 
     def _values(self) -> Dict[str, Any]:
         return {**super()._values(), "levels": self.levels}

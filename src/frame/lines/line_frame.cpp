@@ -35,7 +35,10 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const visibility::Invisibility found =
         visibility::find_invisibility(runtime_, traced.subjects(), traced.occluders(), {}, base::Progress());
     count(found, traced, drawing.line_counts);
-    StrokeParts(runtime_, scene, found.subjects.span(), found, strokes_).run(traced.styles());
+    const visibility::Lengths lengths(runtime_.memory, found.lines);
+    const LineInput input{found.subjects.span(), traced.occluders(), traced.styles(), found, lengths};
+    const WidthLaws laws(runtime_, scene, items, drawing, input);
+    StrokeParts(runtime_, scene, input, laws, strokes_).run();
     drawing.line_counts.nanoseconds = watch.nanoseconds();
     return strokes_;
 }

@@ -29,18 +29,23 @@ float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noex
     return 1.0F - as.style->fade * (1.0F - full);
 }
 
+// Of the width there, by the points around it.
+float factor_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
+    return as.factor == nullptr ? 1.0F : (1.0F - share) * as.factor[piece.a] + share * as.factor[piece.b];
+}
+
 // A line that runs into another one joins it: gaps are for those that cross at more than some 20 degrees.
 double halo_share(float sine) noexcept { return std::clamp((static_cast<double>(sine) - 0.35) / 0.25, 0.0, 1.0); }
 
 } // namespace
 
-void StrokeParts::run(std::span<const DrawnAs> styles) {
+void StrokeParts::run() {
     for (std::int64_t first = 0; first < found_.intervals.size();) {
         std::int64_t end = first;
         const std::int32_t line = found_.intervals[first].line;
         while (end < found_.intervals.size() && found_.intervals[end].line == line) ++end;
         collect(first, end);
-        for (const DrawnAs& as : styles)
+        for (const DrawnAs& as : laws_.styles())
             if (as.subject == found_.lines.lines[line].subject)
                 for (const Part& part : parts_) draw(as, part);
         first = end;
@@ -120,6 +125,7 @@ drawing::StrokePoint StrokeParts::point_at(const DrawnAs& as, const Place& place
     point.depth = static_cast<float>(-eye.z);
     point.pixels_per_unit = scene_.lens.pixels / static_cast<float>(q.w);
     point.opacity = faded(as, found_.lines.pieces[place.piece], static_cast<float>(place.share));
+    point.radius = factor_at(as, found_.lines.pieces[place.piece], static_cast<float>(place.share));
     return point;
 }
 
@@ -146,6 +152,7 @@ drawing::StrokePoint StrokeParts::point_between(const DrawnAs& as, std::int64_t 
     point.window += u * (b.window - a.window);
     point.depth += u * (b.depth - a.depth);
     point.opacity += u * (b.opacity - a.opacity);
+    point.radius += u * (b.radius - a.radius);
     return point;
 }
 
@@ -155,12 +162,17 @@ void StrokeParts::draw(const DrawnAs& as, const Part& part) {
     if (hidden && style.hidden == HiddenParts::none) return;
     // Where a nearer line crosses, a visible one ends before it; not behind it, where its end would be seen.
     const bool ends_at_line = !hidden && as.halo > 0.0F && !is_whole(part);
-    const double gap = ends_at_line ? static_cast<double>(as.halo + style.width) : 0.0;
-    const double begin = part.interval.begin_at + gap * halo_share(part.interval.begin_sine);
-    const double end = part.interval.end_at - gap * halo_share(part.interval.end_sine);
+    const visibility::Interval& in = part.interval;
+    double begin = in.begin_at;
+    double end = in.end_at;
+    if (ends_at_line) {
+        begin += gap_at(as, {in.line, in.begin_piece, in.begin_share, in.begin_at, in.begin_sine});
+        end -= gap_at(as, {in.line, in.end_piece, in.end_share, in.end_at, in.end_sine});
+    }
     if (!(end > begin)) return;
     if (end - begin < static_cast<double>(style.shortest) && (part.free_begin || part.free_end || hidden)) return;
     find_places(part);
+    find_knots(as, part);
     if (hidden && style.hidden == HiddenParts::dashed)
         add_dashes(as, part);
     else
@@ -225,47 +237,139 @@ drawing::Stroke StrokeParts::begun(const DrawnAs& as, const Part& part, double l
     return stroke;
 }
 
-// A stroke along a part, from one place along its line to another.
-void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double to) {
+StrokeParts::Pen StrokeParts::pen_of(const DrawnAs& as, const Part& part) const noexcept {
     const LineStyle& style = *as.style;
     const bool hidden = part.layers > 0;
-    const double width =
-        static_cast<double>(hidden && style.hidden != HiddenParts::shown ? style.hidden_width : style.width);
+    const bool dashed = hidden && style.hidden == HiddenParts::dashed;
     const double opacity = hidden && style.hidden == HiddenParts::attenuated
                                ? std::pow(static_cast<double>(style.hidden_opacity), part.layers)
                                : 1.0;
-    const double taper = std::min(static_cast<double>(style.taper), 0.5 * length_of(part.interval));
-    const bool dashed = hidden && style.hidden == HiddenParts::dashed;
+    return {static_cast<double>(hidden && style.hidden != HiddenParts::shown ? style.hidden_width : style.width),
+            opacity, std::min(static_cast<double>(style.taper), 0.5 * length_of(part.interval)),
+            part.free_begin && !dashed, part.free_end && !dashed};
+}
+
+Wobble StrokeParts::wobble_of(const DrawnAs& as, std::int32_t line) const noexcept {
+    const visibility::Line& its = found_.lines.lines[line];
+    return {*as.style, its.curve, lengths_.whole(its), its.closed};
+}
+
+// A point whose radius is still a factor of its style's width.
+void StrokeParts::put(const DrawnAs& as, const Part& part, const Pen& pen, drawing::StrokePoint point, double at) {
+    const double begin = pen.tapers_begin ? tapered(at - part.interval.begin_at, pen.taper) : 1.0;
+    const double end = pen.tapers_end ? tapered(part.interval.end_at - at, pen.taper) : 1.0;
+    const double factor = static_cast<double>(point.radius) * laws_.along(as, part.interval.line, at);
+    point.radius = static_cast<float>(0.5 * pen.width * std::min(begin, end) * factor);
+    point.opacity *= static_cast<float>(pen.opacity);
+    strokes_.points.push_back(point);
+    at_.push_back(at);
+}
+
+// A stroke along a part, from one place along its line to another.
+void StrokeParts::add(const DrawnAs& as, const Part& part, double from, double to) {
+    const Pen pen = pen_of(as, part);
     drawing::Stroke stroke = begun(as, part, to - from);
-    const auto put = [&](drawing::StrokePoint point, double at) {
-        const double begin = part.free_begin && !dashed ? tapered(at - part.interval.begin_at, taper) : 1.0;
-        const double end = part.free_end && !dashed ? tapered(part.interval.end_at - at, taper) : 1.0;
-        point.radius = static_cast<float>(0.5 * width * std::min(begin, end));
-        point.opacity *= static_cast<float>(opacity);
-        if (strokes_.points.size() > stroke.first) {
-            const drawing::StrokePoint& last = strokes_.points[strokes_.points.size() - 1];
-            point.length = last.length + std::hypot(point.x - last.x, point.y - last.y);
-        }
-        strokes_.points.push_back(point);
-    };
     // Between two places on one chord of the image, along it.
     const auto between = [&](std::int64_t i, double at) {
         const double span = place_[i + 1].at - place_[i].at;
-        return point_between(as, i, span > 0.0 ? (at - place_[i].at) / span : 0.0);
+        put(as, part, pen, point_between(as, i, span > 0.0 ? (at - place_[i].at) / span : 0.0), at);
     };
-    for (std::int64_t i = 0; i < place_.size(); ++i) {
+    const auto before = [](const Place& place, double at) { return place.at < at; };
+    const Place* const first = std::lower_bound(place_.begin(), place_.end(), from, before);
+    const double* knot = std::upper_bound(knot_.begin(), knot_.end(), from);
+    at_.clear();
+    for (std::int64_t i = first - place_.begin(); i < place_.size(); ++i) {
         const double here = place_[i].at;
-        if (i > 0 && place_[i - 1].at < from && here > from) put(between(i - 1, from), from);
-        if (here >= from && here <= to) put(point_at(as, place_[i]), here);
-        if (i > 0 && place_[i - 1].at < to && here > to) put(between(i - 1, to), to);
+        if (i > 0 && place_[i - 1].at < from && here > from) between(i - 1, from);
+        for (; knot != knot_.end() && *knot < std::min(here, to); ++knot) between(i - 1, *knot);
+        if (here <= to) put(as, part, pen, point_at(as, place_[i]), here);
+        if (i > 0 && place_[i - 1].at < to && here > to) between(i - 1, to);
+        if (here > to) break;
     }
     stroke.count = static_cast<std::int32_t>(strokes_.points.size() - stroke.first);
     if (stroke.count < 2) {
         strokes_.points.resize(stroke.first);
         return;
     }
+    if (as.style->wobbles()) wobble(as, part, stroke);
+    for (std::int64_t i = stroke.first + 1; i < strokes_.points.size(); ++i) {
+        drawing::StrokePoint& point = strokes_.points[i];
+        const drawing::StrokePoint& last = strokes_.points[i - 1];
+        point.length = last.length + std::hypot(point.x - last.x, point.y - last.y);
+    }
     stroke.depth = strokes_.points[stroke.first + stroke.count / 2].depth;
     strokes_.strokes.push_back(stroke);
+}
+
+// Across the line: at a point halfway between the directions of the chords beside it.
+void StrokeParts::wobble(const DrawnAs& as, const Part& part, const drawing::Stroke& stroke) {
+    const Wobble hand = wobble_of(as, part.interval.line);
+    const std::span<drawing::StrokePoint> points =
+        strokes_.points.span().subspan(static_cast<std::size_t>(stroke.first));
+    const std::size_t last = points.size() - 1;
+    const auto at = [&](std::size_t i) { return glm::dvec2(points[i].x, points[i].y); };
+    const glm::dvec2 round[2] = {at(last - 1), at(1)}; // of a closed stroke: before its first point, behind its last
+    glm::dvec2 before = stroke.closed ? round[0] : at(0);
+    for (std::size_t i = 0; i <= last; ++i) {
+        const glm::dvec2 here = at(i);
+        const glm::dvec2 next = i < last ? at(i + 1) : stroke.closed ? round[1] : here;
+        const glm::dvec2 along = next - before;
+        const double where = at_[static_cast<std::int64_t>(i)];
+        const double length = glm::length(along);
+        const double aside = length > 0.0 ? hand.aside(where) / length : 0.0;
+        points[i].x = static_cast<float>(here.x + aside * along.y);
+        points[i].y = static_cast<float>(here.y - aside * along.x);
+        points[i].radius *= static_cast<float>(hand.factor(where));
+        before = here;
+    }
+}
+
+// So many that what changes along chords changes evenly between points.  What is not seen has none.
+void StrokeParts::find_knots(const DrawnAs& as, const Part& part) {
+    knot_.clear();
+    if (!as.style->wobbles() && !laws_.changes_along(as)) return;
+    const std::int32_t line = part.interval.line;
+    const double step = as.style->wobbles() ? std::min(wobble_of(as, line).step(), laws_.step(as)) : laws_.step(as);
+    for (std::int64_t i = 0; i + 1 < place_.size(); ++i) {
+        const double begin = place_[i].at;
+        const double span = place_[i + 1].at - begin;
+        const Shares seen = in_window(as, i, 16.0 * step);
+        if (!(seen.low < seen.high)) continue;
+        double low = begin + seen.low * span;
+        double high = begin + seen.high * span;
+        if (!as.style->wobbles() && !laws_.changes(as, line, low, high)) continue;
+        if (low < begin + step) low = begin;
+        if (high > begin + span - step) high = begin + span;
+        const double count = std::ceil((high - low) / step);
+        for (double k = low > begin ? 0.0 : 1.0; k < count || (k == count && high < begin + span); k += 1.0)
+            knot_.push_back(low + k / count * (high - low));
+    }
+}
+
+// At an end of a part.
+float StrokeParts::width_at(const DrawnAs& as, const End& end) const noexcept {
+    const float factor = factor_at(as, found_.lines.pieces[end.piece], static_cast<float>(end.share));
+    return as.style->width * factor * static_cast<float>(laws_.along(as, end.line, end.at));
+}
+
+// Between the end of a part and the middle of the nearer line that crosses there: its halo, and half of either width.
+double StrokeParts::gap_at(const DrawnAs& as, const End& end) const noexcept {
+    const double share = halo_share(end.sine);
+    if (!(share > 0.0)) return 0.0;
+    const auto before = [](const visibility::Crossing& c, const End& e) {
+        return c.far_piece != e.piece ? c.far_piece < e.piece : c.far_share < e.share;
+    };
+    const visibility::Crossing* const c =
+        std::lower_bound(found_.crossings.begin(), found_.crossings.end(), end, before);
+    float near_width = 0.0F;
+    if (c != found_.crossings.end() && c->far_piece == end.piece && c->far_share == end.share) {
+        const visibility::Piece& piece = found_.lines.pieces[c->near_piece];
+        const double at = lengths_.at(found_.lines.lines[piece.line], c->near_piece, c->near_share);
+        for (const DrawnAs& near : laws_.styles())
+            if (near.subject == piece.subject)
+                near_width = std::max(near_width, width_at(near, {piece.line, c->near_piece, c->near_share, at, 0.0F}));
+    }
+    return static_cast<double>(as.halo + 0.5F * (width_at(as, end) + near_width)) * share;
 }
 
 } // namespace hrbfnpr::frame

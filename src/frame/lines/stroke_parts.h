@@ -3,32 +3,24 @@
 #pragma once
 
 #include "base/runtime.h"
+#include "frame/lines/width_laws.h"
+#include "frame/lines/wobble.h"
 #include "frame/scene/line_strokes.h"
 #include "frame/scene/scene.h"
-#include "visibility/invisibility.h"
 
 #include <span>
 
 namespace hrbfnpr::frame {
 
-// Lines of a subject that are drawn in a layer of the drawing.
-struct DrawnAs {
-    const LineStyle* style;
-    std::int32_t subject;
-    std::uint32_t layer;
-    const float* strength = nullptr;  // of the points of the subject's curves; null: lines of one strength
-    float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
-    float halo = 0.0F;                // of its item's style: pixels between a nearer line and where this one ends
-};
-
 class StrokeParts {
 public:
-    StrokeParts(const base::Runtime& runtime, const Scene& scene, std::span<const visibility::Subject> subjects,
-                const visibility::Invisibility& found, LineStrokes& strokes)
-        : scene_(scene), subjects_(subjects), found_(found), strokes_(strokes), parts_(runtime.memory),
-          place_(runtime.memory), lengths_(runtime.memory, found.lines) {}
+    StrokeParts(const base::Runtime& runtime, const Scene& scene, const LineInput& input, const WidthLaws& laws,
+                LineStrokes& strokes)
+        : scene_(scene), subjects_(input.subjects), found_(input.found), lengths_(input.lengths), laws_(laws),
+          strokes_(strokes), parts_(runtime.memory), place_(runtime.memory), knot_(runtime.memory),
+          at_(runtime.memory) {}
 
-    void run(std::span<const DrawnAs> styles);
+    void run();
 
 private:
     // A part of a line that is hidden by as many layers of surface everywhere.
@@ -43,6 +35,17 @@ private:
         std::int32_t piece;
         double share;
     };
+    // Of a line: where a part begins or ends.
+    struct End {
+        std::int32_t line, piece;
+        double share, at;
+        float sine;
+    };
+    // What a style makes of a part.
+    struct Pen {
+        double width, opacity, taper;
+        bool tapers_begin, tapers_end;
+    };
     // Of the way from one place to the next; low > high: nothing.
     struct Shares {
         double low, high;
@@ -56,7 +59,14 @@ private:
     void add_dashes(const DrawnAs& as, const Part& part);
     [[nodiscard]] Shares in_window(const DrawnAs& as, std::int64_t place, double beside) const;
     [[nodiscard]] drawing::Stroke begun(const DrawnAs& as, const Part& part, double length) const;
+    [[nodiscard]] Pen pen_of(const DrawnAs& as, const Part& part) const noexcept;
+    [[nodiscard]] Wobble wobble_of(const DrawnAs& as, std::int32_t line) const noexcept;
     void add(const DrawnAs& as, const Part& part, double from, double to);
+    void put(const DrawnAs& as, const Part& part, const Pen& pen, drawing::StrokePoint point, double at);
+    void wobble(const DrawnAs& as, const Part& part, const drawing::Stroke& stroke);
+    void find_knots(const DrawnAs& as, const Part& part);
+    [[nodiscard]] float width_at(const DrawnAs& as, const End& end) const noexcept;
+    [[nodiscard]] double gap_at(const DrawnAs& as, const End& end) const noexcept;
     [[nodiscard]] drawing::StrokePoint point_at(const DrawnAs& as, const Place& place) const;
     [[nodiscard]] drawing::StrokePoint point_between(const DrawnAs& as, std::int64_t place, double share) const;
     [[nodiscard]] glm::dvec2 seen_at(const visibility::Subject& subject, const Place& place) const;
@@ -64,10 +74,13 @@ private:
     const Scene& scene_;
     std::span<const visibility::Subject> subjects_;
     const visibility::Invisibility& found_;
+    const visibility::Lengths& lengths_;
+    const WidthLaws& laws_;
     LineStrokes& strokes_;
     base::Array<Part> parts_;
     base::Array<Place> place_;
-    visibility::Lengths lengths_;
+    base::Array<double> knot_; // where a part has points between its places, in order
+    base::Array<double> at_;   // of the stroke at hand: where along the line its points are
 };
 
 } // namespace hrbfnpr::frame

@@ -60,9 +60,14 @@ constexpr LineStyle contour_line(float width, HiddenParts hidden) {
     style.hidden = hidden;
     return style;
 }
+constexpr LineStyle outlined(LineStyle style, float factor) {
+    style.outline_factor = factor;
+    return style;
+}
 constexpr LineStyle plain_lines[] = {contour_line(2.2F, HiddenParts::none)};
-constexpr LineStyle silhouette_lines[] = {contour_line(2.6F, HiddenParts::attenuated)};
-constexpr LineStyle xray_lines[] = {contour_line(2.2F, HiddenParts::dashed)};
+// Where there are lines alone, those that bound the drawing are heavier.
+constexpr LineStyle silhouette_lines[] = {outlined(contour_line(2.2F, HiddenParts::attenuated), 1.5F)};
+constexpr LineStyle xray_lines[] = {outlined(contour_line(2.0F, HiddenParts::dashed), 1.5F)};
 
 // By the number of the preset; stippling alone has none.
 constexpr std::span<const LineStyle> lines_of(std::uint32_t preset) {

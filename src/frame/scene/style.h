@@ -62,6 +62,17 @@ struct LineStyle {
     double lower = 0.0, upper = 0.0;
     std::span<const double> levels; // of isophotes
     float ink[4] = {0.0F, 0.0F, 0.0F, 1.0F};
+    float outline_factor = 1.0F;
+    float far_factor = 1.0F;
+    float lit_factor = 1.0F;
+    float curvature_factor = 1.0F;
+    float curvature_radius = 0.1F;
+    float wobble = 0.0F;
+    float wobble_width = 0.0F;
+    float wobble_length = 40.0F;
+    std::uint32_t wobble_seed = 0;
+
+    [[nodiscard]] bool wobbles() const noexcept { return wobble > 0.0F || wobble_width > 0.0F; }
 };
 
 struct Style {

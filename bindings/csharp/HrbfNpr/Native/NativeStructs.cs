@@ -311,6 +311,16 @@ namespace HrbfNpr
         internal double upper;
         internal hrbfnpr_array levels;
         internal fixed float ink[4];
+        internal float outline_factor;
+        internal float far_factor;
+        internal float lit_factor;
+        internal float curvature_factor;
+        internal float curvature_radius;
+        internal float wobble;
+        internal float wobble_width;
+        internal float wobble_length;
+        internal uint wobble_seed;
+        internal uint reserved;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_style")]

@@ -49,6 +49,7 @@ def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
         if arguments.shape is not None:
             layer.shape = arguments.shape
     style.silhouette_radius *= pen
+    style.halo_width *= pen
     if arguments.contours_of is not None:
         for kind in MADE_KINDS:
             style.layer(kind).contours = kind in arguments.contours_of

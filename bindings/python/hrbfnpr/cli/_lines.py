@@ -15,6 +15,7 @@ from .._line_style import LineStyle
 from .._model import Model
 from .._names import LINE_KINDS
 from .._style import Style
+from ._inputs import given
 from ._progress import Reporter
 
 _SHORT = {
@@ -26,6 +27,8 @@ _FOUND_ONCE = ("ridge", "valley", "parabolic")
 # Options that mean something to contours of marks only: given, these are drawn unless --lines is given too.
 _OF_MARKS = ("silhouette_threshold", "silhouette_law", "silhouette_width", "silhouette_radius", "contours_of")
 _HIDDEN = {"attenuate": "attenuated", "hide": "none", "show": "shown"}
+# Of every line's style.
+_LAWS = ("outline_factor", "far_factor", "lit_factor", "curvature_factor", "wobble")
 # What is drawn finer than contours, as a share of their width.
 _FINE = 0.6
 
@@ -73,13 +76,15 @@ def style_lines(arguments: Any, style: Style, pen: float) -> None:
         style.lines = [_line(wanted, contour) for wanted in arguments.lines]
     elif any(getattr(arguments, option) is not None for option in _OF_MARKS):
         style.lines = []
+    wider = 1.0 if arguments.line_width is None else arguments.line_width / (pen * contour.width)
     for line in style.lines:
-        if arguments.line_width is not None:
-            line.width = arguments.line_width / pen * (1.0 if line.kind in ("contour", "border") else _FINE)
         if arguments.hidden is not None or arguments.hidden_lines is not None:
             line.hidden = arguments.hidden or _HIDDEN[arguments.hidden_lines.replace("-", "_")]
-        for field in ("width", "hidden_width", "taper", "shortest"):
-            setattr(line, field, getattr(line, field) * pen)
+        for field, value in given(arguments, _LAWS).items():
+            setattr(line, field, value)
+        if arguments.wobble is not None:
+            line.wobble_width = min(1.0, 0.5 * arguments.wobble)
+        line.scale(wider * pen)
 
 
 def _line(wanted: Wanted, contour: LineStyle) -> LineStyle:

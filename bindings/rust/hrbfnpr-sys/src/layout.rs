@@ -523,7 +523,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_line_style>() == either(120, 120, 112));
+    assert!(size_of::<hrbfnpr_line_style>() == either(160, 160, 152));
     assert!(align_of::<hrbfnpr_line_style>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -546,6 +546,16 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_line_style, upper) == either(64, 64, 60));
     assert!(offset_of!(hrbfnpr_line_style, levels) == either(72, 72, 68));
     assert!(offset_of!(hrbfnpr_line_style, ink) == either(104, 104, 96));
+    assert!(offset_of!(hrbfnpr_line_style, outline_factor) == either(120, 120, 112));
+    assert!(offset_of!(hrbfnpr_line_style, far_factor) == either(124, 124, 116));
+    assert!(offset_of!(hrbfnpr_line_style, lit_factor) == either(128, 128, 120));
+    assert!(offset_of!(hrbfnpr_line_style, curvature_factor) == either(132, 132, 124));
+    assert!(offset_of!(hrbfnpr_line_style, curvature_radius) == either(136, 136, 128));
+    assert!(offset_of!(hrbfnpr_line_style, wobble) == either(140, 140, 132));
+    assert!(offset_of!(hrbfnpr_line_style, wobble_width) == either(144, 144, 136));
+    assert!(offset_of!(hrbfnpr_line_style, wobble_length) == either(148, 148, 140));
+    assert!(offset_of!(hrbfnpr_line_style, wobble_seed) == either(152, 152, 144));
+    assert!(offset_of!(hrbfnpr_line_style, reserved) == either(156, 156, 148));
 };
 
 const _: () = {

@@ -2004,6 +2004,38 @@ pub struct hrbfnpr_line_style {
     pub levels: hrbfnpr_array,
     /// straight RGBA; black
     pub ink: [f32; 4],
+    /// of CONTOUR and BORDER, where nothing lies beside the line on its outer side: the outline
+    /// of all items that have lines. Falls to 1 over 6 widths beyond its ends; 1
+    ///
+    /// Laws of the width: factors, 0 .. 16, of which all that apply to a place are multiplied; 1
+    /// = no effect.  By depth,
+    /// light and radial curvature goes the distance between a contour and an isophote [Goodwin et
+    /// al. 2007].
+    pub outline_factor: f32,
+    /// at the farthest place in the viewport of lines that are drawn, hidden ones too; 1 at the
+    /// nearest, evenly by depth between; 1
+    pub far_factor: f32,
+    /// where the surface faces the style's light, whatever its tone; 1 where it faces away,
+    /// evenly by n . l between; 1
+    pub lit_factor: f32,
+    /// where the surface bends sharply; 1 where its radius of curvature is curvature_radius or
+    /// more, evenly by the radius between. Of CONTOUR the radial curvature, along the line of
+    /// sight; of others the normal curvature across the line; 1
+    pub curvature_factor: f32,
+    /// diagonals, > 0; 0.1
+    pub curvature_radius: f32,
+    /// how far a line may stray to either side, widths, 0 .. 16; 0
+    ///
+    /// An unsteady hand, the same in each drawing and, as the lengths are in widths, at each size
+    /// of the picture.
+    pub wobble: f32,
+    /// 0 .. 1: the share by which its width may vary; 0
+    pub wobble_width: f32,
+    /// from swing to swing, about, widths, >= 1; 40
+    pub wobble_length: f32,
+    /// 0
+    pub wobble_seed: u32,
+    pub reserved: u32,
 }
 
 extern "C" {

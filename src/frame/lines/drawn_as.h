@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// How the lines of a subject are drawn.
+#pragma once
+
+#include "frame/scene/style.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::frame {
+
+// Lines of a subject that are drawn in a layer of the drawing.
+struct DrawnAs {
+    const LineStyle* style;
+    std::int32_t subject;
+    std::uint32_t layer;
+    const float* strength = nullptr;  // of the points of the subject's curves; null: lines of one strength
+    float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
+    float halo = 0.0F;                // of its item's style: pixels between a nearer line and where this one ends
+    const float* factor = nullptr;    // of the width at the points of the subject's curves; null: 1
+};
+
+} // namespace hrbfnpr::frame
