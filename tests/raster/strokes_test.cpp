@@ -30,7 +30,8 @@ struct Laid {
     std::vector<float> host = std::vector<float>(stride * side, 1.0F);
     std::vector<float> cover = std::vector<float>(stride * side, 0.0F);
     std::vector<float> ink = cover;
-    std::vector<std::uint64_t> samples = std::vector<std::uint64_t>(stride * side, 0);
+    base::Memory memory;
+    output::StrokeUnion overlaps{memory};
 
     Laid() { color.fill(std::vector<float>(stride * side, 0.0F)); }
     [[nodiscard]] output::DiscTile tile(bool colors, bool hosted) {
@@ -39,7 +40,7 @@ struct Laid {
         if (hosted) t.host = host.data();
         return t;
     }
-    [[nodiscard]] output::StrokePlanes strokes() { return {cover.data(), ink.data(), samples.data()}; }
+    [[nodiscard]] output::StrokePlanes strokes() { return {cover.data(), ink.data(), &overlaps}; }
     // The tile's own pixels; what stands beyond its width is nobody's.
     [[nodiscard]] std::vector<float> pixels() const {
         std::vector<float> all;

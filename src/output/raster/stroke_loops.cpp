@@ -4,6 +4,7 @@
 #include "base/simd.h"
 
 #include "output/raster/stroke_loops.h"
+#include "output/raster/stroke_union.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::output::HWY_NAMESPACE {
@@ -15,7 +16,6 @@ using F = hn::CappedTag<float, 8>; // segments are short
 using W = hn::Vec<F>;
 
 constexpr std::int32_t most_rows = 64; // a tile's
-constexpr std::int32_t sample_rows = 16;
 
 HWY_INLINE double least(double a, double b) { return a < b ? a : b; }
 HWY_INLINE double most(double a, double b) { return a > b ? a : b; }
@@ -44,18 +44,10 @@ struct Spans {
     std::int32_t left[most_rows], right[most_rows];
 };
 
-// What a segment gives to the pixels that it covers: both change evenly along it.
-struct Shade {
-    float from, step_x, step_y; // the place along it: from + step . pixel, in [0, 1]
-    float opacity, more_opacity;
-    float window, more_window;
-};
-
 struct Target {
     const DiscTile& tile;
     const StrokePlanes& planes;
     Spans& spans;
-    bool careful; // count what overlaps
 };
 
 // An outline's edges, by the rows in which they begin.
@@ -160,70 +152,6 @@ HWY_INLINE W covered(const Row& row, W right) {
     return hn::Min(hn::Max(sum, zero), one);
 }
 
-// Which of the 64 places of each pixel of a row lie inside: sixteen lines of four, each shifted against the others, so
-// that no two stand above each other.
-struct Samples {
-    double left[sample_rows], right[sample_rows];
-};
-
-// The last one says instead that some of a pixel's cover was counted: what is covered there is not exact any more.
-constexpr std::uint64_t counted = std::uint64_t{1} << 63;
-constexpr std::uint64_t all_samples = ~counted;
-
-// Of a row of a convex outline.
-HWY_INLINE void find_samples(const Edges& edges, std::int32_t y, Samples& samples) {
-    for (std::int32_t k = 0; k < sample_rows; ++k) {
-        const double at = static_cast<double>(y) + (static_cast<double>(k) + 0.5) / sample_rows;
-        double left = 1e30;
-        double right = -1e30;
-        for (std::int32_t i = 0; i < edges.count; ++i) {
-            const Edge& e = edges.at[i];
-            if (!(e.top <= at && at < e.bottom)) continue;
-            const double x = e.x + (at - e.top) * e.slope;
-            left = least(left, x);
-            right = most(right, x);
-        }
-        const std::int32_t shift = (k & 1) << 3 | (k & 2) << 1 | (k & 4) >> 1 | (k & 8) >> 3;
-        const double first = (static_cast<double>(shift) + 0.5) / (4.0 * sample_rows);
-        samples.left[k] = left - first;
-        samples.right[k] = right - first;
-    }
-}
-
-HWY_INLINE std::uint64_t samples_of(const Samples& samples, std::int32_t x) {
-    std::uint64_t bits = 0;
-    for (std::int32_t k = 0; k < sample_rows; ++k)
-        for (std::int32_t i = 0; i < 4; ++i) {
-            const double at = static_cast<double>(x) + 0.25 * static_cast<double>(i);
-            if (at >= samples.left[k] && at < samples.right[k]) bits |= std::uint64_t{1} << (4 * k + i);
-        }
-    return bits;
-}
-
-// Leaves of `cover` what the stroke has not covered yet.
-HWY_INLINE void leave_new(const Target& t, const Edges& edges, const Row& row, std::int32_t y, float* cover) {
-    Samples samples;
-    find_samples(edges, y, samples);
-    for (std::int32_t x = row.left; x < row.right; ++x) {
-        float& own = cover[x - row.left];
-        if (!(own > 0.0F)) continue;
-        std::uint64_t& all = t.planes.samples[y * t.tile.stride + x];
-        const float left = 1.0F - t.planes.cover[y * t.tile.stride + x];
-        const bool full = own > 0.9999F;
-        const std::uint64_t bits = full ? all_samples : samples_of(samples, x) & all_samples;
-        const bool overlaps = (all & bits) != 0;
-        const bool inexact = overlaps || (all & counted) != 0;
-        if (full || (inexact && (all | bits | counted) == ~std::uint64_t{0}))
-            own = left;
-        else if (overlaps)
-            own = static_cast<float>(hwy::PopCount(bits & ~all)) / static_cast<float>(hwy::PopCount(all_samples));
-        if (overlaps) all |= counted;
-        own = own < left ? own : left;
-        own = own > 0.0F ? own : 0.0F;
-        all |= bits;
-    }
-}
-
 // How far along the segment pixels are.
 HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
     const F d;
@@ -254,27 +182,21 @@ HWY_INLINE W shown(const Target& t, const Shade& shade, std::int32_t y, std::int
     return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.tile.host + y * t.tile.stride + x), window), cover);
 }
 
-HWY_INLINE void lay_row(const Target& t, const Shade& shade, const Edges& edges, const Row& row, std::int32_t y) {
+HWY_INLINE void reach(const Target& t, std::int32_t y, std::int32_t left, std::int32_t right) {
+    t.spans.left[y] = left < t.spans.left[y] ? left : t.spans.left[y];
+    t.spans.right[y] = right > t.spans.right[y] ? right : t.spans.right[y];
+}
+
+HWY_INLINE void lay_row(const Target& t, const Shade& shade, const Row& row, std::int32_t y) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
-    float buffer[most_rows + 16];
     for (std::int32_t x = row.left; x < row.right; x += lanes) {
         const W inside = hn::Iota(d, static_cast<float>(x));
-        W cover = hn::IfThenElseZero(hn::Lt(inside, hn::Set(d, static_cast<float>(row.right))),
-                                     covered(row, hn::Add(inside, hn::Set(d, 1.0F))));
-        cover = shown(t, shade, y, x, cover);
-        if (t.careful)
-            hn::StoreU(cover, d, buffer + (x - row.left));
-        else
-            add(t, shade, y, x, cover);
+        const W cover = hn::IfThenElseZero(hn::Lt(inside, hn::Set(d, static_cast<float>(row.right))),
+                                           covered(row, hn::Add(inside, hn::Set(d, 1.0F))));
+        add(t, shade, y, x, shown(t, shade, y, x, cover));
     }
-    if (t.careful) {
-        leave_new(t, edges, row, y, buffer);
-        for (std::int32_t x = row.left; x < row.right; x += lanes)
-            add(t, shade, y, x, hn::LoadU(d, buffer + (x - row.left)));
-    }
-    t.spans.left[y] = row.left < t.spans.left[y] ? row.left : t.spans.left[y];
-    t.spans.right[y] = row.right > t.spans.right[y] ? row.right : t.spans.right[y];
+    reach(t, y, row.left, row.right);
 }
 
 void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
@@ -287,7 +209,7 @@ void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
     row.edge_count = 0;
     for (std::int32_t y = edges.top; y < edges.bottom; ++y) {
         find_parts(edges, y, t.tile.width, row);
-        if (row.left < row.right) lay_row(t, shade, edges, row, y);
+        if (row.left < row.right) lay_row(t, shade, row, y);
     }
 }
 
@@ -317,22 +239,59 @@ HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
     }
 }
 
-// False if it has to be careful and is not: what is laid so far does not count.
+// False if parts overlap: what is laid so far does not count.
 HWY_INLINE bool lay_segments(const Target& t, const SegmentList& list) {
-    Outliner outliner(list);
+    Outliner outliner(list, false);
     Outline outline;
-    const bool single = t.careful || t.tile.host != nullptr;
+    const bool single = t.tile.host != nullptr;
     for (std::int64_t i = 0; i < list.count;) {
         const drawing::StrokePoint* const p = list.points + list.numbers[i];
         const std::int64_t segments = outliner.outline(i, single, outline);
-        if (outliner.overlaps() && !t.careful) return false;
+        if (outliner.overlaps()) return false;
         Shade shade = shade_of(list, p[0], p[1]);
         if (segments > 1) shade.more_opacity = 0.0F;
         lay_outline(t, outline, shade);
-        if (outliner.join(outline)) lay_outline(t, outline, shade);
         i += segments;
     }
     return true;
+}
+
+HWY_INLINE void add_outlines(StrokeUnion& all, const SegmentList& list, bool single) {
+    Outliner outliner(list, true);
+    Outline outline;
+    for (std::int64_t i = 0; i < list.count;) {
+        const drawing::StrokePoint* const p = list.points + list.numbers[i];
+        const std::int64_t segments = outliner.outline(i, single, outline);
+        Shade shade = shade_of(list, p[0], p[1]);
+        if (segments > 1) shade.more_opacity = 0.0F;
+        all.add(outline, shade);
+        if (outliner.join(outline)) all.add(outline, shade);
+        i += segments;
+    }
+}
+
+// Of all outlines together.
+HWY_INLINE void lay_union(const Target& t, const SegmentList& list) {
+    const F d;
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
+    StrokeUnion& all = *t.planes.overlaps;
+    all.begin(t.tile.width, t.tile.height, t.tile.host != nullptr);
+    add_outlines(all, list, t.tile.host != nullptr);
+    t.spans.top = all.top();
+    t.spans.bottom = all.bottom();
+    float buffer[most_rows + 16];
+    for (std::int32_t y = all.top(); y < all.bottom(); ++y) {
+        const std::int32_t shades = all.cut(y);
+        for (std::int32_t i = 0; i < shades; ++i) {
+            std::int32_t left = 0;
+            std::int32_t right = 0;
+            const Shade& shade = all.cover(i, buffer, left, right);
+            for (std::int32_t x = right; x < right + lanes; ++x) buffer[x - left] = 0.0F;
+            for (std::int32_t x = left; x < right; x += lanes)
+                add(t, shade, y, x, shown(t, shade, y, x, hn::LoadU(d, buffer + (x - left))));
+            reach(t, y, left, right);
+        }
+    }
 }
 
 // Clears the planes where the stroke has laid something.
@@ -344,7 +303,6 @@ HWY_INLINE void clear(const Target& t) {
             const std::int32_t at = y * t.tile.stride + x;
             hn::StoreU(hn::Zero(d), d, t.planes.cover + at);
             hn::StoreU(hn::Zero(d), d, t.planes.ink + at);
-            for (std::int32_t i = 0; t.careful && i < lanes; ++i) t.planes.samples[at + i] = 0;
         }
 }
 
@@ -372,12 +330,12 @@ HWY_INLINE void blend(const Target& t, const float* color) {
 void lay(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes) {
     Spans spans;
     clear_spans(tile, spans);
-    Target target{tile, planes, spans, may_overlap(list)};
-    if (!lay_segments(target, list)) {
-        clear(target);
+    const Target target{tile, planes, spans};
+    const bool apart = !may_overlap(list);
+    if (!apart || !lay_segments(target, list)) {
+        if (apart) clear(target);
         clear_spans(tile, spans);
-        target.careful = true;
-        (void)lay_segments(target, list);
+        lay_union(target, list);
     }
     blend(target, list.color);
     clear(target);

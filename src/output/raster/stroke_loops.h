@@ -4,7 +4,7 @@
 
 #include "base/instruction_set.h"
 #include "output/raster/disc_loops.h"
-#include "output/raster/stroke_outline.h"
+#include "output/raster/stroke_union.h"
 
 #include <cstdint>
 
@@ -12,14 +12,14 @@ namespace hrbfnpr::output {
 
 // Planes of the tile's stride that are zero, and are zero again afterwards.
 struct StrokePlanes {
-    float* cover;           // the part of a pixel that is covered
-    float* ink;             // that, times the opacity
-    std::uint64_t* samples; // which of 63 places of a pixel are covered, where a stroke may overlap itself
+    float* cover;          // the part of a pixel that is covered
+    float* ink;            // that, times the opacity
+    StrokeUnion* overlaps; // working memory, for strokes that may overlap themselves
 };
 
 struct StrokeLoops {
     // Lays the union of the segments over the tile: where they overlap, the stroke is no darker.  A pixel takes the
-    // exact area that is covered of it; where parts of the stroke overlap, that is counted at 63 places.
+    // exact area that is covered of it.  Throws Error{out_of_memory}.
     void (*lay)(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes);
 };
 

@@ -22,6 +22,7 @@ constexpr double tolerance = 0.0007;
 // one side.
 constexpr double arc_tolerance = 0.006;
 constexpr double chord_tolerance = 0.0008;
+constexpr double finer = 0.2; // times these, where arcs may lie upon each other: what they are off adds up
 constexpr int most_halvings = 6;
 constexpr float same_opacity = 1.0F / 1024.0F;
 
@@ -34,7 +35,7 @@ Place unit(const Place& a) noexcept { return (1.0 / std::sqrt(dot(a, a))) * a; }
 
 // The corners of an arc of at most a right angle between unit vectors, without its ends, which lie on it.  The others
 // lie outside, so that the area is kept.  Only square roots and quotients, which are the same everywhere.
-void add_arc(const Place& centre, double radius, const Place& from, const Place& to, Outline& outline,
+void add_arc(const Place& centre, double radius, const Place& from, const Place& to, double scale, Outline& outline,
              bool left = true) noexcept {
     double cosine = dot(from, to);
     int halvings = 0;
@@ -43,7 +44,7 @@ void add_arc(const Place& centre, double radius, const Place& from, const Place&
         const double half = std::sqrt(std::max(0.5 + 0.5 * cosine, 0.0));
         rise = radius * (1.0 - half);
         const double chord = 2.0 * radius * std::sqrt(std::max(0.5 - 0.5 * cosine, 0.0));
-        const double most = halvings == 0 ? chord_tolerance : arc_tolerance;
+        const double most = scale * (halvings == 0 ? chord_tolerance : arc_tolerance);
         if (halvings == most_halvings || rise * std::min(chord, 1.0) <= most) break;
         cosine = half;
     }
@@ -58,12 +59,12 @@ void add_arc(const Place& centre, double radius, const Place& from, const Place&
 }
 
 // What stands out of an end in the direction `out`, from its one corner to the other.
-void add_cap(const Place& centre, double radius, const Place& out, Cap cap, Outline& outline) noexcept {
+void add_cap(const Place& centre, double radius, const Place& out, Cap cap, double scale, Outline& outline) noexcept {
     const Place from{out.y, -out.x};
     if (cap == Cap::round) {
-        add_arc(centre, radius, from, out, outline);
+        add_arc(centre, radius, from, out, scale, outline);
         outline.add(centre + radius * out);
-        add_arc(centre, radius, out, -1.0 * from, outline);
+        add_arc(centre, radius, out, -1.0 * from, scale, outline);
     } else if (cap == Cap::pointed) {
         outline.add(centre + 2.0 * static_cast<double>(drawing::point_length) * radius * out);
     }
@@ -91,8 +92,9 @@ bool Outline::may_drop(const Place& next, bool left) const noexcept {
     return off * off <= tolerance * tolerance * dot(along, along);
 }
 
-Outliner::Outliner(const SegmentList& list) noexcept
-    : list_(list), first_(list.stroke->first), last_(list.stroke->first + list.stroke->count - 2) {}
+Outliner::Outliner(const SegmentList& list, bool overlap) noexcept
+    : list_(list), arcs_(overlap ? finer : 1.0), first_(list.stroke->first),
+      last_(list.stroke->first + list.stroke->count - 2) {}
 
 bool Outliner::find_leg(std::int64_t number, Leg& leg) const noexcept {
     const StrokePoint& p = list_.points[number];
@@ -188,7 +190,7 @@ void Outliner::find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept {
 }
 
 // One side of a leg's beginning, in the leg's direction.
-void Outliner::begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept {
+void Outliner::begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) const noexcept {
     const bool outside = left == joint.left_outside;
     const Place across = (left ? 1.0 : -1.0) * leg.left();
     const Place corner = leg.a + leg.radius_a * across;
@@ -198,7 +200,7 @@ void Outliner::begin_side(const Leg& leg, const Joint& joint, bool left, Outline
         outline.add(corner, left);
     } else if (outside) {
         outline.add(joint.outer, left);
-        add_arc(leg.a, leg.radius_a, joint.middle, across, outline, left);
+        add_arc(leg.a, leg.radius_a, joint.middle, across, arcs_, outline, left);
         outline.add(corner, left);
     } else {
         outline.add(joint.inner, left);
@@ -206,7 +208,7 @@ void Outliner::begin_side(const Leg& leg, const Joint& joint, bool left, Outline
     }
 }
 
-void Outliner::end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept {
+void Outliner::end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) const noexcept {
     const bool outside = left == joint.left_outside;
     const Place across = (left ? 1.0 : -1.0) * leg.left();
     const Place corner = leg.b + leg.radius_b * across;
@@ -221,7 +223,7 @@ void Outliner::end_side(const Leg& leg, const Joint& joint, bool left, Outline& 
         outline.add(corner, left);
     } else if (outside) {
         outline.add(corner, left);
-        add_arc(leg.b, leg.radius_b, across, joint.middle, outline, left);
+        add_arc(leg.b, leg.radius_b, across, joint.middle, arcs_, outline, left);
         outline.add(joint.outer, left);
     } else {
         if (joint.corner_a) outline.add(corner, left);
@@ -239,7 +241,7 @@ void Outliner::disc(Outline& outline) const noexcept {
     constexpr std::array<Place, 5> around{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}, {1.0, 0.0}}};
     for (std::size_t i = 0; i < 4; ++i) {
         outline.add(leg_.a + radius * around[i]);
-        add_arc(leg_.a, radius, around[i], around[i + 1], outline);
+        add_arc(leg_.a, radius, around[i], around[i + 1], arcs_, outline);
     }
 }
 
@@ -287,17 +289,17 @@ std::int64_t Outliner::outline(std::int64_t i, bool single, Outline& outline) no
     }
     const Leg first = leg_;
     const Joint begin = begin_;
-    if (begin_.kind == Kind::cap) add_cap(leg_.a, leg_.radius_a, -1.0 * leg_.along, stroke.cap_begin, outline);
+    if (begin_.kind == Kind::cap) add_cap(leg_.a, leg_.radius_a, -1.0 * leg_.along, stroke.cap_begin, arcs_, outline);
     for (const bool left : {false, true}) begin_side(leg_, begin_, left, outline);
     std::int64_t end = i + 1;
     for (;; ++end) {
         for (const bool left : {false, true}) end_side(leg_, end_, left, outline);
-        if (single || !outline.has_room() || !goes_on(end, first)) break;
+        if (single || begin.kind == Kind::open || !outline.has_room() || !goes_on(end, first)) break;
         go_on();
         for (const bool left : {false, true})
             if (begin_.kind == Kind::round) begin_side(leg_, begin_, left, outline);
     }
-    if (end_.kind == Kind::cap) add_cap(leg_.b, leg_.radius_b, leg_.along, stroke.cap_end, outline);
+    if (end_.kind == Kind::cap) add_cap(leg_.b, leg_.radius_b, leg_.along, stroke.cap_end, arcs_, outline);
     outline.close();
     begin_ = begin;
     return end - i;
@@ -313,9 +315,9 @@ bool Outliner::join(Outline& outline) const noexcept {
     if (!begin_.left_outside) std::swap(from, to);
     outline.add(leg_.a);
     outline.add(leg_.a + radius * from);
-    add_arc(leg_.a, radius, from, begin_.middle, outline);
+    add_arc(leg_.a, radius, from, begin_.middle, arcs_, outline);
     outline.add(leg_.a + radius * begin_.middle);
-    add_arc(leg_.a, radius, begin_.middle, to, outline);
+    add_arc(leg_.a, radius, begin_.middle, to, arcs_, outline);
     outline.add(leg_.a + radius * to);
     return true;
 }

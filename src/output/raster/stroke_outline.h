@@ -51,7 +51,8 @@ struct Outline {
 // nor leave a gap.  Where a turn is too sharp for its segments' lengths they end across the line instead, and overlap.
 class Outliner {
 public:
-    explicit Outliner(const SegmentList& list) noexcept;
+    // overlap: whether outlines may lie upon each other.
+    Outliner(const SegmentList& list, bool overlap) noexcept;
 
     // The outline of the list's segment i, with what belongs to it of joins and caps; unless it is to be a single one,
     // with segments behind it that go on alike.  How many segments these are; an empty outline: they cover nothing.
@@ -88,11 +89,12 @@ private:
     bool start(std::int64_t number) noexcept;
     void go_on() noexcept;
     [[nodiscard]] bool goes_on(std::int64_t i, const Leg& from) const noexcept;
-    static void begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept;
-    static void end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) noexcept;
+    void begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) const noexcept;
+    void end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) const noexcept;
     void disc(Outline& outline) const noexcept;
 
     const SegmentList& list_;
+    double arcs_;               // tolerance of arcs, times the usual one
     std::int64_t first_, last_; // the stroke's first and last segment
     Leg previous_, leg_, next_;
     Joint begin_, end_;

@@ -320,8 +320,8 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
     }
     const std::int64_t workers = std::max(1, runtime_.parallel.threads());
     base::resize_scratch(planes_, workers * planes * plane);
-    base::resize_scratch(samples_, drawing.strokes.empty() ? 0 : workers * plane);
     while (numbers_.size() < workers) numbers_.add(runtime_.memory);
+    while (!drawing.strokes.empty() && unions_.size() < workers) unions_.add(runtime_.memory);
     if (!drawing.strokes.empty()) { // for all of them: which of them draws the fullest tile is by chance
         const std::int64_t most = drawing.dot_tiles.most_of_a_tile() + drawing.segment_tiles.most_of_a_tile();
         for (std::int64_t worker = 0; worker < workers; ++worker) numbers_[worker].reserve(most);
@@ -331,10 +331,9 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
         float* const own = planes_.data() + worker * planes * plane;
         StrokePlanes strokes{own + cover * plane, own + ink * plane, nullptr};
         if (!drawing.strokes.empty()) {
-            strokes.samples = samples_.data() + worker * plane;
+            strokes.overlaps = &unions_[worker];
             std::fill_n(strokes.cover, plane, 0.0F);
             std::fill_n(strokes.ink, plane, 0.0F);
-            std::fill_n(strokes.samples, plane, 0U);
         }
         Painter paint(drawing, image, settings, loops_, stroke_loops_, {own, strokes, numbers_[worker]}, colors_.data(),
                       drawn);

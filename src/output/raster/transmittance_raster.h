@@ -15,8 +15,8 @@ class TransmittanceRaster {
 public:
     explicit TransmittanceRaster(const base::Runtime& runtime) noexcept
         : runtime_(runtime), loops_(disc_loops(runtime.instruction_set)),
-          stroke_loops_(stroke_loops(runtime.instruction_set)), planes_(runtime.memory), samples_(runtime.memory),
-          colors_(runtime.memory), numbers_(runtime.memory) {}
+          stroke_loops_(stroke_loops(runtime.instruction_set)), planes_(runtime.memory), colors_(runtime.memory),
+          numbers_(runtime.memory), unions_(runtime.memory) {}
 
     void draw(const drawing::Drawing& drawing, const Image& image, const DrawSettings& settings);
 
@@ -25,9 +25,9 @@ private:
     DiscLoops loops_;
     StrokeLoops stroke_loops_;
     base::Array<float> planes_;                      // of each worker
-    base::Array<std::uint64_t> samples_;             // of each worker, if there are strokes
     base::Array<float> colors_;                      // as in InkList
     base::List<base::Array<std::uint32_t>> numbers_; // of each worker: a tile's dots
+    base::List<StrokeUnion> unions_;                 // of each worker, if there are strokes
 };
 
 } // namespace hrbfnpr::output

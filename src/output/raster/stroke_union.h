@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// The exact area of pixels that outlines of a stroke cover together, where they overlap.
+#pragma once
+
+#include "base/memory.h"
+#include "output/raster/stroke_outline.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::output {
+
+// What a segment gives to the pixels that it covers: both change evenly along it.
+struct Shade {
+    float from, step_x, step_y; // the place along it: from + step . pixel, in [0, 1]
+    float opacity, more_opacity;
+    float window, more_window;
+};
+
+// Row by row: between the heights where edges begin, end or cross, their order does not change, and what lies between
+// them are trapezoids.  Inside is where the winding number is not 0.
+class StrokeUnion {
+public:
+    static constexpr std::int32_t most_side = 64; // of a tile
+
+    explicit StrokeUnion(base::Memory& memory);
+
+    // For a tile of so many pixels.  Where `by_depth` is set, what several outlines cover belongs to the nearest one,
+    // else to the first one.
+    void begin(std::int32_t width, std::int32_t height, bool by_depth) noexcept;
+    // Throws Error{out_of_memory}.
+    void add(const Outline& outline, const Shade& shade);
+
+    [[nodiscard]] std::int32_t top() const noexcept { return top_; }
+    [[nodiscard]] std::int32_t bottom() const noexcept { return bottom_; }
+    // Finds what is covered of a row; rows from top() to bottom() one after the other.  Returns how many shades it has.
+    std::int32_t cut(std::int32_t y);
+    // Of the row's i-th shade: how much of each pixel from `left` to `right` is covered by what belongs to it.
+    const Shade& cover(std::int32_t i, float* pixels, std::int32_t& left, std::int32_t& right) noexcept;
+
+private:
+    // From its upper to its lower end.
+    struct Edge {
+        double x, top, bottom, slope;
+        std::int32_t winding; // of what lies to the right of it
+        std::int32_t shade;
+        std::int32_t next; // of those that begin in the same row; -1: none
+    };
+    // Of an edge, in the row.
+    struct Piece {
+        double upper, lower, x, slope; // x: at height 0 of the tile
+        double low, high;              // of x
+        std::int32_t winding, shade;
+        [[nodiscard]] double at(double y) const noexcept { return x + y * slope; }
+    };
+    // Between two edges, from one height to another.
+    struct Span {
+        double left_top, left_bottom, right_top, right_bottom, height;
+        std::int32_t shade;
+    };
+
+    void find_pieces(std::int32_t y);
+    void find_breaks(std::int32_t y);
+    void add_crossings();
+    void add_slab(double from, double to);
+    void turn(std::int32_t shade, std::int32_t by);
+    void add_span(const Piece& left, const Piece& right, double from, double to, std::int32_t shade);
+    [[nodiscard]] std::int32_t owner(double x, double y) const noexcept;
+    [[nodiscard]] bool same_shade(const Shade& a, const Shade& b) const noexcept;
+    void add_edge(double x0, double x1, double height) noexcept;
+
+    std::int32_t width_ = 0, height_ = 0, top_ = 0, bottom_ = 0;
+    bool by_depth_ = false;
+    base::Array<Edge> edges_;
+    base::Array<Shade> shades_;
+    base::Array<std::int32_t> winding_; // of each shade around the place at hand
+    std::int32_t first_[most_side];     // edge that begins in each row
+    base::Array<std::int32_t> active_;  // edges that pass the row
+    base::Array<Piece> pieces_;
+    base::Array<double> breaks_;
+    base::Array<std::int32_t> order_;  // of the pieces in a slab, from left to right
+    base::Array<std::int32_t> inside_; // shades whose winding is not 0
+    base::Array<Span> spans_;
+    base::Array<std::int32_t> found_; // shades of the row
+    double steps_[most_side + 2];     // of the cover from pixel to pixel
+};
+
+} // namespace hrbfnpr::output
