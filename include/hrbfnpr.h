@@ -1178,7 +1178,8 @@ enum {
     HRBFNPR_LINE_KIND_PARABOLIC = 6,          /* once; Gaussian curvature 0 */
     HRBFNPR_LINE_KIND_ISOPHOTE = 7,           /* n . l = the levels of the style, l its light; WITH_CURVATURE */
     HRBFNPR_LINE_KIND_SECTION = 8,            /* once; parallel planes */
-    HRBFNPR_LINE_KIND_BORDER = 9,             /* where the surface ends: at the search box */
+    HRBFNPR_LINE_KIND_BORDER = 9,             /* where the surface ends: at the search box, or beyond the last samples
+                                                 (hrbfnpr_line_set_desc.support) */
     HRBFNPR_LINE_KIND_OWN = 10                /* once; polylines of the caller, such as creases of a mesh */
 };
 
@@ -1216,13 +1217,26 @@ typedef struct hrbfnpr_line_set_desc {
     const hrbfnpr_line_desc* lines; /* a list; NULL and 0 */
     int64_t line_count;
     int64_t line_stride;
+    double support; /* where the surface ends for want of samples, as an open scan or a terrain does: where
+
+                           s(x) = -ln sum_j exp(-(2 d_j / h_j)^2) ((1 + n_j . m) / 2)^2
+
+                       exceeds this; j: the 24 samples nearest to x, d_j away, with normals n_j and the spacing h_j
+                       around them (as far as the sixth neighbour), m: the surface's normal at x.  Mesh, curves, and
+                       what hides them end there, and the end is a border.  1.5 ends it some 0.7 spacings beyond the
+                       last samples, 3 some 0.9, and leaves larger holes closed.  0 = it ends at the search box only;
+                       0 or more, 0 */
+    hrbfnpr_array support_points; /* FLOAT32 or FLOAT64, 3: those samples; not given = the model's centres.  All
+                                     points of a scan tell better where it ends than the centres chosen from them */
+    hrbfnpr_array support_normals; /* FLOAT32 or FLOAT64, 3: of support_points, as many, of any length; not given =
+                                      the surface's own there */
 } hrbfnpr_line_set_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size);
 
 /* The line set keeps the model.  desc NULL = defaults.
- * Errors: INVALID_ARGUMENT (more than 4 000 000 triangles: a larger cell_size), NOT_CONVERGED (no surface was
- * found), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+ * Errors: INVALID_ARGUMENT (more than 4 000 000 triangles: a larger cell_size; a support without samples),
+ * NOT_CONVERGED (no surface was found, or none near its samples), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_create(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                    const hrbfnpr_line_set_desc* desc, hrbfnpr_operation* operation,
                                                    hrbfnpr_line_set** out_line_set, hrbfnpr_error* error);
@@ -1241,6 +1255,7 @@ typedef struct hrbfnpr_line_set_info {
     double cell_size;     /* as used */
     double seconds;       /* that it took to make */
     int64_t bytes;        /* kept */
+    double left_out;      /* the share of the surface's area that lies beyond the samples, 0 to 1; 0 without support */
 } hrbfnpr_line_set_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_info_init(hrbfnpr_line_set_info* info, uint32_t struct_size);

@@ -237,8 +237,8 @@ typedef struct hrbfnpr_line_desc { uint32_t struct_size; uint32_t kind; const ch
 hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
 enum { HRBFNPR_LINE_SET_WITH_CURVATURE = 1 };
 typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t flags; double cell_size;
-    hrbfnpr_array seed_points; const hrbfnpr_line_desc* lines; int64_t line_count; int64_t line_stride;
-    } hrbfnpr_line_set_desc;
+    hrbfnpr_array seed_points; const hrbfnpr_line_desc* lines; int64_t line_count; int64_t line_stride; double support;
+    hrbfnpr_array support_points; hrbfnpr_array support_normals; } hrbfnpr_line_set_desc;
 hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_line_set_create(hrbfnpr_context* context, const hrbfnpr_model* model,
     const hrbfnpr_line_set_desc* desc, hrbfnpr_operation* operation, hrbfnpr_line_set** out_line_set,
@@ -247,7 +247,7 @@ void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set);
 void hrbfnpr_line_set_release(const hrbfnpr_line_set* line_set);
 typedef struct hrbfnpr_line_set_info { uint32_t struct_size; uint32_t reserved; int64_t triangles; int64_t turned;
     int64_t missed_seeds; int64_t lines; int64_t borders; double cell_size; double seconds; int64_t bytes;
-    } hrbfnpr_line_set_info;
+    double left_out; } hrbfnpr_line_set_info;
 hrbfnpr_status hrbfnpr_line_set_info_init(hrbfnpr_line_set_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_line_set_get_info(const hrbfnpr_line_set* line_set, hrbfnpr_line_set_info* info,
     hrbfnpr_error* error);

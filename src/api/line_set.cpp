@@ -136,12 +136,48 @@ void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
     requests_.push_back(request);
 }
 
+// What says where the surface ends, until the set is made.
+struct SupportArrays {
+    SupportArrays(base::Memory& memory, const hrbfnpr_line_set_desc& desc)
+        : points(finite_numbers(memory, desc.support_points, "line_set_desc.support_points", points_type)),
+          normals(finite_numbers(memory, desc.support_normals, "line_set_desc.support_normals", points_type)) {
+        if (!normals.empty() && normals.size() != points.size())
+            fail(Status::invalid_argument,
+                 "line_set_desc.support_normals has %lld elements; it must have as many as support_points, which has "
+                 "%lld",
+                 static_cast<long long>(normals.size() / 3), static_cast<long long>(points.size() / 3));
+        for (std::int64_t i = 0; i < normals.size(); i += 3)
+            if (normals[i] == 0.0 && normals[i + 1] == 0.0 && normals[i + 2] == 0.0)
+                fail(Status::invalid_argument,
+                     "line_set_desc.support_normals[%lld] is 0; normals must have a direction",
+                     static_cast<long long>(i / 3));
+    }
+
+    [[nodiscard]] curves::SupportSettings settings(double limit, const hrbfnpr_model& model) const {
+        curves::SupportSettings settings{limit, points.span(), normals.span()};
+        if (const implicit::HrbfData* const data = model.data(); data != nullptr && points.empty()) {
+            settings.points = data->sample_position.span();
+            settings.normals = data->sample_normal.span();
+        }
+        if (limit > 0.0 && settings.points.empty())
+            fail(Status::invalid_argument,
+                 "line_set_desc.support is %g, but a custom model has no samples; give "
+                 "support_points, or 0",
+                 limit);
+        return settings;
+    }
+
+    base::Array<double> points, normals;
+};
+
 hrbfnpr_line_set* create(hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_line_set_desc& desc,
                          hrbfnpr_operation* operation) {
     const Checks checks("line_set_desc");
     if ((desc.flags & ~std::uint32_t{HRBFNPR_LINE_SET_WITH_CURVATURE}) != 0)
         fail(Status::invalid_argument, "line_set_desc.flags has bits that are no HRBFNPR_LINE_SET_WITH_...");
     checks.at_least("cell_size", desc.cell_size, 0.0);
+    checks.at_least("support", desc.support, 0.0);
+    const SupportArrays support(context.runtime.memory, desc);
     const base::Array<double> seeds =
         finite_numbers(context.runtime.memory, desc.seed_points, "line_set_desc.seed_points", points_type);
     const List<hrbfnpr_line_desc> list(desc.lines, desc.line_count, desc.line_stride, most_lines,
@@ -156,6 +192,7 @@ hrbfnpr_line_set* create(hrbfnpr_context& context, const hrbfnpr_model& model, c
     settings.seeds = seeds.empty() ? samples.position : seeds.span();
     settings.with_shape = (desc.flags & HRBFNPR_LINE_SET_WITH_CURVATURE) != 0;
     settings.lines = requests.all();
+    settings.support = support.settings(desc.support, model);
     auto* const set = make_handle<hrbfnpr_line_set>(context, model, settings, use.progress());
     use.finish();
     return set;
@@ -177,6 +214,7 @@ hrbfnpr_line_set_info describe(const hrbfnpr_line_set& set) noexcept {
     info.borders = set.lines.border().curves.count();
     info.cell_size = mesh.side;
     info.seconds = set.lines.seconds();
+    info.left_out = set.lines.left_out();
     info.bytes = set.lines.bytes();
     return info;
 }

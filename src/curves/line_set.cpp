@@ -2,6 +2,7 @@
 #include "curves/line_set.h"
 
 #include "base/clock.h"
+#include "curves/border.h"
 #include "implicit/evaluate_all.h"
 #include "surface/project.h"
 #include "surface/region.h"
@@ -96,15 +97,48 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
         mesh_ = automatic ? of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
                           : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
+        if (support_) clip_mesh(runtime, settings.support.limit, progress);
         const auto triangles = static_cast<double>(mesh_->triangles());
         const bool thin = static_cast<double>(mesh_->turned) > turned_share * triangles || mesh_->missed_seeds > 0;
         if (!automatic || !thin || 4 * mesh_->triangles() > most_triangles_of_finer) break;
         mesh.side *= 0.5;
     }
+    if (mesh_->triangles() == 0 && left_out_ > 0.0)
+        fail(Status::not_converged,
+             "all of the surface lies beyond its samples: give a larger support than %g, or "
+             "support_points nearer to the surface",
+             settings.support.limit);
     if (mesh_->triangles() == 0)
         fail(Status::not_converged, "no surface was found to draw lines of: f has no zero near the seeds; give "
                                     "seed_points on the surface");
     sheets_.emplace(runtime, *mesh_);
+}
+
+// Normals that nobody gave are the surface's own.
+void LineSet::measure_support(const base::Runtime& runtime, const SupportSettings& settings,
+                              const base::Progress& progress) {
+    const geometry::VecArray points = given_seeds(runtime.memory, settings.points);
+    geometry::VecArray normals = given_seeds(runtime.memory, settings.normals);
+    if (normals.empty()) {
+        normals.resize(points.size());
+        implicit::evaluate_all(runtime, surface_, points,
+                               {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}}, progress);
+    }
+    for (std::int64_t i = 0; i < normals.size(); ++i) normals.set(i, glm::normalize(normals[i]));
+    support_.emplace(runtime, points, normals, progress);
+}
+
+void LineSet::clip_mesh(const base::Runtime& runtime, double limit, const base::Progress& progress) {
+    border_level_.emplace(surface_, *support_, limit);
+    ClippedMesh clipped = clip(runtime, *border_level_, *mesh_, progress);
+    border_ = exact_border(runtime, *border_level_, clipped, progress);
+    border_exact_ = is_all_cut(clipped);
+    geometry::VecArray places(runtime.memory);
+    for (const CurvePoint& p : clipped.cut) places.push_back(p.position);
+    end_.emplace(*support_, limit, places, mesh_->side);
+    mesh_ = std::move(clipped.mesh);
+    mesh_->end = &*end_;
+    left_out_ = clipped.left_out;
 }
 
 // Points on the way from a to b, so that cubics between them are straight.
@@ -166,8 +200,9 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
     : surface_(surface), source_(std::move(shape)), shape_(runtime.memory), border_(runtime.memory),
       found_(runtime.memory) {
     const base::Stopwatch watch;
+    if (settings.support.limit > 0.0) measure_support(runtime, settings.support, progress);
     make_mesh(runtime, settings, progress.part(0.0, 0.4));
-    border_ = border_lines(runtime.memory, *mesh_);
+    if (!support_) border_ = border_lines(runtime.memory, *mesh_);
     bool with_shape = settings.with_shape;
     for (const LineRequest& request : settings.lines)
         with_shape = with_shape || (request.kind != LineKind::own && needs_shape(feature_of(request.kind)));
@@ -188,6 +223,7 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
 
 std::int64_t LineSet::bytes() const noexcept {
     std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shape_.bytes() + border_.bytes();
+    if (support_) bytes += support_->bytes();
     for (const FoundLines& found : found_) bytes += found.lines.bytes();
     return bytes;
 }

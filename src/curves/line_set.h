@@ -4,6 +4,7 @@
 
 #include "base/list.h"
 #include "curves/sheet_count.h"
+#include "curves/surface_end.h"
 #include "curves/surface_lines.h"
 #include "curves/surface_mesh.h"
 
@@ -64,11 +65,19 @@ struct FoundLines {
     SurfaceLines lines;
 };
 
+// Where the surface ends for want of samples.
+struct SupportSettings {
+    double limit = 0.0;              // of s in surface/support.h; 0: the surface goes on to the end of its region
+    std::span<const double> points;  // 3n packed samples; not empty where there is a limit
+    std::span<const double> normals; // of these, unit; empty: those of the surface there
+};
+
 struct LineSetSettings {
     double side = 0.0;             // of the mesh's cells; 0: half a spacing, and finer where walls are thinner
     std::span<const double> seeds; // 3n packed positions near the surface; empty: found from a lattice of the bounds
     double spacing = 0.0;          // mean, of the seeds; 0: not known
-    bool with_shape = false;       // for lines that depend on the view and on curvatures
+    SupportSettings support;
+    bool with_shape = false; // for lines that depend on the view and on curvatures
     std::span<const LineRequest> lines;
 };
 
@@ -90,21 +99,32 @@ public:
     [[nodiscard]] bool has_shape() const noexcept { return !shape_.empty(); }
     [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
     [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
+    // Whose zero lines the border is; null where it is the end of a region.
+    [[nodiscard]] const Level* border_level() const noexcept { return border_exact_ ? &*border_level_ : nullptr; }
+    // Of the surface's area, the share that lies beyond its samples.
+    [[nodiscard]] double left_out() const noexcept { return left_out_; }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
     void make_mesh(const base::Runtime& runtime, const LineSetSettings& settings, const base::Progress& progress);
+    void measure_support(const base::Runtime& runtime, const SupportSettings& settings, const base::Progress& progress);
+    void clip_mesh(const base::Runtime& runtime, double limit, const base::Progress& progress);
     [[nodiscard]] SurfaceLines find(const base::Runtime& runtime, const LineRequest& request,
                                     const base::Progress& progress) const;
 
     const implicit::Implicit& surface_;
     std::unique_ptr<const implicit::ShapeSource> source_;
+    std::optional<surface::Support> support_;
+    std::optional<SupportLevel> border_level_;
+    std::optional<SurfaceEnd> end_; // of the mesh
+    bool border_exact_ = false;
     std::optional<SurfaceMesh> mesh_;
     std::optional<SheetCounter> sheets_;
     base::Array<ShapePoint> shape_; // of the mesh's vertices; empty: nobody asked
     SurfaceLines border_;           // where an open surface ends
     base::List<FoundLines> found_;
+    double left_out_ = 0.0;
     double seconds_ = 0.0;
 };
 

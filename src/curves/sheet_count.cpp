@@ -3,7 +3,7 @@
 
 #include "base/list.h"
 #include "curves/near_spans.h"
-#include "curves/span_roots.h"
+#include "curves/supported_roots.h"
 
 namespace hrbfnpr::curves {
 namespace {
@@ -15,15 +15,16 @@ void append(Spans& all, const Spans& some) {
     for (const double place : some.place) all.place.push_back(place);
 }
 
-// Between two spans of a line there is no surface.
-void compare(const Spans& spans, const base::Array<RootCount>& count, base::Array<SheetCounter::Answer>& answer) {
+// Between two spans of a line there is no surface; nor a root of f, unless the surface ends before f does.
+void compare(const Spans& spans, const base::Array<RootCount>& count, bool ends,
+             base::Array<SheetCounter::Answer>& answer) {
     for (std::int64_t i = 0; i < spans.span.size(); ++i) {
         const Span& span = spans.span[i];
         SheetCounter::Answer& of = answer[span.line];
         of.sheets += count[i].roots;
         const bool beside_end = span.line_begins || span.line_ends;
-        const bool jumps =
-            i > 0 && spans.span[i - 1].line == span.line && count[i - 1].negative_at_end != count[i].negative_at_begin;
+        const bool jumps = !ends && i > 0 && spans.span[i - 1].line == span.line &&
+                           count[i - 1].negative_at_end != count[i].negative_at_begin;
         if (!count[i].certain || jumps || (!beside_end && count[i].roots != span.crossings)) of.certain = false;
     }
 }
@@ -48,11 +49,14 @@ void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit&
     });
     Spans spans(runtime.memory);
     for (const Spans& some : found) append(spans, some);
-    base::Array<RootCount> roots(runtime.memory);
-    count_roots(runtime, implicit, lines, spans, roots, progress);
+    base::Array<RootCount> counts(runtime.memory);
+    base::Array<Root> roots(runtime.memory);
+    const SurfaceEnd* const end = mesh_.end;
+    count_roots(runtime, implicit, lines, spans, counts, end != nullptr ? &roots : nullptr, progress);
+    if (end != nullptr) drop_unsupported(runtime, implicit, *end, lines, spans, roots, counts, progress);
     answer.resize(segments);
     std::fill(answer.begin(), answer.end(), Answer{});
-    compare(spans, roots, answer);
+    compare(spans, counts, end != nullptr, answer);
     progress.update(1.0);
 }
 

@@ -57,10 +57,10 @@ Least least_of_cubic(double f0, double d0, double f1, double d1) noexcept {
 class Counter {
 public:
     Counter(const base::Runtime& runtime, const implicit::Implicit& implicit, const base::Array<Line>& lines,
-            const Spans& spans, base::Array<RootCount>& count)
-        : runtime_(runtime), implicit_(implicit), lines_(lines), spans_(spans), count_(count), piece_(runtime.memory),
-          next_(runtime.memory), place_(runtime.memory), point_(runtime.memory), value_(runtime.memory),
-          gradient_(runtime.memory) {}
+            const Spans& spans, base::Array<RootCount>& count, base::Array<Root>* roots)
+        : runtime_(runtime), implicit_(implicit), lines_(lines), spans_(spans), count_(count), roots_(roots),
+          piece_(runtime.memory), next_(runtime.memory), place_(runtime.memory), point_(runtime.memory),
+          value_(runtime.memory), gradient_(runtime.memory) {}
 
     void run(const base::Progress& progress);
 
@@ -71,6 +71,7 @@ private:
     [[nodiscard]] Place place(std::int64_t i, const Line& line, double at) const noexcept;
     void settle_end(std::int64_t span, Place& end, double way) noexcept;
     void judge(const Piece& piece);
+    void add_root(const Piece& piece);
     void split(const Piece& piece, double at);
     void take(const Piece& piece, const Place& middle);
     [[nodiscard]] bool touches(const Place& at) const noexcept {
@@ -83,6 +84,7 @@ private:
     const base::Array<Line>& lines_;
     const Spans& spans_;
     base::Array<RootCount>& count_;
+    base::Array<Root>* roots_;
     base::Array<Piece> piece_, next_; // to be split
     base::Array<double> place_;       // where
     geometry::VecArray point_;
@@ -125,7 +127,7 @@ void Counter::judge(const Piece& piece) {
         const double first = length * a.slope / rise;
         const double last = length * b.slope / rise;
         if (first >= 0.0 && first <= 3.0 && last >= 0.0 && last <= 3.0)
-            ++count.roots;
+            add_root(piece);
         else
             split(piece, 0.5);
         return;
@@ -138,6 +140,11 @@ void Counter::judge(const Piece& piece) {
     const Least least = least_of_cubic(sign * a.value, d0, sign * b.value, d1);
     if (least.value > 0.5 * std::min(sign * a.value, sign * b.value)) return;
     split(piece, std::clamp(least.at, 0.05, 0.95));
+}
+
+void Counter::add_root(const Piece& piece) {
+    ++count_[piece.span].roots;
+    if (roots_ != nullptr) roots_->push_back({piece.span, piece.low.at, piece.high.at, piece.low.negative()});
 }
 
 // A piece that has become too short is left with the roots that its ends tell.
@@ -215,10 +222,11 @@ void Counter::run(const base::Progress& progress) {
 } // namespace
 
 void count_roots(const base::Runtime& runtime, const implicit::Implicit& implicit, const base::Array<Line>& lines,
-                 const Spans& spans, base::Array<RootCount>& count, const base::Progress& progress) {
+                 const Spans& spans, base::Array<RootCount>& count, base::Array<Root>* roots,
+                 const base::Progress& progress) {
     count.resize(spans.span.size());
     std::fill(count.begin(), count.end(), RootCount{});
-    Counter(runtime, implicit, lines, spans, count).run(progress);
+    Counter(runtime, implicit, lines, spans, count, roots).run(progress);
 }
 
 } // namespace hrbfnpr::curves

@@ -16,8 +16,16 @@ struct RootCount {
     bool negative_at_begin = false;
 };
 
-// Of each span; count is resized.
+// A root of a span lies between these places of its line, and no other.
+struct Root {
+    std::int64_t span;
+    double low, high;
+    bool negative_at_low; // f
+};
+
+// Of each span; count is resized.  roots: null, or where those that are certain are put.
 void count_roots(const base::Runtime& runtime, const implicit::Implicit& implicit, const base::Array<Line>& lines,
-                 const Spans& spans, base::Array<RootCount>& count, const base::Progress& progress);
+                 const Spans& spans, base::Array<RootCount>& count, base::Array<Root>* roots,
+                 const base::Progress& progress);
 
 } // namespace hrbfnpr::curves

@@ -25,6 +25,8 @@ bool shows_outside(const CurvePoint& p, const View& view) noexcept {
 }
 
 class FacingParts {
+    static constexpr double at_point = 1e-6; // of a piece
+
 public:
     FacingParts(const SurfaceLines& lines, const View& view, bool outside, SurfaceLines& parts)
         : lines_(lines), view_(view), outside_(outside), parts_(parts), builder_(parts) {}
@@ -61,7 +63,7 @@ private:
     }
     void put(std::int64_t at) {
         const CurvePoint& p = lines_.curves.point[at];
-        builder_.add(p.position, p.gradient, static_cast<double>(lines_.strength[at]));
+        builder_.add(p.position, p.gradient, static_cast<double>(lines_.strength[at]), p.direction());
     }
     // Where n . v vanishes, by its values at both points.
     void put_between(std::int64_t a, std::int64_t b) {
@@ -70,9 +72,12 @@ private:
         const double from = glm::dot(p.gradient, view_.sight(p.position));
         const double to = glm::dot(q.gradient, view_.sight(q.position));
         const double u = std::clamp(from / (from - to), 0.0, 1.0);
+        // A point that stands there already is the end.
+        if ((u < at_point && wanted(a)) || (u > 1.0 - at_point && wanted(b))) return;
         const auto strength =
             static_cast<double>(lines_.strength[a]) * (1.0 - u) + static_cast<double>(lines_.strength[b]) * u;
-        builder_.add(CubicPiece(p, q).at(u), (1.0 - u) * p.gradient + u * q.gradient, strength);
+        const CubicPiece piece(p, q);
+        builder_.add(piece.at(u), (1.0 - u) * p.gradient + u * q.gradient, strength, piece.derivative(u));
     }
 
     const SurfaceLines& lines_;
@@ -88,13 +93,15 @@ LineBuilder::LineBuilder(SurfaceLines& lines, bool as_given) noexcept : lines_(l
     if (lines_.curves.first.empty()) lines_.curves.first.push_back(0);
 }
 
-void LineBuilder::add(const glm::dvec3& position, const glm::dvec3& normal, double strength) {
+void LineBuilder::add(const glm::dvec3& position, const glm::dvec3& normal, double strength,
+                      const glm::dvec3& tangent) {
     Curves& curves = lines_.curves;
     const std::int64_t first = curves.first[curves.first.size() - 1];
     if (curves.point.size() > first && curves.point[curves.point.size() - 1].position == position) return;
     CurvePoint p;
     p.position = position;
     p.gradient = normal;
+    if (tangent != glm::dvec3(0.0)) set_tangent(p, tangent, as_given_);
     curves.point.push_back(p);
     lines_.strength.push_back(static_cast<float>(strength));
 }
@@ -109,6 +116,7 @@ void LineBuilder::end(bool closed) {
         return;
     }
     for (std::int64_t i = 0; i < count; ++i) {
+        if (curves.point[first + i].level_gradient != glm::dvec3(0.0)) continue;
         const std::int64_t before = closed ? (i + count - 1) % count : std::max<std::int64_t>(0, i - 1);
         const std::int64_t after = closed ? (i + 1) % count : std::min(count - 1, i + 1);
         const glm::dvec3 in = curves.point[first + i].position - curves.point[first + before].position;

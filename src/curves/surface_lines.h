@@ -26,8 +26,10 @@ public:
     // else it is the other way round.
     explicit LineBuilder(SurfaceLines& lines, bool as_given = false) noexcept;
 
-    void add(const glm::dvec3& position, const glm::dvec3& normal, double strength);
-    // Ends the line: tangents come from its points.  Of less than two it is none.
+    // tangent: where it is known, of any length; 0: from the points.
+    void add(const glm::dvec3& position, const glm::dvec3& normal, double strength,
+             const glm::dvec3& tangent = glm::dvec3(0.0));
+    // Ends the line.  Of less than two points it is none.
     void end(bool closed);
 
 private:
@@ -40,8 +42,12 @@ private:
 [[nodiscard]] SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh);
 
 // The parts that show their outside to the eye, or those that show their inside; they end where the line of sight is
-// tangent to the surface.
+// tangent to the surface, by the normals that the lines have.
 [[nodiscard]] SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view,
                                         bool outside);
+// The lines with a point more on each piece that turns over, where grad f at the piece is perpendicular to the line of
+// sight: parts that begin and end there fit to contours that end there.
+[[nodiscard]] SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines,
+                                      const implicit::Implicit& surface, const View& view);
 
 } // namespace hrbfnpr::curves

@@ -130,14 +130,6 @@ std::int64_t count_all(const base::Runtime& runtime, std::int64_t total, const b
     return sum;
 }
 
-bool is_turned(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
-    const std::array<glm::dvec3, 3> p = corners_of(mesh, triangle);
-    const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
-    for (std::int64_t k = 0; k < 3; ++k)
-        if (glm::dot(mesh.gradient[mesh.corner[3 * triangle + k]], normal) < 0.0) return true;
-    return false;
-}
-
 std::int64_t count_missed(const base::Runtime& runtime, const surface::Projection& seeds, const SurfaceMesh& mesh,
                           const base::Progress& progress) {
     const TriangleTree tree(runtime, mesh);
@@ -159,6 +151,14 @@ Lattice lattice_of(const MeshSettings& settings) {
 
 std::int64_t SurfaceMesh::bytes() const noexcept {
     return position.bytes() + gradient.bytes() + corner.bytes() + neighbour.bytes();
+}
+
+bool is_turned(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
+    const std::array<glm::dvec3, 3> p = corners_of(mesh, triangle);
+    const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    for (std::int64_t k = 0; k < 3; ++k)
+        if (glm::dot(mesh.gradient[mesh.corner[3 * triangle + k]], normal) < 0.0) return true;
+    return false;
 }
 
 SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& implicit,

@@ -14,6 +14,8 @@
 
 namespace hrbfnpr::curves {
 
+class SurfaceEnd;
+
 struct MeshSettings {
     geometry::Bounds region; // beyond it there is no surface: the mesh ends there, and f is not asked for but at seeds
     double side = 0.0;       // of a cell at most, > 0: what is thinner or smaller may be missed
@@ -30,8 +32,9 @@ struct SurfaceMesh {
     base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
     base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none
     geometry::Bounds region;
-    double side = 0.0;           // of the cells: the longest
-    std::int64_t unresolved = 0; // vertices that the search did not bring onto the surface, or whose gradient is 0
+    const SurfaceEnd* end = nullptr; // where the surface ends within the region, if it does
+    double side = 0.0;               // of the cells: the longest
+    std::int64_t unresolved = 0;     // vertices that the search did not bring onto the surface, or whose gradient is 0
     // Seeds on the surface, or less than a side from it, with no triangle that faces their way within 1.5 sides: a part
     // of the surface there is too thin or too small for the cells.
     std::int64_t missed_seeds = 0;
@@ -43,6 +46,9 @@ struct SurfaceMesh {
     [[nodiscard]] std::int64_t triangles() const noexcept { return corner.size() / 3; }
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
+
+// Whether it looks away from the gradient at one of its corners.
+[[nodiscard]] bool is_turned(const SurfaceMesh& mesh, std::int64_t triangle) noexcept;
 
 // Seeds are points on or near the surface; parts of it that no seed belongs to are not reached.
 // The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}, and Error{invalid_argument}

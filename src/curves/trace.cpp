@@ -2,6 +2,7 @@
 #include "curves/trace.h"
 
 #include "curves/chain_runs.h"
+#include "curves/clip_curves.h"
 #include "curves/follow.h"
 #include "curves/near_curves.h"
 #include "curves/small_loops.h"
@@ -186,7 +187,8 @@ Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh
         rounds.from(find_small_loops(runtime, level, mesh, at_vertices, report.evaluations, progress)).size();
     report.loops = report.starts - before;
     report.added = report.starts - first;
-    return std::move(rounds).result();
+    Curves curves = std::move(rounds).result();
+    return mesh.end != nullptr ? clip(runtime, level, *mesh.end, curves, progress) : std::move(curves);
 }
 
 } // namespace hrbfnpr::curves

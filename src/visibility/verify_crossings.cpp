@@ -52,11 +52,12 @@ private:
     base::Array<curves::CurvePoint> points_; // two of each: on the farther curve, and on the nearer
 };
 
-// Only curves of one function come so near to each other.
+// Only curves of one surface come so near to each other.
 void Verifier::add(std::int64_t number) {
     const Crossing& c = crossings_[number];
     const Subject& far = subject(c.far_piece);
-    if (!(c.gap < suspicious_gap) || far.level == nullptr || far.level != subject(c.near_piece).level) return;
+    const Subject& near = subject(c.near_piece);
+    if (!(c.gap < suspicious_gap) || far.level == nullptr || near.level == nullptr || far.item != near.item) return;
     Suspect suspect{number,
                     {cubic(subjects_, lines_.pieces[c.far_piece]).at(c.far_share),
                      cubic(subjects_, lines_.pieces[c.near_piece]).at(c.near_share)},
@@ -78,9 +79,10 @@ void Verifier::correct(const base::Progress& progress) {
     for (const Subject& s : subjects_) {
         if (s.level == nullptr) continue;
         base::Array<std::int64_t> which(runtime_.memory);
-        for (std::int64_t i = 0; i < points_.size(); ++i)
-            if (!suspects_[i / 2].done && &subject(crossings_[suspects_[i / 2].crossing].far_piece) == &s)
-                which.push_back(i);
+        for (std::int64_t i = 0; i < points_.size(); ++i) {
+            const Crossing& c = crossings_[suspects_[i / 2].crossing];
+            if (!suspects_[i / 2].done && &subject(i % 2 == 0 ? c.far_piece : c.near_piece) == &s) which.push_back(i);
+        }
         some.resize(which.size());
         for (std::int64_t i = 0; i < which.size(); ++i) some[i] = points_[which[i]];
         for (int step = 0; step < 2; ++step) {

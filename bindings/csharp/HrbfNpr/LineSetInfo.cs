@@ -36,5 +36,11 @@ namespace HrbfNpr
 
         /// <summary>Bytes kept by the set.</summary>
         public readonly long Bytes;
+
+        /// <summary>
+        /// The share of the surface's area that lies beyond its samples, 0 to 1; 0 without
+        /// <see cref="LineSetOptions.Support"/>.
+        /// </summary>
+        public readonly double LeftOut;
     }
 }

@@ -105,6 +105,22 @@ namespace HrbfNpr
         public ArrayView SeedPoints { get; set; }
 
         /// <summary>
+        /// Where the surface ends for want of samples, as an open scan or a terrain does, with a line of
+        /// <see cref="LineKind.Border"/>: 1.5 ends it some 0.7 spacings beyond the last samples, 3 some 0.9; 0 = at
+        /// the search box only (default).
+        /// </summary>
+        public double Support { get; set; }
+
+        /// <summary>
+        /// n points, float or double, that this is judged by; if not given, the model's centres.  All points of a
+        /// scan tell better where it ends.
+        /// </summary>
+        public ArrayView SupportPoints { get; set; }
+
+        /// <summary>Of <see cref="SupportPoints"/>, of any length; if not given, those of the surface there.</summary>
+        public ArrayView SupportNormals { get; set; }
+
+        /// <summary>
         /// Whether curvatures and their derivatives are measured, for kinds that need them with every drawing: no by
         /// default.
         /// </summary>
@@ -119,6 +135,9 @@ namespace HrbfNpr
             desc->flags = WithCurvature ? 1u : 0;
             desc->cell_size = CellSize;
             desc->seed_points = SeedPoints.ToNative(pins, 3, nameof(SeedPoints));
+            desc->support = Support;
+            desc->support_points = SupportPoints.ToNative(pins, 3, nameof(SupportPoints));
+            desc->support_normals = SupportNormals.ToNative(pins, 3, nameof(SupportNormals));
             if (Lines.Count == 0)
             {
                 return;

@@ -13,7 +13,7 @@ namespace HrbfNpr
         /// <param name="cancellationToken">Cancels the call.</param>
         /// <exception cref="InvalidArgumentException">An option is out of its range, or there are more than 4 000 000
         /// triangles: a larger <see cref="LineSetOptions.CellSize"/> is needed.</exception>
-        /// <exception cref="NotConvergedException">No surface was found.</exception>
+        /// <exception cref="NotConvergedException">No surface was found, or none near its samples.</exception>
         /// <exception cref="CancelledException">The call was cancelled.</exception>
         /// <exception cref="CallbackException">A function of the program threw.</exception>
         public LineSet LineSet(

@@ -83,6 +83,8 @@ class LineSetInfo:
         Lines that were found once; curves where the surface ends.
     cell_size, seconds : float
     bytes : int
+    left_out : float
+        The share of the surface's area that lies beyond its samples, 0 to 1; 0 without `support`.
     """
 
     triangles: int
@@ -93,6 +95,7 @@ class LineSetInfo:
     cell_size: float
     seconds: float
     bytes: int
+    left_out: float
 
 
 class LineSet(Owner):
@@ -109,6 +112,12 @@ class LineSet(Owner):
         Of the mesh that curves are looked for on; 0 = half the samples' spacing, and finer where walls are thin.
     seed_points : array of float, shape (n, 3), optional
         Near each part of the surface; the model's samples if omitted.
+    support : float
+        Where the surface ends for want of samples, as an open scan or a terrain does, with a line of the kind
+        "border": 1.5 ends it some 0.7 spacings beyond the last samples, 3 some 0.9; 0 = at the search box only.
+    support_points, support_normals : array of float, shape (n, 3), optional
+        The samples that this is judged by; the centres of the model if omitted. All points of a scan tell better
+        where it ends. Normals may be of any length; those of the surface at the points if omitted.
     progress, operation, context
         As in `Model.fit`.
 
@@ -128,6 +137,9 @@ class LineSet(Owner):
         with_curvature: bool = False,
         cell_size: float = 0.0,
         seed_points: Optional[Array] = None,
+        support: float = 0.0,
+        support_points: Optional[Array] = None,
+        support_normals: Optional[Array] = None,
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
         context: Optional[Context] = None,
@@ -141,8 +153,12 @@ class LineSet(Owner):
         desc.lines, desc.line_count = structs, len(made)
         desc.cell_size = cell_size
         desc.flags = lib.HRBFNPR_LINE_SET_WITH_CURVATURE if with_curvature else 0
-        if seed_points is not None:
-            keep.append(block_in("seed_points", seed_points).fill(desc.seed_points))
+        desc.support = support
+        for name, points in (
+            ("seed_points", seed_points), ("support_points", support_points), ("support_normals", support_normals)
+        ):  # fmt: skip
+            if points is not None:
+                keep.append(block_in(name, points).fill(getattr(desc, name)))
         out = ffi.new("hrbfnpr_line_set **")
         with running(operation, progress, context._handle) as (handle, state):
             status = lib.hrbfnpr_line_set_create(context._handle, model._handle, desc, handle, out, error)

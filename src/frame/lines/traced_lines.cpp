@@ -102,8 +102,11 @@ void TracedLines::trace_contours(const Source& source) {
 
 // Whatever is drawn: what lies behind it depends on where the surface ends.
 void TracedLines::add_border(const Source& source) {
-    borders_of_.push_back(static_cast<std::int32_t>(subjects_.size()));
-    add_lines(source, source.item->lines->border(), nullptr, 0, 1);
+    const auto first = static_cast<std::int32_t>(subjects_.size());
+    const curves::LineSet& lines = *source.item->lines;
+    borders_of_.push_back(first);
+    add_lines(source, curves::with_turns(runtime_, lines.border(), lines.surface(), source.view), nullptr, 0, 1);
+    for (std::int64_t s = first; s < subjects_.size(); ++s) subjects_[s].level = lines.border_level();
 }
 
 void TracedLines::add_lines(const Source& source, const curves::SurfaceLines& lines, const LineStyle* style,

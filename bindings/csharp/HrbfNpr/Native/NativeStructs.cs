@@ -262,6 +262,9 @@ namespace HrbfNpr
         internal IntPtr lines;
         internal long line_count;
         internal long line_stride;
+        internal double support;
+        internal hrbfnpr_array support_points;
+        internal hrbfnpr_array support_normals;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_camera")]

@@ -453,7 +453,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_line_set_desc>() == either(72, 72, 64));
+    assert!(size_of::<hrbfnpr_line_set_desc>() == either(144, 144, 128));
     assert!(align_of::<hrbfnpr_line_set_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -466,10 +466,13 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_line_set_desc, lines) == either(48, 48, 44));
     assert!(offset_of!(hrbfnpr_line_set_desc, line_count) == either(56, 56, 48));
     assert!(offset_of!(hrbfnpr_line_set_desc, line_stride) == either(64, 64, 56));
+    assert!(offset_of!(hrbfnpr_line_set_desc, support) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_line_set_desc, support_points) == either(80, 80, 72));
+    assert!(offset_of!(hrbfnpr_line_set_desc, support_normals) == either(112, 112, 100));
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_line_set_info>() == 72);
+    assert!(size_of::<hrbfnpr_line_set_info>() == 80);
     assert!(align_of::<hrbfnpr_line_set_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -485,6 +488,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_line_set_info, cell_size) == 48);
     assert!(offset_of!(hrbfnpr_line_set_info, seconds) == 56);
     assert!(offset_of!(hrbfnpr_line_set_info, bytes) == 64);
+    assert!(offset_of!(hrbfnpr_line_set_info, left_out) == 72);
 };
 
 const _: () = {

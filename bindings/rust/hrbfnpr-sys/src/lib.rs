@@ -1641,7 +1641,8 @@ pub const HRBFNPR_LINE_KIND_PARABOLIC: u32 = 6;
 pub const HRBFNPR_LINE_KIND_ISOPHOTE: u32 = 7;
 /// once; parallel planes
 pub const HRBFNPR_LINE_KIND_SECTION: u32 = 8;
-/// where the surface ends: at the search box
+/// where the surface ends: at the search box, or beyond the last samples
+/// (hrbfnpr_line_set_desc.support)
 pub const HRBFNPR_LINE_KIND_BORDER: u32 = 9;
 /// once; polylines of the caller, such as creases of a mesh
 pub const HRBFNPR_LINE_KIND_OWN: u32 = 10;
@@ -1697,6 +1698,19 @@ pub struct hrbfnpr_line_set_desc {
     pub lines: *const hrbfnpr_line_desc,
     pub line_count: i64,
     pub line_stride: i64,
+    /// where the surface ends for want of samples, as an open scan or a terrain does: where s(x)
+    /// = -ln sum_j exp(-(2 d_j / h_j)^2) ((1 + n_j . m) / 2)^2 exceeds this; j: the 24 samples
+    /// nearest to x, d_j away, with normals n_j and the spacing h_j around them (as far as the
+    /// sixth neighbour), m: the surface's normal at x. Mesh, curves, and what hides them end
+    /// there, and the end is a border. 1.5 ends it some 0.7 spacings beyond the last samples, 3
+    /// some 0.9, and leaves larger holes closed. 0 = it ends at the search box only; 0 or more, 0
+    pub support: f64,
+    /// FLOAT32 or FLOAT64, 3: those samples; not given = the model's centres. All points of a
+    /// scan tell better where it ends than the centres chosen from them
+    pub support_points: hrbfnpr_array,
+    /// FLOAT32 or FLOAT64, 3: of support_points, as many, of any length; not given = the
+    /// surface's own there
+    pub support_normals: hrbfnpr_array,
 }
 
 extern "C" {
@@ -1705,9 +1719,9 @@ extern "C" {
         struct_size: u32,
     ) -> hrbfnpr_status;
     /// The line set keeps the model.  desc NULL = defaults.
-    /// Errors: INVALID_ARGUMENT (more than 4 000 000 triangles: a larger cell_size),
-    /// NOT_CONVERGED (no surface was
-    /// found), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    /// Errors: INVALID_ARGUMENT (more than 4 000 000 triangles: a larger cell_size; a support
+    /// without samples),
+    /// NOT_CONVERGED (no surface was found, or none near its samples), OUT_OF_MEMORY, CANCELLED, CALLBACK.
     pub fn hrbfnpr_line_set_create(
         context: *mut hrbfnpr_context,
         model: *const hrbfnpr_model,
@@ -1744,6 +1758,8 @@ pub struct hrbfnpr_line_set_info {
     pub seconds: f64,
     /// kept
     pub bytes: i64,
+    /// the share of the surface's area that lies beyond the samples, 0 to 1; 0 without support
+    pub left_out: f64,
 }
 
 extern "C" {

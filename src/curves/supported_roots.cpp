@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "curves/supported_roots.h"
+
+#include "implicit/evaluate_all.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::curves {
+namespace {
+
+constexpr int most_steps = 40;
+constexpr double known = 1e-9;     // of a root, in diagonals
+constexpr double on_border = 1e-6; // of s
+
+// A root that may lie beyond the border.
+struct Doubtful {
+    Root root;
+    double at;
+    bool done;
+};
+
+class Judge {
+public:
+    Judge(const base::Runtime& runtime, const implicit::Implicit& implicit, const SurfaceEnd& end,
+          const base::Array<Line>& lines, const Spans& spans)
+        : runtime_(runtime), implicit_(implicit), end_(end), lines_(lines), spans_(spans), doubtful_(runtime.memory),
+          place_(runtime.memory), gradient_(runtime.memory), value_(runtime.memory) {}
+
+    void find(const base::Array<Root>& roots);
+    void refine(const base::Progress& progress);
+    void judge(base::Array<RootCount>& count) const;
+
+private:
+    [[nodiscard]] const Line& line(const Doubtful& d) const noexcept { return lines_[spans_.span[d.root.span].line]; }
+    void step(std::int64_t i) noexcept;
+
+    const base::Runtime& runtime_;
+    const implicit::Implicit& implicit_;
+    const SurfaceEnd& end_;
+    const base::Array<Line>& lines_;
+    const Spans& spans_;
+    base::Array<Doubtful> doubtful_;
+    geometry::VecArray place_, gradient_;
+    base::Array<double> value_;
+};
+
+void Judge::find(const base::Array<Root>& roots) {
+    for (const Root& root : roots) {
+        const Doubtful d{root, 0.5 * (root.low + root.high), false};
+        if (end_.near_border(line(d).at(d.at))) doubtful_.push_back(d);
+    }
+}
+
+// Newton's step, or halving where that leaves the root's bounds.
+void Judge::step(std::int64_t i) noexcept {
+    Doubtful& d = doubtful_[i];
+    if (d.done) return;
+    Root& root = d.root;
+    ((value_[i] < 0.0) == root.negative_at_low ? root.low : root.high) = d.at;
+    const double way = -value_[i] / glm::dot(gradient_[i], line(d).direction);
+    double next = d.at + way;
+    if (!(next > root.low && next < root.high)) next = 0.5 * (root.low + root.high);
+    d.done = std::abs(next - d.at) <= known * implicit_.diagonal();
+    if (!d.done) d.at = next;
+}
+
+void Judge::refine(const base::Progress& progress) {
+    place_.resize(doubtful_.size());
+    gradient_.resize(doubtful_.size());
+    value_.resize(doubtful_.size());
+    bool left = !doubtful_.empty();
+    for (int k = 0; k < most_steps && left; ++k) {
+        for (std::int64_t i = 0; i < doubtful_.size(); ++i) place_.set(i, line(doubtful_[i]).at(doubtful_[i].at));
+        implicit::evaluate_all(runtime_, implicit_, place_,
+                               {value_.data(), {gradient_.x.data(), gradient_.y.data(), gradient_.z.data()}, {}},
+                               progress.part(0.0, 0.0));
+        left = false;
+        for (std::int64_t i = 0; i < doubtful_.size(); ++i) {
+            step(i);
+            left = left || !doubtful_[i].done;
+        }
+    }
+}
+
+void Judge::judge(base::Array<RootCount>& count) const {
+    for (std::int64_t i = 0; i < doubtful_.size(); ++i) {
+        RootCount& of = count[doubtful_[i].root.span];
+        const double beyond = end_.beyond(place_[i], gradient_[i]);
+        if (beyond > 0.0) --of.roots;
+        if (!doubtful_[i].done || std::abs(beyond) < on_border) of.certain = false;
+    }
+}
+
+} // namespace
+
+void drop_unsupported(const base::Runtime& runtime, const implicit::Implicit& implicit, const SurfaceEnd& end,
+                      const base::Array<Line>& lines, const Spans& spans, const base::Array<Root>& roots,
+                      base::Array<RootCount>& count, const base::Progress& progress) {
+    Judge judge(runtime, implicit, end, lines, spans);
+    judge.find(roots);
+    judge.refine(progress);
+    judge.judge(count);
+}
+
+} // namespace hrbfnpr::curves

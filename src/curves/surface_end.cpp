@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "curves/surface_end.h"
+
+#include "curves/level_block.h"
+
+#include <cmath>
+
+namespace hrbfnpr::curves {
+namespace {
+
+// Where no sample is near s has no slope: large enough that nothing is led there.
+constexpr double nowhere = 1e6;
+
+} // namespace
+
+SurfaceEnd::SurfaceEnd(const surface::Support& support, double limit, const geometry::VecArray& border, double side)
+    : support_(support), limit_(limit), grid_(border, reach * side) {}
+
+bool SurfaceEnd::near_border(const glm::dvec3& place) const {
+    bool near = false;
+    grid_.around(place, [&](std::int64_t) { near = true; });
+    return near;
+}
+
+void SupportLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {
+    in_blocks(points, out, [&](const implicit::PointBatch& some, const LevelBatch& to) { evaluate_block(some, to); });
+}
+
+// The normal changes along with the place by the Hessian over |grad f|.
+void SupportLevel::evaluate_block(const implicit::PointBatch& points, const LevelBatch& out) const {
+    HessianBlock h;
+    h.evaluate(surface_, points, out);
+    for (std::int64_t i = 0; i < points.count; ++i) {
+        const glm::dvec3 gradient(out.gradient[0][i], out.gradient[1][i], out.gradient[2][i]);
+        const surface::Support::Answer s = support_.evaluate({points.x[i], points.y[i], points.z[i]}, gradient);
+        const glm::dvec3 level = s.by_place + h.times(i, s.by_normal) / glm::length(gradient);
+        out.level[i] = std::isfinite(s.value) ? s.value - limit_ : nowhere;
+        for (int c = 0; c < 3; ++c) out.level_gradient[static_cast<std::size_t>(c)][i] = level[c];
+    }
+}
+
+void SupportLevel::at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
+                               const base::Progress& progress) const {
+    support_.evaluate_all(runtime, mesh.position, mesh.gradient, level, progress);
+    for (double& value : level) value = std::isfinite(value) ? value - limit_ : nowhere;
+}
+
+} // namespace hrbfnpr::curves

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "surface/support.h"
+
+#include "geometry/neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::surface {
+namespace {
+
+// The spacing around a sample: how far its sixth neighbour is, and the median of that over these neighbours.
+constexpr std::int64_t sixth = 6;
+constexpr std::int64_t around = 17;
+constexpr std::int64_t grain = 64;
+
+double distance_to_sixth(const geometry::VecArray& position, const geometry::Neighbours& neighbours, std::int64_t i) {
+    const std::int64_t last = std::min(sixth, neighbours.each()) - 1;
+    return glm::distance(position[i], position[neighbours.of(i)[static_cast<std::size_t>(last)]]);
+}
+
+// The geometric mean of a sample's own and the median of its neighbours': serves even samples and uneven ones.
+double own_and_median(const base::Array<double>& distance, std::span<const std::int64_t> neighbours, std::int64_t i) {
+    std::array<double, around> of{};
+    std::size_t count = 0;
+    for (const std::int64_t j : neighbours) of[count++] = distance[j];
+    std::nth_element(of.begin(), of.begin() + count / 2, of.begin() + count);
+    return std::sqrt(distance[i] * of[count / 2]);
+}
+
+} // namespace
+
+// The nearest samples of a place, and -ln of their shares: the least of these is taken out of the sum, so that it does
+// not vanish far away.
+struct Support::Near {
+    std::array<std::int64_t, nearest> at;
+    std::array<double, nearest> facing; // (1 + n_j . m) / 2
+    std::array<double, nearest> loss;
+    std::size_t count = 0;
+    double least = std::numeric_limits<double>::infinity();
+    double sum = 0.0; // of exp(least - loss)
+
+    [[nodiscard]] double share(std::size_t k) const noexcept { return std::exp(least - loss[k]); }
+};
+
+Support::Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
+                 const base::Progress& progress)
+    : tree_(position, progress), normal_(position.memory(), position.size()),
+      sharpness_(position.memory(), position.size()) {
+    for (std::int64_t at = 0; at < tree_.size(); ++at) normal_.set(at, normal[tree_.index(at)]);
+    measure_spacing(runtime, progress);
+}
+
+void Support::measure_spacing(const base::Runtime& runtime, const base::Progress& progress) {
+    const geometry::VecArray& position = tree_.points();
+    const std::int64_t count = position.size();
+    const geometry::Neighbours neighbours(runtime.parallel, position, around, progress);
+    base::Array<double> distance(runtime.memory, count);
+    // A sample without others, or on top of them, has any spacing but 0.
+    const double smallest = std::max(1e-9 * tree_.bounds().diagonal(), std::numeric_limits<double>::min());
+    for (std::int64_t i = 0; i < count; ++i)
+        distance[i] = std::max(smallest, neighbours.each() > 0 ? distance_to_sixth(position, neighbours, i) : smallest);
+    runtime.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t i = begin; i < end; ++i) {
+            const double h = neighbours.each() > 0 ? own_and_median(distance, neighbours.of(i), i) : smallest;
+            sharpness_[i] = 4.0 / (h * h);
+        }
+    });
+}
+
+Support::Near Support::look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept {
+    Near near;
+    near.count = static_cast<std::size_t>(tree_.nearest(
+        place, nearest, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, near.at.data()));
+    for (std::size_t k = 0; k < near.count; ++k) {
+        const std::int64_t j = near.at[k];
+        const glm::dvec3 way = place - tree_.points()[j];
+        near.facing[k] = std::max(0.0, 0.5 * (1.0 + glm::dot(normal_[j], normal)));
+        near.loss[k] = sharpness_[j] * glm::dot(way, way) - 2.0 * std::log(near.facing[k]);
+        near.least = std::min(near.least, near.loss[k]);
+    }
+    if (!std::isfinite(near.least)) return near;
+    for (std::size_t k = 0; k < near.count; ++k) near.sum += near.share(k);
+    return near;
+}
+
+double Support::value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
+    const Near near = look(place, glm::normalize(gradient));
+    return near.sum > 0.0 ? near.least - std::log(near.sum) : std::numeric_limits<double>::infinity();
+}
+
+Support::Answer Support::evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
+    const glm::dvec3 normal = glm::normalize(gradient);
+    const Near near = look(place, normal);
+    Answer answer{std::numeric_limits<double>::infinity(), glm::dvec3(0.0), glm::dvec3(0.0)};
+    if (!(near.sum > 0.0)) return answer;
+    answer.value = near.least - std::log(near.sum);
+    for (std::size_t k = 0; k < near.count; ++k) {
+        if (!(near.facing[k] > 0.0)) continue;
+        const std::int64_t j = near.at[k];
+        const double weight = near.share(k) / near.sum;
+        answer.by_place += 2.0 * weight * sharpness_[j] * (place - tree_.points()[j]);
+        answer.by_normal -= weight / near.facing[k] * normal_[j];
+    }
+    answer.by_normal -= glm::dot(answer.by_normal, normal) * normal;
+    return answer;
+}
+
+void Support::evaluate_all(const base::Runtime& runtime, const geometry::VecArray& place,
+                           const geometry::VecArray& gradient, base::Array<double>& value,
+                           const base::Progress& progress) const {
+    value.resize_for_overwrite(place.size());
+    runtime.parallel.for_chunks(place.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t i = begin; i < end; ++i) value[i] = this->value(place[i], gradient[i]);
+    });
+}
+
+std::int64_t Support::bytes() const noexcept {
+    return tree_.points().bytes() + normal_.bytes() + sharpness_.bytes() +
+           tree_.nodes() * static_cast<std::int64_t>(sizeof(geometry::Bounds) + sizeof(std::int64_t));
+}
+
+} // namespace hrbfnpr::surface

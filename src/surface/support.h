@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// How well the samples of a surface bear out a place of it: the surface of an implicit goes on where they end, and
+// what lies there is an invention.
+//
+//   s(x) = -ln sum_j exp(-(d_j / (h_j / 2))^2) ((1 + n_j . m) / 2)^2
+//
+// over the nearest samples j, d_j their distances, n_j their normals, h_j the spacing around each, m the unit normal at
+// x.  It is near 0 among samples, and grows away from them and where they face another way.
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "geometry/point_tree.h"
+#include "geometry/vec_array.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::surface {
+
+class Support {
+public:
+    static constexpr std::int64_t nearest = 24;
+
+    // s at a place with a normal, and how it changes with both.
+    struct Answer {
+        double value;         // infinite where no sample is near or faces the same way
+        glm::dvec3 by_place;  // its gradient for a normal that stays as it is
+        glm::dvec3 by_normal; // by the normal, perpendicular to it
+    };
+
+    // position and normal (unit) of the same samples, one or more.
+    Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
+            const base::Progress& progress);
+
+    // On the calling thread; const, for any number of threads.
+    [[nodiscard]] double value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
+    [[nodiscard]] Answer evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
+    // At many places, by grad f there, which need not be unit; value: resized.  The same bits for any thread count.
+    void evaluate_all(const base::Runtime& runtime, const geometry::VecArray& place, const geometry::VecArray& gradient,
+                      base::Array<double>& value, const base::Progress& progress) const;
+
+    [[nodiscard]] std::int64_t samples() const noexcept { return tree_.size(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+
+private:
+    struct Near;
+
+    void measure_spacing(const base::Runtime& runtime, const base::Progress& progress);
+    [[nodiscard]] Near look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
+
+    geometry::PointTree tree_;
+    geometry::VecArray normal_;     // in the tree's order, as the next
+    base::Array<double> sharpness_; // (2 / h)^2
+};
+
+} // namespace hrbfnpr::surface
