@@ -59,7 +59,7 @@ void Support::measure_spacing(const base::Runtime& runtime, const base::Progress
     const geometry::Neighbours neighbours(runtime.parallel, position, around, progress);
     base::Array<double> distance(runtime.memory, count);
     // A sample without others, or on top of them, has any spacing but 0.
-    const double smallest = std::max(1e-9 * tree_.bounds().diagonal(), std::numeric_limits<double>::min());
+    const double smallest = std::max(1e-9 * tree_.bounds().diagonal(), 1e-100);
     for (std::int64_t i = 0; i < count; ++i)
         distance[i] = std::max(smallest, neighbours.each() > 0 ? distance_to_sixth(position, neighbours, i) : smallest);
     runtime.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {

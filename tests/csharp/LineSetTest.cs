@@ -48,6 +48,24 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void TheSurfaceEndsWhereItsSamplesDo()
+        {
+            var cap = new double[] { 0, 0, 1, 0.3, 0, 0.95, -0.3, 0, 0.95, 0, 0.3, 0.95, 0, -0.3, 0.95 };
+            var options = new LineSetOptions { Support = 3, SupportPoints = cap, SupportNormals = cap };
+            using (LineSet all = model.LineSet(new LineSetOptions { Support = 100 }))
+            using (LineSet some = model.LineSet(options))
+            {
+                Assert.Equal(0.0, all.Info.LeftOut);
+                Assert.Equal(0L, all.Info.Borders);
+                Assert.InRange(some.Info.LeftOut, 0.5, 0.99);
+                Assert.Equal(1L, some.Info.Borders);
+                Assert.True(some.Info.Triangles < all.Info.Triangles);
+            }
+            options.Support = -1;
+            Assert.Throws<InvalidArgumentException>(() => model.LineSet(options));
+        }
+
+        [Fact]
         public void ContoursAreStrokesOfALayerOfTheirOwn()
         {
             using (Drawing drawing = renderer.Draw(With(silhouette), camera))

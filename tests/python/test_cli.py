@@ -122,6 +122,21 @@ def test_every_option(files, tmp_path, options, capsys):
     assert ink(output) > 0.0005
 
 
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        (["--lines", "contour,border"], "ends nowhere within support 3"),
+        (["--lines", "border", "--support", "0"], ""),
+        (["--support", "0.01", "--style", "silhouette"], "% of it is left out"),
+    ],
+)
+def test_where_the_surface_ends(files, tmp_path, options, words, capsys):
+    few = [word for word in QUICK if word != "--quiet"]
+    assert main(["draw", str(files["xyz"]), str(tmp_path / "out.png"), *few, *options]) == 0
+    out = capsys.readouterr().out
+    assert (words in out) and ("lines:" in out) == bool(words)
+
+
 def test_flip(files, tmp_path):
     pictures = []
     for name, options in (("a", []), ("b", ["--flip"])):

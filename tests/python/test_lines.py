@@ -178,6 +178,61 @@ def test_styles_scale_with_the_picture(model, marks):
         assert np.abs(picture - found[0][2]).max() < 40  # of 255, where a line moves by some hundredths of a pixel
 
 
+def half_torus():
+    a, b = np.meshgrid(np.linspace(0, np.pi, 20), np.linspace(0, 2 * np.pi, 14, endpoint=False))
+    normals = np.stack([np.cos(a) * np.cos(b), np.sin(a) * np.cos(b), np.sin(b)], axis=-1).reshape(-1, 3)
+    return np.stack([np.cos(a), np.sin(a), 0 * a], axis=-1).reshape(-1, 3) + 0.4 * normals, normals
+
+
+def wave(count=400):
+    x, y = np.random.default_rng(3).uniform(-1, 1, (2, count))
+    normals = np.stack([-0.4 * np.cos(2 * x) * np.cos(3 * y), 0.6 * np.sin(2 * x) * np.sin(3 * y), 0 * x + 1], axis=-1)
+    points = np.stack([x, y, 0.2 * np.sin(2 * x) * np.cos(3 * y)], axis=-1)
+    return points, normals / np.linalg.norm(normals, axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("shape, support, borders", [(half_torus, 1.5, 2), (wave, 4.0, 1)])
+def test_lines_end_where_the_samples_do(shape, support, borders):
+    points, normals = shape()
+    model = hrbfnpr.Model.fit(points, normals)
+    whole, lines = hrbfnpr.LineSet(model), hrbfnpr.LineSet(model, support=support)
+    assert whole.info.left_out == 0 and 0 < lines.info.left_out < 0.5
+    assert lines.info.borders == borders
+    same = hrbfnpr.LineSet(model, support=support, support_points=points, support_normals=3 * normals)
+    assert same.info.triangles == lines.info.triangles
+    turned = hrbfnpr.LineSet(model, support=support, support_points=points)  # normals are the surface's own
+    assert abs(turned.info.triangles - lines.info.triangles) < 0.02 * lines.info.triangles
+    style = hrbfnpr.Style("silhouette", lines=["contour", hrbfnpr.LineStyle("border", hidden="shown")])
+    marks = model.generate(budget=50)
+    reach = 1.3 * model.info.spacing
+    for towards in [(0.3, 1, -0.7), (1, 0.2, 0.1), (-0.4, 0.3, 1), (0.1, -1, -0.2)]:
+        view = hrbfnpr.Camera.fit(model, towards, (0, 0.1, 1), size=(640, 480))
+        drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), view)
+        info = drawing.info
+        assert info.line_broken == info.line_settled == info.line_contradictions == 0
+        assert len(layers(drawing, "border")) == 1
+        for layer in (k for k, layer in enumerate(drawing.layers) if layer.layer == -1):
+            for line in drawing.polylines(layer):
+                away = np.linalg.norm(line["position"][:, None] - points[None], axis=2).min(axis=1)
+                assert away.max() < reach * (4 if shape is wave else 1)
+
+
+def test_all_lines_end_there():
+    points, normals = half_torus()
+    model = hrbfnpr.Model.fit(points, normals)
+    once = [hrbfnpr.Lines("section", levels=[0.1], shortest=0), "parabolic"]
+    lines = hrbfnpr.LineSet(model, once, support=1.5, with_curvature=True)
+    kinds = ["section", "parabolic", "suggestive_contour", "isophote"]
+    style = hrbfnpr.Style("silhouette", lines=[hrbfnpr.LineStyle(kind, hidden="shown") for kind in kinds])
+    style.lines[-1].levels = [0.4]
+    drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(model.generate(budget=50), style, line_set=lines), camera(model))
+    for kind in ("section", "parabolic", "isophote"):
+        assert sum(layer.strokes for layer in layers(drawing, kind)) > 0
+    for k in range(len(drawing.layers)):
+        for line in drawing.polylines(k):
+            assert line["position"][:, 1].min() > -1.3 * model.info.spacing
+
+
 def test_errors_name_the_argument(model, marks):
     lines = hrbfnpr.LineSet(model)
     style = hrbfnpr.Style("silhouette", lines=["suggestive_contour"])
@@ -204,6 +259,17 @@ def test_errors_name_the_argument(model, marks):
             hrbfnpr.LineSet(model, once)
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="cell_size"):
         hrbfnpr.LineSet(model, cell_size=-1)
+    for wrong, text in (
+        ({"support": -1}, "support"),
+        ({"support": np.nan}, "support"),
+        ({"support_points": [[0, 0, np.inf]]}, r"support_points\[0\]"),
+        ({"support_points": [[0, 0, 1]], "support_normals": [[0, 0, 1], [0, 0, 1]]}, "support_normals has 2"),
+        ({"support_points": [[0, 0, 1]], "support_normals": [[0, 0, 0]]}, r"support_normals\[0\] is 0"),
+    ):
+        with pytest.raises(hrbfnpr.InvalidArgumentError, match=text):
+            hrbfnpr.LineSet(model, **wrong)
+    with pytest.raises(hrbfnpr.NotConvergedError, match="larger support"):
+        hrbfnpr.LineSet(model, support=1.5, support_points=[[9, 9, 9]], support_normals=[[0, 0, 1]])
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="larger side"):
         hrbfnpr.LineSet(model, cell_size=1e-4)
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="levels"):

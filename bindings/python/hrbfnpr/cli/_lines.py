@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import shapes
 from .._context import Context
-from .._line_set import Lines, LineSet
+from .._line_set import Lines, LineSet, LineSetInfo
 from .._line_style import LineStyle
 from .._model import Model
 from .._names import LINE_KINDS
@@ -29,6 +29,8 @@ _OF_MARKS = ("silhouette_threshold", "silhouette_law", "silhouette_width", "silh
 _HIDDEN = {"attenuate": "attenuated", "hide": "none", "show": "shown"}
 # Of every line's style.
 _LAWS = ("outline_factor", "far_factor", "lit_factor", "curvature_factor", "wobble")
+# Holes between samples that are not even stay closed.
+_OPEN = 3.0
 # What is drawn finer than contours, as a share of their width.
 _FINE = 0.6
 
@@ -104,15 +106,33 @@ def make(arguments: Any, model: Model, style: Style, context: Context, report: R
     wanted = arguments.lines if arguments.lines is not None else []
     once = [_once(one, model, arguments) for one in wanted if one.kind in (*_FOUND_ONCE, "section", "crease")]
     curved = any(line.kind in ("suggestive_contour", "apparent_ridge", "isophote") for line in style.lines)
+    support = _support(arguments, wanted)
     with report.stage("looking for lines") as bar:
-        made = LineSet(model, once, with_curvature=curved, progress=bar, context=context)
+        made = LineSet(model, once, with_curvature=curved, support=support, progress=bar, context=context)
     info = made.info
+    if support > 0 and not report.quiet:
+        print(_what_ends(info, support))
     if info.turned > 2e-3 * info.triangles or info.missed_seeds:
         report.note(
             f"the surface is thinner than the cells that lines are looked for in ({info.turned} of {info.triangles} "
             f"triangles look away, {info.missed_seeds} samples are missed): lines may be missing there"
         )
     return made
+
+
+def _support(arguments: Any, wanted: Sequence[Wanted]) -> float:
+    """Whoever wants a border wants it where the samples end."""
+    if arguments.support is not None:
+        return float(arguments.support)
+    return _OPEN if any(one.kind == "border" for one in wanted) else 0.0
+
+
+def _what_ends(info: LineSetInfo, support: float) -> str:
+    if info.borders == 0:
+        return f"lines: the surface ends nowhere within support {support:g}"
+    curves = "1 border" if info.borders == 1 else f"{info.borders} borders"
+    share = f"{100 * info.left_out:.1f} % of it is left out"
+    return f"lines: the surface ends beyond its samples, at {curves} (support {support:g}); {share}"
 
 
 def _once(wanted: Wanted, model: Model, arguments: Any) -> Lines:

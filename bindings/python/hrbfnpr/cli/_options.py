@@ -161,6 +161,7 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--silhouette-width", "silhouette_width", values.number, "PIXELS", "on either side of the contour")
     _add(group, "--lines", "lines", _lines.parse, "KINDS", f"lines drawn as curves: {', '.join(_lines.NAMES)}, with commas between; section=z:20, isophotes=0.3:0.6; none: contours by marks; those of the style")
     _add_choice(group, "--hidden", "hidden", tuple(HIDDEN_PARTS), "hidden parts of lines")
+    _add(group, "--support", "support", values.number, "S", "where lines end beyond the samples of open data: 1.5 close to even ones, 3 farther; 0 nowhere; 3 with a border among the lines, else 0")
     _add(group, "--line-width", "line_width", values.number, "PIXELS", "of contours; others are finer")
     _add(group, "--outline", "outline_factor", values.number, "X", "times the width of lines where nothing lies beside them; 1.5 of silhouette and xray, else 1")
     _add(group, "--far-lines", "far_factor", values.number, "X", "times the width of lines at the farthest place; 1")
