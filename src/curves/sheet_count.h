@@ -33,6 +33,7 @@ public:
                const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Answer>& answer,
                const base::Progress& progress) const;
 
+    [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return mesh_; }
     [[nodiscard]] std::int64_t bytes() const noexcept { return tree_.bytes(); }
 
 private:

@@ -33,9 +33,11 @@ double Lengths::at(const Line& line, std::int64_t piece, double share) const noe
 }
 
 Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
-                      const base::Array<Crossing>& crossings, const Lengths& lengths) {
+                      const base::Array<Crossing>& crossings, std::span<const Pierced> pierced,
+                      const Lengths& lengths) {
     Events events(memory);
     std::int64_t c = 0;
+    std::size_t next = 0;
     for (const Line& line : lines.lines) {
         events.first.push_back(events.event.size());
         const Subject& subject = subjects[static_cast<std::size_t>(line.subject)];
@@ -49,10 +51,18 @@ Events collect_events(base::Memory& memory, std::span<const Subject> subjects, c
                 events.event.push_back({piece, 0.0, away ? 1 : -1, -1, lengths.at(line, piece, 0.0), 0.0F});
                 ++events.cusps;
             }
-            for (; c < crossings.size() && crossings[c].far_piece == piece; ++c)
+            const auto add_pierced = [&](double up_to) {
+                for (; next < pierced.size() && pierced[next].piece == piece && pierced[next].share < up_to; ++next)
+                    events.event.push_back({piece, pierced[next].share, pierced[next].change, no_line,
+                                            lengths.at(line, piece, pierced[next].share), 0.0F});
+            };
+            for (; c < crossings.size() && crossings[c].far_piece == piece; ++c) {
+                add_pierced(crossings[c].far_share);
                 events.event.push_back({piece, crossings[c].far_share, crossings[c].change, crossings[c].near_piece,
                                         lengths.at(line, piece, crossings[c].far_share),
                                         static_cast<float>(crossings[c].sine), crossings[c].near_share});
+            }
+            add_pierced(2.0);
         }
     }
     events.first.push_back(events.event.size());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "visibility/crossings.h"
+#include "visibility/pierced.h"
 
 #include <span>
 
@@ -12,7 +13,7 @@ struct Event {
     std::int32_t piece;
     double share;
     std::int32_t change;
-    std::int32_t near_piece; // of the line that crosses before it; -1: a cusp
+    std::int32_t near_piece; // of the line that crosses before it; -1: a cusp; no_line: it passes a surface
     double at;               // along its line, pixels
     float sine = 0.0F;       // of the angle to the line that crosses; 0 of a cusp
     double near_share = 0.5; // along the piece of the line that crosses
@@ -49,8 +50,9 @@ struct Events {
     std::int64_t cusps = 0;
 };
 
-// crossings: sorted as find_crossings leaves them.
+// crossings, pierced: sorted as find_crossings() and find_pierced() leave them.
 [[nodiscard]] Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
-                                    const base::Array<Crossing>& crossings, const Lengths& lengths);
+                                    const base::Array<Crossing>& crossings, std::span<const Pierced> pierced,
+                                    const Lengths& lengths);
 
 } // namespace hrbfnpr::visibility

@@ -68,7 +68,7 @@ public:
           const base::Progress& progress)
         : runtime_(runtime), subjects_(std::as_const(out.subjects).span()), occluders_(occluders), out_(out),
           progress_(progress), lengths_(start(tolerance)),
-          events_(collect_events(runtime.memory, subjects_, out.lines, out.crossings, lengths_)),
+          events_(collect_events(runtime.memory, subjects_, out.lines, out.crossings, out.pierced.span(), lengths_)),
           chosen_(runtime.memory), first_chosen_(runtime.memory), bad_(runtime.memory) {
         out_.report.cusps = events_.cusps;
     }
@@ -106,6 +106,7 @@ private:
 
 Lengths Round::start(double tolerance) {
     out_.lines = draw_lines(runtime_, subjects_, tolerance);
+    out_.pierced = find_pierced(runtime_, subjects_, occluders_, out_.lines, progress_);
     out_.crossings = find_crossings(runtime_, subjects_, out_.lines, out_.report.crossings, progress_);
     return {runtime_.memory, out_.lines};
 }

@@ -38,13 +38,14 @@ struct InvisibilitySettings {
 
 struct Invisibility {
     explicit Invisibility(base::Memory& memory) noexcept
-        : subjects(memory), finer(memory), lines(memory), intervals(memory), crossings(memory) {}
+        : subjects(memory), finer(memory), lines(memory), intervals(memory), crossings(memory), pierced(memory) {}
 
     base::Array<Subject> subjects;                     // as given, but for curves that had to be finer
     base::List<std::unique_ptr<curves::Curves>> finer; // ... which are these; the last ones count
     ImageLines lines;
     base::Array<Interval> intervals; // line by line, along it
     base::Array<Crossing> crossings;
+    base::Array<Pierced> pierced;
     InvisibilityReport report;
 };
 

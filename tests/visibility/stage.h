@@ -73,7 +73,8 @@ public:
 
     // The sum of the changes around each closed line, however small; the largest by amount.
     [[nodiscard]] std::int32_t worst_sum() const {
-        const Events events = collect_events(runtime_.memory, subjects, found->lines, found->crossings, *lengths);
+        const Events events =
+            collect_events(runtime_.memory, subjects, found->lines, found->crossings, found->pierced.span(), *lengths);
         std::int32_t worst = 0;
         for (std::int64_t l = 0; l < found->lines.lines.size(); ++l) {
             std::int32_t sum = 0;
@@ -101,7 +102,8 @@ public:
     }
     // Nearer to a cusp of its line than 0.25 pixels.
     [[nodiscard]] bool near_cusp(const Place& place) const {
-        const Events events = collect_events(runtime_.memory, subjects, found->lines, found->crossings, *lengths);
+        const Events events =
+            collect_events(runtime_.memory, subjects, found->lines, found->crossings, found->pierced.span(), *lengths);
         bool near = false;
         for (const Event& e : events.of(place.line))
             near = near || (e.near_piece < 0 && std::abs(e.at - place.at) < 0.25);
