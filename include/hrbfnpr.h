@@ -1739,7 +1739,9 @@ enum {
     HRBFNPR_VERTEX_ATTRIBUTE_CLASS = 7,     /* HRBFNPR_CLASS_...; UINT8 or UINT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER = 8,  /* 1 = a disc of paper, 0 = ink; UINT8 or UINT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_LAYER = 9,     /* of the drawing; UINT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_LENGTH = 10    /* along its stroke, pixels from its first point; 0 for a dot; FLOAT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_LENGTH = 10,   /* along its stroke, pixels from its first point; 0 for a dot; FLOAT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_LINE = 11      /* of lines: a number that a line keeps from one drawing of a renderer to
+                                               the next, where the camera moves little; 0 of all else; UINT32 */
 };
 
 typedef struct hrbfnpr_vertex_attribute {

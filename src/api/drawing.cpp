@@ -33,6 +33,7 @@ static_assert(static_cast<int>(output::VertexAttribute::mark_class) == HRBFNPR_V
 static_assert(static_cast<int>(output::VertexAttribute::is_paper) == HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER);
 static_assert(static_cast<int>(output::VertexAttribute::layer) == HRBFNPR_VERTEX_ATTRIBUTE_LAYER);
 static_assert(static_cast<int>(output::VertexAttribute::length) == HRBFNPR_VERTEX_ATTRIBUTE_LENGTH);
+static_assert(static_cast<int>(output::VertexAttribute::line) == HRBFNPR_VERTEX_ATTRIBUTE_LINE);
 
 namespace hrbfnpr::api {
 

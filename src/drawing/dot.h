@@ -45,6 +45,7 @@ struct Stroke {
     std::int64_t first = 0; // of its points
     std::int32_t count = 0; // two and more
     std::uint32_t layer = 0;
+    std::uint32_t line = 0; // its number, from frame to frame the same; 0: it joins marks
     float depth = 0.0F; // of its middle, eye units along the view: strokes are painted by it
     Cap cap_begin = Cap::round;
     Cap cap_end = Cap::round;

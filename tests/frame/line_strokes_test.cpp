@@ -297,6 +297,45 @@ TEST_F(LineStrokes, LayersMultiply) {
     }
 }
 
+// Of a ball and a ring, as one goes round them.
+TEST_F(LineStrokes, LinesKeepTheirNumbersFromFrameToFrame) {
+    std::vector<frame::Item> items{item_of(&ball_lines), item_of(&ring_lines)};
+    items[0].transform[3] = {0.0, 0.0, 3.0, 1.0};
+    const auto numbers = [&](std::int32_t item) {
+        std::vector<std::uint32_t> found;
+        for (const Stroke& stroke : strokes_of(item)) found.push_back(stroke.line);
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        return found;
+    };
+    const auto seen_from = [&](double angle) {
+        frame::Camera camera = front_camera(size, size, 3.0);
+        camera.view =
+            frame::look_at({8.0 * std::sin(angle), -8.0 * std::cos(angle), 9.0}, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0});
+        draw(items, camera);
+    };
+    seen_from(0.0);
+    const std::vector<std::uint32_t> ball_number = numbers(0);
+    const std::vector<std::uint32_t> ring_numbers = numbers(1);
+    ASSERT_EQ(ball_number.size(), 1U);
+    ASSERT_EQ(ring_numbers.size(), 2U);
+    EXPECT_GT(ball_number[0], 0U);
+    EXPECT_FALSE(std::count(ring_numbers.begin(), ring_numbers.end(), ball_number[0]));
+    for (int i = 1; i < 40; ++i) {
+        seen_from(0.02 * i);
+        EXPECT_EQ(numbers(0), ball_number);
+        EXPECT_EQ(numbers(1), ring_numbers);
+    }
+    // Another line set is another line; and what went away comes back with a new number.
+    items.pop_back();
+    seen_from(0.0);
+    EXPECT_EQ(numbers(0), ball_number);
+    items.push_back(item_of(&ring_lines));
+    seen_from(0.0);
+    EXPECT_EQ(numbers(0), ball_number);
+    for (const std::uint32_t number : numbers(1)) EXPECT_GT(number, ring_numbers.back());
+}
+
 // A torus seen from the side: its inner contour ends at cusps, in a point.
 class TaperedAtCusps : public LineStrokes {
 protected:

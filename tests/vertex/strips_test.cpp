@@ -22,11 +22,13 @@ struct Vertex {
     float color[4];
     std::uint32_t id, layer;
     glm::vec3 position;
+    std::uint32_t line;
     std::uint8_t mark_class, is_paper;
 };
 
 // At odd offsets.
-constexpr std::int64_t stride = 61;
+constexpr std::int64_t stride = 67;
+constexpr std::uint32_t line_number = 17;
 constexpr std::array fields{VertexField{VertexAttribute::window, Scalar::float32, 1},
                             VertexField{VertexAttribute::radius, Scalar::float32, 13},
                             VertexField{VertexAttribute::length, Scalar::float32, 17},
@@ -35,7 +37,8 @@ constexpr std::array fields{VertexField{VertexAttribute::window, Scalar::float32
                             VertexField{VertexAttribute::layer, Scalar::uint32, 41},
                             VertexField{VertexAttribute::position, Scalar::float32, 45},
                             VertexField{VertexAttribute::mark_class, Scalar::uint8, 57},
-                            VertexField{VertexAttribute::is_paper, Scalar::uint8, 58}};
+                            VertexField{VertexAttribute::is_paper, Scalar::uint8, 58},
+                            VertexField{VertexAttribute::line, Scalar::uint32, 61}};
 
 class Strips : public ::testing::Test {
 protected:
@@ -62,7 +65,7 @@ protected:
             drawing.points.push_back({places[i].x, places[i].y, 2.0F + along, 0.5F + 0.1F * along, 7.0F, 0.1F * along,
                                       100.0F, length, 20U - static_cast<std::uint32_t>(drawing.points.size())});
         }
-        drawing.strokes.push_back({first, static_cast<std::int32_t>(places.size()), layer, 7.0F});
+        drawing.strokes.push_back({first, static_cast<std::int32_t>(places.size()), layer, line_number, 7.0F});
     }
     void write(Primitive primitive) {
         const output::VertexBound bound = output::vertex_bound(drawing, primitive);
@@ -84,6 +87,7 @@ protected:
             std::memcpy(&v.position[0], at + 45, 12);
             v.mark_class = std::to_integer<std::uint8_t>(at[57]);
             v.is_paper = std::to_integer<std::uint8_t>(at[58]);
+            std::memcpy(&v.line, at + 61, 4);
             vertices.push_back(v);
         }
     }
@@ -98,6 +102,7 @@ protected:
         EXPECT_EQ(v.color[3], drawing.layers[layer].ink.w * p.opacity);
         EXPECT_EQ(v.id, p.id);
         EXPECT_EQ(v.layer, layer);
+        EXPECT_EQ(v.line, line_number);
         EXPECT_EQ(v.position, glm::vec3(static_cast<float>(p.id - 1), 1.0F, 2.0F));
         EXPECT_EQ(v.mark_class, static_cast<std::uint8_t>(drawing::MarkClass::front));
         EXPECT_EQ(v.is_paper, 0);
@@ -241,7 +246,7 @@ TEST_F(Strips, ManyStrokesStandInTheirOrder) {
         drawing.points.push_back({0.0F, y, 1.0F, 1.0F, 7.0F, 0.5F, 1.0F, 0.0F, 1});
         drawing.points.push_back({9.0F, y, 1.0F, 1.0F, 7.0F, 0.5F, 1.0F, 9.0F, 2});
         drawing.points.push_back({18.0F, y, 1.0F, 1.0F, 7.0F, 0.5F, 1.0F, 18.0F, 3});
-        drawing.strokes.push_back({3 * i, 3, 0, 7.0F});
+        drawing.strokes.push_back({3 * i, 3, 0, 0, 7.0F});
     }
     write(Primitive::line_strips);
     ASSERT_EQ(vertices.size(), 3000U);

@@ -216,5 +216,8 @@ namespace HrbfNpr
         Layer = 9,
         /// <summary>Along its stroke, pixels from its first point, 0 for a dot; 1 float.</summary>
         Length = 10,
+        /// <summary>Of lines: a number that a line keeps from one drawing of a renderer to the next, where the camera
+        /// moves little; 0 of all else; 1 uint.</summary>
+        Line = 11,
     }
 }

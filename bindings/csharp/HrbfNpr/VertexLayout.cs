@@ -41,6 +41,7 @@ namespace HrbfNpr
                     return Add(attribute, ScalarType.Uint8, End(1));
                 case VertexAttribute.Id:
                 case VertexAttribute.Layer:
+                case VertexAttribute.Line:
                     return Add(attribute, ScalarType.Uint32, End(4));
                 default:
                     return Add(attribute, ScalarType.Float32, End(4));

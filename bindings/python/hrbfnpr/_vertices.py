@@ -23,6 +23,7 @@ _TYPES = {
     "is_paper": ("B", 1),
     "layer": ("I", 1),
     "length": ("f", 1),
+    "line": ("I", 1),
 }
 _SCALARS = {"f": ("FLOAT32", 4), "B": ("UINT8", 1), "I": ("UINT32", 4)}
 

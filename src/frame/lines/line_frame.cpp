@@ -22,6 +22,16 @@ void count(const visibility::Invisibility& found, const TracedLines& traced, dra
     counts.contradictions = found.report.contradictions;
 }
 
+base::Array<LineFamily> families(base::Memory& memory, std::span<const visibility::Subject> subjects,
+                                 std::span<const visibility::Occluder> occluders) {
+    base::Array<LineFamily> found(memory);
+    base::Array<std::int64_t> of_item(memory, static_cast<std::int64_t>(occluders.size()));
+    for (const visibility::Subject& subject : subjects)
+        found.push_back(
+            {occluders[static_cast<std::size_t>(subject.item)].sheets, subject.item, of_item[subject.item]++});
+    return found;
+}
+
 } // namespace
 
 const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> items, drawing::Drawing& drawing) {
@@ -36,7 +46,9 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
         visibility::find_invisibility(runtime_, traced.subjects(), traced.occluders(), {}, base::Progress());
     count(found, traced, drawing.line_counts);
     const visibility::Lengths lengths(runtime_.memory, found.lines);
-    const LineInput input{found.subjects.span(), traced.occluders(), traced.styles(), found, lengths};
+    numbers_.run(families(runtime_.memory, found.subjects.span(), traced.occluders()).span(), found.subjects.span(),
+                 found.lines);
+    const LineInput input{found.subjects.span(), traced.occluders(), traced.styles(), found, lengths, numbers_};
     const WidthLaws laws(runtime_, scene, items, drawing, input);
     StrokeParts(runtime_, scene, input, laws, strokes_).run();
     drawing.line_counts.nanoseconds = watch.nanoseconds();

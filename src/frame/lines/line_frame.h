@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/runtime.h"
+#include "frame/lines/line_numbers.h"
 #include "frame/scene/line_strokes.h"
 #include "frame/scene/scene.h"
 #include "visibility/invisibility.h"
@@ -13,7 +14,8 @@ namespace hrbfnpr::frame {
 
 class LineFrame {
 public:
-    explicit LineFrame(const base::Runtime& runtime) noexcept : runtime_(runtime), strokes_(runtime.memory) {}
+    explicit LineFrame(const base::Runtime& runtime) noexcept
+        : runtime_(runtime), strokes_(runtime.memory), numbers_(runtime.memory) {}
 
     // Of the items that have lines and styles for them; adds their layers, and what was found, to the drawing.
     // All items with lines hide each other's.  Throws Error{callback, out_of_memory}.
@@ -22,6 +24,7 @@ public:
 private:
     const base::Runtime& runtime_;
     LineStrokes strokes_;
+    LineNumbers numbers_;
 };
 
 } // namespace hrbfnpr::frame

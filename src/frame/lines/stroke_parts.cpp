@@ -231,6 +231,7 @@ drawing::Stroke StrokeParts::begun(const DrawnAs& as, const Part& part, double l
     drawing::Stroke stroke;
     stroke.first = strokes_.points.size();
     stroke.layer = as.layer;
+    stroke.line = numbers_.number(part.interval.line);
     stroke.closed = is_whole(part) && length >= length_of(part.interval);
     stroke.cap_begin = part.free_begin && !hidden ? as.style->cap : drawing::Cap::round;
     stroke.cap_end = part.free_end && !hidden ? as.style->cap : drawing::Cap::round;
@@ -251,7 +252,14 @@ StrokeParts::Pen StrokeParts::pen_of(const DrawnAs& as, const Part& part) const 
 
 Wobble StrokeParts::wobble_of(const DrawnAs& as, std::int32_t line) const noexcept {
     const visibility::Line& its = found_.lines.lines[line];
-    return {*as.style, its.curve, lengths_.whole(its), its.closed};
+    return {*as.style, numbers_.number(line), lengths_.whole(its), its.closed};
+}
+
+// Noise stands still on a line from frame to frame, wherever that begins.
+double StrokeParts::from_origin(std::int32_t line, double at) const noexcept {
+    const visibility::Line& its = found_.lines.lines[line];
+    const double way = at - lengths_.at(its, numbers_.origin(line), 0.0);
+    return its.closed && way < 0.0 ? way + lengths_.whole(its) : way;
 }
 
 // A point whose radius is still a factor of its style's width.
@@ -314,7 +322,7 @@ void StrokeParts::wobble(const DrawnAs& as, const Part& part, const drawing::Str
         const glm::dvec2 here = at(i);
         const glm::dvec2 next = i < last ? at(i + 1) : stroke.closed ? round[1] : here;
         const glm::dvec2 along = next - before;
-        const double where = at_[static_cast<std::int64_t>(i)];
+        const double where = from_origin(part.interval.line, at_[static_cast<std::int64_t>(i)]);
         const double length = glm::length(along);
         const double aside = length > 0.0 ? hand.aside(where) / length : 0.0;
         points[i].x = static_cast<float>(here.x + aside * along.y);

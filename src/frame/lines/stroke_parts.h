@@ -16,9 +16,9 @@ class StrokeParts {
 public:
     StrokeParts(const base::Runtime& runtime, const Scene& scene, const LineInput& input, const WidthLaws& laws,
                 LineStrokes& strokes)
-        : scene_(scene), subjects_(input.subjects), found_(input.found), lengths_(input.lengths), laws_(laws),
-          strokes_(strokes), parts_(runtime.memory), place_(runtime.memory), knot_(runtime.memory),
-          at_(runtime.memory) {}
+        : scene_(scene), subjects_(input.subjects), found_(input.found), lengths_(input.lengths),
+          numbers_(input.numbers), laws_(laws), strokes_(strokes), parts_(runtime.memory), place_(runtime.memory),
+          knot_(runtime.memory), at_(runtime.memory) {}
 
     void run();
 
@@ -61,6 +61,7 @@ private:
     [[nodiscard]] drawing::Stroke begun(const DrawnAs& as, const Part& part, double length) const;
     [[nodiscard]] Pen pen_of(const DrawnAs& as, const Part& part) const noexcept;
     [[nodiscard]] Wobble wobble_of(const DrawnAs& as, std::int32_t line) const noexcept;
+    [[nodiscard]] double from_origin(std::int32_t line, double at) const noexcept;
     void add(const DrawnAs& as, const Part& part, double from, double to);
     void put(const DrawnAs& as, const Part& part, const Pen& pen, drawing::StrokePoint point, double at);
     void wobble(const DrawnAs& as, const Part& part, const drawing::Stroke& stroke);
@@ -75,6 +76,7 @@ private:
     std::span<const visibility::Subject> subjects_;
     const visibility::Invisibility& found_;
     const visibility::Lengths& lengths_;
+    const LineNumbers& numbers_;
     const WidthLaws& laws_;
     LineStrokes& strokes_;
     base::Array<Part> parts_;

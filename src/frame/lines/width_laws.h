@@ -5,6 +5,7 @@
 
 #include "base/runtime.h"
 #include "frame/lines/drawn_as.h"
+#include "frame/lines/line_numbers.h"
 #include "frame/scene/scene.h"
 #include "visibility/outline.h"
 
@@ -19,6 +20,7 @@ struct LineInput {
     std::span<const DrawnAs> styles;
     const visibility::Invisibility& found;
     const visibility::Lengths& lengths;
+    const LineNumbers& numbers;
 };
 
 class WidthLaws {

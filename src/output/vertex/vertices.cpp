@@ -48,7 +48,7 @@ struct Vertex {
     glm::vec3 window;
     float radius, length;
     glm::vec4 color;
-    std::uint32_t id, layer;
+    std::uint32_t id, layer, line;
     drawing::MarkClass mark_class;
     bool is_paper;
     drawing::MarkSource source;
@@ -69,6 +69,7 @@ void put_field(std::byte* to, const VertexField& field, const Vertex& vertex) no
     case VertexAttribute::is_paper: put_integer(to, field.scalar, vertex.is_paper ? 1U : 0U); break;
     case VertexAttribute::layer: put(to, vertex.layer); break;
     case VertexAttribute::length: put(to, vertex.length); break;
+    case VertexAttribute::line: put(to, vertex.line); break;
     }
 }
 
@@ -87,7 +88,7 @@ public:
     void dot(std::int64_t number, const Dot& dot) const noexcept {
         const bool is_paper = (dot.flags & drawing::dot_is_paper) != 0;
         Vertex vertex{
-            {dot.x, dot.y, dot.window}, dot.radius, 0.0F, {}, dot.id, dot.layer, dot.mark_class, is_paper, {}};
+            {dot.x, dot.y, dot.window}, dot.radius, 0.0F, {}, dot.id, dot.layer, 0, dot.mark_class, is_paper, {}};
         vertex.color = is_paper ? drawing_.paper : drawing_.layers[dot.layer].ink;
         vertex.color.w = is_paper ? dot.opacity : vertex.color.w * dot.opacity;
         store(number, vertex);
@@ -102,6 +103,7 @@ public:
                       layer.ink,
                       p.id,
                       stroke.layer,
+                      stroke.line,
                       layer.mark_class,
                       false,
                       {}};
@@ -271,6 +273,7 @@ std::int64_t size_of(const VertexField& field) noexcept {
     case VertexAttribute::length: return is_float ? 4 : 0;
     case VertexAttribute::color: return is_float ? 16 : is_byte ? 4 : 0;
     case VertexAttribute::id:
+    case VertexAttribute::line:
     case VertexAttribute::layer: return is_integer ? 4 : 0;
     case VertexAttribute::mark_class:
     case VertexAttribute::is_paper: return is_byte ? 1 : is_integer ? 4 : 0;

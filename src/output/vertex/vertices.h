@@ -24,9 +24,10 @@ enum class VertexAttribute : std::uint32_t {
     mark_class = 7,
     is_paper = 8,
     layer = 9,
-    length = 10
+    length = 10,
+    line = 11
 };
-inline constexpr std::uint32_t last_attribute = 10;
+inline constexpr std::uint32_t last_attribute = 11;
 
 struct VertexField {
     VertexAttribute attribute;

@@ -2474,6 +2474,9 @@ pub const HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER: u32 = 8;
 pub const HRBFNPR_VERTEX_ATTRIBUTE_LAYER: u32 = 9;
 /// along its stroke, pixels from its first point; 0 for a dot; FLOAT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_LENGTH: u32 = 10;
+/// of lines: a number that a line keeps from one drawing of a renderer to the next, where the
+/// camera moves little; 0 of all else; UINT32
+pub const HRBFNPR_VERTEX_ATTRIBUTE_LINE: u32 = 11;
 
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]

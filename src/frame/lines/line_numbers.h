@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Numbers for lines, which a line keeps from one frame to the next: it is known again by where it is on its surface.
+#pragma once
+
+#include "base/runtime.h"
+#include "geometry/vec_array.h"
+#include "visibility/image_lines.h"
+
+#include <cstdint>
+#include <span>
+
+namespace hrbfnpr::frame {
+
+// Lines that may be each other from frame to frame: of one line set, item and style.
+struct LineFamily {
+    const void* set = nullptr;
+    std::int64_t item = 0;
+    std::int64_t number = 0; // of its subject among those of the item
+
+    friend bool operator==(const LineFamily&, const LineFamily&) = default;
+};
+
+class LineNumbers {
+public:
+    explicit LineNumbers(base::Memory& memory) noexcept
+        : families_(memory), known_(memory), place_(memory), direction_(memory), number_(memory), origin_(memory) {}
+
+    // families: of the subjects.  Lines that go on from the last call keep their numbers; others get new ones.
+    void run(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
+             const visibility::ImageLines& lines);
+    // Of a line, >= 1.
+    [[nodiscard]] std::uint32_t number(std::int64_t line) const noexcept { return number_[line]; }
+    // The piece of a line that begins where its first piece did when it was new, or beside.
+    [[nodiscard]] std::int64_t origin(std::int64_t line) const noexcept { return origin_[line]; }
+
+private:
+    // A line of the last frame.
+    struct Known {
+        std::int64_t family;       // in families_
+        std::int64_t first, count; // of its points
+        std::uint32_t number;
+        glm::dvec3 origin;
+    };
+    // Points that a line of this frame has near one of the last.
+    struct Vote {
+        std::int64_t line;
+        std::int64_t known;
+        std::int64_t points;
+    };
+
+    [[nodiscard]] base::Array<Vote> count_votes(std::span<const LineFamily> families,
+                                                std::span<const visibility::Subject> subjects,
+                                                const visibility::ImageLines& lines) const;
+    void give(base::Array<Vote>& votes, std::span<const visibility::Subject> subjects,
+              const visibility::ImageLines& lines);
+    void keep(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
+              const visibility::ImageLines& lines);
+
+    base::Array<LineFamily> families_;
+    base::Array<Known> known_;
+    geometry::VecArray place_, direction_; // of their points
+    base::Array<std::uint32_t> number_;
+    base::Array<std::int64_t> origin_;
+    std::uint32_t last_ = 0;
+};
+
+} // namespace hrbfnpr::frame
