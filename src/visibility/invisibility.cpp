@@ -23,6 +23,8 @@ constexpr std::int64_t events_a_ray = 8;
 constexpr std::int64_t most_rays = 48;
 // Where the surface bends less along the line of sight, a ray to the contour is less certain.  In 1 / sides.
 constexpr double bent = 0.25;
+// A ray ends so far before its place, in sides and for the same bend: beside a cusp the sheet that hides it is near.
+constexpr double clear_of_bent = 0.25;
 // Of the image's tolerance: how far curves that are made finer may be off.
 constexpr double off_curve = 0.2;
 // Pieces of a curve before and after one with a crossing that are made finer with it.
@@ -141,6 +143,8 @@ Candidate Round::best_of(const Interval& part) const noexcept {
         best.score = score;
         best.at = at >= whole && its.closed ? at - whole : at;
         best.probe.place = p.position;
+        if (subject.level != nullptr)
+            best.probe.clear = subject.side * std::min(subject.clear, clear_of_bent * subject.side * bend);
     }
     if (best.score >= 0.0) return best;
     const bool one = part.begin_piece == part.end_piece && part.begin_share <= part.end_share;
@@ -188,12 +192,15 @@ bool Round::consistent(std::int64_t l, base::Array<Interval>& parts, std::span<c
             if ((at >= part.begin_at && at <= part.end_at) || at + whole <= part.end_at) return part.sheets;
         return parts[0].sheets;
     };
+    // Where none is certain, all that there are.
+    const std::span<const Candidate> rays = std::as_const(chosen_).span().subspan(
+        static_cast<std::size_t>(first_chosen_[l]), static_cast<std::size_t>(first_chosen_[l + 1] - first_chosen_[l]));
+    const bool all = std::none_of(rays.begin(), rays.end(), [](const Candidate& c) { return c.probe.certain; });
     std::int32_t shift = 0;
     bool known = false;
     bool agree = true;
-    for (std::int64_t i = first_chosen_[l]; i < first_chosen_[l + 1]; ++i) {
-        const Candidate& c = chosen_[i];
-        if (!c.probe.certain) continue;
+    for (const Candidate& c : rays) {
+        if (!c.probe.certain && !all) continue;
         const std::int32_t here = c.probe.sheets - counted(c.at);
         if (!known) shift = here;
         agree = agree && here == shift;

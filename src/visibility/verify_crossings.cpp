@@ -52,12 +52,14 @@ private:
     base::Array<curves::CurvePoint> points_; // two of each: on the farther curve, and on the nearer
 };
 
-// Only curves of one surface come so near to each other.
+// Of contours only beside a cusp of its line is a crossing that the curves do not have alone: elsewhere there are two,
+// whose changes add up to zero.  Contours touch the image of the border where they end.
 void Verifier::add(std::int64_t number) {
     const Crossing& c = crossings_[number];
     const Subject& far = subject(c.far_piece);
     const Subject& near = subject(c.near_piece);
     if (!(c.gap < suspicious_gap) || far.level == nullptr || near.level == nullptr || far.item != near.item) return;
+    if (far.level == near.level && lines_.pieces[c.far_piece].line != lines_.pieces[c.near_piece].line) return;
     Suspect suspect{number,
                     {cubic(subjects_, lines_.pieces[c.far_piece]).at(c.far_share),
                      cubic(subjects_, lines_.pieces[c.near_piece]).at(c.near_share)},

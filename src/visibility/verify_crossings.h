@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Crossings of curves that come near each other in space, asked of the curves themselves: beside a cusp the cubics may
-// cross where the curves do not.
+// Crossings of a curve with itself that are near in space, too, asked of the curve itself: beside a cusp the cubics may
+// cross where the curve does not.
 #pragma once
 
 #include "visibility/crossings.h"
