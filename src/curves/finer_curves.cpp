@@ -8,7 +8,8 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int deepest = 12;       // halvings of a piece
+constexpr int deepest = 12;              // halvings of a piece
+constexpr std::int64_t most_points = 16; // in the mean, of a piece: more only where an eye is on the surface
 constexpr double astray = 0.3;    // of a part's length: a middle that is farther off the cubic belongs to another curve
 constexpr double smallest = 1e-9; // of the distance from the eye, or of the coordinates: a part's length
 
@@ -58,7 +59,7 @@ void Halving::take(const Part& part, const CurvePoint& middle, base::Array<Part>
     if (!(glm::distance(middle.position, expected) <= astray * cubic.length())) return;
     const double share = 0.5 * (part.low + part.high);
     added_.push_back({part.piece, share, middle});
-    const bool near = glm::distance(seen(view_, middle.position), seen(view_, expected)) <= tolerance_;
+    const bool near = !(glm::distance(seen(view_, middle.position), seen(view_, expected)) > tolerance_);
     if (near || cubic.length() <= smallest * glm::length(view_.sight(middle.position))) return;
     next.push_back({part.piece, part.low, share, part.a, middle});
     next.push_back({part.piece, share, part.high, middle, part.b});
@@ -66,7 +67,8 @@ void Halving::take(const Part& part, const CurvePoint& middle, base::Array<Part>
 
 void Halving::run(std::int64_t& evaluations, const base::Progress& progress) {
     base::Array<CurvePoint> middle(runtime_.memory);
-    for (int depth = 0; depth < deepest && !parts_.empty(); ++depth) {
+    const std::int64_t limit = most_points * parts_.size();
+    for (int depth = 0; depth < deepest && !parts_.empty() && added_.size() < limit; ++depth) {
         middle.resize(parts_.size());
         for (std::int64_t i = 0; i < parts_.size(); ++i)
             middle[i].position = CubicPiece(parts_[i].a, parts_[i].b).at(0.5);

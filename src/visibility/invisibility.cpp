@@ -23,8 +23,14 @@ constexpr std::int64_t events_a_ray = 8;
 constexpr std::int64_t most_rays = 48;
 // Where the surface bends less along the line of sight, a ray to the contour is less certain.  In 1 / sides.
 constexpr double bent = 0.25;
-// A ray ends so far before its place, in sides and for the same bend: beside a cusp the sheet that hides it is near.
+// A ray ends so far before its place, in sides and for the same bend, and of the depth of the whole line: near a cusp,
+// and all along a line that has just been born, the sheet that hides it is near.
 constexpr double clear_of_bent = 0.25;
+constexpr double clear_of_depth = 0.1;
+// Pieces of curves that are made finer: in pixels, and how far from the eye in sides.
+constexpr double reach = 1e4;
+constexpr double longest_piece = 1e3;
+constexpr double from_eye = 2.0;
 // Of the image's tolerance: how far curves that are made finer may be off.
 constexpr double off_curve = 0.2;
 // Pieces of a curve before and after one with a crossing that are made finer with it.
@@ -71,8 +77,9 @@ public:
         : runtime_(runtime), subjects_(std::as_const(out.subjects).span()), occluders_(occluders), out_(out),
           progress_(progress), lengths_(start(tolerance)),
           events_(collect_events(runtime.memory, subjects_, out.lines, out.crossings, out.pierced.span(), lengths_)),
-          chosen_(runtime.memory), first_chosen_(runtime.memory), bad_(runtime.memory) {
+          depth_(runtime.memory), chosen_(runtime.memory), first_chosen_(runtime.memory), bad_(runtime.memory) {
         out_.report.cusps = events_.cusps;
+        measure_depths();
     }
 
     // Returns how many lines contradict themselves.
@@ -86,6 +93,7 @@ public:
 private:
     [[nodiscard]] Lengths start(double tolerance);
     [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return out_.lines.lines[l]; }
+    void measure_depths();
     [[nodiscard]] Candidate best_of(const Interval& part) const noexcept;
     void choose_probes(std::int64_t l, std::int64_t most);
     void send();
@@ -93,6 +101,7 @@ private:
     void find_parts(std::int64_t l, std::span<const double> sizes);
     [[nodiscard]] bool is_bad(std::int64_t l) const noexcept { return std::binary_search(bad_.begin(), bad_.end(), l); }
     void mark(std::int32_t subject, base::Array<std::uint8_t>& marked) const;
+    [[nodiscard]] bool is_in_reach(const Piece& piece) const noexcept;
 
     const base::Runtime& runtime_;
     std::span<const Subject> subjects_;
@@ -101,6 +110,7 @@ private:
     const base::Progress& progress_;
     Lengths lengths_;
     Events events_;
+    base::Array<double> depth_; // of each line, along a line of sight to it
     base::Array<Candidate> chosen_;
     base::Array<std::int64_t> first_chosen_; // of each line, and the end
     base::Array<std::int64_t> bad_;          // lines that contradict themselves
@@ -111,6 +121,24 @@ Lengths Round::start(double tolerance) {
     out_.pierced = find_pierced(runtime_, subjects_, occluders_, out_.lines, progress_);
     out_.crossings = find_crossings(runtime_, subjects_, out_.lines, out_.report.crossings, progress_);
     return {runtime_.memory, out_.lines};
+}
+
+void Round::measure_depths() {
+    for (const Line& its : out_.lines.lines) {
+        const Subject& subject = subjects_[static_cast<std::size_t>(its.subject)];
+        const auto place = [&](std::int64_t k) {
+            return subject.curves->point[out_.lines.pieces[its.first_piece + k].a].position;
+        };
+        const glm::dvec3 sight = glm::normalize(subject.view.sight(place(0)));
+        double least = 0.0;
+        double most = 0.0;
+        for (std::int64_t k = 1; k < its.pieces; ++k) {
+            const double at = glm::dot(place(k) - place(0), sight);
+            least = std::min(least, at);
+            most = std::max(most, at);
+        }
+        depth_.push_back(most - least);
+    }
 }
 
 // The vertex of a part that is farthest from its ends and where the surface bends most along the line of sight; a place
@@ -144,7 +172,8 @@ Candidate Round::best_of(const Interval& part) const noexcept {
         best.at = at >= whole && its.closed ? at - whole : at;
         best.probe.place = p.position;
         if (subject.level != nullptr)
-            best.probe.clear = subject.side * std::min(subject.clear, clear_of_bent * subject.side * bend);
+            best.probe.clear = std::min(subject.side * std::min(subject.clear, clear_of_bent * subject.side * bend),
+                                        clear_of_depth * depth_[part.line]);
     }
     if (best.score >= 0.0) return best;
     const bool one = part.begin_piece == part.end_piece && part.begin_share <= part.end_share;
@@ -244,11 +273,25 @@ std::int64_t Round::run(int probes, bool last) {
     return bad_.size();
 }
 
+// Beside an eye that is on the surface images have no end.
+bool Round::is_in_reach(const Piece& piece) const noexcept {
+    const Subject& subject = subjects_[static_cast<std::size_t>(piece.subject)];
+    const glm::dvec3 a = subject.curves->point[piece.a].position;
+    const glm::dvec3 b = subject.curves->point[piece.b].position;
+    const glm::dvec2 image = see(subject.view, a).place;
+    return subject.view.eye.w == 0.0 ||
+           (std::min(glm::length(subject.view.sight(a)), glm::length(subject.view.sight(b))) >
+                from_eye * subject.side &&
+            glm::length(image) < reach && glm::distance(image, see(subject.view, b).place) < longest_piece);
+}
+
 // Pieces of a subject's curves that may be why lines contradict themselves.
 void Round::mark(std::int32_t subject, base::Array<std::uint8_t>& marked) const {
     const auto mark_piece = [&](const Line& its, std::int64_t k) {
         if (its.closed) k = (k + its.pieces) % its.pieces;
-        if (its.subject == subject && k >= 0 && k < its.pieces) marked[out_.lines.pieces[its.first_piece + k].a] = 1;
+        if (its.subject != subject || k < 0 || k >= its.pieces) return;
+        const Piece& piece = out_.lines.pieces[its.first_piece + k];
+        if (is_in_reach(piece)) marked[piece.a] = 1;
     };
     for (const std::int64_t l : bad_)
         for (std::int64_t k = 0; k < line(l).pieces; ++k) mark_piece(line(l), k);
