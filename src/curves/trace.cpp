@@ -21,6 +21,9 @@ constexpr double covered = 0.35;
 constexpr double same = 1e-3;
 constexpr double on_curve = 0.02;
 constexpr int halvings = 8;
+// Where no curve is found for changes of sign: cells are so many times smaller, and so many along a box's diagonal.
+constexpr double closer = 8.0;
+constexpr double most_cells = 128.0;
 
 // Each a run of its own.
 Curves runs_of(const base::Array<CurvePoint>& starts) {
@@ -165,6 +168,53 @@ base::Array<CurvePoint> at_places(base::Memory& memory, const base::Array<Bead>&
     return points;
 }
 
+// Boxes around the places that are near each other.
+base::Array<geometry::Bounds> boxes_around(base::Memory& memory, const base::Array<Straddle>& edges, double margin) {
+    base::Array<geometry::Bounds> boxes(memory);
+    const auto box_of = [&](const Straddle& edge) {
+        return geometry::Bounds{glm::min(edge.negative, edge.positive) - margin,
+                                glm::max(edge.negative, edge.positive) + margin};
+    };
+    for (const Straddle& edge : edges) {
+        const geometry::Bounds own = box_of(edge);
+        bool in_one = false;
+        for (geometry::Bounds& box : boxes) {
+            in_one = glm::all(glm::lessThan(own.min, box.max)) && glm::all(glm::lessThan(box.min, own.max));
+            if (!in_one) continue;
+            box = {glm::min(box.min, own.min), glm::max(box.max, own.max)};
+            break;
+        }
+        if (!in_one) boxes.push_back(own);
+    }
+    return boxes;
+}
+
+// Changes of sign that no curve was found for: on a mesh of smaller cells there, which need not join what the surface
+// does not, as where |grad f| nearly vanishes.
+std::int64_t look_closer(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
+                         const base::Array<Straddle>& lost, Rounds& rounds, const base::Progress& progress) {
+    std::int64_t missed = 0;
+    geometry::VecArray seeds(runtime.memory);
+    for (const Straddle& edge : lost) {
+        seeds.push_back(edge.negative);
+        seeds.push_back(edge.positive);
+    }
+    for (const geometry::Bounds& box : boxes_around(runtime.memory, lost, mesh.side)) {
+        MeshSettings settings;
+        settings.region = {glm::max(box.min, mesh.region.min), glm::min(box.max, mesh.region.max)};
+        settings.side = std::max(mesh.side / closer, glm::length(settings.region.size()) / most_cells);
+        const SurfaceMesh part = triangulate(runtime, level.surface(), seeds, settings, {});
+        base::Array<double> at_vertices(runtime.memory);
+        level.at_vertices(runtime, part, at_vertices, progress);
+        const base::Array<Bead> left =
+            rounds.uncovered(beads_of(runtime, part, find_chains(runtime, part, at_vertices)));
+        base::Array<Straddle> edges(runtime.memory);
+        for (const std::int64_t i : rounds.from(at_places(runtime.memory, left))) edges.push_back(left[i].edge);
+        missed += rounds.from(edges).size();
+    }
+    return missed;
+}
+
 } // namespace
 
 Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const TraceSettings& settings,
@@ -181,7 +231,9 @@ Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh
     const base::Array<Bead> left = rounds.uncovered(beads);
     base::Array<Straddle> edges(runtime.memory);
     for (const std::int64_t i : rounds.from(at_places(runtime.memory, left))) edges.push_back(left[i].edge);
-    report.missed = rounds.from(edges).size();
+    base::Array<Straddle> lost(runtime.memory);
+    for (const std::int64_t i : rounds.from(edges)) lost.push_back(edges[i]);
+    report.missed = look_closer(runtime, level, mesh, lost, rounds, progress);
     const std::int64_t before = report.starts;
     report.missed +=
         rounds.from(find_small_loops(runtime, level, mesh, at_vertices, report.evaluations, progress)).size();
