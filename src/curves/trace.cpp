@@ -233,11 +233,12 @@ Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh
     for (const std::int64_t i : rounds.from(at_places(runtime.memory, left))) edges.push_back(left[i].edge);
     base::Array<Straddle> lost(runtime.memory);
     for (const std::int64_t i : rounds.from(edges)) lost.push_back(edges[i]);
-    report.missed = look_closer(runtime, level, mesh, lost, rounds, progress);
     const std::int64_t before = report.starts;
-    report.missed +=
-        rounds.from(find_small_loops(runtime, level, mesh, at_vertices, report.evaluations, progress)).size();
+    const base::Array<Straddle> loops =
+        find_small_loops(runtime, level, mesh, at_vertices, report.evaluations, progress);
+    for (const std::int64_t i : rounds.from(loops)) lost.push_back(loops[i]);
     report.loops = report.starts - before;
+    report.missed = look_closer(runtime, level, mesh, lost, rounds, progress);
     report.added = report.starts - first;
     Curves curves = std::move(rounds).result();
     return mesh.end != nullptr ? clip(runtime, level, *mesh.end, curves, progress) : std::move(curves);

@@ -5,6 +5,8 @@
 #include "stage.h"
 #include "support/contour_shapes.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace hrbfnpr::visibility {
 namespace {
 
@@ -157,6 +159,28 @@ TEST_F(Crossings, AreSorted) {
             (found[i].far_piece == found[i + 1].far_piece && found[i].far_share < found[i + 1].far_share);
         EXPECT_TRUE(later);
     }
+}
+
+// Two circles that overlap by less and less: Newton's steps from one of their two crossings may come to the other.
+TEST(TouchingLines, AddUp) {
+    const test::SquareSphere large(1.0, 1.2);
+    const test::SquareSphere small(0.7, 1.2);
+    int crossed = 0;
+    for (int i = 0; i < 60; ++i) {
+        const double overlap = 1e-2 * std::pow(0.75, i);
+        const double angle = 0.37 * i;
+        const double away = 1.7 - overlap;
+        const glm::dvec3 place(away * std::cos(angle), away * std::sin(angle), 3.0);
+        Stage stage;
+        add(runtime(), stage, large, {1.0, 0.0, 0.0}, 0.2);
+        add(runtime(), stage, small, {0.7, 0.0, 0.0}, 0.2, glm::translate(glm::dmat4(1.0), place));
+        Picture picture(runtime(), stage, Eye::at({0.0, 0.0, 1.0}, 10.0, false));
+        picture.find();
+        EXPECT_EQ(picture.worst_sum(), 0) << overlap;
+        EXPECT_EQ(picture.found->report.settled, 0) << overlap;
+        crossed += picture.found->crossings.empty() ? 0 : 1;
+    }
+    EXPECT_GT(crossed, 10);
 }
 
 } // namespace

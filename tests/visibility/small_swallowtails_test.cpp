@@ -27,7 +27,9 @@ protected:
     [[nodiscard]] Event cusp(double at, int change) const { return event(at, change, -1); }
     // The branch before it passes there.
     [[nodiscard]] Event crossed(double at, int change, double near) const {
-        return event(at, change, static_cast<std::int32_t>(near));
+        Event e = event(at, change, static_cast<std::int32_t>(near));
+        e.near_share = near - e.near_piece;
+        return e;
     }
     [[nodiscard]] std::vector<double> kept(const std::vector<Event>& events) {
         const Lengths lengths(runtime.memory, lines);
@@ -79,6 +81,16 @@ TEST_P(SmallSwallowtailsOf, LeavesACuspOfThree) {
 TEST_P(SmallSwallowtailsOf, KeepsCrossingsOfOthers) {
     EXPECT_EQ(kept({crossed(50.0, 2, 150.0), cusp(50.1, -1), crossed(50.2, -2, 90.0), cusp(50.3, -1)}),
               (At{50.0, 50.2}));
+}
+
+// A larger swallowtail beside a small one: its crossing is its own.
+TEST_P(SmallSwallowtailsOf, KeepsCrossingsOfTheNextOne) {
+    const std::vector<Event> next{crossed(50.8, 2, 52.2), cusp(51.1, -1), cusp(51.9, -1)};
+    std::vector<Event> whole{crossed(49.9, 2, 50.6), cusp(50.1, -1), cusp(50.3, -1)};
+    std::vector<Event> torn{cusp(50.1, -1), cusp(50.3, -1)};
+    for (std::vector<Event>* events : {&whole, &torn}) events->insert(events->end(), next.begin(), next.end());
+    EXPECT_EQ(kept(whole), (At{49.9, 50.1, 50.3, 50.8, 51.1, 51.9}));
+    EXPECT_EQ(kept(torn), (At{50.8, 51.1, 51.9}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Lines, SmallSwallowtailsOf, testing::Bool(),

@@ -67,7 +67,9 @@ public:
     // More than contours.
     void add(const Subject& subject) { subjects.push_back(subject); }
     void find(const InvisibilitySettings& settings = {}, const base::Progress& progress = {}) {
-        found.emplace(find_invisibility(runtime_, subjects, occluders, settings, progress));
+        if (!found) given_ = subjects;
+        found.emplace(find_invisibility(runtime_, given_, occluders, settings, progress));
+        subjects.assign(found->subjects.begin(), found->subjects.end()); // with the curves of its lines
         lengths.emplace(runtime_.memory, found->lines);
     }
 
@@ -165,6 +167,7 @@ private:
 
     const base::Runtime& runtime_;
     Eye eye_;
+    std::vector<Subject> given_;
     std::vector<std::unique_ptr<curves::ContourLevel>> levels_;
     std::vector<std::unique_ptr<curves::Curves>> curves_;
 };
