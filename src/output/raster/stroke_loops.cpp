@@ -48,6 +48,7 @@ struct Target {
     const DiscTile& tile;
     const StrokePlanes& planes;
     Spans& spans;
+    bool even; // all segments have one opacity: `ink` is not looked at
 };
 
 // An outline's edges, by the rows in which they begin.
@@ -164,11 +165,12 @@ HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
 HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     const std::int32_t at = y * t.tile.stride + x;
+    hn::StoreU(hn::Add(hn::LoadU(d, t.planes.cover + at), cover), d, t.planes.cover + at);
+    if (t.even) return;
     const W center = hn::Add(hn::Set(d, static_cast<float>(x)), hn::Iota(d, 0.5F));
     W opacity = hn::Set(d, shade.opacity);
     if (shade.more_opacity != 0.0F)
         opacity = hn::Add(opacity, hn::Mul(place_along(shade, y, center), hn::Set(d, shade.more_opacity)));
-    hn::StoreU(hn::Add(hn::LoadU(d, t.planes.cover + at), cover), d, t.planes.cover + at);
     hn::StoreU(hn::Add(hn::LoadU(d, t.planes.ink + at), hn::Mul(cover, opacity)), d, t.planes.ink + at);
 }
 
@@ -306,16 +308,23 @@ HWY_INLINE void clear(const Target& t) {
         }
 }
 
-HWY_INLINE void blend(const Target& t, const float* color) {
+// What the stroke takes of the paper; clears the planes where it has laid something.
+HWY_INLINE void blend(const Target& t, const float* color, float opacity) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const W alpha = hn::Set(d, color[3]);
+    const W even = hn::Set(d, opacity * color[3]);
     const W one = hn::Set(d, 1.0F);
     for (std::int32_t y = t.spans.top; y < t.spans.bottom; ++y) {
         for (std::int32_t x = t.spans.left[y]; x < t.spans.right[y]; x += lanes) {
             const std::int32_t at = y * t.tile.stride + x;
-            const W cover = hn::Max(hn::LoadU(d, t.planes.cover + at), one);
-            const W ink = hn::Mul(hn::Div(hn::LoadU(d, t.planes.ink + at), cover), alpha);
+            const W cover = hn::LoadU(d, t.planes.cover + at);
+            hn::StoreU(hn::Zero(d), d, t.planes.cover + at);
+            W ink = hn::Mul(hn::Min(cover, one), even);
+            if (!t.even) {
+                ink = hn::Mul(hn::Div(hn::LoadU(d, t.planes.ink + at), hn::Max(cover, one)), alpha);
+                hn::StoreU(hn::Zero(d), d, t.planes.ink + at);
+            }
             const W left = hn::Sub(one, ink);
             hn::StoreU(hn::Mul(hn::LoadU(d, t.tile.transmittance + at), left), d, t.tile.transmittance + at);
             if (t.tile.color[0] == nullptr) continue;
@@ -327,18 +336,27 @@ HWY_INLINE void blend(const Target& t, const float* color) {
     }
 }
 
+HWY_INLINE bool has_one_opacity(const SegmentList& list) {
+    const float opacity = list.points[list.numbers[0]].opacity;
+    for (std::int64_t i = 0; i < list.count; ++i) {
+        const drawing::StrokePoint* const p = list.points + list.numbers[i];
+        if (p[0].opacity != opacity || p[1].opacity != opacity) return false;
+    }
+    return true;
+}
+
 void lay(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes) {
+    if (list.count == 0) return;
     Spans spans;
     clear_spans(tile, spans);
-    const Target target{tile, planes, spans};
+    const Target target{tile, planes, spans, has_one_opacity(list)};
     const bool apart = !may_overlap(list);
     if (!apart || !lay_segments(target, list)) {
         if (apart) clear(target);
         clear_spans(tile, spans);
         lay_union(target, list);
     }
-    blend(target, list.color);
-    clear(target);
+    blend(target, list.color, list.points[list.numbers[0]].opacity);
 }
 
 } // namespace

@@ -175,8 +175,13 @@ void Outliner::find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept {
     joint.left_outside = sine >= 0.0;
     // What stands out of the arc does so over twice this length, of which a pixel has at most its own.
     const double reach = radius * bend;
-    const double part = std::min(reach / std::min({a.length, b.length, 1.0}), 1.0);
-    if (fits && reach * (0.5 * bend * part + std::max(a.taper, b.taper)) < tolerance) {
+    const double taper = std::max(a.taper, b.taper);
+    bool gentle = fits && reach * (0.5 * bend + taper) < tolerance;
+    if (fits && !gentle) {
+        const double part = std::min(reach / std::min({a.length, b.length, 1.0}), 1.0);
+        gentle = reach * (0.5 * bend * part + taper) < tolerance;
+    }
+    if (gentle) {
         const Place miter = radius * scale * (a.left() + b.left());
         joint.kind = Kind::shared;
         joint.outer = b.a + miter;
