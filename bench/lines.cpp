@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Contours as lines: how near to the truth, how often whole, visible where they should be, times, and flicker.
 // --models=DIR: a folder of PLY files of points with normals, besides generated surfaces; --only=PART,...: of truth,
-// views, times, flicker; --places=N: of lines whose visibility is looked at.
+// views, times, flicker, raster; --places=N: of lines whose visibility is looked at.
 #include "line_flicker.h"
+#include "line_raster.h"
 #include "line_times.h"
 #include "line_truth.h"
 #include "line_views.h"
@@ -211,6 +212,26 @@ void run_flicker(hrbfnpr_context* context, const Settings& settings, Results& re
     results.add("flicker", static_cast<double>(found.gone) / static_cast<double>(found.places));
 }
 
+// ---- On the paper ----------------------------------------------------------------------------
+
+// One thread each: what a pixel of a stroke costs, and whether more ink costs as much more.
+void run_raster(Results& results) {
+    constexpr int runs = 40;
+    auto desc = scenes::made(hrbfnpr_context_desc_init);
+    desc.thread_count = 1;
+    hrbfnpr_context* raw = nullptr;
+    scenes::Check check;
+    check(hrbfnpr_context_create(&desc, &raw, check.error()));
+    const scenes::Context context(raw);
+    const bench::RasterTimes few = bench::raster_times(raw, 8, runs);
+    const bench::RasterTimes many = bench::raster_times(raw, 128, runs);
+    std::printf("\nstrokes 2.4 pixels wide, on one core: %.1f ns a pixel of length; discs every half radius: %.1f ns\n",
+                many.stroke_ns, many.disc_ns);
+    results.add("raster_ns_per_px", many.stroke_ns);
+    results.add("raster_vs_discs", many.stroke_ns / many.disc_ns);
+    results.add("raster_growth", many.stroke_ns / few.stroke_ns);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -224,6 +245,7 @@ int main(int argc, char** argv) {
         if (settings.wants("views")) run_views(context.get(), settings, results);
         if (settings.wants("times")) run_times(context.get(), settings, results);
         if (settings.wants("flicker")) run_flicker(context.get(), settings, results);
+        if (settings.wants("raster")) run_raster(results);
         std::printf("\n");
         for (const auto& [name, value] : results.pairs) bench::report(name.c_str(), value);
     } catch (const std::exception& error) {
