@@ -48,7 +48,9 @@ struct Target {
     const DiscTile& tile;
     const StrokePlanes& planes;
     Spans& spans;
-    bool even; // all segments have one opacity: `ink` is not looked at
+    bool even;    // all segments have one opacity: `ink` is not looked at
+    float alpha;  // that opacity, times the alpha of the stroke's ink
+    bool at_once; // one outline is all: it is taken from the paper with nothing between
 };
 
 // An outline's edges, by the rows in which they begin.
@@ -161,6 +163,17 @@ HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
     return hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
+// What ink takes of the paper.
+HWY_INLINE void take(const Target& t, const float* color, std::int32_t at, W ink) {
+    const F d;
+    const W left = hn::Sub(hn::Set(d, 1.0F), ink);
+    hn::StoreU(hn::Mul(hn::LoadU(d, t.tile.transmittance + at), left), d, t.tile.transmittance + at);
+    if (t.tile.color[0] == nullptr) return;
+    for (int c = 0; c < 3; ++c)
+        hn::StoreU(hn::Add(hn::Mul(hn::LoadU(d, t.tile.color[c] + at), left), hn::Mul(hn::Set(d, color[c]), ink)), d,
+                   t.tile.color[c] + at);
+}
+
 // Adds what a row's pixels are covered by to the planes.
 HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
@@ -189,19 +202,22 @@ HWY_INLINE void reach(const Target& t, std::int32_t y, std::int32_t left, std::i
     t.spans.right[y] = right > t.spans.right[y] ? right : t.spans.right[y];
 }
 
-HWY_INLINE void lay_row(const Target& t, const Shade& shade, const Row& row, std::int32_t y) {
+HWY_INLINE void lay_row(const Target& t, const Shade& shade, const float* color, const Row& row, std::int32_t y) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     for (std::int32_t x = row.left; x < row.right; x += lanes) {
         const W inside = hn::Iota(d, static_cast<float>(x));
         const W cover = hn::IfThenElseZero(hn::Lt(inside, hn::Set(d, static_cast<float>(row.right))),
                                            covered(row, hn::Add(inside, hn::Set(d, 1.0F))));
-        add(t, shade, y, x, shown(t, shade, y, x, cover));
+        if (t.at_once)
+            take(t, color, y * t.tile.stride + x, hn::Mul(cover, hn::Set(d, t.alpha)));
+        else
+            add(t, shade, y, x, shown(t, shade, y, x, cover));
     }
-    reach(t, y, row.left, row.right);
+    if (!t.at_once) reach(t, y, row.left, row.right);
 }
 
-void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
+void lay_outline(const Target& t, const Outline& outline, const Shade& shade, const float* color) {
     if (outline.count == 0) return;
     Edges edges;
     find_edges(outline, t.tile.height, edges);
@@ -211,7 +227,7 @@ void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
     row.edge_count = 0;
     for (std::int32_t y = edges.top; y < edges.bottom; ++y) {
         find_parts(edges, y, t.tile.width, row);
-        if (row.left < row.right) lay_row(t, shade, row, y);
+        if (row.left < row.right) lay_row(t, shade, color, row, y);
     }
 }
 
@@ -242,7 +258,7 @@ HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
 }
 
 // False if parts overlap: what is laid so far does not count.
-HWY_INLINE bool lay_segments(const Target& t, const SegmentList& list) {
+HWY_INLINE bool lay_segments(Target& t, const SegmentList& list) {
     Outliner outliner(list, false);
     Outline outline;
     const bool single = t.tile.host != nullptr;
@@ -252,7 +268,8 @@ HWY_INLINE bool lay_segments(const Target& t, const SegmentList& list) {
         if (outliner.overlaps()) return false;
         Shade shade = shade_of(list, p[0], p[1]);
         if (segments > 1) shade.more_opacity = 0.0F;
-        lay_outline(t, outline, shade);
+        t.at_once = t.even && !single && segments == list.count;
+        lay_outline(t, outline, shade, list.color);
         i += segments;
     }
     return true;
@@ -309,29 +326,22 @@ HWY_INLINE void clear(const Target& t) {
 }
 
 // What the stroke takes of the paper; clears the planes where it has laid something.
-HWY_INLINE void blend(const Target& t, const float* color, float opacity) {
+HWY_INLINE void blend(const Target& t, const float* color) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const W alpha = hn::Set(d, color[3]);
-    const W even = hn::Set(d, opacity * color[3]);
     const W one = hn::Set(d, 1.0F);
     for (std::int32_t y = t.spans.top; y < t.spans.bottom; ++y) {
         for (std::int32_t x = t.spans.left[y]; x < t.spans.right[y]; x += lanes) {
             const std::int32_t at = y * t.tile.stride + x;
             const W cover = hn::LoadU(d, t.planes.cover + at);
             hn::StoreU(hn::Zero(d), d, t.planes.cover + at);
-            W ink = hn::Mul(hn::Min(cover, one), even);
+            W ink = hn::Mul(hn::Min(cover, one), hn::Set(d, t.alpha));
             if (!t.even) {
                 ink = hn::Mul(hn::Div(hn::LoadU(d, t.planes.ink + at), hn::Max(cover, one)), alpha);
                 hn::StoreU(hn::Zero(d), d, t.planes.ink + at);
             }
-            const W left = hn::Sub(one, ink);
-            hn::StoreU(hn::Mul(hn::LoadU(d, t.tile.transmittance + at), left), d, t.tile.transmittance + at);
-            if (t.tile.color[0] == nullptr) continue;
-            for (int c = 0; c < 3; ++c)
-                hn::StoreU(
-                    hn::Add(hn::Mul(hn::LoadU(d, t.tile.color[c] + at), left), hn::Mul(hn::Set(d, color[c]), ink)), d,
-                    t.tile.color[c] + at);
+            take(t, color, at, ink);
         }
     }
 }
@@ -349,14 +359,15 @@ void lay(const DiscTile& tile, const SegmentList& list, const StrokePlanes& plan
     if (list.count == 0) return;
     Spans spans;
     clear_spans(tile, spans);
-    const Target target{tile, planes, spans, has_one_opacity(list)};
+    const float opacity = list.points[list.numbers[0]].opacity;
+    Target target{tile, planes, spans, has_one_opacity(list), opacity * list.color[3], false};
     const bool apart = !may_overlap(list);
     if (!apart || !lay_segments(target, list)) {
         if (apart) clear(target);
         clear_spans(tile, spans);
         lay_union(target, list);
     }
-    blend(target, list.color, list.points[list.numbers[0]].opacity);
+    if (!target.at_once) blend(target, list.color);
 }
 
 } // namespace
