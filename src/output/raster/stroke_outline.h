@@ -26,7 +26,7 @@ struct Place {
 // Goes round so that with y down the inside lies to the right: up along the left side of a line, and back along its
 // right one, which is filled from the other end.
 struct Outline {
-    static constexpr std::int32_t most = 320;
+    static constexpr std::int32_t most = 416;
     static constexpr std::int32_t most_of_a_leg = 140; // two quarters of 64 chords each, and corners
     std::int32_t count = 0, back = most;
     std::int32_t gentle[2] = {0, 0}; // how many of the last places, right and left, are those of gentle turns
