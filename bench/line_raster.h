@@ -5,6 +5,8 @@
 #include "calls.h"
 #include "painter.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -78,27 +80,40 @@ struct RasterTimes {
     double stroke_ns = 0.0, disc_ns = 0.0; // a pixel of length: the least of all runs
 };
 
-// In turn, less the time of an empty picture.
-[[nodiscard]] inline RasterTimes raster_times(hrbfnpr_context* context, int count, int runs) {
-    const scenes::PointSet sparse = waves(context, count, 4.0);
-    const scenes::PointSet dense = waves(context, count, 0.5 * raster_radius);
-    Style nothing = raster_style(HRBFNPR_SHAPE_STROKES);
-    nothing.layer[0].shown = 0;
-    Painter empty(context, sparse.get(), nothing, raster_width, raster_height);
-    Painter strokes(context, sparse.get(), raster_style(HRBFNPR_SHAPE_STROKES), raster_width, raster_height);
-    Painter discs(context, dense.get(), raster_style(HRBFNPR_SHAPE_DOTS), raster_width, raster_height);
-    const hrbfnpr_camera camera = raster_camera();
-    std::array<double, 3> least{1e9, 1e9, 1e9};
-    for (int run = 0; run < runs; ++run) {
+// The pictures of so many waves.
+class RasterPictures {
+public:
+    RasterPictures(hrbfnpr_context* context, int count)
+        : pixels_(length_of_waves(count)), sparse_(waves(context, count, 4.0)),
+          dense_(waves(context, count, 0.5 * raster_radius)),
+          empty_(context, sparse_.get(), nothing(), raster_width, raster_height),
+          strokes_(context, sparse_.get(), raster_style(HRBFNPR_SHAPE_STROKES), raster_width, raster_height),
+          discs_(context, dense_.get(), raster_style(HRBFNPR_SHAPE_DOTS), raster_width, raster_height) {}
+
+    void run(const hrbfnpr_camera& camera) {
         std::size_t which = 0;
-        for (Painter* const painter : {&empty, &strokes, &discs}) {
+        for (Painter* const painter : {&empty_, &strokes_, &discs_}) {
             painter->draw(camera);
-            least[which] = std::min(least[which], painter->image_ms());
+            least_[which] = std::min(least_[which], painter->image_ms());
             ++which;
         }
     }
-    const double pixels = length_of_waves(count);
-    return {1e6 * (least[1] - least[0]) / pixels, 1e6 * (least[2] - least[0]) / pixels};
-}
+    // Less the time of an empty picture.
+    [[nodiscard]] RasterTimes times() const {
+        return {1e6 * (least_[1] - least_[0]) / pixels_, 1e6 * (least_[2] - least_[0]) / pixels_};
+    }
+
+private:
+    [[nodiscard]] static Style nothing() {
+        Style style = raster_style(HRBFNPR_SHAPE_STROKES);
+        style.layer[0].shown = 0;
+        return style;
+    }
+
+    double pixels_;
+    scenes::PointSet sparse_, dense_;
+    Painter empty_, strokes_, discs_;
+    std::array<double, 3> least_{1e9, 1e9, 1e9};
+};
 
 } // namespace bench

@@ -216,15 +216,20 @@ void run_flicker(hrbfnpr_context* context, const Settings& settings, Results& re
 
 // One thread each: what a pixel of a stroke costs, and whether more ink costs as much more.
 void run_raster(Results& results) {
-    constexpr int runs = 40;
+    constexpr int runs = 80;
     auto desc = scenes::made(hrbfnpr_context_desc_init);
     desc.thread_count = 1;
     hrbfnpr_context* raw = nullptr;
     scenes::Check check;
     check(hrbfnpr_context_create(&desc, &raw, check.error()));
     const scenes::Context context(raw);
-    const bench::RasterTimes few = bench::raster_times(raw, 8, runs);
-    const bench::RasterTimes many = bench::raster_times(raw, 128, runs);
+    bench::RasterPictures few_waves(raw, 8);
+    bench::RasterPictures many_waves(raw, 128);
+    const hrbfnpr_camera camera = bench::raster_camera();
+    for (int run = 0; run < runs; ++run)
+        for (bench::RasterPictures* const pictures : {&few_waves, &many_waves}) pictures->run(camera);
+    const bench::RasterTimes few = few_waves.times();
+    const bench::RasterTimes many = many_waves.times();
     std::printf("\nstrokes 2.4 pixels wide, on one core: %.1f ns a pixel of length; discs every half radius: %.1f ns\n",
                 many.stroke_ns, many.disc_ns);
     results.add("raster_ns_per_px", many.stroke_ns);
