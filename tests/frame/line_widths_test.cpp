@@ -189,6 +189,34 @@ TEST_F(LineWidths, ChangeSmoothlyFromTheOutline) {
     expect_radius(1, 4.0);
 }
 
+// From within a torus and beside it, with all laws: lines that pass beside the eye are as long as numbers go.
+TEST_F(LineWidths, FromAnyCamera) {
+    const test::Torus torus(1.0, 0.4);
+    const curves::LineSet lines(runtime, torus, std::make_unique<implicit::DifferencedShape>(torus), with_sections({}),
+                                {});
+    style[0].outline_factor = 2.0F;
+    style[0].far_factor = style[0].lit_factor = style[0].curvature_factor = 0.5F;
+    style[0].wobble = 1.0F;
+    style[0].wobble_width = 0.5F;
+    style[0].wobble_length = 1.0F;
+    style[0].hidden = HiddenParts::dashed;
+    for (int i = 0; i < 30; ++i) {
+        const double angle = 0.37 * i;
+        frame::Camera camera;
+        camera.view = frame::look_at((0.05 + 0.06 * i) *
+                                         glm::dvec3(std::cos(angle), std::sin(angle), 0.4 * std::cos(3.0 * angle)),
+                                     {0.0, 0.1, 0.05}, {0.0, 0.0, 1.0});
+        camera.projection = frame::perspective(1.2, 500, 500, 0.01, 20.0, camera.depth);
+        camera.viewport = {0.0, 0.0, 500.0, 500.0};
+        frame.draw(std::array{item_of(&lines)}, camera);
+        EXPECT_LT(frame.drawing().points.size(), 100'000);
+        for (const StrokePoint& p : frame.drawing().points) {
+            EXPECT_TRUE(std::isfinite(p.x + p.y + p.radius + p.length + p.opacity));
+            EXPECT_GE(p.radius, 0.0F);
+        }
+    }
+}
+
 class WobblingLines : public LineWidths {
 protected:
     // In widths, by the angle round the circle, in degrees.
