@@ -1740,7 +1740,11 @@ enum {
     HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER = 8,  /* 1 = a disc of paper, 0 = ink; UINT8 or UINT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_LAYER = 9,     /* of the drawing; UINT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_LENGTH = 10,   /* along its stroke, pixels from its first point; 0 for a dot; FLOAT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_LINE = 11      /* of lines: a number that a line keeps from one drawing of a renderer to
+    HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_LAYERS = 11, /* layers of surface before that part of a line, 0 = it is visible; 0
+                                                    of marks; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_BY = 12, /* item of the nearest surface before that part of a line;
+                                               HRBFNPR_INDEX_RESTART = it is visible, or a mark; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_LINE = 13      /* of lines: a number that a line keeps from one drawing of a renderer to
                                                the next, where the camera moves little; 0 of all else; UINT32 */
 };
 

@@ -34,6 +34,8 @@ static_assert(static_cast<int>(output::VertexAttribute::is_paper) == HRBFNPR_VER
 static_assert(static_cast<int>(output::VertexAttribute::layer) == HRBFNPR_VERTEX_ATTRIBUTE_LAYER);
 static_assert(static_cast<int>(output::VertexAttribute::length) == HRBFNPR_VERTEX_ATTRIBUTE_LENGTH);
 static_assert(static_cast<int>(output::VertexAttribute::line) == HRBFNPR_VERTEX_ATTRIBUTE_LINE);
+static_assert(static_cast<int>(output::VertexAttribute::hidden_layers) == HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_LAYERS);
+static_assert(static_cast<int>(output::VertexAttribute::hidden_by) == HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_BY);
 
 namespace hrbfnpr::api {
 

@@ -5,6 +5,8 @@
 #include "curves/near_spans.h"
 #include "curves/supported_roots.h"
 
+#include <algorithm>
+
 namespace hrbfnpr::curves {
 namespace {
 
@@ -52,11 +54,18 @@ void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit&
     base::Array<RootCount> counts(runtime.memory);
     base::Array<Root> roots(runtime.memory);
     const SurfaceEnd* const end = mesh_.end;
-    count_roots(runtime, implicit, lines, spans, counts, end != nullptr ? &roots : nullptr, progress);
+    count_roots(runtime, implicit, lines, spans, counts, &roots, progress);
     if (end != nullptr) drop_unsupported(runtime, implicit, *end, lines, spans, roots, counts, progress);
     answer.resize(segments);
     std::fill(answer.begin(), answer.end(), Answer{});
     compare(spans, counts, end != nullptr, answer);
+    base::Array<std::uint8_t> known(runtime.memory, segments);
+    for (const Root& root : roots) {
+        const std::int64_t line = spans.span[root.span].line;
+        Answer& of = answer[line];
+        of.nearest = known[line] != 0 ? std::min(of.nearest, root.at) : root.at;
+        known[line] = 1;
+    }
     progress.update(1.0);
 }
 

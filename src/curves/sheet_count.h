@@ -22,7 +22,8 @@ public:
 
     struct Answer {
         std::int32_t sheets = 0;
-        bool certain = true; // false: the segment grazes the surface, or its two counts do not agree
+        double nearest = 0.0; // crossing: about how far before `to`, where there are any
+        bool certain = true;  // false: the segment grazes the surface, or its two counts do not agree
     };
     // The crossings of f = 0 with the open segments from[i] to to[i], as far as the mesh goes.  `to` may itself lie on
     // the surface: crossings nearer to it than clear[i] are not counted.  answer is resized.

@@ -144,7 +144,10 @@ void Counter::judge(const Piece& piece) {
 
 void Counter::add_root(const Piece& piece) {
     ++count_[piece.span].roots;
-    if (roots_ != nullptr) roots_->push_back({piece.span, piece.low.at, piece.high.at, piece.low.negative()});
+    if (roots_ == nullptr) return;
+    const double share = piece.low.value / (piece.low.value - piece.high.value);
+    roots_->push_back({piece.span, piece.low.at, piece.high.at, piece.low.at + share * (piece.high.at - piece.low.at),
+                       piece.low.negative()});
 }
 
 // A piece that has become too short is left with the roots that its ends tell.

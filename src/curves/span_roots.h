@@ -20,6 +20,7 @@ struct RootCount {
 struct Root {
     std::int64_t span;
     double low, high;
+    double at;            // about there
     bool negative_at_low; // f
 };
 

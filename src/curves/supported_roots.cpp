@@ -15,6 +15,7 @@ constexpr double on_border = 1e-6; // of s
 
 // A root that may lie beyond the border.
 struct Doubtful {
+    std::int64_t number;
     Root root;
     double at;
     bool done;
@@ -29,7 +30,7 @@ public:
 
     void find(const base::Array<Root>& roots);
     void refine(const base::Progress& progress);
-    void judge(base::Array<RootCount>& count) const;
+    void judge(base::Array<Root>& roots, base::Array<RootCount>& count) const;
 
 private:
     [[nodiscard]] const Line& line(const Doubtful& d) const noexcept { return lines_[spans_.span[d.root.span].line]; }
@@ -46,8 +47,8 @@ private:
 };
 
 void Judge::find(const base::Array<Root>& roots) {
-    for (const Root& root : roots) {
-        const Doubtful d{root, 0.5 * (root.low + root.high), false};
+    for (std::int64_t i = 0; i < roots.size(); ++i) {
+        const Doubtful d{i, roots[i], 0.5 * (roots[i].low + roots[i].high), false};
         if (end_.near_border(line(d).at(d.at))) doubtful_.push_back(d);
     }
 }
@@ -83,24 +84,32 @@ void Judge::refine(const base::Progress& progress) {
     }
 }
 
-void Judge::judge(base::Array<RootCount>& count) const {
-    for (std::int64_t i = 0; i < doubtful_.size(); ++i) {
-        RootCount& of = count[doubtful_[i].root.span];
-        const double beyond = end_.beyond(place_[i], gradient_[i]);
-        if (beyond > 0.0) --of.roots;
-        if (!doubtful_[i].done || std::abs(beyond) < on_border) of.certain = false;
+void Judge::judge(base::Array<Root>& roots, base::Array<RootCount>& count) const {
+    std::int64_t kept = 0;
+    std::int64_t next = 0;
+    for (std::int64_t i = 0; i < roots.size(); ++i) {
+        const bool doubted = next < doubtful_.size() && doubtful_[next].number == i;
+        const double beyond = doubted ? end_.beyond(place_[next], gradient_[next]) : -1.0;
+        RootCount& of = count[roots[i].span];
+        if (doubted && (!doubtful_[next].done || std::abs(beyond) < on_border)) of.certain = false;
+        next += doubted ? 1 : 0;
+        if (beyond > 0.0)
+            --of.roots;
+        else
+            roots[kept++] = roots[i];
     }
+    roots.resize(kept);
 }
 
 } // namespace
 
 void drop_unsupported(const base::Runtime& runtime, const implicit::Implicit& implicit, const SurfaceEnd& end,
-                      const base::Array<Line>& lines, const Spans& spans, const base::Array<Root>& roots,
+                      const base::Array<Line>& lines, const Spans& spans, base::Array<Root>& roots,
                       base::Array<RootCount>& count, const base::Progress& progress) {
     Judge judge(runtime, implicit, end, lines, spans);
     judge.find(roots);
     judge.refine(progress);
-    judge.judge(count);
+    judge.judge(roots, count);
 }
 
 } // namespace hrbfnpr::curves

@@ -7,10 +7,10 @@
 
 namespace hrbfnpr::curves {
 
-// Takes those from the counts that lie beyond the border; where one lies on it, as far as numbers tell, the count is
-// not certain.
+// Takes those from the roots and the counts that lie beyond the border; where one lies on it, as far as numbers tell,
+// the count is not certain.
 void drop_unsupported(const base::Runtime& runtime, const implicit::Implicit& implicit, const SurfaceEnd& end,
-                      const base::Array<Line>& lines, const Spans& spans, const base::Array<Root>& roots,
+                      const base::Array<Line>& lines, const Spans& spans, base::Array<Root>& roots,
                       base::Array<RootCount>& count, const base::Progress& progress);
 
 } // namespace hrbfnpr::curves

@@ -49,6 +49,8 @@ struct Stroke {
     float depth = 0.0F; // of its middle, eye units along the view: strokes are painted by it
     Cap cap_begin = Cap::round;
     Cap cap_end = Cap::round;
+    std::int32_t hidden_layers = 0; // of surface before it; of lines only
+    std::int32_t hidden_by = -1;    // item of the nearest of them
     bool closed = false; // its last point stands where its first one does, and they are joined: it has no caps
 };
 

@@ -19,6 +19,8 @@ struct Interval {
     std::int32_t sheets;     // before it
     bool begins_at_cusp, ends_at_cusp;
     float begin_sine, end_sine; // of the angle to the nearer line that crosses there; 0: none does
+    std::int32_t hidden_by =
+        -1; // occluder of the nearest surface before it, once find_hidden_by() has looked; -1: none
 };
 
 struct InvisibilityReport {

@@ -14,6 +14,10 @@ struct Probe {
     bool certain;        // out
 };
 
+// Which occluder's surface is the nearest before each; -1: none.  nearest: resized.
+void find_nearest(const base::Runtime& runtime, std::span<const Subject> subjects, std::span<const Occluder> occluders,
+                  const base::Array<Probe>& probes, base::Array<std::int32_t>& nearest, const base::Progress& progress);
+
 // Counts the sheets of all occluders before each.
 void send_rays(const base::Runtime& runtime, std::span<const Subject> subjects, std::span<const Occluder> occluders,
                base::Array<Probe>& probes, const base::Progress& progress);

@@ -284,3 +284,49 @@ def test_cancelling(model):
 
     with pytest.raises(KeyboardInterrupt):
         hrbfnpr.LineSet(model, progress=stop)
+
+
+def ball(count=300):
+    i = np.arange(count) + 0.5
+    z, a = 1 - 2 * i / count, 2.399963229728653 * i
+    r = np.sqrt(1 - z * z)
+    return np.stack([r * np.cos(a), r * np.sin(a), z], axis=-1)
+
+
+def placed(to, scale=1.0):
+    matrix = np.diag([scale, scale, scale, 1.0])
+    matrix[:3, 3] = to
+    return matrix
+
+
+def test_which_item_hides_a_line():
+    points = ball()
+    model = hrbfnpr.Model.fit(points, points)
+    lines, marks = hrbfnpr.LineSet(model), model.generate(budget=20)
+    style = hrbfnpr.Style("silhouette", lines=[hrbfnpr.LineStyle("contour", hidden="dashed")])
+    nothing = hrbfnpr.Item(marks, style)  # without a line set: numbers are those of items
+    # From the eye at x = -9: a small ball before a large one that is run through by a third.
+    items = [
+        nothing,
+        hrbfnpr.Item(marks, style, transform=placed((3, 0, 0)), line_set=lines),
+        hrbfnpr.Item(marks, style, transform=placed((0, 0.9, 0), 0.5), line_set=lines),
+        hrbfnpr.Item(marks, style, transform=placed((3, -0.9, 0), 0.7), line_set=lines),
+    ]
+    camera = hrbfnpr.Camera.look_at((-9, 0, 0), (0, 0, 0), (0, 0, 1)).perspective(0.5, (600, 600), 1, 20)
+    drawing = hrbfnpr.Renderer().draw(items, camera)
+    info = drawing.info
+    assert info.line_broken == info.line_settled == info.line_contradictions == 0
+    hidden_by = {}
+    for number, layer in enumerate(drawing.layers):
+        for line in drawing.polylines(number):
+            layers, by = set(line["hidden_layers"].tolist()), set(line["hidden_by"].tolist())
+            assert len(layers) == len(by) == 1
+            hidden_by.setdefault(layer.item, set()).add((*layers, *by))
+    none = 0xFFFFFFFF
+    assert hidden_by == {
+        1: {(0, none), (1, 2), (1, 3)},
+        2: {(0, none)},
+        3: {(0, none), (1, 1)},
+    }
+    points = drawing.vertices("points", ("hidden_by", "hidden_layers"))[0]
+    assert (points["hidden_by"] == none).all() and (points["hidden_layers"] == 0).all()

@@ -216,8 +216,14 @@ namespace HrbfNpr
         Layer = 9,
         /// <summary>Along its stroke, pixels from its first point, 0 for a dot; 1 float.</summary>
         Length = 10,
+        /// <summary>Layers of surface before that part of a line, 0 = it is visible; 0 of marks; 1 uint.</summary>
+        HiddenLayers = 11,
+        /// <summary>
+        /// Item of the nearest surface before that part of a line; uint.MaxValue = it is visible, or a mark; 1 uint.
+        /// </summary>
+        HiddenBy = 12,
         /// <summary>Of lines: a number that a line keeps from one drawing of a renderer to the next, where the camera
         /// moves little; 0 of all else; 1 uint.</summary>
-        Line = 11,
+        Line = 13,
     }
 }

@@ -42,6 +42,8 @@ namespace HrbfNpr
                 case VertexAttribute.Id:
                 case VertexAttribute.Layer:
                 case VertexAttribute.Line:
+                case VertexAttribute.HiddenLayers:
+                case VertexAttribute.HiddenBy:
                     return Add(attribute, ScalarType.Uint32, End(4));
                 default:
                     return Add(attribute, ScalarType.Float32, End(4));

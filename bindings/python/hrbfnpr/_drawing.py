@@ -193,7 +193,9 @@ class Drawing(Owner):
             Of "position" (3 float32), "window" (pixel x, y and depth: 3 float32), "radius" (pixels:
             float32), "color" (straight RGBA: 4 uint8), "normal", "direction" (3 float32), "id" (uint32),
             "class", "is_paper" (uint8), "layer" (of the drawing: uint32), "length" (along its stroke,
-            pixels: float32) and "line" (of lines, as `polylines` says: uint32).
+            pixels: float32), "hidden_layers" (of surface before that part of a line, 0 = it is visible: uint32),
+            "hidden_by" (item of the nearest of them, 0xFFFFFFFF = none: uint32) and "line" (of lines, as `polylines`
+            says: uint32).
 
         Returns
         -------
@@ -219,15 +221,17 @@ class Drawing(Owner):
         """The strokes as structured arrays, far to near: one for each, a row for each of its points.  Needs NumPy.
 
         Fields are "window" (pixel x, y and depth), "position" (world), "radius" (half the width, pixels),
-        "color" (straight RGBA, uint8), "length" (along the stroke, pixels) and "line" (of lines: a number that a line
-        keeps from one drawing of a renderer to the next, where the camera moves little; 0 of marks).
+        "color" (straight RGBA, uint8), "length" (along the stroke, pixels), "hidden_layers" (of surface before it,
+        0 = visible), "hidden_by" (item of the nearest of them, 0xFFFFFFFF = none) and "line" (a number that a line
+        keeps from one drawing of a renderer to the next, where the camera moves little; 0 of marks), these three the
+        same along each stroke.
 
         Parameters
         ----------
         layer : int, optional
             Number of a layer in `layers`; those of all if omitted.
         """
-        fields = ("window", "position", "radius", "color", "length", "layer", "line")
+        fields = ("window", "position", "radius", "color", "length", "layer", "hidden_layers", "hidden_by", "line")
         vertices, indices = self.vertices("line_strips", fields)
         ends = np.flatnonzero(indices == 0xFFFFFFFF)
         strips = np.split(indices, ends)

@@ -24,6 +24,8 @@ _TYPES = {
     "layer": ("I", 1),
     "length": ("f", 1),
     "line": ("I", 1),
+    "hidden_layers": ("I", 1),
+    "hidden_by": ("I", 1),
 }
 _SCALARS = {"f": ("FLOAT32", 4), "B": ("UINT8", 1), "I": ("UINT32", 4)}
 

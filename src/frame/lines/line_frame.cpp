@@ -3,6 +3,7 @@
 
 #include "base/clock.h"
 #include "frame/lines/traced_lines.h"
+#include "visibility/hidden_by.h"
 
 #include <glm/matrix.hpp>
 
@@ -42,13 +43,15 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const Optics optics = make_optics(scene.camera);
     drawing.from_window = glm::inverse(optics.window * scene.camera.view);
     TracedLines traced(runtime_, scene, items, drawing);
-    const visibility::Invisibility found =
+    visibility::Invisibility found =
         visibility::find_invisibility(runtime_, traced.subjects(), traced.occluders(), {}, base::Progress());
+    visibility::find_hidden_by(runtime_, traced.subjects(), traced.occluders(), found, base::Progress());
     count(found, traced, drawing.line_counts);
     const visibility::Lengths lengths(runtime_.memory, found.lines);
     numbers_.run(families(runtime_.memory, found.subjects.span(), traced.occluders()).span(), found.subjects.span(),
                  found.lines);
-    const LineInput input{found.subjects.span(), traced.occluders(), traced.styles(), found, lengths, numbers_};
+    const LineInput input{
+        found.subjects.span(), traced.occluders(), traced.items(), traced.styles(), found, lengths, numbers_};
     const WidthLaws laws(runtime_, scene, items, drawing, input);
     StrokeParts(runtime_, scene, input, laws, strokes_).run();
     drawing.line_counts.nanoseconds = watch.nanoseconds();

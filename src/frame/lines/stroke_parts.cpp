@@ -59,7 +59,8 @@ void StrokeParts::collect(std::int64_t first, std::int64_t end) {
     for (std::int64_t i = first; i < end; ++i) {
         const visibility::Interval& next = found_.intervals[i];
         const std::int32_t layers = layers_before(next.sheets);
-        const bool joins = !parts_.empty() && (parts_[parts_.size() - 1].layers == layers || length_of(next) < unseen);
+        const bool joins =
+            !parts_.empty() && (alike(parts_[parts_.size() - 1], layers, next.hidden_by) || length_of(next) < unseen);
         if (!joins) {
             parts_.push_back({next, layers, next.begins_at_cusp, next.ends_at_cusp});
             continue;
@@ -74,7 +75,7 @@ void StrokeParts::collect(std::int64_t first, std::int64_t end) {
     if (!line.closed) {
         parts_[0].free_begin = true;
         parts_[parts_.size() - 1].free_end = true;
-    } else if (parts_.size() > 1 && parts_[0].layers == parts_[parts_.size() - 1].layers) {
+    } else if (parts_.size() > 1 && alike(parts_[parts_.size() - 1], parts_[0].layers, parts_[0].interval.hidden_by)) {
         Part& last = parts_[parts_.size() - 1];
         const Part& begin = parts_[0];
         last.interval.end_piece = begin.interval.end_piece;
@@ -232,6 +233,8 @@ drawing::Stroke StrokeParts::begun(const DrawnAs& as, const Part& part, double l
     stroke.first = strokes_.points.size();
     stroke.layer = as.layer;
     stroke.line = numbers_.number(part.interval.line);
+    stroke.hidden_layers = part.layers;
+    stroke.hidden_by = part.interval.hidden_by < 0 ? -1 : items_[static_cast<std::size_t>(part.interval.hidden_by)];
     stroke.closed = is_whole(part) && length >= length_of(part.interval);
     stroke.cap_begin = part.free_begin && !hidden ? as.style->cap : drawing::Cap::round;
     stroke.cap_end = part.free_end && !hidden ? as.style->cap : drawing::Cap::round;

@@ -16,7 +16,7 @@ class StrokeParts {
 public:
     StrokeParts(const base::Runtime& runtime, const Scene& scene, const LineInput& input, const WidthLaws& laws,
                 LineStrokes& strokes)
-        : scene_(scene), subjects_(input.subjects), found_(input.found), lengths_(input.lengths),
+        : scene_(scene), subjects_(input.subjects), items_(input.items), found_(input.found), lengths_(input.lengths),
           numbers_(input.numbers), laws_(laws), strokes_(strokes), parts_(runtime.memory), place_(runtime.memory),
           knot_(runtime.memory), at_(runtime.memory) {}
 
@@ -51,6 +51,9 @@ private:
         double low, high;
     };
 
+    [[nodiscard]] static bool alike(const Part& part, std::int32_t layers, std::int32_t hidden_by) noexcept {
+        return part.layers == layers && part.interval.hidden_by == hidden_by;
+    }
     void collect(std::int64_t first, std::int64_t end);
     void find_places(const Part& part);
     // Of a closed line, all of it.
@@ -74,6 +77,7 @@ private:
 
     const Scene& scene_;
     std::span<const visibility::Subject> subjects_;
+    std::span<const std::int32_t> items_;
     const visibility::Invisibility& found_;
     const visibility::Lengths& lengths_;
     const LineNumbers& numbers_;

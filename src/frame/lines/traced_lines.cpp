@@ -47,12 +47,14 @@ glm::dvec4 towards_light(const Scene& scene, const Item& item) {
 TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
                          drawing::Drawing& drawing)
     : runtime_(runtime), sources_(runtime.memory), kept_(runtime.memory), subjects_(runtime.memory),
-      occluders_(runtime.memory), styles_(runtime.memory), contours_of_(runtime.memory), borders_of_(runtime.memory) {
+      occluders_(runtime.memory), items_(runtime.memory), styles_(runtime.memory), contours_of_(runtime.memory),
+      borders_of_(runtime.memory) {
     for (const Item& item : items) {
         if (item.lines == nullptr) continue;
         const Source source{&item, view_of(scene, item), static_cast<std::int32_t>(occluders_.size()),
                             is_mirrored(scene, item)};
         occluders_.push_back({&item.lines->sheets(), &item.lines->surface(), item.transform, source.view.eye});
+        items_.push_back(static_cast<std::int32_t>(&item - items.data()));
         sources_.push_back(source);
         trace_contours(source);
         add_border(source);

@@ -19,6 +19,8 @@ public:
 
     [[nodiscard]] std::span<const visibility::Subject> subjects() const noexcept { return subjects_.span(); }
     [[nodiscard]] std::span<const visibility::Occluder> occluders() const noexcept { return occluders_.span(); }
+    // Of the occluders: which of the drawing's items each is.
+    [[nodiscard]] std::span<const std::int32_t> items() const noexcept { return items_.span(); }
     [[nodiscard]] std::span<const DrawnAs> styles() const noexcept { return styles_.span(); }
     // Contours that end inside the surface, and places where one was missed.
     [[nodiscard]] std::int64_t broken() const noexcept { return broken_; }
@@ -54,6 +56,7 @@ private:
     base::List<std::unique_ptr<Kept>> kept_;
     base::Array<visibility::Subject> subjects_;
     base::Array<visibility::Occluder> occluders_;
+    base::Array<std::int32_t> items_;
     base::Array<DrawnAs> styles_;
     base::Array<std::int32_t> contours_of_; // subjects of each source: of its contours, of its border
     base::Array<std::int32_t> borders_of_;

@@ -17,6 +17,7 @@ namespace hrbfnpr::frame {
 struct LineInput {
     std::span<const visibility::Subject> subjects;
     std::span<const visibility::Occluder> occluders;
+    std::span<const std::int32_t> items; // of the occluders
     std::span<const DrawnAs> styles;
     const visibility::Invisibility& found;
     const visibility::Lengths& lengths;

@@ -52,6 +52,8 @@ struct Vertex {
     drawing::MarkClass mark_class;
     bool is_paper;
     drawing::MarkSource source;
+    std::uint32_t hidden_layers = 0;
+    std::uint32_t hidden_by = index_restart; // none
 };
 
 void put_field(std::byte* to, const VertexField& field, const Vertex& vertex) noexcept {
@@ -69,6 +71,8 @@ void put_field(std::byte* to, const VertexField& field, const Vertex& vertex) no
     case VertexAttribute::is_paper: put_integer(to, field.scalar, vertex.is_paper ? 1U : 0U); break;
     case VertexAttribute::layer: put(to, vertex.layer); break;
     case VertexAttribute::length: put(to, vertex.length); break;
+    case VertexAttribute::hidden_layers: put(to, vertex.hidden_layers); break;
+    case VertexAttribute::hidden_by: put(to, vertex.hidden_by); break;
     case VertexAttribute::line: put(to, vertex.line); break;
     }
 }
@@ -108,6 +112,8 @@ public:
                       false,
                       {}};
         vertex.color.w *= p.opacity;
+        vertex.hidden_layers = static_cast<std::uint32_t>(stroke.hidden_layers);
+        if (stroke.hidden_by >= 0) vertex.hidden_by = static_cast<std::uint32_t>(stroke.hidden_by);
         store(number, vertex);
     }
 
@@ -273,8 +279,10 @@ std::int64_t size_of(const VertexField& field) noexcept {
     case VertexAttribute::length: return is_float ? 4 : 0;
     case VertexAttribute::color: return is_float ? 16 : is_byte ? 4 : 0;
     case VertexAttribute::id:
-    case VertexAttribute::line:
-    case VertexAttribute::layer: return is_integer ? 4 : 0;
+    case VertexAttribute::layer:
+    case VertexAttribute::hidden_layers:
+    case VertexAttribute::hidden_by:
+    case VertexAttribute::line: return is_integer ? 4 : 0;
     case VertexAttribute::mark_class:
     case VertexAttribute::is_paper: return is_byte ? 1 : is_integer ? 4 : 0;
     }

@@ -25,9 +25,11 @@ enum class VertexAttribute : std::uint32_t {
     is_paper = 8,
     layer = 9,
     length = 10,
-    line = 11
+    hidden_layers = 11,
+    hidden_by = 12,
+    line = 13
 };
-inline constexpr std::uint32_t last_attribute = 11;
+inline constexpr std::uint32_t last_attribute = 13;
 
 struct VertexField {
     VertexAttribute attribute;

@@ -2474,9 +2474,14 @@ pub const HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER: u32 = 8;
 pub const HRBFNPR_VERTEX_ATTRIBUTE_LAYER: u32 = 9;
 /// along its stroke, pixels from its first point; 0 for a dot; FLOAT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_LENGTH: u32 = 10;
+/// layers of surface before that part of a line, 0 = it is visible; 0 of marks; UINT32
+pub const HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_LAYERS: u32 = 11;
+/// item of the nearest surface before that part of a line; HRBFNPR_INDEX_RESTART = it is
+/// visible, or a mark; UINT32
+pub const HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_BY: u32 = 12;
 /// of lines: a number that a line keeps from one drawing of a renderer to the next, where the
 /// camera moves little; 0 of all else; UINT32
-pub const HRBFNPR_VERTEX_ATTRIBUTE_LINE: u32 = 11;
+pub const HRBFNPR_VERTEX_ATTRIBUTE_LINE: u32 = 13;
 
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
