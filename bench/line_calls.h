@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -82,16 +83,22 @@ struct Polyline {
 };
 
 // Contours alone; those that are hidden by n layers have the opacity 2^-n, so that one drawing tells all.
-class ContourStyle {
+[[nodiscard]] inline hrbfnpr_line_style contour_style() {
+    auto line = scenes::made(hrbfnpr_line_style_init);
+    line.kind = HRBFNPR_LINE_KIND_CONTOUR;
+    line.hidden = HRBFNPR_HIDDEN_PARTS_ATTENUATED;
+    line.hidden_opacity = 0.5F;
+    line.hidden_width = line.width;
+    line.cap = HRBFNPR_CAP_FLAT;
+    line.taper = 0.0F;
+    line.shortest = 0.0F;
+    return line;
+}
+
+// Lines alone, of one kind or several.
+class LinesStyle {
 public:
-    ContourStyle() {
-        line_.kind = HRBFNPR_LINE_KIND_CONTOUR;
-        line_.hidden = HRBFNPR_HIDDEN_PARTS_ATTENUATED;
-        line_.hidden_opacity = 0.5F;
-        line_.hidden_width = line_.width;
-        line_.cap = HRBFNPR_CAP_FLAT;
-        line_.taper = 0.0F;
-        line_.shortest = 0.0F;
+    explicit LinesStyle(std::vector<hrbfnpr_line_style> lines) : lines_(std::move(lines)) {
         layer_.shown = 0;
         layer_.contours = 0;
     }
@@ -99,22 +106,23 @@ public:
         auto style = scenes::made(hrbfnpr_style_init);
         style.layers = &layer_;
         style.layer_count = 1;
-        style.lines = &line_;
-        style.line_count = 1;
+        style.lines = lines_.data();
+        style.line_count = static_cast<std::int64_t>(lines_.size());
         style.halo_width = 0.0F; // no gaps where a line passes behind another
         return style;
     }
 
 private:
-    hrbfnpr_line_style line_ = scenes::made(hrbfnpr_line_style_init);
+    std::vector<hrbfnpr_line_style> lines_;
     hrbfnpr_layer_style layer_ = scenes::made(hrbfnpr_layer_style_init);
 };
 
-// Draws the contours of one surface.
+// Draws the contours of one surface, or the lines that are asked for.
 class LinePainter {
 public:
-    LinePainter(hrbfnpr_context* context, const hrbfnpr_point_set* marks, const hrbfnpr_line_set* lines)
-        : context_(context), style_(contours_.get()) {
+    LinePainter(hrbfnpr_context* context, const hrbfnpr_point_set* marks, const hrbfnpr_line_set* lines,
+                std::vector<hrbfnpr_line_style> drawn = {contour_style()})
+        : context_(context), drawn_(std::move(drawn)), style_(drawn_.get()) {
         begin_anew();
         item_.point_set = marks;
         item_.line_set = lines;
@@ -190,7 +198,7 @@ private:
     scenes::Check check_;
     scenes::Renderer renderer_;
     scenes::Drawing drawing_;
-    ContourStyle contours_;
+    LinesStyle drawn_;
     hrbfnpr_style style_;
     hrbfnpr_item item_ = scenes::made(hrbfnpr_item_init);
     std::array<hrbfnpr_vertex_attribute, 3> attributes_{};

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Contours as lines: how near to the truth, how often whole, visible where they should be, times, and flicker.
-// --models=DIR: a folder of PLY files of points with normals, besides generated surfaces; --only=PART,...: of truth,
-// views, times, flicker, raster; --places=N: of lines whose visibility is looked at.
+// --models=DIR: a folder of PLY files of points with normals, besides generated surfaces; --named=TEXT: of these, only
+// those whose name has it in it; --only=PART,...: of truth, views, features, times, flicker, raster; --places=N: of
+// lines whose visibility is looked at; --cameras=N, 3 at most, and --rays=N, along a pixel's side: of the reference of
+// feature lines.
+#include "line_features.h"
 #include "line_flicker.h"
 #include "line_raster.h"
 #include "line_times.h"
@@ -13,6 +16,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,9 +31,24 @@ struct Settings {
     std::string models;
     std::string only;
     std::int64_t places;
+    std::string named;
+    int cameras = 3;
+    int rays = 1;
 
     [[nodiscard]] bool wants(const char* part) const { return only.empty() || only.find(part) != std::string::npos; }
 };
+
+// Generated ones and those of the folder.
+std::vector<bench::Source> chosen_sources(const Settings& settings) {
+    std::vector<bench::Source> all = bench::generated_sources();
+    if (!settings.models.empty())
+        for (bench::Source& source : bench::sources_of(settings.models)) all.push_back(std::move(source));
+    std::vector<bench::Source> chosen;
+    for (bench::Source& source : all)
+        if (source.name.find(settings.named) != std::string::npos) chosen.push_back(std::move(source));
+    if (chosen.empty()) throw std::runtime_error("no model is called so: " + settings.named);
+    return chosen;
+}
 
 struct Results {
     std::vector<std::pair<std::string, double>> pairs;
@@ -159,9 +179,7 @@ Measured measure(hrbfnpr_context* context, const bench::Source& source, std::int
 }
 
 void run_views(hrbfnpr_context* context, const Settings& settings, Results& results) {
-    std::vector<bench::Source> sources = bench::generated_sources();
-    if (!settings.models.empty())
-        for (bench::Source& source : bench::sources_of(settings.models)) sources.push_back(std::move(source));
+    const std::vector<bench::Source> sources = chosen_sources(settings);
     const auto places = std::max<std::int64_t>(1, settings.places / (26 * static_cast<std::int64_t>(sources.size())));
     std::printf("\ncontours from 26 sides, 1280 x 720, each view for the first time\n");
     bench::print_head();
@@ -176,6 +194,96 @@ void run_views(hrbfnpr_context* context, const Settings& settings, Results& resu
     results.add("visibility_right", share(all.visible.right, all.visible.places));
     results.add("median_ms", bench::quantile(all.views.ms, 0.5));
     results.add("p90_ms", bench::quantile(all.views.ms, 0.9));
+}
+
+// ---- Feature lines ---------------------------------------------------------------------------
+
+using Matches = std::map<std::string, bench::FeatureMatch>; // by kind
+
+void print(const std::string& model, const std::string& kind, const bench::FeatureMatch& m) {
+    std::printf("%-24s %-16s %10.0f %10.0f %9.4f %9.4f %9.2f %9.1f %9.1f %9.0f %9.0f\n", model.c_str(), kind.c_str(),
+                m.drawn.length, m.wanted.length, m.precision(), m.recall(), m.drawn.moment / m.drawn.length,
+                m.drawn.longest, m.wanted.longest, m.left_out, m.undecided);
+    std::fflush(stdout);
+}
+
+bench::FeatureMatch compare(const bench::FeatureGrid& grid, const bench::FeatureReference& reference,
+                            const std::vector<bench::Polyline>& polylines) {
+    const bench::ImageLines drawn = bench::image_lines(polylines);
+    bench::FeatureMatch match;
+    match.drawn = bench::nearness_inside(grid, drawn, reference.allowed(), match.left_out);
+    match.wanted = bench::nearness_inside(grid, reference.wanted(), drawn, match.left_out);
+    match.undecided = reference.undecided();
+    return match;
+}
+
+Matches compare_features(hrbfnpr_context* context, const bench::Source& source, const Settings& settings) {
+    LineModel model{source.name, bench::fit_centres(context, source.samples(), source.centres), {}, {}, 0.0};
+    const hrbfnpr_model_info info = bench::info_of(model.model.get());
+    std::vector<bench::FeatureAsked> asked = bench::features_asked();
+    asked.back().level = 0.5 * (info.bounds_min[2] + info.bounds_max[2]);
+    model.lines = bench::make_feature_set(context, model.model.get(), asked);
+    model.marks = bench::generate(context, model.model.get(), bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 64));
+    const bench::ShapeAt shape_at(model.model.get());
+    const double diagonal = glm::distance(glm::make_vec3(info.bounds_min), glm::make_vec3(info.bounds_max));
+    const double cell = bench::info_of(model.lines.get()).cell_size;
+    Matches matches;
+    for (const glm::dvec3& direction : bench::feature_directions(settings.cameras)) {
+        const hrbfnpr_camera camera = bench::camera_of(info.bounds_min, info.bounds_max, direction, 0.5);
+        const bench::FeatureGrid grid(model.model.get(), shape_at, camera, settings.rays);
+        for (const bench::FeatureAsked& one : asked) {
+            const bench::FeatureReference reference(grid, shape_at, one, bench::light_of(camera), diagonal, cell);
+            bench::LinePainter painter(context, model.marks.get(), model.lines.get(), {bench::feature_style(one)});
+            painter.draw(camera);
+            matches[one.name].add(compare(grid, reference, painter.polylines()));
+        }
+    }
+    for (const auto& [kind, match] : matches) print(source.name, kind, match);
+    return matches;
+}
+
+// Contours with suggestive contours, and contours alone, of the same views.
+void time_features(hrbfnpr_context* context, const bench::Samples& samples, Results& results) {
+    LineModel model = bench::line_model(context, "", bench::fit_centres(context, samples, 4096));
+    model.lines = bench::make_feature_set(context, model.model.get(), {});
+    const bench::FeatureAsked suggestive = bench::features_asked().front();
+    bench::LinePainter alone(context, model.marks.get(), model.lines.get());
+    bench::LinePainter both(context, model.marks.get(), model.lines.get(),
+                            {bench::contour_style(), bench::feature_style(suggestive)});
+    std::vector<double> contour_ms;
+    std::vector<double> suggestive_ms;
+    const hrbfnpr_model_info info = bench::info_of(model.model.get());
+    for (const glm::dvec3& direction : bench::cube_directions()) {
+        const hrbfnpr_camera camera = bench::camera_of(info.bounds_min, info.bounds_max, direction, 0.5);
+        for (auto [painter, ms] : {std::pair(&alone, &contour_ms), std::pair(&both, &suggestive_ms)}) {
+            painter->begin_anew();
+            painter->draw(camera);
+            ms->push_back(bench::line_ms(painter->info()));
+        }
+    }
+    results.add("contour_ms", bench::quantile(contour_ms, 0.5));
+    results.add("suggestive_ms", bench::quantile(suggestive_ms, 0.5));
+    results.add("suggestive_over_contours", bench::quantile(suggestive_ms, 0.5) / bench::quantile(contour_ms, 0.5));
+}
+
+void run_features(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    const std::vector<bench::Source> sources = chosen_sources(settings);
+    std::printf("\nvisible feature lines of %d cameras beside those of a grid of rays, within a pixel of 1280 x 720\n",
+                settings.cameras);
+    std::printf("%-24s %-16s %10s %10s %9s %9s %9s %9s %9s %9s %9s\n", "model", "kind", "drawn px", "wanted px",
+                "precision", "recall", "error px", "beside px", "gap px", "left out", "undecided");
+    Matches all;
+    for (const bench::Source& source : sources)
+        for (auto& [kind, match] : compare_features(context, source, settings)) {
+            const auto [found, is_new] = all.try_emplace(kind);
+            found->second.add(match);
+        }
+    for (const auto& [kind, match] : all) {
+        print("all", kind, match);
+        results.add((kind + "_precision").c_str(), match.precision());
+        results.add((kind + "_recall").c_str(), match.recall());
+    }
+    time_features(context, sources.back().samples(), results);
 }
 
 // ---- On the way around -----------------------------------------------------------------------
@@ -241,13 +349,19 @@ void run_raster(Results& results) {
 
 int main(int argc, char** argv) {
     try {
-        Settings settings{bench::option(argc, argv, "--models="), bench::option(argc, argv, "--only="), 100'000};
+        Settings settings{bench::option(argc, argv, "--models="), bench::option(argc, argv, "--only="), 100'000,
+                          bench::option(argc, argv, "--named=")};
         const std::string places = bench::option(argc, argv, "--places=");
         if (!places.empty()) settings.places = std::stoll(places);
+        const std::string cameras = bench::option(argc, argv, "--cameras=");
+        if (!cameras.empty()) settings.cameras = std::stoi(cameras);
+        const std::string rays = bench::option(argc, argv, "--rays=");
+        if (!rays.empty()) settings.rays = std::stoi(rays);
         const scenes::Context context = bench::make_context();
         Results results;
         if (settings.wants("truth")) run_truth(context.get(), results);
         if (settings.wants("views")) run_views(context.get(), settings, results);
+        if (settings.wants("features")) run_features(context.get(), settings, results);
         if (settings.wants("times")) run_times(context.get(), settings, results);
         if (settings.wants("flicker")) run_flicker(context.get(), settings, results);
         if (settings.wants("raster")) run_raster(results);
