@@ -13,6 +13,8 @@ namespace {
 
 // A chain whose strength by the vertices stays below this share of `upper` is not refined.
 constexpr double promising = 0.7;
+// In cells of the mesh: points of a line that are nearer to each other are one.
+constexpr double least_gap = 1e-3;
 
 void value_by_place(const base::Runtime& runtime, const SurfaceMesh& mesh, const FeatureRequest& request,
                     base::Array<FeatureValue>& value, const base::Progress& progress) {
@@ -78,8 +80,9 @@ std::int64_t keep_promising(FeatureChains& chains, double upper) noexcept {
 // Cuts refined chains where they are too weak, and adds what is strong and long enough to the lines.
 class Cutter {
 public:
-    Cutter(const FeatureRequest& request, double diagonal, FeatureLines& lines) noexcept
-        : request_(request), shortest_(request.shortest * diagonal), lines_(lines) {}
+    // `gap`: between the points of a line at least.
+    Cutter(const FeatureRequest& request, double diagonal, double gap, FeatureLines& lines) noexcept
+        : request_(request), shortest_(request.shortest * diagonal), gap_(gap), lines_(lines) {}
 
     void cut(const FeatureChains& chains, const FeaturePoints& points, std::int32_t level) {
         for (std::int64_t c = 0; c < chains.chains(); ++c) {
@@ -103,7 +106,10 @@ private:
         return points.strength[i] > 0.0 && points.strength[i] >= request_.lower && points.facing[i] >= 0.0 &&
                points.resolved[i] != 0;
     }
+    // A vertex that the line passes is crossed by several edges: their points would say nothing of its direction.
     void add(const FeaturePoints& points, std::int64_t i) {
+        const std::int64_t last = lines_.position.size() - 1;
+        if (last >= lines_.first.back() && glm::distance(points.position[i], lines_.position[last]) < gap_) return;
         lines_.position.push_back(points.position[i]);
         lines_.normal.push_back(points.normal[i]);
         lines_.strength.push_back(points.strength[i]);
@@ -146,6 +152,7 @@ private:
 
     const FeatureRequest& request_;
     double shortest_;
+    double gap_;
     FeatureLines& lines_;
 };
 
@@ -183,7 +190,8 @@ FeatureLines find_feature_lines(const base::Runtime& runtime, const FeatureSurfa
         lines.weak += keep_promising(chains, request.upper);
         const FeaturePoints points = refine(runtime, surface, request, levels[k], value, chains.crossing, progress);
         for (const std::uint8_t resolved : points.resolved) lines.unresolved += resolved != 0 ? 0 : 1;
-        Cutter(request, surface.implicit.diagonal(), lines).cut(chains, points, static_cast<std::int32_t>(k));
+        Cutter(request, surface.implicit.diagonal(), least_gap * surface.mesh.side, lines)
+            .cut(chains, points, static_cast<std::int32_t>(k));
     }
     return lines;
 }

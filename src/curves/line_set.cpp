@@ -197,7 +197,7 @@ SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& requ
 LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,
                  std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings,
                  const base::Progress& progress)
-    : surface_(surface), source_(std::move(shape)), shape_(runtime.memory), border_(runtime.memory),
+    : surface_(surface), source_(std::move(shape)), shaped_(runtime.memory), border_(runtime.memory),
       found_(runtime.memory) {
     const base::Stopwatch watch;
     if (settings.support.limit > 0.0) measure_support(runtime, settings.support, progress);
@@ -206,7 +206,7 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
     bool with_shape = settings.with_shape;
     for (const LineRequest& request : settings.lines)
         with_shape = with_shape || (request.kind != LineKind::own && needs_shape(feature_of(request.kind)));
-    if (with_shape) measure_shape(runtime, *source_, mesh_->position, mesh_->gradient, shape_, progress.part(0.4, 0.7));
+    if (with_shape) shaped_ = measured_mesh(runtime, surface_, *source_, *mesh_, progress.part(0.4, 0.7));
     for (const LineRequest& request : settings.lines) {
         FoundLines& found = found_.add(runtime.memory);
         found.kind = request.kind;
@@ -222,7 +222,7 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
 }
 
 std::int64_t LineSet::bytes() const noexcept {
-    std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shape_.bytes() + border_.bytes();
+    std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shaped_.bytes() + border_.bytes();
     if (support_) bytes += support_->bytes();
     for (const FoundLines& found : found_) bytes += found.lines.bytes();
     return bytes;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/list.h"
+#include "curves/feature_mesh.h"
 #include "curves/sheet_count.h"
 #include "curves/surface_end.h"
 #include "curves/surface_lines.h"
@@ -95,8 +96,10 @@ public:
     [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return *mesh_; }
     [[nodiscard]] const SheetCounter& sheets() const noexcept { return *sheets_; }
     // As find_feature_lines() wants it; has_shape(): also for what needs curvatures.
-    [[nodiscard]] FeatureSurface features() const noexcept { return {surface_, *source_, *mesh_, shape_}; }
-    [[nodiscard]] bool has_shape() const noexcept { return !shape_.empty(); }
+    [[nodiscard]] FeatureSurface features() const noexcept {
+        return {surface_, *source_, has_shape() ? shaped_.mesh : *mesh_, shaped_.shape};
+    }
+    [[nodiscard]] bool has_shape() const noexcept { return !shaped_.shape.empty(); }
     [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
     [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
     // Whose zero lines the border is; null where it is the end of a region.
@@ -121,8 +124,8 @@ private:
     bool border_exact_ = false;
     std::optional<SurfaceMesh> mesh_;
     std::optional<SheetCounter> sheets_;
-    base::Array<ShapePoint> shape_; // of the mesh's vertices; empty: nobody asked
-    SurfaceLines border_;           // where an open surface ends
+    ShapedMesh shaped_;   // empty: nobody asked
+    SurfaceLines border_; // where an open surface ends
     base::List<FoundLines> found_;
     double left_out_ = 0.0;
     double seconds_ = 0.0;
