@@ -47,6 +47,8 @@ public:
     // Lines that must be drawn, and those that may be.
     [[nodiscard]] const ImageLines& wanted() const { return wanted_; }
     [[nodiscard]] const ImageLines& allowed() const { return allowed_; }
+    // Wherever g vanishes, however weak the line is there.
+    [[nodiscard]] const ImageLines& zeros() const { return seen_.lines; }
     [[nodiscard]] double undecided() const { return undecided_; } // pixels of allowed lines that need not be drawn
 
 private:
@@ -198,26 +200,25 @@ private:
 // Of the lines that are drawn, and of those that there are; lengths beside contours are left out.
 struct FeatureMatch {
     Nearness drawn, wanted;
+    Nearness zeros;         // of what is drawn beside the zero lines, those that are too weak among them
     double left_out = 0.0;  // pixels, of both, beside contours
     double undecided = 0.0; // pixels of the reference
-    double worst = 1.0;     // of either share in one view of 200 pixels or more
 
     void add(const FeatureMatch& other) {
         drawn.add(other.drawn);
         wanted.add(other.wanted);
+        zeros.add(other.zeros);
         left_out += other.left_out;
         undecided += other.undecided;
-        worst = std::min(worst, other.worst);
     }
     [[nodiscard]] static double share(const Nearness& n) { return n.length > 0.0 ? n.near / n.length : 1.0; }
     [[nodiscard]] double precision() const { return share(drawn); }
     [[nodiscard]] double recall() const { return share(wanted); }
 };
 
-// As nearness(), away from contours; `far` gets the places that are beyond a pixel.
+// As nearness(), away from contours.
 [[nodiscard]] inline Nearness nearness_inside(const FeatureGrid& grid, const ImageLines& lines,
-                                              const ImageLines& others, double& left_out,
-                                              std::vector<glm::dvec2>* far_places = nullptr) {
+                                              const ImageLines& others, double& left_out) {
     const NearLines near(others);
     Nearness found;
     Joined far(lines.node.size());
@@ -235,7 +236,6 @@ struct FeatureMatch {
             found.length += length / pieces;
             found.moment += length / pieces * distance;
             (distance <= 1.0 ? found.near : beyond) += length / pieces;
-            if (distance > 1.0 && far_places != nullptr) far_places->push_back(p);
         }
         if (beyond > 0.0) far.join(a, b, beyond);
     }

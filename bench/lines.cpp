@@ -2,8 +2,8 @@
 // Contours as lines: how near to the truth, how often whole, visible where they should be, times, and flicker.
 // --models=DIR: a folder of PLY files of points with normals, besides generated surfaces; --named=TEXT: of these, only
 // those whose name has it in it; --only=PART,...: of truth, views, features, times, flicker, raster; --places=N: of
-// lines whose visibility is looked at; --cameras=N, 3 at most, and --rays=N, along a pixel's side: of the reference of
-// feature lines.
+// lines whose visibility is looked at; --cameras=N, 3 at most, and --rays=N, along a pixel's side: of what feature
+// lines are compared with.
 #include "line_features.h"
 #include "line_flicker.h"
 #include "line_raster.h"
@@ -201,8 +201,9 @@ void run_views(hrbfnpr_context* context, const Settings& settings, Results& resu
 using Matches = std::map<std::string, bench::FeatureMatch>; // by kind
 
 void print(const std::string& model, const std::string& kind, const bench::FeatureMatch& m) {
-    std::printf("%-24s %-16s %10.0f %10.0f %9.4f %9.4f %9.2f %9.1f %9.1f %9.0f %9.0f\n", model.c_str(), kind.c_str(),
-                m.drawn.length, m.wanted.length, m.precision(), m.recall(), m.drawn.moment / m.drawn.length,
+    std::printf("%-24s %-16s %10.0f %10.0f %9.4f %9.4f %9.4f %9.2f %9.1f %9.1f %9.0f %9.0f\n", model.c_str(),
+                kind.c_str(), m.drawn.length, m.wanted.length, m.precision(), m.recall(),
+                bench::FeatureMatch::share(m.zeros), m.drawn.length > 0.0 ? m.drawn.moment / m.drawn.length : 0.0,
                 m.drawn.longest, m.wanted.longest, m.left_out, m.undecided);
     std::fflush(stdout);
 }
@@ -212,6 +213,8 @@ bench::FeatureMatch compare(const bench::FeatureGrid& grid, const bench::Feature
     const bench::ImageLines drawn = bench::image_lines(polylines);
     bench::FeatureMatch match;
     match.drawn = bench::nearness_inside(grid, drawn, reference.allowed(), match.left_out);
+    double twice = 0.0;
+    match.zeros = bench::nearness_inside(grid, drawn, reference.zeros(), twice);
     match.wanted = bench::nearness_inside(grid, reference.wanted(), drawn, match.left_out);
     match.undecided = reference.undecided();
     return match;
@@ -270,8 +273,8 @@ void run_features(hrbfnpr_context* context, const Settings& settings, Results& r
     const std::vector<bench::Source> sources = chosen_sources(settings);
     std::printf("\nvisible feature lines of %d cameras beside those of a grid of rays, within a pixel of 1280 x 720\n",
                 settings.cameras);
-    std::printf("%-24s %-16s %10s %10s %9s %9s %9s %9s %9s %9s %9s\n", "model", "kind", "drawn px", "wanted px",
-                "precision", "recall", "error px", "beside px", "gap px", "left out", "undecided");
+    std::printf("%-24s %-16s %10s %10s %9s %9s %9s %9s %9s %9s %9s %9s\n", "model", "kind", "drawn px", "wanted px",
+                "precision", "recall", "on zeros", "error px", "beside px", "gap px", "left out", "undecided");
     Matches all;
     for (const bench::Source& source : sources)
         for (auto& [kind, match] : compare_features(context, source, settings)) {
