@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
-using System;
-using System.Text;
-
 namespace HrbfNpr
 {
     /// <summary>How layers of marks are drawn.</summary>
-    public sealed unsafe class LayerStyle
+    public sealed unsafe class LayerStyle : NamedStyle
     {
-        private string name;
-
         /// <summary>With all defaults: for layers of one kind, or of every kind.</summary>
         public LayerStyle(LayerKind kind = LayerKind.Any)
         {
@@ -25,21 +20,6 @@ namespace HrbfNpr
 
         /// <summary>The layers that this is for.</summary>
         public LayerKind Kind { get; set; }
-
-        /// <summary>... and that are called so; null = any name.</summary>
-        public string Name
-        {
-            get
-            {
-                return name;
-            }
-
-            set
-            {
-                name = value;
-                NameUtf8 = value == null ? null : Encoding.UTF8.GetBytes(value + "\0");
-            }
-        }
 
         /// <summary>Whether front marks are drawn.</summary>
         public bool Shown { get; set; }
@@ -65,9 +45,6 @@ namespace HrbfNpr
         /// <summary>Colour of the marks.</summary>
         public Color Ink { get; set; }
 
-        /// <summary>The name with a zero behind it.</summary>
-        internal byte[] NameUtf8 { get; private set; }
-
         /// <summary>Another one like this.</summary>
         public LayerStyle Clone()
         {
@@ -92,7 +69,7 @@ namespace HrbfNpr
         private void Read(hrbfnpr_layer_style* native)
         {
             Kind = (LayerKind)native->kind;
-            Name = native->name == IntPtr.Zero ? null : Errors.Utf8((byte*)native->name);
+            ReadName(native->name);
             Shown = native->shown != 0;
             Contours = native->contours != 0;
             Directions = (StrokeDirections)native->directions;

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 using System;
 using System.Runtime.InteropServices;
-using System.Text;
 
 namespace HrbfNpr
 {
     /// <summary>How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels.</summary>
     /// <remarks>Numbers out of range are refused by <c>Renderer.Draw</c>.</remarks>
-    public sealed unsafe class LineStyle
+    public sealed unsafe class LineStyle : NamedStyle
     {
-        private string name;
-
         /// <summary>With all defaults: for lines of one kind.</summary>
         public LineStyle(LineKind kind = LineKind.Contour)
         {
@@ -27,21 +24,6 @@ namespace HrbfNpr
 
         /// <summary>The lines that this is for.</summary>
         public LineKind Kind { get; set; }
-
-        /// <summary>Of lines found once: those that are called so; null = any name.</summary>
-        public string Name
-        {
-            get
-            {
-                return name;
-            }
-
-            set
-            {
-                name = value;
-                NameUtf8 = value == null ? null : Encoding.UTF8.GetBytes(value + "\0");
-            }
-        }
 
         /// <summary>What is drawn of parts that surface hides; None.</summary>
         public HiddenParts Hidden { get; set; }
@@ -130,10 +112,6 @@ namespace HrbfNpr
 
         /// <summary>Which of many wobbles; 0.</summary>
         public uint WobbleSeed { get; set; }
-
-        /// <summary>The name with a zero behind it.</summary>
-        internal byte[] NameUtf8 { get; private set; }
-
         /// <summary>Another one like this.</summary>
         public LineStyle Clone()
         {
@@ -174,7 +152,7 @@ namespace HrbfNpr
         private void Read(hrbfnpr_line_style* native)
         {
             Kind = (LineKind)native->kind;
-            Name = native->name == IntPtr.Zero ? null : Errors.Utf8((byte*)native->name);
+            ReadName(native->name);
             Hidden = (HiddenParts)native->hidden;
             Cap = (Cap)native->cap;
             Width = native->width;
