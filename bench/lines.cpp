@@ -50,6 +50,11 @@ std::vector<bench::Source> chosen_sources(const Settings& settings) {
     return chosen;
 }
 
+// Of what times are taken: the head, if the folder has it.
+bench::Samples orbit_samples(const Settings& settings) {
+    return settings.models.empty() ? bench::bumpy(4096) : bench::read_ply(settings.models + "/head_4096.ply");
+}
+
 struct Results {
     std::vector<std::pair<std::string, double>> pairs;
 
@@ -286,15 +291,13 @@ void run_features(hrbfnpr_context* context, const Settings& settings, Results& r
         results.add((kind + "_precision").c_str(), match.precision());
         results.add((kind + "_recall").c_str(), match.recall());
     }
-    time_features(context, sources.back().samples(), results);
+    time_features(context, orbit_samples(settings), results);
 }
 
 // ---- On the way around -----------------------------------------------------------------------
 
 [[nodiscard]] LineModel orbit_model(hrbfnpr_context* context, const Settings& settings) {
-    const bench::Samples samples =
-        settings.models.empty() ? bench::bumpy(4096) : bench::read_ply(settings.models + "/head_4096.ply");
-    return bench::line_model(context, "orbit", bench::fit_centres(context, samples, 4096));
+    return bench::line_model(context, "orbit", bench::fit_centres(context, orbit_samples(settings), 4096));
 }
 
 void run_times(hrbfnpr_context* context, const Settings& settings, Results& results) {

@@ -112,6 +112,7 @@ namespace HrbfNpr
 
         /// <summary>Which of many wobbles; 0.</summary>
         public uint WobbleSeed { get; set; }
+
         /// <summary>Another one like this.</summary>
         public LineStyle Clone()
         {
