@@ -23,10 +23,11 @@ constexpr std::int64_t events_a_ray = 8;
 constexpr std::int64_t most_rays = 48;
 // Where the surface bends less along the line of sight, a ray to the contour is less certain.  In 1 / sides.
 constexpr double bent = 0.25;
-// A ray ends so far before its place, in sides and for the same bend, and of the depth of the whole line: near a cusp,
-// and all along a line that has just been born, the sheet that hides it is near.
+// A ray ends so far before its place, in sides and for the same bend, and of the depth of a line with cusps: near a
+// cusp, and all along a line that has just been born, the sheet that hides it is near.
 constexpr double clear_of_bent = 0.25;
 constexpr double clear_of_depth = 0.1;
+constexpr double least_clear = 3e-4; // in sides: places are off the surface by 1e-6
 // Pieces of curves that are made finer: in pixels, and how far from the eye in sides.
 constexpr double reach = 1e4;
 constexpr double longest_piece = 1e3;
@@ -94,6 +95,11 @@ private:
     [[nodiscard]] Lengths start(double tolerance);
     [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return out_.lines.lines[l]; }
     void measure_depths();
+    [[nodiscard]] bool has_cusp(std::int64_t l) const noexcept {
+        const std::span<const Event> of = events_.of(l);
+        return std::any_of(of.begin(), of.end(), [](const Event& e) { return e.near_piece < 0; });
+    }
+    [[nodiscard]] double clear_of(std::int64_t l, const Subject& subject, double bend) const noexcept;
     [[nodiscard]] Candidate best_of(const Interval& part) const noexcept;
     void choose_probes(std::int64_t l, std::int64_t most);
     void send();
@@ -141,6 +147,12 @@ void Round::measure_depths() {
     }
 }
 
+double Round::clear_of(std::int64_t l, const Subject& subject, double bend) const noexcept {
+    double clear = std::min(subject.clear, clear_of_bent * subject.side * bend);
+    if (has_cusp(l)) clear = std::min(clear, clear_of_depth * depth_[l] / subject.side);
+    return subject.side * std::max(clear, least_clear);
+}
+
 // The vertex of a part that is farthest from its ends and where the surface bends most along the line of sight; a place
 // of a cubic where there is no vertex.
 Candidate Round::best_of(const Interval& part) const noexcept {
@@ -171,9 +183,7 @@ Candidate Round::best_of(const Interval& part) const noexcept {
         best.score = score;
         best.at = at >= whole && its.closed ? at - whole : at;
         best.probe.place = p.position;
-        if (subject.level != nullptr)
-            best.probe.clear = std::min(subject.side * std::min(subject.clear, clear_of_bent * subject.side * bend),
-                                        clear_of_depth * depth_[part.line]);
+        if (subject.level != nullptr) best.probe.clear = clear_of(part.line, subject, bend);
     }
     if (best.score >= 0.0) return best;
     const bool one = part.begin_piece == part.end_piece && part.begin_share <= part.end_share;
