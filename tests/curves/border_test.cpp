@@ -125,6 +125,30 @@ TEST_F(OpenSphere, RaysGoThroughWhatIsNotThere) {
     }
 }
 
+// Through the middle of the sphere, beside its border: there triangles do not tell where it ends.
+TEST_F(OpenSphere, RaysBesideTheBorder) {
+    geometry::VecArray from(runtime.memory);
+    geometry::VecArray to(runtime.memory);
+    for (const CurvePoint& p : open.lines.border().curves.point) {
+        const glm::dvec3 inward = glm::normalize(glm::cross(p.gradient, p.direction()));
+        for (const double by : {-1e-4, 1e-4}) {
+            const glm::dvec3 place = glm::normalize(p.position + by * inward);
+            from.push_back(1.2 * place);
+            to.push_back(0.8 * place);
+        }
+    }
+    const base::Array<double> clear(runtime.memory, from.size());
+    base::Array<SheetCounter::Answer> answer(runtime.memory);
+    open.lines.sheets().count(runtime, sphere, from, to, clear, answer, {});
+    int told = 0;
+    for (std::int64_t i = 0; i < answer.size(); ++i) {
+        if (!answer[i].certain) continue;
+        EXPECT_EQ(answer[i].sheets, i % 2) << i;
+        ++told;
+    }
+    EXPECT_GT(told, answer.size() / 4);
+}
+
 TEST_F(OpenSphere, FacingPartsFitTogether) {
     const View view = Eye::at({1.0, 0.2, 0.3}, 4.0, true).view();
     const SurfaceLines border = with_turns(runtime, open.lines.border(), sphere, view);
