@@ -45,13 +45,14 @@ struct Stroke {
     std::int64_t first = 0; // of its points
     std::int32_t count = 0; // two and more
     std::uint32_t layer = 0;
-    std::uint32_t line = 0; // its number, from frame to frame the same; 0: it joins marks
     float depth = 0.0F; // of its middle, eye units along the view: strokes are painted by it
     Cap cap_begin = Cap::round;
     Cap cap_end = Cap::round;
-    std::int32_t hidden_layers = 0; // of surface before it; of lines only
-    std::int32_t hidden_by = -1;    // item of the nearest of them
     bool closed = false; // its last point stands where its first one does, and they are joined: it has no caps
+    // Of lines only: its number, the same from frame to frame; layers of surface before it, and the nearest one's item.
+    std::uint32_t line = 0;
+    std::int32_t hidden_layers = 0;
+    std::int32_t hidden_by = -1;
 };
 
 // Between two of its points a stroke's centre, half width and opacity change evenly.

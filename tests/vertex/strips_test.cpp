@@ -65,7 +65,8 @@ protected:
             drawing.points.push_back({places[i].x, places[i].y, 2.0F + along, 0.5F + 0.1F * along, 7.0F, 0.1F * along,
                                       100.0F, length, 20U - static_cast<std::uint32_t>(drawing.points.size())});
         }
-        drawing.strokes.push_back({first, static_cast<std::int32_t>(places.size()), layer, line_number, 7.0F});
+        drawing.strokes.push_back({first, static_cast<std::int32_t>(places.size()), layer, 7.0F});
+        drawing.strokes[drawing.strokes.size() - 1].line = line_number;
     }
     void write(Primitive primitive) {
         const output::VertexBound bound = output::vertex_bound(drawing, primitive);
@@ -246,7 +247,7 @@ TEST_F(Strips, ManyStrokesStandInTheirOrder) {
         drawing.points.push_back({0.0F, y, 1.0F, 1.0F, 7.0F, 0.5F, 1.0F, 0.0F, 1});
         drawing.points.push_back({9.0F, y, 1.0F, 1.0F, 7.0F, 0.5F, 1.0F, 9.0F, 2});
         drawing.points.push_back({18.0F, y, 1.0F, 1.0F, 7.0F, 0.5F, 1.0F, 18.0F, 3});
-        drawing.strokes.push_back({3 * i, 3, 0, 0, 7.0F});
+        drawing.strokes.push_back({3 * i, 3, 0, 7.0F});
     }
     write(Primitive::line_strips);
     ASSERT_EQ(vertices.size(), 3000U);
