@@ -621,7 +621,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32
  * that a point hardly costs more with more centres.  f is then within 1e-9
  * diagonals of the sum over all centres, its gradient within 1e-7; of rough,
  * uneven samples within 20 times that, or all centres are summed.  What a call
- * gives depends on its n, never on calls before it.  _project, _curvature and
+ * gives depends on its n, in the last bits on whether Hessians are asked for,
+ * never on calls before it.  _project, _curvature and
  * hrbfnpr_point_set_generate do the same. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_array* points,
                                                   const hrbfnpr_array_out* value,

@@ -68,7 +68,7 @@ private:
 
     base::InstructionSet set_;
     SourceTree sources_;
-    base::Array<Cell> cells_; // level by level
+    base::Array<Cell> cells_;       // level by level
     base::Array<SourceRange> near_; // of centres in the tree's order
     base::Array<double> terms_;
 };

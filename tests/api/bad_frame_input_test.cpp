@@ -396,7 +396,7 @@ TEST_F(BadFrame, VertexLayout) {
         {[](Layout& l) { l.stride = 15; }, "layout.stride is 15; the attributes end at 16"},
         {[](Layout& l) { l.stride = -16; }, "layout.stride is -16"},
         {[](Layout& l) { l.stride = std::numeric_limits<std::int64_t>::max(); }, "are beyond the address space"},
-        {[](Layout& l) { l.attribute[1].attribute = 13; }, "layout.attributes[1].attribute is 13"},
+        {[](Layout& l) { l.attribute[1].attribute = 14; }, "layout.attributes[1].attribute is 14"},
         {[](Layout& l) { l.attribute[0].scalar = HRBFNPR_SCALAR_FLOAT64; },
          "layout.attributes[0].scalar is 2; attribute 0 cannot have that type"},
         {[](Layout& l) { l.attribute[0].scalar = 99; }, "layout.attributes[0].scalar is 99"},

@@ -282,7 +282,7 @@ TEST_F(WobblingLines, VaryInWidth) {
 TEST_F(WobblingLines, HiddenPartsGoOn) {
     style[0].wobble = 1.0F;
     const std::vector<frame::Item> items{item_of(&ball_lines, moved({0.5, 0.0, 3.0}, 0.4)), item_of(&ball_lines)};
-    const std::vector<StrokePoint> alone = draw({items[1]});
+    const std::vector<StrokePoint> alone = draw({item_of(&ball_lines, moved({900.0, 0.0, 0.0}, 0.4)), items[1]});
     style[0].hidden = HiddenParts::shown;
     draw(items);
     int compared = 0;

@@ -17,7 +17,7 @@ namespace HrbfNpr
         /// <summary>Ridge, Valley, Parabolic, Section or Own: others are found with every drawing.</summary>
         public LineKind Kind { get; set; }
 
-        /// <summary>Up to 63 bytes of UTF-8, for <see cref="LineStyle.Name"/>; null = empty.</summary>
+        /// <summary>Up to 63 bytes of UTF-8, for <see cref="NamedStyle.Name"/>; null = empty.</summary>
         public string Name { get; set; }
 
         /// <summary>Lines go on while their strength, of no unit, is at least this, 0 or more ...</summary>
