@@ -24,25 +24,32 @@ constexpr int most_rounds = 10;
 
 glm::dvec3 unit_direction(const CurvePoint& p) noexcept { return glm::normalize(p.direction()); }
 
+// What is known of the curve from a point of a chain to the next.
+enum class Link : std::uint8_t { unknown, linked, parted };
+
 // Points in the order of their chains.
 struct Sequences {
-    explicit Sequences(base::Memory& memory) noexcept : first(memory), point(memory), parted(memory) {
+    explicit Sequences(base::Memory& memory) noexcept : first(memory), point(memory), link(memory) {
         first.push_back(0);
     }
     [[nodiscard]] std::int64_t size_of(std::int64_t chain) const noexcept { return first[chain + 1] - first[chain]; }
-    void add(const CurvePoint& p, bool is_parted) {
+    void reserve(std::int64_t points) {
+        point.reserve(points);
+        link.reserve(points);
+    }
+    void add(const CurvePoint& p, Link to_next) {
         point.push_back(p);
-        parted.push_back(is_parted ? 1 : 0);
+        link.push_back(to_next);
     }
     void drop_last() {
         point.resize(point.size() - 1);
-        parted.resize(parted.size() - 1);
+        link.resize(link.size() - 1);
     }
     void end_chain() { first.push_back(point.size()); }
 
     base::Array<std::int64_t> first;
     base::Array<CurvePoint> point;
-    base::Array<std::uint8_t> parted; // 1: no curve is known from the point to the next
+    base::Array<Link> link; // of each point
 };
 
 class Linker {
@@ -121,7 +128,7 @@ bool Linker::in_order(const CurvePoint& before, const CurvePoint& p) const noexc
 // Newton's steps go along the curve, too: points may have come together, or passed each other.
 void Linker::thin(const CurvePoint& p, std::int64_t first) {
     const std::int64_t size = sequences_.point.size();
-    if (size == first || in_order(sequences_.point[size - 1], p)) sequences_.add(p, false);
+    if (size == first || in_order(sequences_.point[size - 1], p)) sequences_.add(p, Link::unknown);
 }
 
 // The same where a closed chain begins again.
@@ -164,12 +171,16 @@ base::Array<Linker::Gap> Linker::find_gaps() {
     for (std::int64_t c = 0; c < chains_.chains(); ++c) {
         for (std::int64_t a = sequences_.first[c]; a < sequences_.first[c + 1]; ++a) {
             const std::int64_t b = next(c, a);
-            if (b < 0 || sequences_.parted[a] != 0 || linked(sequences_.point[a], sequences_.point[b])) continue;
+            if (b < 0 || sequences_.link[a] != Link::unknown) continue;
+            if (linked(sequences_.point[a], sequences_.point[b])) {
+                sequences_.link[a] = Link::linked;
+                continue;
+            }
             const double width = glm::distance(sequences_.point[a].position, sequences_.point[b].position) / mesh_.side;
             if (width <= widest * settings_.longest && width >= kink_length)
                 gaps.push_back({a, b});
             else
-                sequences_.parted[a] = 1;
+                sequences_.link[a] = Link::parted;
         }
     }
     return gaps;
@@ -184,14 +195,15 @@ bool Linker::is_between(const CurvePoint& m, const CurvePoint& a, const CurvePoi
 void Linker::insert(const base::Array<Gap>& gaps, const base::Array<CurvePoint>& middle,
                     const base::Array<std::uint8_t>& found) {
     Sequences result(runtime_.memory);
+    result.reserve(sequences_.point.size() + gaps.size());
     std::int64_t g = 0;
     for (std::int64_t c = 0; c < chains_.chains(); ++c) {
         for (std::int64_t a = sequences_.first[c]; a < sequences_.first[c + 1]; ++a) {
             const bool gap = g < gaps.size() && gaps[g].a == a;
             const bool right =
                 gap && found[g] != 0 && is_between(middle[g], sequences_.point[a], sequences_.point[gaps[g].b]);
-            result.add(sequences_.point[a], sequences_.parted[a] != 0 || (gap && !right));
-            if (right) result.add(middle[g], false);
+            result.add(sequences_.point[a], !gap ? sequences_.link[a] : right ? Link::unknown : Link::parted);
+            if (right) result.add(middle[g], Link::unknown);
             if (gap) ++g;
         }
         result.end_chain();
@@ -217,7 +229,9 @@ void Linker::add_chain(std::int64_t chain, Curves& runs) const {
     if (count == 0) return;
     const auto is_linked = [&](std::int64_t at) {
         const std::int64_t b = next(chain, at);
-        return b >= 0 && linked(sequences_.point[at], sequences_.point[b]);
+        const Link link = sequences_.link[at];
+        return b >= 0 &&
+               (link == Link::linked || (link == Link::unknown && linked(sequences_.point[at], sequences_.point[b])));
     };
     std::int64_t begin = 0;
     while (begin < count && is_linked(first + (begin + count - 1) % count)) ++begin;

@@ -6,6 +6,9 @@
 namespace hrbfnpr::curves {
 namespace {
 
+// Of a piece's length: a cubic between points that turns by less than a right angle is no farther from its chord.
+constexpr double bulge = 0.25;
+
 geometry::VecArray places_of(base::Memory& memory, const Curves& curves) {
     geometry::VecArray places(memory, curves.point.size());
     for (std::int64_t i = 0; i < curves.point.size(); ++i) places.set(i, curves.point[i].position);
@@ -20,8 +23,8 @@ NearCurves::NearCurves(base::Memory& memory, const Curves& curves, double longes
         std::fill(curve_.data() + curves.first[c], curve_.data() + curves.first[c + 1], static_cast<std::int32_t>(c));
 }
 
-// On the pieces on both sides of a point of a curve.
-NearCurves::Foot NearCurves::foot_beside(std::int64_t point, const glm::dvec3& place) const noexcept {
+// On the pieces on both sides of a point of a curve, that point itself if they are farther than `within`.
+NearCurves::Foot NearCurves::foot_beside(std::int64_t point, const glm::dvec3& place, double within) const noexcept {
     const std::int64_t curve = curve_[point];
     const std::int64_t begin = curves_.first[curve];
     const std::int64_t end = curves_.first[curve + 1];
@@ -36,6 +39,8 @@ NearCurves::Foot NearCurves::foot_beside(std::int64_t point, const glm::dvec3& p
         const glm::dvec3 way = curves_.point[at].position - p.position;
         const double share = glm::dot(place - p.position, way) / glm::dot(way, way);
         if (!(share > 0.0 && share < 1.0)) continue;
+        const double reach = within + bulge * glm::length(way);
+        if (glm::distance(p.position + share * way, place) > reach) continue;
         const CurvePoint& q = curves_.point[at];
         const glm::dvec3 foot = other > point ? CubicPiece(p, q).at(share) : CubicPiece(q, p).at(1.0 - share);
         if (const double distance = glm::distance(foot, place); distance < best.distance) best = {foot, distance};
@@ -48,7 +53,7 @@ NearCurves::Foot NearCurves::nearest(const glm::dvec3& place, const glm::dvec3& 
     grid_.around(place, [&](std::int64_t at) {
         const std::int64_t point = grid_.index(at);
         if (!(glm::dot(curves_.point[point].direction(), along) >= 0.0)) return;
-        const Foot foot = foot_beside(point, place);
+        const Foot foot = foot_beside(point, place, best.distance);
         if (foot.distance < best.distance) best = foot;
     });
     return best;
@@ -60,7 +65,7 @@ std::int64_t NearCurves::passing(const glm::dvec3& place, const glm::dvec3& alon
     grid_.around(place, [&](std::int64_t at) {
         const std::int64_t point = grid_.index(at);
         if (found >= 0 || curve_[point] == but || !(glm::dot(curves_.point[point].direction(), along) >= 0.0)) return;
-        if (foot_beside(point, place).distance <= distance) found = curve_[point];
+        if (foot_beside(point, place, distance).distance <= distance) found = curve_[point];
     });
     return found;
 }

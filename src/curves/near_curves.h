@@ -27,7 +27,7 @@ public:
                                        std::int64_t but = -1) const;
 
 private:
-    [[nodiscard]] Foot foot_beside(std::int64_t point, const glm::dvec3& place) const noexcept;
+    [[nodiscard]] Foot foot_beside(std::int64_t point, const glm::dvec3& place, double within) const noexcept;
 
     const Curves& curves_;
     base::Array<std::int32_t> curve_; // of each point

@@ -45,7 +45,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     TracedLines traced(runtime_, scene, items, drawing);
     visibility::Invisibility found =
         visibility::find_invisibility(runtime_, traced.subjects(), traced.occluders(), {}, base::Progress());
-    visibility::find_hidden_by(runtime_, traced.subjects(), traced.occluders(), found, base::Progress());
+    visibility::find_hidden_by(runtime_, found.subjects.span(), traced.occluders(), found, base::Progress());
     count(found, traced, drawing.line_counts);
     const visibility::Lengths lengths(runtime_.memory, found.lines);
     numbers_.run(families(runtime_.memory, found.subjects.span(), traced.occluders()).span(), found.subjects.span(),

@@ -8,8 +8,10 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// A line's points that are looked at, and how far a contour may move on its surface between frames, in sides.
-constexpr std::int64_t most_points = 48;
+// A line's points that are looked at; of how many points one is kept; and how far a contour may move on its surface
+// between frames, in sides.
+constexpr std::int64_t most_points = 16;
+constexpr std::int64_t kept_each = 4;
 constexpr double farthest = 3.0;
 
 const curves::CurvePoint& point_of(std::span<const visibility::Subject> subjects, const visibility::ImageLines& lines,
@@ -124,9 +126,9 @@ void LineNumbers::keep(std::span<const LineFamily> families, std::span<const vis
     direction_.resize(0);
     for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
         const visibility::Line& line = lines.lines[l];
-        known_.push_back(
-            {line.subject, place_.size(), line.pieces, number_[l], point_of(subjects, lines, origin_[l]).position});
-        for (std::int64_t p = line.first_piece; p < line.first_piece + line.pieces; ++p) {
+        known_.push_back({line.subject, place_.size(), (line.pieces + kept_each - 1) / kept_each, number_[l],
+                          point_of(subjects, lines, origin_[l]).position});
+        for (std::int64_t p = line.first_piece; p < line.first_piece + line.pieces; p += kept_each) {
             place_.push_back(point_of(subjects, lines, p).position);
             direction_.push_back(point_of(subjects, lines, p).direction());
         }
