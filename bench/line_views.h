@@ -17,7 +17,7 @@ namespace bench {
 struct Views {
     std::int64_t views = 0, valid = 0;
     std::int64_t curves = 0, cusps = 0, crossings = 0;
-    std::int64_t settled = 0, broken = 0, contradictions = 0;
+    std::int64_t refined = 0, settled = 0, broken = 0, contradictions = 0;
     std::vector<double> ms;
     std::vector<std::string> bad; // in words
 
@@ -27,6 +27,7 @@ struct Views {
         curves += other.curves;
         cusps += other.cusps;
         crossings += other.crossings;
+        refined += other.refined;
         settled += other.settled;
         broken += other.broken;
         contradictions += other.contradictions;
@@ -56,6 +57,7 @@ inline void count(Views& all, const hrbfnpr_drawing_info& info, const std::strin
     all.curves += info.line_curves;
     all.cusps += info.line_cusps;
     all.crossings += info.line_crossings;
+    all.refined += info.line_refined;
     all.settled += info.line_settled;
     all.broken += info.line_broken;
     all.contradictions += info.line_contradictions;
@@ -95,16 +97,16 @@ template <class Look>
 }
 
 inline void print_head() {
-    std::printf("%-24s %8s %9s %9s %7s %7s %9s %8s %7s %14s %8s %8s\n", "model", "centres", "triangles", "valid",
-                "curves", "cusps", "crossings", "settled", "broken", "contradictions", "ms", "p90 ms");
+    std::printf("%-24s %8s %9s %9s %7s %7s %9s %8s %8s %7s %14s %8s %8s\n", "model", "centres", "triangles", "valid",
+                "curves", "cusps", "crossings", "refined", "settled", "broken", "contradictions", "ms", "p90 ms");
 }
 
 inline void print(const std::string& name, std::int64_t centres, std::int64_t triangles, const Views& v) {
     const auto number = [](std::int64_t n) { return static_cast<long long>(n); };
-    std::printf("%-24s %8lld %9lld %4lld of %2lld %6lld %7lld %9lld %8lld %7lld %14lld %8.1f %8.1f\n", name.c_str(),
-                number(centres), number(triangles), number(v.valid), number(v.views), number(v.curves), number(v.cusps),
-                number(v.crossings), number(v.settled), number(v.broken), number(v.contradictions), quantile(v.ms, 0.5),
-                quantile(v.ms, 0.9));
+    std::printf("%-24s %8lld %9lld %4lld of %2lld %6lld %7lld %9lld %8lld %8lld %7lld %14lld %8.1f %8.1f\n",
+                name.c_str(), number(centres), number(triangles), number(v.valid), number(v.views), number(v.curves),
+                number(v.cusps), number(v.crossings), number(v.refined), number(v.settled), number(v.broken),
+                number(v.contradictions), quantile(v.ms, 0.5), quantile(v.ms, 0.9));
     std::fflush(stdout);
 }
 

@@ -1664,6 +1664,8 @@ typedef struct hrbfnpr_drawing_info {
     int64_t line_settled;        /* curves whose visibility did not add up: each part is as a ray of its own says */
     int64_t line_contradictions; /* of these, curves with a part whose ray was not certain */
     int64_t nanoseconds_lines;
+    int64_t line_refined; /* curves whose visibility did not add up at first: they, and those that cross them, were made
+                             finer */
 } hrbfnpr_drawing_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);

@@ -35,6 +35,7 @@ def test_contours_are_curves(model, marks):
     (contour,) = layers(drawing, "contour")
     assert contour.strokes > 2 and contour.mark_class == "silhouette"
     info = drawing.info
+    assert info.line_refined <= info.line_curves
     assert info.line_curves >= 2 and info.line_broken == info.line_settled == info.line_contradictions == 0
     assert info.silhouette == 0  # marks draw no contours then
     lines = drawing.polylines(drawing.layers.index(contour))

@@ -96,6 +96,11 @@ namespace HrbfNpr
 
         /// <summary>Nanoseconds to trace lines, and to find what hides them.</summary>
         public readonly long NanosecondsLines;
+
+        /// <summary>
+        /// Curves whose visibility did not add up at first: they, and those that cross them, were made finer.
+        /// </summary>
+        public readonly long LineRefined;
     }
 
     /// <summary>

@@ -43,6 +43,8 @@ class DrawingInfo:
         Curves whose visibility did not add up, so that each part is as a ray of its own says; of these, those with
         a ray that was not certain.
     nanoseconds_lines : int
+    line_refined : int
+        Curves whose visibility did not add up at first: they, and those that cross them, were made finer.
     """
 
     items: int
@@ -74,6 +76,7 @@ class DrawingInfo:
     line_settled: int
     line_contradictions: int
     nanoseconds_lines: int
+    line_refined: int
 
 
 @dataclass(frozen=True)

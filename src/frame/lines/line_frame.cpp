@@ -19,6 +19,7 @@ void count(const visibility::Invisibility& found, const TracedLines& traced, dra
     counts.cusps = found.report.cusps;
     counts.crossings = found.crossings.size();
     counts.broken = traced.broken();
+    counts.refined = found.report.refined;
     counts.settled = found.report.settled;
     counts.contradictions = found.report.contradictions;
 }

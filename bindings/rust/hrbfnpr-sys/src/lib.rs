@@ -2353,6 +2353,8 @@ pub struct hrbfnpr_drawing_info {
     /// of these, curves with a part whose ray was not certain
     pub line_contradictions: i64,
     pub nanoseconds_lines: i64,
+    /// curves whose visibility did not add up at first: they, and those that cross them, were made finer
+    pub line_refined: i64,
 }
 
 extern "C" {
