@@ -90,7 +90,8 @@ void Requests::add_own(const hrbfnpr_line_desc& desc, const char* name, curves::
     request.points = numbers(desc.position, name, "position", points_type);
     const std::span<const double> first = numbers(desc.line_first, name, "line_first", {1, uint32_only});
     auto kept = std::make_unique<base::Array<std::int64_t>>(memory_);
-    const auto points = static_cast<double>(request.points.size() / 3);
+    const std::size_t count = request.points.size() / 3;
+    const auto points = static_cast<double>(count);
     for (std::size_t i = 0; i < first.size(); ++i) {
         if (first[i] > points || (i > 0 && first[i] < first[i - 1]))
             fail(Status::invalid_argument, "%s.line_first[%zu] is %.0f; numbers must ascend, up to %.0f positions",

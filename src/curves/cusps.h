@@ -10,6 +10,6 @@ namespace hrbfnpr::curves {
 // Puts a point at each place of the contours where v^T H v changes its sign: there the image turns back.
 // Adds up evaluations.  The same bits for any thread count.
 [[nodiscard]] Curves with_cusps(const base::Runtime& runtime, const Level& contour, const View& view,
-                                const Curves& curves, std::int64_t& evaluations, const base::Progress& progress);
+                                const Curves& given, std::int64_t& evaluations, const base::Progress& progress);
 
 } // namespace hrbfnpr::curves

@@ -29,7 +29,7 @@ class FacingParts {
 
 public:
     FacingParts(const SurfaceLines& lines, const View& view, bool outside, SurfaceLines& parts)
-        : lines_(lines), view_(view), outside_(outside), parts_(parts), builder_(parts) {}
+        : lines_(lines), view_(view), outside_(outside), builder_(parts) {}
 
     void add_curve(std::int64_t curve) {
         const Curves& curves = lines_.curves;
@@ -83,7 +83,6 @@ private:
     const SurfaceLines& lines_;
     const View& view_;
     bool outside_;
-    SurfaceLines& parts_;
     LineBuilder builder_;
 };
 

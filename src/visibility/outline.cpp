@@ -62,7 +62,7 @@ private:
     [[nodiscard]] bool is_wanted(const Line& l) const noexcept {
         return wanted_[static_cast<std::size_t>(l.subject)] != 0;
     }
-    void add_change(std::int32_t piece, double share, std::int32_t change);
+    void add_change(std::int32_t number, double share, std::int32_t change);
     void collect_changes();
     void add_stretches(const Interval& part);
     [[nodiscard]] std::int64_t piece_at(const Line& its, double at) const noexcept;

@@ -27,8 +27,8 @@ private:
     };
 
     [[nodiscard]] double whole() const noexcept { return lengths_.whole(line_); }
-    [[nodiscard]] bool within(const Group& group, double place, double beside) const noexcept;
-    [[nodiscard]] double from_begin(const Group& group, double place) const noexcept;
+    [[nodiscard]] bool within(const Group& group, double at, double beside) const noexcept;
+    [[nodiscard]] double from_begin(const Group& group, double at) const noexcept;
     [[nodiscard]] bool is_cusp_of(const Group& group, const Event& e) const noexcept {
         return within(group, e.at, 1e-9 * size_);
     }

@@ -194,7 +194,7 @@ HWY_INLINE W shown(const Target& t, const Shade& shade, std::int32_t y, std::int
     const W center = hn::Add(hn::Set(d, static_cast<float>(x)), hn::Iota(d, 0.5F));
     const W window =
         hn::Add(hn::Set(d, shade.window), hn::Mul(place_along(shade, y, center), hn::Set(d, shade.more_window)));
-    return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.tile.host + y * t.tile.stride + x), window), cover);
+    return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.tile.host + std::int64_t{y} * t.tile.stride + x), window), cover);
 }
 
 HWY_INLINE void reach(const Target& t, std::int32_t y, std::int32_t left, std::int32_t right) {
