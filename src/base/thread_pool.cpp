@@ -174,8 +174,10 @@ void Team::main(void* worker) noexcept {
 }
 
 void Team::serve() noexcept {
-    while (!ending_.load(std::memory_order_relaxed)) {
+    for (;;) {
+        // The end is told before its news: whoever has seen these sees it, and nobody awaits news that came before.
         const std::uint32_t seen = news_.load();
+        if (ending_.load()) return;
         if (!work_on_any()) wait_for_news(seen);
     }
 }

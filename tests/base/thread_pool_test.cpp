@@ -63,6 +63,14 @@ TEST(ThreadPool, OfTheMostThreadsEndsAsItShould) {
 }
 
 // A worker that has begun nothing is not waited for, whatever keeps it.
+// While a worker is at any place between two jobs: it must not await news of an end that came before it looked.
+TEST(ThreadPool, EndsWhereverItsWorkersAre) {
+    for (int i = 0; i < 3000; ++i) {
+        ThreadPool pool(2 + i % 3);
+        pool.run(2 + i % 5, [](void*, std::int64_t) {}, nullptr);
+    }
+}
+
 TEST(ThreadPool, CallersGoOnWhileAllWorkersAreKept) {
     ThreadPool pool(3);
     std::latch begun(3);
