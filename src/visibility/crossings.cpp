@@ -101,7 +101,6 @@ private:
     void take(base::Array<Found>& all, CrossingReport& report);
     void take_group(std::span<const Found> group, CrossingReport& report);
     [[nodiscard]] double nearest_allowed(const OnLine& a, const OnLine& b) const noexcept;
-    [[nodiscard]] bool shows_inside(const Subject& subject, const OnLine& place) const noexcept;
     [[nodiscard]] OnLine place_on(std::int64_t segment, double t) const noexcept;
     [[nodiscard]] Moving at(const OnLine& place) const noexcept;
     void go(OnLine& place, double by) const noexcept;
@@ -219,7 +218,7 @@ bool Finder::describe(const OnLine& a, const OnLine& b, double turn, Crossing& c
     const Subject& near_one = second_far ? sa : sb;
     // With y up the nearer surface lies to the left of its contour.
     const bool to_left = second_far ? turn < 0.0 : turn > 0.0;
-    const bool left = to_left != (near_one.mirrored != shows_inside(near_one, near));
+    const bool left = to_left != (near_one.mirrored != shows_inside(subjects_, lines_.pieces[near.piece]));
     const std::int32_t sign = left ? 1 : -1;
     crossing.far_piece = far.piece;
     crossing.near_piece = near.piece;
@@ -252,14 +251,6 @@ double Finder::nearest_allowed(const OnLine& a, const OnLine& b) const noexcept 
     const Subject& sa = subject_of(a.piece);
     const Subject& sb = subject_of(b.piece);
     return sa.item == sb.item && (sa.level == nullptr || sb.level == nullptr) ? touching : nearest_gap;
-}
-
-// At a border the surface lies to the left as seen from outside; of contours it always does.
-bool Finder::shows_inside(const Subject& subject, const OnLine& place) const noexcept {
-    if (subject.sheets != 1) return false;
-    const curves::CurvePoint& p = subject.curves->point[lines_.pieces[place.piece].a];
-    const curves::CurvePoint& q = subject.curves->point[lines_.pieces[place.piece].b];
-    return glm::dot(p.gradient + q.gradient, subject.view.sight(p.position)) > 0.0;
 }
 
 Finder::OnLine Finder::place_on(std::int64_t segment, double t) const noexcept {

@@ -54,4 +54,14 @@ struct Seen {
     return {point[piece.a], point[piece.b]};
 }
 
+// Of a border, whether the inside of its surface is seen there.  At a border the surface lies to the left as seen from
+// outside; of contours it always does.
+[[nodiscard]] inline bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept {
+    const Subject& subject = subjects[static_cast<std::size_t>(piece.subject)];
+    if (subject.sheets != 1) return false;
+    const curves::CurvePoint& p = subject.curves->point[piece.a];
+    const curves::CurvePoint& q = subject.curves->point[piece.b];
+    return glm::dot(p.gradient + q.gradient, subject.view.sight(p.position)) > 0.0;
+}
+
 } // namespace hrbfnpr::visibility

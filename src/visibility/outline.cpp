@@ -33,15 +33,6 @@ struct Stretch {
     std::int32_t behind; // as the ray says
 };
 
-// As crossings.cpp has it: which side of a border is seen.
-bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept {
-    const Subject& subject = subjects[static_cast<std::size_t>(piece.subject)];
-    if (subject.sheets != 1) return false;
-    const curves::CurvePoint& p = subject.curves->point[piece.a];
-    const curves::CurvePoint& q = subject.curves->point[piece.b];
-    return glm::dot(p.gradient + q.gradient, subject.view.sight(p.position)) > 0.0;
-}
-
 class Finder {
 public:
     Finder(const base::Runtime& runtime, std::span<const Subject> subjects, std::span<const Occluder> occluders,
