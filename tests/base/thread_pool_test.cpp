@@ -67,7 +67,8 @@ TEST(ThreadPool, OfTheMostThreadsEndsAsItShould) {
 TEST(ThreadPool, EndsWhereverItsWorkersAre) {
     for (int i = 0; i < 3000; ++i) {
         ThreadPool pool(2 + i % 3);
-        pool.run(2 + i % 5, [](void*, std::int64_t) {}, nullptr);
+        pool.run(
+            2 + i % 5, [](void*, std::int64_t) {}, nullptr);
     }
 }
 
