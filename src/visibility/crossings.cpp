@@ -13,13 +13,17 @@
 namespace hrbfnpr::visibility {
 namespace {
 
-constexpr double cell_side = 4.0;    // pixels, at least
-constexpr double most_cells = 1.0e6; // of the grid
-constexpr double grid_end = 1.0e4;   // pixels from the image's corner: its last cells hold all that lies beyond
-constexpr int most_steps = 20;       // of Newton's
-constexpr double known = 1e-10;      // shares of a piece
-constexpr double same_place = 1e-7;  // the same
-constexpr double slack = 1e-8;       // beyond the ends of a piece before the next one is taken
+constexpr double cell_side = 4.0; // pixels, at least
+// Crossings for each segment of a cell: where there are more, lines run to and fro over one another within a pixel, as
+// contours on a flat face that is seen edge-on do.  Nobody sees these crossings, and there may be millions.
+constexpr std::int64_t most_of_segment = 16;
+constexpr std::int64_t most_segments = 4096; // of a cell that pairs are looked for in
+constexpr double most_cells = 1.0e6;         // of the grid
+constexpr double grid_end = 1.0e4;           // pixels from the image's corner: its last cells hold all that lies beyond
+constexpr int most_steps = 20;               // of Newton's
+constexpr double known = 1e-10;              // shares of a piece
+constexpr double same_place = 1e-7;          // the same
+constexpr double slack = 1e-8;               // beyond the ends of a piece before the next one is taken
 // In sides: curves that come nearer are the same; and a line does not cross itself nearer to where it turns back.
 constexpr double nearest_gap = 1e-5;
 constexpr double smallest_loop = 0.02;
@@ -79,10 +83,11 @@ private:
     void make_grid();
     template <class F>
     void for_cells(std::int64_t segment, const F& f) const;
-    void in_cell(std::int64_t cell, base::Array<Pair>& pairs) const;
-    // Whether one begins where the other ends.
+    [[nodiscard]] bool in_cell(std::int64_t cell, base::Array<Pair>& pairs) const;
+    // Whether one begins where the other ends, on one line.
     [[nodiscard]] bool follow(std::int64_t a, std::int64_t b) const noexcept {
-        return place(a + 1) == place(b) || place(b + 1) == place(a);
+        const bool one_line = lines_.pieces[lines_.points[a].piece].line == lines_.pieces[lines_.points[b].piece].line;
+        return one_line && (place(a + 1) == place(b) || place(b + 1) == place(a));
     }
     [[nodiscard]] bool crosses(std::int64_t a, std::int64_t b) const noexcept;
     [[nodiscard]] glm::dvec2 crossing_of(std::int64_t a, std::int64_t b) const noexcept;
@@ -171,9 +176,18 @@ glm::dvec2 Finder::crossing_of(std::int64_t a, std::int64_t b) const noexcept {
     return {cross2(way, e) / area, cross2(way, d) / area};
 }
 
-// A pair that meets in several cells is found in that of its crossing only.
-void Finder::in_cell(std::int64_t cell, base::Array<Pair>& pairs) const {
+// A pair that meets in several cells is found in that of its crossing only.  Returns false, and adds none, where there
+// is a tangle.
+bool Finder::in_cell(std::int64_t cell, base::Array<Pair>& pairs) const {
+    const std::int64_t segments = grid_.begin[cell + 1] - grid_.begin[cell];
+    if (segments > most_segments) return false;
+    const std::int64_t first = pairs.size();
+    const std::int64_t most = first + most_of_segment * segments;
     for (std::int64_t i = grid_.begin[cell]; i < grid_.begin[cell + 1]; ++i) {
+        if (pairs.size() > most) {
+            pairs.resize(first);
+            return false;
+        }
         for (std::int64_t j = i + 1; j < grid_.begin[cell + 1]; ++j) {
             const std::int64_t a = grid_.segment[i];
             const std::int64_t b = grid_.segment[j];
@@ -185,6 +199,7 @@ void Finder::in_cell(std::int64_t cell, base::Array<Pair>& pairs) const {
             if (grid_.row(in.y) * grid_.columns + grid_.column(in.x) == cell) pairs.push_back({a, b});
         }
     }
+    return true;
 }
 
 // Newton's steps on the cubics themselves.
@@ -283,7 +298,8 @@ void Finder::go(OnLine& place, double by) const noexcept {
 
 void Finder::run(CrossingReport& report, const base::Progress& progress) {
     base::Array<Pair> pairs(runtime_.memory);
-    for (std::int64_t cell = 0; cell + 1 < grid_.begin.size(); ++cell) in_cell(cell, pairs);
+    for (std::int64_t cell = 0; cell + 1 < grid_.begin.size(); ++cell)
+        if (!in_cell(cell, pairs)) ++report.tangles;
     progress.check();
     report.of_polylines = pairs.size();
     base::Array<Found> all(runtime_.memory);

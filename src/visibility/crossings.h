@@ -19,6 +19,7 @@ struct Crossing {
 struct CrossingReport {
     std::int64_t of_polylines = 0; // crossings of segments
     std::int64_t rejected = 0;     // that the curves do not have
+    std::int64_t tangles = 0;      // cells of the image in which none was taken, as there are too many
 };
 
 // Of all lines with those that begin or end sheets (Subject::sheets > 0).  Sorted by farther piece and share.

@@ -364,15 +364,17 @@ Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Sub
     double tolerance = settings.tolerance;
     for (int r = 0; r < settings.rounds; ++r, tolerance *= finer) {
         Round round(runtime, occluders, tolerance, out, progress);
-        const bool last = r + 1 == settings.rounds;
+        // What is finer does not disentangle lines over one another.
+        const bool last = r + 1 == settings.rounds || out.report.crossings.tangles > 0;
         const std::int64_t bad = round.run(settings.probes, last);
         out.report.rounds = r;
         if (r == 0) out.report.refined = bad;
         if (bad == 0) break;
-        if (last)
+        if (last) {
             round.settle();
-        else
-            round.refine(off_curve * finer * tolerance);
+            break;
+        }
+        round.refine(off_curve * finer * tolerance);
     }
     out.report.lines = out.lines.lines.size();
     for (const Line& l : out.lines.lines) out.report.closed += l.closed ? 1 : 0;

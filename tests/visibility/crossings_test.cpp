@@ -183,5 +183,46 @@ TEST(TouchingLines, AddUp) {
     EXPECT_GT(crossed, 10);
 }
 
+// A curve that runs to and fro within a hundredth of a pixel, and one that crosses another far away, in points of both.
+TEST(Tangles, HaveFewCrossings) {
+    base::Memory& memory = runtime().memory;
+    curves::Curves lines(memory);
+    lines.first.push_back(0);
+    const auto add = [&](const glm::dvec3& place, const glm::dvec3& way) {
+        curves::CurvePoint p;
+        p.position = place;
+        p.gradient = {0.0, 0.0, 1.0};
+        p.level_gradient = glm::cross(way, p.gradient);
+        lines.point.push_back(p);
+    };
+    const auto end = [&] {
+        lines.first.push_back(lines.point.size());
+        lines.closed.push_back(0);
+    };
+    for (int i = 0; i < 3000; ++i) {
+        const double x = 0.618 * i - std::floor(0.618 * i);
+        add({x, 1e-4 * std::sin(1.0 * i), 0.01 * i}, {i % 2 == 0 ? 1.0 : -1.0, 0.0, 0.0});
+    }
+    end();
+    for (const double z : {0.0, 1.0}) {
+        const glm::dvec3 way(1.0, z > 0.0 ? 1.0 : -1.0, 0.0);
+        add(glm::dvec3(2.0, 2.0, z) - way, way);
+        add(glm::dvec3(2.0, 2.0, z) + way, way);
+        end();
+    }
+    Subject subject;
+    subject.curves = &lines;
+    subject.view.eye = {0.0, 0.0, 1.0, 0.0};
+    subject.view.to_window = glm::scale(glm::dmat4(1.0), glm::dvec3(100.0, 100.0, 1.0));
+    subject.side = 0.01;
+    const std::array subjects{subject};
+    const ImageLines image = draw_lines(runtime(), subjects, 0.05);
+    CrossingReport report;
+    const base::Array<Crossing> found = find_crossings(runtime(), subjects, image, report, {});
+    EXPECT_GT(report.tangles, 10);
+    EXPECT_LT(found.size(), 16 * image.points.size());
+    EXPECT_EQ(std::count_if(found.begin(), found.end(), [](const Crossing& c) { return c.place.y > 100.0; }), 1);
+}
+
 } // namespace
 } // namespace hrbfnpr::visibility
