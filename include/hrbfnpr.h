@@ -1428,7 +1428,7 @@ typedef struct hrbfnpr_line_style {
     float dash;           /* of DASHED, in hidden_widths, > 0; 5 */
     float gap;            /* between dashes, in hidden_widths, > 0; 3 */
     float shortest;       /* parts with a free end, and hidden ones, that are shorter are not drawn; 2.  Feature lines
-                             that are found with every drawing are 0.01 diagonals long at least */
+                             that are found with every drawing measure 0.01 diagonals or more */
     float fade;           /* 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1 */
     double lower;         /* strengths as in hrbfnpr_line_desc; 0 and 0 = those of the kind: 10 and 30 of suggestive
                              contours, 12 and 25 of apparent ridges */

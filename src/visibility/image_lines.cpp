@@ -22,7 +22,7 @@ public:
         const glm::dvec2 b = at(1.0);
         add(0.0, a);
         split(0.0, a, 0.5, m, deepest);
-        if (glm::distance(a, b) > 0.5) add(0.5, m);
+        if (glm::distance(a, b) > 0.5 || !on_chord(a, m, b)) add(0.5, m);
         split(0.5, m, 1.0, b, deepest);
     }
 

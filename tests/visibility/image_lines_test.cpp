@@ -51,7 +51,7 @@ TEST(ImageLines, AreAsNearAsAsked) {
         std::int64_t before = 0;
         for (const double tolerance : {0.5, 0.05, 0.005}) {
             const ImageLines lines = draw_lines(runtime(), picture.subjects, tolerance);
-            EXPECT_LE(farthest_off(picture, lines), 2.0 * tolerance);
+            EXPECT_LE(farthest_off(picture, lines), 1.5 * tolerance);
             EXPECT_GE(lines.points.size(), before);
             before = lines.points.size();
         }

@@ -18,12 +18,6 @@ base::Runtime& runtime() {
     return instance;
 }
 
-glm::dmat4 moved(const glm::dvec3& by, double scale = 1.0) {
-    glm::dmat4 m(scale);
-    m[3] = glm::dvec4(by, 1.0);
-    return m;
-}
-
 // Columns, and where the origin goes.
 glm::dmat4 affine(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& to) {
     return {glm::dvec4(x, 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0), glm::dvec4(to, 1.0)};

@@ -18,12 +18,6 @@ base::Runtime& runtime() {
     return instance;
 }
 
-glm::dmat4 moved(const glm::dvec3& by, double scale = 1.0) {
-    glm::dmat4 m(scale);
-    m[3] = glm::dvec4(by, 1.0);
-    return m;
-}
-
 Outline outline_of(const Picture& picture, const base::Runtime& on = runtime()) {
     const std::vector<std::uint8_t> wanted(picture.subjects.size(), 1);
     return find_outline(on, picture.subjects, picture.occluders, *picture.found, *picture.lengths, wanted, {});

@@ -18,12 +18,6 @@ base::Runtime& runtime() {
     return instance;
 }
 
-glm::dmat4 moved(const glm::dvec3& by, double scale = 1.0) {
-    glm::dmat4 m(scale);
-    m[3] = glm::dvec4(by, 1.0);
-    return m;
-}
-
 // At every place another surface is met; the line leaves it or enters it, by the eye.
 void expect_on_surfaces(const Picture& picture) {
     for (const Pierced& place : picture.found->pierced) {

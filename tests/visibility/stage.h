@@ -23,6 +23,12 @@ namespace hrbfnpr::visibility::test_stage {
 using test::cube_directions;
 using test::Eye;
 
+inline glm::dmat4 moved(const glm::dvec3& by, double scale = 1.0) {
+    glm::dmat4 m(scale);
+    m[3] = glm::dvec4(by, 1.0);
+    return m;
+}
+
 struct Actor {
     const implicit::Implicit& surface;
     glm::dmat4 to_world;

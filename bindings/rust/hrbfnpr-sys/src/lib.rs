@@ -2009,7 +2009,7 @@ pub struct hrbfnpr_line_style {
     /// between dashes, in hidden_widths, > 0; 3
     pub gap: f32,
     /// parts with a free end, and hidden ones, that are shorter are not drawn; 2. Feature lines
-    /// that are found with every drawing are 0.01 diagonals long at least
+    /// that are found with every drawing measure 0.01 diagonals or more
     pub shortest: f32,
     /// 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1
     pub fade: f32,
