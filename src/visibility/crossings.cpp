@@ -86,8 +86,8 @@ private:
     [[nodiscard]] bool in_cell(std::int64_t cell, base::Array<Pair>& pairs) const;
     // Whether one begins where the other ends, on one line.
     [[nodiscard]] bool follow(std::int64_t a, std::int64_t b) const noexcept {
-        const bool one_line = lines_.pieces[lines_.points[a].piece].line == lines_.pieces[lines_.points[b].piece].line;
-        return one_line && (place(a + 1) == place(b) || place(b + 1) == place(a));
+        if (place(a + 1) != place(b) && place(b + 1) != place(a)) return false;
+        return lines_.pieces[lines_.points[a].piece].line == lines_.pieces[lines_.points[b].piece].line;
     }
     [[nodiscard]] bool crosses(std::int64_t a, std::int64_t b) const noexcept;
     [[nodiscard]] glm::dvec2 crossing_of(std::int64_t a, std::int64_t b) const noexcept;
