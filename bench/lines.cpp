@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Contours as lines: how near to the truth, how often whole, visible where they should be, times, and flicker.
 // --models=DIR: a folder of PLY files of points with normals, besides generated surfaces; --named=TEXT: of these, only
-// those whose name has it in it; --only=PART,...: of truth, views, features, times, flicker, raster; --places=N: of
-// lines whose visibility is looked at; --cameras=N, 3 at most, and --rays=N, along a pixel's side: of what feature
+// those whose name has it in it; --only=PART,...: of truth, views, warm, features, times, flicker, raster; --places=N:
+// of lines whose visibility is looked at; --cameras=N, 3 at most, and --rays=N, along a pixel's side: of what feature
 // lines are compared with.
 #include "line_features.h"
 #include "line_flicker.h"
@@ -11,6 +11,7 @@
 #include "line_truth.h"
 #include "line_views.h"
 #include "line_visibility.h"
+#include "line_warm.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -201,6 +202,26 @@ void run_views(hrbfnpr_context* context, const Settings& settings, Results& resu
     results.add("p90_ms", bench::quantile(all.views.ms, 0.9));
 }
 
+void run_warm(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    std::printf("\nhalf a degree a frame, each from the last\n");
+    bench::print_head();
+    bench::WarmFrames all;
+    for (const bench::Source& source : chosen_sources(settings)) {
+        const LineModel model =
+            bench::line_model(context, source.name, bench::fit_centres(context, source.samples(), source.centres));
+        const bench::WarmFrames found = bench::warm_frames(context, model, 49, 500);
+        bench::print(source.name, bench::info_of(model.model.get()).centres,
+                     bench::info_of(model.lines.get()).triangles, found.views);
+        all.add(found);
+    }
+    for (const std::string& bad : all.views.bad) std::printf("not valid: %s\n", bad.c_str());
+    results.add("warm_valid", static_cast<double>(all.views.valid) / static_cast<double>(all.views.views));
+    for (const std::string& wrong : all.visible.wrong) std::printf("wrong: %s\n", wrong.c_str());
+    results.add("warm_visibility_right",
+                static_cast<double>(all.visible.right) / static_cast<double>(all.visible.places));
+    results.add("warm_recall", static_cast<double>(all.same) / static_cast<double>(all.compared));
+}
+
 // ---- Feature lines ---------------------------------------------------------------------------
 
 using Matches = std::map<std::string, bench::FeatureMatch>; // by kind
@@ -367,6 +388,7 @@ int main(int argc, char** argv) {
         Results results;
         if (settings.wants("truth")) run_truth(context.get(), results);
         if (settings.wants("views")) run_views(context.get(), settings, results);
+        if (settings.wants("warm")) run_warm(context.get(), settings, results);
         if (settings.wants("features")) run_features(context.get(), settings, results);
         if (settings.wants("times")) run_times(context.get(), settings, results);
         if (settings.wants("flicker")) run_flicker(context.get(), settings, results);

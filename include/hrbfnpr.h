@@ -1601,6 +1601,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct
 
 /* Classifies, shades and orders the marks of a list of items for one camera.
  * Styles of one drawing must have the same paper and visibility.
+ * Contours of line sets begin with those of the renderer's last drawing where the
+ * camera moved little, and are proven complete again: in their last digits, and by
+ * `wobble`, a picture of lines depends on the drawings before it.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
                                                  int64_t item_count, int64_t item_stride,

@@ -9,14 +9,18 @@
 namespace hrbfnpr::curves {
 namespace {
 
-// In sides of the mesh: so far may a crossing be off its curve; points that are nearer to each other are one, but where
-// the curve turns; runs that are nearer are the same curve.
+// In sides of the mesh: so far may a crossing be off its curve; points that are
+// nearer to each other are one, but where the curve turns; runs that are nearer
+// are the same curve.
 constexpr double reach = 1.0;
 constexpr double nearest = 0.1;
 constexpr double on_curve = 0.02;
-// In longest steps: between the crossings of a chain that are chosen; and a gap that is wider is none of one curve.
+// In longest steps: between the crossings of a chain that are chosen; and a gap
+// that is wider is none of one curve.
 constexpr double chosen_apart = 0.65;
 constexpr double widest = 3.0;
+// In turns: between points of the view before that are kept.
+constexpr double kept_turn = 0.8;
 // In turns: between a piece's chord and its ends.  Half of one in an arc.
 constexpr double off_chord = 0.75;
 // Halvings of a gap, down to a kink.
@@ -54,12 +58,13 @@ struct Sequences {
 
 class Linker {
 public:
-    Linker(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const MeshChains& chains,
+    Linker(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const Curves& starts,
            const TraceSettings& settings, TraceReport& report, const base::Progress& progress)
-        : runtime_(runtime), level_(level), mesh_(mesh), chains_(chains), settings_(settings), report_(report),
+        : runtime_(runtime), level_(level), mesh_(mesh), starts_(starts), settings_(settings), report_(report),
           progress_(progress), sequences_(runtime.memory) {}
 
-    void choose(const base::Array<Bead>& beads);
+    // Starts onto their curves.
+    void begin();
     // Puts points into gaps.  Whether there were any.
     bool fill_gaps();
     [[nodiscard]] Curves split() const;
@@ -70,7 +75,7 @@ private:
         std::int64_t a, b;
     };
 
-    [[nodiscard]] bool closed(std::int64_t chain) const noexcept { return chains_.closed[chain] != 0; }
+    [[nodiscard]] bool closed(std::int64_t chain) const noexcept { return starts_.closed[chain] != 0; }
     // -1: none.
     [[nodiscard]] std::int64_t next(std::int64_t chain, std::int64_t at) const noexcept {
         if (at + 1 < sequences_.first[chain + 1]) return at + 1;
@@ -90,7 +95,7 @@ private:
     const base::Runtime& runtime_;
     const Level& level_;
     const SurfaceMesh& mesh_;
-    const MeshChains& chains_;
+    const Curves& starts_;
     const TraceSettings& settings_;
     TraceReport& report_;
     const base::Progress& progress_;
@@ -125,7 +130,8 @@ bool Linker::in_order(const CurvePoint& before, const CurvePoint& p) const noexc
     return length > nearest * settings_.longest * mesh_.side && glm::dot(a, way) > 0.0 && glm::dot(b, way) > 0.0;
 }
 
-// Newton's steps go along the curve, too: points may have come together, or passed each other.
+// Newton's steps go along the curve, too: points may have come together, or
+// passed each other.
 void Linker::thin(const CurvePoint& p, std::int64_t first) {
     const std::int64_t size = sequences_.point.size();
     if (size == first || in_order(sequences_.point[size - 1], p)) sequences_.add(p, Link::unknown);
@@ -138,28 +144,13 @@ void Linker::thin_end(std::int64_t first) {
         sequences_.drop_last();
 }
 
-// Of each chain so many crossings that they are a part of a step from each other; all of a small loop's.
-void Linker::choose(const base::Array<Bead>& beads) {
-    base::Array<CurvePoint> points(runtime_.memory);
-    base::Array<std::int64_t> end(runtime_.memory);
-    const double apart = chosen_apart * settings_.longest * mesh_.side;
-    for (std::int64_t c = 0; c < chains_.chains(); ++c) {
-        double way = apart;
-        for (std::int64_t i = chains_.first[c]; i < chains_.first[c + 1]; ++i) {
-            if (i > chains_.first[c]) way += glm::distance(beads[i].place, beads[i - 1].place);
-            if (way < apart) continue;
-            CurvePoint p;
-            p.position = beads[i].place;
-            points.push_back(p);
-            way = 0.0;
-        }
-        end.push_back(points.size());
-    }
+void Linker::begin() {
+    base::Array<CurvePoint> points(runtime_.memory, starts_.point.size());
+    std::copy(starts_.point.begin(), starts_.point.end(), points.begin());
     const base::Array<std::uint8_t> found = bring(points, reach * mesh_.side);
-    std::int64_t i = 0;
-    for (std::int64_t c = 0; c < chains_.chains(); ++c) {
+    for (std::int64_t c = 0; c < starts_.count(); ++c) {
         const std::int64_t first = sequences_.point.size();
-        for (; i < end[c]; ++i)
+        for (std::int64_t i = starts_.first[c]; i < starts_.first[c + 1]; ++i)
             if (found[i] != 0) thin(points[i], first);
         if (closed(c)) thin_end(first);
         sequences_.end_chain();
@@ -168,7 +159,7 @@ void Linker::choose(const base::Array<Bead>& beads) {
 
 base::Array<Linker::Gap> Linker::find_gaps() {
     base::Array<Gap> gaps(runtime_.memory);
-    for (std::int64_t c = 0; c < chains_.chains(); ++c) {
+    for (std::int64_t c = 0; c < starts_.count(); ++c) {
         for (std::int64_t a = sequences_.first[c]; a < sequences_.first[c + 1]; ++a) {
             const std::int64_t b = next(c, a);
             if (b < 0 || sequences_.link[a] != Link::unknown) continue;
@@ -197,7 +188,7 @@ void Linker::insert(const base::Array<Gap>& gaps, const base::Array<CurvePoint>&
     Sequences result(runtime_.memory);
     result.reserve(sequences_.point.size() + gaps.size());
     std::int64_t g = 0;
-    for (std::int64_t c = 0; c < chains_.chains(); ++c) {
+    for (std::int64_t c = 0; c < starts_.count(); ++c) {
         for (std::int64_t a = sequences_.first[c]; a < sequences_.first[c + 1]; ++a) {
             const bool gap = g < gaps.size() && gaps[g].a == a;
             const bool right =
@@ -248,12 +239,12 @@ void Linker::add_chain(std::int64_t chain, Curves& runs) const {
 Curves Linker::split() const {
     Curves runs(runtime_.memory);
     runs.first.push_back(0);
-    for (std::int64_t c = 0; c < chains_.chains(); ++c) add_chain(c, runs);
+    for (std::int64_t c = 0; c < starts_.count(); ++c) add_chain(c, runs);
     return runs;
 }
 
-// Two chains may have come to one curve, and ends of runs may overlap: what the longer of two runs has is taken out of
-// the other.
+// Two chains may have come to one curve, and ends of runs may overlap: what the
+// longer of two runs has is taken out of the other.
 Curves without_doubles(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& runs, double longest) {
     const double distance = on_curve * mesh.side;
     const NearCurves near(runtime.memory, runs, longest, distance);
@@ -291,11 +282,58 @@ Curves without_doubles(const base::Runtime& runtime, const SurfaceMesh& mesh, co
 
 } // namespace
 
-Curves runs_of_chains(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-                      const MeshChains& chains, const base::Array<Bead>& beads, const TraceSettings& settings,
-                      TraceReport& report, const base::Progress& progress) {
-    Linker linker(runtime, level, mesh, chains, settings, report, progress);
-    linker.choose(beads);
+// Of each chain so many crossings that they are a part of a step from each
+// other; all of a small loop's.
+Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const MeshChains& chains,
+                 const base::Array<Bead>& beads, const TraceSettings& settings) {
+    Curves starts(runtime.memory);
+    starts.first.push_back(0);
+    const double apart = chosen_apart * settings.longest * mesh.side;
+    for (std::int64_t c = 0; c < chains.chains(); ++c) {
+        double way = apart;
+        for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {
+            if (i > chains.first[c]) way += glm::distance(beads[i].place, beads[i - 1].place);
+            if (way < apart) continue;
+            CurvePoint p;
+            p.position = beads[i].place;
+            starts.point.push_back(p);
+            way = 0.0;
+        }
+        starts.first.push_back(starts.point.size());
+        starts.closed.push_back(chains.closed[c]);
+    }
+    return starts;
+}
+
+// As dense as the crossings of chains are chosen, and denser where the curve
+// turns.
+Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
+               const TraceSettings& settings) {
+    const double apart = chosen_apart * settings.longest * mesh.side;
+    const double turn = kept_turn * settings.turn;
+    Curves kept(runtime.memory);
+    kept.first.push_back(0);
+    for (std::int64_t c = 0; c < starts.count(); ++c) {
+        std::int64_t last = starts.first[c];
+        for (std::int64_t i = last; i < starts.first[c + 1]; ++i) {
+            const bool needed =
+                i == last || i + 1 == starts.first[c + 1] ||
+                glm::distance(starts.point[i + 1].position, starts.point[last].position) > apart ||
+                glm::distance(unit_direction(starts.point[i + 1]), unit_direction(starts.point[last])) > turn;
+            if (!needed) continue;
+            kept.point.push_back(starts.point[i]);
+            last = i;
+        }
+        kept.first.push_back(kept.point.size());
+        kept.closed.push_back(starts.closed[c]);
+    }
+    return kept;
+}
+
+Curves runs_from(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const Curves& starts,
+                 const TraceSettings& settings, TraceReport& report, const base::Progress& progress) {
+    Linker linker(runtime, level, mesh, starts, settings, report, progress);
+    linker.begin();
     for (int round = 0; round < most_rounds && linker.fill_gaps(); ++round) progress.check();
     return without_doubles(runtime, mesh, linker.split(), settings.longest * mesh.side);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs of points on curves, from the chains that a mesh sees: crossings of a chain are brought onto the curve, all of
-// all chains at once, and those that follow each other are linked where a cubic says enough of the curve between them.
+// Runs of points on curves, from places near them: the crossings of chains that a mesh sees, or points of the curves of
+// another view.  They are brought onto the curves, all at once, and those that follow each other are linked where a
+// cubic says enough of the curve between them.
 #pragma once
 
 #include "curves/beads.h"
@@ -8,10 +9,18 @@
 
 namespace hrbfnpr::curves {
 
+// Places of each chain; of the points only positions count.
+[[nodiscard]] Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const MeshChains& chains,
+                               const base::Array<Bead>& beads, const TraceSettings& settings);
+
+// Starts at which directions are known, without those that the others stand for.
+[[nodiscard]] Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
+                             const TraceSettings& settings);
+
 // Each run is a part of a curve, or all of it if it is closed.  No place of a curve is in two of them, but beside their
-// ends.
-[[nodiscard]] Curves runs_of_chains(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-                                    const MeshChains& chains, const base::Array<Bead>& beads,
-                                    const TraceSettings& settings, TraceReport& report, const base::Progress& progress);
+// ends.  Starts follow each other as the points of a curve.
+[[nodiscard]] Curves runs_from(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
+                               const Curves& starts, const TraceSettings& settings, TraceReport& report,
+                               const base::Progress& progress);
 
 } // namespace hrbfnpr::curves

@@ -37,4 +37,24 @@ void ContourLevel::at_vertices(const base::Runtime& runtime, const SurfaceMesh& 
     });
 }
 
+Curves ContourLevel::moved(base::Memory& memory, const Curves& contours, double farthest) const {
+    Curves result(memory);
+    result.first.push_back(0);
+    result.point.reserve(contours.point.size());
+    for (std::int64_t c = 0; c < contours.count(); ++c) {
+        for (std::int64_t i = contours.first[c]; i < contours.first[c + 1]; ++i) {
+            CurvePoint p = contours.point[i];
+            p.value = 0.0;
+            p.level = glm::dot(p.gradient, view_.sight(p.position));
+            const glm::dvec3 way = p.newton_step();
+            if (!(glm::length(way) <= farthest)) continue;
+            p.position += way;
+            result.point.push_back(p);
+        }
+        result.first.push_back(result.point.size());
+        result.closed.push_back(contours.closed[c]);
+    }
+    return result;
+}
+
 } // namespace hrbfnpr::curves

@@ -81,13 +81,13 @@ void evaluate(const base::Runtime& runtime, const Level& level, base::Array<Curv
     });
 }
 
-void bring_close(const base::Runtime& runtime, const Level& level, base::Array<CurvePoint>& points,
+void bring_close(const base::Runtime& runtime, const Level& level, int steps, base::Array<CurvePoint>& points,
                  std::int64_t& evaluations, const base::Progress& progress) {
-    for (int step = 0; step < 2; ++step) {
+    for (int step = 0; step < steps; ++step) {
         evaluate(runtime, level, points, progress);
         for (CurvePoint& p : points) p.position += p.newton_step();
     }
-    evaluations += 2 * points.size();
+    evaluations += steps * points.size();
 }
 
 std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, const NewtonSettings& settings,

@@ -25,8 +25,8 @@ struct CurvePoint {
 void evaluate(const base::Runtime& runtime, const Level& level, base::Array<CurvePoint>& points,
               const base::Progress& progress);
 
-// Points of cubics onto their curves, by two of Newton's steps.  Adds up evaluations.
-void bring_close(const base::Runtime& runtime, const Level& level, base::Array<CurvePoint>& points,
+// Points of cubics onto their curves, by so many of Newton's steps.  Adds up evaluations.
+void bring_close(const base::Runtime& runtime, const Level& level, int steps, base::Array<CurvePoint>& points,
                  std::int64_t& evaluations, const base::Progress& progress);
 
 struct NewtonSettings {

@@ -56,7 +56,7 @@ Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, cons
             after.push_back(at);
         }
     }
-    bring_close(runtime, contour, added, evaluations, progress);
+    bring_close(runtime, contour, 2, added, evaluations, progress);
     Curves result(runtime.memory);
     result.first.push_back(0);
     std::int64_t next = 0;
@@ -81,7 +81,8 @@ struct Search {
     double low = 0.0, high = 1.0;
     double low_value, high_value;
     double share = 0.5;
-    int side = 0; // that moved last
+    CurvePoint a, b; // of the curve, where low and high are
+    int side = 0;    // that moved last
     CurvePoint found;
     bool done = false;
 };
@@ -90,11 +91,13 @@ struct Search {
 void narrow(Search& s, double value) noexcept {
     if ((value < 0.0) == (s.low_value < 0.0)) {
         s.low = s.share;
+        s.a = s.found;
         s.low_value = value;
         if (s.side < 0) s.high_value *= 0.5;
         s.side = -1;
     } else {
         s.high = s.share;
+        s.b = s.found;
         s.high_value = value;
         if (s.side > 0) s.low_value *= 0.5;
         s.side = 1;
@@ -112,17 +115,20 @@ base::Array<Search> find_changes(base::Memory& memory, const View& view, const C
         for (std::int64_t k = 0; k < curves.pieces_of(c); ++k) {
             const std::int64_t at = curves.first[c] + k;
             const std::int64_t next = curves.next(c, at);
-            const double a = radial(curves.point[at], view);
-            const double b = radial(curves.point[next], view);
-            if ((a < 0.0) != (b < 0.0)) found.push_back({at, next, 0.0, 1.0, a, b, a / (a - b), 0, {}, false});
+            const CurvePoint& p = curves.point[at];
+            const CurvePoint& q = curves.point[next];
+            const double a = radial(p, view);
+            const double b = radial(q, view);
+            if ((a < 0.0) != (b < 0.0)) found.push_back({at, next, 0.0, 1.0, a, b, a / (a - b), p, q, 0, {}, false});
         }
     }
     return found;
 }
 
-// Points of the cubics are brought onto the curve by one step before their values are asked for.
-void search(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
-            base::Array<Search>& searches, std::int64_t& evaluations, const base::Progress& progress) {
+// Points of cubics are brought onto the curve before their values are asked for: the first by two steps.  Then a cubic
+// begins or ends near the place, and one step says as much of it.
+void search(const base::Runtime& runtime, const Level& contour, const View& view, base::Array<Search>& searches,
+            std::int64_t& evaluations, const base::Progress& progress) {
     base::Array<std::int64_t> active(runtime.memory);
     for (std::int64_t i = 0; i < searches.size(); ++i) active.push_back(i);
     base::Array<CurvePoint> points(runtime.memory);
@@ -130,9 +136,9 @@ void search(const base::Runtime& runtime, const Level& contour, const View& view
         points.resize(active.size());
         for (std::int64_t i = 0; i < active.size(); ++i) {
             const Search& s = searches[active[i]];
-            points[i].position = CubicPiece(curves.point[s.piece], curves.point[s.next]).at(s.share);
+            points[i].position = CubicPiece(s.a, s.b).at((s.share - s.low) / (s.high - s.low));
         }
-        bring_close(runtime, contour, points, evaluations, progress);
+        bring_close(runtime, contour, step == 0 ? 2 : 1, points, evaluations, progress);
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < active.size(); ++i) {
             Search& s = searches[active[i]];
@@ -150,7 +156,7 @@ Curves with_cusps(const base::Runtime& runtime, const Level& contour, const View
                   std::int64_t& evaluations, const base::Progress& progress) {
     const Curves curves = refined_at_cusps(runtime, contour, view, given, evaluations, progress);
     base::Array<Search> searches = find_changes(runtime.memory, view, curves);
-    search(runtime, contour, view, curves, searches, evaluations, progress);
+    search(runtime, contour, view, searches, evaluations, progress);
     Curves result(runtime.memory);
     result.first.push_back(0);
     const auto add = [&](const CurvePoint& p, bool cusp) {

@@ -72,7 +72,7 @@ void Halving::run(std::int64_t& evaluations, const base::Progress& progress) {
         middle.resize(parts_.size());
         for (std::int64_t i = 0; i < parts_.size(); ++i)
             middle[i].position = CubicPiece(parts_[i].a, parts_[i].b).at(0.5);
-        bring_close(runtime_, contour_, middle, evaluations, progress);
+        bring_close(runtime_, contour_, 2, middle, evaluations, progress);
         base::Array<Part> next(runtime_.memory);
         for (std::int64_t i = 0; i < parts_.size(); ++i) take(parts_[i], middle[i], next);
         std::swap(parts_, next);

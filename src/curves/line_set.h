@@ -92,6 +92,8 @@ public:
     LineSet(const LineSet&) = delete;
     LineSet& operator=(const LineSet&) = delete;
 
+    // No other set has it while somebody holds it.
+    [[nodiscard]] const std::shared_ptr<const void>& identity() const noexcept { return identity_; }
     [[nodiscard]] const implicit::Implicit& surface() const noexcept { return surface_; }
     [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return *mesh_; }
     [[nodiscard]] const SheetCounter& sheets() const noexcept { return *sheets_; }
@@ -116,6 +118,7 @@ private:
     [[nodiscard]] SurfaceLines find(const base::Runtime& runtime, const LineRequest& request,
                                     const base::Progress& progress) const;
 
+    std::shared_ptr<const void> identity_ = std::make_shared<char>();
     const implicit::Implicit& surface_;
     std::unique_ptr<const implicit::ShapeSource> source_;
     std::optional<surface::Support> support_;

@@ -46,10 +46,8 @@ public:
         curves_.first.push_back(0);
     }
 
-    // Along chains of the mesh.
-    void from(const MeshChains& chains, const base::Array<Bead>& beads) {
-        add(runs_of_chains(runtime_, level_, mesh_, chains, beads, settings_, report_, progress_));
-    }
+    // Along starts that follow each other.
+    void from(const Curves& starts) { add(runs_from(runtime_, level_, mesh_, starts, settings_, report_, progress_)); }
     // Follows curves from those of the points that can be brought onto one, and are on none that there is.
     // Returns which of the points could not.
     base::Array<std::int64_t> from(base::Array<CurvePoint> points);
@@ -218,14 +216,17 @@ std::int64_t look_closer(const base::Runtime& runtime, const Level& level, const
 } // namespace
 
 Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const TraceSettings& settings,
-             TraceReport& report, const base::Progress& progress) {
+             TraceReport& report, const base::Progress& progress, const Curves* near) {
     report = TraceReport{};
     base::Array<double> at_vertices(runtime.memory);
     level.at_vertices(runtime, mesh, at_vertices, progress);
     const MeshChains chains = find_chains(runtime, mesh, at_vertices);
     const base::Array<Bead> beads = beads_of(runtime, mesh, chains);
     Rounds rounds(runtime, level, mesh, settings, report, progress);
-    rounds.from(chains, beads);
+    if (near != nullptr)
+        rounds.from(thinned(runtime, mesh, *near, settings));
+    else
+        rounds.from(starts_of(runtime, mesh, chains, beads, settings));
     const std::int64_t first = report.starts;
     // Newton's steps from what is left, and halving where they fail.
     const base::Array<Bead> left = rounds.uncovered(beads);

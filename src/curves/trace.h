@@ -32,8 +32,10 @@ struct TraceReport {
     std::int64_t missed = 0; // changes of sign that no curve was found for
 };
 
-// The same bits for any thread count.
+// The same bits for any thread count.  near: places near the curves, in their order, that are tried before what the
+// mesh sees; those of the view before, as moved_with() has them.  What they miss is found as without them.
 [[nodiscard]] Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-                           const TraceSettings& settings, TraceReport& report, const base::Progress& progress);
+                           const TraceSettings& settings, TraceReport& report, const base::Progress& progress,
+                           const Curves* near = nullptr);
 
 } // namespace hrbfnpr::curves

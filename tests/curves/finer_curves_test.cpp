@@ -43,7 +43,7 @@ protected:
         geometry::VecArray before(runtime().memory);
         for (const CurvePoint& p : middle) before.push_back(p.position);
         std::int64_t evaluations = 0;
-        bring_close(runtime(), found.level, middle, evaluations, {});
+        bring_close(runtime(), found.level, 2, middle, evaluations, {});
         double most = 0.0;
         for (std::int64_t i = 0; i < middle.size(); ++i)
             most = std::max(most, glm::distance(seen(before[i]), seen(middle[i].position)));

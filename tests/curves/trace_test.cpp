@@ -34,6 +34,45 @@ TEST(Trace, SphereHasTheCircleThatIsKnown) {
     }
 }
 
+// From the curves of a view half a degree away: they are those of this view, for fewer evaluations; a curve that is not
+// among them is found as without them.
+TEST(Trace, GoesOnFromTheViewBefore) {
+    const test::Torus torus(1.0, 0.45);
+    const Meshed meshed(runtime(), torus, {{1.45, 0.0, 0.0}}, 0.05);
+    const auto seen_from = [](double angle) {
+        View view;
+        view.eye = {4.0 * std::sin(angle), -4.0 * std::cos(angle), 2.5, 1.0};
+        return view;
+    };
+    Curves last(runtime().memory);
+    for (int frame = 0; frame < 12; ++frame) {
+        const ContourLevel level(torus, seen_from(0.01 * frame));
+        TraceReport cold;
+        Curves anew = trace(runtime(), level, meshed.mesh, {}, cold, {});
+        ASSERT_EQ(anew.count(), 2);
+        if (frame > 0) {
+            const Curves near = level.moved(runtime().memory, last, meshed.mesh.side);
+            EXPECT_EQ(near.point.size(), last.point.size());
+            TraceReport warm;
+            const Curves found = trace(runtime(), level, meshed.mesh, {}, warm, {}, &near);
+            ASSERT_EQ(found.count(), 2);
+            EXPECT_EQ(warm.broken + warm.missed, 0);
+            EXPECT_LT(warm.evaluations, cold.evaluations);
+            EXPECT_LT(farthest_off(runtime(), level, found), 1e-7);
+            EXPECT_NEAR(length(found, 0) + length(found, 1), length(anew, 0) + length(anew, 1), 1e-3);
+            Curves one(runtime().memory);
+            one.first.push_back(0);
+            for (std::int64_t i = 0; i < near.first[1]; ++i) one.point.push_back(near.point[i]);
+            one.first.push_back(one.point.size());
+            one.closed.push_back(1);
+            TraceReport half;
+            EXPECT_EQ(trace(runtime(), level, meshed.mesh, {}, half, {}, &one).count(), 2);
+            EXPECT_GT(half.added, 0);
+        }
+        last = std::move(anew);
+    }
+}
+
 // The outline runs so that the surface lies to the left of it in the image, y up.
 TEST(Trace, OutlineRunsRoundItsSurface) {
     const test::SquareSphere sphere;

@@ -336,6 +336,39 @@ TEST_F(LineStrokes, LinesKeepTheirNumbersFromFrameToFrame) {
     for (const std::uint32_t number : numbers(1)) EXPECT_GT(number, ring_numbers.back());
 }
 
+// On a way round a ring, with a jump in it: as another renderer that has drawn nothing yet; and twice from one place
+// the same bits.
+TEST_F(LineStrokes, GoOnFromTheLastFrame) {
+    style[0].hidden = HiddenParts::attenuated;
+    const std::array items{item_of(&ring_lines)};
+    const auto whole = [&](const drawing::Drawing& drawing) {
+        double sum = 0.0;
+        for (const Stroke& stroke : drawing.strokes)
+            sum += static_cast<double>(drawing.points[stroke.first + stroke.count - 1].length);
+        return sum;
+    };
+    for (const double angle : {0.0, 0.01, 0.02, 0.03, 1.5, 1.51, 1.51, 1.52}) {
+        frame::Camera camera = front_camera(size, size, 1.6);
+        camera.view =
+            frame::look_at({8.0 * std::sin(angle), -8.0 * std::cos(angle), 5.0}, glm::dvec3(0.0), {0.0, 0.0, 1.0});
+        const double length = whole(draw(items, camera));
+        const drawing::LineCounts counts = frame.drawing().line_counts;
+        DrawnFrame other(runtime);
+        other.draw(items, camera);
+        EXPECT_NEAR(length, whole(other.drawing()), 0.02) << angle;
+        EXPECT_EQ(counts.curves, other.drawing().line_counts.curves);
+        EXPECT_EQ(counts.cusps, other.drawing().line_counts.cusps);
+        EXPECT_EQ(counts.broken + counts.settled + counts.contradictions, 0);
+        const std::vector<StrokePoint> points(frame.drawing().points.begin(), frame.drawing().points.end());
+        draw(items, camera);
+        ASSERT_EQ(frame.drawing().points.size(), static_cast<std::int64_t>(points.size()));
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            EXPECT_EQ(frame.drawing().points[static_cast<std::int64_t>(i)].x, points[i].x);
+            EXPECT_EQ(frame.drawing().points[static_cast<std::int64_t>(i)].y, points[i].y);
+        }
+    }
+}
+
 // A torus seen from the side: its inner contour ends at cusps, in a point.
 class TaperedAtCusps : public LineStrokes {
 protected:

@@ -2,7 +2,6 @@
 #include "frame/lines/line_frame.h"
 
 #include "base/clock.h"
-#include "frame/lines/traced_lines.h"
 #include "visibility/hidden_by.h"
 
 #include <glm/matrix.hpp>
@@ -36,6 +35,13 @@ base::Array<LineFamily> families(base::Memory& memory, std::span<const visibilit
 
 } // namespace
 
+LineFrame::Found LineFrame::find(const Scene& scene, std::span<const Item> items, drawing::Drawing& drawing) {
+    auto traced = std::make_unique<TracedLines>(runtime_, scene, items, contours_, drawing);
+    visibility::Invisibility seen =
+        visibility::find_invisibility(runtime_, traced->subjects(), traced->occluders(), {}, base::Progress());
+    return {std::move(traced), std::move(seen)};
+}
+
 const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> items, drawing::Drawing& drawing) {
     strokes_.strokes.clear();
     strokes_.points.clear();
@@ -43,9 +49,17 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const base::Stopwatch watch;
     const Optics optics = make_optics(scene.camera);
     drawing.from_window = glm::inverse(optics.window * scene.camera.view);
-    TracedLines traced(runtime_, scene, items, drawing);
-    visibility::Invisibility found =
-        visibility::find_invisibility(runtime_, traced.subjects(), traced.occluders(), {}, base::Progress());
+    contours_.begin_frame();
+    const std::int64_t layers = drawing.layers.size();
+    Found all = find(scene, items, drawing);
+    // Contours that are whole may still be too coarse, or doubled, where they began with those of the last frame.
+    if (all.seen.report.settled > 0 && contours_.are_from_last()) {
+        contours_.forget();
+        drawing.layers.resize(layers);
+        all = find(scene, items, drawing);
+    }
+    const TracedLines& traced = *all.traced;
+    visibility::Invisibility& found = all.seen;
     visibility::find_hidden_by(runtime_, found.subjects.span(), traced.occluders(), found, base::Progress());
     count(found, traced, drawing.line_counts);
     const visibility::Lengths lengths(runtime_.memory, found.lines);

@@ -3,11 +3,14 @@
 #pragma once
 
 #include "base/runtime.h"
+#include "frame/lines/last_contours.h"
 #include "frame/lines/line_numbers.h"
+#include "frame/lines/traced_lines.h"
 #include "frame/scene/line_strokes.h"
 #include "frame/scene/scene.h"
 #include "visibility/invisibility.h"
 
+#include <memory>
 #include <span>
 
 namespace hrbfnpr::frame {
@@ -15,15 +18,22 @@ namespace hrbfnpr::frame {
 class LineFrame {
 public:
     explicit LineFrame(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), strokes_(runtime.memory), numbers_(runtime.memory) {}
+        : runtime_(runtime), strokes_(runtime.memory), contours_(runtime.memory), numbers_(runtime.memory) {}
 
     // Of the items that have lines and styles for them; adds their layers, and what was found, to the drawing.
     // All items with lines hide each other's.  Throws Error{callback, out_of_memory}.
     const LineStrokes& run(const Scene& scene, std::span<const Item> items, drawing::Drawing& drawing);
 
 private:
+    struct Found {
+        std::unique_ptr<TracedLines> traced;
+        visibility::Invisibility seen;
+    };
+    [[nodiscard]] Found find(const Scene& scene, std::span<const Item> items, drawing::Drawing& drawing);
+
     const base::Runtime& runtime_;
     LineStrokes strokes_;
+    LastContours contours_;
     LineNumbers numbers_;
 };
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame/lines/traced_lines.h"
 
-#include "curves/cusps.h"
-#include "curves/trace.h"
-
 #include <glm/matrix.hpp>
 
 #include <cstring>
@@ -45,10 +42,10 @@ glm::dvec4 towards_light(const Scene& scene, const Item& item) {
 } // namespace
 
 TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
-                         drawing::Drawing& drawing)
-    : runtime_(runtime), sources_(runtime.memory), kept_(runtime.memory), subjects_(runtime.memory),
-      occluders_(runtime.memory), items_(runtime.memory), styles_(runtime.memory), contours_of_(runtime.memory),
-      borders_of_(runtime.memory) {
+                         LastContours& last, drawing::Drawing& drawing)
+    : runtime_(runtime), last_(last), sources_(runtime.memory), levels_(runtime.memory), lines_(runtime.memory),
+      subjects_(runtime.memory), occluders_(runtime.memory), items_(runtime.memory), styles_(runtime.memory),
+      contours_of_(runtime.memory), borders_of_(runtime.memory) {
     for (const Item& item : items) {
         if (item.lines == nullptr) continue;
         const Source source{&item, view_of(scene, item), static_cast<std::int32_t>(occluders_.size()),
@@ -78,9 +75,9 @@ TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::
     }
 }
 
-visibility::Subject& TracedLines::add_subject(const Source& source, const Kept& kept) {
+visibility::Subject& TracedLines::add_subject(const Source& source, const curves::Curves& curves) {
     visibility::Subject subject;
-    subject.curves = &kept.lines.curves;
+    subject.curves = &curves;
     subject.view = source.view;
     subject.side = source.item->lines->mesh().side;
     subject.to_world = source.item->transform;
@@ -91,15 +88,13 @@ visibility::Subject& TracedLines::add_subject(const Source& source, const Kept& 
 }
 
 void TracedLines::trace_contours(const Source& source) {
-    Kept& kept = *kept_.add(std::make_unique<Kept>(runtime_.memory, *source.item, source.view));
-    curves::TraceReport report;
-    const curves::Curves curves =
-        curves::trace(runtime_, kept.level, source.item->lines->mesh(), {}, report, base::Progress());
-    kept.lines.curves =
-        curves::with_cusps(runtime_, kept.level, source.view, curves, report.evaluations, base::Progress());
-    broken_ += report.broken + report.missed;
+    const curves::LineSet& lines = *source.item->lines;
+    const curves::ContourLevel& level =
+        *levels_.add(std::make_unique<curves::ContourLevel>(lines.surface(), source.view));
+    const Contours& contours = last_.find(runtime_, lines, items_[source.number], level, source.view);
+    broken_ += contours.broken;
     contours_of_.push_back(static_cast<std::int32_t>(subjects_.size()));
-    add_subject(source, kept).level = &kept.level;
+    add_subject(source, contours.with_cusps).level = &level;
 }
 
 // Whatever is drawn: what lies behind it depends on where the surface ends.
@@ -119,16 +114,16 @@ void TracedLines::add_lines(const Source& source, const curves::SurfaceLines& li
         if (!outside && sheets == 0 && style->hidden == HiddenParts::none &&
             source.item->lines->border().curves.count() == 0)
             continue;
-        Kept& kept = *kept_.add(std::make_unique<Kept>(runtime_.memory, *source.item, source.view));
-        kept.lines = curves::facing_parts(runtime_.memory, lines, source.view, outside);
-        visibility::Subject& subject = add_subject(source, kept);
+        const curves::SurfaceLines& parts = *lines_.add(
+            std::make_unique<curves::SurfaceLines>(curves::facing_parts(runtime_.memory, lines, source.view, outside)));
+        visibility::Subject& subject = add_subject(source, parts.curves);
         subject.sheets = sheets;
         const auto number = static_cast<std::int32_t>(subjects_.size() - 1);
         if (style == nullptr) continue;
         if (style->kind == LineKind::own) subject.clear = clear_of_own;
         const curves::Thresholds by = curves::thresholds_of(style->kind, {style->lower, style->upper});
-        styles_.push_back({style, number, layer, kept.lines.strength.data(), static_cast<float>(by.lower),
-                           static_cast<float>(by.upper)});
+        styles_.push_back(
+            {style, number, layer, parts.strength.data(), static_cast<float>(by.lower), static_cast<float>(by.upper)});
     }
 }
 

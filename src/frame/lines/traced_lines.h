@@ -2,8 +2,8 @@
 // All lines of a drawing's items, traced for its camera, and the styles that they are drawn in.
 #pragma once
 
-#include "curves/contour_level.h"
 #include "curves/line_set.h"
+#include "frame/lines/last_contours.h"
 #include "frame/lines/stroke_parts.h"
 #include "visibility/subject.h"
 
@@ -14,7 +14,7 @@ namespace hrbfnpr::frame {
 class TracedLines {
 public:
     // Adds a layer to the drawing for each style of lines.
-    TracedLines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
+    TracedLines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items, LastContours& last,
                 drawing::Drawing& drawing);
 
     [[nodiscard]] std::span<const visibility::Subject> subjects() const noexcept { return subjects_.span(); }
@@ -26,13 +26,6 @@ public:
     [[nodiscard]] std::int64_t broken() const noexcept { return broken_; }
 
 private:
-    // What subjects refer to, in a place of its own.
-    struct Kept {
-        Kept(base::Memory& memory, const Item& item, const curves::View& view)
-            : level(item.lines->surface(), view), lines(memory) {}
-        curves::ContourLevel level;
-        curves::SurfaceLines lines;
-    };
     // An item that has lines.
     struct Source {
         const Item* item;
@@ -49,11 +42,14 @@ private:
     // Lines on the surface, cut where they turn away from the eye; `sheets` as of a Subject.
     void add_lines(const Source& source, const curves::SurfaceLines& lines, const LineStyle* style, std::uint32_t layer,
                    std::int32_t sheets);
-    visibility::Subject& add_subject(const Source& source, const Kept& kept);
+    visibility::Subject& add_subject(const Source& source, const curves::Curves& curves);
 
     const base::Runtime& runtime_;
+    LastContours& last_;
     base::Array<Source> sources_;
-    base::List<std::unique_ptr<Kept>> kept_;
+    // What subjects refer to, each in a place of its own.
+    base::List<std::unique_ptr<curves::ContourLevel>> levels_;
+    base::List<std::unique_ptr<curves::SurfaceLines>> lines_;
     base::Array<visibility::Subject> subjects_;
     base::Array<visibility::Occluder> occluders_;
     base::Array<std::int32_t> items_;

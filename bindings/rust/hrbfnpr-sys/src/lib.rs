@@ -2268,6 +2268,9 @@ extern "C" {
     pub fn hrbfnpr_item_init(item: *mut hrbfnpr_item, struct_size: u32) -> hrbfnpr_status;
     /// Classifies, shades and orders the marks of a list of items for one camera.
     /// Styles of one drawing must have the same paper and visibility.
+    /// Contours of line sets begin with those of the renderer's last drawing where the
+    /// camera moved little, and are proven complete again: in their last digits, and by
+    /// `wobble`, a picture of lines depends on the drawings before it.
     /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CALLBACK.
     pub fn hrbfnpr_renderer_draw(
         renderer: *mut hrbfnpr_renderer,

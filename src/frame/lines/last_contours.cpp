@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "frame/lines/last_contours.h"
+
+#include "curves/cusps.h"
+#include "curves/trace.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hrbfnpr::frame {
+namespace {
+
+// In the mesh's sides: points that move by more are not begun with; and of so many, none is.
+constexpr double farthest = 1.0;
+constexpr double most_left_out = 0.1;
+
+void trace(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const curves::ContourLevel& level,
+           const curves::Curves* near, Contours& contours) {
+    curves::TraceReport report;
+    contours.traced = curves::trace(runtime, level, mesh, {}, report, base::Progress(), near);
+    contours.from_last = near != nullptr;
+    contours.broken = report.broken + report.missed;
+}
+
+// From the last ones if all of them go on.
+void trace_on(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const curves::ContourLevel& level,
+              const curves::Curves& last, Contours& contours) {
+    const curves::Curves moved = level.moved(runtime.memory, last, farthest * mesh.side);
+    const bool little = !moved.point.empty() && static_cast<double>(moved.point.size()) >=
+                                                    (1.0 - most_left_out) * static_cast<double>(last.point.size());
+    if (little) trace(runtime, mesh, level, &moved, contours);
+    if (!little || contours.broken > 0) trace(runtime, mesh, level, nullptr, contours);
+}
+
+} // namespace
+
+bool LastContours::are_from_last() const noexcept {
+    return std::any_of(now_.begin(), now_.end(), [](const auto& contours) { return contours->from_last; });
+}
+
+void LastContours::begin_frame() noexcept {
+    std::swap(last_, now_);
+    now_.clear();
+}
+
+std::unique_ptr<Contours> LastContours::take(const curves::LineSet& lines, std::int64_t item) noexcept {
+    for (std::unique_ptr<Contours>& known : last_)
+        if (known != nullptr && known->item == item && known->set == lines.identity()) return std::move(known);
+    return nullptr;
+}
+
+const Contours& LastContours::find(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
+                                   const curves::ContourLevel& level, const curves::View& view) {
+    std::unique_ptr<Contours> last = take(lines, item);
+    if (last != nullptr && last->eye == view.eye) return *now_.add(std::move(last));
+    auto contours = std::make_unique<Contours>(runtime.memory);
+    contours->set = lines.identity();
+    contours->item = item;
+    contours->eye = view.eye;
+    if (last != nullptr)
+        trace_on(runtime, lines.mesh(), level, last->traced, *contours);
+    else
+        trace(runtime, lines.mesh(), level, nullptr, *contours);
+    std::int64_t evaluations = 0;
+    contours->with_cusps = curves::with_cusps(runtime, level, view, contours->traced, evaluations, base::Progress());
+    return *now_.add(std::move(contours));
+}
+
+} // namespace hrbfnpr::frame
