@@ -812,7 +812,10 @@ enum {
     HRBFNPR_LAYER_KIND_PRINCIPAL = 2, /* strokes along the principal directions, d1 (the first) and d2 (the second) */
     HRBFNPR_LAYER_KIND_COMBING = 3,   /* strokes along Stark's two directions, r (the first), u (the second) [NPAR 5.3] */
     HRBFNPR_LAYER_KIND_FIELD = 4,     /* strokes along the caller's field of directions, and across it */
-    HRBFNPR_LAYER_KIND_OWN = 5        /* the caller's marks or strokes */
+    HRBFNPR_LAYER_KIND_OWN = 5,       /* the caller's marks or strokes */
+    HRBFNPR_LAYER_KIND_HATCH = 6      /* evenly spaced lines along one smooth field of directions, nested: the level of
+                                         a line's marks is 0 for the coarsest lines, and those of each further level
+                                         lie midway between all before [Knoeppel et al. 2015] */
 };
 
 enum {
@@ -900,8 +903,9 @@ enum {
  * hrbfnpr_generate_desc.tone_ranges says. */
 typedef struct hrbfnpr_layer_desc {
     uint32_t struct_size;
-    uint32_t kind;       /* HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING or FIELD; STIPPLES */
-    const char* name;    /* UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field" */
+    uint32_t kind;       /* HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING, FIELD or HATCH; STIPPLES */
+    const char* name;    /* UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field",
+                            "hatch" */
     int64_t budget;      /* the most marks, of both directions together; at most 100000000 for BLUE_NOISE; 40000.
                             0 = no limit, for PUBLISHED and for strokes with a separation.  PUBLISHED thins the
                             level that exceeds it at random and stops there; BLUE_NOISE leaves out the last
@@ -937,6 +941,15 @@ typedef struct hrbfnpr_layer_desc {
     int32_t start_level; /* with STROKE_START_STIPPLES: the last stippling level used; 0 */
     int32_t levels;      /* refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have
                             3^levels marks; -1 */
+
+    /* HATCH, with BLUE_NOISE.  separation is that of all lines together, or 0 for as many as make about the budget's
+     * marks; a step of 0 is 0.4 of it.  Lines follow direction_function where that is given, else the direction in
+     * which the surface bends most. */
+    double angle;            /* by which lines are turned in the tangent plane, counter-clockwise as seen from outside;
+                                degrees; 0 */
+    double smoothing;        /* of directions, over so long a way: diagonals, > 0, 1 at most; 0.04 */
+    double axis[3];          /* where curvature says little lines run around this; not 0; (0, 1, 0) */
+    double axis_weight;      /* against curvature; >= 0; 0.06 */
 } hrbfnpr_layer_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);

@@ -151,7 +151,8 @@ hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* d
     hrbfnpr_model** out_model, hrbfnpr_error* error);
 typedef struct hrbfnpr_point_set hrbfnpr_point_set;
 enum { HRBFNPR_LAYER_KIND_ANY = 0, HRBFNPR_LAYER_KIND_STIPPLES = 1, HRBFNPR_LAYER_KIND_PRINCIPAL = 2,
-    HRBFNPR_LAYER_KIND_COMBING = 3, HRBFNPR_LAYER_KIND_FIELD = 4, HRBFNPR_LAYER_KIND_OWN = 5 };
+    HRBFNPR_LAYER_KIND_COMBING = 3, HRBFNPR_LAYER_KIND_FIELD = 4, HRBFNPR_LAYER_KIND_OWN = 5,
+    HRBFNPR_LAYER_KIND_HATCH = 6 };
 enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
 enum { HRBFNPR_SYMMETRY_LINE = 0, HRBFNPR_SYMMETRY_CROSS = 1 };
 enum { HRBFNPR_SEED_AUTO = 0, HRBFNPR_SEED_SAMPLES = 1, HRBFNPR_SEED_BOX = 2, HRBFNPR_SEED_POINTS = 3 };
@@ -167,7 +168,8 @@ typedef struct hrbfnpr_layer_desc { uint32_t struct_size; uint32_t kind; const c
     float tone_begin; float tone_end; float second_tone_begin; float second_tone_end; uint32_t flags; uint32_t density;
     double density_strength; hrbfnpr_density_fn density_function; void* density_user; double separation; double step;
     double length; hrbfnpr_direction_fn direction_function; void* direction_user; uint32_t symmetry; uint32_t start;
-    int32_t start_level; int32_t levels; } hrbfnpr_layer_desc;
+    int32_t start_level; int32_t levels; double angle; double smoothing; double axis[3]; double axis_weight;
+    } hrbfnpr_layer_desc;
 hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t distribution; const hrbfnpr_layer_desc* layers;
     int64_t layer_count; int64_t layer_stride; int64_t shared_budget; uint32_t tone_ranges; uint32_t seed_source;

@@ -12,6 +12,8 @@
 #include "api/point_set.h"
 #include "api/views.h"
 
+#include <numbers>
+
 using namespace hrbfnpr;
 
 static_assert(static_cast<int>(marks::Distribution::blue_noise) == HRBFNPR_DISTRIBUTION_BLUE_NOISE);
@@ -70,6 +72,13 @@ constexpr auto direction_fields() noexcept {
     return FieldTable{field("direction_function", &Layer::direction_function, &To::function, rule::Any{}),
                       field("direction_user", &Layer::direction_user, &To::user, rule::Any{})};
 }
+constexpr auto hatch_fields() noexcept {
+    using To = hatching::FieldSettings;
+    return FieldTable{field("angle", &Layer::angle, rule::Between{-360.0, 360.0}),
+                      field("smoothing", &Layer::smoothing, &To::smoothing, rule::Between{1e-6, 1.0}),
+                      field("axis", &Layer::axis, rule::Any{}),
+                      field("axis_weight", &Layer::axis_weight, &To::axis_weight, rule::Between{0.0, 1e3})};
+}
 constexpr auto published_fields() noexcept {
     using To = published::Settings;
     return FieldTable{
@@ -79,7 +88,7 @@ constexpr auto published_fields() noexcept {
         field("levels", &Layer::levels, &To::levels, rule::Between{-1.0, marks::most_levels})};
 }
 static_assert(sizeof(void*) != 8 || layer_fields().bytes + density_fields().bytes + stroke_fields().bytes +
-                                            direction_fields().bytes + published_fields().bytes +
+                                            direction_fields().bytes + published_fields().bytes + hatch_fields().bytes +
                                             sizeof(Layer::struct_size) ==
                                         sizeof(Layer));
 
@@ -120,6 +129,8 @@ hrbfnpr_layer_desc defaults() noexcept {
     density_fields().set_defaults(settings.density, desc);
     stroke_fields().set_defaults(settings.strokes, desc);
     published_fields().set_defaults(settings.published, desc);
+    hatch_fields().set_defaults(settings.hatching.field, desc);
+    for (int c = 0; c < 3; ++c) desc.axis[c] = settings.hatching.field.axis[c];
     return desc;
 }
 
@@ -141,15 +152,26 @@ marks::TonePart checked_part(const char* owner, const char* field, float begin, 
     return {static_cast<double>(begin), static_cast<double>(end)};
 }
 
+glm::dvec3 checked_axis(const hrbfnpr_layer_desc& desc, const char* owner) {
+    const glm::dvec3 axis(desc.axis[0], desc.axis[1], desc.axis[2]);
+    const double length = glm::length(axis);
+    if (!(length > 1e-150 && length < 1e150))
+        fail(Status::invalid_argument, "%s.axis is (%g, %g, %g); it must have a direction", owner, axis.x, axis.y,
+             axis.z);
+    return axis / length;
+}
+
 void check(const hrbfnpr_layer_desc& desc, const char* owner) {
-    if (desc.kind < HRBFNPR_LAYER_KIND_STIPPLES || desc.kind > HRBFNPR_LAYER_KIND_FIELD)
+    if (desc.kind < HRBFNPR_LAYER_KIND_STIPPLES || desc.kind > HRBFNPR_LAYER_KIND_HATCH ||
+        desc.kind == HRBFNPR_LAYER_KIND_OWN)
         fail(Status::invalid_argument,
-             "%s.kind is %u; it must be HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING or FIELD (1 to 4)", owner,
-             desc.kind);
+             "%s.kind is %u; it must be HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING, FIELD (1 to 4) or HATCH (6)",
+             owner, desc.kind);
     layer_fields().check(owner, desc);
     density_fields().check(owner, desc);
     stroke_fields().check(owner, desc);
     published_fields().check(owner, desc);
+    hatch_fields().check(owner, desc);
     const Checks checks(owner);
     if (desc.density == HRBFNPR_DENSITY_CALLBACK) checks.given("density_function", desc.density_function != nullptr);
     if (desc.kind == HRBFNPR_LAYER_KIND_FIELD) checks.given("direction_function", desc.direction_function != nullptr);
@@ -163,6 +185,9 @@ generate::LayerSettings checked(const hrbfnpr_layer_desc& desc, const char* owne
     stroke_fields().copy(desc, settings.strokes);
     direction_fields().copy(desc, settings.strokes.direction);
     published_fields().copy(desc, settings.published);
+    hatch_fields().copy(desc, settings.hatching.field);
+    settings.hatching.angle = desc.angle * std::numbers::pi / 180.0;
+    settings.hatching.field.axis = checked_axis(desc, owner);
     settings.name = checked_name(desc.name, owner);
     settings.with_curvature = (desc.flags & HRBFNPR_LAYER_WITH_CURVATURE) != 0;
     settings.part = {checked_part(owner, "tone_", desc.tone_begin, desc.tone_end),

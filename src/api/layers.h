@@ -14,6 +14,7 @@ static_assert(static_cast<int>(hrbfnpr::marks::Kind::principal) == HRBFNPR_LAYER
 static_assert(static_cast<int>(hrbfnpr::marks::Kind::combing) == HRBFNPR_LAYER_KIND_COMBING);
 static_assert(static_cast<int>(hrbfnpr::marks::Kind::field) == HRBFNPR_LAYER_KIND_FIELD);
 static_assert(static_cast<int>(hrbfnpr::marks::Kind::own) == HRBFNPR_LAYER_KIND_OWN);
+static_assert(static_cast<int>(hrbfnpr::marks::Kind::hatch) == HRBFNPR_LAYER_KIND_HATCH);
 
 namespace hrbfnpr::api {
 

@@ -22,7 +22,8 @@ enum class Purpose : std::uint32_t {
     candidate_order = 7,
     probe = 8,
     layer = 9,
-    wobble = 10
+    wobble = 10,
+    stripes = 11
 };
 
 using Philox = std::array<std::uint32_t, 4>;

@@ -4,6 +4,7 @@
 #include "base/clock.h"
 #include "generate/in_unit.h"
 #include "generate/make_seeds.h"
+#include "hatching/hatching.h"
 #include "marks/assemble.h"
 #include "marks/cluster_marks.h"
 #include "published/growth.h"
@@ -51,6 +52,7 @@ private:
     void blue_noise();
     void blue_noise_stipples(const stipples::SurfaceCells& cells, Growing& layer);
     void blue_noise_strokes(const stipples::SurfaceCells& cells, Growing& layer);
+    void hatch(const stipples::SurfaceCells& cells, Growing& layer);
     void require_some() const;
     void finish();
 
@@ -196,13 +198,32 @@ void Generation::blue_noise_strokes(const stipples::SurfaceCells& cells, Growing
     report.seconds = watch.seconds();
 }
 
+void Generation::hatch(const stipples::SurfaceCells& cells, Growing& layer) {
+    const base::Stopwatch watch;
+    hatching::Settings settings = layer.settings.hatching;
+    settings.layer = layer.place;
+    settings.budget = layer.settings.budget;
+    settings.separation = layer.settings.strokes.separation;
+    settings.step = layer.settings.strokes.step;
+    settings.direction = layer.settings.strokes.direction;
+    settings.field.diagonal = layer.site.implicit.diagonal();
+    // All layers of hatching share the field, and waves that begin alike.
+    marks::Site site = layer.site;
+    site.random_seed = site_.random_seed;
+    area_ =
+        std::max(area_, hatching::lay_lines(site, cells, settings, layer.marks, report_of(layer), progress_of(layer)));
+    report_of(layer).seconds = watch.seconds();
+}
+
 void Generation::blue_noise() {
     std::int64_t most = 1;
     for (const LayerSettings& layer : settings_.layers) most = std::max(most, spread_marks(layer));
     const stipples::SurfaceCells cells =
         stipples::cover_surface(site_, seeds_, samples_.spacing, most, progress_.part(0.1, 0.2));
     for (Growing& layer : growing_) {
-        if (layer.settings.has_strokes())
+        if (layer.settings.kind == marks::Kind::hatch)
+            hatch(cells, layer);
+        else if (layer.settings.has_strokes())
             blue_noise_strokes(cells, layer);
         else
             blue_noise_stipples(cells, layer);

@@ -67,6 +67,15 @@ const LayerSettings* first_stipples(const Settings& settings) noexcept {
     return nullptr;
 }
 
+void check_kinds(const Settings& settings) {
+    for (std::size_t i = 0; i < settings.layers.size(); ++i)
+        if (settings.layers[i].kind == marks::Kind::hatch && settings.distribution == marks::Distribution::published)
+            fail(Status::invalid_argument,
+                 "generate_desc.layers[%zu].kind is HATCH, which the PUBLISHED distribution does not make; use "
+                 "BLUE_NOISE",
+                 i);
+}
+
 void check_starts(const Settings& settings) {
     const LayerSettings* const stipples = first_stipples(settings);
     for (std::size_t i = 0; i < settings.layers.size(); ++i) {
@@ -97,6 +106,7 @@ Settings completed(Settings settings) {
     }
     fill_parts(settings);
     share_budget(settings);
+    check_kinds(settings);
     check_budgets(settings);
     check_starts(settings);
     return settings;

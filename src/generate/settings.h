@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/view.h"
+#include "hatching/hatching.h"
 #include "marks/point_set.h"
 #include "marks/tone_part.h"
 #include "published/growth.h"
@@ -27,6 +28,7 @@ struct LayerSettings {
                                         marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
     stipples::DensitySettings density;
     strokes::Settings strokes;
+    hatching::Settings hatching; // separation, step and direction as of `strokes`
     published::Settings published;
 
     [[nodiscard]] bool has_strokes() const noexcept { return kind != marks::Kind::stipples; }

@@ -29,6 +29,7 @@ FLOORS = {
     "frame/published": 9,
     "frame/scene": 8,
     "generate": 8,
+    "hatching": 7,
     "strokes": 7,
     "drawing": 6,
     "io": 6,

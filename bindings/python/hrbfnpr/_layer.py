@@ -49,9 +49,10 @@ class Layer:
 
     Attributes
     ----------
-    kind : {"stipples", "principal", "combing", "field"}
+    kind : {"stipples", "principal", "combing", "field", "hatch"}
         Scattered marks, or strokes along the principal directions, along Stark's two directions
-        [NPAR 5.3], or along `direction` and across it.
+        [NPAR 5.3], or along `direction` and across it; or evenly spaced, nested lines along one smooth
+        field of directions.
     name : str, optional
         As styles and `PointSet.layer` call it; the kind if None.
     budget : int, optional
@@ -69,13 +70,13 @@ class Layer:
         0 to 1: of "curvature".
     separation : float
         Mean distance of neighbouring "blue_noise" strokes of one direction, in the unit of the model; 0 =
-        such that all have as many marks as the budget.
+        such that all have as many marks as the budget.  Of "hatch": that of all its lines.
     step : float
-        Distance of the marks of such a stroke; 0 = a fifth of the separation.
+        Distance of the marks of such a stroke; 0 = a fifth of the separation, of "hatch" 0.4 of it.
     length : float
         The longest such stroke; 0 = no limit.
     direction : callable, optional
-        For "field".  It gets positions and unit normals, shape (n, 3) each, and returns directions of the
+        For "field", and for "hatch" in place of curvature.  It gets positions and unit normals, shape (n, 3) each, and returns directions of the
         same shape: their sign and length count nothing, 0 0 0 is none.
     symmetry : {"cross", "line"}
         Whether such strokes go straight on where the two directions change places, or turn.
@@ -86,6 +87,14 @@ class Layer:
     levels : int, optional
         Refinement steps of the distribution "published", 0 to 12; by default 4 for stipples and 3 for
         strokes, which have 3^levels marks.
+    angle : float
+        Degrees by which lines of "hatch" are turned in the tangent plane, counter-clockwise from outside.
+    smoothing : float
+        Over so long a way directions of "hatch" are smoothed; in diagonals of the model, 1 at most.
+    axis : (x, y, z)
+        Where curvature says little lines of "hatch" run around this.
+    axis_weight : float
+        How much that counts against curvature.
 
     Examples
     --------
@@ -109,6 +118,10 @@ class Layer:
     start: str = "seeds"
     start_level: int = 0
     levels: Optional[int] = None
+    angle: float = 0.0
+    smoothing: float = 0.04
+    axis: Tuple[float, float, float] = (0.0, 1.0, 0.0)
+    axis_weight: float = 0.06
 
     def _budget(self, default: int, distribution: int) -> int:
         if self.budget is not None:
@@ -131,6 +144,8 @@ class Layer:
         desc.start, desc.start_level = number_of("start", STROKE_STARTS, self.start), self.start_level
         if self.levels is not None:
             desc.levels = self.levels
+        desc.angle, desc.smoothing, desc.axis_weight = self.angle, self.smoothing, self.axis_weight
+        desc.axis = self.axis
         states: List[Optional[CallbackState]] = []
         keep = [c_name(desc, self.name)]
 
@@ -158,7 +173,8 @@ _OF_KINDS: Dict[str, Tuple[str, ...]] = {
     **{name: ("stipples",) for name in ("density", "density_strength")},
     **{name: STROKE_KINDS for name in ("second_tone", "separation", "step", "length", "symmetry")},
     **{name: STROKE_KINDS for name in ("start", "start_level")},
-    "direction": ("field",),
+    "direction": ("field", "hatch"),
+    **{name: ("hatch",) for name in ("angle", "smoothing", "axis", "axis_weight")},
 }
 
 

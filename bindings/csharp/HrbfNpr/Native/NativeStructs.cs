@@ -186,6 +186,10 @@ namespace HrbfNpr
         internal uint start;
         internal int start_level;
         internal int levels;
+        internal double angle;
+        internal double smoothing;
+        internal fixed double axis[3];
+        internal double axis_weight;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_generate_desc")]

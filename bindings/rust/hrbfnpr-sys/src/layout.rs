@@ -284,7 +284,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer_desc>() == either(128, 112, 108));
+    assert!(size_of::<hrbfnpr_layer_desc>() == either(176, 160, 156));
     assert!(align_of::<hrbfnpr_layer_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -312,6 +312,10 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_layer_desc, start) == either(116, 100, 96));
     assert!(offset_of!(hrbfnpr_layer_desc, start_level) == either(120, 104, 100));
     assert!(offset_of!(hrbfnpr_layer_desc, levels) == either(124, 108, 104));
+    assert!(offset_of!(hrbfnpr_layer_desc, angle) == either(128, 112, 108));
+    assert!(offset_of!(hrbfnpr_layer_desc, smoothing) == either(136, 120, 116));
+    assert!(offset_of!(hrbfnpr_layer_desc, axis) == either(144, 128, 124));
+    assert!(offset_of!(hrbfnpr_layer_desc, axis_weight) == either(168, 152, 148));
 };
 
 const _: () = {

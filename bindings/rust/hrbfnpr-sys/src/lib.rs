@@ -1114,6 +1114,10 @@ pub const HRBFNPR_LAYER_KIND_COMBING: u32 = 3;
 pub const HRBFNPR_LAYER_KIND_FIELD: u32 = 4;
 /// the caller's marks or strokes
 pub const HRBFNPR_LAYER_KIND_OWN: u32 = 5;
+/// evenly spaced lines along one smooth field of directions, nested: the level of a line's
+/// marks is 0 for the coarsest lines, and those of each further level lie midway between all
+/// before [Knoeppel et al. 2015]
+pub const HRBFNPR_LAYER_KIND_HATCH: u32 = 6;
 
 /// Stipples evenly spread over the area in a progressive order, each prefix
 /// of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
@@ -1214,9 +1218,9 @@ pub const HRBFNPR_LAYER_WITH_CURVATURE: u32 = 1;
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_layer_desc {
     pub struct_size: u32,
-    /// HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING or FIELD; STIPPLES
+    /// HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING, FIELD or HATCH; STIPPLES
     pub kind: u32,
-    /// UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field"
+    /// UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field", "hatch"
     pub name: *const c_char,
     /// the most marks, of both directions together; at most 100000000 for BLUE_NOISE; 40000. 0 =
     /// no limit, for PUBLISHED and for strokes with a separation. PUBLISHED thins the level that
@@ -1265,6 +1269,20 @@ pub struct hrbfnpr_layer_desc {
     pub start_level: i32,
     /// refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have 3^levels marks; -1
     pub levels: i32,
+    /// by which lines are turned in the tangent plane, counter-clockwise as seen from outside; degrees; 0
+    ///
+    /// HATCH, with BLUE_NOISE.  separation is that of all lines together, or 0 for as many as
+    /// make about the budget's
+    /// marks; a step of 0 is 0.4 of it.  Lines follow direction_function where that is given,
+    /// else the direction in
+    /// which the surface bends most.
+    pub angle: f64,
+    /// of directions, over so long a way: diagonals, > 0, 1 at most; 0.04
+    pub smoothing: f64,
+    /// where curvature says little lines run around this; not 0; (0, 1, 0)
+    pub axis: [f64; 3],
+    /// against curvature; >= 0; 0.06
+    pub axis_weight: f64,
 }
 
 extern "C" {

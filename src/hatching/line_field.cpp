@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "hatching/line_field.h"
+
+#include "hatching/graph_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::hatching {
+namespace {
+
+// Averages of curvature with the neighbours: each spreads by about half a spacing, so many by some four.
+constexpr int averages = 48;
+// A curvature counts in full where its radius is below this part of the diagonal.
+constexpr double full_radius = 0.05;
+// How strongly lines are pulled to unit length, and how often.
+constexpr double to_unit = 0.2;
+constexpr int pulls = 2;
+
+// The mean of curvatures and their difference as a line.
+struct Bend {
+    double mean = 0.0;
+    Complex difference{0.0};
+};
+
+void average(const base::Runtime& runtime, const SampleGraph& graph, const base::Array<Bend>& from,
+             base::Array<Bend>& to) {
+    runtime.parallel.for_chunks(graph.size(), samples_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            Bend sum = from[i];
+            double count = 1.0;
+            for (const SampleGraph::Link& link : graph.links(i)) {
+                sum.mean += from[link.to].mean;
+                sum.difference += link.back * from[link.to].difference;
+                count += 1.0;
+            }
+            to[i] = {sum.mean / count, sum.difference / count};
+        }
+    });
+}
+
+} // namespace
+
+base::Array<Complex> guide_by_curvature(const base::Runtime& runtime, const SampleGraph& graph,
+                                        const base::Array<surface::Curvature>& curvature,
+                                        const FieldSettings& settings) {
+    base::Array<Bend> bend(runtime.memory, graph.size());
+    base::Array<Bend> next(runtime.memory, graph.size());
+    const double largest = 1.0 / (0.25 * graph.spacing); // what is sharper the samples do not know
+    for (std::int64_t i = 0; i < graph.size(); ++i) {
+        const surface::Curvature& c = curvature[i];
+        const double k1 = std::clamp(c.k1, -largest, largest);
+        const double k2 = std::clamp(c.k2, -largest, largest);
+        bend[i] = {0.5 * (k1 + k2), 0.5 * (k1 - k2) * std::polar(1.0, 2.0 * graph.angle(i, c.d1))};
+    }
+    for (int k = 0; k < averages; ++k) {
+        average(runtime, graph, bend, next);
+        std::swap(bend, next);
+    }
+    base::Array<Complex> guide(runtime.memory, graph.size());
+    for (std::int64_t i = 0; i < graph.size(); ++i) {
+        const double apart = std::abs(bend[i].difference);
+        const double k1 = std::abs(bend[i].mean + apart);
+        const double k2 = std::abs(bend[i].mean - apart);
+        if (!(apart > 0.0)) continue;
+        const double sure =
+            std::pow((k1 - k2) / (k1 + k2), 2.0) * std::min(1.0, full_radius * settings.diagonal * std::max(k1, k2));
+        guide[i] = (k1 >= k2 ? sure : -sure) / apart * bend[i].difference;
+    }
+    return guide;
+}
+
+// As long as it is not along the normal.
+void add_axis(const SampleGraph& graph, const FieldSettings& settings, base::Array<Complex>& guide) {
+    for (std::int64_t i = 0; i < graph.size(); ++i) {
+        const glm::dvec3 around = glm::cross(settings.axis, graph.normal[i]);
+        guide[i] += settings.axis_weight * glm::dot(around, around) * std::polar(1.0, 2.0 * graph.angle(i, around));
+    }
+}
+
+// (L (l / h)^2 / 6 + a) z = a q, then twice with a term that pulls z to unit length.
+base::Array<double> smooth_lines(const base::Runtime& runtime, const SampleGraph& graph,
+                                 const base::Array<Complex>& guide, const FieldSettings& settings,
+                                 const base::Progress& progress) {
+    const double length = settings.smoothing * settings.diagonal / graph.spacing;
+    const double stiffness = length * length / 6.0;
+    base::Array<Complex> z(runtime.memory, graph.size());
+    base::Array<Complex> right(runtime.memory, graph.size());
+    for (int pull = 0; pull <= pulls; ++pull) {
+        const double unit = pull > 0 ? to_unit : 0.0;
+        for (std::int64_t i = 0; i < graph.size(); ++i) {
+            const double size = std::abs(z[i]);
+            right[i] = guide[i] + (size > 0.0 ? unit / size * z[i] : Complex(0.0));
+        }
+        solve(runtime, {}, right, z, progress, [&](std::int64_t i, const base::Array<Complex>& from) {
+            Complex sum = (std::abs(guide[i]) + unit + 1e-6) * from[i];
+            for (const SampleGraph::Link& link : graph.links(i))
+                sum += stiffness * (from[i] - link.back * from[link.to]);
+            return sum;
+        });
+    }
+    base::Array<double> angle(runtime.memory, graph.size());
+    for (std::int64_t i = 0; i < graph.size(); ++i) angle[i] = 0.5 * std::arg(z[i]);
+    return angle;
+}
+
+} // namespace hrbfnpr::hatching

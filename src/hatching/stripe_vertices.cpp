@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "hatching/stripe_vertices.h"
+
+#include "hatching/vertex_links.h"
+
+#include "geometry/point_grid.h"
+#include "geometry/tangent_frame.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace hrbfnpr::hatching {
+namespace {
+
+// In spacings: so far samples have a say.
+constexpr double influence = 2.0;
+// Samples on other sheets: their normals differ by more, or they lie farther beside the tangent plane, in distances.
+constexpr double least_cosine = 0.3;
+constexpr double steepest = 0.6;
+constexpr std::int64_t vertices_a_task = 2048;
+constexpr int averages = 40;
+
+struct Heard {
+    std::int64_t sample;
+    double weight;
+};
+
+class Interpolator {
+public:
+    Interpolator(const LineSamples& samples, const SampleWaves& waves, const geometry::PointGrid& grid,
+                 base::Memory& memory) noexcept
+        : samples_(samples), waves_(waves), grid_(grid), heard_(memory) {}
+
+    void at(const curves::SurfaceMesh& mesh, std::int64_t vertex, StripeVertices& out) {
+        const glm::dvec3 p = mesh.position[vertex];
+        const glm::dvec3 n = glm::normalize(mesh.gradient[vertex]);
+        listen(p, n);
+        const glm::dvec3 along = line(n);
+        if (glm::dot(along, along) == 0.0) return;
+        const glm::dvec3 across = glm::cross(n, along);
+        out.along.set(vertex, along);
+        out.across.set(vertex, across);
+        for (std::int64_t level = 0; level < waves_.levels(); ++level)
+            out.wave[level][vertex] = wave(level, p, along, across);
+    }
+
+private:
+    void listen(const glm::dvec3& p, const glm::dvec3& n) {
+        const SampleGraph& graph = samples_.graph;
+        const double radius = influence * graph.spacing;
+        heard_.clear();
+        sum_ = 0.0;
+        grid_.around(p, [&](std::int64_t at) {
+            const std::int64_t i = grid_.index(at);
+            const glm::dvec3 way = p - graph.position[i];
+            const double squared = glm::dot(way, way);
+            if (!(squared < radius * radius) || !(glm::dot(graph.normal[i], n) > least_cosine)) return;
+            const double height = glm::dot(way, n);
+            if (height * height > steepest * steepest * squared) return;
+            const double rest = 1.0 - squared / (radius * radius);
+            heard_.push_back({i, rest * rest});
+            sum_ += rest * rest;
+        });
+    }
+    // A line has no sign: angles are doubled before they are added.
+    [[nodiscard]] glm::dvec3 line(const glm::dvec3& n) const noexcept {
+        const glm::dvec3 u = geometry::any_perpendicular(n);
+        const glm::dvec3 v = glm::cross(n, u);
+        Complex sum(0.0);
+        for (const Heard& h : heard_) {
+            const glm::dvec3 t = samples_.along[h.sample];
+            const Complex z(glm::dot(t, u), glm::dot(t, v));
+            sum += h.weight * z * z;
+        }
+        if (!(std::abs(sum) > 1e-3 * sum_) || !(sum_ > 0.0)) return glm::dvec3(0.0);
+        const double angle = 0.5 * std::arg(sum);
+        return std::cos(angle) * u + std::sin(angle) * v;
+    }
+    [[nodiscard]] Complex wave(std::int64_t level, const glm::dvec3& p, const glm::dvec3& along,
+                               const glm::dvec3& across) const noexcept {
+        const SampleGraph& graph = samples_.graph;
+        const double frequency = 2.0 * std::numbers::pi / waves_.period_of(level);
+        Complex sum(0.0);
+        for (const Heard& h : heard_) {
+            const glm::dvec3 there = glm::cross(graph.normal[h.sample], samples_.along[h.sample]);
+            const bool other = glm::dot(along, samples_.along[h.sample]) < 0.0;
+            const glm::dvec3 mean = 0.5 * (across + (other ? -there : there));
+            sum += h.weight * seen(waves_.phases[level][h.sample], other) *
+                   std::polar(1.0, frequency * glm::dot(p - graph.position[h.sample], mean));
+        }
+        return sum / sum_;
+    }
+
+    const LineSamples& samples_;
+    const SampleWaves& waves_;
+    const geometry::PointGrid& grid_;
+    base::Array<Heard> heard_;
+    double sum_ = 0.0;
+};
+
+} // namespace
+
+StripeVertices::StripeVertices(const base::Runtime& runtime, const LineSamples& samples, const SampleWaves& waves,
+                               const curves::SurfaceMesh& mesh, const base::Progress& progress)
+    : position(mesh.position), across(runtime.memory, mesh.vertices()), along(runtime.memory, mesh.vertices()),
+      wave(runtime.memory) {
+    for (std::int64_t level = 0; level < waves.levels(); ++level) wave.add(runtime.memory, mesh.vertices());
+    const geometry::PointGrid grid(samples.graph.position, influence * samples.graph.spacing);
+    runtime.parallel.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        Interpolator interpolator(samples, waves, grid, runtime.memory);
+        for (std::int64_t v = begin; v < end; ++v) interpolator.at(mesh, v, *this);
+    });
+}
+
+namespace {
+
+// What the neighbours of a vertex say of its wave.
+struct MeshWaves {
+    MeshWaves(const base::Runtime& runtime, const StripeVertices& vertices, const VertexLinks& its_links, double period)
+        : links(its_links), factor(runtime.memory, its_links.to.size()), turned(runtime.memory, its_links.to.size()) {
+        runtime.parallel.for_chunks(links.first.size() - 1, vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t v = begin; v < end; ++v)
+                for (std::int64_t k = links.first[v]; k < links.first[v + 1]; ++k) {
+                    const bool other = vertices.turned(static_cast<std::int32_t>(v), links.to[k]);
+                    turned[k] = other ? 1 : 0;
+                    factor[k] =
+                        std::polar(1.0, -vertices.growth(static_cast<std::int32_t>(v), links.to[k], other, period));
+                }
+        });
+    }
+    // 1 where all of them agree.
+    [[nodiscard]] Complex mean(std::int64_t v, const base::Array<Complex>& z) const noexcept {
+        Complex sum = z[v];
+        for (std::int64_t k = links.first[v]; k < links.first[v + 1]; ++k)
+            sum += factor[k] * seen(z[links.to[k]], turned[k] != 0);
+        return sum / static_cast<double>(1 + links.first[v + 1] - links.first[v]);
+    }
+
+    const VertexLinks& links;
+    base::Array<Complex> factor;
+    base::Array<std::uint8_t> turned;
+};
+
+Complex unit(const Complex& z) noexcept {
+    const double size = std::abs(z);
+    return size > 0.0 ? z / size : z;
+}
+
+} // namespace
+
+void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, double period, int halvings,
+                            const base::Progress& progress) {
+    const VertexLinks links(runtime.memory, mesh);
+    base::Array<Complex> next(runtime.memory, mesh.vertices());
+    for (int halving = 1; halving <= halvings; ++halving) {
+        const MeshWaves waves(runtime, *this, links, std::ldexp(period, -halving));
+        base::Array<Complex> z(runtime.memory, mesh.vertices());
+        const base::Array<Complex>& before = wave[wave.size() - 1];
+        for (std::int64_t v = 0; v < z.size(); ++v) z[v] = unit(before[v] * before[v]);
+        for (int round = 0; round <= averages; ++round) {
+            progress.check();
+            runtime.parallel.for_chunks(z.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
+                for (std::int64_t v = begin; v < end; ++v) {
+                    const Complex mean = waves.mean(v, z);
+                    next[v] = round < averages ? unit(mean) : mean;
+                }
+            });
+            std::swap(next, z);
+        }
+        wave.add(std::move(z));
+    }
+}
+
+double StripeVertices::growth(std::int32_t a, std::int32_t b, bool is_turned, double period) const noexcept {
+    const glm::dvec3 there = across[b];
+    const glm::dvec3 mean = 0.5 * (across[a] + (is_turned ? -there : there));
+    return 2.0 * std::numbers::pi / period * glm::dot(position[b] - position[a], mean);
+}
+
+} // namespace hrbfnpr::hatching

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// Evenly spaced, nested lines: distances, levels, directions, ends.
+#include "support/point_sets.h"
+
+#include "geometry/point_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hrbfnpr::hatching {
+namespace {
+
+using namespace marks;
+using namespace test;
+
+generate::Settings hatched(double separation, double angle = 0.0) {
+    generate::Settings settings = blue({Kind::hatch}, 0);
+    of(settings, Kind::hatch).strokes.separation = separation;
+    of(settings, Kind::hatch).hatching.angle = angle;
+    return settings;
+}
+
+const Layer& hatch_of(const PointSet& set) { return of(set, Kind::hatch); }
+
+// Sideways distances from marks of these levels to the next line on either side, in `unit`.
+struct Spacing {
+    double mean = 0.0, variation = 0.0, alone = 0.0;
+};
+Spacing spacing_of(const PointSet& set, int levels, double unit) {
+    const Layer& marks = hatch_of(set);
+    geometry::VecArray points(runtime().memory);
+    std::vector<std::int64_t> mark;
+    for (std::int64_t i = 0; i < marks.count(); ++i) {
+        if (marks.level[i] > levels) continue;
+        points.push_back(vec(marks.position, i));
+        mark.push_back(i);
+    }
+    const geometry::PointTree tree(points, {});
+    const double step = 0.4 * marks.report.step;
+    double sum = 0.0, squares = 0.0, count = 0.0, none = 0.0;
+    for (std::int64_t at = 0; at < tree.size(); at += 3) {
+        const std::int64_t i = mark[static_cast<std::size_t>(tree.index(at))];
+        const glm::dvec3 n = vec(marks.normal, i);
+        const glm::dvec3 d = vec(marks.direction, i);
+        std::array<double, 2> nearest{1e300, 1e300};
+        tree.within(tree.points()[at], 2.5 * unit, [&](std::int64_t other_at, double) {
+            const std::int64_t j = mark[static_cast<std::size_t>(tree.index(other_at))];
+            if (marks.stroke[2 * i] == marks.stroke[2 * j]) return;
+            const glm::dvec3 offset = tree.points()[other_at] - tree.points()[at];
+            const double aside = glm::dot(glm::cross(n, d), offset);
+            if (glm::dot(n, vec(marks.normal, j)) < 0.0 || std::abs(glm::dot(offset, d)) > 0.6 * step) return;
+            // A line that goes on in another level runs through the same mark.
+            if (std::abs(aside) < 0.1 * unit) return;
+            double& beside = nearest[aside > 0.0 ? 1 : 0];
+            beside = std::min(beside, glm::length(offset - glm::dot(offset, d) * d));
+        });
+        for (const double distance : nearest) {
+            if (distance > 1e200) {
+                none += 1.0;
+                continue;
+            }
+            sum += distance / unit;
+            squares += distance * distance / (unit * unit);
+            count += 1.0;
+        }
+    }
+    const double mean = sum / count;
+    return {mean, std::sqrt(squares / count - mean * mean) / mean, none / (none + count)};
+}
+
+// Of all lines, and of those that are left with a level less, and with two: where a field spreads they have fewer places
+// to begin new lines.
+void expect_even(const PointSet& set, double most_variation, double most_alone) {
+    const LayerReport& report = hatch_of(set).report;
+    ASSERT_GE(report.levels, 2);
+    for (int without = 0; without <= 2; ++without) {
+        const Spacing spacing =
+            spacing_of(set, static_cast<int>(report.levels) - without, std::ldexp(report.step, without));
+        EXPECT_NEAR(spacing.mean, 1.0, 0.06) << without;
+        EXPECT_LE(spacing.variation, (1.0 + 0.2 * without) * most_variation) << without;
+        EXPECT_LE(spacing.alone, most_alone) << without;
+    }
+}
+
+// Each level has as many lines as all before it.
+void expect_nested(const PointSet& set) {
+    const Layer& marks = hatch_of(set);
+    std::vector<double> count(static_cast<std::size_t>(marks.report.levels) + 1);
+    for (std::int64_t i = 0; i < marks.count(); ++i) count.at(marks.level[i]) += 1.0;
+    double before = count[0];
+    for (std::size_t level = 1; level < count.size(); ++level) {
+        EXPECT_NEAR(count[level] / before, 1.0, level < 2 ? 0.35 : 0.15) << level;
+        before += count[level];
+    }
+    for (std::int64_t i = 1; i < marks.count(); ++i) {
+        EXPECT_GE(marks.level[i], marks.level[i - 1]);
+        EXPECT_LE(marks.rank[i], marks.rank[i - 1]);
+        if (marks.stroke[2 * i] == marks.stroke[2 * i - 2]) {
+            EXPECT_EQ(marks.level[i], marks.level[i - 1]);
+        }
+    }
+}
+
+// Marks are a step apart, lie on the surface, and lines do not turn sharply.
+void expect_flowing(const PointSet& set, const Analytic& surface, double step) {
+    const Layer& marks = hatch_of(set);
+    expect_sound(set, surface);
+    std::int64_t sharp = 0;
+    for (std::int64_t i = 1; i < marks.count(); ++i) {
+        if (marks.stroke[2 * i] != marks.stroke[2 * i - 2]) continue;
+        const glm::dvec3 leg = vec(marks.position, i) - vec(marks.position, i - 1);
+        ASSERT_NEAR(glm::length(leg), step, 0.6 * step) << i;
+        if (glm::dot(vec(marks.direction, i), vec(marks.direction, i - 1)) < 0.9) ++sharp;
+    }
+    EXPECT_LE(static_cast<double>(sharp), 2e-3 * static_cast<double>(marks.count()));
+}
+
+TEST(Hatching, IsEvenAndNestedOnATorus) {
+    const Torus torus;
+    const PointSet set = make(torus, hatched(0.03));
+    expect_even(set, 0.13, 0.02);
+    expect_nested(set);
+    expect_flowing(set, torus, 0.012);
+    const Layer& marks = hatch_of(set);
+    EXPECT_EQ(marks.report.step, 0.03);
+    EXPECT_NEAR(static_cast<double>(marks.count()), torus.area() / (0.03 * 0.012),
+                0.06 * static_cast<double>(marks.count()));
+}
+
+TEST(Hatching, IsEvenOnASphereWhereTheAxisAloneSays) {
+    const Sphere sphere;
+    const PointSet set = make(sphere, hatched(0.03));
+    expect_even(set, 0.13, 0.05);
+    expect_flowing(set, sphere, 0.012);
+    // Around the axis: at right angles to it.
+    const Layer& marks = hatch_of(set);
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::int64_t i = 0; i < marks.count(); ++i) {
+        if (std::abs(vec(marks.normal, i).y) > 0.8) continue;
+        sum += std::abs(vec(marks.direction, i).y);
+        count += 1.0;
+    }
+    EXPECT_LT(sum / count, 0.05);
+}
+
+// The tube bends most around itself.
+double mean_angle_to_rings(const PointSet& set) {
+    const Layer& marks = hatch_of(set);
+    double sum = 0.0;
+    for (std::int64_t i = 0; i < marks.count(); ++i) {
+        const glm::dvec3 p = position(set, Kind::hatch, i);
+        const glm::dvec3 along = glm::normalize(glm::dvec3(-p.y, p.x, 0.0));
+        const glm::dvec3 ring = glm::cross(vec(marks.normal, i), along);
+        const glm::dvec3 d = vec(marks.direction, i);
+        sum += std::atan(glm::dot(d, along) / glm::dot(d, ring)) * 180.0 / std::numbers::pi;
+    }
+    return sum / static_cast<double>(marks.count());
+}
+
+TEST(Hatching, FollowsTheLargerCurvatureTurnedByTheAngle) {
+    const Torus torus;
+    EXPECT_NEAR(mean_angle_to_rings(make(torus, hatched(0.04))), 0.0, 2.0);
+    // From ring towards along is clockwise: n x along = ring.
+    EXPECT_NEAR(mean_angle_to_rings(make(torus, hatched(0.04, 30.0 * std::numbers::pi / 180.0))), -30.0, 3.0);
+}
+
+TEST(Hatching, FollowsAFunction) {
+    generate::Settings settings = hatched(0.04);
+    of(settings, Kind::hatch).strokes.direction.function = [](void*, std::int64_t count, const double* positions,
+                                                              const double*, double* directions) -> std::int32_t {
+        for (std::int64_t i = 0; i < count; ++i) {
+            directions[3 * i] = -positions[3 * i + 1];
+            directions[3 * i + 1] = positions[3 * i];
+            directions[3 * i + 2] = 0.0;
+        }
+        return 0;
+    };
+    const PointSet set = make(Torus(), settings);
+    for (std::int64_t i = 0; i < hatch_of(set).count(); ++i) {
+        const glm::dvec3 p = position(set, Kind::hatch, i);
+        const glm::dvec3 along = glm::normalize(glm::dvec3(-p.y, p.x, 0.0));
+        EXPECT_GT(std::abs(glm::dot(along, vec(hatch_of(set).direction, i))), 0.95) << i;
+    }
+}
+
+// Lines of a plane are straight, and nothing on the other side of a thin sheet changes its lines.
+TEST(Hatching, IsStraightOnAPlane) {
+    const Plane plane({0.0, 0.0, 1.0}, 0.0, cube(1.0));
+    const PointSet set = make(plane, hatched(0.03));
+    const Layer& marks = hatch_of(set);
+    for (std::int64_t i = 0; i < marks.count(); ++i)
+        EXPECT_GT(std::abs(glm::dot(vec(marks.direction, 0), vec(marks.direction, i))), 0.98) << i;
+    expect_even(set, 0.13, 0.1);
+    const ThinSlab slab(0.004);
+    const PointSet both = make(slab, hatched(0.03));
+    expect_even(both, 0.13, 0.1);
+}
+
+TEST(Hatching, ABudgetIsAboutWhatIsMade) {
+    for (const std::int64_t budget : {1000, 20000}) {
+        const PointSet set = make(Torus(), blue({Kind::hatch}, budget));
+        EXPECT_NEAR(static_cast<double>(hatch_of(set).count()), static_cast<double>(budget),
+                    0.15 * static_cast<double>(budget));
+    }
+}
+
+TEST(Hatching, IsTheSameForAnyNumberOfThreads) {
+    const Torus torus;
+    const generate::Settings settings = hatched(0.05);
+    const PointSet one = make(torus, settings);
+    for (const int threads : {2, 3, 7}) {
+        base::Runtime several;
+        several.parallel = base::Parallel(threads, nullptr, nullptr);
+        EXPECT_TRUE(same_bits(one, generate::generate(several, torus, {}, settings, {}))) << threads;
+    }
+}
+
+TEST(Hatching, IsRefusedWhereItCannotBe) {
+    generate::Settings tiny = hatched(1e-6);
+    expect_error(Status::invalid_argument, {"layers[0]", "separation"}, [&] { (void)make(Sphere(), tiny); });
+    generate::Settings published = recursion({Kind::hatch}, 2);
+    expect_error(Status::invalid_argument, {"layers[0]", "HATCH", "BLUE_NOISE"},
+                 [&] { (void)generate::completed(published); });
+}
+
+} // namespace
+} // namespace hrbfnpr::hatching
