@@ -13,6 +13,7 @@
 #include "strokes/hatch.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace hrbfnpr::generate {
 namespace {
@@ -62,7 +63,8 @@ private:
     base::Progress progress_;
     marks::Seeds seeds_;
     base::List<Growing> growing_;
-    double area_ = 0.0; // of the surface, where it is known
+    std::optional<hatching::Ground> ground_; // of the last layer of hatching
+    double area_ = 0.0;                      // of the surface, where it is known
     marks::PointSet set_;
 };
 
@@ -198,8 +200,7 @@ void Generation::blue_noise_strokes(const stipples::SurfaceCells& cells, Growing
     report.seconds = watch.seconds();
 }
 
-void Generation::hatch(const stipples::SurfaceCells& cells, Growing& layer) {
-    const base::Stopwatch watch;
+hatching::Settings hatching_of(const Growing& layer) {
     hatching::Settings settings = layer.settings.hatching;
     settings.layer = layer.place;
     settings.budget = layer.settings.budget;
@@ -207,11 +208,18 @@ void Generation::hatch(const stipples::SurfaceCells& cells, Growing& layer) {
     settings.step = layer.settings.strokes.step;
     settings.direction = layer.settings.strokes.direction;
     settings.field.diagonal = layer.site.implicit.diagonal();
-    // All layers of hatching share the field, and waves that begin alike.
-    marks::Site site = layer.site;
-    site.random_seed = site_.random_seed;
-    area_ =
-        std::max(area_, hatching::lay_lines(site, cells, settings, layer.marks, report_of(layer), progress_of(layer)));
+    return settings;
+}
+
+// Layers of hatching that are alike but for their angles share what they are laid on.
+void Generation::hatch(const stipples::SurfaceCells& cells, Growing& layer) {
+    const base::Stopwatch watch;
+    const hatching::Settings settings = hatching_of(layer);
+    const base::Progress progress = progress_of(layer);
+    if (!ground_ || !settings.is_on_ground_of(ground_->settings()))
+        ground_.emplace(site_, cells, settings, progress.part(0.0, 0.6));
+    ground_->lay_lines(site_, settings, layer.marks, report_of(layer), progress.part(0.6, 1.0));
+    area_ = std::max(area_, ground_->area());
     report_of(layer).seconds = watch.seconds();
 }
 

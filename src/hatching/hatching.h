@@ -2,6 +2,7 @@
 // Hatching: lines all over a surface along one smooth field, evenly spaced, coarse ones before those between them.
 #pragma once
 
+#include "curves/surface_mesh.h"
 #include "hatching/line_field.h"
 #include "marks/direction_function.h"
 #include "marks/marks.h"
@@ -18,13 +19,39 @@ struct Settings {
     double angle = 0.0;      // by which lines are turned in the tangent plane, counter-clockwise from outside; radians
     FieldSettings field;
     marks::DirectionFunction direction; // what lines follow in place of curvature
+
+    // Whether lines of both can be laid on one ground.
+    [[nodiscard]] bool is_on_ground_of(const Settings& other) const noexcept;
 };
 
-// So many samples the field and the waves are made of.
-[[nodiscard]] std::int64_t samples_for(const Settings& settings, double area) noexcept;
+// What lines of any angle are laid on: the field, and the mesh that they are found on.
+class Ground {
+public:
+    Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings,
+           const base::Progress& progress);
+    Ground(const Ground&) = delete; // the graph is referred to
+    Ground& operator=(const Ground&) = delete;
 
-// Appends marks, line after line, coarse levels first.  Returns the area of the surface.
-double lay_lines(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings,
-                 marks::Marks& marks, marks::LayerReport& report, const base::Progress& progress);
+    [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
+    [[nodiscard]] double area() const noexcept { return area_; } // of the surface
+    // Appends marks, line after line, coarse levels first.
+    void lay_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks, marks::LayerReport& report,
+                   const base::Progress& progress) const;
+
+private:
+    struct Spread;
+    Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings, Spread spread,
+           const base::Progress& progress);
+
+    Settings settings_;
+    geometry::Bounds region_;
+    double area_;
+    SampleGraph graph_;
+    base::Array<double> angle_; // of the field at each sample
+    curves::SurfaceMesh mesh_;
+};
+
+// So many samples a ground is made of.
+[[nodiscard]] std::int64_t samples_for(const Settings& settings, double area) noexcept;
 
 } // namespace hrbfnpr::hatching
