@@ -34,7 +34,7 @@ namespace {
 
 marks::LayerArrays checked(const hrbfnpr_layer_arrays& arrays, const char* owner) {
     if (arrays.kind < HRBFNPR_LAYER_KIND_STIPPLES || arrays.kind > HRBFNPR_LAYER_KIND_HATCH)
-        fail(Status::invalid_argument, "%s.kind is %u; it must be one of HRBFNPR_LAYER_KIND_... but ANY (1 to 5)",
+        fail(Status::invalid_argument, "%s.kind is %u; it must be one of HRBFNPR_LAYER_KIND_... but ANY (1 to 6)",
              owner, arrays.kind);
     const auto view = [&](const hrbfnpr_array& array, const char* field, ArrayType type) {
         char name[128];

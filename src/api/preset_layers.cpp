@@ -18,6 +18,9 @@ constexpr hrbfnpr_layer_desc of_kind(std::uint32_t kind) noexcept {
     desc.density_strength = 0.5;
     desc.symmetry = HRBFNPR_SYMMETRY_CROSS;
     desc.levels = -1;
+    desc.smoothing = 0.04;
+    desc.axis[1] = 1.0;
+    desc.axis_weight = 0.06;
     return desc;
 }
 

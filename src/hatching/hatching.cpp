@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/hatching.h"
 
+#include "hatching/join_lines.h"
 #include "hatching/line_marks.h"
 #include "stipples/blue_noise.h"
 
@@ -26,6 +27,8 @@ constexpr double finest_period_of_cells = 1.0;
 // The mesh: triangles are about so many times the area over the square of a cell.
 constexpr double triangles_a_cell = 12.0;
 constexpr double most_triangles = 1.2e6;
+// In separations: ends of lines that face each other over a gap that is no wider are joined.
+constexpr double widest_gap = 2.0;
 
 // Lines a separation apart have area / separation of length together.
 double separation_of(const Settings& settings, double area) noexcept {
@@ -95,8 +98,9 @@ StripeLines stripes_of(const marks::Site& site, const LineSamples& samples, cons
     int finer = 0;
     while (finer < halvings && std::ldexp(finest, -finer - 1) >= finest_period_of_cells * mesh.side) ++finer;
     vertices.refine(site.runtime, mesh, finest, finer, progress.part(0.4, 0.8));
-    return find_stripes(site.runtime, mesh, vertices, std::ldexp(finest, -finer), halvings - finer,
-                        progress.part(0.8, 1.0));
+    const StripeLines lines = find_stripes(site.runtime, mesh, vertices, std::ldexp(finest, -finer), halvings - finer,
+                                           progress.part(0.8, 1.0));
+    return joined(site.memory(), lines, widest_gap * std::ldexp(finest, -halvings));
 }
 
 } // namespace

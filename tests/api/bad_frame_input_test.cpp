@@ -207,7 +207,7 @@ TEST_F(BadFrame, Style) {
 TEST_F(BadFrame, LayerStyle) {
     using Layer = hrbfnpr_layer_style;
     const std::vector<Row<Layer>> rows = {
-        {[](Layer& l) { l.kind = 6; }, "items[0].style.layers[1].kind is 6"},
+        {[](Layer& l) { l.kind = 7; }, "items[0].style.layers[1].kind is 7"},
         {[](Layer& l) { l.shown = 2; }, "items[0].style.layers[1].shown is 2"},
         {[](Layer& l) { l.contours = 2; }, "items[0].style.layers[1].contours is 2"},
         {[](Layer& l) { l.directions = 4; }, "items[0].style.layers[1].directions is 0x4"},

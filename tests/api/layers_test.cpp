@@ -132,7 +132,7 @@ TEST(Layers, OfArraysAreChecked) {
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[2].stroke_first = {}; }), invalid, "layers[2].stroke_direction has 2");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = HRBFNPR_LAYER_KIND_ANY; }), invalid,
                  "point_set_desc.layers[1].kind is 0");
-    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = 6; }), invalid, "point_set_desc.layers[1].kind is 6");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = 7; }), invalid, "point_set_desc.layers[1].kind is 7");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[0].name = ""; }), invalid,
                  "point_set_desc.layers[0].name has no bytes");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].struct_size = 7; }), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,

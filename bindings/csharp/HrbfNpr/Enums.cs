@@ -223,6 +223,11 @@ namespace HrbfNpr
         Field = 4,
         /// <summary>Marks or strokes of the program's own.</summary>
         Own = 5,
+        /// <summary>
+        /// Evenly spaced lines along one smooth field of directions, nested: level 0 are the coarsest, and those of each
+        /// further level lie midway between all before [Knoeppel et al. 2015].
+        /// </summary>
+        Hatch = 6,
     }
 
     /// <summary>

@@ -30,7 +30,7 @@ namespace HrbfNpr
         public const long DefaultBudget = 40000;
 
         /// <summary>A layer with all defaults of its kind.</summary>
-        /// <param name="kind">Stipples, Principal, Combing or Field.</param>
+        /// <param name="kind">Stipples, Principal, Combing, Field or Hatch.</param>
         public Layer(LayerKind kind = LayerKind.Stipples)
         {
             Kind = kind;
@@ -67,6 +67,21 @@ namespace HrbfNpr
         public static Layer Field(DirectionFunction function, long budget = DefaultBudget, string name = null)
         {
             return new Layer(LayerKind.Field) { DirectionFunction = function, Budget = budget, Name = name };
+        }
+
+        /// <summary>A layer of evenly spaced, nested lines along one smooth field of directions.</summary>
+        /// <param name="separation">Of all lines together, in the unit of the model; 0 = by the budget.</param>
+        /// <param name="angle">By which lines are turned in the tangent plane; degrees.</param>
+        /// <param name="name">"hatch" if null.</param>
+        public static Layer Hatch(double separation = 0, double angle = 0, string name = null)
+        {
+            return new Layer(LayerKind.Hatch)
+            {
+                Separation = separation,
+                Angle = angle,
+                Name = name,
+                Budget = separation > 0 ? 0 : DefaultBudget,
+            };
         }
 
         /// <summary>What its marks are.</summary>
@@ -114,13 +129,15 @@ namespace HrbfNpr
         /// </summary>
         public double Separation { get; set; }
 
-        /// <summary>Distance of the marks of such a stroke; 0 = a fifth of the separation.</summary>
+        /// <summary>Distance of the marks of such a stroke; 0 = a fifth of the separation, of Hatch 0.4 of it.</summary>
         public double Step { get; set; }
 
         /// <summary>The longest such stroke; 0 = no limit.</summary>
         public double Length { get; set; }
 
-        /// <summary>For <see cref="LayerKind.Field"/>.</summary>
+        /// <summary>
+        /// For <see cref="LayerKind.Field"/>, and for <see cref="LayerKind.Hatch"/> in place of curvature.
+        /// </summary>
         public DirectionFunction DirectionFunction { get; set; }
 
         /// <summary>Whether such strokes go straight on where directions change places, or turn.</summary>
@@ -136,6 +153,20 @@ namespace HrbfNpr
         /// Refinement steps of <see cref="Distribution.Published"/>, 0 to 12; -1 = 4 for stipples, 3 for strokes.
         /// </summary>
         public int Levels { get; set; } = -1;
+
+        /// <summary>
+        /// Of Hatch: by which lines are turned in the tangent plane, counter-clockwise as seen from outside; degrees.
+        /// </summary>
+        public double Angle { get; set; }
+
+        /// <summary>Of Hatch: over so long a way directions are smoothed; diagonals, 1 at most; 0.04.</summary>
+        public double Smoothing { get; set; } = 0.04;
+
+        /// <summary>Of Hatch: where curvature says little lines run around this; (0, 1, 0).</summary>
+        public Vector3d Axis { get; set; } = (0, 1, 0);
+
+        /// <summary>Of Hatch: how much the axis counts against curvature; 0.06.</summary>
+        public double AxisWeight { get; set; } = 0.06;
 
         internal static unsafe Layer Read(hrbfnpr_layer_desc* desc)
         {
@@ -157,6 +188,10 @@ namespace HrbfNpr
                 Start = (StrokeStart)desc->start,
                 StartLevel = desc->start_level,
                 Levels = desc->levels,
+                Angle = desc->angle,
+                Smoothing = desc->smoothing,
+                Axis = *(Vector3d*)desc->axis,
+                AxisWeight = desc->axis_weight,
             };
         }
 
@@ -181,6 +216,10 @@ namespace HrbfNpr
             desc->start = (uint)Start;
             desc->start_level = StartLevel;
             desc->levels = Levels;
+            desc->angle = Angle;
+            desc->smoothing = Smoothing;
+            *(Vector3d*)desc->axis = Axis;
+            desc->axis_weight = AxisWeight;
         }
     }
 

@@ -184,7 +184,17 @@ def preset_layers(preset: str) -> List[Layer]:
         raise ValueError(f"preset must be one of {', '.join(map(repr, PRESETS))}, not {preset!r}")
     count = ffi.new("int64_t *")
     descs = lib.hrbfnpr_preset_layers(PRESETS.index(preset), count)
-    return [Layer(name_of(LAYER_KINDS, descs[i].kind)) for i in range(count[0])]
+    return [_from_struct(descs[i]) for i in range(count[0])]
+
+
+def _from_struct(desc: Any) -> Layer:
+    kind = name_of(LAYER_KINDS, desc.kind)
+    name = None if desc.name == ffi.NULL else ffi.string(desc.name).decode()
+    fields_of_hatch = {} if kind != "hatch" else {
+        "separation": desc.separation, "angle": desc.angle, "smoothing": desc.smoothing,
+        "axis": tuple(desc.axis), "axis_weight": desc.axis_weight,
+    }  # fmt: skip
+    return Layer(kind, name, **fields_of_hatch)
 
 
 def layers_to_make(layers: Optional[LayersToMake], preset: Optional[str], shared: Any) -> List[Layer]:

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "hatching/join_lines.h"
+
+#include "geometry/point_grid.h"
+
+#include <algorithm>
+
+namespace hrbfnpr::hatching {
+namespace {
+
+// Cosine of the angle between a line's end, and that of the other, and the way from one to the other.
+constexpr double straight = 0.95;
+// Points from an end by which its direction is told.
+constexpr std::int64_t back = 3;
+
+// End 2 l is the begin of line l, 2 l + 1 its end.
+class Joiner {
+public:
+    Joiner(base::Memory& memory, const StripeLines& lines) noexcept
+        : memory_(memory), lines_(lines), place_(memory), way_(memory), partner_(memory, 2 * lines.count()),
+          taken_(memory, lines.count()) {
+        std::fill(partner_.begin(), partner_.end(), -1);
+        for (std::int64_t l = 0; l < lines.count(); ++l)
+            for (const bool end : {false, true}) {
+                const std::int64_t last = lines.first[l + 1] - 1;
+                const std::int64_t at = end ? last : lines.first[l];
+                const std::int64_t from =
+                    end ? std::max(lines.first[l], last - back) : std::min(last, lines.first[l] + back);
+                place_.push_back(lines.position[at]);
+                way_.push_back(glm::normalize(lines.position[at] - lines.position[from]));
+            }
+    }
+
+    void find(double reach);
+    [[nodiscard]] StripeLines join();
+
+private:
+    struct Pair {
+        double distance;
+        std::int64_t a, b;
+    };
+
+    [[nodiscard]] bool faces(std::int64_t a, std::int64_t b, double reach) const noexcept;
+    void add(std::int64_t line, bool reversed, StripeLines& result) const;
+    void follow(std::int64_t from, StripeLines& result);
+
+    base::Memory& memory_;
+    const StripeLines& lines_;
+    geometry::VecArray place_, way_; // of each end, and outwards
+    base::Array<std::int64_t> partner_;
+    base::Array<std::uint8_t> taken_;
+};
+
+bool Joiner::faces(std::int64_t a, std::int64_t b, double reach) const noexcept {
+    const glm::dvec3 gap = place_[b] - place_[a];
+    const double length = glm::length(gap);
+    return length <= reach && glm::dot(way_[a], gap) > straight * length && glm::dot(way_[b], gap) < -straight * length;
+}
+
+// The nearest first.
+void Joiner::find(double reach) {
+    const geometry::PointGrid grid(place_, reach);
+    base::Array<Pair> pairs(memory_);
+    for (std::int64_t a = 0; a < place_.size(); ++a) {
+        if (lines_.closed[a / 2] != 0) continue;
+        grid.around(place_[a], [&](std::int64_t at) {
+            const std::int64_t b = grid.index(at);
+            if (b <= a || b / 2 == a / 2 || lines_.closed[b / 2] != 0 || !faces(a, b, reach)) return;
+            pairs.push_back({glm::distance(place_[a], place_[b]), a, b});
+        });
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
+        if (x.distance != y.distance) return x.distance < y.distance;
+        return x.a != y.a ? x.a < y.a : x.b < y.b;
+    });
+    for (const Pair& pair : pairs) {
+        if (partner_[pair.a] >= 0 || partner_[pair.b] >= 0) continue;
+        partner_[pair.a] = pair.b;
+        partner_[pair.b] = pair.a;
+    }
+}
+
+void Joiner::add(std::int64_t line, bool reversed, StripeLines& result) const {
+    const std::int64_t begin = lines_.first[line];
+    const std::int64_t count = lines_.first[line + 1] - begin;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const std::int64_t at = begin + (reversed ? count - 1 - i : i);
+        result.position.push_back(lines_.position[at]);
+        result.level.push_back(lines_.level[at]);
+    }
+}
+
+// From this end into its line, and on.
+void Joiner::follow(std::int64_t from, StripeLines& result) {
+    std::int64_t entry = from;
+    bool closed = lines_.closed[from / 2] != 0;
+    while (true) {
+        taken_[entry / 2] = 1;
+        add(entry / 2, entry % 2 != 0, result);
+        const std::int64_t next = partner_[entry ^ 1];
+        closed = closed || next == from;
+        if (next < 0 || taken_[next / 2] != 0) break;
+        entry = next;
+    }
+    result.first.push_back(result.position.size());
+    result.closed.push_back(closed ? 1 : 0);
+}
+
+StripeLines Joiner::join() {
+    StripeLines result(memory_);
+    for (const bool free : {true, false})
+        for (std::int64_t end = 0; end < place_.size(); ++end)
+            if (taken_[end / 2] == 0 && (!free || (partner_[end] < 0 && lines_.closed[end / 2] == 0)))
+                follow(end, result);
+    return result;
+}
+
+} // namespace
+
+StripeLines joined(base::Memory& memory, const StripeLines& lines, double reach) {
+    Joiner joiner(memory, lines);
+    joiner.find(reach);
+    return joiner.join();
+}
+
+} // namespace hrbfnpr::hatching
