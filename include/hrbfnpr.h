@@ -1385,12 +1385,18 @@ enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
 typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions,
                                    const float* normals, float* tau);
 
-/* How the front marks of a layer of strokes are drawn. */
+/* How the front marks of a layer of strokes are drawn.  Layers without strokes are dots; so is everything with
+ * VISIBILITY_PUBLISHED. */
 enum {
-    HRBFNPR_SHAPE_DOTS = 0,   /* each mark is a dot */
-    HRBFNPR_SHAPE_STROKES = 1 /* marks that follow each other along a stroke, and are shown, are one line whose width
-                                 and opacity are theirs; a single one is a dot.  Layers without strokes are dots;
-                                 so is everything with VISIBILITY_PUBLISHED */
+    HRBFNPR_SHAPE_DOTS = 0,    /* each mark is a dot */
+    HRBFNPR_SHAPE_STROKES = 1, /* marks that follow each other along a stroke, and are shown, are one line whose width
+                                  and opacity are theirs; a single one is a dot */
+    HRBFNPR_SHAPE_HATCH = 2    /* strokes are curves, drawn where the tone is dark enough, and their width makes the
+                                  tone: hatch_... of hrbfnpr_layer_style.  Of nested lines (those of level k midway
+                                  between those of lower levels) as many levels are drawn as the picture has room for,
+                                  so that the tone does not depend on the zoom.  Points of lines have the id of the
+                                  nearest mark; a stroke whose last mark lies where its first one does is closed.
+                                  [Winkenbach & Salesin 1994; Praun et al. 2001] */
 };
 
 /* How layers are drawn.  Colours are straight RGBA in [0,1], sRGB-encoded. */
@@ -1407,6 +1413,21 @@ typedef struct hrbfnpr_layer_style {
     float radius_zoom;  /* 0: radius is in pixels at any zoom; 1: grows with the zoom; between; 0 */
     uint32_t reserved;
     float ink[4];       /* black */
+    /* Of SHAPE_HATCH.  Darkness is 1 - tau, 0 .. 1; the share of the paper that the lines cover grows with it, times
+       `share`.  Lines whose separation is not known have the width 2 * radius where that share is the greatest. */
+    float hatch_tone_begin;     /* darkness from which on there are lines, 0 .. 1; 0.15 */
+    float hatch_tone_end;       /* darkness from which on they get no wider, > hatch_tone_begin, to 1; 0.95 */
+    float hatch_coverage_begin; /* > 0, to 1: share covered at hatch_tone_begin; 0.1 */
+    float hatch_coverage_end;   /* > 0, to 1: share covered at hatch_tone_end; 0.82 */
+    float hatch_spacing;        /* least from line to line, pixels, > 0; 4.6 */
+    float hatch_pen;            /* least width of a line, pixels, > 0; 0.6.  Less only where lines fade in or end, or are
+                                   closer together than hatch_spacing */
+    float hatch_white;          /* left between lines at least, pixels, 0 or more; 1.2 */
+    float hatch_taper;          /* over which a line narrows where it ends by its tone, pixels, 0 or more; 20.  Where it
+                                   ends for another reason it is shorter */
+    float hatch_shortest;       /* shorter pieces are not drawn, those up to twice as long are thinner, pixels, 0 or
+                                   more; 10 */
+    uint32_t reserved2;
 } hrbfnpr_layer_style;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);

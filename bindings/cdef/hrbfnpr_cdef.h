@@ -276,10 +276,12 @@ enum { HRBFNPR_TONE_NONE = 0, HRBFNPR_TONE_LIGHT = 1, HRBFNPR_TONE_CALLBACK = 2 
 enum { HRBFNPR_TONE_RULE_SHARE = 0, HRBFNPR_TONE_RULE_PUBLISHED = 1 };
 enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
 typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions, const float* normals, float* tau);
-enum { HRBFNPR_SHAPE_DOTS = 0, HRBFNPR_SHAPE_STROKES = 1 };
+enum { HRBFNPR_SHAPE_DOTS = 0, HRBFNPR_SHAPE_STROKES = 1, HRBFNPR_SHAPE_HATCH = 2 };
 typedef struct hrbfnpr_layer_style { uint32_t struct_size; uint32_t kind; const char* name; uint32_t shown;
     uint32_t contours; uint32_t directions; uint32_t shape; float share; float radius; float radius_zoom;
-    uint32_t reserved; float ink[4]; } hrbfnpr_layer_style;
+    uint32_t reserved; float ink[4]; float hatch_tone_begin; float hatch_tone_end; float hatch_coverage_begin;
+    float hatch_coverage_end; float hatch_spacing; float hatch_pen; float hatch_white; float hatch_taper;
+    float hatch_shortest; uint32_t reserved2; } hrbfnpr_layer_style;
 hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
 enum { HRBFNPR_HIDDEN_PARTS_NONE = 0, HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, HRBFNPR_HIDDEN_PARTS_DASHED = 2,
     HRBFNPR_HIDDEN_PARTS_SHOWN = 3 };

@@ -123,7 +123,7 @@ hrbfnpr_drawing_layer_info describe_layer(const drawing::Drawing& from, std::int
     info.mark_class = static_cast<std::uint32_t>(layer.mark_class);
     info.item = layer.item;
     info.layer = layer.layer;
-    info.shape = layer.as_strokes ? HRBFNPR_SHAPE_STROKES : HRBFNPR_SHAPE_DOTS;
+    info.shape = layer.as_hatch ? HRBFNPR_SHAPE_HATCH : layer.as_strokes ? HRBFNPR_SHAPE_STROKES : HRBFNPR_SHAPE_DOTS;
     if (layer.layer >= 0) {
         const marks::Layer& source = from.items[layer.item].set->layers[layer.layer];
         info.kind = static_cast<std::uint32_t>(source.kind);

@@ -31,6 +31,7 @@ static_assert(static_cast<int>(frame::LightSpace::world) == HRBFNPR_LIGHT_WORLD)
 static_assert(static_cast<int>(frame::LightSpace::camera) == HRBFNPR_LIGHT_CAMERA);
 static_assert(static_cast<int>(frame::Shape::dots) == HRBFNPR_SHAPE_DOTS);
 static_assert(static_cast<int>(frame::Shape::strokes) == HRBFNPR_SHAPE_STROKES);
+static_assert(static_cast<int>(frame::Shape::hatch) == HRBFNPR_SHAPE_HATCH);
 static_assert(frame::preset_count == HRBFNPR_PRESET_FULL + 1);
 
 namespace hrbfnpr::api {
@@ -44,6 +45,7 @@ constexpr std::int64_t most_layer_styles = 65536;
 constexpr rule::Between pixels{0.0, largest_radius};
 constexpr rule::PositiveUpTo radius{largest_radius};
 constexpr rule::Between share{0.0, 1.0};
+constexpr rule::PositiveUpTo some{1.0};
 constexpr rule::Between factor{0.0, 16.0}; // of a line's width
 constexpr rule::AtLeast not_negative{0.0};
 constexpr auto ink = rule::Each{share};
@@ -56,12 +58,22 @@ constexpr auto layer_fields() noexcept {
         field("shown", &Layer::shown, &To::shown, share),
         field("contours", &Layer::contours, &To::contours, share),
         field("directions", &Layer::directions, &To::directions, rule::Flags{3}),
-        field("shape", &Layer::shape, &To::shape, rule::OneOf{HRBFNPR_SHAPE_STROKES, "HRBFNPR_SHAPE_..."}),
+        field("shape", &Layer::shape, &To::shape, rule::OneOf{HRBFNPR_SHAPE_HATCH, "HRBFNPR_SHAPE_..."}),
         field("share", &Layer::share, &To::share, share),
         field("radius", &Layer::radius, &To::radius, radius),
         field("radius_zoom", &Layer::radius_zoom, &To::radius_zoom, share),
         reserved("reserved", &Layer::reserved),
-        field("ink", &Layer::ink, &To::ink, ink)};
+        field("ink", &Layer::ink, &To::ink, ink),
+        field("hatch_tone_begin", &Layer::hatch_tone_begin, &To::hatch_tone_begin, share),
+        field("hatch_tone_end", &Layer::hatch_tone_end, &To::hatch_tone_end, some),
+        field("hatch_coverage_begin", &Layer::hatch_coverage_begin, &To::hatch_coverage_begin, some),
+        field("hatch_coverage_end", &Layer::hatch_coverage_end, &To::hatch_coverage_end, some),
+        field("hatch_spacing", &Layer::hatch_spacing, &To::hatch_spacing, radius),
+        field("hatch_pen", &Layer::hatch_pen, &To::hatch_pen, radius),
+        field("hatch_white", &Layer::hatch_white, &To::hatch_white, pixels),
+        field("hatch_taper", &Layer::hatch_taper, &To::hatch_taper, pixels),
+        field("hatch_shortest", &Layer::hatch_shortest, &To::hatch_shortest, pixels),
+        reserved("reserved2", &Layer::reserved2)};
 }
 static_assert(layer_fields().covers<Layer>());
 
@@ -158,6 +170,12 @@ void check_between_fields(const Style& style, const char* owner) {
              owner, style.depth_min, style.depth_max);
 }
 
+void check_hatch(const Layer& layer, const char* owner) {
+    if (!(layer.hatch_tone_begin < layer.hatch_tone_end))
+        fail(Status::invalid_argument, "%s.hatch_tone_begin is %g and hatch_tone_end is %g; the end must be greater",
+             owner, static_cast<double>(layer.hatch_tone_begin), static_cast<double>(layer.hatch_tone_end));
+}
+
 void add_layers(const Style& style, const char* owner, base::Array<frame::LayerStyle>& layers) {
     char name[80];
     std::snprintf(name, sizeof name, "%.60s.layers", owner);
@@ -165,6 +183,7 @@ void add_layers(const Style& style, const char* owner, base::Array<frame::LayerS
     for (std::int64_t i = 0; i < list.count(); ++i) {
         const Layer given = list[i];
         layer_fields().check(list.name(i).text, given);
+        check_hatch(given, list.name(i).text);
         frame::LayerStyle layer;
         layer_fields().copy(given, layer);
         layers.push_back(layer);
@@ -260,6 +279,15 @@ constexpr Layer constant(const frame::LayerStyle& from) {
     to.radius = from.radius;
     to.radius_zoom = from.radius_zoom;
     for (std::size_t i = 0; i < 4; ++i) to.ink[i] = from.ink[i];
+    to.hatch_tone_begin = from.hatch_tone_begin;
+    to.hatch_tone_end = from.hatch_tone_end;
+    to.hatch_coverage_begin = from.hatch_coverage_begin;
+    to.hatch_coverage_end = from.hatch_coverage_end;
+    to.hatch_spacing = from.hatch_spacing;
+    to.hatch_pen = from.hatch_pen;
+    to.hatch_white = from.hatch_white;
+    to.hatch_taper = from.hatch_taper;
+    to.hatch_shortest = from.hatch_shortest;
     return to;
 }
 template <std::size_t count>

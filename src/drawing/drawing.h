@@ -32,6 +32,7 @@ struct Layer {
     bool as_strokes = false;
     glm::vec4 ink{0.0F};         // straight RGBA
     std::uint32_t line_kind = 0; // HRBFNPR_LINE_KIND_..., where `layer` is -1
+    bool as_hatch = false;       // and these strokes are hatching
 };
 
 // Counted while the drawing was made; hrbfnpr_drawing_info says what each is.

@@ -27,7 +27,7 @@ public:
         using Step = hrbfnpr_status (Pipeline::*)(hrbfnpr_error*);
         for (const Step step :
              {&Pipeline::create, &Pipeline::fit, &Pipeline::query, &Pipeline::reload, &Pipeline::published,
-              &Pipeline::own, &Pipeline::patches, &Pipeline::attenuated, &Pipeline::hidden})
+              &Pipeline::own, &Pipeline::patches, &Pipeline::attenuated, &Pipeline::hidden, &Pipeline::hatched})
             if (const hrbfnpr_status status = (this->*step)(error); status != HRBFNPR_STATUS_OK) return status;
         return HRBFNPR_STATUS_OK;
     }
@@ -87,7 +87,7 @@ private:
         const hrbfnpr_array_out corners = out(corner, 12);
         return hrbfnpr_point_set_step_patches(context_, loaded_, nullptr, &corners, nullptr, nullptr, error);
     }
-    hrbfnpr_status frame(std::uint32_t hidden_lines, hrbfnpr_error* error) {
+    hrbfnpr_status frame(std::uint32_t hidden_lines, std::uint32_t shape, hrbfnpr_error* error) {
         if (renderer_ == nullptr) {
             const hrbfnpr_status status = hrbfnpr_renderer_create(context_, &renderer_, error);
             if (status != HRBFNPR_STATUS_OK) return status;
@@ -95,7 +95,7 @@ private:
         auto style = made(hrbfnpr_style_init);
         style.hidden_lines = hidden_lines;
         auto layer = made(hrbfnpr_layer_style_init);
-        layer.shape = HRBFNPR_SHAPE_STROKES;
+        layer.shape = shape;
         style.layers = &layer;
         style.layer_count = 1;
         auto item = made(hrbfnpr_item_init);
@@ -129,8 +129,15 @@ private:
         }
         return HRBFNPR_STATUS_OK;
     }
-    hrbfnpr_status attenuated(hrbfnpr_error* error) { return frame(HRBFNPR_HIDDEN_LINES_ATTENUATE, error); }
-    hrbfnpr_status hidden(hrbfnpr_error* error) { return frame(HRBFNPR_HIDDEN_LINES_HIDE, error); }
+    hrbfnpr_status attenuated(hrbfnpr_error* error) {
+        return frame(HRBFNPR_HIDDEN_LINES_ATTENUATE, HRBFNPR_SHAPE_STROKES, error);
+    }
+    hrbfnpr_status hidden(hrbfnpr_error* error) {
+        return frame(HRBFNPR_HIDDEN_LINES_HIDE, HRBFNPR_SHAPE_STROKES, error);
+    }
+    hrbfnpr_status hatched(hrbfnpr_error* error) {
+        return frame(HRBFNPR_HIDDEN_LINES_HIDE, HRBFNPR_SHAPE_HATCH, error);
+    }
 
     hrbfnpr_context_desc desc_;
     scenes::Samples samples_ = scenes::sphere_6();

@@ -211,7 +211,7 @@ TEST_F(BadFrame, LayerStyle) {
         {[](Layer& l) { l.shown = 2; }, "items[0].style.layers[1].shown is 2"},
         {[](Layer& l) { l.contours = 2; }, "items[0].style.layers[1].contours is 2"},
         {[](Layer& l) { l.directions = 4; }, "items[0].style.layers[1].directions is 0x4"},
-        {[](Layer& l) { l.shape = 2; }, "items[0].style.layers[1].shape is 2"},
+        {[](Layer& l) { l.shape = 3; }, "items[0].style.layers[1].shape is 3"},
         {[](Layer& l) { l.share = 1.5F; }, "items[0].style.layers[1].share is 1.5"},
         {[](Layer& l) { l.radius = 0; }, "items[0].style.layers[1].radius is 0"},
         {[](Layer& l) { l.radius = 1e9F; }, "items[0].style.layers[1].radius is 1e+09"},

@@ -149,6 +149,15 @@ TEST(Style, DefaultsAreThoseOfTheHeader) {
     EXPECT_EQ(layer.contours, 1U);
     EXPECT_EQ(layer.directions, 3U);
     EXPECT_EQ(layer.shape, static_cast<std::uint32_t>(HRBFNPR_SHAPE_DOTS));
+    EXPECT_EQ(layer.hatch_tone_begin, 0.15F);
+    EXPECT_EQ(layer.hatch_tone_end, 0.95F);
+    EXPECT_EQ(layer.hatch_coverage_begin, 0.1F);
+    EXPECT_EQ(layer.hatch_coverage_end, 0.82F);
+    EXPECT_EQ(layer.hatch_spacing, 4.6F);
+    EXPECT_EQ(layer.hatch_pen, 0.6F);
+    EXPECT_EQ(layer.hatch_white, 1.2F);
+    EXPECT_EQ(layer.hatch_taper, 20.0F);
+    EXPECT_EQ(layer.hatch_shortest, 10.0F);
     EXPECT_EQ(layer.share, 1.0F);
     EXPECT_EQ(layer.radius, 1.0F);
     EXPECT_EQ(layer.radius_zoom, 0.0F);

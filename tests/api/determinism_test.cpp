@@ -90,10 +90,10 @@ void append_queries(Bytes& bytes, const Model& model) {
 }
 
 // Strokes as an image and as triangles.
-void append_strokes(Bytes& bytes, const Context& context, const PointSet& set) {
+void append_strokes(Bytes& bytes, const Context& context, const PointSet& set, std::uint32_t shape) {
     Error error;
     auto layer = made(hrbfnpr_layer_style_init);
-    layer.shape = HRBFNPR_SHAPE_STROKES;
+    layer.shape = shape;
     auto style = made(hrbfnpr_style_init);
     style.layers = &layer;
     style.layer_count = 1;
@@ -125,7 +125,8 @@ Bytes everything(const Context& context) {
         const PointSet set = generate(context, model, small_desc(distribution));
         append(bytes, set);
         append(bytes, draw(make_renderer(context), set));
-        append_strokes(bytes, context, set);
+        append_strokes(bytes, context, set, HRBFNPR_SHAPE_STROKES);
+        append_strokes(bytes, context, set, HRBFNPR_SHAPE_HATCH);
     }
     return bytes;
 }

@@ -45,6 +45,8 @@ namespace HrbfNpr
         Dots = 0,
         /// <summary>Marks that follow each other along a stroke, and are shown, are one line.</summary>
         Strokes = 1,
+        /// <summary>Strokes are lines whose width makes the tone, drawn where it is dark enough.</summary>
+        Hatch = 2,
     }
 
     /// <summary>What is drawn of the parts of a line that surface hides.</summary>

@@ -45,6 +45,37 @@ namespace HrbfNpr
         /// <summary>Colour of the marks.</summary>
         public Color Ink { get; set; }
 
+        /// <summary>Of <see cref="Shape.Hatch"/>: darkness from which on there are lines, 0 to 1; 0.15.</summary>
+        public float HatchToneBegin { get; set; }
+
+        /// <summary>
+        /// Darkness from which on they get no wider, above <see cref="HatchToneBegin"/>, to 1; 0.95.
+        /// </summary>
+        public float HatchToneEnd { get; set; }
+
+        /// <summary>Share of the paper covered at <see cref="HatchToneBegin"/>, above 0, to 1; 0.1.</summary>
+        public float HatchCoverageBegin { get; set; }
+
+        /// <summary>Share of the paper covered at <see cref="HatchToneEnd"/>, above 0, to 1; 0.82.</summary>
+        public float HatchCoverageEnd { get; set; }
+
+        /// <summary>Least from line to line; pixels, above 0; 4.6.</summary>
+        public float HatchSpacing { get; set; }
+
+        /// <summary>Least width of a line; pixels, above 0; 0.6.</summary>
+        public float HatchPen { get; set; }
+
+        /// <summary>Left between lines at least; pixels, 0 or more; 1.2.</summary>
+        public float HatchWhite { get; set; }
+
+        /// <summary>Over which a line narrows where it ends by its tone; pixels, 0 or more; 20.</summary>
+        public float HatchTaper { get; set; }
+
+        /// <summary>
+        /// Shorter pieces are not drawn, those up to twice as long are thinner; pixels, 0 or more; 10.
+        /// </summary>
+        public float HatchShortest { get; set; }
+
         /// <summary>Another one like this.</summary>
         public LayerStyle Clone()
         {
@@ -64,6 +95,15 @@ namespace HrbfNpr
             native->radius = Radius;
             native->radius_zoom = RadiusZoom;
             Ink.Write(native->ink);
+            native->hatch_tone_begin = HatchToneBegin;
+            native->hatch_tone_end = HatchToneEnd;
+            native->hatch_coverage_begin = HatchCoverageBegin;
+            native->hatch_coverage_end = HatchCoverageEnd;
+            native->hatch_spacing = HatchSpacing;
+            native->hatch_pen = HatchPen;
+            native->hatch_white = HatchWhite;
+            native->hatch_taper = HatchTaper;
+            native->hatch_shortest = HatchShortest;
         }
 
         private void Read(hrbfnpr_layer_style* native)
@@ -78,6 +118,15 @@ namespace HrbfNpr
             Radius = native->radius;
             RadiusZoom = native->radius_zoom;
             Ink = Color.Read(native->ink);
+            HatchToneBegin = native->hatch_tone_begin;
+            HatchToneEnd = native->hatch_tone_end;
+            HatchCoverageBegin = native->hatch_coverage_begin;
+            HatchCoverageEnd = native->hatch_coverage_end;
+            HatchSpacing = native->hatch_spacing;
+            HatchPen = native->hatch_pen;
+            HatchWhite = native->hatch_white;
+            HatchTaper = native->hatch_taper;
+            HatchShortest = native->hatch_shortest;
         }
     }
 }

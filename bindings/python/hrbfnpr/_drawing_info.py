@@ -90,7 +90,7 @@ class DrawingLayerInfo:
         Number of the item, and of the layer of its point set; -1: of lines.
     kind, name : str
         Of that layer, or the kind of lines.
-    shape : {"dots", "strokes"}
+    shape : {"dots", "strokes", "hatch"}
     ink : tuple of float
         Straight RGBA.
     dots, strokes : int

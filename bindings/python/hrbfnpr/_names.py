@@ -35,7 +35,7 @@ TONE_RULES = _numbers("TONE_RULE", "share", "published")
 TONE_CURVES = _numbers("TONE_CURVE", "coverage", "linear")
 SILHOUETTE_LAWS = _numbers("SILHOUETTE_LAW", "width", "angle")
 LIGHT_SPACES = _numbers("LIGHT", "world", "camera")
-SHAPES = _numbers("SHAPE", "dots", "strokes")
+SHAPES = _numbers("SHAPE", "dots", "strokes", "hatch")
 FORMATS = _numbers(
     "FORMAT", "rgba8", "bgra8", "rgba8_premultiplied", "bgra8_premultiplied", "rgba32f", "rgba32f_premultiplied",
     "coverage8",

@@ -60,11 +60,24 @@ class LayerStyle(KindStyle):
         lambda bits: tuple(name for bit, name in enumerate(("first", "second")) if bits >> bit & 1),
         'Of strokes: those of ("first", "second") that are drawn.',
     )
-    shape = choice(SHAPES, '"dots", or "strokes": marks that follow each other along a stroke are one line.')
+    shape = choice(
+        SHAPES,
+        '"dots", "strokes": marks that follow each other along a stroke are one line, or "hatch": strokes are lines '
+        "whose width makes the tone, drawn where it is dark enough.",
+    )
     share = number("Share of the layer's marks that is used at all, 0 to 1.")
     radius = number("Of a mark, half the width of a stroke, pixels.")
     radius_zoom = number("0: radius is in pixels at any zoom; 1: grows with the zoom; or between.")
     ink = color_field("Straight RGBA in [0, 1], or '#rrggbb'.")
+    hatch_tone_begin = number("Of shape \"hatch\": darkness (1 - tau) from which on there are lines, 0 to 1.")
+    hatch_tone_end = number("Darkness from which on they get no wider, above hatch_tone_begin, to 1.")
+    hatch_coverage_begin = number("Share of the paper that is covered at hatch_tone_begin, above 0, to 1.")
+    hatch_coverage_end = number("Share of the paper that is covered at hatch_tone_end, above 0, to 1.")
+    hatch_spacing = number("Least from line to line, pixels.")
+    hatch_pen = number("Least width of a line, pixels.")
+    hatch_white = number("Left between lines at least, pixels.")
+    hatch_taper = number("Over which a line narrows where it ends by its tone, pixels.")
+    hatch_shortest = number("Shorter pieces are not drawn, those up to twice as long are thinner; pixels.")
 
     _c_type = "hrbfnpr_layer_style"
 

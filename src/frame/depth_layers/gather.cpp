@@ -56,7 +56,7 @@ ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) {
     float lines = 0.0F;
     for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
         const Run& run = scene.runs[r];
-        if (!run.draws_front || !run.makes_tone) continue;
+        if (!run.draws_front || !run.makes_tone || run.as_hatch) continue; // hatching makes a tone of its own
         const float directions = run.directions == 3U ? 1.0F : 0.5F;
         ItemInk::Term term;
         term.pen = &run.pen;

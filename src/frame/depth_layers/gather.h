@@ -88,6 +88,11 @@ public:
     void run(Scene& scene, drawing::Drawing& drawing);
 
     [[nodiscard]] Counts info() const noexcept;
+
+    // Of the last run.
+    [[nodiscard]] const SeeLoops& loops() const noexcept { return loops_; }
+    [[nodiscard]] const ItemSight& sight(std::int32_t item) const noexcept { return sights_[item]; }
+    [[nodiscard]] const base::Array<float>& taus() const noexcept { return tau_; } // by place, of callbacks
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:

@@ -74,7 +74,8 @@ Gatherer::Local Gatherer::local_of(const marks::Cluster& cluster) const noexcept
     selection.top = v.y - reach_there;
     selection.bottom = v.y + v.w + reach_there;
     selection.all_inside = view.inside;
-    selection.front_ink = run_.draws_front && (run_.directions == 3U || (run_.directions >> cluster.set & 1U) != 0);
+    selection.front_ink =
+        run_.draws_front && !run_.as_hatch && (run_.directions == 3U || (run_.directions >> cluster.set & 1U) != 0);
     selection.scale = run_.pen.scale(view.pixels_per_unit);
     if (selection.coverage)
         // Marks that cover less than 0.6 are shown as if they covered that: their dark tones still differ.

@@ -12,10 +12,18 @@ namespace hrbfnpr::frame {
 using drawing::Stroke;
 using drawing::StrokePoint;
 
-void StrokeJoiner::run(const Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing) {
+namespace {
+
+constexpr std::int32_t of_lines = -1;
+constexpr std::int32_t of_hatching = -2;
+
+} // namespace
+
+void StrokeJoiner::run(const Scene& scene, const Ready& ready, drawing::Drawing& drawing) {
     found_.clear();
     find_joined(scene, drawing);
-    for (std::int64_t i = 0; i < lines.strokes.size(); ++i) found_.push_back({-1, lines.strokes[i].depth, i, 0});
+    find_ready(ready.lines, of_lines);
+    find_ready(ready.hatching, of_hatching);
     if (found_.empty()) return;
     keys_.clear();
     for (std::int64_t i = 0; i < found_.size(); ++i)
@@ -24,11 +32,15 @@ void StrokeJoiner::run(const Scene& scene, const LineStrokes& lines, drawing::Dr
     for (const std::uint64_t key : keys_) {
         const Found& found = found_[static_cast<std::uint32_t>(key)];
         if (found.run < 0)
-            put(lines, found.begin, drawing);
+            put(found.run == of_lines ? ready.lines : ready.hatching, found.begin, drawing);
         else
             put(scene, found, drawing);
     }
     drawing::bin_segments(runtime_.parallel, drawing);
+}
+
+void StrokeJoiner::find_ready(const LineStrokes& strokes, std::int32_t run) {
+    for (std::int64_t i = 0; i < strokes.strokes.size(); ++i) found_.push_back({run, strokes.strokes[i].depth, i, 0});
 }
 
 void StrokeJoiner::put(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing) {

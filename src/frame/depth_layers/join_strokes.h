@@ -17,8 +17,14 @@ public:
         : runtime_(runtime), dot_of_(runtime.memory), found_(runtime.memory), keys_(runtime.memory),
           order_(runtime.memory) {}
 
-    // And the strokes of lines, which are ready, into the same order.
-    void run(const Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing);
+    // Strokes that are ready, in two lists.
+    struct Ready {
+        const LineStrokes& lines;
+        const LineStrokes& hatching;
+    };
+
+    // And those that are ready, into the same order.
+    void run(const Scene& scene, const Ready& ready, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return dot_of_.bytes() + found_.bytes() + keys_.bytes() + order_.bytes();
@@ -27,7 +33,7 @@ public:
 private:
     // A line before it is sorted: places in the order of its layer's marks along strokes.
     struct Found {
-        std::int32_t run; // -1: of lines, and `begin` is the stroke's number
+        std::int32_t run; // -1: of lines, -2: of hatching, and `begin` is the stroke's number
         float depth;
         std::int64_t begin, end;
     };
@@ -36,6 +42,7 @@ private:
     void find_lines(const Run& run, std::int32_t number, const drawing::Drawing& drawing);
     void put(const Scene& scene, const Found& line, drawing::Drawing& drawing);
     static void put(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing);
+    void find_ready(const LineStrokes& strokes, std::int32_t run);
     void find_joined(const Scene& scene, const drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;

@@ -33,7 +33,8 @@ void find_color(const Scene& scene, drawing::Drawing& drawing) {
 } // namespace
 
 LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
-    : runtime_(runtime), gather_(runtime), layers_(runtime), exact_(runtime.memory), joiner_(runtime) {}
+    : runtime_(runtime), gather_(runtime), hatch_points_(runtime), hatch_strokes_(runtime), layers_(runtime),
+      exact_(runtime.memory), joiner_(runtime) {}
 
 void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing) {
     drawing.painting = drawing::Painting::transmittance;
@@ -41,6 +42,7 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& d
     base::Stopwatch watch;
     gather_.run(scene, drawing);
     drawing.counts = gather_.info();
+    hatch_points_.run(scene, gather_, drawing);
     drawing.counts.nanoseconds_classify = watch.nanoseconds();
 
     watch.restart();
@@ -52,7 +54,8 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& d
     drawing.counts.nanoseconds_visibility = watch.nanoseconds();
 
     watch.restart();
-    joiner_.run(scene, lines, drawing);
+    const LineStrokes& hatching = hatch_strokes_.run(scene, hatch_points_, drawing);
+    joiner_.run(scene, {lines, hatching}, drawing);
     drawing.counts.nanoseconds_sort += watch.nanoseconds();
 }
 
@@ -89,7 +92,8 @@ void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
 }
 
 std::int64_t LayerFrame::bytes() const noexcept {
-    return gather_.bytes() + layers_.bytes() + exact_.bytes() + joiner_.bytes();
+    return gather_.bytes() + hatch_points_.bytes() + hatch_strokes_.bytes() + layers_.bytes() + exact_.bytes() +
+           joiner_.bytes();
 }
 
 } // namespace hrbfnpr::frame

@@ -5,6 +5,7 @@
 #include "frame/depth_layers/depth_layers.h"
 #include "frame/depth_layers/exact_visibility.h"
 #include "frame/depth_layers/gather.h"
+#include "frame/depth_layers/hatch_strokes.h"
 #include "frame/depth_layers/join_strokes.h"
 
 namespace hrbfnpr::frame {
@@ -24,6 +25,8 @@ private:
 
     const base::Runtime& runtime_;
     Gather gather_;
+    HatchPoints hatch_points_;
+    HatchStrokes hatch_strokes_;
     DepthLayers layers_;
     ExactVisibility exact_;
     StrokeJoiner joiner_;

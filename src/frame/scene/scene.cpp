@@ -213,8 +213,9 @@ private:
         run.spread_evenly = marks.progressive;
         if (run.spread_evenly && !run.scattered)
             run.separation = static_cast<float>(marks.report.step * eye_per_object_);
-        run.as_strokes = style.shape == Shape::strokes && style_.visibility == Visibility::depth_layers &&
-                         !run.scattered && run.draws_front;
+        const bool lines = style_.visibility == Visibility::depth_layers && !run.scattered && run.draws_front;
+        run.as_strokes = style.shape == Shape::strokes && lines;
+        run.as_hatch = style.shape == Shape::hatch && lines;
         if (run.as_strokes) run.first_joined = std::exchange(scene_.joined, scene_.joined + run.count);
         run.pen = pen_of(style_, style, spacing_of(*item_.set, marks), eye_per_object_, scene_.lens);
         run.earlier_contours = earlier_;
@@ -225,8 +226,14 @@ private:
     }
 
     void add_layer(const Run& run, drawing::MarkClass mark_class, const glm::vec4& ink) {
-        const bool strokes = run.as_strokes && mark_class == drawing::MarkClass::front;
-        drawing_.layers.push_back({run.item, run.layer, mark_class, strokes, ink});
+        drawing::Layer layer;
+        layer.item = run.item;
+        layer.layer = run.layer;
+        layer.mark_class = mark_class;
+        layer.as_strokes = (run.as_strokes || run.as_hatch) && mark_class == drawing::MarkClass::front;
+        layer.as_hatch = run.as_hatch && layer.as_strokes;
+        layer.ink = ink;
+        drawing_.layers.push_back(layer);
     }
 
     Scene& scene_;

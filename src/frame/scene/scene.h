@@ -139,6 +139,7 @@ struct Run {
     float separation = 0.0F;       // of strokes, eye units; 0: none is known
     std::int64_t first_joined = 0; // of those that are drawn as strokes: place of the first mark among all such
     bool as_strokes = false;       // marks that follow each other become lines
+    bool as_hatch = false;         // strokes become lines whose width makes the tone
     bool scattered = true;         // its marks form no strokes
     bool makes_tone = true;        // its ink counts for the tone of its item
     bool spread_evenly = false;    // in a blue-noise order

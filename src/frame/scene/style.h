@@ -24,7 +24,7 @@ enum class LightSpace : std::uint32_t { world = 0, camera = 1 };
 using ToneFn = std::int32_t (*)(void* user, std::int64_t count, const float* positions, const float* normals,
                                 float* tau);
 
-enum class Shape : std::uint32_t { dots = 0, strokes = 1 };
+enum class Shape : std::uint32_t { dots = 0, strokes = 1, hatch = 2 };
 
 using curves::LineKind;
 
@@ -39,6 +39,15 @@ struct LayerStyle {
     float radius = 1.0F;
     float radius_zoom = 0.0F;
     float ink[4] = {0.0F, 0.0F, 0.0F, 1.0F};
+    float hatch_tone_begin = 0.15F;
+    float hatch_tone_end = 0.95F;
+    float hatch_coverage_begin = 0.1F;
+    float hatch_coverage_end = 0.82F;
+    float hatch_spacing = 4.6F;
+    float hatch_pen = 0.6F;
+    float hatch_white = 1.2F;
+    float hatch_taper = 20.0F;
+    float hatch_shortest = 10.0F;
 
     [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept;
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/marks/mark_results.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace hrbfnpr::output {
 namespace {
 
@@ -17,7 +20,8 @@ struct Drawn {
     float radius, opacity, depth;
 };
 
-// Calls f for each mark of the run that is drawn, as a dot or as a point of a stroke.
+// Calls f for each mark of the run that is drawn, as a dot or as points of a stroke.  A stroke of hatching that is cut
+// or closed may have a mark twice.
 template <class F>
 void for_each_drawn(const Drawing& drawing, const drawing::Run& run, const F& f) {
     const auto is_own = [&](std::uint32_t layer) {
@@ -32,9 +36,13 @@ void for_each_drawn(const Drawing& drawing, const drawing::Run& run, const F& f)
     }
     for (const Stroke& stroke : drawing.strokes) {
         if (!is_own(stroke.layer)) continue;
-        for (std::int64_t i = stroke.first; i < stroke.first + stroke.count; ++i) {
+        const std::int64_t end = stroke.first + stroke.count;
+        for (std::int64_t i = stroke.first; i < end;) {
             const StrokePoint& p = drawing.points[i];
-            f(Drawn{std::int64_t{p.id - run.first_id}, stroke.layer, p.radius, p.opacity, p.depth});
+            Drawn drawn{std::int64_t{p.id - run.first_id}, stroke.layer, p.radius, p.opacity, p.depth};
+            for (++i; i < end && drawing.points[i].id == p.id; ++i) // of hatching
+                drawn.radius = std::max(drawn.radius, drawing.points[i].radius);
+            f(drawn);
         }
     }
 }
@@ -59,16 +67,15 @@ std::span<const std::uint32_t> MarkIndices::of(const Drawing& drawing, std::int6
     const drawing::Run& run = drawing.runs[number];
     keys_.clear();
     indices_.clear();
+    shown_.clear();
+    shown_.resize(run.count);
     for_each_drawn(drawing, run, [&](const Drawn& drawn) {
-        if (drawing.layers[drawn.layer].mark_class == mark_class)
-            keys_.push_back(drawing::far_first_key(drawn.depth, static_cast<std::uint32_t>(drawn.mark)));
+        if (drawing.layers[drawn.layer].mark_class != mark_class || std::exchange(shown_[drawn.mark], 1) != 0) return;
+        keys_.push_back(drawing::far_first_key(drawn.depth, static_cast<std::uint32_t>(drawn.mark)));
     });
     if (primitive == Primitive::points) {
         add_points();
     } else {
-        shown_.clear();
-        shown_.resize(run.count);
-        for (const std::uint64_t key : keys_) shown_[static_cast<std::uint32_t>(key)] = 1;
         add_strips(drawing.items[run.item].set->layers[run.layer], primitive == Primitive::triangle_strips ? 2 : 1);
     }
     return indices_.span();

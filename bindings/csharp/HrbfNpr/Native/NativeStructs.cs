@@ -296,6 +296,16 @@ namespace HrbfNpr
         internal float radius_zoom;
         internal uint reserved;
         internal fixed float ink[4];
+        internal float hatch_tone_begin;
+        internal float hatch_tone_end;
+        internal float hatch_coverage_begin;
+        internal float hatch_coverage_end;
+        internal float hatch_spacing;
+        internal float hatch_pen;
+        internal float hatch_white;
+        internal float hatch_taper;
+        internal float hatch_shortest;
+        internal uint reserved2;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_line_style")]

@@ -510,7 +510,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer_style>() == either(64, 60, 60));
+    assert!(size_of::<hrbfnpr_layer_style>() == either(104, 100, 100));
     assert!(align_of::<hrbfnpr_layer_style>() == either(8, 4, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -528,6 +528,16 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_layer_style, radius_zoom) == either(40, 36, 36));
     assert!(offset_of!(hrbfnpr_layer_style, reserved) == either(44, 40, 40));
     assert!(offset_of!(hrbfnpr_layer_style, ink) == either(48, 44, 44));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_tone_begin) == either(64, 60, 60));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_tone_end) == either(68, 64, 64));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_coverage_begin) == either(72, 68, 68));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_coverage_end) == either(76, 72, 72));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_spacing) == either(80, 76, 76));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_pen) == either(84, 80, 80));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_white) == either(88, 84, 84));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_taper) == either(92, 88, 88));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_shortest) == either(96, 92, 92));
+    assert!(offset_of!(hrbfnpr_layer_style, reserved2) == either(100, 96, 96));
 };
 
 const _: () = {

@@ -1941,13 +1941,21 @@ pub type hrbfnpr_tone_fn = Option<
     ) -> i32,
 >;
 
-// How the front marks of a layer of strokes are drawn.
+// How the front marks of a layer of strokes are drawn.  Layers without strokes are dots; so
+// is everything with
+// VISIBILITY_PUBLISHED.
 /// each mark is a dot
 pub const HRBFNPR_SHAPE_DOTS: u32 = 0;
 /// marks that follow each other along a stroke, and are shown, are one line whose width and
-/// opacity are theirs; a single one is a dot. Layers without strokes are dots; so is
-/// everything with VISIBILITY_PUBLISHED
+/// opacity are theirs; a single one is a dot
 pub const HRBFNPR_SHAPE_STROKES: u32 = 1;
+/// strokes are curves, drawn where the tone is dark enough, and their width makes the tone:
+/// hatch_... of hrbfnpr_layer_style. Of nested lines (those of level k midway between those
+/// of lower levels) as many levels are drawn as the picture has room for, so that the tone
+/// does not depend on the zoom. Points of lines have the id of the nearest mark; a stroke
+/// whose last mark lies where its first one does is closed. [Winkenbach & Salesin 1994; Praun
+/// et al. 2001]
+pub const HRBFNPR_SHAPE_HATCH: u32 = 2;
 
 /// How layers are drawn.  Colours are straight RGBA in [0,1], sRGB-encoded.
 #[repr(C)]
@@ -1975,6 +1983,32 @@ pub struct hrbfnpr_layer_style {
     pub reserved: u32,
     /// black
     pub ink: [f32; 4],
+    /// darkness from which on there are lines, 0 .. 1; 0.15
+    ///
+    /// Of SHAPE_HATCH.  Darkness is 1 - tau, 0 .. 1; the share of the paper that the lines cover
+    /// grows with it, times
+    /// `share`.  Lines whose separation is not known have the width 2 * radius where that share
+    /// is the greatest.
+    pub hatch_tone_begin: f32,
+    /// darkness from which on they get no wider, > hatch_tone_begin, to 1; 0.95
+    pub hatch_tone_end: f32,
+    /// > 0, to 1: share covered at hatch_tone_begin; 0.1
+    pub hatch_coverage_begin: f32,
+    /// > 0, to 1: share covered at hatch_tone_end; 0.82
+    pub hatch_coverage_end: f32,
+    /// least from line to line, pixels, > 0; 4.6
+    pub hatch_spacing: f32,
+    /// least width of a line, pixels, > 0; 0.6. Less only where lines fade in or end, or are
+    /// closer together than hatch_spacing
+    pub hatch_pen: f32,
+    /// left between lines at least, pixels, 0 or more; 1.2
+    pub hatch_white: f32,
+    /// over which a line narrows where it ends by its tone, pixels, 0 or more; 20. Where it ends
+    /// for another reason it is shorter
+    pub hatch_taper: f32,
+    /// shorter pieces are not drawn, those up to twice as long are thinner, pixels, 0 or more; 10
+    pub hatch_shortest: f32,
+    pub reserved2: u32,
 }
 
 extern "C" {

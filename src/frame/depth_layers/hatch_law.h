@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Laws of hatching: how wide the lines of each level of a nested set are, so that together they cover a share of the
+// paper.  [Winkenbach & Salesin 1994, "Computer-generated pen-and-ink illustration"; Praun et al. 2001, "Real-time
+// hatching": lines of a lighter tone stay in a darker one]
+#pragma once
+
+#include "frame/scene/style.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::frame {
+
+// Darkness to coverage.  A little hollow: ink spreads, and dark tones close up.
+inline constexpr float coverage_exponent = 1.1F;
+
+// Of a darkness below the one at which lines begin, as at that.
+[[nodiscard]] inline float hatch_coverage(const LayerStyle& style, float darkness) noexcept {
+    const float span = style.hatch_tone_end - style.hatch_tone_begin;
+    const float at = std::clamp((darkness - style.hatch_tone_begin) / span, 0.0F, 1.0F);
+    return style.share * (style.hatch_coverage_begin +
+                          (style.hatch_coverage_end - style.hatch_coverage_begin) * std::pow(at, coverage_exponent));
+}
+
+// The lines at one place: those of levels up to `full` are `width` wide, those of the next one `fading`; pixels.
+struct HatchWidths {
+    float lambda = 0.0F; // levels that there is room for
+    std::int32_t full = 0;
+    float width = 0.0F;
+    float fading = 0.0F;
+    float margin = 0.0F; // of the level that fades in: it is drawn where this is positive
+};
+
+// A line that fades in is drawn where it should be at least this wide, in pens ...
+inline constexpr float thinnest_fading = 0.5F;
+// ... and has its width where it should be so much wider; until then the full lines have the rest.
+inline constexpr float fading_ramp = 0.25F;
+
+// spacing: of the lines of level 0 in the picture, pixels; those of levels 0 to k are 2^k times as close.
+[[nodiscard]] inline HatchWidths hatch_widths(const LayerStyle& style, float coverage, float spacing,
+                                              std::int32_t levels) noexcept {
+    const float wanted = std::max(style.hatch_spacing, style.hatch_pen / coverage);
+    HatchWidths widths;
+    if (spacing > wanted) widths.lambda = std::min(std::log2(spacing / wanted), static_cast<float>(levels));
+    widths.full = static_cast<std::int32_t>(widths.lambda);
+    const float weight = widths.lambda - static_cast<float>(widths.full); // 0 at the finest level
+    const float period = std::ldexp(spacing, -widths.full);
+    // Of the lines within a period: (1 + weight) wide ones.  Closer together than asked they are thinner than the pen.
+    const float lines = 1.0F + weight;
+    const float ink =
+        std::min(coverage * period, std::max(period - lines * style.hatch_white, lines * style.hatch_pen));
+    const float next = weight * ink / lines;
+    widths.margin = next / style.hatch_pen - thinnest_fading;
+    widths.fading = next * std::clamp(widths.margin / fading_ramp, 0.0F, 1.0F);
+    widths.width = ink - widths.fading;
+    return widths;
+}
+
+// The width of a line of this level.
+[[nodiscard]] inline float hatch_width(const HatchWidths& widths, std::int32_t level) noexcept {
+    return level <= widths.full ? widths.width : level == widths.full + 1 ? widths.fading : 0.0F;
+}
+
+// Positive where a line of this level is drawn, and continuous where it begins.
+[[nodiscard]] inline float level_margin(const HatchWidths& widths, std::int32_t level) noexcept {
+    if (level <= widths.full) return 1.0F;
+    if (level == widths.full + 1) return widths.margin;
+    return widths.lambda - static_cast<float>(level - 1) - thinnest_fading;
+}
+
+} // namespace hrbfnpr::frame

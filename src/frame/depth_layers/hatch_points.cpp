@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "frame/depth_layers/hatch_points.h"
+
+#include "base/scratch.h"
+
+#include <algorithm>
+
+namespace hrbfnpr::frame {
+namespace {
+
+constexpr std::int64_t marks_of_batch = 4096;
+
+[[nodiscard]] bool asks(const Scene& scene, const Run& run) noexcept {
+    return run.as_hatch && scene.item_of(run).style.tone == Tone::callback;
+}
+
+} // namespace
+
+void HatchPoints::add_batch(std::int32_t run, std::int64_t begin, std::int64_t end) {
+    if (count_ == batches_.size()) batches_.add(runtime_.memory);
+    Batch& batch = batches_[count_++];
+    batch.run = run;
+    batch.begin = begin;
+    batch.end = end;
+    batch.part.spans.clear();
+    batch.part.points.clear();
+}
+
+void HatchPoints::add_batches(const Scene& scene) {
+    count_ = 0;
+    for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
+        if (!scene.runs[r].as_hatch) continue;
+        const marks::Layer& layer = *scene.runs[r].marks;
+        std::int64_t begin = 0;
+        for (std::int64_t s = 1; s <= layer.strokes(); ++s) {
+            if (s < layer.strokes() && layer.stroke_first[s] - layer.stroke_first[begin] < marks_of_batch) continue;
+            add_batch(static_cast<std::int32_t>(r), begin, s);
+            begin = s;
+        }
+    }
+}
+
+// Clusters have them in another order.
+void HatchPoints::take_taus(const Scene& scene, const Gather& gather) {
+    if (std::none_of(scene.runs.begin(), scene.runs.end(), [&](const Run& run) { return asks(scene, run); })) return;
+    base::resize_scratch(taus_, scene.mark_count());
+    for (const Run& run : scene.runs) {
+        if (!asks(scene, run)) continue;
+        for (const marks::Cluster& cluster : run.clusters->cluster) {
+            const std::int64_t place = cluster.block * marks::MarkBlock::size;
+            for (std::int64_t i = 0; i < cluster.count; ++i) {
+                const marks::MarkBlock& block = run.clusters->block[cluster.block + i / marks::MarkBlock::size];
+                taus_[run.first + block.mark[i % marks::MarkBlock::size]] = gather.taus()[run.first_place + place + i];
+            }
+        }
+    }
+}
+
+void HatchPoints::find(const Scene& scene, const Gather& gather, Batch& batch) const {
+    const Run& run = scene.runs[batch.run];
+    const HatchMarks seen(gather, scene, run, asks(scene, run) ? taus_.data() + run.first : nullptr);
+    for (std::int64_t s = batch.begin; s < batch.end; ++s) {
+        if (!seen.shows(s)) continue;
+        const bool closed = seen.see(s, batch.marks);
+        batch.spans.add(*run.style, batch.marks.span(), closed, batch.part);
+    }
+}
+
+void HatchPoints::put(const Scene& scene, const Batch& batch, drawing::Drawing& drawing) const noexcept {
+    Dot dot{};
+    dot.opacity = 1.0F;
+    dot.layer = 2U * static_cast<std::uint32_t>(batch.run);
+    dot.mark_class = MarkClass::front;
+    dot.flags = scene.item_of(scene.runs[batch.run]).model != nullptr ? dot_is_exact : std::uint8_t{0};
+    Dot* to = drawing.dots.data() + batch.first_dot;
+    for (const HatchPoint& p : batch.part.points) {
+        dot.x = p.x;
+        dot.y = p.y;
+        dot.radius = 0.5F * p.width;
+        dot.depth = p.depth;
+        dot.window = p.window;
+        dot.pixels_per_unit = p.pixels_per_unit;
+        dot.id = p.id;
+        *to++ = dot;
+    }
+}
+
+void HatchPoints::run(const Scene& scene, const Gather& gather, drawing::Drawing& drawing) {
+    add_batches(scene);
+    take_taus(scene, gather);
+    runtime_.parallel.for_each(count_, [&](std::int64_t i) { find(scene, gather, batches_[i]); });
+    std::int64_t dots = drawing.dots.size();
+    for (Batch& batch : std::span(batches_.begin(), static_cast<std::size_t>(count_))) {
+        batch.first_dot = dots;
+        dots += batch.part.points.size();
+        if (dots > batch.first_dot) drawing.dot_pieces.push_back({batch.first_dot, dots});
+    }
+    drawing.dots.resize_for_overwrite(dots);
+    runtime_.parallel.for_each(count_, [&](std::int64_t i) { put(scene, batches_[i], drawing); });
+}
+
+std::int64_t HatchPoints::bytes() const noexcept {
+    std::int64_t sum = batches_.bytes() + taus_.bytes();
+    for (const Batch& batch : batches_) sum += batch.part.bytes() + batch.marks.bytes() + batch.spans.bytes();
+    return sum;
+}
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "frame/depth_layers/hatch_spans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::frame {
+namespace {
+
+constexpr float point_step = 2.5F; // pixels
+// Gaps of fewer widths are closed.
+constexpr float least_gap = 2.0F;
+// A line's end where its stroke or its level ends is this much as long as where its tone ends ...
+constexpr float blunt = 0.35F;
+// ... and where the surface turns away it is so many pixels long.
+constexpr float rim_taper = 2.0F;
+
+struct Crossing {
+    float share; // of the way from the mark that is drawn to the one that is not
+    HatchEnd end;
+};
+
+// Where the first margin runs out, margins changing evenly.
+[[nodiscard]] Crossing crossing(const HatchMark& drawn, const HatchMark& other) noexcept {
+    if (!other.valid) return {0.0F, HatchEnd::picture};
+    Crossing first{1.0F, HatchEnd::picture};
+    for (std::size_t k = 0; k < hatch_margins; ++k) {
+        if (other.margin[k] >= 0.0F) continue;
+        const float share = drawn.margin[k] / (drawn.margin[k] - other.margin[k]);
+        if (share <= first.share) first = {share, static_cast<HatchEnd>(k)};
+    }
+    return first;
+}
+
+[[nodiscard]] glm::vec2 place(const HatchMark& m) noexcept { return {m.x, m.y}; }
+
+[[nodiscard]] float smooth(float x) noexcept {
+    const float at = std::clamp(x, 0.0F, 1.0F);
+    return at * at * (3.0F - 2.0F * at);
+}
+
+} // namespace
+
+void HatchSpans::add(const LayerStyle& style, std::span<HatchMark> marks, bool closed, HatchPart& part) {
+    const auto is_drawn = [](const HatchMark& m) { return m.is_drawn(); };
+    const auto hidden = std::find_if_not(marks.begin(), marks.end(), is_drawn);
+    if (std::none_of(hidden, marks.end(), is_drawn) && hidden == marks.begin()) return;
+    const bool whole = hidden == marks.end();
+    if (closed) marks.back() = marks.front();
+    if (closed && !whole) { // begin where nothing is drawn
+        std::rotate(marks.begin(), hidden, marks.end() - 1);
+        marks.back() = marks.front();
+    }
+    measure(marks);
+    find(marks, closed && whole);
+    join(marks);
+    for (std::int64_t i = 0; i < drawn_.size(); ++i) put(style, marks, i, part);
+}
+
+// Lengths of chords, and the tangents of a Catmull-Rom curve.
+void HatchSpans::measure(std::span<const HatchMark> marks) {
+    const auto count = static_cast<std::int64_t>(marks.size());
+    length_.clear();
+    length_.resize_for_overwrite(count);
+    tangent_.clear();
+    tangent_.resize_for_overwrite(count);
+    const auto valid = [&](std::int64_t i) { return i >= 0 && i < count && marks[static_cast<std::size_t>(i)].valid; };
+    const auto p = [&](std::int64_t i) { return place(marks[static_cast<std::size_t>(i)]); };
+    length_[0] = 0.0F;
+    for (std::int64_t i = 1; i < count; ++i)
+        length_[i] = length_[i - 1] + (valid(i) && valid(i - 1) ? glm::distance(p(i), p(i - 1)) : 0.0F);
+    const bool closed = valid(0) && valid(count - 1) && p(0) == p(count - 1);
+    for (std::int64_t i = 0; i < count; ++i) {
+        std::int64_t before = i > 0 ? i - 1 : closed ? count - 2 : 0;
+        std::int64_t after = i + 1 < count ? i + 1 : closed ? 1 : i;
+        if (!valid(before)) before = i;
+        if (!valid(after)) after = i;
+        const float way = glm::distance(p(i), p(before)) + glm::distance(p(after), p(i));
+        tangent_[i] = way > 0.0F ? (p(after) - p(before)) / way : glm::vec2(0.0F);
+    }
+}
+
+void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
+    drawn_.clear();
+    const auto count = static_cast<std::int64_t>(marks.size());
+    const auto m = [&](std::int64_t i) -> const HatchMark& { return marks[static_cast<std::size_t>(i)]; };
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (!m(i).is_drawn()) continue;
+        Drawn drawn;
+        drawn.begin = {i, 0.0F};
+        if (i > 0) {
+            const Crossing begin = crossing(m(i), m(i - 1));
+            if (begin.share > 0.0F) drawn.begin = {i - 1, 1.0F - begin.share};
+            drawn.begins = begin.end;
+        }
+        while (i + 1 < count && m(i + 1).is_drawn()) ++i;
+        drawn.end = {i, 0.0F};
+        if (i + 1 < count) {
+            const Crossing end = crossing(m(i), m(i + 1));
+            drawn.end = {i, end.share};
+            drawn.ends = end.end;
+        }
+        drawn.closed = closed;
+        drawn_.push_back(drawn);
+    }
+}
+
+float HatchSpans::at(const Place& place) const noexcept {
+    const std::int64_t next = std::min(place.mark + 1, length_.size() - 1);
+    return length_[place.mark] + place.share * (length_[next] - length_[place.mark]);
+}
+
+// Gaps that are no longer than they are wide look like mistakes.
+void HatchSpans::join(std::span<const HatchMark> marks) {
+    const auto width = [&](const Place& place) { return point(marks, place).width; };
+    const auto may = [](HatchEnd end) { return end == HatchEnd::tone || end == HatchEnd::level; };
+    std::int64_t kept = 0;
+    for (std::int64_t i = 1; i < drawn_.size(); ++i) {
+        Drawn& last = drawn_[kept];
+        const Drawn& next = drawn_[i];
+        const float gap = at(next.begin) - at(last.end);
+        if (may(last.ends) && may(next.begins) && gap < 0.5F * least_gap * (width(last.end) + width(next.begin))) {
+            last.end = next.end;
+            last.ends = next.ends;
+        } else {
+            drawn_[++kept] = next;
+        }
+    }
+    if (!drawn_.empty()) drawn_.resize(kept + 1);
+}
+
+// gap: to the next part of the line.  A taper is shorter beside a gap that is about to be closed.
+float HatchSpans::taper(const LayerStyle& style, HatchEnd end, float gap, float width) const noexcept {
+    const float longest = end == HatchEnd::tone ? style.hatch_taper : blunt * style.hatch_taper;
+    switch (end) {
+    case HatchEnd::picture: return 0.0F;
+    case HatchEnd::rim: return rim_taper;
+    case HatchEnd::line: return longest;
+    default: return std::clamp(gap - least_gap * width, 0.0F, longest);
+    }
+}
+
+void HatchSpans::put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part) {
+    constexpr float nothing = std::numeric_limits<float>::infinity();
+    const Drawn& drawn = drawn_[number];
+    const float begin = at(drawn.begin);
+    const float length = at(drawn.end) - begin;
+    if (!(length > 0.0F && length >= style.hatch_shortest)) return;
+    const float gap_before = number > 0 ? begin - at(drawn_[number - 1].end) : nothing;
+    const float gap_after = number + 1 < drawn_.size() ? at(drawn_[number + 1].begin) - at(drawn.end) : nothing;
+    HatchSpan span;
+    span.first = part.points.size();
+    span.count = 1 + static_cast<std::int32_t>(std::ceil(length / point_step));
+    span.closed = drawn.closed;
+    if (style.hatch_shortest > 0.0F) span.fade = smooth(length / style.hatch_shortest - 1.0F);
+    if (!drawn.closed) {
+        span.taper_begin = taper(style, drawn.begins, gap_before, point(marks, drawn.begin).width);
+        span.taper_end = taper(style, drawn.ends, gap_after, point(marks, drawn.end).width);
+    }
+    Place place = drawn.begin;
+    const float step = length / static_cast<float>(span.count - 1);
+    for (std::int32_t i = 0; i < span.count; ++i) {
+        const float wanted = begin + step * static_cast<float>(i);
+        const std::int64_t last = length_.size() - 2;
+        while (place.mark < last && length_[place.mark + 1] < wanted) ++place.mark;
+        const float way = length_[place.mark + 1] - length_[place.mark];
+        place.share = way > 0.0F ? std::clamp((wanted - length_[place.mark]) / way, 0.0F, 1.0F) : 0.0F;
+        part.points.push_back(point(marks, i + 1 < span.count ? place : drawn.end));
+    }
+    part.spans.push_back(span);
+}
+
+// Hermite's cubic between two marks; the rest changes evenly.
+HatchPoint HatchSpans::point(std::span<const HatchMark> marks, const Place& at_place) const noexcept {
+    const auto i = static_cast<std::size_t>(at_place.mark);
+    const HatchMark& a = marks[i];
+    const float t = at_place.share;
+    if (t == 0.0F || i + 1 == marks.size()) return {a.x, a.y, a.window, a.depth, a.pixels_per_unit, a.width, a.id};
+    const HatchMark& b = marks[i + 1];
+    const float way = length_[at_place.mark + 1] - length_[at_place.mark];
+    const float u = 1.0F - t;
+    const glm::vec2 p = u * u * (1.0F + 2.0F * t) * place(a) + t * t * (3.0F - 2.0F * t) * place(b) +
+                        t * u * way * (u * tangent_[at_place.mark] - t * tangent_[at_place.mark + 1]);
+    const auto mixed = [t](float from, float to) { return from + t * (to - from); };
+    return {p.x,
+            p.y,
+            mixed(a.window, b.window),
+            mixed(a.depth, b.depth),
+            mixed(a.pixels_per_unit, b.pixels_per_unit),
+            mixed(a.width, b.width),
+            t < 0.5F ? a.id : b.id};
+}
+
+} // namespace hrbfnpr::frame

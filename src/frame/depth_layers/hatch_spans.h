@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Where along its stroke a line of hatching is drawn, and its points there.
+#pragma once
+
+#include "frame/depth_layers/hatch_marks.h"
+
+namespace hrbfnpr::frame {
+
+// A part of a line that is drawn, before it is asked what hides it.  Its points follow each other at about even steps.
+struct HatchSpan {
+    std::int64_t first = 0; // of its points
+    std::int32_t count = 0;
+    float taper_begin = 0.0F, taper_end = 0.0F; // pixels
+    float fade = 1.0F;                          // of its width: short ones are thin
+    bool closed = false;                        // its last point is its first one
+};
+
+// Points of lines before they are dots.
+struct HatchPoint {
+    float x, y, window, depth, pixels_per_unit;
+    float width;
+    std::uint32_t id; // of the nearest mark
+};
+
+struct HatchPart {
+    explicit HatchPart(base::Memory& memory) noexcept : spans(memory), points(memory) {}
+
+    base::Array<HatchSpan> spans;
+    base::Array<HatchPoint> points;
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return spans.bytes() + points.bytes(); }
+};
+
+// Of one stroke after the other.
+class HatchSpans {
+public:
+    explicit HatchSpans(base::Memory& memory) noexcept : length_(memory), tangent_(memory), drawn_(memory) {}
+
+    // Adds what is drawn of a stroke; closed ones may be turned.
+    void add(const LayerStyle& style, std::span<HatchMark> marks, bool closed, HatchPart& part);
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return length_.bytes() + tangent_.bytes() + drawn_.bytes(); }
+
+private:
+    // A place between a mark and the next one.
+    struct Place {
+        std::int64_t mark;
+        float share;
+    };
+    struct Drawn {
+        Place begin, end;
+        HatchEnd begins = HatchEnd::line, ends = HatchEnd::line;
+        bool closed = false;
+    };
+
+    void find(std::span<const HatchMark> marks, bool closed);
+    void measure(std::span<const HatchMark> marks);
+    void join(std::span<const HatchMark> marks);
+    [[nodiscard]] float at(const Place& place) const noexcept;
+    void put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part);
+    [[nodiscard]] float taper(const LayerStyle& style, HatchEnd end, float gap, float width) const noexcept;
+    [[nodiscard]] HatchPoint point(std::span<const HatchMark> marks, const Place& place) const noexcept;
+
+    base::Array<float> length_;      // of each mark from the first one, pixels
+    base::Array<glm::vec2> tangent_; // of each mark, of unit length where marks lie evenly
+    base::Array<Drawn> drawn_;
+};
+
+} // namespace hrbfnpr::frame

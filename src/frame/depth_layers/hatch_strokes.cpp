@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "frame/depth_layers/hatch_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hrbfnpr::frame {
+
+using drawing::Stroke;
+using drawing::StrokePoint;
+
+namespace {
+
+// A line narrows over so many pixels where something hides it.
+constexpr float hidden_taper = 2.0F;
+// Hidden parts of fewer widths are drawn.
+constexpr float least_gap = 2.0F;
+// Near a tip points lie closer, since the width changes like a root there; pixels from it.
+constexpr std::array<float, 2> tip_points = {0.3F, 1.2F};
+
+// An ellipse's quarter would be blunter.
+[[nodiscard]] float narrowed(float from_end, float taper) noexcept {
+    return from_end < taper ? std::sqrt(std::max(from_end, 0.0F) / taper) : 1.0F;
+}
+
+// The strokes of one span.
+class HatchPieces {
+public:
+    HatchPieces(HatchStrokePart& part, const HatchSpan& span, std::span<Dot> dots, float shortest) noexcept
+        : part_(part), span_(span), dots_(dots), shortest_(shortest) {}
+
+    void operator()() {
+        if (span_.closed) begin_hidden();
+        measure();
+        const std::int64_t count = size();
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (!seen(i)) continue;
+            const std::int64_t first = i;
+            while (i + 1 < count && (seen(i + 1) || closes(i + 1))) ++i;
+            while (!seen(i)) --i; // a gap at the end is none
+            put(first, i);
+        }
+    }
+
+private:
+    [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(dots_.size()); }
+    [[nodiscard]] const Dot& dot(std::int64_t i) const noexcept { return dots_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] bool seen(std::int64_t i) const noexcept { return dot(i).opacity > 0.0F; }
+
+    // A closed line begins where it is hidden, if it is anywhere.
+    void begin_hidden() noexcept {
+        const auto hidden = std::find_if(dots_.begin(), dots_.end(), [](const Dot& d) { return !(d.opacity > 0.0F); });
+        if (hidden == dots_.end()) return;
+        std::rotate(dots_.begin(), hidden, dots_.end() - 1);
+        dots_.back() = dots_.front();
+    }
+
+    void measure() {
+        part_.length.clear();
+        float length = 0.0F;
+        for (std::int64_t i = 0; i < size(); ++i) {
+            if (i > 0) length += std::hypot(dot(i).x - dot(i - 1).x, dot(i).y - dot(i - 1).y);
+            part_.length.push_back(length);
+        }
+    }
+
+    // Whether a hidden part that i lies in is so short that the line goes on.
+    [[nodiscard]] bool closes(std::int64_t i) const noexcept {
+        std::int64_t first = i;
+        while (!seen(first - 1)) --first; // one that is seen comes before
+        std::int64_t end = i;
+        while (end < size() && !seen(end)) ++end;
+        return end < size() &&
+               middle(end - 1) - middle(first - 1) < least_gap * (dot(first - 1).radius + dot(end).radius);
+    }
+    // Half way to the next one.
+    [[nodiscard]] float middle(std::int64_t i) const noexcept { return 0.5F * (part_.length[i] + part_.length[i + 1]); }
+
+    // From the point `first` to the point `last`, which are seen, and half way to the next ones, which are not.
+    void put(std::int64_t first, std::int64_t last) {
+        begin_ = first > 0 ? middle(first - 1) : 0.0F;
+        end_ = last + 1 < size() ? middle(last) : part_.length[size() - 1];
+        begin_taper_ = first > 0 ? hidden_taper : 0.0F;
+        end_taper_ = last + 1 < size() ? hidden_taper : 0.0F;
+        first_ = first;
+        last_ = last;
+        const bool whole = first == 0 && last + 1 == size();
+        const float length = end_ - begin_;
+        if (!whole && !(length > 0.5F * shortest_)) return;
+        fade_ = span_.fade;
+        if (!whole && shortest_ > 0.0F) fade_ *= std::clamp(2.0F * length / shortest_ - 1.0F, 0.0F, 1.0F);
+        Stroke stroke;
+        stroke.first = part_.made.points.size();
+        stroke.layer = dot(first).layer;
+        stroke.closed = span_.closed && whole;
+        add_points();
+        stroke.count = static_cast<std::int32_t>(part_.made.points.size() - stroke.first);
+        stroke.depth = part_.made.points[stroke.first + stroke.count / 2].depth;
+        part_.made.strokes.push_back(stroke);
+    }
+
+    void add_points() {
+        const bool tip = begin_taper_ > 0.0F || span_.taper_begin > 0.0F;
+        const bool end_tip = end_taper_ > 0.0F || span_.taper_end > 0.0F;
+        const float reach = 2.0F * tip_points.back();
+        const bool tips = end_ - begin_ > 2.0F * reach;
+        start_ = begin_;
+        from_ = std::max<std::int64_t>(first_ - 1, 0);
+        add(begin_);
+        if (tip && tips)
+            for (const float at : tip_points) add(begin_ + at);
+        const float low = begin_ + (tip && tips ? reach : 0.5F);
+        const float high = end_ - (end_tip && tips ? reach : 0.5F);
+        for (std::int64_t i = first_; i <= last_; ++i)
+            if (part_.length[i] > low && part_.length[i] < high) add(part_.length[i]);
+        if (end_tip && tips)
+            for (std::size_t k = tip_points.size(); k-- > 0;) add(end_ - tip_points[k]);
+        add(end_);
+    }
+
+    // A point of the line; they come in their order.
+    void add(float at) {
+        while (from_ + 2 < size() && part_.length[from_ + 1] < at) ++from_;
+        const Dot& a = dot(from_);
+        const Dot& b = dot(from_ + 1);
+        const float way = part_.length[from_ + 1] - part_.length[from_];
+        const float t = way > 0.0F ? std::clamp((at - part_.length[from_]) / way, 0.0F, 1.0F) : 0.0F;
+        const auto mixed = [t](float from, float to) { return from + t * (to - from); };
+        StrokePoint p{};
+        p.x = mixed(a.x, b.x);
+        p.y = mixed(a.y, b.y);
+        p.radius = mixed(a.radius, b.radius) * fade_ * profile(at);
+        // Where the line goes on over what is hidden, it does so as before.
+        p.opacity = seen(from_) && seen(from_ + 1) ? mixed(a.opacity, b.opacity) : std::max(a.opacity, b.opacity);
+        if (!(p.opacity > 0.0F)) p.opacity = part_.made.points.back().opacity;
+        p.depth = mixed(a.depth, b.depth);
+        p.window = mixed(a.window, b.window);
+        p.pixels_per_unit = mixed(a.pixels_per_unit, b.pixels_per_unit);
+        p.length = at - start_;
+        p.id = t < 0.5F ? a.id : b.id;
+        part_.made.points.push_back(p);
+    }
+
+    [[nodiscard]] float profile(float at) const noexcept {
+        const float whole = part_.length[size() - 1];
+        return std::min({narrowed(at, span_.taper_begin), narrowed(whole - at, span_.taper_end),
+                         narrowed(at - begin_, begin_taper_), narrowed(end_ - at, end_taper_)});
+    }
+
+    HatchStrokePart& part_;
+    const HatchSpan& span_;
+    std::span<Dot> dots_;
+    float shortest_;
+    std::int64_t first_ = 0, last_ = 0, from_ = 0;
+    float begin_ = 0.0F, end_ = 0.0F, begin_taper_ = 0.0F, end_taper_ = 0.0F, start_ = 0.0F, fade_ = 1.0F;
+};
+
+// Calls f for each element whose number differs from that of the one before.
+template <class Range, class F>
+void for_each_mark(const Range& range, const F& f) {
+    std::uint32_t last = 0;
+    for (const auto& element : range)
+        if (std::exchange(last, element.id) != element.id) f(element);
+}
+
+void make_strokes(const LayerStyle& style, const HatchPart& from, std::span<Dot> dots, HatchStrokePart& part) {
+    part.made.strokes.clear();
+    part.made.points.clear();
+    part.seen = part.shown = part.hidden = 0;
+    for (const HatchSpan& span : from.spans) {
+        const std::span<Dot> own =
+            dots.subspan(static_cast<std::size_t>(span.first), static_cast<std::size_t>(span.count));
+        for_each_mark(own, [&](const Dot& dot) { part.hidden += dot.opacity > 0.0F ? 0 : 1; });
+        for (const Dot& dot : own) part.seen += dot.opacity > 0.0F ? 1 : 0;
+        HatchPieces(part, span, own, style.hatch_shortest)();
+    }
+    for (Dot& dot : dots) dot.opacity = 0.0F;
+    for_each_mark(part.made.points, [&](const StrokePoint&) { ++part.shown; });
+}
+
+} // namespace
+
+void HatchStrokes::append(const HatchStrokePart& part) {
+    const std::int64_t first = strokes_.points.size();
+    for (const StrokePoint& point : part.made.points) strokes_.points.push_back(point);
+    for (Stroke stroke : part.made.strokes) {
+        stroke.first += first;
+        strokes_.strokes.push_back(stroke);
+    }
+}
+
+const LineStrokes& HatchStrokes::run(const Scene& scene, const HatchPoints& points, drawing::Drawing& drawing) {
+    const std::span<const HatchPoints::Batch> batches = points.batches();
+    const auto count = static_cast<std::int64_t>(batches.size());
+    while (parts_.size() < count) parts_.add(runtime_.memory);
+    strokes_.strokes.clear();
+    strokes_.points.clear();
+    runtime_.parallel.for_each(count, [&](std::int64_t i) {
+        const HatchPoints::Batch& batch = batches[static_cast<std::size_t>(i)];
+        const std::span<Dot> dots(drawing.dots.data() + batch.first_dot,
+                                  static_cast<std::size_t>(batch.part.points.size()));
+        make_strokes(*scene.runs[batch.run].style, batch.part, dots, parts_[i]);
+    });
+    for (std::int64_t i = 0; i < count; ++i) {
+        const HatchStrokePart& part = parts_[i];
+        const std::int64_t dots = batches[static_cast<std::size_t>(i)].part.points.size();
+        drawing.dot_count -= part.seen;
+        drawing.counts.shown += part.shown - part.seen;
+        drawing.counts.dropped_hidden += part.hidden - (dots - part.seen);
+        append(part);
+    }
+    return strokes_;
+}
+
+std::int64_t HatchStrokes::bytes() const noexcept {
+    std::int64_t sum = parts_.bytes() + strokes_.strokes.bytes() + strokes_.points.bytes();
+    for (const HatchStrokePart& part : parts_) sum += part.bytes();
+    return sum;
+}
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Where lines of hatching end, and how.
+#include "frame/hatching.h"
+
+namespace hrbfnpr::testing {
+namespace {
+
+TEST_F(Hatch, ALineEndsWhereItsToneDoes) {
+    for (const double y : {-0.1, 0.0, 0.1}) add_line(set, {y, -1.0, 1.0, 0}, 0.05);
+    set_nesting(set, 0.1, 0);
+    cluster();
+    for (const double at : {-0.31, -0.123, 0.0, 0.2345, 0.4}) {
+        darkness = [=](const glm::dvec3& p) { return 0.15 + 0.6 * (at - p.x); };
+        draw(front_camera(size, size, 1.25)); // 200 pixels a unit
+        ASSERT_EQ(frame.drawing().strokes.size(), 3);
+        for (std::int64_t s = 0; s < 3; ++s) {
+            const StrokePoint& end = points_of(s).back();
+            EXPECT_NEAR(end.x, 250.0 + 200.0 * at, 0.1) << at;
+            EXPECT_EQ(end.radius, 0.0F);
+        }
+    }
+}
+
+TEST_F(Hatch, LinesNarrowToTheirEnds) {
+    add_line(set, {0.0, -1.0, 1.0, 0}, 0.02);
+    set_nesting(set, 0.02, 0);
+    cluster();
+    darkness = [](const glm::dvec3& p) { return p.x < 0.5 ? 0.8 : 0.0; };
+    layer.hatch_coverage_begin = layer.hatch_coverage_end = 0.6F;
+    draw(front_camera(size, size, 1.25));
+    ASSERT_EQ(frame.drawing().strokes.size(), 1);
+    const auto points = points_of(0);
+    const double end = points.back().x;
+    EXPECT_EQ(points.front().radius, 0.0F);
+    EXPECT_NEAR(points.front().x, 50.0, 0.01);
+    const double middle = radius_at(points, 200.0);
+    EXPECT_NEAR(middle, 0.5 * 0.6 * 4.0, 1e-3); // of a period of 4 pixels
+    for (const double away : {2.5, 7.5, 15.0})
+        EXPECT_NEAR(radius_at(points, end - away), middle * std::sqrt(away / 20.0), 0.03 * middle) << away;
+    for (const double away : {1.5, 3.0, 5.0})
+        EXPECT_NEAR(radius_at(points, 50.0 + away), middle * std::sqrt(away / 7.0), 0.05 * middle) << away;
+    EXPECT_NEAR(radius_at(points, 60.0), middle, 1e-3);
+}
+
+TEST_F(Hatch, ShortPiecesAreLeftOutAndGrowFromNothing) {
+    add_line(set, {0.0, -1.0, 1.0, 0}, 0.005);
+    set_nesting(set, 0.02, 0);
+    cluster();
+    double before = 0.0;
+    bool seen = false;
+    for (double length = 4.0; length < 30.0; length += 0.25) { // pixels, 200 a unit
+        darkness = [=](const glm::dvec3& p) { return 0.15 + 2.0 * (0.5 * length / 200.0 - std::abs(p.x)); };
+        draw(front_camera(size, size, 1.25));
+        float widest = 0.0F;
+        for (const StrokePoint& p : frame.drawing().points) widest = std::max(widest, p.radius);
+        if (length < 9.8) {
+            EXPECT_TRUE(frame.drawing().strokes.empty()) << length;
+        } else if (length > 10.2) {
+            EXPECT_EQ(frame.drawing().strokes.size(), 1) << length;
+        }
+        EXPECT_NEAR(widest, before, 0.05) << length;
+        before = widest;
+        seen = seen || widest > 0.12F;
+    }
+    EXPECT_TRUE(seen);
+}
+
+TEST_F(Hatch, NarrowGapsAreClosed) {
+    add_line(set, {0.0, -1.0, 1.0, 0}, 0.0025);
+    set_nesting(set, 0.02, 0);
+    cluster();
+    std::int64_t before = 1;
+    for (double gap = 0.0; gap < 12.0; gap += 0.5) { // pixels
+        darkness = [=](const glm::dvec3& p) { return 0.15 + 4.0 * (std::abs(p.x) - 0.5 * gap / 200.0); };
+        draw(front_camera(size, size, 1.25));
+        const std::int64_t now = frame.drawing().strokes.size();
+        EXPECT_EQ(now, gap < 0.7 ? 1 : gap > 2.0 ? 2 : now) << gap; // lines are 0.4 to 2.8 pixels wide
+        EXPECT_GE(now, before);
+        before = now;
+    }
+    EXPECT_EQ(before, 2);
+}
+
+TEST_F(Hatch, ACircleHasNoEnds) {
+    add_circle(set, 0.8, 0.0, {0, 0, 1}, 40);
+    set_nesting(set, 0.03, 0);
+    cluster();
+    draw(front_camera(size, size, 1.25));
+    ASSERT_EQ(frame.drawing().strokes.size(), 1);
+    EXPECT_TRUE(frame.drawing().strokes[0].closed);
+    const auto points = points_of(0);
+    EXPECT_EQ(points.front().x, points.back().x);
+    EXPECT_EQ(points.front().y, points.back().y);
+    for (const StrokePoint& p : points) {
+        EXPECT_NEAR(p.radius, points.front().radius, 0.01F); // no tip
+        EXPECT_NEAR(std::hypot(p.x - 250.0F, p.y - 250.0F), 160.0F, 0.05F) << "a curve, not its chords";
+    }
+    // Dark around its first mark: one line across it.
+    darkness = [](const glm::dvec3& p) { return p.x > 0.0 ? 0.7 : 0.0; };
+    draw(front_camera(size, size, 1.25));
+    ASSERT_EQ(frame.drawing().strokes.size(), 1);
+    EXPECT_FALSE(frame.drawing().strokes[0].closed);
+    EXPECT_NEAR(points_of(0).back().length, 160.0 * pi, 15.0);
+    // Marks are 25 pixels apart.
+    for (const StrokePoint& p : points_of(0)) EXPECT_GT(p.x, 250.0F - 25.0F);
+}
+
+TEST_F(Hatch, ASphereHidesWhatIsBehindIt) {
+    set = nested_plane(runtime.memory);
+    cluster();
+    const marks::PointSet ball = clustered(runtime, sphere(runtime.memory, 20000, 0.4, {0, 0, 1}));
+    frame::LayerStyle blank;
+    blank.share = 0.0F;
+    blank.contours = false;
+    frame::Style blank_style = style;
+    blank_style.layers = std::span(&blank, 1);
+    blank_style.tone = frame::Tone::none;
+    style.layers = std::span(&layer, 1);
+    darkness = [](const glm::dvec3&) { return 0.5; };
+    for (const frame::HiddenLines hidden : {frame::HiddenLines::hide, frame::HiddenLines::attenuate}) {
+        style.hidden_lines = blank_style.hidden_lines = hidden;
+        blank_style.halo_width = style.halo_width = 0.0F;
+        blank_style.attenuation_front = blank_style.attenuation_back = 0.1; // some is seen through the ball
+        const std::array items{layered_item(set, style), layered_item(ball, blank_style)};
+        frame.draw(items, front_camera(size, size, 1.25));
+        const drawing::Drawing& drawing = frame.drawing();
+        EXPECT_GT(drawing.strokes.size(), 50);
+        EXPECT_EQ(drawing.dot_count, 0);
+        EXPECT_TRUE(frame.discs().empty());
+        int within = 0;
+        int near_rim = 0;
+        for (const StrokePoint& p : drawing.points) {
+            const float away = std::hypot(p.x - 250.0F, p.y - 250.0F);
+            within += away < 75.0F;
+            near_rim += away > 75.0F && away < 86.0F;
+            if (hidden == frame::HiddenLines::hide) {
+                EXPECT_EQ(p.opacity, 1.0F);
+            } else if (away < 70.0F) {
+                EXPECT_GT(p.opacity, 0.0F);
+                EXPECT_LT(p.opacity, 0.9F);
+            }
+        }
+        EXPECT_EQ(within > 0, hidden == frame::HiddenLines::attenuate);
+        EXPECT_GT(near_rim, 20);
+        EXPECT_EQ(drawing.counts.dropped_hidden > 0, hidden == frame::HiddenLines::hide);
+        if (hidden == frame::HiddenLines::attenuate) continue;
+        for (std::int64_t s = 0; s < drawing.strokes.size(); ++s) {
+            EXPECT_EQ(points_of(s).front().radius, 0.0F);
+            EXPECT_EQ(points_of(s).back().radius, 0.0F);
+            EXPECT_GT(points_of(s).back().length, 5.0F);
+        }
+    }
+}
+
+TEST_F(Hatch, TheBackIsNotDrawn) {
+    add_latitudes(set);
+    cluster();
+    frame::Camera camera = front_camera(size, size, 1.25);
+    camera.view = frame::look_at({4.0, -7.0, 5.0}, glm::dvec3(0.0), {0, 0, 1});
+    style.tone = frame::Tone::none;
+    draw(camera);
+    ASSERT_GT(frame.drawing().strokes.size(), 20);
+    for (const StrokePoint& p : frame.drawing().points)
+        EXPECT_LT(p.depth, glm::length(glm::dvec3(4.0, -7.0, 5.0)) + 0.02);
+}
+
+} // namespace
+} // namespace hrbfnpr::testing

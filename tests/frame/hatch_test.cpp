@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// Hatching: nested lines whose width makes the tone.
+#include "frame/hatching.h"
+#include "support/runtime.h"
+
+namespace hrbfnpr::testing {
+namespace {
+
+TEST_F(Hatch, CoversWhatTheToneAsksForAtAnyZoom) {
+    set = nested_plane(runtime.memory);
+    cluster();
+    double worst = 0.0;
+    for (const double dark : {0.16, 0.3, 0.5, 0.65}) {
+        darkness = [=](const glm::dvec3&) { return dark; };
+        for (const double half : {0.15, 0.4, 0.62, 0.8, 1.0, 1.25, 2.5}) {
+            draw(front_camera(size, size, half));
+            const double error = plane_ink(half) - coverage(layer, dark);
+            EXPECT_NEAR(error, 0.0, 0.003) << dark << " " << half;
+            worst = std::max(worst, std::abs(error));
+        }
+    }
+    RecordProperty("worst_error", std::to_string(worst));
+}
+
+TEST_F(Hatch, CoversWhatTheToneAsksForAtASlant) {
+    set = nested_plane(runtime.memory);
+    cluster();
+    darkness = [](const glm::dvec3&) { return 0.5; };
+    for (const bool perspective : {false, true}) {
+        for (const double turn : {0.0, 0.5 * pi, 1.0}) {
+            for (const double tilt : {0.5, 1.0}) {
+                frame::Camera camera;
+                const glm::dvec3 toward(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn),
+                                        std::cos(tilt));
+                camera.view = frame::look_at(4.0 * toward, glm::dvec3(0.0), {-std::sin(turn), std::cos(turn), 0.0});
+                camera.projection = perspective ? frame::perspective(0.6, size, size, 1.0, 20.0, camera.depth)
+                                                : frame::orthographic(2.4, size, size, 1.0, 20.0, camera.depth);
+                camera.viewport = {0.0, 0.0, size, size};
+                draw(camera);
+                // The rectangle cuts periods, so it tells less.
+                EXPECT_NEAR(ink(80.0, 80.0), coverage(layer, 0.5), 0.03) << turn << " " << tilt << " " << perspective;
+            }
+        }
+    }
+}
+
+TEST_F(Hatch, ZoomingChangesNothingAtOnce) {
+    set = nested_plane(runtime.memory);
+    cluster();
+    darkness = [](const glm::dvec3&) { return 0.45; };
+    std::vector<double> before;
+    for (double half = 1.3; half > 0.3; half *= 0.99) {
+        draw(front_camera(size, size, half));
+        EXPECT_NEAR(plane_ink(half), coverage(layer, 0.45), 0.01) << half;
+        std::vector<double> widths(finest + 1, 0.0); // of each level in the picture's middle
+        for (const StrokePoint& p : frame.drawing().points) {
+            if (std::abs(p.x - 0.5F * size) > 40.0F || std::abs(p.y - 0.5F * size) > 150.0F) continue;
+            const std::uint8_t level = set.layers[0].level[p.id - 1];
+            widths[level] = std::max(widths[level], 2.0 * static_cast<double>(p.radius));
+        }
+        for (std::size_t k = 0; !before.empty() && k < widths.size(); ++k)
+            EXPECT_NEAR(widths[k], before[k], 0.2) << "level " << k << " at " << half;
+        before = widths;
+    }
+}
+
+TEST_F(Hatch, ThereIsALeastWhiteAndALeastPen) {
+    set = nested_plane(runtime.memory);
+    cluster();
+    layer.hatch_coverage_end = 1.0F;
+    for (const double half : {0.5, 0.8, 1.25}) {
+        draw(front_camera(size, size, half));
+        std::vector<std::pair<float, float>> lines; // in the middle: place and half width
+        for (std::int64_t s = 0; s < frame.drawing().strokes.size(); ++s) {
+            const auto points = points_of(s);
+            const StrokePoint& p = points[points.size() / 2];
+            lines.emplace_back(p.y, p.radius);
+        }
+        std::sort(lines.begin(), lines.end());
+        ASSERT_GT(lines.size(), 20U);
+        for (std::size_t i = 1; i < lines.size(); ++i) {
+            const float white = lines[i].first - lines[i].second - lines[i - 1].first - lines[i - 1].second;
+            EXPECT_GT(white, 0.5F * layer.hatch_white - 0.01F) << half; // while a level fades in
+        }
+    }
+    layer.hatch_pen = 3.0F;
+    layer.hatch_white = 0.0F;
+    darkness = [](const glm::dvec3&) { return 0.2; };
+    draw(front_camera(size, size, 0.5));
+    ASSERT_GT(frame.drawing().strokes.size(), 3);
+    for (std::int64_t s = 0; s < frame.drawing().strokes.size(); ++s) {
+        const StrokePoint& middle = points_of(s)[points_of(s).size() / 2];
+        if (set.layers[0].level[middle.id - 1] > 0) continue;
+        EXPECT_GT(middle.radius, 0.94F * 1.5F);
+    }
+}
+
+TEST_F(Hatch, WithoutASeparationWidthsGoByTheRadius) {
+    add_line(set, {0.0, -1.0, 1.0, 2}, 0.02);
+    set.spacing = 0.02;
+    cluster();
+    layer.radius = 3.0F;
+    for (const double dark : {0.2, 0.5, 1.0}) {
+        darkness = [=](const glm::dvec3&) { return dark; };
+        draw(front_camera(size, size, 1.25));
+        ASSERT_EQ(frame.drawing().strokes.size(), 1);
+        EXPECT_NEAR(radius_at(points_of(0), 250.0), 3.0 * coverage(layer, dark) / coverage(layer, 1.0), 1e-4);
+    }
+}
+
+TEST_F(Hatch, TwiceAsLargeWithLengthsTwiceAsLargeIsTheSame) {
+    add_latitudes(set);
+    cluster();
+    style.tone = frame::Tone::light;
+    style.light = {-0.5, 0.6, 0.6};
+    const auto camera_of = [](int side) {
+        frame::Camera camera = front_camera(side, side, 1.25);
+        camera.view = frame::look_at({4.0, -7.0, 5.0}, glm::dvec3(0.0), {0, 0, 1});
+        return camera;
+    };
+    struct Ends {
+        std::int64_t stroke;
+        float x, y, length;
+    };
+    const auto ends_of = [&](int side) {
+        const drawing::Drawing& drawing = draw(camera_of(side));
+        const float scale = static_cast<float>(size) / static_cast<float>(side);
+        std::vector<Ends> ends;
+        for (std::int64_t s = 0; s < drawing.strokes.size(); ++s) {
+            const StrokePoint& p = points_of(s).front();
+            ends.push_back(
+                {drawing.identify(p.id).stroke, scale * p.x, scale * p.y, scale * points_of(s).back().length});
+        }
+        std::sort(ends.begin(), ends.end(), [](const Ends& a, const Ends& b) {
+            return a.stroke != b.stroke ? a.stroke < b.stroke : a.length < b.length;
+        });
+        return ends;
+    };
+    const std::vector<Ends> small = ends_of(size);
+    const double ink_before = ink(150.0, 150.0);
+    for (float* const length :
+         {&layer.hatch_spacing, &layer.hatch_pen, &layer.hatch_white, &layer.hatch_taper, &layer.hatch_shortest})
+        *length *= 2.0F;
+    const std::vector<Ends> large = ends_of(2 * size);
+    ASSERT_EQ(large.size(), small.size());
+    for (std::size_t s = 0; s < large.size(); ++s) {
+        EXPECT_NEAR(large[s].length, small[s].length, 0.2F) << s;
+        EXPECT_NEAR(large[s].x, small[s].x, 0.05F) << s;
+        EXPECT_NEAR(large[s].y, small[s].y, 0.05F) << s;
+    }
+    EXPECT_NEAR(ink(300.0, 300.0, size), ink_before, 0.002);
+}
+
+TEST_F(Hatch, SameBitsForAnyThreadCount) {
+    std::vector<float> expected;
+    for (const int threads : {1, 3}) {
+        const base::Runtime other = test::with_threads(threads);
+        marks::PointSet ball(other.memory);
+        add_latitudes(ball);
+        ball = clustered(other, std::move(ball));
+        style.tone = frame::Tone::light;
+        style.hidden_lines = frame::HiddenLines::attenuate;
+        style.layers = std::span(&layer, 1);
+        const std::array items{layered_item(ball, style)};
+        DrawnFrame own(other);
+        std::vector<float> numbers;
+        for (int turn = 0; turn < 8; ++turn) {
+            frame::Camera camera = front_camera(size, size, 1.25);
+            camera.view = frame::look_at({7.0 * std::cos(turn), 7.0 * std::sin(turn), 5.0}, glm::dvec3(0.0), {0, 0, 1});
+            own.draw(items, camera);
+            EXPECT_GT(own.drawing().strokes.size(), 20);
+            for (const StrokePoint& p : own.drawing().points)
+                numbers.insert(numbers.end(),
+                               {p.x, p.y, p.radius, p.opacity, p.depth, p.length, static_cast<float>(p.id)});
+            for (const Stroke& s : own.drawing().strokes) numbers.push_back(static_cast<float>(s.count));
+        }
+        if (expected.empty()) expected = numbers;
+        EXPECT_EQ(numbers, expected) << threads;
+    }
+}
+
+TEST_F(Hatch, AllocatesNothingOnceWarm) {
+    test::Allocator counter;
+    const base::Runtime other = test::with_allocator(counter);
+    marks::PointSet ball(other.memory);
+    add_latitudes(ball);
+    ball = clustered(other, std::move(ball));
+    style.layers = std::span(&layer, 1);
+    style.hidden_lines = frame::HiddenLines::hide;
+    const std::array items{layered_item(ball, style)};
+    DrawnFrame own(other);
+    const auto orbit = [&] {
+        for (int turn = 0; turn < 6; ++turn) {
+            frame::Camera camera = front_camera(size, size, 1.25);
+            camera.view = frame::look_at({7.0 * std::cos(turn), 7.0 * std::sin(turn), 5.0}, glm::dvec3(0.0), {0, 0, 1});
+            own.draw(items, camera);
+        }
+    };
+    orbit();
+    const std::int64_t warm = counter.calls;
+    orbit();
+    EXPECT_EQ(counter.calls, warm);
+}
+
+TEST_F(Hatch, CountsAndLayersSayWhatIsDrawn) {
+    set = nested_plane(runtime.memory);
+    cluster();
+    darkness = [](const glm::dvec3& p) { return p.x > 0.0 ? 0.6 : 0.0; };
+    const drawing::Drawing& drawing = draw(front_camera(size, size, 1.25));
+    EXPECT_EQ(drawing.dot_count, 0);
+    EXPECT_EQ(drawing.counts.dropped_hidden, 0);
+    EXPECT_EQ(drawing.counts.marks, set.layers[0].count());
+    EXPECT_GT(drawing.counts.shown, 0);
+    EXPECT_LE(drawing.counts.shown, set.layers[0].count() / 2 + 201);
+    EXPECT_TRUE(drawing.layers[0].as_strokes);
+    EXPECT_TRUE(drawing.layers[0].as_hatch);
+    EXPECT_FALSE(drawing.layers[1].as_strokes);
+    for (std::int64_t s = 0; s < drawing.strokes.size(); ++s) {
+        EXPECT_EQ(drawing.strokes[s].layer, 0U);
+        std::int64_t stroke = drawing.identify(points_of(s).front().id).stroke;
+        for (const StrokePoint& p : points_of(s)) EXPECT_EQ(drawing.identify(p.id).stroke, stroke);
+    }
+    // As published there are dots.
+    style.tone = frame::Tone::none;
+    style.layers = std::span(&layer, 1);
+    const std::array items{item_of(set, style)};
+    frame.draw(items, front_camera(size, size));
+    EXPECT_TRUE(frame.drawing().strokes.empty());
+    EXPECT_GT(frame.discs().size(), 10000U);
+}
+
+} // namespace
+} // namespace hrbfnpr::testing
