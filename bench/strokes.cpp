@@ -62,7 +62,9 @@ void measure_spacing(const Strokes& strokes, double separation, Found& found) {
         const Vec3 side = bench::cross(marks[i].normal, d);
         double nearest[2] = {farthest, farthest};
         grid.around(marks[i].position, [&](std::size_t other) {
-            if (strokes.stroke[2 * other] == strokes.stroke[2 * i]) return;
+            // A line that winds round is its own neighbour.
+            const std::size_t apart = other > i ? other - i : i - other;
+            if (strokes.stroke[2 * other] == strokes.stroke[2 * i] && apart < 12) return;
             if (bench::dot(marks[i].normal, marks[other].normal) < 0.0) return;
             if (std::abs(bench::dot(d, Strokes::vec(strokes.direction, other))) < 0.7071) return;
             const Vec3 between = marks[other].position - marks[i].position;

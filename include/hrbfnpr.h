@@ -814,8 +814,8 @@ enum {
     HRBFNPR_LAYER_KIND_FIELD = 4,     /* strokes along the caller's field of directions, and across it */
     HRBFNPR_LAYER_KIND_OWN = 5,       /* the caller's marks or strokes */
     HRBFNPR_LAYER_KIND_HATCH = 6      /* evenly spaced lines along one smooth field of directions, nested: the level of
-                                         a line's marks is 0 for the coarsest lines, and those of each further level
-                                         lie midway between all before [Knoeppel et al. 2015] */
+                                         marks is 0 on the coarsest lines, and those of each further level lie midway
+                                         between all before; around a fork a line changes it [Knoeppel et al. 2015] */
 };
 
 enum {
@@ -1565,7 +1565,10 @@ enum {
     HRBFNPR_PRESET_SILHOUETTE = 4,          /* contours only, hidden ones attenuated */
     HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, /* contours and stipples */
     HRBFNPR_PRESET_XRAY = 6,                /* contours only, hidden ones shown */
-    HRBFNPR_PRESET_FULL = 7                 /* stipples, cross hatching, contours and halo: Figure 1 (e) */
+    HRBFNPR_PRESET_FULL = 7,                /* stipples, cross hatching, contours and halo: Figure 1 (e) */
+    HRBFNPR_PRESET_ENGRAVING = 8,           /* one set of lines that swell with the tone, contours; lights are empty */
+    HRBFNPR_PRESET_ETCHING = 9,             /* up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each */
+    HRBFNPR_PRESET_WOODCUT = 10             /* few wide lines, which close up to black; heavy contours */
 };
 
 /* A full set of fields that a caller goes on changing.  style->layers points to

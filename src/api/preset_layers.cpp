@@ -31,6 +31,16 @@ constexpr std::array<hrbfnpr_layer_desc, 2> hatching = {of_kind(HRBFNPR_LAYER_KI
 constexpr std::array<hrbfnpr_layer_desc, 2> combing = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES),
                                                        of_kind(HRBFNPR_LAYER_KIND_COMBING)};
 
+constexpr hrbfnpr_layer_desc hatched(const char* name, double angle) noexcept {
+    hrbfnpr_layer_desc desc = of_kind(HRBFNPR_LAYER_KIND_HATCH);
+    desc.name = name;
+    desc.angle = angle;
+    return desc;
+}
+constexpr std::array<hrbfnpr_layer_desc, 2> engraving = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES), hatched(nullptr, 0.0)};
+constexpr std::array<hrbfnpr_layer_desc, 4> etching = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES), hatched("hatch-1", 0.0),
+                                                       hatched("hatch-2", 50.0), hatched("hatch-3", -40.0)};
+
 } // namespace
 
 PresetLayers preset_layers(std::uint32_t preset) noexcept {
@@ -43,6 +53,9 @@ PresetLayers preset_layers(std::uint32_t preset) noexcept {
     case HRBFNPR_PRESET_CROSS_HATCH:
     case HRBFNPR_PRESET_FULL: return {hatching.data(), 2};
     case HRBFNPR_PRESET_COMBING: return {combing.data(), 2};
+    case HRBFNPR_PRESET_ENGRAVING:
+    case HRBFNPR_PRESET_WOODCUT: return {engraving.data(), 2};
+    case HRBFNPR_PRESET_ETCHING: return {etching.data(), 4};
     default: return {};
     }
 }

@@ -32,7 +32,7 @@ static_assert(static_cast<int>(frame::LightSpace::camera) == HRBFNPR_LIGHT_CAMER
 static_assert(static_cast<int>(frame::Shape::dots) == HRBFNPR_SHAPE_DOTS);
 static_assert(static_cast<int>(frame::Shape::strokes) == HRBFNPR_SHAPE_STROKES);
 static_assert(static_cast<int>(frame::Shape::hatch) == HRBFNPR_SHAPE_HATCH);
-static_assert(frame::preset_count == HRBFNPR_PRESET_FULL + 1);
+static_assert(frame::preset_count == HRBFNPR_PRESET_WOODCUT + 1);
 
 namespace hrbfnpr::api {
 namespace {
@@ -256,12 +256,14 @@ constexpr LineStyle constant(const frame::LineStyle& from) {
 constexpr std::array<LineStyle, 1> plain_lines = {constant(frame::presets::plain_lines[0])};
 constexpr std::array<LineStyle, 1> silhouette_lines = {constant(frame::presets::silhouette_lines[0])};
 constexpr std::array<LineStyle, 1> xray_lines = {constant(frame::presets::xray_lines[0])};
+constexpr std::array<LineStyle, 1> woodcut_lines = {constant(frame::presets::woodcut_lines[0])};
 
 std::span<const LineStyle> preset_line_styles(std::uint32_t preset) noexcept {
     switch (preset) {
     case HRBFNPR_PRESET_STIPPLE: return {};
     case HRBFNPR_PRESET_SILHOUETTE: return silhouette_lines;
     case HRBFNPR_PRESET_XRAY: return xray_lines;
+    case HRBFNPR_PRESET_WOODCUT: return woodcut_lines;
     default: return plain_lines;
     }
 }
@@ -303,6 +305,9 @@ constexpr auto combing = constants(frame::presets::combing_layers);
 constexpr auto contours = constants(frame::presets::contour_layers);
 constexpr auto contour_and_stipple = constants(frame::presets::contour_and_stipple_layers);
 constexpr auto full = constants(frame::presets::full_layers);
+constexpr auto engraving = constants(frame::presets::engraving_layers);
+constexpr auto etching = constants(frame::presets::etching_layers);
+constexpr auto woodcut = constants(frame::presets::woodcut_layers);
 
 std::span<const Layer> preset_layer_styles(std::uint32_t preset) noexcept {
     switch (preset) {
@@ -312,6 +317,9 @@ std::span<const Layer> preset_layer_styles(std::uint32_t preset) noexcept {
     case HRBFNPR_PRESET_COMBING: return combing;
     case HRBFNPR_PRESET_CONTOUR_AND_STIPPLE: return contour_and_stipple;
     case HRBFNPR_PRESET_FULL: return full;
+    case HRBFNPR_PRESET_ENGRAVING: return engraving;
+    case HRBFNPR_PRESET_ETCHING: return etching;
+    case HRBFNPR_PRESET_WOODCUT: return woodcut;
     default: return contours;
     }
 }

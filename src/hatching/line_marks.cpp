@@ -13,7 +13,7 @@ namespace {
 
 // Rounds of 1/4, 1/2, 1/4 along a line: points on a mesh's edges know their place to a part of its cells.
 constexpr int smoothings = 2;
-// In separations of the finest level: over so much of a line its points vote for one level, and no piece is shorter.
+// In separations of the finest level: over so much of a line its points vote for one level, and no line is shorter.
 constexpr double votes = 6.0;
 constexpr double shortest = 2.0;
 // Marks next to each other that are farther apart than this, in steps, or nearer, do not belong together.
@@ -27,10 +27,10 @@ struct Path {
     bool closed = false;
 };
 
-// A part of one level.
+// A part that lies on the surface in one piece.
 struct Piece {
     std::int64_t begin = 0, count = 0;
-    std::uint8_t level = 0;
+    std::uint8_t level = 0; // the coarsest of its marks
 };
 
 class Laying {
@@ -169,12 +169,9 @@ void Laying::cut(const Path& path) {
     const std::int64_t end = path.begin + path.count;
     for (std::int64_t begin = path.begin; begin < end;) {
         Piece piece{begin, 1, level_[begin]};
-        while (begin + piece.count < end && joined(begin + piece.count) && level_[begin + piece.count] == piece.level)
-            ++piece.count;
+        for (; begin + piece.count < end && joined(begin + piece.count); ++piece.count)
+            piece.level = std::min(piece.level, level_[begin + piece.count]);
         begin += piece.count;
-        // Pieces of two levels meet in one mark.
-        const bool goes_on = begin < end && joined(begin);
-        if (goes_on) ++piece.count;
         if (placed_[piece.begin] != 0 && piece.count >= fewest_marks) pieces_.push_back(piece);
     }
 }
@@ -200,7 +197,7 @@ void Laying::append(const Piece& piece, std::uint32_t number, float rank) {
         marks_.key.push_back(static_cast<std::uint64_t>(marks_.count() - 1));
         marks_.stroke.push_back(2 * number);
         marks_.place.push_back(static_cast<std::int32_t>(place));
-        marks_.level.push_back(piece.level);
+        marks_.level.push_back(level_[i]);
         marks_.rank.push_back(rank);
     }
 }

@@ -15,8 +15,8 @@ struct LineMarkSettings {
     geometry::Bounds region;
 };
 
-// Evenly along each line, brought onto the surface; a line is cut where its level changes for long.  Coarse levels
-// first.
+// Evenly along each line, brought onto the surface.  Around a fork of a coarse wave a line changes its level, and only
+// for long.  Lines that are of a coarse level somewhere come first.
 void add_line_marks(const marks::Site& site, const StripeLines& lines, const LineMarkSettings& settings,
                     marks::Marks& marks, marks::LayerReport& report, const base::Progress& progress);
 

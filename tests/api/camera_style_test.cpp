@@ -187,9 +187,14 @@ TEST(Style, PresetsHaveNamesAndLayers) {
         const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(presets, &count);
         ASSERT_NE(layers, nullptr);
         ASSERT_GT(count, 0);
-        for (std::int64_t i = 0; i < count; ++i) { // but for the kind they are the defaults
+        for (std::int64_t i = 0; i < count;
+             ++i) { // but for the kind, and hatching's name and angle, they are the defaults
             auto wanted = made(hrbfnpr_layer_desc_init);
             wanted.kind = layers[i].kind;
+            if (wanted.kind == HRBFNPR_LAYER_KIND_HATCH) {
+                wanted.name = layers[i].name;
+                wanted.angle = layers[i].angle;
+            }
             EXPECT_EQ(std::memcmp(&layers[i], &wanted, sizeof wanted), 0) << i;
         }
         // Of what a program generates for it, the style shows something.
@@ -201,7 +206,7 @@ TEST(Style, PresetsHaveNamesAndLayers) {
         }
         EXPECT_TRUE(draws);
     }
-    EXPECT_EQ(presets, static_cast<std::uint32_t>(HRBFNPR_PRESET_FULL + 1));
+    EXPECT_EQ(presets, static_cast<std::uint32_t>(HRBFNPR_PRESET_WOODCUT + 1));
     EXPECT_EQ(names.size(), presets);
     EXPECT_EQ(names.count("contour-and-stipple"), 1U);
     EXPECT_EQ(hrbfnpr_preset_name(0xFFFFFFFFU), nullptr);
@@ -210,8 +215,8 @@ TEST(Style, PresetsHaveNamesAndLayers) {
     EXPECT_EQ(count, 0);
     Error error;
     hrbfnpr_style style;
-    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, 8, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "preset is 8; it must be one of HRBFNPR_PRESET_... (0 to 7)");
+    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, 11, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "preset is 11; it must be one of HRBFNPR_PRESET_... (0 to 10)");
     EXPECT_FAILS(hrbfnpr_style_init_preset(nullptr, sizeof style, 0, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "style is NULL");
     EXPECT_FAILS(hrbfnpr_style_init_preset(&style, 4, 0, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,

@@ -65,6 +65,20 @@ def test_every_style(files, tmp_path, style):
     assert 0.002 < ink(output) < 0.95
 
 
+def test_hatching_is_the_same_at_every_size(files, tmp_path):
+    saved = []
+    for size in ("160", "400"):
+        saved.append(tmp_path / f"{size}.points")
+        picture = str(tmp_path / f"{size}.png")
+        assert main(["draw", str(files["ply"]), picture, "--style", "engraving", "--size", size, "--samples", "60",
+                     "--quiet", "--save-points", str(saved[-1])]) == 0  # fmt: skip
+        assert 0.01 < ink(picture) < 0.9
+    lines = [hrbfnpr.PointSet.load(path).layer("hatch") for path in saved]
+    assert len(lines[0]) > 10000
+    for name in ("positions", "levels", "stroke_first"):
+        assert np.array_equal(getattr(lines[0], name), getattr(lines[1], name))
+
+
 def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main(["draw", str(files["xyz"]), "--size", "100x80", "--marks", "500", "--samples", "50"]) == 0

@@ -78,6 +78,7 @@ def test_bad_cameras(make, words):
 def test_presets():
     assert hrbfnpr.PRESETS == (
         "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full",
+        "engraving", "etching", "woodcut",
     )  # fmt: skip
     for name in hrbfnpr.PRESETS:
         style = hrbfnpr.Style(name)
@@ -85,6 +86,10 @@ def test_presets():
         assert style == hrbfnpr.Style(name)
     assert [layer.kind for layer in hrbfnpr.preset_layers("hatch")] == ["stipples", "principal"]
     assert hrbfnpr.preset_layers("combing")[1] == hrbfnpr.Layer("combing")
+    sets = hrbfnpr.preset_layers("etching")[1:]
+    assert [(layer.kind, layer.name, layer.angle) for layer in sets] == [
+        ("hatch", "hatch-1", 0.0), ("hatch", "hatch-2", 50.0), ("hatch", "hatch-3", -40.0)
+    ]  # fmt: skip
     assert hrbfnpr.Style("xray").hidden_lines == "show"
     assert hrbfnpr.Style().preset is None and hrbfnpr.Style().tone == "light"
     with pytest.raises(ValueError, match="preset must be one of 'stipple'"):

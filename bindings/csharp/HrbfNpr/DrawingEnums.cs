@@ -164,6 +164,12 @@ namespace HrbfNpr
         Xray = 6,
         /// <summary>Stipples, cross hatching, contours and halo: Figure 1 (e).</summary>
         Full = 7,
+        /// <summary>One set of lines that swell with the tone, contours; lights are empty.</summary>
+        Engraving = 8,
+        /// <summary>Up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each.</summary>
+        Etching = 9,
+        /// <summary>Few wide lines, which close up to black; heavy contours.</summary>
+        Woodcut = 10,
     }
 
     /// <summary>Class of what is nearest at a pixel, and of a vertex.</summary>

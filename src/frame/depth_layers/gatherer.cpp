@@ -188,7 +188,8 @@ float Gatherer::most_shown(const Local& local) const noexcept {
 
 std::int64_t Gatherer::splats_of(const Local& local) const noexcept {
     if (!run_.splats) return 0;
-    if (!run_.spread_evenly && !run_.scattered) return local.cluster->count;
+    // The first of nested lines leave the others' places open.
+    if (run_.marks->kind == marks::Kind::hatch || (!run_.spread_evenly && !run_.scattered)) return local.cluster->count;
     const float pixels = run_.pen.spacing * local.view.pixels_per_unit / local.splat_spacing;
     if (!(pixels < 1.0F)) return local.cluster->count; // NaN: of a spacing that floats do not hold
     // The first of a cluster are as even as the first of all.

@@ -9,7 +9,8 @@ namespace hrbfnpr::frame {
 namespace {
 
 constexpr std::array<const char*, preset_count> names{
-    "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full"};
+    "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple",
+    "xray",    "full",  "engraving",   "etching", "woodcut"};
 
 constexpr LayerStyle default_layer{};
 
@@ -60,9 +61,21 @@ Preset preset(std::uint32_t number) noexcept {
         style.layers = presets::contour_layers;
         style.hidden_lines = HiddenLines::show;
         break;
-    default: // full
+    case 7: // full
         style.layers = presets::full_layers;
         style.halo_width = 4.0F;
+        break;
+    case 8: // engraving
+        style.layers = presets::engraving_layers;
+        style.hidden_lines = HiddenLines::hide;
+        break;
+    case 9: // etching
+        style.layers = presets::etching_layers;
+        style.hidden_lines = HiddenLines::hide;
+        break;
+    default: // woodcut
+        style.layers = presets::woodcut_layers;
+        style.hidden_lines = HiddenLines::hide;
         break;
     }
     return preset;

@@ -124,7 +124,7 @@ struct Preset {
     const char* name;
     Style style; // its layers are constants
 };
-inline constexpr std::uint32_t preset_count = 8;
+inline constexpr std::uint32_t preset_count = 11;
 [[nodiscard]] Preset preset(std::uint32_t number) noexcept; // number < preset_count
 [[nodiscard]] const char* preset_name(std::uint32_t number) noexcept;
 

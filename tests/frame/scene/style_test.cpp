@@ -19,7 +19,7 @@ const LayerStyle& of(const Preset& preset, Kind kind) {
 
 TEST(Presets, HaveTheirNames) {
     const char* const names[] = {"stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple",
-                                 "xray",    "full"};
+                                 "xray",    "full",  "engraving",   "etching", "woodcut"};
     for (std::uint32_t i = 0; i < preset_count; ++i) {
         EXPECT_STREQ(preset_name(i), names[i]);
         EXPECT_STREQ(preset(i).name, names[i]);
@@ -71,6 +71,22 @@ TEST(Presets, AreWhatTheirNamesSay) {
     EXPECT_EQ(shown(6), 0U);
     EXPECT_EQ(preset(6).style.hidden_lines, HiddenLines::show);
     EXPECT_EQ(shown(7), 3U);
+    // Hatching alone, which widens with the tone; stipples tell where the surface is.
+    for (const std::uint32_t i : {8U, 9U, 10U}) {
+        const Preset p = preset(i);
+        EXPECT_EQ(shown(i), 0U);
+        EXPECT_EQ(p.style.hidden_lines, HiddenLines::hide);
+        std::size_t sets = 0;
+        for (const LayerStyle& layer : p.style.layers) {
+            if (layer.kind != Kind::hatch) continue;
+            ++sets;
+            EXPECT_EQ(layer.shape, Shape::hatch);
+            EXPECT_TRUE(layer.shown);
+            EXPECT_LT(layer.hatch_tone_begin, layer.hatch_tone_end);
+            EXPECT_LT(layer.hatch_coverage_begin, layer.hatch_coverage_end);
+        }
+        EXPECT_EQ(sets, i == 9U ? 3U : 1U);
+    }
     for (std::uint32_t i = 1; i < preset_count; ++i) EXPECT_NE(contours(i), 0U);
 }
 

@@ -17,6 +17,7 @@ from .._style import Style
 
 LONG_SIDE = 1600
 STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make a line
+HATCH_LINES = 300  # of hatching, all levels, in the root of the area
 MOST_MARKS = {"stipples": 300_000, "principal": 800_000, "combing": 800_000}
 
 # Ink over area at the darkest tone; of strokes that of one direction, which leaves some paper between its lines.
@@ -97,6 +98,9 @@ def marks(
 
 
 def _even(layer: Layer, radius: float, area: float, pixels: float, seeds: int) -> Layer:
+    if layer.kind == "hatch":
+        # The same lines whatever the picture: they are nested, and the finest are not always drawn.
+        return layer if layer.budget or layer.separation else replace(layer, separation=math.sqrt(area) / HATCH_LINES)
     if layer.kind == "stipples":
         wanted = _COVERAGE[layer.kind] * area * pixels**2 / (math.pi * radius**2)
     else:

@@ -29,6 +29,7 @@ _GENERATE = (
     "projection_tolerance", "random_seed",
 )  # fmt: skip
 _STROKES = ("separation", "step", "length", "symmetry", "start", "start_level")
+_HATCH_PIXELS = ("hatch_spacing", "hatch_pen", "hatch_white", "hatch_taper", "hatch_shortest")
 _STYLE = (
     "paper", "hidden_lines", "visibility", "silhouette_threshold", "silhouette_law", "silhouette_width",
     "attenuation_front", "attenuation_back", "splat_radius", "splat_overlap", "halo_width", "tone", "tone_rule",
@@ -44,6 +45,8 @@ def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
     pen = arguments.mark_radius or _automatic.pen_radius(size)
     for layer in style.layers:
         layer.radius *= pen
+        for field in _HATCH_PIXELS:
+            setattr(layer, field, pen * getattr(layer, field))
         if arguments.share is not None:
             layer.share *= arguments.share
         if arguments.shape is not None:
@@ -97,11 +100,13 @@ def _camera_at(arguments: Any, source: Any, up: Any, angle: float, size: Tuple[i
     return camera.perspective(angle, size, max(distance - 2 * radius, distance / 1000), distance + 2 * radius)
 
 
-def make_layers(arguments: Any, kinds: Sequence[str]) -> List[Layer]:
-    """Layers of these kinds with what was given on the command line."""
+def make_layers(arguments: Any, wanted: Sequence[Layer]) -> List[Layer]:
+    """These layers with what was given on the command line."""
     layers = []
-    for kind in kinds:
-        layer = Layer(kind, **given(arguments, ("density", "density_strength") if kind == "stipples" else _STROKES))
+    for layer in wanted:
+        kind = layer.kind
+        fields = {"stipples": ("density", "density_strength"), "hatch": ("separation", "step")}.get(kind, _STROKES)
+        layer = replace(layer, **given(arguments, fields))
         for field, numbers in (("budget", arguments.budget), ("levels", arguments.levels)):
             if numbers is not None and kind in numbers:
                 layer = replace(layer, **{field: numbers[kind]})
@@ -132,7 +137,8 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
         pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
         area = known.info.spacing**2 * len(known)
         published, seeds = arguments.distribution == "published", max(source.info.centres, 1)
-        layers = make_layers(arguments, arguments.layers or [layer.kind for layer in preset_layers(arguments.style)])
+        wanted = [Layer(kind) for kind in arguments.layers] if arguments.layers else preset_layers(arguments.style)
+        layers = make_layers(arguments, wanted)
         layers = _automatic.marks(layers, style, area, pixels, published, seeds)
         if arguments.tone_ranges == "in-turn":
             layers = _automatic.in_turn(layers, style)

@@ -11,6 +11,7 @@ from typing import Any, Dict, List, Optional
 
 from .._context import Context, build_info
 from .._errors import Error, OutOfMemoryError
+from .._layer import Layer
 from .._model import Model
 from .._point_set import PointSet
 from ._options import build
@@ -102,7 +103,8 @@ def _points(arguments: Any, context: Context, report: Reporter) -> None:
     model = _load(arguments, context, report)
     if not isinstance(model, Model):
         raise UsageError(f"{arguments.input} holds a point set already")
-    marks = generate(arguments, model, make_layers(arguments, arguments.layers or ("stipples",)), context, report)
+    layers = [Layer(kind) for kind in arguments.layers or ("stipples",)]
+    marks = generate(arguments, model, make_layers(arguments, layers), context, report)
     if arguments.output.lower().endswith(".ply"):
         from ._ply import write_ply
 

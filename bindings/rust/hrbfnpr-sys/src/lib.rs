@@ -1114,9 +1114,9 @@ pub const HRBFNPR_LAYER_KIND_COMBING: u32 = 3;
 pub const HRBFNPR_LAYER_KIND_FIELD: u32 = 4;
 /// the caller's marks or strokes
 pub const HRBFNPR_LAYER_KIND_OWN: u32 = 5;
-/// evenly spaced lines along one smooth field of directions, nested: the level of a line's
-/// marks is 0 for the coarsest lines, and those of each further level lie midway between all
-/// before [Knoeppel et al. 2015]
+/// evenly spaced lines along one smooth field of directions, nested: the level of marks is 0
+/// on the coarsest lines, and those of each further level lie midway between all before;
+/// around a fork a line changes it [Knoeppel et al. 2015]
 pub const HRBFNPR_LAYER_KIND_HATCH: u32 = 6;
 
 /// Stipples evenly spread over the area in a progressive order, each prefix
@@ -2223,6 +2223,12 @@ pub const HRBFNPR_PRESET_CONTOUR_AND_STIPPLE: u32 = 5;
 pub const HRBFNPR_PRESET_XRAY: u32 = 6;
 /// stipples, cross hatching, contours and halo: Figure 1 (e)
 pub const HRBFNPR_PRESET_FULL: u32 = 7;
+/// one set of lines that swell with the tone, contours; lights are empty
+pub const HRBFNPR_PRESET_ENGRAVING: u32 = 8;
+/// up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each
+pub const HRBFNPR_PRESET_ETCHING: u32 = 9;
+/// few wide lines, which close up to black; heavy contours
+pub const HRBFNPR_PRESET_WOODCUT: u32 = 10;
 
 extern "C" {
     /// A full set of fields that a caller goes on changing.  style->layers points to
