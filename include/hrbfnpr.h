@@ -1395,7 +1395,7 @@ enum {
                                   tone: hatch_... of hrbfnpr_layer_style.  Of nested lines (those of level k midway
                                   between those of lower levels) as many levels are drawn as the picture has room for,
                                   so that the tone does not depend on the zoom.  Points of lines have the id of the
-                                  nearest mark; a stroke whose last mark lies where its first one does is closed.
+                                  nearest mark; a stroke whose ends meet is closed.
                                   [Winkenbach & Salesin 1994; Praun et al. 2001] */
 };
 

@@ -81,8 +81,11 @@ TEST_F(Hatch, NarrowGapsAreClosed) {
     EXPECT_EQ(before, 2);
 }
 
-TEST_F(Hatch, ACircleHasNoEnds) {
-    add_circle(set, 0.8, 0.0, {0, 0, 1}, 40);
+class HatchCircle : public Hatch, public ::testing::WithParamInterface<bool> {};
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutItsFirstMarkTwice, HatchCircle, ::testing::Bool());
+
+TEST_P(HatchCircle, HasNoEnds) {
+    add_circle(set, 0.8, 0.0, {0, 0, 1}, 40, GetParam());
     set_nesting(set, 0.03, 0);
     cluster();
     draw(front_camera(size, size, 1.25));
@@ -103,6 +106,50 @@ TEST_F(Hatch, ACircleHasNoEnds) {
     EXPECT_NEAR(points_of(0).back().length, 160.0 * pi, 15.0);
     // Marks are 25 pixels apart.
     for (const StrokePoint& p : points_of(0)) EXPECT_GT(p.x, 250.0F - 25.0F);
+}
+
+TEST_P(HatchCircle, HasTwoWhereItIsHidden) {
+    add_circle(set, 0.8, 0.0, {0, 0, 1}, 40, GetParam());
+    set_nesting(set, 0.03, 0);
+    cluster();
+    const marks::PointSet wall = clustered(runtime, plane(runtime.memory, 100));
+    glm::dmat4 left(1.0);
+    left[3] = {-1.0, 0.0, 2.0, 1.0}; // its first mark is not behind it
+    const drawing::Drawing& drawing = draw_behind(wall, left);
+    ASSERT_EQ(drawing.strokes.size(), 1);
+    EXPECT_FALSE(drawing.strokes[0].closed);
+    EXPECT_EQ(points_of(0).front().radius, 0.0F);
+    EXPECT_EQ(points_of(0).back().radius, 0.0F);
+    EXPECT_NEAR(points_of(0).back().length, 160.0 * pi, 18.0); // splats reach beyond the wall
+    for (const StrokePoint& p : points_of(0)) EXPECT_GT(p.x, 240.0F);
+}
+
+TEST_F(Hatch, WhatIsHiddenOfAWideLineInPassingIsDrawn) {
+    add_line(set, {0.0, -1.0, 1.0, 0}, 0.02);
+    set.spacing = 0.02;
+    cluster();
+    const marks::PointSet wall = clustered(runtime, plane(runtime.memory, 60));
+    glm::dmat4 narrow(1.0);
+    narrow[0][0] = 0.02; // 8 pixels
+    narrow[3] = {0.0, 0.0, 2.0, 1.0};
+    layer.radius = 2.0F;
+    EXPECT_EQ(draw_behind(wall, narrow).strokes.size(), 2);
+    layer.radius = 7.0F;
+    EXPECT_EQ(draw_behind(wall, narrow).strokes.size(), 1);
+    for (const StrokePoint& p : points_of(0)) EXPECT_EQ(p.opacity, 1.0F);
+}
+
+// Most of one does.
+TEST_F(Hatch, AnArcHasTwoEnds) {
+    add_circle(set, 0.8, 0.0, {0, 0, 1}, 40, false);
+    marks::Layer& arc = layer_of(set, marks::Kind::own);
+    arc.stroke_first[1] = 38; // the ends are three marks apart
+    cluster();
+    draw(front_camera(size, size, 1.25));
+    ASSERT_EQ(frame.drawing().strokes.size(), 1);
+    EXPECT_FALSE(frame.drawing().strokes[0].closed);
+    EXPECT_EQ(points_of(0).front().radius, 0.0F);
+    EXPECT_EQ(points_of(0).back().radius, 0.0F);
 }
 
 TEST_F(Hatch, ASphereHidesWhatIsBehindIt) {

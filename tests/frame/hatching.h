@@ -97,6 +97,21 @@ protected:
         frame.draw(items, camera);
         return frame.drawing();
     }
+    // Behind something blank, which hides it.
+    const drawing::Drawing& draw_behind(const marks::PointSet& blank, const glm::dmat4& transform) {
+        frame::LayerStyle unseen;
+        unseen.share = 0.0F;
+        unseen.contours = false;
+        style.hidden_lines = frame::HiddenLines::hide;
+        style.halo_width = 0.0F;
+        frame::Style blank_style = style;
+        blank_style.tone = frame::Tone::none;
+        blank_style.layers = std::span(&unseen, 1);
+        style.layers = std::span(&layer, 1);
+        const std::array items{layered_item(set, style), layered_item(blank, blank_style, transform)};
+        frame.draw(items, front_camera(size, size, 1.25));
+        return frame.drawing();
+    }
     [[nodiscard]] std::span<const StrokePoint> points_of(std::int64_t stroke) const {
         const Stroke& s = frame.drawing().strokes[stroke];
         return frame.drawing().points.span().subspan(static_cast<std::size_t>(s.first),
@@ -157,11 +172,12 @@ protected:
 }
 
 // No level pops in, neither as ink nor as lines that are wide at once.
-// A circle around z whose last mark is its first one.
-inline void add_circle(marks::PointSet& set, double radius, double z, const glm::dvec3& normal, int marks) {
+// A circle around z.  whole: its last mark is its first one again.
+inline void add_circle(marks::PointSet& set, double radius, double z, const glm::dvec3& normal, int marks,
+                       bool whole = true) {
     marks::Layer& layer = layer_of(set, marks::Kind::own);
     const std::uint32_t number = 2 * static_cast<std::uint32_t>(layer.strokes());
-    for (int i = 0; i <= marks; ++i) {
+    for (int i = 0; i < marks + (whole ? 1 : 0); ++i) {
         const double a = 2.0 * pi * (i % marks) / marks;
         const glm::dvec3 out(std::cos(a), std::sin(a), 0.0);
         const glm::dvec3 n(normal.x * out.x, normal.x * out.y, normal.z);

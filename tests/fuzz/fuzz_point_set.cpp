@@ -117,7 +117,7 @@ void draw(Context& context, const hrbfnpr_point_set* set, std::uint32_t choice) 
     if (choice / 8 % 2 != 0) style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
     hrbfnpr_layer_style strokes;
     hrbfnpr_layer_style_init(&strokes, sizeof strokes);
-    strokes.shape = HRBFNPR_SHAPE_STROKES;
+    strokes.shape = choice / 32 % 2 != 0 ? HRBFNPR_SHAPE_HATCH : HRBFNPR_SHAPE_STROKES;
     if (choice / 16 % 2 != 0) {
         style.layers = &strokes;
         style.layer_count = 1;

@@ -3,6 +3,8 @@
 
 #include "frame/scene/tone.h"
 
+#include <glm/gtc/matrix_access.hpp>
+
 #include <cmath>
 
 namespace hrbfnpr::frame {
@@ -12,8 +14,13 @@ using marks::MarkBlock;
 
 // Lines end where n . v is above this, just before the contour.
 constexpr float last_nu = -0.03F;
-// A stroke is closed if its ends are no farther apart than this, in steps from mark to mark.
-constexpr float closed_gap = 0.1F;
+// Of marks that face away by more than this, only that is asked.
+constexpr float widest_nu = 0.2F;
+// A stroke is closed if its ends are no farther apart than this, in steps from mark to mark, and go on into each other
+// with at least this cosine.  Ends that are nearer than `same_place` are one mark.
+constexpr float closed_gap = 1.5F;
+constexpr float closed_cosine = 0.8F;
+constexpr float same_place = 0.1F;
 constexpr std::int64_t fewest_of_closed = 4;
 // Places farther outside of the picture have no use, pixels.
 constexpr float farthest = 1e6F;
@@ -23,6 +30,12 @@ constexpr float farthest = 1e6F;
     const bool grown =
         layer.kind == marks::Kind::principal || layer.kind == marks::Kind::combing || layer.kind == marks::Kind::field;
     return layer.report.step > 0.0 && (layer.progressive || !grown);
+}
+
+// The root of the largest eigenvalue of a symmetric matrix.
+[[nodiscard]] float largest_stretch(float xx, float xy, float yy) noexcept {
+    const float half = 0.5F * (xx - yy);
+    return std::sqrt(0.5F * (xx + yy) + std::sqrt(half * half + xy * xy));
 }
 
 // A callback is not asked for what faces away or is far outside: there it is as beside it.
@@ -43,36 +56,67 @@ void borrow_darkness(std::span<HatchMark> marks) noexcept {
 } // namespace
 
 HatchMarks::HatchMarks(const Gather& gather, const Scene& scene, const Run& run, const float* taus) noexcept
-    : loops_(gather.loops()), scene_(scene), run_(run), item_(scene.item_of(run)), seer_(gather.sight(run.item).seer),
-      style_(*run.style), taus_(taus), levels_(0), separation_(0.0F),
+    : gather_(gather), scene_(scene), run_(run), item_(scene.item_of(run)), seer_(gather.sight(run.item).seer),
+      style_(*run.style), taus_(taus), levels_(0), shown_(255), separation_(0.0F),
       beyond_(std::min(style_.hatch_taper + 2.0F * style_.hatch_shortest + 4.0F * style_.hatch_spacing,
                        scene.lens.diagonal)) {
     const marks::LayerReport& report = run.marks->report;
     if (!has_separation(*run.marks)) return;
     levels_ = std::clamp(report.levels, 0, marks::most_levels);
     separation_ = static_cast<float>(std::ldexp(report.step / item_.unit, levels_));
+    shown_ = most_level();
+}
+
+// Of the lines of any place of the item inside the picture: in a projection, dx = (row_x - x row_w) . d / w.  The
+// largest stretch of that is convex in the place, so that it is greatest in a corner.
+std::int32_t HatchMarks::most_level() const noexcept {
+    const Lens& lens = scene_.lens;
+    const glm::vec4 row = glm::row(lens.window, 3);
+    const float scale = gather_.sight(run_.item).scale;
+    const float nearest = glm::dot(row, glm::vec4(item_.to_eye * item_.centre + item_.eye_offset, 1.0F)) -
+                          glm::length(glm::vec3(row)) * scale * item_.radius;
+    if (!(nearest > 0.0F)) return levels_;
+    const glm::vec4& v = lens.viewport;
+    float stretch = 0.0F;
+    for (const float x : {v.x - beyond_, v.x + v.z + beyond_}) {
+        for (const float y : {v.y - beyond_, v.y + v.w + beyond_}) {
+            const glm::vec3 a(glm::row(lens.window, 0) - x * row);
+            const glm::vec3 b(glm::row(lens.window, 1) - y * row);
+            stretch = std::max(stretch, largest_stretch(glm::dot(a, a), glm::dot(a, b), glm::dot(b, b)));
+        }
+    }
+    const float coverage = style_.share * std::max(style_.hatch_coverage_begin, style_.hatch_coverage_end);
+    return hatch_widths(style_, coverage, 1.001F * separation_ * scale * stretch / nearest, levels_).full + 1;
 }
 
 bool HatchMarks::shows(std::int64_t stroke) const noexcept {
-    const Stroke s = stroke_of(stroke);
-    return s.count > 1 &&
-           (run_.directions == 3U || (run_.directions >> run_.marks->direction_of(run_.marks->mark_of(s.first)) & 1U));
+    const std::int64_t begin = run_.marks->stroke_first[stroke];
+    const std::int64_t mark = run_.marks->mark_of(begin);
+    return run_.marks->stroke_first[stroke + 1] - begin > 1 && run_.marks->level[mark] <= shown_ &&
+           (run_.directions == 3U || (run_.directions >> run_.marks->direction_of(mark) & 1U) != 0);
 }
 
 HatchMarks::Stroke HatchMarks::stroke_of(std::int64_t stroke) const noexcept {
     const std::int64_t first = run_.marks->stroke_first[stroke];
     const std::int64_t count = std::int64_t{run_.marks->stroke_first[stroke + 1]} - first;
-    bool closed = count >= fewest_of_closed;
-    if (closed) {
-        const glm::vec3 begin = place(first);
-        closed = glm::distance(begin, place(first + count - 1)) <= closed_gap * glm::distance(begin, place(first + 1));
-    }
-    return {first, count, closed};
+    if (count < fewest_of_closed) return {first, count, false};
+    const glm::vec3 begin = place(first);
+    const glm::vec3 end = place(first + count - 1);
+    const glm::vec3 leaves = place(first + 1) - begin;
+    const glm::vec3 comes = end - place(first + count - 2);
+    const float gap = glm::distance(begin, end);
+    const float step = glm::length(leaves);
+    if (gap <= same_place * step) return {first, count - 1, true};
+    const auto goes_on = [&](const glm::vec3& v) {
+        return glm::dot(v, begin - end) >= closed_cosine * gap * glm::length(v);
+    };
+    return {first, count, gap <= closed_gap * step && goes_on(leaves) && goes_on(comes)};
 }
 
 bool HatchMarks::see(std::int64_t stroke, base::Array<HatchMark>& marks) const {
     const Stroke s = stroke_of(stroke);
     marks.clear();
+    marks.reserve(s.count + 1);
     marks.resize_for_overwrite(s.count);
     const std::span<HatchMark> all = marks.span();
     for (std::int64_t i = 0; i < s.count; i += Seen::most) {
@@ -80,8 +124,13 @@ bool HatchMarks::see(std::int64_t stroke, base::Array<HatchMark>& marks) const {
         see_part(s.first + i, all.subspan(static_cast<std::size_t>(i), static_cast<std::size_t>(count)));
     }
     if (taus_ != nullptr) borrow_darkness(all);
-    for (std::int64_t i = 0; i < s.count; ++i)
-        if (marks[i].valid) set_width(s, i, marks[i]);
+    for (std::int64_t i = 0; i < s.count; ++i) {
+        if (!marks[i].valid || marks[i].nu >= widest_nu) continue;
+        set_width(s, i, marks[i]);
+        // Not where it is no number, as of a step from a bad file.
+        marks[i].valid = marks[i].width < farthest;
+    }
+    if (s.closed) marks.push_back(marks[0]);
     return s.closed;
 }
 
@@ -98,7 +147,12 @@ void HatchMarks::see_part(std::int64_t first, std::span<HatchMark> marks) const 
         block.nx[at] = n.x, block.ny[at] = n.y, block.nz[at] = n.z;
     }
     Seen seen;
-    loops_.see(seer_, {blocks.data(), static_cast<std::int64_t>(marks.size())}, seen);
+    gather_.loops().see(seer_, {blocks.data(), static_cast<std::int64_t>(marks.size())}, seen);
+    take_places(seen, first, marks);
+    set_darkness(seen, first, marks);
+}
+
+void HatchMarks::take_places(const Seen& seen, std::int64_t first, std::span<HatchMark> marks) const noexcept {
     for (std::size_t i = 0; i < marks.size(); ++i) {
         HatchMark& m = marks[i];
         m.x = seen.x[i];
@@ -109,12 +163,11 @@ void HatchMarks::see_part(std::int64_t first, std::span<HatchMark> marks) const 
         m.nu = seen.nu[i];
         m.width = 0.0F;
         m.id = run_.first_id + static_cast<std::uint32_t>(run_.marks->mark_of(first + static_cast<std::int64_t>(i)));
-        m.margin = {-1.0F, -1.0F, last_nu - m.nu, picture_margin(m.x, m.y)};
+        m.margin = {1.0F, 1.0F, last_nu - m.nu, picture_margin(m.x, m.y)};
         // Everything is asked so that a value that is not a number answers "outside".
         m.valid = m.pixels_per_unit > 0.0F && m.window >= 0.0F && m.window <= 1.0F && std::abs(m.nu) <= 1.001F &&
                   m.margin[3] > -farthest;
     }
-    set_darkness(seen, first, marks);
 }
 
 float HatchMarks::picture_margin(float x, float y) const noexcept {
@@ -148,7 +201,7 @@ void HatchMarks::set_width(const Stroke& stroke, std::int64_t i, HatchMark& mark
         return;
     }
     const HatchWidths widths = hatch_widths(style_, coverage, spacing_at(stroke, i, mark), levels_);
-    const std::int32_t level = std::min<std::int32_t>(run_.marks->level[number], levels_);
+    const std::int32_t level = run_.marks->level[run_.marks->mark_of(stroke.first)]; // of all of them
     level_margin_there = level_margin(widths, level);
     mark.width = hatch_width(widths, level);
 }
@@ -157,8 +210,8 @@ void HatchMarks::set_width(const Stroke& stroke, std::int64_t i, HatchMark& mark
 // an area and a base in the picture.  With parallel lines of sight that is separation |n . v| / sqrt(1 - (t . v)^2).
 float HatchMarks::spacing_at(const Stroke& stroke, std::int64_t i, const HatchMark& mark) const noexcept {
     const std::int64_t last = stroke.count - 1;
-    const std::int64_t before = i > 0 ? i - 1 : stroke.closed ? last - 1 : 0;
-    const std::int64_t after = i < last ? i + 1 : stroke.closed ? 1 : last;
+    const std::int64_t before = i > 0 ? i - 1 : stroke.closed ? last : 0;
+    const std::int64_t after = i < last ? i + 1 : stroke.closed ? 0 : last;
     const glm::vec3 along = place(stroke.first + after) - place(stroke.first + before);
     const glm::vec3 across = glm::cross(run_.normal_of(run_.marks->mark_of(stroke.first + i)), along);
     const auto image = [&](const glm::vec3& v) {

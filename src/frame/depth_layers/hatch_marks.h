@@ -42,16 +42,19 @@ public:
     HatchMarks(const Gather& gather, const Scene& scene, const Run& run, const float* taus) noexcept;
 
     [[nodiscard]] bool shows(std::int64_t stroke) const noexcept;
-    // The marks of a stroke in their order.  Returns whether it is closed: its last mark lies where its first one does.
+    // The marks of a stroke in their order.  Returns whether it is closed: then its last mark is its first one again.
     bool see(std::int64_t stroke, base::Array<HatchMark>& marks) const;
 
 private:
     struct Stroke {
-        std::int64_t first, count; // places in the order of the strokes
+        std::int64_t first, count; // places in the order of the strokes; of a closed one without the last mark, if that
+                                   // lies where the first one does
         bool closed;
     };
+    [[nodiscard]] std::int32_t most_level() const noexcept;
     [[nodiscard]] Stroke stroke_of(std::int64_t stroke) const noexcept;
     void see_part(std::int64_t first, std::span<HatchMark> marks) const noexcept;
+    void take_places(const Seen& seen, std::int64_t first, std::span<HatchMark> marks) const noexcept;
     void set_darkness(const Seen& seen, std::int64_t first, std::span<HatchMark> marks) const noexcept;
     [[nodiscard]] float picture_margin(float x, float y) const noexcept;
     void set_width(const Stroke& stroke, std::int64_t i, HatchMark& mark) const noexcept;
@@ -60,7 +63,7 @@ private:
         return run_.place_of(run_.marks->mark_of(at), item_.unit);
     }
 
-    const SeeLoops& loops_;
+    const Gather& gather_;
     const Scene& scene_;
     const Run& run_;
     const ItemView& item_;
@@ -68,6 +71,7 @@ private:
     const LayerStyle& style_;
     const float* taus_;
     std::int32_t levels_; // the finest one
+    std::int32_t shown_;  // no finer level can be seen from here
     float separation_;    // of the lines of level 0 alone, in the item's unit; 0: not known
     float beyond_;        // the picture, pixels: there lines may end unseen
 };

@@ -47,7 +47,6 @@ void HatchSpans::add(const LayerStyle& style, std::span<HatchMark> marks, bool c
     const auto hidden = std::find_if_not(marks.begin(), marks.end(), is_drawn);
     if (std::none_of(hidden, marks.end(), is_drawn) && hidden == marks.begin()) return;
     const bool whole = hidden == marks.end();
-    if (closed) marks.back() = marks.front();
     if (closed && !whole) { // begin where nothing is drawn
         std::rotate(marks.begin(), hidden, marks.end() - 1);
         marks.back() = marks.front();
@@ -158,17 +157,25 @@ void HatchSpans::put(const LayerStyle& style, std::span<const HatchMark> marks, 
         span.taper_begin = taper(style, drawn.begins, gap_before, point(marks, drawn.begin).width);
         span.taper_end = taper(style, drawn.ends, gap_after, point(marks, drawn.end).width);
     }
+    add_points(marks, drawn, span.count, part.points);
+    part.spans.push_back(span);
+}
+
+// At even steps along the chords.
+void HatchSpans::add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,
+                            base::Array<HatchPoint>& points) const {
+    const float begin = at(drawn.begin);
+    const float step = (at(drawn.end) - begin) / static_cast<float>(count - 1);
+    const std::int64_t last = length_.size() - 2;
     Place place = drawn.begin;
-    const float step = length / static_cast<float>(span.count - 1);
-    for (std::int32_t i = 0; i < span.count; ++i) {
+    for (std::int32_t i = 0; i + 1 < count; ++i) {
         const float wanted = begin + step * static_cast<float>(i);
-        const std::int64_t last = length_.size() - 2;
         while (place.mark < last && length_[place.mark + 1] < wanted) ++place.mark;
         const float way = length_[place.mark + 1] - length_[place.mark];
         place.share = way > 0.0F ? std::clamp((wanted - length_[place.mark]) / way, 0.0F, 1.0F) : 0.0F;
-        part.points.push_back(point(marks, i + 1 < span.count ? place : drawn.end));
+        points.push_back(point(marks, place));
     }
-    part.spans.push_back(span);
+    points.push_back(point(marks, drawn.end));
 }
 
 // Hermite's cubic between two marks; the rest changes evenly.

@@ -36,7 +36,7 @@ class HatchSpans {
 public:
     explicit HatchSpans(base::Memory& memory) noexcept : length_(memory), tangent_(memory), drawn_(memory) {}
 
-    // Adds what is drawn of a stroke; closed ones may be turned.
+    // Adds what is drawn of a stroke; one that is closed ends with its first mark, and may be turned.
     void add(const LayerStyle& style, std::span<HatchMark> marks, bool closed, HatchPart& part);
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return length_.bytes() + tangent_.bytes() + drawn_.bytes(); }
@@ -58,6 +58,8 @@ private:
     void join(std::span<const HatchMark> marks);
     [[nodiscard]] float at(const Place& place) const noexcept;
     void put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part);
+    void add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,
+                    base::Array<HatchPoint>& points) const;
     [[nodiscard]] float taper(const LayerStyle& style, HatchEnd end, float gap, float width) const noexcept;
     [[nodiscard]] HatchPoint point(std::span<const HatchMark> marks, const Place& place) const noexcept;
 
