@@ -53,7 +53,7 @@ private:
     void blue_noise();
     void blue_noise_stipples(const stipples::SurfaceCells& cells, Growing& layer);
     void blue_noise_strokes(const stipples::SurfaceCells& cells, Growing& layer);
-    void hatch(const stipples::SurfaceCells& cells, Growing& layer);
+    void hatch(Growing& layer);
     void require_some() const;
     void finish();
 
@@ -212,12 +212,16 @@ hatching::Settings hatching_of(const Growing& layer) {
 }
 
 // Layers of hatching that are alike but for their angles share what they are laid on.
-void Generation::hatch(const stipples::SurfaceCells& cells, Growing& layer) {
+// What that is does not depend on the other layers: it has cells of its own.
+void Generation::hatch(Growing& layer) {
     const base::Stopwatch watch;
     const hatching::Settings settings = hatching_of(layer);
     const base::Progress progress = progress_of(layer);
     if (!ground_ || !settings.is_on_ground_of(ground_->settings()))
-        ground_.emplace(site_, cells, settings, progress.part(0.0, 0.6));
+        ground_.emplace(
+            site_,
+            stipples::cover_surface(site_, seeds_, samples_.spacing, hatching::most_samples, progress.part(0.0, 0.1)),
+            settings, progress.part(0.1, 0.6));
     ground_->lay_lines(site_, settings, layer.marks, report_of(layer), progress.part(0.6, 1.0));
     area_ = std::max(area_, ground_->area());
     report_of(layer).seconds = watch.seconds();
@@ -225,12 +229,13 @@ void Generation::hatch(const stipples::SurfaceCells& cells, Growing& layer) {
 
 void Generation::blue_noise() {
     std::int64_t most = 1;
-    for (const LayerSettings& layer : settings_.layers) most = std::max(most, spread_marks(layer));
+    for (const LayerSettings& layer : settings_.layers)
+        if (layer.kind != marks::Kind::hatch) most = std::max(most, spread_marks(layer));
     const stipples::SurfaceCells cells =
         stipples::cover_surface(site_, seeds_, samples_.spacing, most, progress_.part(0.1, 0.2));
     for (Growing& layer : growing_) {
         if (layer.settings.kind == marks::Kind::hatch)
-            hatch(cells, layer);
+            hatch(layer);
         else if (layer.settings.has_strokes())
             blue_noise_strokes(cells, layer);
         else

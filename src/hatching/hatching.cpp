@@ -13,10 +13,9 @@ namespace {
 
 // Marks along a line, in separations.
 constexpr double automatic_step = 0.4;
-// Of samples: their spacing in separations, and how many there are.
+// Of samples: their spacing in separations, and how many there are at least.
 constexpr double sample_spacing = 1.5;
 constexpr std::int64_t fewest_samples = 4096;
-constexpr std::int64_t most_samples = 32768;
 // Lines of the coarsest level in the root of the area, and the most levels below it.
 constexpr double fewest_lines = 6.0;
 constexpr int most_levels = 10;

@@ -52,6 +52,7 @@ private:
 };
 
 // So many samples a ground is made of.
+inline constexpr std::int64_t most_samples = 32768;
 [[nodiscard]] std::int64_t samples_for(const Settings& settings, double area) noexcept;
 
 } // namespace hrbfnpr::hatching

@@ -458,7 +458,7 @@ TEST(Layers, OfPresets) {
         }
     }
     std::int64_t count = 7;
-    EXPECT_EQ(hrbfnpr_preset_layers(HRBFNPR_PRESET_FULL + 1, &count), nullptr);
+    EXPECT_EQ(hrbfnpr_preset_layers(HRBFNPR_PRESET_WOODCUT + 1, &count), nullptr);
     EXPECT_EQ(count, 0);
     EXPECT_NE(hrbfnpr_preset_layers(HRBFNPR_PRESET_FULL, nullptr), nullptr);
     // As they are they can be generated from.

@@ -237,7 +237,7 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.layers[2].report.full_count = -1; }), "a count of a layer is not possible");
     expect(set_message([](Set& s) { s.layers[2].report.level[3].placed = -1; }), "negative");
     expect(set_message([](Set& s) { (void)s.layers[2].report.of(256); }), "256 at most");
-    for (const std::uint32_t kind : {0U, 6U})
+    for (const std::uint32_t kind : {0U, 7U})
         expect(set_message([&](Set& s) { s.layers[1].kind = static_cast<marks::Kind>(kind); }), "kind of a layer");
     expect(set_message([](Set& s) { s.layers[1].name = {}; }), "1 to 63 bytes of UTF-8");
     expect(set_message([](Set& s) { s.layers[1].name = {'a', char(0xFF)}; }), "1 to 63 bytes of UTF-8");

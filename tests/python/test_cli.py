@@ -73,10 +73,14 @@ def test_hatching_is_the_same_at_every_size(files, tmp_path):
         assert main(["draw", str(files["ply"]), picture, "--style", "engraving", "--size", size, "--samples", "60",
                      "--quiet", "--save-points", str(saved[-1])]) == 0  # fmt: skip
         assert 0.01 < ink(picture) < 0.9
-    lines = [hrbfnpr.PointSet.load(path).layer("hatch") for path in saved]
+    sets = [hrbfnpr.PointSet.load(path) for path in saved]
+    lines = [marks.layer("hatch") for marks in sets]
     assert len(lines[0]) > 10000
-    for name in ("positions", "levels", "stroke_first"):
+    for name in ("levels", "stroke_first"):
         assert np.array_equal(getattr(lines[0], name), getattr(lines[1], name))
+    # Origins are those of all layers, and positions floats.
+    a, b = (line.positions + np.asarray(marks.origin) for line, marks in zip(lines, sets))
+    assert np.abs(a - b).max() < 1e-6
 
 
 def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):

@@ -89,11 +89,16 @@ std::int32_t HatchMarks::most_level() const noexcept {
     return hatch_widths(style_, coverage, 1.001F * separation_ * scale * stretch / nearest, levels_).full + 1;
 }
 
+// A line may change its level.
 bool HatchMarks::shows(std::int64_t stroke) const noexcept {
-    const std::int64_t begin = run_.marks->stroke_first[stroke];
-    const std::int64_t mark = run_.marks->mark_of(begin);
-    return run_.marks->stroke_first[stroke + 1] - begin > 1 && run_.marks->level[mark] <= shown_ &&
-           (run_.directions == 3U || (run_.directions >> run_.marks->direction_of(mark) & 1U) != 0);
+    const marks::Layer& marks = *run_.marks;
+    const std::int64_t begin = marks.stroke_first[stroke];
+    const std::int64_t end = marks.stroke_first[stroke + 1];
+    if (end - begin < 2) return false;
+    if (run_.directions != 3U && (run_.directions >> marks.direction_of(marks.mark_of(begin)) & 1U) == 0) return false;
+    for (std::int64_t place = begin; place < end; ++place)
+        if (marks.level[marks.mark_of(place)] <= shown_) return true;
+    return false;
 }
 
 HatchMarks::Stroke HatchMarks::stroke_of(std::int64_t stroke) const noexcept {
