@@ -69,8 +69,7 @@ void measure_spacing(const Strokes& strokes, double separation, Found& found) {
             if (std::abs(bench::dot(d, Strokes::vec(strokes.direction, other))) < 0.7071) return;
             const Vec3 between = marks[other].position - marks[i].position;
             const double across = bench::dot(between, side);
-            // Within half a step along it; a line that goes on with another number begins in the same mark.
-            if (std::abs(bench::dot(between, d)) > 0.25 * separation || std::abs(across) < 0.1 * separation) return;
+            if (std::abs(bench::dot(between, d)) > 0.25 * separation) return;
             double& gap = nearest[across > 0.0 ? 1 : 0];
             gap = std::min(gap, std::abs(across));
         });

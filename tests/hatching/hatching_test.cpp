@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Evenly spaced, nested lines: distances, levels, directions, ends.
-#include "support/point_sets.h"
-
-#include "geometry/point_tree.h"
+#include "support/line_spacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,52 +21,11 @@ generate::Settings hatched(double separation, double angle = 0.0) {
 
 const Layer& hatch_of(const PointSet& set) { return of(set, Kind::hatch); }
 
-// Sideways distances from marks of these levels to the next line on either side, in `unit`.
-struct Spacing {
-    double mean = 0.0, variation = 0.0, alone = 0.0;
-};
+// Of marks of these levels; a line that winds round is its own neighbour.
 Spacing spacing_of(const PointSet& set, int levels, double unit) {
     const Layer& marks = hatch_of(set);
-    geometry::VecArray points(runtime().memory);
-    std::vector<std::int64_t> mark;
-    for (std::int64_t i = 0; i < marks.count(); ++i) {
-        if (marks.level[i] > levels) continue;
-        points.push_back(vec(marks.position, i));
-        mark.push_back(i);
-    }
-    const geometry::PointTree tree(points, {});
-    const double step = 0.4 * marks.report.step;
-    double sum = 0.0, squares = 0.0, count = 0.0, none = 0.0;
-    for (std::int64_t at = 0; at < tree.size(); at += 3) {
-        const std::int64_t i = mark[static_cast<std::size_t>(tree.index(at))];
-        const glm::dvec3 n = vec(marks.normal, i);
-        const glm::dvec3 d = vec(marks.direction, i);
-        std::array<double, 2> nearest{1e300, 1e300};
-        tree.within(tree.points()[at], 2.5 * unit, [&](std::int64_t other_at, double) {
-            const std::int64_t j = mark[static_cast<std::size_t>(tree.index(other_at))];
-            // A line that winds round is its own neighbour.
-            const auto between = std::abs(static_cast<std::int64_t>(i - j));
-            if (marks.stroke[2 * i] == marks.stroke[2 * j] && between < 12) return;
-            const glm::dvec3 offset = tree.points()[other_at] - tree.points()[at];
-            const double aside = glm::dot(glm::cross(n, d), offset);
-            if (glm::dot(n, vec(marks.normal, j)) < 0.0 || std::abs(glm::dot(offset, d)) > 0.6 * step) return;
-            // A line that goes on in another level runs through the same mark.
-            if (std::abs(aside) < 0.1 * unit) return;
-            double& beside = nearest[aside > 0.0 ? 1 : 0];
-            beside = std::min(beside, glm::length(offset - glm::dot(offset, d) * d));
-        });
-        for (const double distance : nearest) {
-            if (distance > 1e200) {
-                none += 1.0;
-                continue;
-            }
-            sum += distance / unit;
-            squares += distance * distance / (unit * unit);
-            count += 1.0;
-        }
-    }
-    const double mean = sum / count;
-    return {mean, std::sqrt(squares / count - mean * mean) / mean, none / (none + count)};
+    const SpacingSettings settings{unit, 0.24 * marks.report.step, 12};
+    return test::spacing_of(marks, settings, [&](std::int64_t i) { return marks.level[i] <= levels; });
 }
 
 // Of all lines, and of those that are left with a level less, and with two: where a field spreads they have fewer
@@ -120,7 +77,7 @@ void expect_flowing(const PointSet& set, const Analytic& surface, double step) {
 TEST(Hatching, IsEvenAndNestedOnATorus) {
     const Torus torus;
     const PointSet set = make(torus, hatched(0.03));
-    expect_even(set, 0.13, 0.02);
+    expect_even(set, 0.14, 0.02);
     expect_nested(set);
     expect_flowing(set, torus, 0.012);
     const Layer& marks = hatch_of(set);

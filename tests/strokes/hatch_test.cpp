@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Evenly spaced strokes: distances, order, directions, ends.
-#include "support/point_sets.h"
+#include "support/line_spacing.h"
 
-#include "geometry/point_tree.h"
 #include "geometry/tangent_frame.h"
 
 #include <algorithm>
@@ -31,50 +30,11 @@ std::vector<Stroke> strokes_of(const Layer& marks) {
     return strokes;
 }
 
-// Sideways distances from marks to the next stroke that runs alike (of the same set, or of the other where they change
-// places) on either side, in `unit`, and the share of sides on which there is none within 2.5 of it.
-struct Spacing {
-    double mean = 0.0, variation = 0.0, alone = 0.0, widest = 0.0;
-};
-
+// Of a share of the ranks.
 Spacing spacing_of(const PointSet& set, Kind kind, double share, double unit) {
     const Layer& marks = of(set, kind);
-    geometry::VecArray points(runtime().memory);
-    std::vector<std::int64_t> mark;
-    for (std::int64_t i = 0; i < marks.count(); ++i) {
-        if (static_cast<double>(marks.rank[i]) < 1.0 - share) continue;
-        points.push_back(vec(marks.position, i));
-        mark.push_back(i);
-    }
-    const geometry::PointTree tree(points, {});
-    const double step = 0.2 * marks.report.step;
-    double sum = 0.0, squares = 0.0, count = 0.0, none = 0.0;
-    for (std::int64_t at = 0; at < tree.size(); at += 3) {
-        const std::int64_t i = mark[static_cast<std::size_t>(tree.index(at))];
-        const glm::dvec3 n = vec(marks.normal, i);
-        const glm::dvec3 d = vec(marks.direction, i);
-        std::array<double, 2> nearest{1e300, 1e300};
-        tree.within(tree.points()[at], 2.5 * unit, [&](std::int64_t other_at, double squared) {
-            const std::int64_t j = mark[static_cast<std::size_t>(tree.index(other_at))];
-            if (marks.stroke[2 * i] == marks.stroke[2 * j]) return;
-            const glm::dvec3 offset = tree.points()[other_at] - tree.points()[at];
-            if (glm::dot(n, vec(marks.normal, j)) < 0.0 || std::abs(glm::dot(offset, d)) > 0.6 * step) return;
-            if (std::abs(glm::dot(d, vec(marks.direction, j))) < 0.7071) return;
-            const std::size_t side = glm::dot(glm::cross(n, d), offset) > 0.0 ? 1 : 0;
-            nearest[side] = std::min(nearest[side], std::sqrt(squared));
-        });
-        for (const double distance : nearest) {
-            if (distance > 1e200) {
-                none += 1.0;
-                continue;
-            }
-            sum += distance / unit;
-            squares += distance * distance / (unit * unit);
-            count += 1.0;
-        }
-    }
-    const double mean = sum / count;
-    return {mean, std::sqrt(squares / count - mean * mean) / mean, none / (none + count)};
+    return test::spacing_of(marks, {unit, 0.12 * marks.report.step, 0},
+                            [&](std::int64_t i) { return static_cast<double>(marks.rank[i]) >= 1.0 - share; });
 }
 
 void expect_even(const PointSet& set, Kind kind, double most_variation, double most_alone) {
