@@ -947,7 +947,8 @@ typedef struct hrbfnpr_layer_desc {
      * which the surface bends most. */
     double angle;            /* by which lines are turned in the tangent plane, counter-clockwise as seen from outside;
                                 degrees; 0 */
-    double smoothing;        /* of directions, over so long a way: diagonals, > 0, 1 at most; 0.04 */
+    double smoothing;        /* of directions: the distance over which they are evened out; diagonals, > 0, 1 at most;
+                                0.04 */
     double axis[3];          /* where curvature says little lines run around this; not 0; (0, 1, 0) */
     double axis_weight;      /* against curvature; >= 0; 0.06 */
 } hrbfnpr_layer_desc;
@@ -1425,7 +1426,7 @@ typedef struct hrbfnpr_layer_style {
     float hatch_white;          /* left between lines at least, pixels, 0 or more; 1.2 */
     float hatch_taper;          /* over which a line narrows where it ends by its tone, pixels, 0 or more; 20.  Where it
                                    ends for another reason it is shorter */
-    float hatch_shortest;       /* shorter pieces are not drawn, those up to twice as long are thinner, pixels, 0 or
+    float hatch_shortest;       /* pieces below this are not drawn, those up to twice of it are thinner; pixels, 0 or
                                    more; 10 */
     uint32_t reserved2;
 } hrbfnpr_layer_style;

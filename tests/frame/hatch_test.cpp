@@ -44,6 +44,24 @@ TEST_F(Hatch, CoversWhatTheToneAsksForAtASlant) {
     }
 }
 
+// Of the finest level up to the middle, of the coarsest from there on, where alone there is room for it.
+TEST_F(Hatch, ALineChangesItsLevel) {
+    set = nested_plane(runtime.memory);
+    constexpr std::uint32_t first = 101 * 201; // of the line beside the middle one
+    ASSERT_EQ(set.layers[0].level[first], finest);
+    for (std::uint32_t i = 100; i <= 200; ++i) set.layers[0].level[first + i] = 0;
+    cluster();
+    darkness = [](const glm::dvec3&) { return 0.6; };
+    draw(front_camera(size, size, 1.25));
+    int seen = 0;
+    for (const StrokePoint& p : frame.drawing().points) {
+        if (p.id - 1 < first || p.id - 1 > first + 200) continue;
+        EXPECT_GT(p.x, 0.5F * size - 2.5F);
+        ++seen;
+    }
+    EXPECT_GT(seen, 20);
+}
+
 TEST_F(Hatch, ZoomingChangesNothingAtOnce) {
     set = nested_plane(runtime.memory);
     cluster();

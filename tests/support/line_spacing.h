@@ -42,7 +42,7 @@ Spacing spacing_of(const Layer& marks, const SpacingSettings& settings, Count&& 
         const glm::dvec3 n = vec(marks.normal, i);
         const glm::dvec3 d = vec(marks.direction, i);
         std::array<double, 2> nearest{1e300, 1e300};
-        tree.within(tree.points()[at], 2.5 * settings.unit, [&](std::int64_t other_at, double) {
+        tree.within(tree.points()[at], 2.5 * settings.unit, [&](std::int64_t other_at, double squared) {
             const std::int64_t j = mark[static_cast<std::size_t>(tree.index(other_at))];
             const bool same = marks.stroke[2 * i] == marks.stroke[2 * j];
             if (same && (settings.apart == 0 || std::abs(i - j) < settings.apart)) return;
@@ -50,7 +50,7 @@ Spacing spacing_of(const Layer& marks, const SpacingSettings& settings, Count&& 
             if (glm::dot(n, vec(marks.normal, j)) < 0.0 || std::abs(glm::dot(offset, d)) > settings.beside) return;
             if (std::abs(glm::dot(d, vec(marks.direction, j))) < 0.7071) return;
             double& side = nearest[glm::dot(glm::cross(n, d), offset) > 0.0 ? 1 : 0];
-            side = std::min(side, glm::length(offset - glm::dot(offset, d) * d));
+            side = std::min(side, std::sqrt(squared));
         });
         for (const double distance : nearest) {
             if (distance > 1e200) {

@@ -206,7 +206,7 @@ void HatchMarks::set_width(const Stroke& stroke, std::int64_t i, HatchMark& mark
         return;
     }
     const HatchWidths widths = hatch_widths(style_, coverage, spacing_at(stroke, i, mark), levels_);
-    const std::int32_t level = run_.marks->level[run_.marks->mark_of(stroke.first)]; // of all of them
+    const std::int32_t level = run_.marks->level[number];
     level_margin_there = level_margin(widths, level);
     mark.width = hatch_width(widths, level);
 }

@@ -1277,7 +1277,7 @@ pub struct hrbfnpr_layer_desc {
     /// else the direction in
     /// which the surface bends most.
     pub angle: f64,
-    /// of directions, over so long a way: diagonals, > 0, 1 at most; 0.04
+    /// of directions: the distance over which they are evened out; diagonals, > 0, 1 at most; 0.04
     pub smoothing: f64,
     /// where curvature says little lines run around this; not 0; (0, 1, 0)
     pub axis: [f64; 3],
@@ -2005,7 +2005,7 @@ pub struct hrbfnpr_layer_style {
     /// over which a line narrows where it ends by its tone, pixels, 0 or more; 20. Where it ends
     /// for another reason it is shorter
     pub hatch_taper: f32,
-    /// shorter pieces are not drawn, those up to twice as long are thinner, pixels, 0 or more; 10
+    /// pieces below this are not drawn, those up to twice of it are thinner; pixels, 0 or more; 10
     pub hatch_shortest: f32,
     pub reserved2: u32,
 }
