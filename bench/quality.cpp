@@ -9,6 +9,7 @@
 #include "read_models.h"
 #include "samples.h"
 #include "scenes/shapes.h"
+#include "stroke_spacing.h"
 #include "timing.h"
 #include "tone_ramp.h"
 
@@ -222,51 +223,6 @@ Directions run_directions(const hrbfnpr_point_set* set) {
             errors[errors.size() * 95 / 100]};
 }
 
-struct Spacing {
-    double mean, variation, alone;
-};
-
-// Sideways from each mark to the next stroke that runs parallel (within 45 degrees), in separations.
-Spacing run_spacing(const hrbfnpr_point_set* set, double separation) {
-    std::int64_t count = 0;
-    const float* position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
-    const float* normal = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
-    const float* direction = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION, count);
-    const std::uint32_t* stroke = attribute<std::uint32_t>(set, 0, HRBFNPR_MARK_ATTRIBUTE_STROKE, count);
-    const auto vec = [](const float* a, std::size_t i) { return Vec3{a[3 * i], a[3 * i + 1], a[3 * i + 2]}; };
-    std::vector<Mark> marks;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-        marks.push_back({vec(position, i), vec(normal, i)});
-    const double farthest = 2.5 * separation;
-    const bench::Grid grid(marks, marks.size(), farthest);
-    std::vector<double> gaps;
-    double alone = 0.0;
-    for (std::size_t i = 0; i < marks.size(); i += 7) {
-        const Vec3 d = vec(direction, i);
-        const Vec3 side = bench::cross(marks[i].normal, d);
-        double nearest[2] = {farthest, farthest};
-        grid.around(marks[i].position, [&](std::size_t other) {
-            if (stroke[2 * other] == stroke[2 * i] || bench::dot(marks[i].normal, marks[other].normal) < 0.0) return;
-            if (std::abs(bench::dot(d, vec(direction, other))) < 0.7071) return;
-            const Vec3 between = marks[other].position - marks[i].position;
-            const double across = bench::dot(between, side);
-            if (std::abs(bench::dot(between, d)) > 0.15 * separation) return;
-            double& gap = nearest[across > 0.0 ? 1 : 0];
-            gap = std::min(gap, std::abs(across));
-        });
-        for (const double gap : nearest)
-            if (gap < farthest)
-                gaps.push_back(gap / separation);
-            else
-                alone += 1.0;
-    }
-    const auto n = static_cast<double>(gaps.size());
-    const double mean = std::accumulate(gaps.begin(), gaps.end(), 0.0) / n;
-    double squares = 0.0;
-    for (const double gap : gaps) squares += (gap - mean) * (gap - mean);
-    return {mean, std::sqrt(squares / n) / mean, alone / (alone + n)};
-}
-
 struct StrokeTotals {
     Directions directions{};
     double variation = 0.0;
@@ -280,7 +236,7 @@ StrokeTotals run_strokes(hrbfnpr_context* context, const std::vector<Surface>& s
     const scenes::Model fitted = fit(context, samples.points, samples.normals);
     const auto row = [&](const char* name, const hrbfnpr_model* model) {
         const scenes::PointSet set = generate(context, model, one_layer(HRBFNPR_LAYER_KIND_PRINCIPAL, 100000));
-        const Spacing s = run_spacing(set.get(), bench::layer_info(set.get(), 0).step);
+        const bench::Spacing s = bench::run_spacing(set.get(), {bench::layer_info(set.get(), 0).step, 0.15, 0});
         std::printf("%-12s %10.3f %10.3f %9.2f%%\n", name, s.mean, s.variation, 100.0 * s.alone);
         totals.variation = std::max(totals.variation, s.variation);
         return run_directions(set.get());

@@ -2,16 +2,15 @@
 // Lines of hatching: how evenly they lie, where they end and turn, beside strokes of the same length.
 // --models=DIR: points to fit as well; --named=TEXT: only models that have it in their names.
 #include "calls.h"
-#include "evenness.h"
 #include "line_models.h"
 #include "line_views.h"
+#include "stroke_spacing.h"
 #include "timing.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,7 +19,6 @@ namespace {
 
 using bench::attribute;
 using bench::generate;
-using bench::Mark;
 using bench::one_layer;
 using bench::operator-;
 using bench::Vec3;
@@ -47,45 +45,6 @@ struct Found {
     double kinks = 0.0;                              // turns by more than 30 degrees within two separations, as ends
     double seconds = 0.0;
 };
-
-// Sideways from each mark to the next line that runs alike, within 45 degrees.
-void measure_spacing(const Strokes& strokes, double separation, Found& found) {
-    std::vector<Mark> marks;
-    for (std::size_t i = 0; i < strokes.size(); ++i)
-        marks.push_back({Strokes::vec(strokes.position, i), Strokes::vec(strokes.normal, i)});
-    const double farthest = 2.5 * separation;
-    const bench::Grid grid(marks, marks.size(), farthest);
-    std::vector<double> gaps;
-    double alone = 0.0;
-    for (std::size_t i = 0; i < marks.size(); i += 7) {
-        const Vec3 d = Strokes::vec(strokes.direction, i);
-        const Vec3 side = bench::cross(marks[i].normal, d);
-        double nearest[2] = {farthest, farthest};
-        grid.around(marks[i].position, [&](std::size_t other) {
-            // A line that winds round is its own neighbour.
-            const std::size_t apart = other > i ? other - i : i - other;
-            if (strokes.stroke[2 * other] == strokes.stroke[2 * i] && apart < 12) return;
-            if (bench::dot(marks[i].normal, marks[other].normal) < 0.0) return;
-            if (std::abs(bench::dot(d, Strokes::vec(strokes.direction, other))) < 0.7071) return;
-            const Vec3 between = marks[other].position - marks[i].position;
-            const double across = bench::dot(between, side);
-            if (std::abs(bench::dot(between, d)) > 0.25 * separation) return;
-            double& gap = nearest[across > 0.0 ? 1 : 0];
-            gap = std::min(gap, std::abs(across));
-        });
-        for (const double gap : nearest)
-            if (gap < farthest)
-                gaps.push_back(gap / separation);
-            else
-                alone += 1.0;
-    }
-    const auto n = static_cast<double>(gaps.size());
-    found.mean = std::accumulate(gaps.begin(), gaps.end(), 0.0) / n;
-    double squares = 0.0;
-    for (const double gap : gaps) squares += (gap - found.mean) * (gap - found.mean);
-    found.variation = std::sqrt(squares / n) / found.mean;
-    found.alone = alone / (alone + n);
-}
 
 void measure_lines(const Strokes& strokes, double separation, Found& found) {
     double length = 0.0;
@@ -126,7 +85,10 @@ Found measure(hrbfnpr_context* context, const hrbfnpr_model* model, std::uint32_
     const scenes::PointSet set = generate(context, model, desc);
     found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const Strokes strokes(set.get());
-    measure_spacing(strokes, separation, found);
+    const bench::Spacing spacing = bench::run_spacing(set.get(), {separation, 0.25, 12});
+    found.mean = spacing.mean;
+    found.variation = spacing.variation;
+    found.alone = spacing.alone;
     measure_lines(strokes, separation, found);
     return found;
 }
