@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace hrbfnpr::curves {
 namespace {
@@ -56,7 +57,19 @@ base::Array<std::int32_t> order_of(const base::Runtime& runtime, const Level& le
 struct Walker {
     std::int64_t point;
     glm::dvec3 begin;
+    double last_step = 0.0;
 };
+
+// Steps that are so many times longer than the tolerance may be the last ones, too ...
+constexpr double may_be_last = 5.0;
+// ... where the next one would be below this share of it: of steps s, t that go on as Newton's do, t = c s^2, the next
+// one is t^3 / s^2.
+constexpr double nothing = 1e-3;
+
+bool is_last(double step, double step_before, double tolerance) noexcept {
+    return step <= tolerance ||
+           (step <= may_be_last * tolerance && step * step * step <= nothing * tolerance * step_before * step_before);
+}
 
 } // namespace
 
@@ -90,13 +103,30 @@ void bring_close(const base::Runtime& runtime, const Level& level, int steps, ba
     evaluations += steps * points.size();
 }
 
+void bring_closer(const base::Runtime& runtime, const Level& level, const base::Array<double>& enough,
+                  base::Array<CurvePoint>& points, std::int64_t& evaluations, const base::Progress& progress) {
+    evaluate(runtime, level, points, progress);
+    base::Array<CurvePoint> far(runtime.memory);
+    base::Array<std::int64_t> of(runtime.memory);
+    for (std::int64_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3 way = points[i].newton_step();
+        points[i].position += way;
+        if (glm::length(way) <= enough[i]) continue;
+        far.push_back(points[i]);
+        of.push_back(i);
+    }
+    evaluations += points.size();
+    bring_close(runtime, level, 1, far, evaluations, progress);
+    for (std::int64_t k = 0; k < of.size(); ++k) points[of[k]] = far[k];
+}
+
 std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, const NewtonSettings& settings,
                             base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found,
                             const base::Progress& progress) {
     found.resize(points.size());
     std::fill(found.begin(), found.end(), std::uint8_t{0});
     base::Array<Walker> walking(runtime.memory);
-    for (std::int64_t i = 0; i < points.size(); ++i) walking.push_back({i, points[i].position});
+    for (std::int64_t i = 0; i < points.size(); ++i) walking.push_back({i, points[i].position, 0.0});
     base::Array<CurvePoint> trial(runtime.memory);
     std::int64_t evaluations = 0;
     for (int step = 0; step < settings.steps && !walking.empty(); ++step) {
@@ -106,14 +136,14 @@ std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, co
         evaluations += trial.size();
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < walking.size(); ++i) {
-            const Walker walker = walking[i];
+            Walker walker = walking[i];
             CurvePoint& p = points[walker.point];
             p = trial[i];
             const glm::dvec3 way = p.newton_step();
             const double length = glm::length(way);
             if (!(glm::distance(p.position + way, walker.begin) <= settings.farthest)) continue;
             p.position += way;
-            if (length <= settings.tolerance)
+            if (is_last(length, std::exchange(walker.last_step, length), settings.tolerance))
                 found[walker.point] = 1;
             else
                 walking[left++] = walker;

@@ -29,8 +29,12 @@ void evaluate(const base::Runtime& runtime, const Level& level, base::Array<Curv
 void bring_close(const base::Runtime& runtime, const Level& level, int steps, base::Array<CurvePoint>& points,
                  std::int64_t& evaluations, const base::Progress& progress);
 
+// The same by one step, and by a second one where that was longer than `enough`, of each point.
+void bring_closer(const base::Runtime& runtime, const Level& level, const base::Array<double>& enough,
+                  base::Array<CurvePoint>& points, std::int64_t& evaluations, const base::Progress& progress);
+
 struct NewtonSettings {
-    double tolerance = 0.0; // a step that is shorter is the last one
+    double tolerance = 0.0; // a step that is shorter is the last one; a longer one if the next would be nothing
     double farthest = 0.0;  // from where a point began
     int steps = 12;
 };

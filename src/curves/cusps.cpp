@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace hrbfnpr::curves {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 constexpr int most_steps = 40;
 // Where more points are put on a piece that has a cusp.
 constexpr std::array<double, 3> inner_shares = {0.25, 0.5, 0.75};
+// In lengths of a piece: a point that came onto the curve by a shorter step knows enough of it.
+constexpr double near_curve = 2e-4;
 // In lengths of the piece: where a cusp is known so well, the search for it ends; nearer to an end of the piece than
 // the second, that end is replaced.
 constexpr double known = 1e-8;
@@ -40,6 +43,7 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
 Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
                         std::int64_t& evaluations, const base::Progress& progress) {
     base::Array<CurvePoint> added(runtime.memory);
+    base::Array<double> enough(runtime.memory);
     base::Array<std::int64_t> after(runtime.memory); // which point
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         for (std::int64_t k = 0; k < curves.pieces_of(c); ++k) {
@@ -52,11 +56,12 @@ Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, cons
                 CurvePoint p;
                 p.position = cubic.at(u);
                 added.push_back(p);
+                enough.push_back(near_curve * cubic.length());
             }
             after.push_back(at);
         }
     }
-    bring_close(runtime, contour, 2, added, evaluations, progress);
+    bring_closer(runtime, contour, enough, added, evaluations, progress);
     Curves result(runtime.memory);
     result.first.push_back(0);
     std::int64_t next = 0;
@@ -125,20 +130,24 @@ base::Array<Search> find_changes(base::Memory& memory, const View& view, const C
     return found;
 }
 
-// Points of cubics are brought onto the curve before their values are asked for: the first by two steps.  Then a cubic
-// begins or ends near the place, and one step says as much of it.
+// Points of cubics are brought onto the curve before their values are asked for: the first by two steps if it is off.
+// Then a cubic begins or ends near the place, and one step says as much of it.
 void search(const base::Runtime& runtime, const Level& contour, const View& view, base::Array<Search>& searches,
             std::int64_t& evaluations, const base::Progress& progress) {
     base::Array<std::int64_t> active(runtime.memory);
     for (std::int64_t i = 0; i < searches.size(); ++i) active.push_back(i);
     base::Array<CurvePoint> points(runtime.memory);
+    base::Array<double> enough(runtime.memory);
     for (int step = 0; step < most_steps && !active.empty(); ++step) {
         points.resize(active.size());
+        enough.resize(active.size());
         for (std::int64_t i = 0; i < active.size(); ++i) {
             const Search& s = searches[active[i]];
-            points[i].position = CubicPiece(s.a, s.b).at((s.share - s.low) / (s.high - s.low));
+            const CubicPiece cubic(s.a, s.b);
+            points[i].position = cubic.at((s.share - s.low) / (s.high - s.low));
+            enough[i] = step == 0 ? near_curve * cubic.length() : std::numeric_limits<double>::infinity();
         }
-        bring_close(runtime, contour, step == 0 ? 2 : 1, points, evaluations, progress);
+        bring_closer(runtime, contour, enough, points, evaluations, progress);
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < active.size(); ++i) {
             Search& s = searches[active[i]];

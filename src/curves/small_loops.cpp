@@ -19,6 +19,7 @@ constexpr double low = 1.0;
 constexpr double probe = 0.05;
 constexpr double longest_step = 0.5;
 constexpr double farthest = 1.5;
+constexpr double near_surface = 1e-3; // what is no farther off counts as on it
 constexpr int most_steps = 5;
 
 std::int64_t corner_of(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex) noexcept {
@@ -117,6 +118,7 @@ private:
         return {u, glm::cross(n, u)};
     }
     void place_probes();
+    void bring_to_surface(std::int64_t& evaluations, const base::Progress& progress);
     [[nodiscard]] bool go_on(Search& search, const CurvePoint* three);
 
     const base::Runtime& runtime_;
@@ -169,13 +171,28 @@ bool Searches::go_on(Search& search, const CurvePoint* three) {
     return glm::distance(search.place, mesh_.position[search.vertex]) <= farthest * mesh_.side;
 }
 
+// By a step along grad f where that is needed: beside a vertex of the mesh it is not.
+void Searches::bring_to_surface(std::int64_t& evaluations, const base::Progress& progress) {
+    evaluate(runtime_, level_, points_, progress);
+    evaluations += points_.size();
+    base::Array<CurvePoint> off(runtime_.memory);
+    base::Array<std::int64_t> of(runtime_.memory);
+    for (std::int64_t i = 0; i < points_.size(); ++i) {
+        CurvePoint p = points_[i];
+        step_to_surface(p);
+        if (glm::distance(p.position, points_[i].position) <= near_surface * mesh_.side) continue;
+        off.push_back(p);
+        of.push_back(i);
+    }
+    evaluate(runtime_, level_, off, progress);
+    evaluations += off.size();
+    for (std::int64_t k = 0; k < of.size(); ++k) points_[of[k]] = off[k];
+}
+
 void Searches::run(std::int64_t& evaluations, const base::Progress& progress) {
     for (int step = 0; step < most_steps && !active_.empty(); ++step) {
         place_probes();
-        evaluate(runtime_, level_, points_, progress);
-        for (CurvePoint& p : points_) step_to_surface(p);
-        evaluate(runtime_, level_, points_, progress);
-        evaluations += 2 * points_.size();
+        bring_to_surface(evaluations, progress);
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < active_.size(); ++i) {
             Search search = active_[i];
