@@ -76,7 +76,8 @@ private:
             if (pen.contours != 0) discs_.push_back({-eye.z, at.x, at.y, double{style_.silhouette_radius}, 1.0, 0.0F});
         } else {
             paper(eye, at, cover, nu * nu * style_.attenuation_front, scale);
-            const double tau = std::pow(std::max(0.0, glm::dot(normal, light_)), style_.tone_exponent);
+            const double lit = glm::dot(normal, light_);
+            const double tau = lit > 0.0 ? std::pow(lit, style_.tone_exponent) : double{style_.fill_light} * lit * lit;
             if (pen.shown != 0 && mark.rank >= 1.0 - (1.0 - tau) * double{pen.share})
                 discs_.push_back({-eye.z, at.x, at.y, double{pen.radius} * mark.width, 1.0, 0.0F});
         }

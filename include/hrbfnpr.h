@@ -1366,7 +1366,7 @@ enum {
 
 enum {
     HRBFNPR_TONE_NONE = 0,    /* tau = 0: all front marks are shown */
-    HRBFNPR_TONE_LIGHT = 1,   /* tau = max(0, n . l)^tone_exponent [NPAR 6.2] */
+    HRBFNPR_TONE_LIGHT = 1,   /* tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light */
     HRBFNPR_TONE_CALLBACK = 2 /* tau from tone_function */
 };
 
@@ -1553,6 +1553,12 @@ typedef struct hrbfnpr_style {
     const hrbfnpr_line_style* lines; /* a list; NULL and 0 */
     int64_t line_count;
     int64_t line_stride;
+
+    /* Of TONE_LIGHT, DEPTH_LAYERS and TONE_RULE_SHARE: 0 .. 1, light from the side opposite to `light`, so that what
+     * is turned away keeps its form: tau = fill_light * (n . l)^2 where n . l < 0.  The lit side stays as it is;
+     * 0.25 */
+    float fill_light;
+    uint32_t reserved2;
 } hrbfnpr_style;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);

@@ -299,7 +299,8 @@ typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[
     float silhouette_radius_zoom; float silhouette_ink[4]; uint32_t visibility; uint32_t hidden_lines;
     double attenuation_front; double attenuation_back; float splat_radius; float splat_overlap; float halo_width;
     uint32_t reserved; double depth_min; double depth_max; double zoom_reference; double zoom_exponent;
-    const hrbfnpr_line_style* lines; int64_t line_count; int64_t line_stride; } hrbfnpr_style;
+    const hrbfnpr_line_style* lines; int64_t line_count; int64_t line_stride; float fill_light; uint32_t reserved2;
+    } hrbfnpr_style;
 hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,

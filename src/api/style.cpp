@@ -119,7 +119,9 @@ constexpr auto style_fields() noexcept {
         field("zoom_exponent", &Style::zoom_exponent, &To::zoom_exponent, not_negative),
         field("lines", &Style::lines, rule::Any{}),
         field("line_count", &Style::line_count, rule::Any{}),
-        field("line_stride", &Style::line_stride, rule::Any{})};
+        field("line_stride", &Style::line_stride, rule::Any{}),
+        field("fill_light", &Style::fill_light, &To::fill_light, share),
+        reserved("reserved2", &Style::reserved2)};
 }
 static_assert(style_fields().covers<Style>());
 

@@ -247,6 +247,7 @@ namespace HrbfNpr.Tests
 
             var defaults = new Style();
             Assert.Equal(1, defaults.ToneExponent, 0);
+            Assert.Equal(0.25, defaults.FillLight, 1e-6);
             Assert.Equal(new Vector3d(-0.4, 0.6, 0.7), defaults.Light);
             Assert.Equal(new Color(1, 1, 1), defaults.Paper);
             Assert.Equal(0, defaults.Layers.Count);

@@ -169,6 +169,18 @@ TEST_F(Hatch, TwiceAsLargeWithLengthsTwiceAsLargeIsTheSame) {
     EXPECT_NEAR(ink(300.0, 300.0, size), ink_before, 0.002);
 }
 
+TEST_F(Hatch, AFillLightMakesLinesThinnerWhereTheSurfaceIsTurnedAwayFromTheLight) {
+    set = nested_plane(runtime.memory);
+    cluster();
+    style.tone = frame::Tone::light;
+    style.light = {0.6, 0.0, -0.8};
+    for (const float fill : {0.0F, 0.25F, 1.0F}) {
+        style.fill_light = fill;
+        draw(front_camera(size, size, 1.25));
+        EXPECT_NEAR(plane_ink(1.25), coverage(layer, 1.0 - double{fill} * 0.64), 0.01) << fill;
+    }
+}
+
 TEST_F(Hatch, SameBitsForAnyThreadCount) {
     std::vector<float> expected;
     for (const int threads : {1, 3}) {

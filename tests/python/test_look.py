@@ -114,9 +114,10 @@ def test_every_field_can_be_read_and_written():
         for choice, number in numbers.items():
             setattr(style, name, choice)
             assert getattr(style, name) == choice and getattr(style._prepared()[0], name) == number
-    assert (style.tone_fade, style.silhouette_width) == (0.25, 1)
-    style.update(tone_fade=0.5, silhouette_width=2.5)
-    assert (style._prepared()[0].tone_fade, style._prepared()[0].silhouette_width) == (0.5, 2.5)
+    assert (style.tone_fade, style.silhouette_width, style.fill_light) == (0.25, 1, 0.25)
+    style.update(tone_fade=0.5, silhouette_width=2.5, fill_light=0.125)
+    struct = style._prepared()[0]
+    assert (struct.tone_fade, struct.silhouette_width, struct.fill_light) == (0.5, 2.5, 0.125)
     style.hidden_lines = "hide"
     style.light = (1, 2, 3)
     style.paper = "#ff000080"

@@ -132,6 +132,12 @@ namespace HrbfNpr
         public double ToneExponent { get; set; }
 
         /// <summary>
+        /// 0 to 1: light from the side opposite to <see cref="Light"/>, so that what is turned away keeps its form.
+        /// Not as published.
+        /// </summary>
+        public float FillLight { get; set; }
+
+        /// <summary>
         /// For <see cref="HrbfNpr.Tone.Callback"/>; called on the thread that draws.  What it throws comes out in a
         /// <see cref="CallbackException"/>.
         /// </summary>
@@ -234,6 +240,7 @@ namespace HrbfNpr
             style->tone_curve = (uint)ToneCurve;
             style->tone_fade = ToneFade;
             style->tone_exponent = ToneExponent;
+            style->fill_light = FillLight;
             style->light_space = (uint)LightSpace;
             *(Vector3d*)style->light = Light;
             SilhouetteInk.Write(style->silhouette_ink);
@@ -263,6 +270,7 @@ namespace HrbfNpr
             ToneCurve = (ToneCurve)style->tone_curve;
             ToneFade = style->tone_fade;
             ToneExponent = style->tone_exponent;
+            FillLight = style->fill_light;
             LightSpace = (LightSpace)style->light_space;
             Light = *(Vector3d*)style->light;
             SilhouetteInk = Color.Read(style->silhouette_ink);

@@ -148,6 +148,10 @@ class Style(Attributes):
     )
     light_space = choice(LIGHT_SPACES, '"world" or "camera".')
     tone_exponent = number("lambda of the tone law tau = max(0, n . l)^lambda, > 0 [NPAR 6.2].")
+    fill_light = number(
+        "0 to 1: light from the side opposite to `light`, so that what is turned away keeps its form; tau = fill_light "
+        "(n . l)^2 where n . l < 0.  Not as published."
+    )
     depth_min = number("Distance from the camera where depth attenuation starts.")
     depth_max = number("... and where nothing is shown any more; 0 and 0 = off.")
     zoom_reference = number("Pixels per world unit at which all marks are shown; 0 = off.")

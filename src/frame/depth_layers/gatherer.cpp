@@ -174,6 +174,7 @@ std::int64_t Gatherer::shown_of(const marks::Cluster& cluster, float shown) cons
 float Gatherer::most_shown(const Local& local) const noexcept {
     const Selection& selection = local.selection;
     if (selection.by_published || style_.tone == Tone::callback) return 1.0F;
+    // Without the fill light, which no cluster need have everywhere.
     const float tau =
         style_.tone == Tone::light ? light_tone(local.view.lit_min, static_cast<float>(style_.tone_exponent)) : 0.0F;
     float shown = 1.0F - tau;
@@ -271,9 +272,8 @@ float Gatherer::to_rim(const Rim& rim, float nu) const noexcept { return -nu * s
 const float* Gatherer::taus(const Local& local, const Seen& seen, std::int64_t count, float* scratch) const noexcept {
     if (style_.tone == Tone::callback)
         return all_.tau_.data() + run_.first_place + local.cluster->block * MarkBlock::size;
-    const auto exponent = static_cast<float>(style_.tone_exponent);
-    for (std::int64_t i = 0; i < count; ++i)
-        scratch[i] = style_.tone == Tone::light ? light_tone(seen.lit[i], exponent) : 0.0F;
+    const LightTone tone(style_);
+    for (std::int64_t i = 0; i < count; ++i) scratch[i] = style_.tone == Tone::light ? tone(seen.lit[i]) : 0.0F;
     return scratch;
 }
 

@@ -182,10 +182,10 @@ float HatchMarks::picture_margin(float x, float y) const noexcept {
 
 void HatchMarks::set_darkness(const Seen& seen, std::int64_t first, std::span<HatchMark> marks) const noexcept {
     const Style& style = item_.style;
-    const auto exponent = static_cast<float>(style.tone_exponent);
+    const LightTone light(style);
     const bool by_depth = style.depth_min > 0.0 && style.depth_max > style.depth_min;
     for (std::size_t i = 0; i < marks.size(); ++i) {
-        float tau = style.tone == Tone::light ? light_tone(seen.lit[i], exponent) : 0.0F;
+        float tau = style.tone == Tone::light ? light(seen.lit[i]) : 0.0F;
         if (taus_ != nullptr) tau = taus_[run_.marks->mark_of(first + static_cast<std::int64_t>(i))];
         float darkness = 1.0F - tau;
         if (by_depth)

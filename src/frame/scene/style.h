@@ -102,6 +102,7 @@ struct Style {
     float silhouette_width = 1.0F;
     glm::dvec3 light{-0.4, 0.6, 0.7};
     double tone_exponent = 1.0;
+    float fill_light = 0.25F;
     ToneFn tone_function = nullptr;
     void* tone_user = nullptr;
     double depth_min = 0.0;
@@ -115,6 +116,10 @@ struct Style {
     std::span<const LayerStyle> layers; // whoever made it keeps them
     std::span<const LineStyle> lines;   // the same
 
+    // None as published.
+    [[nodiscard]] float fill() const noexcept {
+        return visibility == Visibility::published || tone_rule == ToneRule::published ? 0.0F : fill_light;
+    }
     // That of the first element for it, or defaults.
     [[nodiscard]] const LayerStyle& of(const marks::Layer& layer) const noexcept;
 };

@@ -9,11 +9,23 @@
 
 namespace hrbfnpr::frame {
 
-// tau = max(0, n . l)^exponent: 1 is light, 0 is dark.
-[[nodiscard]] inline float light_tone(float n_dot_l, float exponent) noexcept {
+// tau = max(0, n . l)^exponent + fill max(0, -n . l)^2: 1 is light, 0 is dark.  The fill light comes from the other
+// side.  Its square leaves the terminator dark, and varies where a surface faces it.
+[[nodiscard]] inline float light_tone(float n_dot_l, float exponent, float fill = 0.0F) noexcept {
     const float lit = std::clamp(n_dot_l, 0.0F, 1.0F);
-    return exponent == 1.0F ? lit : std::pow(lit, exponent);
+    const float away = std::clamp(-n_dot_l, 0.0F, 1.0F);
+    return (exponent == 1.0F ? lit : std::pow(lit, exponent)) + fill * away * away;
 }
+
+// A style's law of light.
+struct LightTone {
+    explicit LightTone(const Style& style) noexcept
+        : exponent(static_cast<float>(style.tone_exponent)), fill(style.fill()) {}
+
+    [[nodiscard]] float operator()(float n_dot_l) const noexcept { return light_tone(n_dot_l, exponent, fill); }
+
+    float exponent, fill;
+};
 
 // tau_d: 1 up to depth_min, 0 from depth_max on, falling with the logarithm between.
 [[nodiscard]] inline float depth_tone(double distance, double depth_min, double depth_max) noexcept {

@@ -59,6 +59,27 @@ TEST(LightTone, IsThePowerOfTheCosine) {
     EXPECT_EQ(light_tone(1.0000001F, 1.0F), 1.0F);
 }
 
+TEST(LightTone, OfTheFillLightIsTheSquareOfTheCosineWhereTheSurfaceIsTurnedAway) {
+    for (const float fill : {0.0F, 0.25F, 1.0F}) {
+        EXPECT_FLOAT_EQ(light_tone(-0.5F, 1.0F, fill), 0.25F * fill);
+        EXPECT_EQ(light_tone(-1.0000001F, 1.0F, fill), fill);
+        EXPECT_EQ(light_tone(0.0F, 1.0F, fill), 0.0F);
+        for (const float exponent : {0.5F, 1.0F, 2.0F})
+            EXPECT_EQ(light_tone(0.3F, exponent, fill), light_tone(0.3F, exponent)) << "the lit side stays";
+    }
+}
+
+TEST(LightTone, OfAStyleHasNoFillLightAsPublished) {
+    Style style;
+    style.fill_light = 0.4F;
+    EXPECT_FLOAT_EQ(LightTone(style)(-1.0F), 0.4F);
+    style.tone_rule = ToneRule::published;
+    EXPECT_EQ(LightTone(style)(-1.0F), 0.0F);
+    style.tone_rule = ToneRule::share;
+    style.visibility = Visibility::published;
+    EXPECT_EQ(LightTone(style)(-1.0F), 0.0F);
+}
+
 TEST(DepthTone, FallsWithTheLogarithmFromNearToFar) {
     EXPECT_EQ(depth_tone(1.0, 2.0, 8.0), 1.0F);
     EXPECT_EQ(depth_tone(2.0, 2.0, 8.0), 1.0F);

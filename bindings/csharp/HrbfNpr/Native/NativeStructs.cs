@@ -378,6 +378,8 @@ namespace HrbfNpr
         internal IntPtr lines;
         internal long line_count;
         internal long line_stride;
+        internal float fill_light;
+        internal uint reserved2;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_pose")]

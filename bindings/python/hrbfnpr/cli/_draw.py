@@ -33,7 +33,8 @@ _HATCH_PIXELS = ("hatch_spacing", "hatch_pen", "hatch_white", "hatch_taper", "ha
 _STYLE = (
     "paper", "hidden_lines", "visibility", "silhouette_threshold", "silhouette_law", "silhouette_width",
     "attenuation_front", "attenuation_back", "splat_radius", "splat_overlap", "halo_width", "tone", "tone_rule",
-    "tone_curve", "tone_fade", "tone_exponent", "light", "light_space", "zoom_reference", "zoom_exponent", "ink",
+    "tone_curve", "tone_fade", "tone_exponent", "fill_light", "light", "light_space", "zoom_reference", "zoom_exponent",
+    "ink",
 )  # fmt: skip
 
 

@@ -178,6 +178,7 @@ def _add_style(parser: Parser) -> None:
     _add_choice(group, "--tone-curve", "tone_curve", tuple(TONE_CURVES), "what is as dark as asked for")
     _add(group, "--tone-fade", "tone_fade", values.number, "X", "share of marks that grow instead of popping, 0 to 1")
     _add(group, "--tone-exponent", "tone_exponent", values.number, "LAMBDA", "of the tone law; more is darker")
+    _add(group, "--fill-light", "fill_light", values.number, "X", "from the side opposite to the light, 0 to 1")
     _add(group, "--light", "light", values.direction, "X,Y,Z", "towards the light")
     _add_choice(group, "--light-space", "light_space", tuple(LIGHT_SPACES), "frame of the light")
     _add(group, "--depth-range", "depth_range", values.interval, "MIN,MAX", "distances between which marks vanish")

@@ -577,7 +577,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_style>() == either(248, 240, 232));
+    assert!(size_of::<hrbfnpr_style>() == either(256, 248, 240));
     assert!(align_of::<hrbfnpr_style>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -618,6 +618,8 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, lines) == either(224, 216, 212));
     assert!(offset_of!(hrbfnpr_style, line_count) == either(232, 224, 216));
     assert!(offset_of!(hrbfnpr_style, line_stride) == either(240, 232, 224));
+    assert!(offset_of!(hrbfnpr_style, fill_light) == either(248, 240, 232));
+    assert!(offset_of!(hrbfnpr_style, reserved2) == either(252, 244, 236));
 };
 
 const _: () = {

@@ -1914,7 +1914,7 @@ pub const HRBFNPR_SILHOUETTE_LAW_ANGLE: u32 = 1;
 
 /// tau = 0: all front marks are shown
 pub const HRBFNPR_TONE_NONE: u32 = 0;
-/// tau = max(0, n . l)^tone_exponent [NPAR 6.2]
+/// tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light
 pub const HRBFNPR_TONE_LIGHT: u32 = 1;
 /// tau from tone_function
 pub const HRBFNPR_TONE_CALLBACK: u32 = 2;
@@ -2199,6 +2199,13 @@ pub struct hrbfnpr_style {
     pub lines: *const hrbfnpr_line_style,
     pub line_count: i64,
     pub line_stride: i64,
+    /// Of TONE_LIGHT, DEPTH_LAYERS and TONE_RULE_SHARE: 0 .. 1, light from the side opposite to
+    /// `light`, so that what
+    /// is turned away keeps its form: tau = fill_light * (n . l)^2 where n . l < 0.  The lit side
+    /// stays as it is;
+    /// 0.25
+    pub fill_light: f32,
+    pub reserved2: u32,
 }
 
 extern "C" {
