@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any, Dict, List, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -18,7 +18,8 @@ from .._style import Style
 LONG_SIDE = 1600
 STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make a line
 HATCH_LINES = 300  # of hatching, all levels, in the root of the area
-MOST_MARKS = {"stipples": 300_000, "principal": 800_000, "combing": 800_000}
+MOST_MARKS = 2_000_000  # of a layer, unless --marks says more: some 500 bytes each while they are placed and drawn
+MOST_LEVELS = 6  # the same of the published recursion
 
 # Ink over area at the darkest tone; of strokes that of one direction, which leaves some paper between its lines.
 _COVERAGE = {"stipples": 0.8, "principal": 0.55, "combing": 0.55}
@@ -89,15 +90,18 @@ def positions(marks: PointSet) -> Any:
     return np.concatenate(parts) + np.asarray(marks.origin)
 
 
+Note = Callable[[str], None]
+
+
 def marks(
-    layers: Sequence[Layer], style: Style, area: float, pixels: float, published: bool, seeds: int
+    layers: Sequence[Layer], style: Style, area: float, pixels: float, published: bool, seeds: int, note: Note
 ) -> List[Layer]:
-    """The layers with what fills the darkest tone, where they do not say themselves."""
+    """The layers with what fills the darkest tone, where they do not say themselves; `note` is told what is cut."""
     fill = _published if published else _even
-    return [fill(layer, style.style_of(layer.kind, layer.name).radius, area, pixels, seeds) for layer in layers]
+    return [fill(layer, style.style_of(layer.kind, layer.name).radius, area, pixels, seeds, note) for layer in layers]
 
 
-def _even(layer: Layer, radius: float, area: float, pixels: float, seeds: int) -> Layer:
+def _even(layer: Layer, radius: float, area: float, pixels: float, seeds: int, note: Note) -> Layer:
     if layer.kind == "hatch":
         # The same lines whatever the picture: they are nested, and the finest are not always drawn.
         return layer if layer.budget or layer.separation else replace(layer, separation=math.sqrt(area) / HATCH_LINES)
@@ -110,17 +114,29 @@ def _even(layer: Layer, radius: float, area: float, pixels: float, seeds: int) -
         layer = replace(layer, step=layer.step or step)
     if layer.budget is not None or (layer.kind != "stipples" and layer.separation > 0):
         return layer  # of a separation as many as there are
-    return replace(layer, budget=max(1, min(MOST_MARKS[layer.kind], round(wanted))))
+    if wanted > MOST_MARKS:
+        name = layer.name or layer.kind
+        note(
+            f"{name}: {wanted:.0f} marks would fill the darkest tone, {MOST_MARKS} are made, so that it gets "
+            f"{MOST_MARKS / wanted:.0%} of its ink: --marks {layer.kind}={wanted:.0f} makes all, --mark-radius larger ones"
+        )
+    return replace(layer, budget=max(1, min(MOST_MARKS, round(wanted))))
 
 
-def _published(layer: Layer, radius: float, area: float, pixels: float, seeds: int) -> Layer:
+def _published(layer: Layer, radius: float, area: float, pixels: float, seeds: int, note: Note) -> Layer:
     """As many refinement steps as do not overfill the picture."""
     if layer.levels is not None:
         return layer
     wanted = area * pixels**2 / (math.pi * radius**2)
     start, factor = (seeds, 5) if layer.kind == "stipples" else (2 * seeds, 3)
-    steps = math.log(max(wanted, 1) / max(start, 1), factor)
-    return replace(layer, levels=min(max(round(steps), 1), 6))
+    steps = round(math.log(max(wanted, 1) / max(start, 1), factor))
+    if steps > MOST_LEVELS:
+        name = layer.name or layer.kind
+        note(
+            f"{name}: {steps} refinement steps would fill the picture, {MOST_LEVELS} are taken, so that dark tones are "
+            f"pale: --levels {layer.kind}={steps} takes all"
+        )
+    return replace(layer, levels=min(max(steps, 1), MOST_LEVELS))
 
 
 def in_turn(layers: Sequence[Layer], style: Style) -> List[Layer]:

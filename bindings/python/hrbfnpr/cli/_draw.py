@@ -140,7 +140,7 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
         published, seeds = arguments.distribution == "published", max(source.info.centres, 1)
         wanted = [Layer(kind) for kind in arguments.layers] if arguments.layers else preset_layers(arguments.style)
         layers = make_layers(arguments, wanted)
-        layers = _automatic.marks(layers, style, area, pixels, published, seeds)
+        layers = _automatic.marks(layers, style, area, pixels, published, seeds, report.note)
         if arguments.tone_ranges == "in-turn":
             layers = _automatic.in_turn(layers, style)
         marks = generate(arguments, source, layers, context, report)
