@@ -233,7 +233,8 @@ Plain plain_of(const Mark& mark, const Sight& s, const Style& style, double radi
     const glm::dvec3 eye(s.to_eye * glm::dvec4(mark.position, 1.0));
     const glm::dvec3 n = glm::normalize(s.normal_to_eye * mark.normal);
     p.nu = glm::dot(n, glm::normalize(s.parallel ? s.centre : eye - s.centre));
-    p.tau = std::max(0.0, glm::dot(n, glm::normalize(style.light)));
+    const double lit = glm::dot(n, glm::normalize(style.light));
+    p.tau = lit > 0.0 ? lit : double{style.fill_light} * lit * lit;
     return p;
 }
 

@@ -174,7 +174,7 @@ TEST_F(Hatch, AFillLightMakesLinesThinnerWhereTheSurfaceIsTurnedAwayFromTheLight
     cluster();
     style.tone = frame::Tone::light;
     style.light = {0.6, 0.0, -0.8};
-    for (const float fill : {0.0F, 0.25F, 1.0F}) {
+    for (const float fill : {0.25F, 1.0F}) {
         style.fill_light = fill;
         draw(front_camera(size, size, 1.25));
         EXPECT_NEAR(plane_ink(1.25), coverage(layer, 1.0 - double{fill} * 0.64), 0.01) << fill;

@@ -59,21 +59,6 @@ TEST_F(Shade, TheShareShownIsOneMinusTheTone) {
     }
 }
 
-TEST_F(Shade, AFillLightThinsWhatIsTurnedAwayFromTheLight) {
-    Style style = plain_style();
-    style.tone = Tone::light;
-    style.light = {std::sqrt(0.36), 0.0, -0.8};
-    for (const ToneRule rule : {ToneRule::share, ToneRule::published}) {
-        style.tone_rule = rule;
-        for (const float fill : {0.0F, 0.25F, 1.0F}) {
-            style.fill_light = fill;
-            const double expected = rule == ToneRule::share ? 1.0 - double{fill} * 0.64 : 1.0;
-            draw(style);
-            EXPECT_NEAR(shown_share(), expected, doubt(expected) + 1e-9) << fill;
-        }
-    }
-}
-
 TEST_F(Shade, LightIsInCameraOrWorldSpace) {
     Style style = plain_style();
     style.tone = Tone::light;
