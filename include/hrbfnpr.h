@@ -951,6 +951,11 @@ typedef struct hrbfnpr_layer_desc {
                                 0.04 */
     double axis[3];          /* where curvature says little lines run around this; not 0; (0, 1, 0) */
     double axis_weight;      /* against curvature; >= 0; 0.06 */
+
+    /* Of all kinds. */
+    double tone_smoothing;   /* over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by
+                                that; diagonals, 0 .. 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH, 0 for
+                                others; -1 */
 } hrbfnpr_layer_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
@@ -1022,8 +1027,11 @@ enum {
     HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST = 8, /* UINT32, S + 1 elements: stroke s has the marks
                                                 order[first[s]] .. order[first[s + 1] - 1] from end to end, order
                                                 being STROKE_ORDER.  Count 0 = a layer without strokes */
-    HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER = 9  /* UINT32: numbers of marks, stroke by stroke.  Count 0 = the marks
+    HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER = 9, /* UINT32: numbers of marks, stroke by stroke.  Count 0 = the marks
                                                 stand stroke by stroke already: every layer but those of PUBLISHED */
+    HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL = 10  /* FLOAT32 x 3, unit: the normal that tone goes by with DEPTH_LAYERS,
+                                                averaged over hrbfnpr_layer_desc.tone_smoothing of the same sheet.
+                                                What faces the eye goes by NORMAL.  Count 0 = NORMAL */
 };
 
 /* A layer of ready-made marks.  Types and components as in the list above,
@@ -1382,7 +1390,7 @@ enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
 
 /* Any illumination model: fills tau (count, 1 = light, 0 = dark; clamped to
  * [0,1], NaN is CALLBACK) from world positions and unit normals (count x 3
- * each).  Runs on the thread that called _draw.  Non-zero fails it. */
+ * each; TONE_NORMAL where there are any).  Runs on the thread that called _draw.  Non-zero fails it. */
 typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions,
                                    const float* normals, float* tau);
 

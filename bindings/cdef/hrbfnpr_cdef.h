@@ -169,7 +169,7 @@ typedef struct hrbfnpr_layer_desc { uint32_t struct_size; uint32_t kind; const c
     double density_strength; hrbfnpr_density_fn density_function; void* density_user; double separation; double step;
     double length; hrbfnpr_direction_fn direction_function; void* direction_user; uint32_t symmetry; uint32_t start;
     int32_t start_level; int32_t levels; double angle; double smoothing; double axis[3]; double axis_weight;
-    } hrbfnpr_layer_desc;
+    double tone_smoothing; } hrbfnpr_layer_desc;
 hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t distribution; const hrbfnpr_layer_desc* layers;
     int64_t layer_count; int64_t layer_stride; int64_t shared_budget; uint32_t tone_ranges; uint32_t seed_source;
@@ -182,7 +182,7 @@ hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, const hrbfnp
 enum { HRBFNPR_MARK_ATTRIBUTE_POSITION = 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL = 1, HRBFNPR_MARK_ATTRIBUTE_DIRECTION = 2,
     HRBFNPR_MARK_ATTRIBUTE_CURVATURE = 3, HRBFNPR_MARK_ATTRIBUTE_RANK = 4, HRBFNPR_MARK_ATTRIBUTE_LEVEL = 5,
     HRBFNPR_MARK_ATTRIBUTE_STROKE = 6, HRBFNPR_MARK_ATTRIBUTE_WIDTH = 7, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST = 8,
-    HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER = 9 };
+    HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER = 9, HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL = 10 };
 typedef struct hrbfnpr_layer_arrays { uint32_t struct_size; uint32_t kind; const char* name; hrbfnpr_array position;
     hrbfnpr_array normal; hrbfnpr_array stroke_first; hrbfnpr_array stroke_direction; hrbfnpr_array direction;
     hrbfnpr_array curvature; hrbfnpr_array rank; hrbfnpr_array level; hrbfnpr_array width; } hrbfnpr_layer_arrays;

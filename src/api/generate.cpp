@@ -49,7 +49,8 @@ constexpr auto layer_fields() noexcept {
                       field("tone_end", &Layer::tone_end, rule::Any{}),
                       field("second_tone_begin", &Layer::second_tone_begin, rule::Any{}),
                       field("second_tone_end", &Layer::second_tone_end, rule::Any{}),
-                      field("flags", &Layer::flags, rule::Flags{HRBFNPR_LAYER_WITH_CURVATURE})};
+                      field("flags", &Layer::flags, rule::Flags{HRBFNPR_LAYER_WITH_CURVATURE}),
+                      field("tone_smoothing", &Layer::tone_smoothing, &To::tone_smoothing, rule::Between{-1.0, 0.1})};
 }
 constexpr auto density_fields() noexcept {
     using To = stipples::DensitySettings;

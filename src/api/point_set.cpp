@@ -110,8 +110,9 @@ hrbfnpr_array view_of(const marks::Layer& layer, std::uint32_t attribute) {
     case HRBFNPR_MARK_ATTRIBUTE_WIDTH: return view(layer.width, HRBFNPR_SCALAR_FLOAT32, 1);
     case HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST: return view(layer.stroke_first, HRBFNPR_SCALAR_UINT32, 1);
     case HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER: return view(layer.stroke_order, HRBFNPR_SCALAR_UINT32, 1);
+    case HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL: return view(layer.tone_normal, HRBFNPR_SCALAR_FLOAT32, 3);
     default:
-        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MARK_ATTRIBUTE_... (0 to 9)",
+        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MARK_ATTRIBUTE_... (0 to 10)",
              attribute);
     }
 }

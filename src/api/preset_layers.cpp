@@ -21,6 +21,7 @@ constexpr hrbfnpr_layer_desc of_kind(std::uint32_t kind) noexcept {
     desc.smoothing = 0.04;
     desc.axis[1] = 1.0;
     desc.axis_weight = 0.06;
+    desc.tone_smoothing = -1.0;
     return desc;
 }
 

@@ -7,6 +7,7 @@
 #include "hatching/hatching.h"
 #include "marks/assemble.h"
 #include "marks/cluster_marks.h"
+#include "marks/tone_normals.h"
 #include "published/growth.h"
 #include "stipples/blue_noise.h"
 #include "stipples/density_thinning.h"
@@ -54,6 +55,7 @@ private:
     void blue_noise_stipples(const stipples::SurfaceCells& cells, Growing& layer);
     void blue_noise_strokes(const stipples::SurfaceCells& cells, Growing& layer);
     void hatch(Growing& layer);
+    void soften(const Growing& layer, const base::Progress& progress);
     void require_some() const;
     void finish();
 
@@ -65,6 +67,7 @@ private:
     base::List<Growing> growing_;
     std::optional<hatching::Ground> ground_; // of the last layer of hatching
     double area_ = 0.0;                      // of the surface, where it is known
+    std::int64_t largest_ = 0;               // marks in one layer
     marks::PointSet set_;
 };
 
@@ -267,12 +270,23 @@ void Generation::require_some() const {
          static_cast<long long>(all.dropped_strayed), static_cast<long long>(all.dropped_degenerate));
 }
 
+void Generation::soften(const Growing& layer, const base::Progress& progress) {
+    const double length = layer.settings.smoothed_tone() * site_.implicit.diagonal();
+    const marks::Marks& marks = layer.marks;
+    if (!(length > 0.0) || marks.count() == 0) return;
+    const double area = area_ > 0.0 ? area_ : set_.spacing * set_.spacing * static_cast<double>(largest_);
+    const double spacing = std::sqrt(area / static_cast<double>(marks.count()));
+    marks::soften_normals(layer.site, marks, length, spacing, set_.layers[layer.place].tone_normal, progress);
+}
+
 void Generation::finish() {
     require_some();
     base::Array<const geometry::VecArray*> positions(site_.memory());
     for (const Growing& layer : growing_) positions.push_back(&layer.marks.position);
     measure(site_.runtime, positions.span(), area_, set_, progress_.part(0.95, 0.95));
+    for (const Growing& layer : growing_) largest_ = std::max(largest_, layer.marks.count());
     for (Growing& layer : growing_) {
+        soften(layer, progress_.part(0.95, 1.0));
         marks::AssembleSettings settings;
         settings.strokes = layer.settings.has_strokes();
         settings.with_curvature = layer.settings.kind == marks::Kind::principal || layer.settings.with_curvature;

@@ -24,6 +24,7 @@ struct LayerSettings {
     marks::LayerName name{}; // empty: that of its kind
     std::int64_t budget = default_budget;
     bool with_curvature = false;        // fill Layer::curvature
+    double tone_smoothing = -1.0;       // of normals for tone, diagonals; -1: that of its kind
     std::array<marks::TonePart, 2> part{// of the two directions; 0 and 0: as Settings::tone_ranges says
                                         marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
     stipples::DensitySettings density;
@@ -32,6 +33,10 @@ struct LayerSettings {
     published::Settings published;
 
     [[nodiscard]] bool has_strokes() const noexcept { return kind != marks::Kind::stipples; }
+    // A line shows each turn of its surface by its width; stipples average over many of them anyway.
+    [[nodiscard]] double smoothed_tone() const noexcept {
+        return tone_smoothing >= 0.0 ? tone_smoothing : kind == marks::Kind::hatch ? 0.006 : 0.0;
+    }
 };
 
 struct SeedSettings {

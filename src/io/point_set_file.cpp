@@ -25,6 +25,7 @@ constexpr std::uint32_t tag_layer_numbers = tag("LNUM");
 constexpr std::uint32_t tag_placement = tag("PLAC");
 constexpr std::uint32_t tag_stroke_first = tag("SFST");
 constexpr std::uint32_t tag_stroke_order = tag("SORD");
+constexpr std::uint32_t tag_tone_normal = tag("TNRM");
 
 constexpr std::int64_t most_level = 255; // of a mark
 
@@ -82,6 +83,9 @@ void encode(Encoder& encoder, const marks::PointSet& set) {
     encoder.section<double>(tag_numbers, numbers_of(set));
     encoder.section<std::int64_t>(tag_seeds, numbers_of(set.seeds));
     for (const marks::Layer& layer : set.layers) encode_layer(encoder, layer);
+    if (std::any_of(set.layers.begin(), set.layers.end(),
+                    [](const marks::Layer& layer) { return !layer.tone_normal.empty(); }))
+        for (const marks::Layer& layer : set.layers) encoder.section(tag_tone_normal, layer.tone_normal.span());
 }
 
 // Returns the number of layers.
@@ -146,6 +150,21 @@ void decode_layer(Decoder& decoder, marks::PointSet& set) {
     decoder.section(tag_stroke_order, layer.stroke_order);
 }
 
+// Files of sets that have none leave them out.
+void decode_tone_normals(Decoder& decoder, marks::PointSet& set) {
+    if (!decoder.more()) return;
+    for (marks::Layer& layer : set.layers) {
+        decoder.section(tag_tone_normal, layer.tone_normal);
+        if (!layer.tone_normal.empty() && layer.tone_normal.size() != layer.normal.size())
+            decoder.damaged("a layer's normals for tone are not as many as its marks");
+    }
+}
+
+void decode_layers(Decoder& decoder, std::uint32_t count, marks::PointSet& set) {
+    for (std::uint32_t layer = 0; layer < count; ++layer) decode_layer(decoder, set);
+    decode_tone_normals(decoder, set);
+}
+
 // Each mark once, and the strokes in the order of their numbers: they are searched for by these.
 void check_order(const Decoder& decoder, const marks::Layer& layer) {
     const std::int64_t count = layer.count();
@@ -181,6 +200,7 @@ void check_strokes(const Decoder& decoder, const marks::Layer& layer) {
 void check_layer(const Decoder& decoder, const marks::Layer& layer) {
     check_finite(decoder, "position", layer.position.span());
     check_unit(decoder, "normal", layer.normal.span());
+    check_unit(decoder, "normal for tone", layer.tone_normal.span());
     check_finite(decoder, "direction", layer.direction.span());
     for (std::int64_t i = 0; i < layer.count(); ++i)
         if (const glm::vec3 d = marks::vector_at(layer.direction, i); !(glm::dot(d, d) < 1.02F))
@@ -273,7 +293,7 @@ marks::PointSet load_point_set(base::Memory& memory, Reader& reader) {
     if (decoder.version() == 1)
         decode_groups(decoder, set);
     else
-        for (std::uint32_t layer = 0; layer < layers; ++layer) decode_layer(decoder, set);
+        decode_layers(decoder, layers, set);
     decoder.finish();
     check_set(decoder, set);
     return set;

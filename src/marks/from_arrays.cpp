@@ -248,6 +248,7 @@ void copy(const Layer& from, Layer& to) {
     copy(from.level, to.level);
     copy(from.stroke, to.stroke);
     copy(from.width, to.width);
+    copy(from.tone_normal, to.tone_normal);
     copy(from.stroke_first, to.stroke_first);
     copy(from.stroke_order, to.stroke_order);
     to.report.full_count = from.report.full_count;

@@ -17,8 +17,8 @@ LayerName default_name(Kind kind) noexcept {
 
 std::int64_t Layer::bytes() const noexcept {
     return position.bytes() + normal.bytes() + direction.bytes() + curvature.bytes() + rank.bytes() + level.bytes() +
-           stroke.bytes() + width.bytes() + stroke_first.bytes() + stroke_order.bytes() + clusters.bytes() +
-           report.level.bytes();
+           stroke.bytes() + width.bytes() + tone_normal.bytes() + stroke_first.bytes() + stroke_order.bytes() +
+           clusters.bytes() + report.level.bytes();
 }
 
 // Strokes stand in the order of their numbers wherever they have an order of their own.

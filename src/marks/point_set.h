@@ -63,8 +63,8 @@ struct LayerReport {
 struct Layer {
     explicit Layer(base::Memory& memory, Kind is = Kind::own) noexcept
         : kind(is), name(default_name(is)), position(memory), normal(memory), direction(memory), curvature(memory),
-          rank(memory), level(memory), stroke(memory), width(memory), stroke_first(memory), stroke_order(memory),
-          clusters(memory), report(memory) {}
+          rank(memory), level(memory), stroke(memory), width(memory), tone_normal(memory), stroke_first(memory),
+          stroke_order(memory), clusters(memory), report(memory) {}
 
     Kind kind;
     LayerName name;
@@ -77,6 +77,7 @@ struct Layer {
     base::Array<std::uint8_t> level;         // n
     base::Array<std::uint32_t> stroke;       // 2n
     base::Array<float> width;                // n, or empty: all 1
+    base::Array<float> tone_normal;          // 3n, or empty: `normal`
     base::Array<std::uint32_t> stroke_first; // S + 1 places in the order of the strokes; or empty: no strokes
     base::Array<std::uint32_t> stroke_order; // n; or empty: the marks stand stroke by stroke
     MarkClusters clusters;                   // of all marks, by cluster_marks()

@@ -133,7 +133,7 @@ TEST(PointSet, RefusesUnknownViews) {
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 3, 0, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "layer is 3; the set has 3");
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 10, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "attribute is 10");
+                 "attribute is 11");
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 0, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "out_view is NULL");
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), -1, 0, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,

@@ -181,6 +181,66 @@ TEST_F(Hatch, AFillLightMakesLinesThinnerWhereTheSurfaceIsTurnedAwayFromTheLight
     }
 }
 
+// All normals for tone of a set, turned by an angle about the x axis.
+void tilt_tone_normals(marks::Layer& marks, double angle) {
+    for (std::int64_t i = 0; i < marks.count(); ++i)
+        for (const double x : {0.0, std::sin(angle), std::cos(angle)})
+            marks.tone_normal.push_back(static_cast<float>(x));
+}
+
+TEST_F(Hatch, ToneGoesByTheNormalsForTone) {
+    set = nested_plane(runtime.memory);
+    tilt_tone_normals(set.layers[0], 1.0);
+    cluster();
+    style.tone = frame::Tone::light;
+    style.light = {0.0, 0.0, 1.0}; // on the normals themselves
+    draw(front_camera(size, size, 1.25));
+    EXPECT_NEAR(plane_ink(1.25), coverage(layer, 1.0 - std::cos(1.0)), 0.01);
+    // In full light there are none.
+    style.light = {0.0, std::sin(1.0), std::cos(1.0)};
+    draw(front_camera(size, size, 1.25));
+    EXPECT_EQ(frame.drawing().strokes.size(), 0);
+    style.tone = frame::Tone::callback;
+    style.tone_user = nullptr;
+    style.tone_function = [](void*, std::int64_t count, const float*, const float* normals, float* tau) {
+        for (std::int64_t i = 0; i < count; ++i) tau[i] = normals[3 * i + 1] > 0.5F ? 0.5F : 0.0F;
+        return std::int32_t{0};
+    };
+    draw(front_camera(size, size, 1.25));
+    EXPECT_NEAR(plane_ink(1.25), coverage(layer, 0.5), 0.01);
+}
+
+// Marks that stay where they are, but for a quarter turn about their normals.
+TEST_F(Hatch, NormalsForToneAreTurnedWithTheirMarks) {
+    set = nested_plane(runtime.memory);
+    tilt_tone_normals(set.layers[0], 1.0);
+    cluster();
+    const marks::Layer& marks = set.layers[0];
+    std::vector<float> direction;
+    for (std::int64_t i = 0; i < marks.count(); ++i)
+        for (const float x : {0.0F, 1.0F, 0.0F}) direction.push_back(x); // before along x
+    const auto view = [&](const float* data) {
+        return base::InView{reinterpret_cast<const std::byte*>(data), marks.count(), 12, base::Scalar::float32, 3};
+    };
+    style.tone = frame::Tone::light;
+    style.light = {-std::sin(1.0), 0.0, std::cos(1.0)}; // where they point when turned
+    style.layers = std::span(&layer, 1);
+    frame::Pose pose;
+    pose.position = view(marks.position.data());
+    pose.normal = view(marks.normal.data());
+    frame::Item item = layered_item(set, style);
+    item.poses = std::span(&pose, 1);
+    for (const bool directed : {true, false}) {
+        if (directed) pose.direction = view(direction.data());
+        if (!directed) pose.direction = {};
+        frame.draw({&item, 1}, front_camera(size, size, 1.25));
+        if (directed)
+            EXPECT_EQ(frame.drawing().strokes.size(), 0) << "in full light";
+        else
+            EXPECT_NEAR(plane_ink(1.25), coverage(layer, 1.0 - std::cos(1.0)), 0.01) << "by the normals";
+    }
+}
+
 TEST_F(Hatch, SameBitsForAnyThreadCount) {
     std::vector<float> expected;
     for (const int threads : {1, 3}) {

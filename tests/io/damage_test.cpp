@@ -248,6 +248,8 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.distribution = static_cast<marks::Distribution>(2); }), "distribution");
     expect(set_message([](Set& s) { s.seed_source = static_cast<marks::SeedSource>(9); }), "seed source");
     expect(set_message([](Set& s) { s.layers[1].direction[1] = 1.5F; }), "direction[0] is longer than a unit vector");
+    expect(set_message([](Set& s) { s.layers[1].tone_normal.resize(3); }), "normals for tone are not as many");
+    expect(set_message([](Set& s) { s.layers[1].tone_normal.resize(9); }), "normal for tone");
     expect(set_message([](Set& s) { s.layers[0].report.step = -0.5; }), "step or time of a layer is negative");
     expect(set_message([](Set& s) { s.layers[0].report.seconds = -0.5; }), "step or time of a layer is negative");
     expect(set_message([](Set& s) { s.seconds_total = -0.5; }), "one of its times is negative");

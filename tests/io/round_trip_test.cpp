@@ -79,6 +79,21 @@ TEST(PointSetFile, KeepsEveryBit) {
     }
 }
 
+// Files of sets without them are as they were before there were any.
+TEST(PointSetFile, KeepsNormalsForTone) {
+    base::Memory memory;
+    marks::PointSet set = point_set(memory, 5);
+    const Bytes without = bytes_of(set);
+    for (const float x : set.layers[1].normal.span()) set.layers[1].tone_normal.push_back(-x);
+    const Bytes with = bytes_of(set);
+    EXPECT_EQ(with.size(), without.size() + 3 * section_header_size + 15 * sizeof(float));
+    MemoryReader reader = reader_of(with);
+    const marks::PointSet loaded = load_point_set(memory, reader);
+    EXPECT_EQ(with, bytes_of(loaded));
+    EXPECT_TRUE(loaded.layers[0].tone_normal.empty());
+    EXPECT_EQ(loaded.layers[1].tone_normal[0], -1.0F);
+}
+
 TEST(PointSetFile, GivesBackEveryField) {
     base::Memory memory;
     const marks::PointSet set = point_set(memory, 4);

@@ -109,7 +109,7 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
         ["--eye", "3,2,3", "--target", "0,0,0", "--fov", "40"],
         ["--eye", "-3,2,3", "--fov", "0"],
         ["--light", "-1,0,0", "--light-space", "world", "--tone-exponent", "2", "--tone-rule", "published"],
-        ["--light", "1,0,0", "--light-space", "world", "--fill-light", "0.4"],
+        ["--light", "1,0,0", "--light-space", "world", "--fill-light", "0.4", "--tone-smoothing", "0.02"],
         ["--tone", "none", "--share", "0.5", "--mark-radius", "0.6", "--ink", "#203040", "--paper", "1,0.9,0.8"],
         ["--hidden-lines", "hide", "--delta", "0.3", "--halo", "4", "--splat-radius", "3", "--splat-overlap", "0"],
         ["--visibility", "published", "--tone-curve", "linear", "--silhouette-law", "angle", "--tone-fade", "0"],

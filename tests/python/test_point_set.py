@@ -43,6 +43,18 @@ def test_attributes(marks, ring):
             marks.layer(which)
 
 
+def test_tone_normals(ring):
+    lines = hrbfnpr.Layer("hatch", separation=0.1)
+    marks = ring.generate([lines, hrbfnpr.Layer("stipples", budget=500, tone_smoothing=0.02)])
+    for layer in hrbfnpr.PointSet.load(marks.to_bytes()).layers:
+        assert layer.tone_normals.shape == layer.normals.shape
+        assert np.einsum("ij,ij->i", layer.normals, layer.tone_normals).min() > 0.9
+    marks = ring.generate([hrbfnpr.Layer("hatch", separation=0.1, tone_smoothing=0), hrbfnpr.Layer(budget=500)])
+    assert [len(layer.tone_normals) for layer in marks.layers] == [0, 0]
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="tone_smoothing is 0.5"):
+        ring.generate(hrbfnpr.Layer("hatch", separation=0.1, tone_smoothing=0.5))
+
+
 def test_strokes(marks):
     for layer in marks.layers[1:]:
         strokes = layer.strokes()

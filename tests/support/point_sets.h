@@ -151,8 +151,8 @@ inline bool same_bits(const PointSet& a, const PointSet& b) {
         if (!same_bits(x.position, y.position) || !same_bits(x.normal, y.normal) ||
             !same_bits(x.direction, y.direction) || !same_bits(x.curvature, y.curvature) ||
             !same_bits(x.rank, y.rank) || !same_bits(x.level, y.level) || !same_bits(x.stroke, y.stroke) ||
-            !same_bits(x.width, y.width) || !same_bits(x.stroke_first, y.stroke_first) ||
-            !same_bits(x.stroke_order, y.stroke_order))
+            !same_bits(x.width, y.width) || !same_bits(x.tone_normal, y.tone_normal) ||
+            !same_bits(x.stroke_first, y.stroke_first) || !same_bits(x.stroke_order, y.stroke_order))
             return false;
     }
     return true;

@@ -362,6 +362,8 @@ namespace HrbfNpr
         StrokeFirst = 8,
         /// <summary>1 uint: that order; absent where marks stand stroke by stroke already.</summary>
         StrokeOrder = 9,
+        /// <summary>3 float, unit: the normal that tone goes by; absent: Normal.</summary>
+        ToneNormal = 10,
     }
 
     /// <summary>What a model keeps of its samples and of its fit.</summary>

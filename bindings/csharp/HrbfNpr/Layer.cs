@@ -168,6 +168,12 @@ namespace HrbfNpr
         /// <summary>Of Hatch: how much the axis counts against curvature; 0.06.</summary>
         public double AxisWeight { get; set; } = 0.06;
 
+        /// <summary>
+        /// Over so much of the surface the normals that tone goes by are averaged, so that the grain of a rough one
+        /// makes no islands of light; diagonals, 0.1 at most, 0 = not; -1 = 0.006 for Hatch, 0 for others.
+        /// </summary>
+        public double ToneSmoothing { get; set; } = -1;
+
         internal static unsafe Layer Read(hrbfnpr_layer_desc* desc)
         {
             return new Layer((LayerKind)desc->kind)
@@ -192,6 +198,7 @@ namespace HrbfNpr
                 Smoothing = desc->smoothing,
                 Axis = *(Vector3d*)desc->axis,
                 AxisWeight = desc->axis_weight,
+                ToneSmoothing = desc->tone_smoothing,
             };
         }
 
@@ -220,6 +227,7 @@ namespace HrbfNpr
             desc->smoothing = Smoothing;
             *(Vector3d*)desc->axis = Axis;
             desc->axis_weight = AxisWeight;
+            desc->tone_smoothing = ToneSmoothing;
         }
     }
 

@@ -112,6 +112,11 @@ class MarkLayer:
         return self._view("WIDTH")
 
     @property
+    def tone_normals(self) -> Array:
+        """float32 (n, 3), unit: the normals that tone goes by (see `Layer.tone_smoothing`); empty: `normals`."""
+        return self._view("TONE_NORMAL")
+
+    @property
     def stroke_first(self) -> Array:
         """uint32 (s + 1,): stroke s has the marks from stroke_first[s] up to stroke_first[s + 1] - 1, in the
         order of `stroke_order` if that is not empty.  Empty: a layer without strokes."""

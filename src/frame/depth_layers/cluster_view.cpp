@@ -84,6 +84,11 @@ struct Sides {
 
 } // namespace
 
+float lit_of(const ItemView& item, const glm::vec3& normal) noexcept {
+    const glm::vec3 turned = item.normal_to_light * normal;
+    return glm::dot(turned, item.light) / glm::length(turned);
+}
+
 ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustum) noexcept {
     ItemSight sight;
     sight.seer = seer_of(item, lens);

@@ -163,7 +163,7 @@ void Gather::ask_cluster(const Scene& scene, const Run& run, const marks::Cluste
         if (!(seen.pixels_per_unit[i] > 0.0F && seen.nu[i] < 0.0F)) continue;
         const marks::MarkBlock& m = blocks[i / marks::MarkBlock::size];
         const std::int64_t at = i % marks::MarkBlock::size;
-        tone_calls_.add({m.x[at], m.y[at], m.z[at]}, {m.nx[at], m.ny[at], m.nz[at]},
+        tone_calls_.add({m.x[at], m.y[at], m.z[at]}, run.tone_normal_of(m.mark[at]),
                         run.first_place + cluster.block * marks::MarkBlock::size + i);
     }
 }

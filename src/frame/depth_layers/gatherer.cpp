@@ -174,9 +174,10 @@ std::int64_t Gatherer::shown_of(const marks::Cluster& cluster, float shown) cons
 float Gatherer::most_shown(const Local& local) const noexcept {
     const Selection& selection = local.selection;
     if (selection.by_published || style_.tone == Tone::callback) return 1.0F;
-    // Without the fill light, which no cluster need have everywhere.
-    const float tau =
-        style_.tone == Tone::light ? light_tone(local.view.lit_min, static_cast<float>(style_.tone_exponent)) : 0.0F;
+    // Without the fill light, which no cluster need have everywhere.  Its cone holds no normals for tone.
+    const float tau = style_.tone == Tone::light && !run_.has_tone_normals()
+                          ? light_tone(local.view.lit_min, static_cast<float>(style_.tone_exponent))
+                          : 0.0F;
     float shown = 1.0F - tau;
     if (selection.coverage) {
         const float nu = std::max(-local.view.nu_min, -local.view.nu_max);
@@ -273,7 +274,12 @@ const float* Gatherer::taus(const Local& local, const Seen& seen, std::int64_t c
     if (style_.tone == Tone::callback)
         return all_.tau_.data() + run_.first_place + local.cluster->block * MarkBlock::size;
     const LightTone tone(style_);
-    for (std::int64_t i = 0; i < count; ++i) scratch[i] = style_.tone == Tone::light ? tone(seen.lit[i]) : 0.0F;
+    const MarkBlock* const blocks = marks_.block.data() + local.cluster->block;
+    const auto lit = [&](std::int64_t i) {
+        if (!run_.has_tone_normals()) return seen.lit[i];
+        return lit_of(item_, run_.tone_normal_of(blocks[i / MarkBlock::size].mark[i % MarkBlock::size]));
+    };
+    for (std::int64_t i = 0; i < count; ++i) scratch[i] = style_.tone == Tone::light ? tone(lit(i)) : 0.0F;
     return scratch;
 }
 

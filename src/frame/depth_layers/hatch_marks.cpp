@@ -185,8 +185,12 @@ void HatchMarks::set_darkness(const Seen& seen, std::int64_t first, std::span<Ha
     const LightTone light(style);
     const bool by_depth = style.depth_min > 0.0 && style.depth_max > style.depth_min;
     for (std::size_t i = 0; i < marks.size(); ++i) {
-        float tau = style.tone == Tone::light ? light(seen.lit[i]) : 0.0F;
-        if (taus_ != nullptr) tau = taus_[run_.marks->mark_of(first + static_cast<std::int64_t>(i))];
+        const std::int64_t mark = run_.marks->mark_of(first + static_cast<std::int64_t>(i));
+        float tau = 0.0F;
+        if (taus_ != nullptr)
+            tau = taus_[mark];
+        else if (style.tone == Tone::light)
+            tau = light(run_.has_tone_normals() ? lit_of(item_, run_.tone_normal_of(mark)) : seen.lit[i]);
         float darkness = 1.0F - tau;
         if (by_depth)
             darkness *= depth_tone(static_cast<double>(seen.distance[i] / scene_.lens.eye_per_world), style.depth_min,

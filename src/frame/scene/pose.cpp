@@ -104,6 +104,7 @@ void pose(Scene& scene, std::span<const Item> items, drawing::Drawing& drawing) 
         if (source.posed < 0) continue;
         run.position = drawing.posed_position.data() + 3 * source.posed;
         run.normal = drawing.posed_normal.data() + 3 * source.posed;
+        if (source.poses_directions) run.posed_direction = drawing.posed_direction.data() + 3 * source.posed;
         if (number == scene.posed.size()) scene.posed.add(scene.items.memory());
         marks::MarkClusters& moved = scene.posed[number++];
         marks::move_clusters(*run.marks, run.position, run.normal, scene.items[run.item].unit, moved);

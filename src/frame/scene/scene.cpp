@@ -261,6 +261,19 @@ void check_common(std::span<const Item> items, std::int64_t index) {
 
 } // namespace
 
+glm::vec3 Run::tone_normal_of(std::int64_t mark) const noexcept {
+    if (!has_tone_normals()) return normal_of(mark);
+    const glm::vec3 soft = marks::vector_at(marks->tone_normal, mark);
+    if (normal == marks->normal.data()) return soft;
+    if (posed_direction == nullptr) return normal_of(mark);
+    const glm::vec3 n = marks::vector_at(marks->normal, mark);
+    const glm::vec3 d = marks::vector_at(marks->direction, mark);
+    const glm::vec3 turned(posed_direction[3 * mark], posed_direction[3 * mark + 1], posed_direction[3 * mark + 2]);
+    const glm::vec3 now = normal_of(mark);
+    return glm::dot(soft, n) * now + glm::dot(soft, d) * turned +
+           glm::dot(soft, glm::cross(n, d)) * glm::cross(now, turned);
+}
+
 void Marks::resize(std::int64_t count) {
     x.resize(count);
     y.resize(count);

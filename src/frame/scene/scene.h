@@ -123,6 +123,7 @@ struct Run {
     // Three of each mark, relative to the set's origin: those of the layer, or of the item's pose.
     const float* position = nullptr;
     const float* normal = nullptr;
+    const float* posed_direction = nullptr;        // of the pose, if it has them
     const marks::MarkClusters* clusters = nullptr; // the layer's, or the pose's
     std::int32_t item = 0;
     std::int32_t layer = 0; // of the item's set
@@ -153,6 +154,9 @@ struct Run {
     [[nodiscard]] glm::vec3 normal_of(std::int64_t mark) const noexcept {
         return {normal[3 * mark], normal[3 * mark + 1], normal[3 * mark + 2]};
     }
+    [[nodiscard]] bool has_tone_normals() const noexcept { return !marks->tone_normal.empty(); }
+    // What tone goes by: where the layer is posed, turned with normal and direction, or the normal.
+    [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept;
     // In the item's unit.
     [[nodiscard]] glm::vec3 place_of(std::int64_t mark, double unit) const noexcept {
         return glm::vec3(glm::dvec3(position_of(mark)) / unit);

@@ -190,6 +190,7 @@ namespace HrbfNpr
         internal double smoothing;
         internal fixed double axis[3];
         internal double axis_weight;
+        internal double tone_smoothing;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_generate_desc")]

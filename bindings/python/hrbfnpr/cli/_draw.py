@@ -107,7 +107,7 @@ def make_layers(arguments: Any, wanted: Sequence[Layer]) -> List[Layer]:
     for layer in wanted:
         kind = layer.kind
         fields = {"stipples": ("density", "density_strength"), "hatch": ("separation", "step")}.get(kind, _STROKES)
-        layer = replace(layer, **given(arguments, fields))
+        layer = replace(layer, **given(arguments, (*fields, "tone_smoothing")))
         for field, numbers in (("budget", arguments.budget), ("levels", arguments.levels)):
             if numbers is not None and kind in numbers:
                 layer = replace(layer, **{field: numbers[kind]})

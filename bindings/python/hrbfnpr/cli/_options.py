@@ -129,6 +129,8 @@ def _add_marks(parser: Parser) -> None:
                 "other from light to dark")  # fmt: skip
     _add(group, "--shared-marks", "shared_budget", values.count(0), "N", "the most marks of all layers together, in "
          "place of --marks")  # fmt: skip
+    _add(group, "--tone-smoothing", "tone_smoothing", values.number, "X", "share of the diagonal over which normals are "
+         "averaged for tone, 0 to 0.1; 0.006 of hatching, else 0")  # fmt: skip
     _add(group, "--projection-tolerance", "projection_tolerance", values.number, "X", "share of the diagonal; 1e-7")
     _add(group, "--curvature-of", "curvature_of", values.layers, "NAMES", "keep curvatures of these layers too")
 

@@ -284,7 +284,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer_desc>() == either(176, 160, 156));
+    assert!(size_of::<hrbfnpr_layer_desc>() == either(184, 168, 164));
     assert!(align_of::<hrbfnpr_layer_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -316,6 +316,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_layer_desc, smoothing) == either(136, 120, 116));
     assert!(offset_of!(hrbfnpr_layer_desc, axis) == either(144, 128, 124));
     assert!(offset_of!(hrbfnpr_layer_desc, axis_weight) == either(168, 152, 148));
+    assert!(offset_of!(hrbfnpr_layer_desc, tone_smoothing) == either(176, 160, 156));
 };
 
 const _: () = {

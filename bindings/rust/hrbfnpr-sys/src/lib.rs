@@ -1283,6 +1283,11 @@ pub struct hrbfnpr_layer_desc {
     pub axis: [f64; 3],
     /// against curvature; >= 0; 0.06
     pub axis_weight: f64,
+    /// over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by
+    /// that; diagonals, 0 .. 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH, 0 for others; -1
+    ///
+    /// Of all kinds.
+    pub tone_smoothing: f64,
 }
 
 extern "C" {
@@ -1384,6 +1389,10 @@ pub const HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST: u32 = 8;
 /// UINT32: numbers of marks, stroke by stroke. Count 0 = the marks stand stroke by stroke
 /// already: every layer but those of PUBLISHED
 pub const HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER: u32 = 9;
+/// FLOAT32 x 3, unit: the normal that tone goes by with DEPTH_LAYERS, averaged over
+/// hrbfnpr_layer_desc.tone_smoothing of the same sheet. What faces the eye goes by NORMAL.
+/// Count 0 = NORMAL
+pub const HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL: u32 = 10;
 
 /// A layer of ready-made marks.  Types and components as in the list above,
 /// FLOAT64 accepted for FLOAT32.  position and normal are needed, the others
@@ -1930,7 +1939,7 @@ pub const HRBFNPR_LIGHT_CAMERA: u32 = 1;
 
 /// Any illumination model: fills tau (count, 1 = light, 0 = dark; clamped to
 /// [0,1], NaN is CALLBACK) from world positions and unit normals (count x 3
-/// each).  Runs on the thread that called _draw.  Non-zero fails it.
+/// each; TONE_NORMAL where there are any).  Runs on the thread that called _draw.  Non-zero fails it.
 pub type hrbfnpr_tone_fn = Option<
     unsafe extern "C" fn(
         user: *mut c_void,

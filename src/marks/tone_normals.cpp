@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "marks/tone_normals.h"
+
+#include "geometry/point_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hrbfnpr::marks {
+namespace {
+
+constexpr double reach = 2.0; // lengths
+// So many marks within reach tell the average; of more some are left out.
+constexpr double enough = 64.0;
+// What leaves the tangent plane more steeply is another sheet.
+constexpr double steepest = 0.7;
+
+// Every n-th mark.
+struct Sources {
+    Sources(const Site& site, const Marks& marks, std::int64_t step)
+        : position(site.memory(), (marks.count() + step - 1) / step), normal(site.memory(), position.size()) {
+        for (std::int64_t i = 0; i < position.size(); ++i) {
+            position.set(i, marks.position[i * step]);
+            normal.set(i, marks.normal[i * step]);
+        }
+    }
+    geometry::VecArray position, normal;
+};
+
+class Softener {
+public:
+    Softener(const Sources& sources, double radius)
+        : sources_(sources), radius_(radius), grid_(sources.position, radius) {}
+
+    // The mark's own normal counts once, so that there is always one.
+    [[nodiscard]] glm::dvec3 around(const glm::dvec3& place, const glm::dvec3& own) const {
+        glm::dvec3 sum = own;
+        grid_.around(place, [&](std::int64_t at) {
+            const std::int64_t i = grid_.index(at);
+            const glm::dvec3 way = sources_.position[i] - place;
+            const glm::dvec3 normal = sources_.normal[i];
+            const double square = glm::dot(way, way);
+            const double near = 1.0 - square / (radius_ * radius_);
+            const double agree = glm::dot(own, normal);
+            if (near > 0.0 && agree > 0.0 && std::abs(glm::dot(way, own)) <= steepest * std::sqrt(square))
+                sum += near * near * agree * normal;
+        });
+        return glm::normalize(sum);
+    }
+
+private:
+    const Sources& sources_;
+    double radius_;
+    geometry::PointGrid grid_;
+};
+
+} // namespace
+
+void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result,
+                    const base::Progress& progress) {
+    const double radius = reach * length;
+    const double within = std::numbers::pi * radius * radius / (spacing * spacing);
+    const auto step = static_cast<std::int64_t>(std::clamp(within / enough, 1.0, 1e6));
+    const Sources sources(site, marks, step);
+    const Softener softener(sources, radius);
+    result.resize(3 * marks.count());
+    site.runtime.parallel.for_chunks(marks.count(), chunk_size, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t i = begin; i < end; ++i) {
+            const glm::dvec3 normal = softener.around(marks.position[i], marks.normal[i]);
+            for (int k = 0; k < 3; ++k) result[3 * i + k] = static_cast<float>(normal[k]);
+        }
+    });
+}
+
+} // namespace hrbfnpr::marks

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Normals that tone goes by: the grain of a surface goes, its sheets and edges stay.
+#include "support/point_sets.h"
+#include "support/runtime.h"
+
+#include "base/random.h"
+#include "marks/tone_normals.h"
+
+#include <cmath>
+
+namespace hrbfnpr::marks {
+namespace {
+
+using namespace test;
+
+constexpr int side = 100;
+constexpr double spacing = 0.01;
+constexpr double length = 0.05;
+
+Marks no_marks() { return Marks(runtime().memory); }
+
+// A square of marks in the plane of u and v, whose normals are tilted by up to `grain` in any direction.
+void add_square(Marks& marks, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, double grain) {
+    for (int i = 0; i < side * side; ++i) {
+        const auto tilt = base::uniform4(5, static_cast<std::uint64_t>(i), base::Purpose::candidate);
+        marks.position.push_back(corner + spacing * (static_cast<double>(i % side) * u + double(i / side) * v));
+        marks.normal.push_back(
+            glm::normalize(glm::cross(u, v) + grain * (tilt[0] - 0.5) * u + grain * (tilt[1] - 0.5) * v));
+        marks.rank.push_back(0.0F);
+    }
+}
+
+base::Array<float> softened(const Marks& marks, double over = length, const base::Runtime& own = runtime()) {
+    static const Sphere anything;
+    const Site site{own, anything, 1e-7, 1};
+    base::Array<float> result(own.memory);
+    soften_normals(site, marks, over, spacing, result, {});
+    EXPECT_EQ(result.size(), 3 * marks.count());
+    return result;
+}
+
+double off(const base::Array<float>& normals, std::int64_t begin, const glm::dvec3& expected) {
+    double most = 0.0;
+    for (std::int64_t i = begin; i < begin + side * side; ++i)
+        most = std::max(most, glm::distance(vec(normals, i), expected));
+    return most;
+}
+
+TEST(ToneNormals, AverageTheGrainOfASurface) {
+    Marks marks = no_marks();
+    add_square(marks, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0);
+    double grain = 0.0;
+    for (std::int64_t i = 0; i < marks.count(); ++i)
+        grain = std::max(grain, glm::distance(marks.normal[i], glm::dvec3(0, 0, 1)));
+    EXPECT_GT(grain, 0.55);
+    const double near = off(softened(marks), 0, {0, 0, 1});
+    EXPECT_LT(near, 0.3);
+    EXPECT_LT(off(softened(marks, 0.01), 0, {0, 0, 1}), grain);
+    EXPECT_GT(off(softened(marks, 0.01), 0, {0, 0, 1}), near) << "over less";
+    const base::Array<float> all = softened(marks);
+    for (std::int64_t i = 0; i < marks.count(); ++i) ASSERT_NEAR(glm::length(vec(all, i)), 1.0, 1e-6);
+}
+
+TEST(ToneNormals, FollowACurve) {
+    Marks marks = no_marks();
+    for (int i = 0; i < side * side; ++i) { // a cylinder of radius 1
+        const double angle = spacing * static_cast<double>(i % side);
+        const glm::dvec3 normal(std::cos(angle), std::sin(angle), 0.0);
+        marks.position.push_back(normal + glm::dvec3(0.0, 0.0, spacing * double(i / side)));
+        marks.normal.push_back(normal);
+        marks.rank.push_back(0.0F);
+    }
+    const base::Array<float> soft = softened(marks);
+    for (std::int64_t i = 0; i < marks.count(); ++i) {
+        const bool inside = i % side > 12 && i % side < side - 12; // beyond its ends there are none
+        if (inside) {
+            ASSERT_LT(glm::distance(vec(soft, i), marks.normal[i]), 0.02) << i;
+        }
+    }
+}
+
+TEST(ToneNormals, KeepSheetsApartAndEdgesSharp) {
+    Marks marks = no_marks();
+    add_square(marks, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.0);
+    add_square(marks, {0, 0, -0.02}, {0, 1, 0}, {1, 0, 0}, 0.0); // its other side
+    add_square(marks, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.0);     // a wall on it
+    const base::Array<float> soft = softened(marks);
+    EXPECT_LT(off(soft, 0, {0, 0, 1}), 1e-6);
+    EXPECT_LT(off(soft, side * side, {0, 0, -1}), 1e-6);
+    EXPECT_LT(off(soft, 2 * side * side, {1, 0, 0}), 1e-6);
+}
+
+TEST(ToneNormals, AreTheSameBitsForAnyThreadCount) {
+    Marks marks = no_marks();
+    add_square(marks, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0);
+    add_square(marks, {0, 0, 0.03}, {1, 0, 0}, {0, 1, 0}, 1.0);
+    const base::Runtime one = with_threads(1);
+    const base::Runtime three = with_threads(3);
+    EXPECT_TRUE(same_bits(softened(marks, length, one), softened(marks, length, three)));
+}
+
+TEST(ToneNormals, AreThoseOfLayersThatAskForThem) {
+    generate::Settings settings = blue({Kind::stipples, Kind::hatch}, 2000);
+    of(settings, Kind::hatch).strokes.separation = 0.1;
+    EXPECT_TRUE(of(make(Torus(), settings), Kind::stipples).tone_normal.empty());
+    const PointSet set = make(Torus(), settings);
+    const Layer& hatch = of(set, Kind::hatch);
+    ASSERT_EQ(hatch.tone_normal.size(), hatch.normal.size());
+    for (std::int64_t i = 0; i < hatch.count(); ++i)
+        ASSERT_LT(glm::distance(vec(hatch.tone_normal, i), vec(hatch.normal, i)), 0.03);
+    of(settings, Kind::hatch).tone_smoothing = 0.0;
+    of(settings, Kind::stipples).tone_smoothing = 0.02;
+    const PointSet other = make(Torus(), settings);
+    EXPECT_TRUE(of(other, Kind::hatch).tone_normal.empty());
+    EXPECT_EQ(of(other, Kind::stipples).tone_normal.size(), of(other, Kind::stipples).normal.size());
+}
+
+} // namespace
+} // namespace hrbfnpr::marks
