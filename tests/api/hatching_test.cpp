@@ -53,6 +53,23 @@ TEST_F(HatchingTest, FieldsAreChecked) {
     EXPECT_OK(draw());
 }
 
+TEST_F(HatchingTest, TheFillLightIsChecked) {
+    const hrbfnpr_style good = style;
+    const hrbfnpr_item item = item_of(set, &style);
+    const hrbfnpr_camera camera = front_camera(side);
+    const auto expect = [&](float fill, std::uint32_t reserved, const char* message) {
+        style = good;
+        style.fill_light = fill;
+        style.reserved2 = reserved;
+        hrbfnpr_drawing* drawing = nullptr;
+        EXPECT_FAILS(hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &drawing, error),
+                     HRBFNPR_STATUS_INVALID_ARGUMENT, message);
+    };
+    expect(1.5F, 0, "items[0].style.fill_light is 1.5; it must be from 0 to 1");
+    expect(std::numeric_limits<float>::quiet_NaN(), 0, "items[0].style.fill_light is nan");
+    expect(0.25F, 1, "items[0].style.reserved2 is 1");
+}
+
 // Points between marks have the id of the nearest.
 TEST_F(HatchingTest, MarkResultsAreThoseOfItsLines) {
     style.tone = HRBFNPR_TONE_NONE;

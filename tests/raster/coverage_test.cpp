@@ -146,6 +146,7 @@ TEST_F(Coverage, ZoomingInNeverRemovesAMarkNorItsInk) {
         for (const float fade : {0.0F, 0.25F}) {
             Style style = toned(0.4);
             style.tone_fade = fade;
+            style.fill_light = 0.0F; // many marks are counted, also on the unlit side
             std::vector<double> before(static_cast<std::size_t>(set->layers[0].count()) + 1, 0.0);
             std::int64_t drawn = 0;
             for (double half = 2.0; half > 0.1; half /= 1.07) {
@@ -194,8 +195,9 @@ TEST_F(Coverage, SmallChangesOfLightChangeInkOnlyALittle) {
                 const Mark mark = mark_of(set, i);
                 // Of the share that is shown, whose `fade`-th part a mark takes to grow.
                 const auto needed = [&](int at) {
-                    const double dark =
-                        1.0 - std::clamp(glm::dot(mark.normal, glm::normalize(light(0.004 * at))), 0.0, 0.999);
+                    const double lit = glm::dot(mark.normal, glm::normalize(light(0.004 * at)));
+                    const double tau = lit > 0.0 ? lit : double{style.fill_light} * lit * lit;
+                    const double dark = 1.0 - std::min(tau, 0.999);
                     return curve == ToneCurve::linear ? dark : ink_of_table(dark);
                 };
                 const double least = std::min(needed(step), needed(step - 1));
