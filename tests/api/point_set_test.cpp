@@ -132,7 +132,7 @@ TEST(PointSet, RefusesUnknownViews) {
     hrbfnpr_array view{};
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 3, 0, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "layer is 3; the set has 3");
-    EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 10, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+    EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 11, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "attribute is 11");
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 0, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "out_view is NULL");
