@@ -84,7 +84,8 @@ struct Sides {
 
 } // namespace
 
-float lit_of(const ItemView& item, const glm::vec3& normal) noexcept {
+float lit_of(const ItemView& item, const Seer& seer, const glm::vec3& normal) noexcept {
+    if (seer.rigid) return seer.light[0] * normal.x + seer.light[1] * normal.y + seer.light[2] * normal.z;
     const glm::vec3 turned = item.normal_to_light * normal;
     return glm::dot(turned, item.light) / glm::length(turned);
 }

@@ -28,8 +28,8 @@ struct Frustum {
 
 [[nodiscard]] Frustum frustum_of(const Lens& lens) noexcept;
 
-// n . l of a normal of the set's own space.
-[[nodiscard]] float lit_of(const ItemView& item, const glm::vec3& normal) noexcept;
+// n . l of a unit normal of the set's own space.
+[[nodiscard]] float lit_of(const ItemView& item, const Seer& seer, const glm::vec3& normal) noexcept;
 
 [[nodiscard]] ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustum) noexcept;
 

@@ -277,7 +277,7 @@ const float* Gatherer::taus(const Local& local, const Seen& seen, std::int64_t c
     const MarkBlock* const blocks = marks_.block.data() + local.cluster->block;
     const auto lit = [&](std::int64_t i) {
         if (!run_.has_tone_normals()) return seen.lit[i];
-        return lit_of(item_, run_.tone_normal_of(blocks[i / MarkBlock::size].mark[i % MarkBlock::size]));
+        return lit_of(item_, sight_.seer, run_.tone_normal_of(blocks[i / MarkBlock::size].mark[i % MarkBlock::size]));
     };
     for (std::int64_t i = 0; i < count; ++i) scratch[i] = style_.tone == Tone::light ? tone(lit(i)) : 0.0F;
     return scratch;

@@ -190,7 +190,7 @@ void HatchMarks::set_darkness(const Seen& seen, std::int64_t first, std::span<Ha
         if (taus_ != nullptr)
             tau = taus_[mark];
         else if (style.tone == Tone::light)
-            tau = light(run_.has_tone_normals() ? lit_of(item_, run_.tone_normal_of(mark)) : seen.lit[i]);
+            tau = light(run_.has_tone_normals() ? lit_of(item_, seer_, run_.tone_normal_of(mark)) : seen.lit[i]);
         float darkness = 1.0F - tau;
         if (by_depth)
             darkness *= depth_tone(static_cast<double>(seen.distance[i] / scene_.lens.eye_per_world), style.depth_min,

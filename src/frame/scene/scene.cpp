@@ -261,11 +261,9 @@ void check_common(std::span<const Item> items, std::int64_t index) {
 
 } // namespace
 
-glm::vec3 Run::tone_normal_of(std::int64_t mark) const noexcept {
-    if (!has_tone_normals()) return normal_of(mark);
-    const glm::vec3 soft = marks::vector_at(marks->tone_normal, mark);
-    if (normal == marks->normal.data()) return soft;
+glm::vec3 Run::posed_tone_normal(std::int64_t mark) const noexcept {
     if (posed_direction == nullptr) return normal_of(mark);
+    const glm::vec3 soft = marks::vector_at(marks->tone_normal, mark);
     const glm::vec3 n = marks::vector_at(marks->normal, mark);
     const glm::vec3 d = marks::vector_at(marks->direction, mark);
     const glm::vec3 turned(posed_direction[3 * mark], posed_direction[3 * mark + 1], posed_direction[3 * mark + 2]);

@@ -156,11 +156,15 @@ struct Run {
     }
     [[nodiscard]] bool has_tone_normals() const noexcept { return !marks->tone_normal.empty(); }
     // What tone goes by: where the layer is posed, turned with normal and direction, or the normal.
-    [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept;
+    [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept {
+        if (!has_tone_normals()) return normal_of(mark);
+        return normal == marks->normal.data() ? marks::vector_at(marks->tone_normal, mark) : posed_tone_normal(mark);
+    }
     // In the item's unit.
     [[nodiscard]] glm::vec3 place_of(std::int64_t mark, double unit) const noexcept {
         return glm::vec3(glm::dvec3(position_of(mark)) / unit);
     }
+    [[nodiscard]] glm::vec3 posed_tone_normal(std::int64_t mark) const noexcept;
     // Radius of the ink of a front mark, by its number in the layer.  Contours are not tapered.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
         const float radius = pen.front_ink(pixels_per_unit);
