@@ -118,7 +118,8 @@ def _even(layer: Layer, radius: float, area: float, pixels: float, seeds: int, n
         name = layer.name or layer.kind
         note(
             f"{name}: {wanted:.0f} marks would fill the darkest tone, {MOST_MARKS} are made, so that it gets "
-            f"{MOST_MARKS / wanted:.0%} of its ink: --marks {layer.kind}={wanted:.0f} makes all, --mark-radius larger ones"
+            f"{MOST_MARKS / wanted:.0%} of its ink: --marks {layer.kind}={wanted:.0f} makes all, and with a larger "
+            "--mark-radius fewer are needed"
         )
     return replace(layer, budget=max(1, min(MOST_MARKS, round(wanted))))
 
