@@ -1437,6 +1437,12 @@ typedef struct hrbfnpr_layer_style {
     float hatch_shortest;       /* pieces below this are not drawn, those up to twice of it are thinner; pixels, 0 or
                                    more; 10 */
     uint32_t reserved2;
+    float hatch_wobble;         /* how far a line may stray to either side, as of an unsteady hand, in hatch_pens, 0 ..
+                                   16; 0.  From swing to swing it is about 60 hatch_pens */
+    float hatch_overshoot;      /* lines run on past the tone that they end at by up to this, each by another length;
+                                   pixels, 0 or more; 0 */
+    uint32_t hatch_seed;        /* of the two above: any number; 0 */
+    uint32_t reserved3;
 } hrbfnpr_layer_style;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);

@@ -281,7 +281,8 @@ typedef struct hrbfnpr_layer_style { uint32_t struct_size; uint32_t kind; const 
     uint32_t contours; uint32_t directions; uint32_t shape; float share; float radius; float radius_zoom;
     uint32_t reserved; float ink[4]; float hatch_tone_begin; float hatch_tone_end; float hatch_coverage_begin;
     float hatch_coverage_end; float hatch_spacing; float hatch_pen; float hatch_white; float hatch_taper;
-    float hatch_shortest; uint32_t reserved2; } hrbfnpr_layer_style;
+    float hatch_shortest; uint32_t reserved2; float hatch_wobble; float hatch_overshoot; uint32_t hatch_seed;
+    uint32_t reserved3; } hrbfnpr_layer_style;
 hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
 enum { HRBFNPR_HIDDEN_PARTS_NONE = 0, HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, HRBFNPR_HIDDEN_PARTS_DASHED = 2,
     HRBFNPR_HIDDEN_PARTS_SHOWN = 3 };

@@ -46,7 +46,7 @@ constexpr rule::Between pixels{0.0, largest_radius};
 constexpr rule::PositiveUpTo radius{largest_radius};
 constexpr rule::Between share{0.0, 1.0};
 constexpr rule::PositiveUpTo some{1.0};
-constexpr rule::Between factor{0.0, 16.0}; // of a line's width
+constexpr rule::Between factor{0.0, 16.0}; // of a line's width or a pen
 constexpr rule::AtLeast not_negative{0.0};
 constexpr auto ink = rule::Each{share};
 
@@ -73,7 +73,11 @@ constexpr auto layer_fields() noexcept {
         field("hatch_white", &Layer::hatch_white, &To::hatch_white, pixels),
         field("hatch_taper", &Layer::hatch_taper, &To::hatch_taper, pixels),
         field("hatch_shortest", &Layer::hatch_shortest, &To::hatch_shortest, pixels),
-        reserved("reserved2", &Layer::reserved2)};
+        reserved("reserved2", &Layer::reserved2),
+        field("hatch_wobble", &Layer::hatch_wobble, &To::hatch_wobble, factor),
+        field("hatch_overshoot", &Layer::hatch_overshoot, &To::hatch_overshoot, pixels),
+        field("hatch_seed", &Layer::hatch_seed, &To::hatch_seed, rule::Any{}),
+        reserved("reserved3", &Layer::reserved3)};
 }
 static_assert(layer_fields().covers<Layer>());
 
@@ -292,6 +296,9 @@ constexpr Layer constant(const frame::LayerStyle& from) {
     to.hatch_white = from.hatch_white;
     to.hatch_taper = from.hatch_taper;
     to.hatch_shortest = from.hatch_shortest;
+    to.hatch_wobble = from.hatch_wobble;
+    to.hatch_overshoot = from.hatch_overshoot;
+    to.hatch_seed = from.hatch_seed;
     return to;
 }
 template <std::size_t count>

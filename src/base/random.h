@@ -23,7 +23,8 @@ enum class Purpose : std::uint32_t {
     probe = 8,
     layer = 9,
     wobble = 10,
-    stripes = 11
+    stripes = 11,
+    hatch_hand = 12
 };
 
 using Philox = std::array<std::uint32_t, 4>;

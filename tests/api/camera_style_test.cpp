@@ -158,6 +158,9 @@ TEST(Style, DefaultsAreThoseOfTheHeader) {
     EXPECT_EQ(layer.hatch_white, 1.2F);
     EXPECT_EQ(layer.hatch_taper, 20.0F);
     EXPECT_EQ(layer.hatch_shortest, 10.0F);
+    EXPECT_EQ(layer.hatch_wobble, 0.0F);
+    EXPECT_EQ(layer.hatch_overshoot, 0.0F);
+    EXPECT_EQ(layer.hatch_seed, 0U);
     EXPECT_EQ(layer.share, 1.0F);
     EXPECT_EQ(layer.radius, 1.0F);
     EXPECT_EQ(layer.radius_zoom, 0.0F);

@@ -28,7 +28,10 @@ TEST_F(HatchingTest, FieldsAreChecked) {
         {[](Layer& l) { l.hatch_white = -1; }, "items[0].style.layers[0].hatch_white is -1"},
         {[](Layer& l) { l.hatch_taper = 1e9F; }, "items[0].style.layers[0].hatch_taper is 1e+09"},
         {[](Layer& l) { l.hatch_shortest = -1; }, "items[0].style.layers[0].hatch_shortest is -1"},
-        {[](Layer& l) { l.reserved2 = 7; }, "items[0].style.layers[0].reserved2 is 7"}};
+        {[](Layer& l) { l.reserved2 = 7; }, "items[0].style.layers[0].reserved2 is 7"},
+        {[](Layer& l) { l.hatch_wobble = 17; }, "items[0].style.layers[0].hatch_wobble is 17"},
+        {[](Layer& l) { l.hatch_overshoot = -1; }, "items[0].style.layers[0].hatch_overshoot is -1"},
+        {[](Layer& l) { l.reserved3 = 7; }, "items[0].style.layers[0].reserved3 is 7"}};
     const Layer good = layers[0];
     const hrbfnpr_item item = item_of(set, &style);
     const hrbfnpr_camera camera = front_camera(side);

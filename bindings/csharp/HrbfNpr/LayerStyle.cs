@@ -76,6 +76,19 @@ namespace HrbfNpr
         /// </summary>
         public float HatchShortest { get; set; }
 
+        /// <summary>
+        /// How far a line may stray to either side, as of an unsteady hand, in <see cref="HatchPen"/>s, 0 to 16; 0.
+        /// </summary>
+        public float HatchWobble { get; set; }
+
+        /// <summary>
+        /// Lines run on past the tone that they end at by up to this, each by another length; pixels; 0.
+        /// </summary>
+        public float HatchOvershoot { get; set; }
+
+        /// <summary>Of these two: any number; 0.</summary>
+        public uint HatchSeed { get; set; }
+
         /// <summary>Another one like this.</summary>
         public LayerStyle Clone()
         {
@@ -104,6 +117,9 @@ namespace HrbfNpr
             native->hatch_white = HatchWhite;
             native->hatch_taper = HatchTaper;
             native->hatch_shortest = HatchShortest;
+            native->hatch_wobble = HatchWobble;
+            native->hatch_overshoot = HatchOvershoot;
+            native->hatch_seed = HatchSeed;
         }
 
         private void Read(hrbfnpr_layer_style* native)
@@ -127,6 +143,9 @@ namespace HrbfNpr
             HatchWhite = native->hatch_white;
             HatchTaper = native->hatch_taper;
             HatchShortest = native->hatch_shortest;
+            HatchWobble = native->hatch_wobble;
+            HatchOvershoot = native->hatch_overshoot;
+            HatchSeed = native->hatch_seed;
         }
     }
 }

@@ -7,7 +7,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Seque
 from ._arrays import Array, store, vector
 from ._callbacks import CallbackState, callback
 from ._errors import check, new_error, new_struct
-from ._fields import Attributes, Color, Field, choice, color_field, flag, number
+from ._fields import Attributes, Color, Field, choice, color_field, flag, integer, number
 from ._kind_style import KindStyle
 from ._layer import new_list
 from ._library import ffi, lib
@@ -78,6 +78,9 @@ class LayerStyle(KindStyle):
     hatch_white = number("Left between lines at least, pixels.")
     hatch_taper = number("Over which a line narrows where it ends by its tone, pixels.")
     hatch_shortest = number("Shorter pieces are not drawn, those up to twice as long are thinner; pixels.")
+    hatch_wobble = number("How far a line may stray to either side, as of an unsteady hand, in hatch_pens.")
+    hatch_overshoot = number("Lines run on past the tone that they end at by up to this, each by another length; pixels.")
+    hatch_seed = integer("Of these two: any number.")
 
     _c_type = "hrbfnpr_layer_style"
 

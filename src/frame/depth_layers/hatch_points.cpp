@@ -62,7 +62,7 @@ void HatchPoints::find(const Scene& scene, const Gather& gather, Batch& batch) c
     for (std::int64_t s = batch.begin; s < batch.end; ++s) {
         if (!seen.shows(s)) continue;
         const bool closed = seen.see(s, batch.marks);
-        batch.spans.add(*run.style, batch.marks.span(), closed, batch.part);
+        batch.spans.add(*run.style, s, batch.marks.span(), closed, batch.part);
     }
 }
 

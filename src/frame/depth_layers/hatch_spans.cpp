@@ -21,11 +21,12 @@ struct Crossing {
     HatchEnd end;
 };
 
-// Where the first margin runs out, margins changing evenly.
-[[nodiscard]] Crossing crossing(const HatchMark& drawn, const HatchMark& other) noexcept {
+// Where the first margin runs out, of those from one on, margins changing evenly.
+[[nodiscard]] Crossing crossing(const HatchMark& drawn, const HatchMark& other,
+                                HatchEnd from = HatchEnd::tone) noexcept {
     if (!other.valid) return {0.0F, HatchEnd::picture};
     Crossing first{1.0F, HatchEnd::picture};
-    for (std::size_t k = 0; k < hatch_margins; ++k) {
+    for (auto k = static_cast<std::size_t>(from); k < hatch_margins; ++k) {
         if (other.margin[k] >= 0.0F) continue;
         const float share = drawn.margin[k] / (drawn.margin[k] - other.margin[k]);
         if (share <= first.share) first = {share, static_cast<HatchEnd>(k)};
@@ -42,17 +43,22 @@ struct Crossing {
 
 } // namespace
 
-void HatchSpans::add(const LayerStyle& style, std::span<HatchMark> marks, bool closed, HatchPart& part) {
+void HatchSpans::add(const LayerStyle& style, std::int64_t stroke, std::span<HatchMark> marks, bool closed,
+                     HatchPart& part) {
     const auto is_drawn = [](const HatchMark& m) { return m.is_drawn(); };
     const auto hidden = std::find_if_not(marks.begin(), marks.end(), is_drawn);
     if (std::none_of(hidden, marks.end(), is_drawn) && hidden == marks.begin()) return;
     const bool whole = hidden == marks.end();
+    turned_ = closed && !whole ? hidden - marks.begin() : 0;
     if (closed && !whole) { // begin where nothing is drawn
         std::rotate(marks.begin(), hidden, marks.end() - 1);
         marks.back() = marks.front();
     }
     measure(marks);
     find(marks, closed && whole);
+    const std::int64_t steps = length_.size() - 1;
+    hand_ = HatchHand(style, stroke, closed ? steps : 0, length_[steps] / static_cast<float>(steps));
+    if (hand_.overshoots()) overshoot(marks);
     join(marks);
     for (std::int64_t i = 0; i < drawn_.size(); ++i) put(style, marks, i, part);
 }
@@ -108,6 +114,42 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
 float HatchSpans::at(const Place& place) const noexcept {
     const std::int64_t next = std::min(place.mark + 1, length_.size() - 1);
     return length_[place.mark] + place.share * (length_[next] - length_[place.mark]);
+}
+
+HatchSpans::Place HatchSpans::place_at(float length) const noexcept {
+    const float* const next = std::upper_bound(length_.begin() + 1, length_.end() - 1, length);
+    const std::int64_t mark = next - length_.begin() - 1;
+    const float way = *next - length_[mark];
+    return {mark, way > 0.0F ? std::clamp((length - length_[mark]) / way, 0.0F, 1.0F) : 0.0F};
+}
+
+// From where a line ends by its tone on, backwards (way -1) or forwards (1), until it ends for another reason.
+HatchSpans::Place HatchSpans::run_on(std::span<const HatchMark> marks, const Place& from, int way,
+                                     HatchEnd& end) const noexcept {
+    const auto all = static_cast<std::int64_t>(marks.size());
+    const float first = at(from);
+    const float farthest = hand_.beyond(static_cast<double>(from.mark + turned_) + static_cast<double>(from.share));
+    std::int64_t next = way > 0 || from.share == 0.0F ? from.mark + way : from.mark;
+    for (; next >= 0 && next < all; next += way) {
+        const auto i = static_cast<std::size_t>(next);
+        const HatchMark& last = marks[static_cast<std::size_t>(next - way)];
+        const Crossing other = crossing(last, marks[i], HatchEnd::level);
+        const bool ends = !marks[i].valid || marks[i].margin[static_cast<std::size_t>(other.end)] < 0.0F;
+        const float here = length_[next - way] + (ends ? other.share : 1.0F) * (length_[next] - length_[next - way]);
+        if (std::abs(here - first) >= farthest) return place_at(first + static_cast<float>(way) * farthest);
+        if (!ends) continue;
+        end = other.end;
+        return place_at(here);
+    }
+    return {next < 0 ? 0 : all - 1, 0.0F};
+}
+
+// As a quick hand does.
+void HatchSpans::overshoot(std::span<const HatchMark> marks) {
+    for (Drawn& drawn : drawn_) {
+        if (drawn.begins == HatchEnd::tone) drawn.begin = run_on(marks, drawn.begin, -1, drawn.begins);
+        if (drawn.ends == HatchEnd::tone) drawn.end = run_on(marks, drawn.end, 1, drawn.ends);
+    }
 }
 
 // Gaps that are no longer than they are wide look like mistakes.
@@ -173,9 +215,23 @@ void HatchSpans::add_points(std::span<const HatchMark> marks, const Drawn& drawn
         while (place.mark < last && length_[place.mark + 1] < wanted) ++place.mark;
         const float way = length_[place.mark + 1] - length_[place.mark];
         place.share = way > 0.0F ? std::clamp((wanted - length_[place.mark]) / way, 0.0F, 1.0F) : 0.0F;
-        points.push_back(point(marks, place));
+        points.push_back(strayed(point(marks, place), place));
     }
-    points.push_back(point(marks, drawn.end));
+    points.push_back(strayed(point(marks, drawn.end), drawn.end));
+}
+
+// Across the line, as the hand has it there.
+HatchPoint HatchSpans::strayed(HatchPoint point, const Place& place) const noexcept {
+    if (!hand_.wobbles()) return point;
+    const std::int64_t next = std::min(place.mark + 1, length_.size() - 1);
+    const glm::vec2 along = (1.0F - place.share) * tangent_[place.mark] + place.share * tangent_[next];
+    const float length = glm::length(along);
+    if (!(length > 0.0F)) return point;
+    const double mark = static_cast<double>(place.mark + turned_) + static_cast<double>(place.share);
+    const float aside = hand_.aside(mark) / length;
+    point.x -= aside * along.y;
+    point.y += aside * along.x;
+    return point;
 }
 
 // Hermite's cubic between two marks; the rest changes evenly.

@@ -2,6 +2,7 @@
 // Where along its stroke a line of hatching is drawn, and its points there.
 #pragma once
 
+#include "frame/depth_layers/hatch_hand.h"
 #include "frame/depth_layers/hatch_marks.h"
 
 namespace hrbfnpr::frame {
@@ -36,8 +37,8 @@ class HatchSpans {
 public:
     explicit HatchSpans(base::Memory& memory) noexcept : length_(memory), tangent_(memory), drawn_(memory) {}
 
-    // Adds what is drawn of a stroke; one that is closed ends with its first mark, and may be turned.
-    void add(const LayerStyle& style, std::span<HatchMark> marks, bool closed, HatchPart& part);
+    // Adds what is drawn of the stroke of that number; one that is closed ends with its first mark, and may be turned.
+    void add(const LayerStyle& style, std::int64_t stroke, std::span<HatchMark> marks, bool closed, HatchPart& part);
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return length_.bytes() + tangent_.bytes() + drawn_.bytes(); }
 
@@ -56,6 +57,11 @@ private:
     void find(std::span<const HatchMark> marks, bool closed);
     void measure(std::span<const HatchMark> marks);
     void join(std::span<const HatchMark> marks);
+    void overshoot(std::span<const HatchMark> marks);
+    [[nodiscard]] Place place_at(float length) const noexcept;
+    [[nodiscard]] Place run_on(std::span<const HatchMark> marks, const Place& from, int way,
+                               HatchEnd& end) const noexcept;
+    [[nodiscard]] HatchPoint strayed(HatchPoint point, const Place& place) const noexcept;
     [[nodiscard]] float at(const Place& place) const noexcept;
     void put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part);
     void add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,
@@ -66,6 +72,8 @@ private:
     base::Array<float> length_;      // of each mark from the first one, pixels
     base::Array<glm::vec2> tangent_; // of each mark, of unit length where marks lie evenly
     base::Array<Drawn> drawn_;
+    HatchHand hand_;          // of the stroke at hand
+    std::int64_t turned_ = 0; // by so many marks, if it is closed
 };
 
 } // namespace hrbfnpr::frame

@@ -48,6 +48,9 @@ struct LayerStyle {
     float hatch_white = 1.2F;
     float hatch_taper = 20.0F;
     float hatch_shortest = 10.0F;
+    float hatch_wobble = 0.0F;
+    float hatch_overshoot = 0.0F;
+    std::uint32_t hatch_seed = 0;
 
     [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept;
 };

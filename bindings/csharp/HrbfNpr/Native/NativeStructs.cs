@@ -307,6 +307,10 @@ namespace HrbfNpr
         internal float hatch_taper;
         internal float hatch_shortest;
         internal uint reserved2;
+        internal float hatch_wobble;
+        internal float hatch_overshoot;
+        internal uint hatch_seed;
+        internal uint reserved3;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_line_style")]

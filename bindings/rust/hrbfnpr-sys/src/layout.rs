@@ -511,7 +511,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer_style>() == either(104, 100, 100));
+    assert!(size_of::<hrbfnpr_layer_style>() == either(120, 116, 116));
     assert!(align_of::<hrbfnpr_layer_style>() == either(8, 4, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -539,6 +539,10 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_layer_style, hatch_taper) == either(92, 88, 88));
     assert!(offset_of!(hrbfnpr_layer_style, hatch_shortest) == either(96, 92, 92));
     assert!(offset_of!(hrbfnpr_layer_style, reserved2) == either(100, 96, 96));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_wobble) == either(104, 100, 100));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_overshoot) == either(108, 104, 104));
+    assert!(offset_of!(hrbfnpr_layer_style, hatch_seed) == either(112, 108, 108));
+    assert!(offset_of!(hrbfnpr_layer_style, reserved3) == either(116, 112, 112));
 };
 
 const _: () = {

@@ -2017,6 +2017,15 @@ pub struct hrbfnpr_layer_style {
     /// pieces below this are not drawn, those up to twice of it are thinner; pixels, 0 or more; 10
     pub hatch_shortest: f32,
     pub reserved2: u32,
+    /// how far a line may stray to either side, as of an unsteady hand, in hatch_pens, 0 .. 16;
+    /// 0. From swing to swing it is about 60 hatch_pens
+    pub hatch_wobble: f32,
+    /// lines run on past the tone that they end at by up to this, each by another length; pixels,
+    /// 0 or more; 0
+    pub hatch_overshoot: f32,
+    /// of the two above: any number; 0
+    pub hatch_seed: u32,
+    pub reserved3: u32,
 }
 
 extern "C" {
