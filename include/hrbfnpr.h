@@ -1580,16 +1580,26 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t str
 /* Named styles. */
 enum {
     HRBFNPR_PRESET_STIPPLE = 0,             /* stipples by light, no contours */
-    HRBFNPR_PRESET_HATCH = 1,               /* second principal direction by light, contours */
-    HRBFNPR_PRESET_CROSS_HATCH = 2,         /* both principal directions by light, contours */
-    HRBFNPR_PRESET_COMBING = 3,             /* combing strokes by light, contours */
+    HRBFNPR_PRESET_HATCH = 1,               /* lines of one width, the more of them the darker; contours.  Of PRINCIPAL
+                                               layers the second direction */
+    HRBFNPR_PRESET_CROSS_HATCH = 2,         /* up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each;
+                                               contours.  Of PRINCIPAL layers both directions */
+    HRBFNPR_PRESET_COMBING = 3,             /* combing strokes, the second direction in the darks; contours */
     HRBFNPR_PRESET_SILHOUETTE = 4,          /* contours only, hidden ones attenuated */
     HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, /* contours and stipples */
     HRBFNPR_PRESET_XRAY = 6,                /* contours only, hidden ones shown */
-    HRBFNPR_PRESET_FULL = 7,                /* stipples, cross hatching, contours and halo: Figure 1 (e) */
+    HRBFNPR_PRESET_FULL = 7,                /* stipples, cross hatching in the darks, contours and halo: Figure 1 (e) */
     HRBFNPR_PRESET_ENGRAVING = 8,           /* one set of lines that swell with the tone, contours; lights are empty */
     HRBFNPR_PRESET_ETCHING = 9,             /* up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each */
-    HRBFNPR_PRESET_WOODCUT = 10             /* few wide lines, which close up to black; heavy contours */
+    HRBFNPR_PRESET_WOODCUT = 10,            /* few wide lines, which close up to black; heavy contours */
+    HRBFNPR_PRESET_SCIENTIFIC_STIPPLE = 11, /* fine stipples lit from the upper left, empty lights; outlines swell in the
+                                               shade */
+    HRBFNPR_PRESET_SKETCH = 12,             /* pencil on warm paper: two sets of lines that stray and run past their ends,
+                                               contours drawn twice */
+    HRBFNPR_PRESET_BLUEPRINT = 13,          /* pale lines on blue without tone: contours, borders and lines called "crease",
+                                               hidden ones dashed */
+    HRBFNPR_PRESET_ARCHAEOLOGICAL = 14      /* lit from the upper left: short lines along curvature that taper to the light,
+                                               heavy outlines, and the RIDGE lines of a line set */
 };
 
 /* A full set of fields that a caller goes on changing.  style->layers points to
@@ -1598,6 +1608,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint3
                                                      uint32_t preset, hrbfnpr_error* error);
 /* The layers that a preset draws, with defaults: a list of constants for
  * hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
+ * For BLUE_NOISE: HATCH is not PUBLISHED; HATCH, CROSS_HATCH and FULL draw layers
+ * of STIPPLES and PRINCIPAL then.
  * NULL and 0 for a number that is no preset's. */
 HRBFNPR_API const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
 /* "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:

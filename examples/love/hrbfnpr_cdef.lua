@@ -306,7 +306,9 @@ typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[
 hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,
-    HRBFNPR_PRESET_FULL = 7, HRBFNPR_PRESET_ENGRAVING = 8, HRBFNPR_PRESET_ETCHING = 9, HRBFNPR_PRESET_WOODCUT = 10 };
+    HRBFNPR_PRESET_FULL = 7, HRBFNPR_PRESET_ENGRAVING = 8, HRBFNPR_PRESET_ETCHING = 9, HRBFNPR_PRESET_WOODCUT = 10,
+    HRBFNPR_PRESET_SCIENTIFIC_STIPPLE = 11, HRBFNPR_PRESET_SKETCH = 12, HRBFNPR_PRESET_BLUEPRINT = 13,
+    HRBFNPR_PRESET_ARCHAEOLOGICAL = 14 };
 hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
     hrbfnpr_error* error);
 const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);

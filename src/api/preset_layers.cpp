@@ -27,10 +27,24 @@ constexpr hrbfnpr_layer_desc of_kind(std::uint32_t kind) noexcept {
 
 // Stipples give the contours of all of them.
 constexpr std::array<hrbfnpr_layer_desc, 1> stipples = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES)};
-constexpr std::array<hrbfnpr_layer_desc, 2> hatching = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES),
-                                                        of_kind(HRBFNPR_LAYER_KIND_PRINCIPAL)};
+// Light tones have strokes of the first direction, darker ones of the second too.
+constexpr hrbfnpr_layer_desc layered(std::uint32_t kind) noexcept {
+    hrbfnpr_layer_desc desc = of_kind(kind);
+    desc.tone_begin = 0.1F;
+    desc.tone_end = 0.55F;
+    desc.second_tone_begin = 0.5F;
+    desc.second_tone_end = 1.0F;
+    return desc;
+}
 constexpr std::array<hrbfnpr_layer_desc, 2> combing = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES),
-                                                       of_kind(HRBFNPR_LAYER_KIND_COMBING)};
+                                                       layered(HRBFNPR_LAYER_KIND_COMBING)};
+// Lights are left empty.
+constexpr std::array<hrbfnpr_layer_desc, 1> scientific = {[] {
+    hrbfnpr_layer_desc desc = of_kind(HRBFNPR_LAYER_KIND_STIPPLES);
+    desc.tone_begin = 0.08F;
+    desc.tone_end = 1.0F;
+    return desc;
+}()};
 
 constexpr hrbfnpr_layer_desc hatched(const char* name, double angle) noexcept {
     hrbfnpr_layer_desc desc = of_kind(HRBFNPR_LAYER_KIND_HATCH);
@@ -38,6 +52,17 @@ constexpr hrbfnpr_layer_desc hatched(const char* name, double angle) noexcept {
     desc.angle = angle;
     return desc;
 }
+constexpr hrbfnpr_layer_desc by_curvature(hrbfnpr_layer_desc desc) noexcept {
+    desc.axis_weight = 0.02;
+    desc.smoothing = 0.03;
+    return desc;
+}
+constexpr std::array<hrbfnpr_layer_desc, 4> cross_hatch = {
+    of_kind(HRBFNPR_LAYER_KIND_STIPPLES), hatched("hatch-1", 0.0), hatched("hatch-2", 35.0), hatched("hatch-3", -30.0)};
+constexpr std::array<hrbfnpr_layer_desc, 3> two_sets = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES), hatched("hatch-1", 0.0),
+                                                        hatched("hatch-2", 40.0)};
+constexpr std::array<hrbfnpr_layer_desc, 2> archaeological = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES),
+                                                              by_curvature(hatched(nullptr, 0.0))};
 constexpr std::array<hrbfnpr_layer_desc, 2> engraving = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES), hatched(nullptr, 0.0)};
 constexpr std::array<hrbfnpr_layer_desc, 4> etching = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES), hatched("hatch-1", 0.0),
                                                        hatched("hatch-2", 50.0), hatched("hatch-3", -40.0)};
@@ -49,14 +74,18 @@ PresetLayers preset_layers(std::uint32_t preset) noexcept {
     case HRBFNPR_PRESET_STIPPLE:
     case HRBFNPR_PRESET_SILHOUETTE:
     case HRBFNPR_PRESET_CONTOUR_AND_STIPPLE:
-    case HRBFNPR_PRESET_XRAY: return {stipples.data(), 1};
-    case HRBFNPR_PRESET_HATCH:
-    case HRBFNPR_PRESET_CROSS_HATCH:
-    case HRBFNPR_PRESET_FULL: return {hatching.data(), 2};
+    case HRBFNPR_PRESET_XRAY:
+    case HRBFNPR_PRESET_BLUEPRINT: return {stipples.data(), 1};
+    case HRBFNPR_PRESET_CROSS_HATCH: return {cross_hatch.data(), 4};
+    case HRBFNPR_PRESET_FULL:
+    case HRBFNPR_PRESET_SKETCH: return {two_sets.data(), 3};
     case HRBFNPR_PRESET_COMBING: return {combing.data(), 2};
+    case HRBFNPR_PRESET_HATCH:
     case HRBFNPR_PRESET_ENGRAVING:
     case HRBFNPR_PRESET_WOODCUT: return {engraving.data(), 2};
     case HRBFNPR_PRESET_ETCHING: return {etching.data(), 4};
+    case HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: return {scientific.data(), 1};
+    case HRBFNPR_PRESET_ARCHAEOLOGICAL: return {archaeological.data(), 2};
     default: return {};
     }
 }

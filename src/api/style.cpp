@@ -32,7 +32,7 @@ static_assert(static_cast<int>(frame::LightSpace::camera) == HRBFNPR_LIGHT_CAMER
 static_assert(static_cast<int>(frame::Shape::dots) == HRBFNPR_SHAPE_DOTS);
 static_assert(static_cast<int>(frame::Shape::strokes) == HRBFNPR_SHAPE_STROKES);
 static_assert(static_cast<int>(frame::Shape::hatch) == HRBFNPR_SHAPE_HATCH);
-static_assert(frame::preset_count == HRBFNPR_PRESET_WOODCUT + 1);
+static_assert(frame::preset_count == HRBFNPR_PRESET_ARCHAEOLOGICAL + 1);
 
 namespace hrbfnpr::api {
 namespace {
@@ -237,6 +237,7 @@ constexpr LineStyle constant(const frame::LineStyle& from) {
     LineStyle to{};
     to.struct_size = sizeof to;
     to.kind = static_cast<std::uint32_t>(from.kind);
+    to.name = from.name;
     to.hidden = static_cast<std::uint32_t>(from.hidden);
     to.cap = static_cast<std::uint32_t>(from.cap);
     to.width = from.width;
@@ -259,10 +260,20 @@ constexpr LineStyle constant(const frame::LineStyle& from) {
     to.wobble_seed = from.wobble_seed;
     return to;
 }
-constexpr std::array<LineStyle, 1> plain_lines = {constant(frame::presets::plain_lines[0])};
-constexpr std::array<LineStyle, 1> silhouette_lines = {constant(frame::presets::silhouette_lines[0])};
-constexpr std::array<LineStyle, 1> xray_lines = {constant(frame::presets::xray_lines[0])};
-constexpr std::array<LineStyle, 1> woodcut_lines = {constant(frame::presets::woodcut_lines[0])};
+template <std::size_t count>
+constexpr std::array<LineStyle, count> constants(const frame::LineStyle (&from)[count]) {
+    std::array<LineStyle, count> to{};
+    for (std::size_t i = 0; i < count; ++i) to[i] = constant(from[i]);
+    return to;
+}
+constexpr auto plain_lines = constants(frame::presets::plain_lines);
+constexpr auto silhouette_lines = constants(frame::presets::silhouette_lines);
+constexpr auto xray_lines = constants(frame::presets::xray_lines);
+constexpr auto woodcut_lines = constants(frame::presets::woodcut_lines);
+constexpr auto scientific_lines = constants(frame::presets::scientific_lines);
+constexpr auto sketch_lines = constants(frame::presets::sketch_lines);
+constexpr auto blueprint_lines = constants(frame::presets::blueprint_lines);
+constexpr auto archaeological_contours = constants(frame::presets::archaeological_contours);
 
 std::span<const LineStyle> preset_line_styles(std::uint32_t preset) noexcept {
     switch (preset) {
@@ -270,6 +281,10 @@ std::span<const LineStyle> preset_line_styles(std::uint32_t preset) noexcept {
     case HRBFNPR_PRESET_SILHOUETTE: return silhouette_lines;
     case HRBFNPR_PRESET_XRAY: return xray_lines;
     case HRBFNPR_PRESET_WOODCUT: return woodcut_lines;
+    case HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: return scientific_lines;
+    case HRBFNPR_PRESET_SKETCH: return sketch_lines;
+    case HRBFNPR_PRESET_BLUEPRINT: return blueprint_lines;
+    case HRBFNPR_PRESET_ARCHAEOLOGICAL: return archaeological_contours;
     default: return plain_lines;
     }
 }
@@ -317,6 +332,10 @@ constexpr auto full = constants(frame::presets::full_layers);
 constexpr auto engraving = constants(frame::presets::engraving_layers);
 constexpr auto etching = constants(frame::presets::etching_layers);
 constexpr auto woodcut = constants(frame::presets::woodcut_layers);
+constexpr auto scientific = constants(frame::presets::scientific_layers);
+constexpr auto sketch = constants(frame::presets::sketch_layers);
+constexpr auto blueprint = constants(frame::presets::blueprint_layers);
+constexpr auto archaeological = constants(frame::presets::archaeological_layers);
 
 std::span<const Layer> preset_layer_styles(std::uint32_t preset) noexcept {
     switch (preset) {
@@ -329,6 +348,10 @@ std::span<const Layer> preset_layer_styles(std::uint32_t preset) noexcept {
     case HRBFNPR_PRESET_ENGRAVING: return engraving;
     case HRBFNPR_PRESET_ETCHING: return etching;
     case HRBFNPR_PRESET_WOODCUT: return woodcut;
+    case HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: return scientific;
+    case HRBFNPR_PRESET_SKETCH: return sketch;
+    case HRBFNPR_PRESET_BLUEPRINT: return blueprint;
+    case HRBFNPR_PRESET_ARCHAEOLOGICAL: return archaeological;
     default: return contours;
     }
 }

@@ -190,13 +190,27 @@ TEST(Style, PresetsHaveNamesAndLayers) {
         const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(presets, &count);
         ASSERT_NE(layers, nullptr);
         ASSERT_GT(count, 0);
-        for (std::int64_t i = 0; i < count;
-             ++i) { // but for the kind, and hatching's name and angle, they are the defaults
+        // But for the kind, and hatching's name and angle, they are the defaults.
+        for (std::int64_t i = 0; i < count; ++i) {
             auto wanted = made(hrbfnpr_layer_desc_init);
             wanted.kind = layers[i].kind;
             if (wanted.kind == HRBFNPR_LAYER_KIND_HATCH) {
                 wanted.name = layers[i].name;
                 wanted.angle = layers[i].angle;
+            }
+            if (presets == HRBFNPR_PRESET_ARCHAEOLOGICAL && i == 1) { // along curvature
+                wanted.smoothing = 0.03;
+                wanted.axis_weight = 0.02;
+            }
+            if (presets == HRBFNPR_PRESET_SCIENTIFIC_STIPPLE) { // lights are empty
+                wanted.tone_begin = 0.08F;
+                wanted.tone_end = 1.0F;
+            }
+            if (presets == HRBFNPR_PRESET_COMBING && i == 1) { // one direction after the other
+                wanted.tone_begin = 0.1F;
+                wanted.tone_end = 0.55F;
+                wanted.second_tone_begin = 0.5F;
+                wanted.second_tone_end = 1.0F;
             }
             EXPECT_EQ(std::memcmp(&layers[i], &wanted, sizeof wanted), 0) << i;
         }
@@ -209,7 +223,7 @@ TEST(Style, PresetsHaveNamesAndLayers) {
         }
         EXPECT_TRUE(draws);
     }
-    EXPECT_EQ(presets, static_cast<std::uint32_t>(HRBFNPR_PRESET_WOODCUT + 1));
+    EXPECT_EQ(presets, static_cast<std::uint32_t>(HRBFNPR_PRESET_ARCHAEOLOGICAL + 1));
     EXPECT_EQ(names.size(), presets);
     EXPECT_EQ(names.count("contour-and-stipple"), 1U);
     EXPECT_EQ(hrbfnpr_preset_name(0xFFFFFFFFU), nullptr);
@@ -218,8 +232,8 @@ TEST(Style, PresetsHaveNamesAndLayers) {
     EXPECT_EQ(count, 0);
     Error error;
     hrbfnpr_style style;
-    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, 11, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "preset is 11; it must be one of HRBFNPR_PRESET_... (0 to 10)");
+    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, 15, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "preset is 15; it must be one of HRBFNPR_PRESET_... (0 to 14)");
     EXPECT_FAILS(hrbfnpr_style_init_preset(nullptr, sizeof style, 0, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "style is NULL");
     EXPECT_FAILS(hrbfnpr_style_init_preset(&style, 4, 0, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,

@@ -446,6 +446,17 @@ TEST(Layers, OfPresets) {
             ASSERT_EQ(layers[i].struct_size, sizeof *layers);
             hrbfnpr_layer_desc defaults = made(hrbfnpr_layer_desc_init);
             defaults.kind = layers[i].kind;
+            if (layers[i].kind == HRBFNPR_LAYER_KIND_HATCH) {
+                defaults.name = layers[i].name;
+                defaults.angle = layers[i].angle;
+            }
+            // Strokes of the second direction are for the darks.
+            if (preset == HRBFNPR_PRESET_COMBING && i == 1) {
+                defaults.tone_begin = 0.1F;
+                defaults.tone_end = 0.55F;
+                defaults.second_tone_begin = 0.5F;
+                defaults.second_tone_end = 1.0F;
+            }
             EXPECT_EQ(std::memcmp(&defaults, &layers[i], sizeof defaults), 0);
         }
         const auto has = [&](std::uint32_t kind) {
@@ -453,12 +464,18 @@ TEST(Layers, OfPresets) {
         };
         for (std::int64_t i = 0; i < style.layer_count; ++i) {
             const hrbfnpr_layer_style& layer = style.layers[i];
-            const bool is_made = layer.kind >= HRBFNPR_LAYER_KIND_STIPPLES && layer.kind <= HRBFNPR_LAYER_KIND_COMBING;
+            const bool is_made = layer.kind == HRBFNPR_LAYER_KIND_STIPPLES || layer.kind == HRBFNPR_LAYER_KIND_HATCH ||
+                                 layer.kind == HRBFNPR_LAYER_KIND_COMBING;
             EXPECT_TRUE(layer.shown == 0 || !is_made || has(layer.kind)) << preset << ", kind " << layer.kind;
+            // Styles of hatching find the layers that they are named for.
+            const bool is_named = std::any_of(layers, layers + count, [&](const auto& one) {
+                return layer.name != nullptr && one.name != nullptr && std::strcmp(one.name, layer.name) == 0;
+            });
+            EXPECT_TRUE(layer.name == nullptr || is_named) << preset << ", " << layer.name;
         }
     }
     std::int64_t count = 7;
-    EXPECT_EQ(hrbfnpr_preset_layers(HRBFNPR_PRESET_WOODCUT + 1, &count), nullptr);
+    EXPECT_EQ(hrbfnpr_preset_layers(HRBFNPR_PRESET_ARCHAEOLOGICAL + 1, &count), nullptr);
     EXPECT_EQ(count, 0);
     EXPECT_NE(hrbfnpr_preset_layers(HRBFNPR_PRESET_FULL, nullptr), nullptr);
     // As they are they can be generated from.
@@ -472,7 +489,7 @@ TEST(Layers, OfPresets) {
     ASSERT_OK(hrbfnpr_point_set_generate(context.get(), custom_sphere(context, sphere).get(), &desc, nullptr, &made_set,
                                          error));
     const PointSet set(made_set);
-    EXPECT_EQ(info_of(set).layers, 2);
+    EXPECT_EQ(info_of(set).layers, 3);
 }
 
 } // namespace

@@ -171,8 +171,12 @@ namespace HrbfNpr.Tests
         {
             foreach (Preset preset in Enum.GetValues(typeof(Preset)))
             {
-                Assert.Equal(preset == Preset.Stipple ? 0 : 1, Style.Preset(preset).Lines.Count);
+                int lines = preset == Preset.Stipple ? 0
+                    : preset == Preset.Blueprint ? 3
+                    : preset == Preset.Sketch || preset == Preset.Archaeological ? 2 : 1;
+                Assert.Equal(lines, Style.Preset(preset).Lines.Count);
             }
+            Assert.Equal("crease", Style.Preset(Preset.Blueprint).Lines[2].Name);
             Assert.Equal(HiddenParts.Attenuated, silhouette.Lines[0].Hidden);
             Assert.Equal(HiddenParts.Dashed, Style.Preset(Preset.Xray).Lines[0].Hidden);
             silhouette.Lines[0].Width = 5;

@@ -240,7 +240,7 @@ namespace HrbfNpr.Tests
                 Assert.True(made.Layers.Count > 0 && GenerateOptions.ForPreset(preset).Layers.Count > 0);
                 Shapes.Count(renderer, camera, new Item(marks, made));
             }
-            Assert.Equal(11, names.Distinct().Count());
+            Assert.Equal(15, names.Distinct().Count());
             Assert.True(names.Contains("cross-hatch"));
             Assert.Null(Style.PresetName((Preset)99));
             Assert.Throws<InvalidArgumentException>(() => Style.Preset((Preset)99));

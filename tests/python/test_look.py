@@ -78,19 +78,32 @@ def test_bad_cameras(make, words):
 def test_presets():
     assert hrbfnpr.PRESETS == (
         "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full",
-        "engraving", "etching", "woodcut",
+        "engraving", "etching", "woodcut", "scientific-stipple", "sketch", "blueprint", "archaeological",
     )  # fmt: skip
     for name in hrbfnpr.PRESETS:
         style = hrbfnpr.Style(name)
         assert style.preset == name and style.layers and hrbfnpr.preset_layers(name)
         assert style == hrbfnpr.Style(name)
-    assert [layer.kind for layer in hrbfnpr.preset_layers("hatch")] == ["stipples", "principal"]
-    assert hrbfnpr.preset_layers("combing")[1] == hrbfnpr.Layer("combing")
+    assert [layer.kind for layer in hrbfnpr.preset_layers("hatch")] == ["stipples", "hatch"]
+    combing = hrbfnpr.preset_layers("combing")[1]
+    assert combing.tone == pytest.approx((0.1, 0.55)) and combing.second_tone == (0.5, 1)
+    for name, kind in (("hatch", "principal"), ("cross-hatch", "principal"), ("combing", "combing"), ("full", "principal")):
+        published = hrbfnpr.preset_layers(name, "published")
+        assert published == [hrbfnpr.Layer("stipples"), hrbfnpr.Layer(kind)]
+        assert hrbfnpr.Style(name).style_of(kind).shown and hrbfnpr.Style(name).style_of(kind).shape != "hatch"
+    assert hrbfnpr.preset_layers("stipple", "published") == hrbfnpr.preset_layers("stipple")
     sets = hrbfnpr.preset_layers("etching")[1:]
     assert [(layer.kind, layer.name, layer.angle) for layer in sets] == [
         ("hatch", "hatch-1", 0.0), ("hatch", "hatch-2", 50.0), ("hatch", "hatch-3", -40.0)
     ]  # fmt: skip
+    angles = [layer.angle for layer in hrbfnpr.preset_layers("cross-hatch")[1:]]
+    assert len(angles) == 3 and all(30 <= abs(a - b) <= 65 for i, a in enumerate(angles) for b in angles[:i])
     assert hrbfnpr.Style("xray").hidden_lines == "show"
+    assert [line.wobble_seed for line in hrbfnpr.Style("sketch").lines] == [1, 2]
+    assert [(line.kind, line.name) for line in hrbfnpr.Style("blueprint").lines] == [
+        ("contour", None), ("border", None), ("own", "crease")
+    ]  # fmt: skip
+    assert [line.kind for line in hrbfnpr.Style("archaeological").lines] == ["contour", "ridge"]
     assert hrbfnpr.Style().preset is None and hrbfnpr.Style().tone == "light"
     with pytest.raises(ValueError, match="preset must be one of 'stipple'"):
         hrbfnpr.Style("watercolour")

@@ -184,10 +184,19 @@ _OF_KINDS: Dict[str, Tuple[str, ...]] = {
 }
 
 
-def preset_layers(preset: str) -> List[Layer]:
-    """The layers that a preset draws, to be changed and given to `PointSet.generate`."""
+# What the published recursion has in the place of lines of hatching.
+_PUBLISHED = {"hatch": "principal", "cross-hatch": "principal", "combing": "combing", "full": "principal"}
+
+
+def preset_layers(preset: str, distribution: str = "blue_noise") -> List[Layer]:
+    """The layers that a preset draws, to be changed and given to `PointSet.generate`.
+
+    Of the distribution "published" hatch, cross-hatch and full draw strokes of the kind "principal".
+    """
     if preset not in PRESETS:
         raise ValueError(f"preset must be one of {', '.join(map(repr, PRESETS))}, not {preset!r}")
+    if distribution == "published" and preset in _PUBLISHED:
+        return [Layer("stipples"), Layer(_PUBLISHED[preset])]
     count = ffi.new("int64_t *")
     descs = lib.hrbfnpr_preset_layers(PRESETS.index(preset), count)
     return [_from_struct(descs[i]) for i in range(count[0])]
@@ -200,37 +209,46 @@ def _from_struct(desc: Any) -> Layer:
         "separation": desc.separation, "angle": desc.angle, "smoothing": desc.smoothing,
         "axis": tuple(desc.axis), "axis_weight": desc.axis_weight,
     }  # fmt: skip
-    return Layer(kind, name, **fields_of_hatch)
+    tones = {
+        field: (begin, end)
+        for field, begin, end in (
+            ("tone", desc.tone_begin, desc.tone_end),
+            ("second_tone", desc.second_tone_begin, desc.second_tone_end),
+        )
+        if end > 0
+    }
+    return Layer(kind, name, **fields_of_hatch, **tones)
 
 
-def layers_to_make(layers: Optional[LayersToMake], preset: Optional[str], shared: Any) -> List[Layer]:
-    """The layers that are meant; `shared` are fields of those that are given by name."""
+def layers_to_make(
+    layers: Optional[LayersToMake], preset: Optional[str], distribution: str, shared: Any
+) -> List[Layer]:
+    """The layers that are meant; `shared` are fields of those that are given by name, or of a preset."""
     for name in shared:
         if name not in _FIELDS:
             raise TypeError(f"unexpected argument {name!r}")
     if preset is not None:
         if layers is not None:
             raise TypeError("give either layers or preset, not both")
-        given: List[Union[str, Layer]] = [layer.kind for layer in preset_layers(preset)]
+        given: List[Union[str, Layer]] = list(preset_layers(preset, distribution.replace("-", "_")))
     elif layers is None or isinstance(layers, (str, Layer)):
         given = ["stipples" if layers is None else layers]
     else:
         given = list(layers)
     if not given:
         raise ValueError("layers must name one layer or more")
-    kinds = {layer.replace("-", "_").lower() for layer in given if isinstance(layer, str)}
+    named = [Layer(layer.replace("-", "_").lower()) if isinstance(layer, str) else layer for layer in given]
+    by_name = [layer for layer, of in zip(named, given) if preset is not None or isinstance(of, str)]
+    kinds = {layer.kind for layer in by_name if isinstance(layer, Layer)}
     for name in shared:
         if not kinds & set(_OF_KINDS.get(name, kinds)):
             raise ValueError(f"{name} means nothing to the layers that are given by name")
     result = []
-    for layer in given:
-        if isinstance(layer, str):
-            kind = layer.replace("-", "_").lower()
-            meant = {key: value for key, value in shared.items() if kind in _OF_KINDS.get(key, MADE_KINDS)}
-            layer = replace(Layer(kind), **meant)
-        elif not isinstance(layer, Layer):
+    for layer in named:
+        if not isinstance(layer, Layer):
             raise TypeError(f"layers must be names and hrbfnpr.Layer objects, not {type(layer).__name__}")
-        result.append(layer)
+        meant = {key: value for key, value in shared.items() if layer.kind in _OF_KINDS.get(key, MADE_KINDS)}
+        result.append(replace(layer, **meant) if any(layer is of for of in by_name) else layer)
     return result
 
 

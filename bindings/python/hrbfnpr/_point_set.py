@@ -64,7 +64,7 @@ def _generate_desc(
         keep.append(block_in("seed_points", seed_points).fill(desc.seed_points))
         if desc.seed_source == SEED_SOURCES["auto"]:
             desc.seed_source = SEED_SOURCES["points"]
-    wanted = layers_to_make(layers, preset, fields)
+    wanted = layers_to_make(layers, preset, distribution, fields)
     descs = new_list("hrbfnpr_layer_desc", len(wanted))
     states: List[Optional[CallbackState]] = []
     for layer, target in zip(wanted, descs):

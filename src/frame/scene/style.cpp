@@ -9,8 +9,9 @@ namespace hrbfnpr::frame {
 namespace {
 
 constexpr std::array<const char*, preset_count> names{
-    "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple",
-    "xray",    "full",  "engraving",   "etching", "woodcut"};
+    "stipple", "hatch",     "cross-hatch",   "combing", "silhouette", "contour-and-stipple",
+    "xray",    "full",      "engraving",     "etching", "woodcut",    "scientific-stipple",
+    "sketch",  "blueprint", "archaeological"};
 
 constexpr LayerStyle default_layer{};
 
@@ -73,8 +74,33 @@ Preset preset(std::uint32_t number) noexcept {
         style.layers = presets::etching_layers;
         style.hidden_lines = HiddenLines::hide;
         break;
-    default: // woodcut
+    case 10: // woodcut
         style.layers = presets::woodcut_layers;
+        style.hidden_lines = HiddenLines::hide;
+        break;
+    case 11: // scientific-stipple
+        style.layers = presets::scientific_layers;
+        style.light = presets::upper_left;
+        style.tone_exponent = 0.8;
+        style.silhouette_radius = 0.8F;
+        break;
+    case 12: // sketch
+        style.layers = presets::sketch_layers;
+        style.hidden_lines = HiddenLines::hide;
+        style.paper = presets::warm_paper;
+        style.silhouette_ink = {presets::graphite[0], presets::graphite[1], presets::graphite[2], 1.0F};
+        style.halo_width = 0.0F;
+        break;
+    case 13: // blueprint
+        style.layers = presets::blueprint_layers;
+        style.paper = presets::blue_paper;
+        style.silhouette_ink = {presets::chalk[0], presets::chalk[1], presets::chalk[2], 1.0F};
+        style.attenuation_front = 0.2;
+        style.attenuation_back = 0.1;
+        break;
+    default: // archaeological
+        style.layers = presets::archaeological_layers;
+        style.light = presets::upper_left;
         style.hidden_lines = HiddenLines::hide;
         break;
     }

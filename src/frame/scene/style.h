@@ -132,7 +132,7 @@ struct Preset {
     const char* name;
     Style style; // its layers are constants
 };
-inline constexpr std::uint32_t preset_count = 11;
+inline constexpr std::uint32_t preset_count = 15;
 [[nodiscard]] Preset preset(std::uint32_t number) noexcept; // number < preset_count
 [[nodiscard]] const char* preset_name(std::uint32_t number) noexcept;
 

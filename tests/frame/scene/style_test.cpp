@@ -18,8 +18,10 @@ const LayerStyle& of(const Preset& preset, Kind kind) {
 }
 
 TEST(Presets, HaveTheirNames) {
-    const char* const names[] = {"stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple",
-                                 "xray",    "full",  "engraving",   "etching", "woodcut"};
+    const char* const names[] = {
+        "stipple", "hatch",     "cross-hatch",   "combing", "silhouette", "contour-and-stipple",
+        "xray",    "full",      "engraving",     "etching", "woodcut",    "scientific-stipple",
+        "sketch",  "blueprint", "archaeological"};
     for (std::uint32_t i = 0; i < preset_count; ++i) {
         EXPECT_STREQ(preset_name(i), names[i]);
         EXPECT_STREQ(preset(i).name, names[i]);
@@ -38,7 +40,9 @@ TEST(Presets, AreValidStyles) {
         EXPECT_GE(s.attenuation_back, 0.0);
         EXPECT_GT(s.tone_exponent, 0.0);
         EXPECT_GT(s.silhouette_radius, 0.0F);
-        EXPECT_EQ(s.paper, glm::vec4(1.0F)) << "styles of one frame need the same paper";
+        const bool has_paper_of_its_own = i == 12 || i == 13; // sketch and blueprint
+        EXPECT_EQ(s.paper == glm::vec4(1.0F), !has_paper_of_its_own) << "styles of one frame need the same paper";
+        EXPECT_EQ(s.paper.a, 1.0F);
         for (const Kind kind : kinds) {
             EXPECT_GT(of(p, kind).radius, 0.0F);
             EXPECT_GE(of(p, kind).share, 0.0F);
@@ -71,11 +75,16 @@ TEST(Presets, AreWhatTheirNamesSay) {
     EXPECT_EQ(shown(6), 0U);
     EXPECT_EQ(preset(6).style.hidden_lines, HiddenLines::show);
     EXPECT_EQ(shown(7), 3U);
+    EXPECT_EQ(shown(11), 1U);
+    EXPECT_EQ(shown(13), 0U);
     // Hatching alone, which widens with the tone; stipples tell where the surface is.
-    for (const std::uint32_t i : {8U, 9U, 10U}) {
-        const Preset p = preset(i);
+    for (const std::uint32_t i : {8U, 9U, 10U, 12U, 14U}) {
         EXPECT_EQ(shown(i), 0U);
-        EXPECT_EQ(p.style.hidden_lines, HiddenLines::hide);
+        EXPECT_EQ(preset(i).style.hidden_lines, HiddenLines::hide);
+    }
+    constexpr std::size_t sets_of[preset_count] = {0, 1, 4, 0, 0, 0, 0, 3, 1, 3, 1, 0, 3, 0, 1};
+    for (std::uint32_t i = 0; i < preset_count; ++i) {
+        const Preset p = preset(i);
         std::size_t sets = 0;
         for (const LayerStyle& layer : p.style.layers) {
             if (layer.kind != Kind::hatch) continue;
@@ -85,7 +94,7 @@ TEST(Presets, AreWhatTheirNamesSay) {
             EXPECT_LT(layer.hatch_tone_begin, layer.hatch_tone_end);
             EXPECT_LT(layer.hatch_coverage_begin, layer.hatch_coverage_end);
         }
-        EXPECT_EQ(sets, i == 9U ? 3U : 1U);
+        EXPECT_EQ(sets, sets_of[i]) << p.name;
     }
     for (std::uint32_t i = 1; i < preset_count; ++i) EXPECT_NE(contours(i), 0U);
 }

@@ -2233,11 +2233,12 @@ extern "C" {
 // Named styles.
 /// stipples by light, no contours
 pub const HRBFNPR_PRESET_STIPPLE: u32 = 0;
-/// second principal direction by light, contours
+/// lines of one width, the more of them the darker; contours. Of PRINCIPAL layers the second direction
 pub const HRBFNPR_PRESET_HATCH: u32 = 1;
-/// both principal directions by light, contours
+/// up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each; contours. Of
+/// PRINCIPAL layers both directions
 pub const HRBFNPR_PRESET_CROSS_HATCH: u32 = 2;
-/// combing strokes by light, contours
+/// combing strokes, the second direction in the darks; contours
 pub const HRBFNPR_PRESET_COMBING: u32 = 3;
 /// contours only, hidden ones attenuated
 pub const HRBFNPR_PRESET_SILHOUETTE: u32 = 4;
@@ -2245,7 +2246,7 @@ pub const HRBFNPR_PRESET_SILHOUETTE: u32 = 4;
 pub const HRBFNPR_PRESET_CONTOUR_AND_STIPPLE: u32 = 5;
 /// contours only, hidden ones shown
 pub const HRBFNPR_PRESET_XRAY: u32 = 6;
-/// stipples, cross hatching, contours and halo: Figure 1 (e)
+/// stipples, cross hatching in the darks, contours and halo: Figure 1 (e)
 pub const HRBFNPR_PRESET_FULL: u32 = 7;
 /// one set of lines that swell with the tone, contours; lights are empty
 pub const HRBFNPR_PRESET_ENGRAVING: u32 = 8;
@@ -2253,6 +2254,15 @@ pub const HRBFNPR_PRESET_ENGRAVING: u32 = 8;
 pub const HRBFNPR_PRESET_ETCHING: u32 = 9;
 /// few wide lines, which close up to black; heavy contours
 pub const HRBFNPR_PRESET_WOODCUT: u32 = 10;
+/// fine stipples lit from the upper left, empty lights; outlines swell in the shade
+pub const HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: u32 = 11;
+/// pencil on warm paper: two sets of lines that stray and run past their ends, contours drawn twice
+pub const HRBFNPR_PRESET_SKETCH: u32 = 12;
+/// pale lines on blue without tone: contours, borders and lines called "crease", hidden ones dashed
+pub const HRBFNPR_PRESET_BLUEPRINT: u32 = 13;
+/// lit from the upper left: short lines along curvature that taper to the light, heavy
+/// outlines, and the RIDGE lines of a line set
+pub const HRBFNPR_PRESET_ARCHAEOLOGICAL: u32 = 14;
 
 extern "C" {
     /// A full set of fields that a caller goes on changing.  style->layers points to
@@ -2265,6 +2275,8 @@ extern "C" {
     ) -> hrbfnpr_status;
     /// The layers that a preset draws, with defaults: a list of constants for
     /// hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
+    /// For BLUE_NOISE: HATCH is not PUBLISHED; HATCH, CROSS_HATCH and FULL draw layers
+    /// of STIPPLES and PRINCIPAL then.
     /// NULL and 0 for a number that is no preset's.
     pub fn hrbfnpr_preset_layers(preset: u32, count: *mut i64) -> *const hrbfnpr_layer_desc;
     /// "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:
