@@ -75,8 +75,8 @@ def pixels_per_unit(camera: Camera, place: Any) -> float:
 
 
 def pen_radius(size: Tuple[int, int]) -> float:
-    """Radius of the pen for a picture, in pixels."""
-    return max(1.0, max(size) / 800)
+    """Radius of the pen for a picture, in pixels.  Below 600 pixels nothing gets finer: it would be grey."""
+    return max(0.75, max(size) / 800)
 
 
 def probe(model: Model, context: Context) -> PointSet:
@@ -145,6 +145,8 @@ def in_turn(layers: Sequence[Layer], style: Style) -> List[Layer]:
     styles = [style.style_of(layer.kind, layer.name) for layer in layers]
     drawn: List[Tuple[int, str]] = []
     for i, (layer, how) in enumerate(zip(layers, styles)):
+        if layer.kind == "hatch":
+            continue  # its style says at which tones there are lines
         if how.shown and layer.kind == "stipples":
             drawn.append((i, "tone"))
         elif how.shown:

@@ -16,10 +16,11 @@ from .._context import Context
 from .._layer import Layer, preset_layers
 from .._model import Model
 from .._names import MADE_KINDS
+from .._pictures import save as save_picture
 from .._point_set import PointSet
 from .._renderer import Item, Renderer
 from .._style import Style
-from . import _automatic, _lines
+from . import _automatic, _lines, _plate
 from . import _values as values
 from ._inputs import given
 from ._progress import Reporter
@@ -29,7 +30,7 @@ _GENERATE = (
     "projection_tolerance", "random_seed",
 )  # fmt: skip
 _STROKES = ("separation", "step", "length", "symmetry", "start", "start_level")
-_HATCH_PIXELS = ("hatch_spacing", "hatch_pen", "hatch_white", "hatch_taper", "hatch_shortest")
+_HATCH_PIXELS = ("hatch_spacing", "hatch_pen", "hatch_white", "hatch_taper", "hatch_shortest", "hatch_overshoot")
 _STYLE = (
     "paper", "hidden_lines", "visibility", "silhouette_threshold", "silhouette_law", "silhouette_width",
     "attenuation_front", "attenuation_back", "splat_radius", "splat_overlap", "halo_width", "tone", "tone_rule",
@@ -41,6 +42,8 @@ _STYLE = (
 def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
     """The named style with what was given on the command line, marks sized for the picture."""
     style = Style(arguments.style)
+    if arguments.distribution == "published":
+        _draw_as_published(style)
     style.layer("any")
     # The named styles are made for a pen of one pixel.
     pen = arguments.mark_radius or _automatic.pen_radius(size)
@@ -74,10 +77,21 @@ def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
     return style
 
 
+def _draw_as_published(style: Style) -> None:
+    """Marks of the recursion are dots of one size."""
+    for layer in style.layers:
+        if layer.kind == "combing" and layer.shown:
+            layer.shape, layer.radius, layer.share = "dots", 1.1, 1.0
+        if layer.kind == "stipples" and style.preset == "full":
+            layer.radius = layer.share = 1.0
+
+
 def make_camera(arguments: Any, source: Union[Model, PointSet], points: Any) -> Camera:
     """The camera asked for; without --eye one that sees all of the points."""
     up = arguments.up or (0.0, 1.0, 0.0)
-    angle = math.radians(30.0 if arguments.fov is None else arguments.fov)
+    # Finds are drawn as they are measured.
+    fov = 0.0 if _is_plate(arguments) else 30.0
+    angle = math.radians(fov if arguments.fov is None else arguments.fov)
     size = arguments.size or _automatic.LONG_SIDE
     if arguments.eye is not None:
         return _camera_at(arguments, source, up, angle, (size, size) if isinstance(size, int) else size)
@@ -101,6 +115,10 @@ def _camera_at(arguments: Any, source: Any, up: Any, angle: float, size: Tuple[i
     return camera.perspective(angle, size, max(distance - 2 * radius, distance / 1000), distance + 2 * radius)
 
 
+def _is_plate(arguments: Any) -> bool:
+    return bool(arguments.style == "archaeological")
+
+
 def make_layers(arguments: Any, wanted: Sequence[Layer]) -> List[Layer]:
     """These layers with what was given on the command line."""
     layers = []
@@ -113,6 +131,14 @@ def make_layers(arguments: Any, wanted: Sequence[Layer]) -> List[Layer]:
                 layer = replace(layer, **{field: numbers[kind]})
         layers.append(replace(layer, with_curvature=kind in (arguments.curvature_of or ())))
     return layers
+
+
+def _wanted_layers(arguments: Any) -> List[Layer]:
+    """Those asked for, or those of the style, whose strokes follow each other from light to dark unless told not to."""
+    if arguments.layers:
+        return [Layer(kind) for kind in arguments.layers]
+    layers = preset_layers(arguments.style, arguments.distribution or "blue_noise")
+    return layers if arguments.tone_ranges is None else [replace(one, tone=None, second_tone=None) for one in layers]
 
 
 def generate(arguments: Any, model: Model, layers: Sequence[Layer], context: Context, report: Reporter) -> PointSet:
@@ -138,23 +164,32 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
         pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
         area = known.info.spacing**2 * len(known)
         published, seeds = arguments.distribution == "published", max(source.info.centres, 1)
-        wanted = [Layer(kind) for kind in arguments.layers] if arguments.layers else preset_layers(arguments.style)
+        wanted = _wanted_layers(arguments)
         layers = make_layers(arguments, wanted)
         layers = _automatic.marks(layers, style, area, pixels, published, seeds, report.note)
         if arguments.tone_ranges == "in-turn":
             layers = _automatic.in_turn(layers, style)
         marks = generate(arguments, source, layers, context, report)
-        line_set = _lines.make(arguments, source, style, context, report)
+        beside = _is_plate(arguments) if arguments.profile is None else arguments.profile == "yes"
+        more = [_plate.section(source, camera)] if beside else []
+        line_set = _lines.make(arguments, source, style, context, report, more)
     else:
         marks = source
-        line_set = None
+        line_set, beside = None, False
         if arguments.lines:
             report.note("lines are drawn of a model, not of saved points: contours come from marks")
     if arguments.save_points:
         marks.save(arguments.save_points)
     with report.stage("drawing"):
         drawing = Renderer(context=context).draw(Item(marks, style, line_set=line_set), camera)
-        drawing.save(output)
+        unit = arguments.scale_bar or ("units" if _is_plate(arguments) else "none")
+        if isinstance(source, Model) and (beside or unit != "none"):
+            section = line_set if beside else None
+            unit = "" if unit == "none" else unit
+            picture = _plate.compose(drawing.to_pil(), source, marks, section, camera, style, unit, context)
+            save_picture(picture, output, None)
+        else:
+            drawing.save(output)
     if not report.quiet:
         width, height = camera.size
         seconds = time.monotonic() - start

@@ -99,12 +99,15 @@ def _line(wanted: Wanted, contour: LineStyle) -> LineStyle:
     return LineStyle(kind, name, levels, width=contour.width * share, hidden=contour.hidden, taper=taper)
 
 
-def make(arguments: Any, model: Model, style: Style, context: Context, report: Reporter) -> Optional[LineSet]:
-    """The line set that a style's lines want; None if it has none."""
-    if not style.lines or style.visibility == "published":
+def make(
+    arguments: Any, model: Model, style: Style, context: Context, report: Reporter, more: Sequence[Lines] = ()
+) -> Optional[LineSet]:
+    """The line set that a style's lines want, with some more lines; None if it has none."""
+    if style.visibility == "published" or not (style.lines or more):
         return None
-    wanted = arguments.lines if arguments.lines is not None else []
+    wanted = arguments.lines if arguments.lines is not None else _of_style(arguments, style)
     once = [_once(one, model, arguments) for one in wanted if one.kind in (*_FOUND_ONCE, "section", "crease")]
+    once += more
     curved = any(line.kind in ("suggestive_contour", "apparent_ridge", "isophote") for line in style.lines)
     support = _support(arguments, wanted)
     with report.stage("looking for lines") as bar:
@@ -118,6 +121,21 @@ def make(arguments: Any, model: Model, style: Style, context: Context, report: R
             f"triangles look away, {info.missed_seeds} samples are missed): lines may be missing there"
         )
     return made
+
+
+def _of_style(arguments: Any, style: Style) -> List[Wanted]:
+    """What a named style draws beside contours, as far as it can be had."""
+    wanted = [Wanted(line.kind) for line in style.lines if line.kind in _FOUND_ONCE]
+    if any(line.name == "crease" for line in style.lines) and _is_mesh(Path(arguments.input)):
+        wanted.append(Wanted("crease"))
+    return wanted
+
+
+def _is_mesh(path: Path) -> bool:
+    try:
+        return bool(shapes.read(path).is_mesh)
+    except (shapes.ShapeError, OSError):  # a saved model
+        return False
 
 
 def _support(arguments: Any, wanted: Sequence[Wanted]) -> float:

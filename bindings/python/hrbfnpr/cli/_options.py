@@ -190,6 +190,10 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--silhouette-radius", "silhouette_radius", values.number, "PIXELS", "of silhouette marks")
     _add(group, "--contours-of", "contours_of", values.layers, "NAMES", "layers whose marks draw contours")
     _add_choice(group, "--shape", "shape", tuple(SHAPES), "how marks of strokes are drawn")
+    _add(group, "--scale-bar", "scale_bar", str, "UNIT", "a scale bar below the picture, its length in this unit; none: "
+         "no bar; units of archaeological")  # fmt: skip
+    _add_choice(group, "--profile", "profile", ("yes", "no"), "whether an upright section through the middle is drawn "
+                "beside the picture; yes of archaeological")  # fmt: skip
     _add(group, "--share", "share", values.number, "X", "share of the style's marks that is used, 0 to 1")
     group.add_argument("--set", dest="assignments", action="append", type=values.assignment, default=[],
                        metavar="[LAYER.]FIELD=VALUE", help="any other field of a style, such as "

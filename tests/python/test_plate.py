@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+"""What the command line puts beside a drawing: a section and a scale bar."""
+import numpy as np
+import pytest
+
+import hrbfnpr
+from hrbfnpr.cli import main
+
+Image = pytest.importorskip("PIL.Image")
+from hrbfnpr.cli import _plate  # noqa: E402
+
+QUICK = ["--size", "240", "--marks", "2000", "--quiet"]
+
+
+@pytest.fixture(scope="module")
+def ball(tmp_path_factory):
+    """A sphere of radius 10."""
+    k = np.arange(200) + 0.5
+    height, around = 1 - 2 * k / 200, np.pi * (1 + 5**0.5) * k
+    n = np.column_stack([np.sqrt(1 - height**2) * np.cos(around), height, np.sqrt(1 - height**2) * np.sin(around)])
+    path = tmp_path_factory.mktemp("plate") / "ball.xyz"
+    np.savetxt(path, np.hstack([10 * n, n]))
+    return path
+
+
+def test_lengths_of_bars():
+    assert [_plate.bar_length(x) for x in (1, 1.99, 2, 4.9, 5, 9.99, 0.03, 1234)] == [1, 1, 2, 2, 5, 5, 0.02, 1000]
+
+
+def test_a_plate_of_finds(ball, tmp_path):
+    output = tmp_path / "plate.png"
+    assert main(["draw", str(ball), str(output), "--style", "archaeological", "--scale-bar", "mm", *QUICK]) == 0
+    dark = np.asarray(Image.open(output).convert("L")) < 128
+    assert dark.shape[1] > 440 and dark.shape[0] > 250  # a circle at the right, a bar below
+    # Without perspective the sphere is 0.9 of 240 pixels wide, and so is its section.
+    for half in (dark[:240, :240], dark[:240, 240:]):
+        columns = np.flatnonzero(half.any(axis=0))
+        rows = np.flatnonzero(half.any(axis=1))
+        assert columns[-1] - columns[0] == pytest.approx(216, abs=6)
+        assert rows[-1] - rows[0] == pytest.approx(216, abs=6)
+    # The bar: 5 mm, a quarter of the diameter.
+    rows = dark[250:, :240].sum(axis=1)
+    assert rows.max() == pytest.approx(5 * 216 / 20, abs=6)
+
+
+def test_plates_are_asked_for(ball, tmp_path):
+    output = tmp_path / "plain.png"
+    for options, more in ((["--profile", "no", "--scale-bar", "none"], (0, 0)), (["--profile", "no"], (0, 22))):
+        assert main(["draw", str(ball), str(output), "--style", "archaeological", *options, *QUICK]) == 0
+        assert Image.open(output).size == (240 + more[0], 240 + more[1])
+    assert main(["draw", str(ball), str(output), "--style", "hatch", "--scale-bar", "cm", *QUICK]) == 0
+    assert Image.open(output).size == (240, 262)
+    assert main(["draw", str(ball), str(output), "--style", "hatch", *QUICK]) == 0
+    assert Image.open(output).size == (240, 240)
+
+
+def test_sections_are_filled_inside_only():
+    y, x = np.mgrid[:101, :101]
+    pixels = np.full((101, 101, 4), 255, np.uint8)
+    away = np.hypot(x - 50, y - 50)
+    pixels[np.abs(away - 40) < 2, :3] = 0
+    filled = np.asarray(_plate._filled(Image.fromarray(pixels, "RGBA"), hrbfnpr.Style(), 1.0)).astype(int)
+    assert (filled[away > 43] == 255).all()
+    inside = 1 - filled[away < 36][:, 0].mean() / 255
+    assert inside == pytest.approx(0.7 / 9, rel=0.1)
