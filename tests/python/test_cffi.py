@@ -97,7 +97,7 @@ def test_style_has_every_field_of_its_struct():
     import hrbfnpr
 
     layers = {name for name, _ in ffi.typeof("hrbfnpr_layer_style").fields}
-    layers -= {"struct_size", "reserved", "reserved2"}
+    layers -= {"struct_size", "reserved", "reserved2", "reserved3"}
     assert {*hrbfnpr.LayerStyle.fields(), "name"} == layers
     lines = {name for name, _ in ffi.typeof("hrbfnpr_line_style").fields} - {"struct_size", "reserved"}
     assert {*hrbfnpr.LineStyle.fields(), "name", "levels"} == lines
