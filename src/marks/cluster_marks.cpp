@@ -156,9 +156,27 @@ private:
     base::Array<Keyed> order_;
 };
 
+void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& pieces) {
+    for (std::int64_t s = 0; s < layer.strokes(); ++s) {
+        const std::int64_t end = layer.stroke_first[s + 1];
+        for (std::int64_t first = layer.stroke_first[s]; first < end; first += StrokePiece::most) {
+            StrokePiece piece;
+            piece.first = static_cast<std::uint32_t>(first);
+            piece.count = static_cast<std::uint8_t>(std::min(end - first, StrokePiece::most));
+            piece.level = layer.level[layer.mark_of(first)];
+            for (std::int64_t i = 1; i < piece.count; ++i)
+                piece.level = std::min(piece.level, layer.level[layer.mark_of(first + i)]);
+            set_extent(piece, layer, {layer.position.data(), layer.normal.data()}, unit);
+            pieces.push_back(piece);
+        }
+    }
+}
+
 } // namespace
 
-std::int64_t MarkClusters::bytes() const noexcept { return block.bytes() + width.bytes() + cluster.bytes(); }
+std::int64_t MarkClusters::bytes() const noexcept {
+    return block.bytes() + width.bytes() + cluster.bytes() + piece.bytes();
+}
 
 void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Progress& progress) {
     set.unit = unit_of(set);
@@ -166,6 +184,7 @@ void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Prog
         Layer& layer = set.layers[number];
         layer.clusters = MarkClusters(runtime.memory);
         Clustering(layer, set.unit, layer.clusters, progress).run();
+        cut_strokes(layer, set.unit, layer.clusters.piece);
     });
 }
 

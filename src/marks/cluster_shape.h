@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/vec.h"
-#include "marks/mark_clusters.h"
+#include "marks/point_set.h"
 
 #include <algorithm>
 #include <array>
@@ -59,7 +59,7 @@ void set_turn(Cluster& cluster, const Turn& turn) noexcept;
 
 // Ball and cone around marks begin .. end - 1; both are a little larger than the truth, so that floats hold them.
 template <class Place, class Normal>
-void set_extent(Cluster& cluster, std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
+void set_extent(Extent& extent, std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
     geometry::Bounds bounds;
     glm::dvec3 sum(0.0);
     for (std::int64_t i = begin; i < end; ++i) {
@@ -75,13 +75,31 @@ void set_extent(Cluster& cluster, std::int64_t begin, std::int64_t end, const Pl
         cosine = std::min(cosine, glm::dot(axis, normal(i)));
     }
     for (int k = 0; k < 3; ++k) {
-        cluster.centre[static_cast<std::size_t>(k)] = static_cast<float>(centre[k]);
-        cluster.axis[static_cast<std::size_t>(k)] = static_cast<float>(axis[k]);
+        extent.centre[static_cast<std::size_t>(k)] = static_cast<float>(centre[k]);
+        extent.axis[static_cast<std::size_t>(k)] = static_cast<float>(axis[k]);
     }
-    cluster.radius = static_cast<float>(radius * 1.00001);
+    extent.radius = static_cast<float>(radius * 1.00001);
     const double cone = std::acos(std::clamp(cosine, -1.0, 1.0)) + 1e-3;
-    cluster.cone_cosine = static_cast<float>(std::cos(cone));
-    cluster.cone_sine = static_cast<float>(std::sin(cone));
+    extent.cone_cosine = static_cast<float>(std::cos(cone));
+    extent.cone_sine = static_cast<float>(std::sin(cone));
+}
+
+// Three floats of each mark of a layer, relative to the set's origin.
+struct MarkPlaces {
+    const float* position;
+    const float* normal;
+};
+
+// Of the piece's marks.
+inline void set_extent(StrokePiece& piece, const Layer& layer, const MarkPlaces& places, double unit) {
+    const auto vector = [&](const float* from, std::int64_t at) {
+        const float* const v = from + 3 * layer.mark_of(at);
+        return glm::dvec3(v[0], v[1], v[2]);
+    };
+    set_extent(
+        piece, std::int64_t{piece.first}, std::int64_t{piece.first} + piece.count,
+        [&](std::int64_t at) { return vector(places.position, at) / unit; },
+        [&](std::int64_t at) { return vector(places.normal, at); });
 }
 
 } // namespace hrbfnpr::marks

@@ -19,27 +19,45 @@ struct MarkBlock {
     std::uint32_t mark[size]; // its number in the layer
 };
 
-// Lengths and curvatures are in the set's unit.
-struct Cluster {
-    std::int64_t block = 0; // its first; a cluster's last may be part empty
-    std::int32_t count = 0; // of marks
-    std::uint32_t set = 0;  // of directions; all marks of a cluster have the same
-    float radius = 0.0F;    // around the centre
+// Where some marks lie and how they face.  Lengths and curvatures are in the set's unit.
+struct Extent {
+    float radius = 0.0F; // around the centre
     std::array<float, 3> centre{};
     std::array<float, 3> axis{}; // of a cone that holds all normals
     float cone_cosine = 1.0F;    // of its half angle
     float cone_sine = 0.0F;
-    float bend = 0.0F; // largest normal curvature by magnitude; < 0: not known
+};
+
+struct Cluster : Extent {
+    std::int64_t block = 0; // its first; a cluster's last may be part empty
+    std::int32_t count = 0; // of marks
+    std::uint32_t set = 0;  // of directions; all marks of a cluster have the same
+    float bend = 0.0F;      // largest normal curvature by magnitude; < 0: not known
     // How the normal turns along the surface, dn/dp: xx, xy, xz, yy, yz, zz.  Outward normals: positive where convex.
     std::array<float, 6> shape{};
 };
 
+// Marks that follow each other along a stroke.  The pieces of all strokes follow each other, too, and a stroke of n
+// marks has pieces_of(n).
+struct StrokePiece : Extent {
+    static constexpr std::int64_t most = 32;
+    std::uint32_t first = 0; // place in the order of the strokes
+    std::uint8_t count = 0;
+    std::uint8_t level = 0; // the lowest of its marks'
+};
+
+[[nodiscard]] constexpr std::int64_t pieces_of(std::int64_t marks) noexcept {
+    return (marks + StrokePiece::most - 1) / StrokePiece::most;
+}
+
 struct MarkClusters {
-    explicit MarkClusters(base::Memory& memory) noexcept : block(memory), width(memory), cluster(memory) {}
+    explicit MarkClusters(base::Memory& memory) noexcept
+        : block(memory), width(memory), cluster(memory), piece(memory) {}
 
     base::Array<MarkBlock> block;
     base::Array<float> width; // of each place in the blocks; or empty: all 1
     base::Array<Cluster> cluster;
+    base::Array<StrokePiece> piece; // of all strokes
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };

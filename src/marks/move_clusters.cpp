@@ -77,6 +77,7 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
     copy(layer.clusters.block, moved.block);
     copy(layer.clusters.width, moved.width);
     copy(layer.clusters.cluster, moved.cluster);
+    copy(layer.clusters.piece, moved.piece);
     for (const Cluster& cluster : moved.cluster) {
         for (std::int64_t i = 0; i < cluster.count; ++i) {
             MarkBlock& block = moved.block[cluster.block + i / MarkBlock::size];
@@ -90,6 +91,7 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
             block.nz[at] = normal[mark + 2];
         }
     }
+    for (StrokePiece& piece : moved.piece) set_extent(piece, layer, {position, normal}, unit);
     // Those that tell how the surface bends first: the others ask them.
     Moved clusters(moved);
     for (const bool few : {false, true})

@@ -241,6 +241,47 @@ TEST_F(Hatch, NormalsForToneAreTurnedWithTheirMarks) {
     }
 }
 
+// What is not known to be passed over is looked at, and found not to be drawn.
+TEST_F(Hatch, PiecesThatArePassedOverWouldNotBeDrawn) {
+    add_latitudes(set);
+    cluster();
+    style.tone = frame::Tone::light;
+    layer.hatch_pen = 0.01F; // so that all marks are seen
+    marks::PointSet open(runtime.memory);
+    add_latitudes(open);
+    open = clustered(runtime, std::move(open));
+    for (marks::StrokePiece& piece : open.layers[0].clusters.piece) {
+        piece.cone_cosine = -1.0F;
+        piece.cone_sine = 0.0F;
+        piece.level = 0;
+    }
+    style.layers = std::span(&layer, 1);
+    DrawnFrame other(runtime);
+    for (const double half : {0.4, 1.25, 4.0}) {
+        for (int turn = 0; turn < 6; ++turn) {
+            frame::Camera camera = front_camera(size, size, half);
+            camera.view = frame::look_at({7.0 * std::cos(turn), 7.0 * std::sin(turn), 5.0}, glm::dvec3(0.0), {0, 0, 1});
+            const std::array items{layered_item(set, style)};
+            frame.draw(items, camera);
+            const std::array open_items{layered_item(open, style)};
+            other.draw(open_items, camera);
+            const base::Array<Stroke>& expected = other.drawing().strokes;
+            const base::Array<Stroke>& found = frame.drawing().strokes;
+            ASSERT_EQ(found.size(), expected.size()) << half << " " << turn;
+            for (std::int64_t i = 0; i < found.size(); ++i) {
+                for (const bool last : {false, true}) {
+                    const StrokePoint& a = frame.drawing().points[found[i].first + (last ? found[i].count - 1 : 0)];
+                    const StrokePoint& b =
+                        other.drawing().points[expected[i].first + (last ? expected[i].count - 1 : 0)];
+                    ASSERT_NEAR(a.x, b.x, 0.05) << half << " " << turn;
+                    ASSERT_NEAR(a.y, b.y, 0.05);
+                    ASSERT_NEAR(a.length, b.length, 0.1);
+                }
+            }
+        }
+    }
+}
+
 TEST_F(Hatch, SameBitsForAnyThreadCount) {
     std::vector<float> expected;
     for (const int threads : {1, 3}) {

@@ -34,6 +34,31 @@ Placed placed(const MarkClusters& m, std::int64_t place) {
     return {vector_of({b.x[i], b.y[i], b.z[i]}), vector_of({b.nx[i], b.ny[i], b.nz[i]}), b.rank[i], b.mark[i]};
 }
 
+// All marks of all strokes, in their order.
+void expect_sound_pieces(const marks::Layer& layer) {
+    std::int64_t number = 0;
+    for (std::int64_t s = 0; s < layer.strokes(); ++s) {
+        std::int64_t place = layer.stroke_first[s];
+        const std::int64_t end = layer.stroke_first[s + 1];
+        for (std::int64_t k = marks::pieces_of(end - place); k > 0; --k) {
+            const marks::StrokePiece& piece = layer.clusters.piece[number++];
+            ASSERT_EQ(std::int64_t{piece.first}, place);
+            std::uint8_t level = 255;
+            for (std::int64_t i = 0; i < piece.count; ++i, ++place) {
+                const std::int64_t mark = layer.mark_of(place);
+                const glm::dvec3 p(marks::vector_at(layer.position, mark));
+                const glm::dvec3 n(marks::vector_at(layer.normal, mark));
+                ASSERT_LE(glm::length(p - vector_of(piece.centre)), static_cast<double>(piece.radius) + 1e-7);
+                ASSERT_GE(glm::dot(n, vector_of(piece.axis)), static_cast<double>(piece.cone_cosine));
+                level = std::min(level, layer.level[mark]);
+            }
+            ASSERT_EQ(piece.level, level);
+        }
+        ASSERT_EQ(place, end);
+    }
+    ASSERT_EQ(number, layer.clusters.piece.size());
+}
+
 void expect_sound(const marks::Layer& layer, bool strokes = false) {
     const MarkClusters& m = layer.clusters;
     constexpr std::int64_t size = marks::MarkBlock::size;
@@ -72,6 +97,7 @@ void expect_sound(const marks::Layer& layer, bool strokes = false) {
     ASSERT_EQ(blocks, m.block.size());
     ASSERT_EQ(m.width.empty(), layer.width.empty());
     for (const int times : met) ASSERT_EQ(times, 1);
+    expect_sound_pieces(layer);
 }
 
 class Clusters : public ::testing::Test {

@@ -67,6 +67,21 @@ void expect_sound(const marks::Layer& layer, const Moved& places, double unit, c
             ASSERT_GE(glm::dot(n, vector_of(cluster.axis)), cluster.cone_cosine - 1e-6F);
         }
     }
+    ASSERT_EQ(moved.piece.size(), before.piece.size());
+    for (const marks::StrokePiece& piece : moved.piece) {
+        for (std::int64_t i = 0; i < piece.count; ++i) {
+            const auto mark = static_cast<std::size_t>(3 * layer.mark_of(piece.first + i));
+            glm::vec3 p;
+            glm::vec3 n;
+            for (std::size_t k = 0; k < 3; ++k) {
+                p[static_cast<int>(k)] = static_cast<float>(static_cast<double>(places.position[mark + k]) / unit);
+                n[static_cast<int>(k)] = places.normal[mark + k];
+            }
+            const float rounded = 1.1e-7F * (1.0F + glm::length(vector_of(piece.centre)));
+            ASSERT_LE(glm::distance(p, vector_of(piece.centre)), piece.radius + rounded);
+            ASSERT_GE(glm::dot(n, vector_of(piece.axis)), piece.cone_cosine - 1e-6F);
+        }
+    }
 }
 
 class MoveClusters : public ::testing::Test {

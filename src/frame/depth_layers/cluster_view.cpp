@@ -131,33 +131,34 @@ Frustum frustum_of(const Lens& lens) noexcept {
     return frustum;
 }
 
-ClusterView view_cluster(const marks::Cluster& cluster, const ItemSight& sight, const Lens& lens,
-                         const Frustum& frustum, float reach) noexcept {
+ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, const Lens& lens, const Frustum& frustum,
+                         float reach) noexcept {
     ClusterView view;
-    const glm::vec3 own = vector(cluster.centre);
+    const glm::vec3 own = vector(extent.centre);
     const Seer& seer = sight.seer;
     const glm::vec4 at(own, 1.0F);
     const auto dot_row = [&](const float(&row)[4]) { return row[0] * at.x + row[1] * at.y + row[2] * at.z + row[3]; };
     const glm::vec4 eye(dot_row(seer.eye[0]), dot_row(seer.eye[1]), dot_row(seer.eye[2]), 1.0F);
-    const float radius = cluster.radius * sight.scale * 1.0001F;
+    const float radius = extent.radius * sight.scale * 1.0001F;
     const float w = dot_row(seer.clip[3]);
     const float w_most = w + radius * frustum.w_norm;
     if (w_most > 0.0F) view.pixels_per_unit = lens.pixels / (w > 0.0F ? w : w_most);
     if (!(w - radius * frustum.w_norm > 0.0F)) return view; // some may be behind the camera
+    view.nearest = w - radius * frustum.w_norm;
     const Sides sides = sight.inside ? Sides{false, true} : sides_of(eye, radius, reach * w_most, frustum);
     view.outside = sides.outside;
     view.inside = sides.inside;
     if (!sight.rigid) return view;
-    const glm::vec3 axis = vector(cluster.axis);
-    const Angle cone{cluster.cone_cosine, cluster.cone_sine};
+    const glm::vec3 axis = vector(extent.axis);
+    const Angle cone{extent.cone_cosine, extent.cone_sine};
     view.lit_min = cosines(glm::dot(axis, sight.light), cone).least;
     Angle spread = cone;
     glm::vec3 sight_line = sight.eye;
     if (!seer.parallel) {
         sight_line = own - sight.eye;
         const float distance = glm::length(sight_line);
-        if (!(distance > cluster.radius)) return view;
-        const float sine = cluster.radius / distance;
+        if (!(distance > extent.radius)) return view;
+        const float sine = extent.radius / distance;
         spread = sum(cone, {std::sqrt(1.0F - sine * sine), sine});
         sight_line /= distance;
     }

@@ -33,18 +33,19 @@ struct Frustum {
 
 [[nodiscard]] ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustum) noexcept;
 
-// Bounds that hold for all marks of a cluster.
+// Bounds that hold for all marks of a cluster or a piece of a stroke.
 struct ClusterView {
     bool outside = false;         // surely
     bool inside = false;          // surely
     float pixels_per_unit = 1.0F; // at the centre
+    float nearest = 0.0F;         // w of the projection, at least; 0: some may be behind the camera
     float nu_min = -1.0F;
     float nu_max = 1.0F;
     float lit_min = -1.0F;
 };
 
 // reach: the largest radius of a disc that a mark can bring, pixels.
-[[nodiscard]] ClusterView view_cluster(const marks::Cluster& cluster, const ItemSight& sight, const Lens& lens,
+[[nodiscard]] ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, const Lens& lens,
                                        const Frustum& frustum, float reach) noexcept;
 
 // How far, in pixels, a mark's image lies from the contour's: it is at the angle nu from it along a circle whose

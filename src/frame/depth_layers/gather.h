@@ -92,6 +92,7 @@ public:
     // Of the last run.
     [[nodiscard]] const SeeLoops& loops() const noexcept { return loops_; }
     [[nodiscard]] const ItemSight& sight(std::int32_t item) const noexcept { return sights_[item]; }
+    [[nodiscard]] const Frustum& frustum() const noexcept { return frustum_; }
     [[nodiscard]] const base::Array<float>& taus() const noexcept { return tau_; } // by place, of callbacks
     [[nodiscard]] std::int64_t bytes() const noexcept;
 

@@ -44,7 +44,7 @@ inline constexpr float fading_ramp = 0.25F;
     if (spacing > wanted) widths.lambda = std::min(std::log2(spacing / wanted), static_cast<float>(levels));
     widths.full = static_cast<std::int32_t>(widths.lambda);
     const float weight = widths.lambda - static_cast<float>(widths.full); // 0 at the finest level
-    const float period = std::ldexp(spacing, -widths.full);
+    const float period = spacing / static_cast<float>(1U << static_cast<unsigned>(widths.full));
     // Of the lines within a period: (1 + weight) wide ones.  Closer together than asked they are thinner than the pen.
     const float lines = 1.0F + weight;
     const float ink =

@@ -10,18 +10,23 @@ namespace {
 
 constexpr std::int64_t marks_of_batch = 4096;
 
+[[nodiscard]] std::int64_t pieces_of(const marks::Layer& layer, std::int64_t stroke) noexcept {
+    return marks::pieces_of(std::int64_t{layer.stroke_first[stroke + 1]} - layer.stroke_first[stroke]);
+}
+
 [[nodiscard]] bool asks(const Scene& scene, const Run& run) noexcept {
     return run.as_hatch && scene.item_of(run).style.tone == Tone::callback;
 }
 
 } // namespace
 
-void HatchPoints::add_batch(std::int32_t run, std::int64_t begin, std::int64_t end) {
+void HatchPoints::add_batch(std::int32_t run, std::int64_t begin, std::int64_t end, std::int64_t piece) {
     if (count_ == batches_.size()) batches_.add(runtime_.memory);
     Batch& batch = batches_[count_++];
     batch.run = run;
     batch.begin = begin;
     batch.end = end;
+    batch.piece = piece;
     batch.part.spans.clear();
     batch.part.points.clear();
 }
@@ -32,10 +37,14 @@ void HatchPoints::add_batches(const Scene& scene) {
         if (!scene.runs[r].as_hatch) continue;
         const marks::Layer& layer = *scene.runs[r].marks;
         std::int64_t begin = 0;
+        std::int64_t piece = 0;
+        std::int64_t next_piece = 0;
         for (std::int64_t s = 1; s <= layer.strokes(); ++s) {
+            next_piece += pieces_of(layer, s - 1);
             if (s < layer.strokes() && layer.stroke_first[s] - layer.stroke_first[begin] < marks_of_batch) continue;
-            add_batch(static_cast<std::int32_t>(r), begin, s);
+            add_batch(static_cast<std::int32_t>(r), begin, s, piece);
             begin = s;
+            piece = next_piece;
         }
     }
 }
@@ -59,10 +68,11 @@ void HatchPoints::take_taus(const Scene& scene, const Gather& gather) {
 void HatchPoints::find(const Scene& scene, const Gather& gather, Batch& batch) const {
     const Run& run = scene.runs[batch.run];
     const HatchMarks seen(gather, scene, run, asks(scene, run) ? taus_.data() + run.first : nullptr);
+    std::int64_t piece = batch.piece;
     for (std::int64_t s = batch.begin; s < batch.end; ++s) {
-        if (!seen.shows(s)) continue;
-        const bool closed = seen.see(s, batch.marks);
-        batch.spans.add(*run.style, s, batch.marks.span(), closed, batch.part);
+        if (seen.see(s, piece, batch.stroke))
+            batch.spans.add(*run.style, s, batch.stroke.mark.span(), batch.stroke.closed, batch.part);
+        piece += pieces_of(*run.marks, s);
     }
 }
 
@@ -101,7 +111,7 @@ void HatchPoints::run(const Scene& scene, const Gather& gather, drawing::Drawing
 
 std::int64_t HatchPoints::bytes() const noexcept {
     std::int64_t sum = batches_.bytes() + taus_.bytes();
-    for (const Batch& batch : batches_) sum += batch.part.bytes() + batch.marks.bytes() + batch.spans.bytes();
+    for (const Batch& batch : batches_) sum += batch.part.bytes() + batch.stroke.bytes() + batch.spans.bytes();
     return sum;
 }
 

@@ -11,13 +11,14 @@ class HatchPoints {
 public:
     // Strokes that follow each other: the unit of work.
     struct Batch {
-        explicit Batch(base::Memory& memory) noexcept : part(memory), marks(memory), spans(memory) {}
+        explicit Batch(base::Memory& memory) noexcept : part(memory), stroke(memory), spans(memory) {}
 
         std::int32_t run = 0;
         std::int64_t begin = 0, end = 0; // strokes
+        std::int64_t piece = 0;          // the first of them
         std::int64_t first_dot = 0;      // of its points in the drawing
         HatchPart part;
-        base::Array<HatchMark> marks; // of one stroke
+        HatchStroke stroke; // one of them
         HatchSpans spans;
     };
 
@@ -35,7 +36,7 @@ public:
 
 private:
     void add_batches(const Scene& scene);
-    void add_batch(std::int32_t run, std::int64_t begin, std::int64_t end);
+    void add_batch(std::int32_t run, std::int64_t begin, std::int64_t end, std::int64_t piece);
     void take_taus(const Scene& scene, const Gather& gather);
     void find(const Scene& scene, const Gather& gather, Batch& batch) const;
     void put(const Scene& scene, const Batch& batch, drawing::Drawing& drawing) const noexcept;
