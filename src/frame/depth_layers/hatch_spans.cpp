@@ -13,8 +13,11 @@ constexpr float point_step = 2.5F; // pixels
 constexpr float least_gap = 2.0F;
 // A line's end where its stroke or its level ends is this much as long as where its tone ends ...
 constexpr float blunt = 0.35F;
-// ... and where the surface turns away it is so many pixels long.
-constexpr float rim_taper = 2.0F;
+// Where the surface turns away a line that crosses the contour by at least the first of these sines runs on under it,
+// and one that hardly does, by the second, narrows before it.
+constexpr float crosses = 0.5F;
+constexpr float runs_along = 0.25F;
+constexpr float rim_part = 0.5F; // of a taper: so much of the line is looked at
 
 struct Crossing {
     float share; // of the way from the mark that is drawn to the one that is not
@@ -176,10 +179,28 @@ float HatchSpans::taper(const LayerStyle& style, HatchEnd end, float gap, float 
     const float longest = end == HatchEnd::tone ? style.hatch_taper : blunt * style.hatch_taper;
     switch (end) {
     case HatchEnd::picture: return 0.0F;
-    case HatchEnd::rim: return rim_taper;
     case HatchEnd::line: return longest;
+    case HatchEnd::rim: return longest;
     default: return std::clamp(gap - least_gap * width, 0.0F, longest);
     }
+}
+
+// 1 where the line goes along the contour that it ends at, 0 where it goes across.  The contour's image is normal to
+// that of the surface's normal.  All lines touch it in the end [Koenderink 1984], so a longer part of the line tells.
+float HatchSpans::along_rim(const LayerStyle& style, std::span<const HatchMark> marks, const Place& place,
+                            std::int64_t inward) const noexcept {
+    std::int64_t i = place.mark + (inward > 0 ? 1 : 0);
+    const float from = at(place);
+    while (i + inward >= 0 && i + inward < length_.size() && marks[static_cast<std::size_t>(i + inward)].is_drawn() &&
+           std::abs(length_[i] - from) < rim_part * style.hatch_taper)
+        i += inward;
+    const HatchPoint end = point(marks, place);
+    const HatchMark& mark = marks[static_cast<std::size_t>(place.mark)];
+    const glm::vec2 chord(marks[static_cast<std::size_t>(i)].x - end.x, marks[static_cast<std::size_t>(i)].y - end.y);
+    const glm::vec2 normal(mark.side_x, -mark.side_y);
+    const float lengths = glm::length(chord) * glm::length(normal);
+    const float sine = lengths > 0.0F ? std::abs(glm::dot(chord, normal)) / lengths : 0.0F;
+    return std::clamp((crosses - sine) / (crosses - runs_along), 0.0F, 1.0F);
 }
 
 void HatchSpans::put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part) {
@@ -198,6 +219,8 @@ void HatchSpans::put(const LayerStyle& style, std::span<const HatchMark> marks, 
     if (!drawn.closed) {
         span.taper_begin = taper(style, drawn.begins, gap_before, point(marks, drawn.begin).width);
         span.taper_end = taper(style, drawn.ends, gap_after, point(marks, drawn.end).width);
+        if (drawn.begins == HatchEnd::rim) span.taper_begin *= along_rim(style, marks, drawn.begin, 1);
+        if (drawn.ends == HatchEnd::rim) span.taper_end *= along_rim(style, marks, drawn.end, -1);
     }
     add_points(marks, drawn, span.count, part.points);
     part.spans.push_back(span);

@@ -67,6 +67,8 @@ private:
     void add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,
                     base::Array<HatchPoint>& points) const;
     [[nodiscard]] float taper(const LayerStyle& style, HatchEnd end, float gap, float width) const noexcept;
+    [[nodiscard]] float along_rim(const LayerStyle& style, std::span<const HatchMark> marks, const Place& place,
+                                  std::int64_t inward) const noexcept;
     [[nodiscard]] HatchPoint point(std::span<const HatchMark> marks, const Place& place) const noexcept;
 
     base::Array<float> length_;      // of each mark from the first one, pixels
