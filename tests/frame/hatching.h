@@ -126,10 +126,11 @@ protected:
             for (std::size_t i = 1; i < points.size(); ++i) {
                 const StrokePoint& a = points[i - 1];
                 const StrokePoint& b = points[i];
-                constexpr int parts = 8; // so that the rectangle cuts them
-                const double length = static_cast<double>(std::hypot(b.x - a.x, b.y - a.y)) / parts;
+                const double whole = static_cast<double>(std::hypot(b.x - a.x, b.y - a.y));
+                const int parts = 8 + static_cast<int>(4.0 * whole); // so that the rectangle cuts them
+                const double length = whole / parts;
                 for (int k = 0; k < parts; ++k) {
-                    const float t = (static_cast<float>(k) + 0.5F) / parts;
+                    const float t = (static_cast<float>(k) + 0.5F) / static_cast<float>(parts);
                     const double x = static_cast<double>(std::lerp(a.x, b.x, t)) - middle;
                     const double y = static_cast<double>(std::lerp(a.y, b.y, t)) - middle - lower;
                     if (std::abs(x) < half_width && std::abs(y) < half_height)

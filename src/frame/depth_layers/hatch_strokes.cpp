@@ -16,8 +16,27 @@ namespace {
 constexpr float hidden_taper = 2.0F;
 // Hidden parts of fewer widths are drawn.
 constexpr float least_gap = 2.0F;
+// What hides a line has a halo on either side.  A part that is no longer than one halo is none of it: it is where a
+// contour and its halo run out.  Up to the second of these, in halos, it is thinner.
+constexpr float halo_alone = 1.0F;
+constexpr float halo_and_more = 1.5F;
 // Near a tip points lie closer, since the width changes like a root there; pixels from it.
 constexpr std::array<float, 2> tip_points = {0.3F, 1.2F};
+
+// Points that differ by less than this from what lies between those beside them are left out, pixels.
+constexpr float straight = 0.03F;
+constexpr float even_radius = 0.006F;
+constexpr std::int64_t most_left_out = 6; // one after the other
+
+// Whether p is what lies between a and b.
+[[nodiscard]] bool lies_between(const StrokePoint& a, const StrokePoint& p, const StrokePoint& b) noexcept {
+    const float way = b.length - a.length;
+    if (!(way > 0.0F) || a.opacity != b.opacity || p.opacity != a.opacity) return false;
+    const float t = (p.length - a.length) / way;
+    const auto off = [t](float from, float at, float to) { return std::abs(at - from - t * (to - from)); };
+    return off(a.x, p.x, b.x) < straight && off(a.y, p.y, b.y) < straight &&
+           off(a.radius, p.radius, b.radius) < even_radius;
+}
 
 // An ellipse's quarter would be blunter.
 [[nodiscard]] float narrowed(float from_end, float taper) noexcept {
@@ -27,8 +46,8 @@ constexpr std::array<float, 2> tip_points = {0.3F, 1.2F};
 // The strokes of one span.
 class HatchPieces {
 public:
-    HatchPieces(HatchStrokePart& part, const HatchSpan& span, std::span<Dot> dots, float shortest) noexcept
-        : part_(part), span_(span), dots_(dots), shortest_(shortest) {}
+    HatchPieces(HatchStrokePart& part, const HatchSpan& span, std::span<Dot> dots, float shortest, float halo) noexcept
+        : part_(part), span_(span), dots_(dots), shortest_(shortest), halo_(halo) {}
 
     void operator()() {
         if (span_.closed) begin_hidden();
@@ -60,20 +79,27 @@ private:
         part_.length.clear();
         float length = 0.0F;
         for (std::int64_t i = 0; i < size(); ++i) {
-            if (i > 0) length += std::hypot(dot(i).x - dot(i - 1).x, dot(i).y - dot(i - 1).y);
+            if (i > 0) {
+                const glm::vec2 leg(dot(i).x - dot(i - 1).x, dot(i).y - dot(i - 1).y);
+                length += glm::length(leg);
+            }
             part_.length.push_back(length);
         }
     }
 
-    // Whether a hidden part that i lies in is so short that the line goes on.
-    [[nodiscard]] bool closes(std::int64_t i) const noexcept {
+    // How wide the line is in the hidden part that i lies in, where it is so short that the line goes on; else 0.
+    [[nodiscard]] float bridge(std::int64_t i) const noexcept {
         std::int64_t first = i;
-        while (!seen(first - 1)) --first; // one that is seen comes before
+        while (first > 0 && !seen(first - 1)) --first;
         std::int64_t end = i;
         while (end < size() && !seen(end)) ++end;
-        return end < size() &&
-               middle(end - 1) - middle(first - 1) < least_gap * (dot(first - 1).radius + dot(end).radius);
+        if (first == 0 || end == size()) return 0.0F;
+        const float gap = middle(end - 1) - middle(first - 1);
+        if (gap < least_gap * (dot(first - 1).radius + dot(end).radius)) return 1.0F;
+        return halo_ > 0.0F ? std::clamp((halo_and_more - gap / halo_) / (halo_and_more - halo_alone), 0.0F, 1.0F)
+                            : 0.0F;
     }
+    [[nodiscard]] bool closes(std::int64_t i) const noexcept { return bridge(i) > 0.0F; }
     // Half way to the next one.
     [[nodiscard]] float middle(std::int64_t i) const noexcept { return 0.5F * (part_.length[i] + part_.length[i + 1]); }
 
@@ -95,6 +121,7 @@ private:
         stroke.layer = dot(first).layer;
         stroke.closed = span_.closed && whole;
         add_points();
+        leave_out(stroke.first);
         stroke.count = static_cast<std::int32_t>(part_.made.points.size() - stroke.first);
         stroke.depth = part_.made.points[stroke.first + stroke.count / 2].depth;
         part_.made.strokes.push_back(stroke);
@@ -119,6 +146,22 @@ private:
         add(end_);
     }
 
+    // Fewer points make fewer edges to draw.
+    void leave_out(std::int64_t first) {
+        base::Array<StrokePoint>& points = part_.made.points;
+        std::int64_t kept = first;
+        std::int64_t from = first; // the point that was kept last
+        for (std::int64_t i = first + 1; i < points.size(); ++i) {
+            bool needed = i + 1 == points.size() || i - from > most_left_out;
+            for (std::int64_t k = from + 1; k <= i && !needed; ++k)
+                needed = !lies_between(points[kept], points[k], points[i + 1]);
+            if (!needed) continue;
+            points[++kept] = points[i];
+            from = i;
+        }
+        points.resize(kept + 1);
+    }
+
     // A point of the line; they come in their order.
     void add(float at) {
         while (from_ + 2 < size() && part_.length[from_ + 1] < at) ++from_;
@@ -130,7 +173,7 @@ private:
         StrokePoint p{};
         p.x = mixed(a.x, b.x);
         p.y = mixed(a.y, b.y);
-        p.radius = mixed(a.radius, b.radius) * fade_ * profile(at);
+        p.radius = mixed(shown_radius(from_), shown_radius(from_ + 1)) * fade_ * profile(at);
         // Where the line goes on over what is hidden, it does so as before.
         p.opacity = seen(from_) && seen(from_ + 1) ? mixed(a.opacity, b.opacity) : std::max(a.opacity, b.opacity);
         if (!(p.opacity > 0.0F)) p.opacity = part_.made.points.back().opacity;
@@ -142,6 +185,12 @@ private:
         part_.made.points.push_back(p);
     }
 
+    // What is not seen is a gap at an end, or one that the line goes on over.
+    [[nodiscard]] float shown_radius(std::int64_t i) const noexcept {
+        const bool inner = i >= first_ && i <= last_;
+        return dot(i).radius * (seen(i) || !inner ? 1.0F : bridge(i));
+    }
+
     [[nodiscard]] float profile(float at) const noexcept {
         const float whole = part_.length[size() - 1];
         return std::min({narrowed(at, span_.taper_begin), narrowed(whole - at, span_.taper_end),
@@ -151,7 +200,7 @@ private:
     HatchStrokePart& part_;
     const HatchSpan& span_;
     std::span<Dot> dots_;
-    float shortest_;
+    float shortest_, halo_;
     std::int64_t first_ = 0, last_ = 0, from_ = 0;
     float begin_ = 0.0F, end_ = 0.0F, begin_taper_ = 0.0F, end_taper_ = 0.0F, start_ = 0.0F, fade_ = 1.0F;
 };
@@ -164,7 +213,8 @@ void for_each_mark(const Range& range, const F& f) {
         if (std::exchange(last, element.id) != element.id) f(element);
 }
 
-void make_strokes(const LayerStyle& style, const HatchPart& from, std::span<Dot> dots, HatchStrokePart& part) {
+void make_strokes(const LayerStyle& style, float halo, const HatchPart& from, std::span<Dot> dots,
+                  HatchStrokePart& part) {
     part.made.strokes.clear();
     part.made.points.clear();
     part.seen = part.shown = part.hidden = 0;
@@ -173,7 +223,7 @@ void make_strokes(const LayerStyle& style, const HatchPart& from, std::span<Dot>
             dots.subspan(static_cast<std::size_t>(span.first), static_cast<std::size_t>(span.count));
         for_each_mark(own, [&](const Dot& dot) { part.hidden += dot.opacity > 0.0F ? 0 : 1; });
         for (const Dot& dot : own) part.seen += dot.opacity > 0.0F ? 1 : 0;
-        HatchPieces(part, span, own, style.hatch_shortest)();
+        HatchPieces(part, span, own, style.hatch_shortest, halo)();
     }
     for (Dot& dot : dots) dot.opacity = 0.0F;
     for_each_mark(part.made.points, [&](const StrokePoint&) { ++part.shown; });
@@ -200,7 +250,8 @@ const LineStrokes& HatchStrokes::run(const Scene& scene, const HatchPoints& poin
         const HatchPoints::Batch& batch = batches[static_cast<std::size_t>(i)];
         const std::span<Dot> dots(drawing.dots.data() + batch.first_dot,
                                   static_cast<std::size_t>(batch.part.points.size()));
-        make_strokes(*scene.runs[batch.run].style, batch.part, dots, parts_[i]);
+        const Run& own = scene.runs[batch.run];
+        make_strokes(*own.style, scene.item_of(own).style.halo_width, batch.part, dots, parts_[i]);
     });
     for (std::int64_t i = 0; i < count; ++i) {
         const HatchStrokePart& part = parts_[i];
