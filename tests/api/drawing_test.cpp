@@ -81,6 +81,42 @@ TEST(DrawingMemory, IsRecycledWhenNobodyHoldsIt) {
     EXPECT_EQ(allocator.calls, before) << "released before the next but one";
 }
 
+TEST(DrawingMemory, IsRecycledWithHatching) {
+    Allocator allocator;
+    const Context context = make_context(allocator_desc(allocator));
+    Sphere sphere;
+    hrbfnpr::test::Generation desc;
+    std::int64_t count = 0;
+    const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(HRBFNPR_PRESET_ETCHING, &count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        desc.layer.push_back(layers[i]);
+        desc.layer.back().budget = layers[i].kind == HRBFNPR_LAYER_KIND_HATCH ? 0 : 2000;
+        if (layers[i].kind == HRBFNPR_LAYER_KIND_HATCH) desc.layer.back().separation = 0.1;
+    }
+    const PointSet set = generate(context, custom_sphere(context, sphere), desc);
+    auto style = made(hrbfnpr_style_init);
+    Error error;
+    ASSERT_OK(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_ETCHING, error));
+    const Renderer renderer = make_renderer(context);
+    auto item = item_of(set);
+    item.style = &style;
+    const auto orbit = [&] {
+        std::int64_t strokes = 0;
+        for (const double shift : {0.0, 0.1, 0.2, 0.3}) {
+            item.transform[12] = shift;
+            const Drawing drawing = draw_item(renderer, item, front_camera(128));
+            rasterize(drawing, 128);
+            strokes += info_of(drawing).strokes;
+        }
+        return strokes;
+    };
+    EXPECT_GT(orbit(), 100);
+    orbit();
+    const std::int64_t before = allocator.calls;
+    for (int loop = 0; loop < 4; ++loop) orbit();
+    EXPECT_EQ(allocator.calls, before);
+}
+
 TEST(DrawingMemory, IsLeftAloneWhileItIsHeld) {
     const Context context = make_context(1);
     Sphere sphere;
