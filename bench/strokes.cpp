@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Lines of hatching: how evenly they lie, where they end and turn, beside strokes of the same length.
-// --models=DIR: points to fit as well; --named=TEXT: only models that have it in their names.
+// --models=DIR: points to fit as well; --named=TEXT: only models that have it in their names.  --head=FILE: a PLY of
+// points with normals to time frames of, else a generated surface.
 #include "calls.h"
+#include "hatch_frame.h"
 #include "line_models.h"
 #include "line_views.h"
 #include "stroke_spacing.h"
@@ -93,6 +95,17 @@ Found measure(hrbfnpr_context* context, const hrbfnpr_model* model, std::uint32_
     return found;
 }
 
+// Of two threads, so that machines can be compared.
+void time_frames(const std::string& head) {
+    const scenes::Context context = bench::make_context(2);
+    const bench::Samples samples = head.empty() ? bench::bumpy(4096) : bench::read_ply(head);
+    const scenes::Model model = bench::fit(context.get(), samples.points, samples.normals);
+    const bench::HatchFrame frame = bench::HatchFrames(context.get(), model.get()).measure(40);
+    bench::report("strokes.frame_ms", frame.hatching);
+    bench::report("strokes.full_frame_ms", frame.marks);
+    bench::report("strokes.frame_ratio", frame.ratio);
+}
+
 void print(const std::string& name, const char* kind, const Found& f) {
     std::printf("%-24s %-8s %8.3f %10.3f %8.2f%% %12.2f %12.2f %8.2f\n", name.c_str(), kind, f.mean, f.variation,
                 100.0 * f.alone, f.ends, f.kinks, f.seconds);
@@ -136,6 +149,7 @@ int main(int argc, char** argv) {
         bench::report("strokes.ends_per_1000", bench::quantile(ends, 0.5));
         bench::report("strokes.principal_ends_per_1000", bench::quantile(ends_before, 0.5));
         bench::report("strokes.kinks_per_1000", bench::quantile(kinks, 0.5));
+        time_frames(bench::option(argc, argv, "--head="));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_strokes: %s\n", error.what());
         return 1;

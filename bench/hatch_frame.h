@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A frame of hatching beside one of stipples and strokes of about as many marks, on an orbit.
+#pragma once
+
+#include "line_calls.h"
+#include "painter.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+namespace bench {
+
+// Both in milliseconds.
+struct HatchFrame {
+    double hatching = 0.0, marks = 0.0, ratio = 0.0;
+};
+
+class HatchFrames {
+public:
+    HatchFrames(hrbfnpr_context* context, const hrbfnpr_model* model)
+        : stipples_(stippled(context, model)), lines_(hatched(context, model)), orbit_(stipples_.get(), width, height),
+          before_(context, stipples_.get(), Style(HRBFNPR_PRESET_FULL), width, height),
+          after_(context, lines_.get(), Style(HRBFNPR_PRESET_ETCHING), width, height) {}
+
+    // Frames in turn, no angle twice; the first ones do not count.
+    [[nodiscard]] HatchFrame measure(int frames) {
+        constexpr int warm = 4;
+        std::vector<double> hatching, marks, ratios;
+        for (int frame = -warm; frame < frames; ++frame) {
+            const hrbfnpr_camera camera = orbit_.at(step * (frame + warm));
+            const double old = 1e3 * seconds([&] { before_.draw(camera); });
+            const double now = 1e3 * seconds([&] { after_.draw(camera); });
+            if (frame < 0) continue;
+            marks.push_back(old);
+            hatching.push_back(now);
+            ratios.push_back(now / old);
+        }
+        print("full", before_, stipples_.get());
+        print("etching", after_, lines_.get());
+        return {median(hatching), median(marks), median(ratios)};
+    }
+
+private:
+    static constexpr int width = 1280, height = 720;
+    static constexpr std::int64_t most_marks = 700'000;
+    static constexpr double step = 0.5;    // degrees from one frame to the next
+    static constexpr double lines = 300.0; // of each layer in the root of the area
+
+    static scenes::PointSet stippled(hrbfnpr_context* context, const hrbfnpr_model* model) {
+        Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, most_marks / 2);
+        desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, most_marks / 2);
+        return generate(context, model, desc);
+    }
+    // Stipples tell where the surface is.
+    static scenes::PointSet hatched(hrbfnpr_context* context, const hrbfnpr_model* model) {
+        constexpr std::int64_t few = 2000;
+        const scenes::PointSet probe = generate(context, model, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, few));
+        const double area = few * std::pow(info_of(probe.get()).spacing, 2.0);
+        std::int64_t count = 0;
+        const hrbfnpr_layer_desc* layers = hrbfnpr_preset_layers(HRBFNPR_PRESET_ETCHING, &count);
+        Generation desc;
+        for (std::int64_t i = 0; i < count; ++i) {
+            desc.layer.push_back(layers[i]);
+            const bool hatching = layers[i].kind == HRBFNPR_LAYER_KIND_HATCH;
+            desc.layer.back().budget = hatching ? 0 : most_marks / 7;
+            if (hatching) desc.layer.back().separation = std::sqrt(area) / lines;
+        }
+        return generate(context, model, desc);
+    }
+
+    static void print(const char* name, Painter& painter, const hrbfnpr_point_set* set) {
+        const hrbfnpr_drawing_info info = painter.info();
+        std::printf("%-8s %7lld marks: gather %.2f, bins and strokes %.2f, depth layers %.2f, image %.2f ms\n", name,
+                    static_cast<long long>(info.marks), 1e-6 * static_cast<double>(info.nanoseconds_classify),
+                    1e-6 * static_cast<double>(info.nanoseconds_sort),
+                    1e-6 * static_cast<double>(info.nanoseconds_visibility), painter.image_ms());
+        for (std::int64_t i = 0; i < info_of(set).layers; ++i)
+            std::printf("    layer %lld: kind %u, %lld marks\n", static_cast<long long>(i), layer_info(set, i).kind,
+                        static_cast<long long>(layer_info(set, i).marks));
+    }
+
+    scenes::PointSet stipples_, lines_;
+    Orbit orbit_;
+    Painter before_, after_;
+};
+
+} // namespace bench
