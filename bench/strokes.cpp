@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Lines of hatching: how evenly they lie, where they end and turn, beside strokes of the same length.
-// --models=DIR: points to fit as well; --named=TEXT: only models that have it in their names.  --head=FILE: a PLY of
-// points with normals to time frames of, else a generated surface.
+// --models=DIR: points to fit as well; --named=TEXT: only models that have it in their names; --only=PART,...: of
+// surface, tone, screen, ends, sizes, pops, frame; --head=FILE: a PLY of points with normals to time frames of, else a
+// generated surface.
 #include "calls.h"
-#include "hatch_frame.h"
+#include "hatch_frame_time.h"
+#include "hatch_frames.h"
+#include "hatch_tone.h"
+#include "hatch_ways.h"
 #include "line_models.h"
 #include "line_views.h"
 #include "stroke_spacing.h"
@@ -96,60 +100,195 @@ Found measure(hrbfnpr_context* context, const hrbfnpr_model* model, std::uint32_
 }
 
 // Of two threads, so that machines can be compared.
-void time_frames(const std::string& head) {
-    const scenes::Context context = bench::make_context(2);
-    const bench::Samples samples = head.empty() ? bench::bumpy(4096) : bench::read_ply(head);
-    const scenes::Model model = bench::fit(context.get(), samples.points, samples.normals);
-    const bench::HatchFrame frame = bench::HatchFrames(context.get(), model.get()).measure(40);
-    bench::report("strokes.frame_ms", frame.hatching);
-    bench::report("strokes.full_frame_ms", frame.marks);
-    bench::report("strokes.frame_ratio", frame.ratio);
-}
-
 void print(const std::string& name, const char* kind, const Found& f) {
     std::printf("%-24s %-8s %8.3f %10.3f %8.2f%% %12.2f %12.2f %8.2f\n", name.c_str(), kind, f.mean, f.variation,
                 100.0 * f.alone, f.ends, f.kinks, f.seconds);
     std::fflush(stdout);
 }
 
+struct Results {
+    std::vector<std::pair<std::string, double>> pairs;
+
+    void add(const char* name, double value) { pairs.emplace_back(std::string("strokes.") + name, value); }
+};
+
+struct Settings {
+    std::string models, named, only;
+
+    // No part's name is within another's.
+    [[nodiscard]] bool wants(const char* part) const { return only.empty() || only.find(part) != std::string::npos; }
+};
+
+[[nodiscard]] std::vector<bench::Source> chosen_sources(const Settings& settings) {
+    std::vector<bench::Source> sources = bench::generated_sources();
+    if (!settings.models.empty())
+        for (bench::Source& source : bench::sources_of(settings.models)) sources.push_back(std::move(source));
+    std::erase_if(sources, [&](const bench::Source& source) {
+        return !settings.named.empty() && source.name.find(settings.named) == std::string::npos;
+    });
+    if (sources.empty()) throw std::runtime_error("no model has that in its name");
+    return sources;
+}
+
+// ---- On the surface ------------------------------------------------------------------------
+
+void run_surface(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    std::printf("%-24s %-8s %8s %10s %9s %12s %12s %8s\n", "model", "lines", "spacing", "variation", "alone",
+                "ends / 1000", "kinks / 1000", "s");
+    std::vector<double> variation, ends, before, ends_before, kinks;
+    for (const bench::Source& source : chosen_sources(settings)) {
+        const scenes::Model model = bench::fit_centres(context, source.samples(), source.centres);
+        const hrbfnpr_model_info info = bench::info_of(model.get());
+        double squared = 0.0;
+        for (int c = 0; c < 3; ++c) squared += std::pow(info.bounds_max[c] - info.bounds_min[c], 2.0);
+        const double separation = 0.006 * std::sqrt(squared);
+        const Found hatch = measure(context, model.get(), HRBFNPR_LAYER_KIND_HATCH, separation);
+        print(source.name, "hatch", hatch);
+        const Found strokes = measure(context, model.get(), HRBFNPR_LAYER_KIND_PRINCIPAL, separation);
+        print(source.name, "strokes", strokes);
+        variation.push_back(hatch.variation);
+        before.push_back(strokes.variation);
+        ends.push_back(hatch.ends);
+        ends_before.push_back(strokes.ends);
+        kinks.push_back(hatch.kinks);
+    }
+    results.add("spacing_variation", bench::quantile(variation, 0.5));
+    results.add("spacing_variation_max", *std::max_element(variation.begin(), variation.end()));
+    results.add("principal_variation", bench::quantile(before, 0.5));
+    results.add("ends_per_1000", bench::quantile(ends, 0.5));
+    results.add("principal_ends_per_1000", bench::quantile(ends_before, 0.5));
+    results.add("kinks_per_1000", bench::quantile(kinks, 0.5));
+}
+
+// ---- In the picture ------------------------------------------------------------------------
+
+[[nodiscard]] scenes::Model fitted(hrbfnpr_context* context, const bench::Source& source) {
+    return bench::fit_centres(context, source.samples(), source.centres);
+}
+
+void run_tone(hrbfnpr_context* context, Results& results) {
+    const bench::ToneFigures worst = bench::hatch_tones(context);
+    results.add("tone_psnr_db", worst.psnr);
+    results.add("tone_bias", std::abs(worst.bias));
+}
+
+void run_screen(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    std::printf("\nlines of an even tone, across them, from three sides\n%-24s %10s %10s %10s %10s\n", "model",
+                "spacing px", "in parts", "whole", "alone");
+    std::vector<double> variation, whole;
+    for (const bench::Source& source : chosen_sources(settings)) {
+        const scenes::Model model = fitted(context, source);
+        const scenes::PointSet set = bench::hatch_set(context, model.get(), HRBFNPR_PRESET_ENGRAVING);
+        const bench::MarkTable marks(set.get());
+        for (const glm::dvec3& direction : bench::frame_directions()) {
+            const bench::ScreenSpacing found = bench::screen_spacing(context, model.get(), direction, set.get(), marks);
+            const bench::Spread spread = bench::spread_of(found.gaps);
+            std::printf("%-24s %10.2f %10.3f %10.3f %9.2f%%\n", source.name.c_str(), spread.mean,
+                        found.variation_of_parts(), spread.variation, 100.0 * found.alone_share());
+            std::fflush(stdout);
+            variation.push_back(found.variation_of_parts());
+            whole.push_back(spread.variation);
+        }
+    }
+    results.add("screen_variation", bench::quantile(variation, 0.5));
+    results.add("screen_variation_max", *std::max_element(variation.begin(), variation.end()));
+    results.add("screen_variation_whole", bench::quantile(whole, 0.5));
+}
+
+void print_ends(const std::string& name, const char* kind, const bench::StrokeEnds& e) {
+    std::printf("%-24s %-10s %12.0f %12.2f %12.2f\n", name.c_str(), kind, e.length, e.ends_per_1000(),
+                e.shorts_per_1000());
+    std::fflush(stdout);
+}
+
+void run_ends(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    std::printf("\nstrokes of pictures from three sides\n%-24s %-10s %12s %12s %12s\n", "model", "strokes", "length px",
+                "ends / 1000", "short / 1000");
+    std::vector<double> ends, shorts, ends_before, shorts_before;
+    for (const bench::Source& source : chosen_sources(settings)) {
+        const scenes::Model model = fitted(context, source);
+        for (const std::uint32_t preset : {HRBFNPR_PRESET_ENGRAVING, HRBFNPR_PRESET_ETCHING}) {
+            const bench::StrokeEnds found = bench::ends_of_hatching(context, model.get(), preset);
+            print_ends(source.name, hrbfnpr_preset_name(preset), found);
+            ends.push_back(found.ends_per_1000());
+            shorts.push_back(found.shorts_per_1000());
+        }
+        const bench::StrokeEnds found = bench::ends_of_principal(context, model.get());
+        print_ends(source.name, "principal", found);
+        ends_before.push_back(found.ends_per_1000());
+        shorts_before.push_back(found.shorts_per_1000());
+    }
+    results.add("ends_per_1000_px", bench::quantile(ends, 0.5));
+    results.add("principal_ends_per_1000_px", bench::quantile(ends_before, 0.5));
+    results.add("short_intervals", bench::quantile(shorts, 0.5));
+    results.add("principal_short_intervals", bench::quantile(shorts_before, 0.5));
+}
+
+void run_sizes(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    std::printf("\nthe share of a picture's strokes that one of another size has\n");
+    bench::SameAtSizes worst;
+    for (const bench::Source& source : chosen_sources(settings)) {
+        const scenes::Model model = fitted(context, source);
+        std::printf("%s\n", source.name.c_str());
+        const bench::SameAtSizes same = bench::same_at_sizes(context, model.get(), HRBFNPR_PRESET_ETCHING);
+        worst.kept = std::min(worst.kept, same.kept);
+        worst.added = std::min(worst.added, same.added);
+    }
+    results.add("same_at_sizes", worst.kept);
+    results.add("same_at_sizes_back", worst.added);
+}
+
+void run_pops(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    constexpr bench::Way around{90, 0.5, 1.0};
+    constexpr bench::Way closer{40, 0.0, 1.05};
+    std::printf("\nchanges from frame to frame\n%-24s %-10s %10s %8s %10s %10s %10s\n", "model", "way", "shown", "pops",
+                "rate", "removals", "rate");
+    bench::WidthChanges orbit, zoom;
+    for (const bench::Source& source : chosen_sources(settings)) {
+        const scenes::Model model = fitted(context, source);
+        const scenes::PointSet set = bench::hatch_set(context, model.get(), HRBFNPR_PRESET_ETCHING);
+        for (const auto& [name, way, all] :
+             {std::tuple("orbit", &around, &orbit), std::tuple("zoom in", &closer, &zoom)}) {
+            const bench::WidthChanges c = bench::follow_hatching(context, set.get(), HRBFNPR_PRESET_ETCHING, *way);
+            std::printf("%-24s %-10s %10.0f %8.0f %10.6f %10.0f %10.6f\n", source.name.c_str(), name,
+                        c.shown / (c.frames - 1.0), c.pops, c.pop_rate(), c.removals, c.removal_rate());
+            std::fflush(stdout);
+            all->shown += c.shown;
+            all->pops += c.pops;
+            all->removals += c.removals;
+        }
+    }
+    results.add("pop_rate", orbit.pop_rate());
+    results.add("zoom_removals", zoom.removal_rate());
+}
+
+void time_frames(const std::string& head, Results& results) {
+    const scenes::Context context = bench::make_context(2);
+    const bench::Samples samples = head.empty() ? bench::bumpy(4096) : bench::read_ply(head);
+    const scenes::Model model = bench::fit(context.get(), samples.points, samples.normals);
+    const bench::HatchFrame frame = bench::HatchFrames(context.get(), model.get()).measure(40);
+    results.add("frame_ms", frame.hatching);
+    results.add("dotted_frame_ms", frame.marks);
+    results.add("frame_ratio", frame.ratio);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     try {
-        const std::string models = bench::option(argc, argv, "--models=");
-        const std::string named = bench::option(argc, argv, "--named=");
+        const Settings settings{bench::option(argc, argv, "--models="), bench::option(argc, argv, "--named="),
+                                bench::option(argc, argv, "--only=")};
         const scenes::Context context = bench::make_context();
-        std::vector<bench::Source> sources = bench::generated_sources();
-        if (!models.empty())
-            for (bench::Source& source : bench::sources_of(models)) sources.push_back(std::move(source));
-        std::printf("%-24s %-8s %8s %10s %9s %12s %12s %8s\n", "model", "lines", "spacing", "variation", "alone",
-                    "ends / 1000", "kinks / 1000", "s");
-        std::vector<double> variation, ends, before, ends_before, kinks;
-        for (const bench::Source& source : sources) {
-            if (!named.empty() && source.name.find(named) == std::string::npos) continue;
-            const scenes::Model model = bench::fit_centres(context.get(), source.samples(), source.centres);
-            const hrbfnpr_model_info info = bench::info_of(model.get());
-            double squared = 0.0;
-            for (int c = 0; c < 3; ++c) squared += std::pow(info.bounds_max[c] - info.bounds_min[c], 2.0);
-            const double separation = 0.006 * std::sqrt(squared);
-            const Found hatch = measure(context.get(), model.get(), HRBFNPR_LAYER_KIND_HATCH, separation);
-            print(source.name, "hatch", hatch);
-            const Found strokes = measure(context.get(), model.get(), HRBFNPR_LAYER_KIND_PRINCIPAL, separation);
-            print(source.name, "strokes", strokes);
-            variation.push_back(hatch.variation);
-            before.push_back(strokes.variation);
-            ends.push_back(hatch.ends);
-            ends_before.push_back(strokes.ends);
-            kinks.push_back(hatch.kinks);
-        }
-        if (variation.empty()) throw std::runtime_error("no model has that in its name");
-        bench::report("strokes.spacing_variation", bench::quantile(variation, 0.5));
-        bench::report("strokes.spacing_variation_max", *std::max_element(variation.begin(), variation.end()));
-        bench::report("strokes.principal_variation", bench::quantile(before, 0.5));
-        bench::report("strokes.ends_per_1000", bench::quantile(ends, 0.5));
-        bench::report("strokes.principal_ends_per_1000", bench::quantile(ends_before, 0.5));
-        bench::report("strokes.kinks_per_1000", bench::quantile(kinks, 0.5));
-        time_frames(bench::option(argc, argv, "--head="));
+        Results results;
+        if (settings.wants("surface")) run_surface(context.get(), settings, results);
+        if (settings.wants("tone")) run_tone(context.get(), results);
+        if (settings.wants("screen")) run_screen(context.get(), settings, results);
+        if (settings.wants("ends")) run_ends(context.get(), settings, results);
+        if (settings.wants("sizes")) run_sizes(context.get(), settings, results);
+        if (settings.wants("pops")) run_pops(context.get(), settings, results);
+        if (settings.wants("frame")) time_frames(bench::option(argc, argv, "--head="), results);
+        std::printf("\n");
+        for (const auto& [name, value] : results.pairs) bench::report(name.c_str(), value);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_strokes: %s\n", error.what());
         return 1;

@@ -21,7 +21,7 @@ class HatchFrames {
 public:
     HatchFrames(hrbfnpr_context* context, const hrbfnpr_model* model)
         : stipples_(stippled(context, model)), lines_(hatched(context, model)), orbit_(stipples_.get(), width, height),
-          before_(context, stipples_.get(), Style(HRBFNPR_PRESET_FULL), width, height),
+          before_(context, stipples_.get(), dotted(), width, height),
           after_(context, lines_.get(), Style(HRBFNPR_PRESET_ETCHING), width, height) {}
 
     // Frames in turn, no angle twice; the first ones do not count.
@@ -37,7 +37,7 @@ public:
             hatching.push_back(now);
             ratios.push_back(now / old);
         }
-        print("full", before_, stipples_.get());
+        print("dots", before_, stipples_.get());
         print("etching", after_, lines_.get());
         return {median(hatching), median(marks), median(ratios)};
     }
@@ -48,6 +48,16 @@ private:
     static constexpr double step = 0.5;    // degrees from one frame to the next
     static constexpr double lines = 300.0; // of each layer in the root of the area
 
+    // All marks as dots of the same pen, strokes in the darks.
+    static Style dotted() {
+        Style style(HRBFNPR_PRESET_FULL);
+        for (hrbfnpr_layer_style& layer : style.layer) {
+            if (layer.kind != HRBFNPR_LAYER_KIND_STIPPLES && layer.kind != HRBFNPR_LAYER_KIND_PRINCIPAL) continue;
+            layer.radius = 1.0F;
+            layer.share = layer.kind == HRBFNPR_LAYER_KIND_STIPPLES ? 1.0F : 0.6F;
+        }
+        return style;
+    }
     static scenes::PointSet stippled(hrbfnpr_context* context, const hrbfnpr_model* model) {
         Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, most_marks / 2);
         desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, most_marks / 2);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Hatching as the command line draws it: the same lines for all sizes, and lengths in pixels that grow with the
+// picture.
+#pragma once
+
+#include "line_calls.h"
+#include "stroke_painter.h"
+#include "width_changes.h"
+
+#include <algorithm>
+
+namespace bench {
+
+// The layers of a named style: lines of hatching as the command line lays them, 300 in the root of the area, the first
+// so many sets of them; and some stipples to tell where the surface is.
+[[nodiscard]] inline scenes::PointSet hatch_set(hrbfnpr_context* context, const hrbfnpr_model* model,
+                                                std::uint32_t preset, int sets = 3) {
+    constexpr std::int64_t few = 2000;
+    const hrbfnpr_point_set_info probe =
+        info_of(generate(context, model, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, few)).get());
+    const double separation = probe.spacing * std::sqrt(static_cast<double>(probe.marks)) / 300.0;
+    Generation desc;
+    std::int64_t count = 0;
+    const hrbfnpr_layer_desc* layers = hrbfnpr_preset_layers(preset, &count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        const bool lines = layers[i].kind == HRBFNPR_LAYER_KIND_HATCH;
+        if (lines && sets-- <= 0) continue;
+        desc.layer.push_back(layers[i]);
+        desc.layer.back().separation = lines ? separation : 0.0;
+        desc.layer.back().budget = lines ? 0 : 40'000;
+    }
+    return generate(context, model, desc);
+}
+
+// For a picture of so many pixels, without contours: a named style, and hidden lines left out.
+[[nodiscard]] inline Style hatch_style(std::uint32_t preset, double size) {
+    Style style(preset);
+    const auto pen = static_cast<float>(std::max(1.0, size / 800.0));
+    for (hrbfnpr_layer_style& layer : style.layer) {
+        for (float* const pixels : {&layer.radius, &layer.hatch_spacing, &layer.hatch_pen, &layer.hatch_white,
+                                    &layer.hatch_taper, &layer.hatch_shortest})
+            *pixels *= pen;
+        layer.contours = 0;
+    }
+    style.halo_width = 0.0F;
+    return style;
+}
+
+// Of as many pixels each way, which the box fills.
+[[nodiscard]] inline hrbfnpr_camera square_camera(const double* low, const double* high, const glm::dvec3& direction,
+                                                  double size) {
+    scenes::Check check;
+    auto camera = scenes::made(hrbfnpr_camera_init);
+    const glm::dvec3 up = std::abs(direction.y) > 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    check(hrbfnpr_camera_fit_bounds(&camera, low, high, glm::value_ptr(direction), glm::value_ptr(up), 0.5, size, size,
+                                    0.02, check.error()));
+    return camera;
+}
+
+// What is known of all marks of a set, by their number.
+struct MarkTable {
+    explicit MarkTable(const hrbfnpr_point_set* set) {
+        const hrbfnpr_point_set_info info = info_of(set);
+        std::uint32_t line = 0;
+        for (std::int64_t layer = 0; layer < info.layers; ++layer) {
+            std::int64_t count = 0;
+            const float* p = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+            const float* n = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_NORMAL, count);
+            const std::uint32_t* stroke = attribute<std::uint32_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_STROKE, count);
+            for (std::int64_t i = 0; i < count; ++i) {
+                position.push_back(glm::make_vec3(info.origin) + glm::dvec3(glm::make_vec3(p + 3 * i)));
+                normal.emplace_back(glm::make_vec3(n + 3 * i));
+                const bool goes_on = i > 0 && stroke[2 * i] == stroke[2 * i - 2];
+                const auto number = static_cast<std::uint32_t>(place.size());
+                place.push_back(goes_on ? place.back() : MarkPlace{++line, number, 0});
+            }
+        }
+        std::vector<std::uint32_t> counts(line + 1, 0);
+        for (const MarkPlace& mark : place) ++counts[mark.line];
+        for (MarkPlace& mark : place) mark.count = counts[mark.line];
+    }
+
+    std::vector<glm::dvec3> position, normal;
+    std::vector<MarkPlace> place;
+};
+
+} // namespace bench

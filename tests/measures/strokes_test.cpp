@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "same_strokes.h"
+#include "stroke_ends.h"
+#include "stroke_gaps.h"
+#include "tone_windows.h"
+#include "width_changes.h"
+
+#include <gtest/gtest.h>
+
+namespace bench {
+namespace {
+
+// Along x, of marks from this id on.
+DrawnStroke line(float y, float from, float to, float radius = 0.5F, std::uint32_t id = 1) {
+    DrawnStroke stroke;
+    for (float x = from; x <= to; x += 2.0F) stroke.push_back({x, y, 0.0F, radius, id++});
+    return stroke;
+}
+
+TEST(StrokeMeasures, EndsAtTheBorderAreNone) {
+    StrokeEnds ends;
+    add_ends(ends, line(50.0F, 0.0F, 100.0F), 100.0, 100.0);
+    EXPECT_EQ(ends.ends, 0.0);
+    add_ends(ends, line(60.0F, 20.0F, 70.0F), 100.0, 100.0);
+    EXPECT_EQ(ends.ends, 2.0);
+    EXPECT_EQ(ends.shorts, 0.0);
+    EXPECT_NEAR(ends.length, 150.0, 1e-6);
+    add_ends(ends, line(70.0F, 20.0F, 26.0F), 100.0, 100.0);
+    EXPECT_EQ(ends.shorts, 1.0);
+    DrawnStroke closed = line(80.0F, 20.0F, 70.0F);
+    closed.push_back(closed.front());
+    add_ends(ends, closed, 100.0, 100.0);
+    EXPECT_EQ(ends.ends, 4.0);
+}
+
+TEST(StrokeMeasures, GapsAreMeasuredAcrossLines) {
+    std::vector<DrawnStroke> strokes{line(10.0F, 0.0F, 100.0F), line(13.0F, 0.0F, 100.0F), line(18.0F, 0.0F, 100.0F)};
+    strokes.push_back({{50.0F, 0.0F, 0.0F, 0.5F, 9}, {50.0F, 40.0F, 0.0F, 0.5F, 9}}); // crosses them
+    std::vector<double> gaps;
+    int alone = 0;
+    for_each_gap(strokes, {}, [&](const StrokePoint&, const std::optional<Gap>& gap) {
+        if (gap)
+            gaps.push_back(gap->size);
+        else
+            ++alone;
+    });
+    EXPECT_GT(alone, 0);
+    ASSERT_EQ(gaps.size(), 80U);
+    for (const double gap : gaps) EXPECT_TRUE(std::abs(gap - 3.0) < 1e-5 || std::abs(gap - 5.0) < 1e-5) << gap;
+    EXPECT_NEAR(spread_of(gaps).mean, 4.0, 1e-5);
+    EXPECT_NEAR(spread_of(gaps).variation, 0.25, 1e-5);
+}
+
+TEST(StrokeMeasures, LengthIsSharedWithTheSameLineAlone) {
+    const std::vector<DrawnStroke> one{line(10.0F, 0.0F, 100.0F)};
+    const auto by_hundred = [](std::uint32_t id) { return id / 100; };
+    const std::vector<DrawnStroke> half{line(20.6F, 0.0F, 100.0F)}; // twice as large
+    EXPECT_NEAR(shared_length(one, half, 0.5, 0.5, by_hundred).share(), 0.5, 0.02);
+    EXPECT_EQ(shared_length(one, half, 0.5, 0.2, by_hundred).share(), 0.0);
+    EXPECT_EQ(shared_length(one, {line(10.0F, 0.0F, 100.0F, 0.5F, 100)}, 1.0, 0.5, by_hundred).share(), 0.0);
+}
+
+TEST(StrokeMeasures, InkThatComesAtOnceIsAPop) {
+    const auto frames_of = [](const std::vector<float>& widths) {
+        std::vector<std::vector<MarkInk>> frames;
+        for (const float width : widths) frames.push_back({{width, true}});
+        return frames;
+    };
+    EXPECT_EQ(width_changes(frames_of({0.0F, 0.4F, 0.8F, 1.0F})).pops, 0.0);
+    EXPECT_EQ(width_changes(frames_of({0.0F, 0.6F, 1.0F})).pops, 1.0);
+    EXPECT_EQ(width_changes(frames_of({0.0F, 0.6F, 1.0F})).removals, 0.0);
+    EXPECT_EQ(width_changes(frames_of({1.0F, 0.4F, 0.0F})).removals, 1.0);
+    auto hidden = frames_of({0.0F, 1.0F});
+    hidden[1][0].counts = false;
+    EXPECT_EQ(width_changes(hidden).shown, 0.0);
+}
+
+TEST(StrokeMeasures, AStrokePutsInkOnAllMarksThatItPasses) {
+    std::vector<MarkPlace> places(10, MarkPlace{1, 0, 10});
+    std::vector<MarkInk> inks(10);
+    add_widths({{0.0F, 0.0F, 0.0F, 0.5F, 3}, {8.0F, 0.0F, 0.0F, 1.5F, 7}}, places, inks);
+    EXPECT_EQ(inks[1].width, 0.0F);
+    EXPECT_EQ(inks[2].width, 1.0F);
+    EXPECT_EQ(inks[4].width, 2.0F);
+    EXPECT_EQ(inks[6].width, 3.0F);
+    EXPECT_EQ(inks[7].width, 0.0F);
+    add_widths({{0.0F, 0.0F, 0.0F, 1.0F, 9}, {8.0F, 0.0F, 0.0F, 1.0F, 2}}, places, inks); // a closed line's beginning
+    EXPECT_EQ(inks[9].width, 2.0F);
+    EXPECT_EQ(inks[0].width, 2.0F);
+    EXPECT_EQ(inks[5].width, 2.5F);
+}
+
+TEST(StrokeMeasures, ToneIsComparedInWindows) {
+    constexpr int size = 80;
+    ToneImage asked{size, size, std::vector<float>(size * size, 0.5F), std::vector<bool>(size * size, true)};
+    ToneImage drawn = asked;
+    for (int i = 0; i < size * size; ++i) drawn.share[static_cast<std::size_t>(i)] = i / size % 4 < 2 ? 1.0F : 0.0F;
+    const ToneSums lines = compare_tones(drawn, asked, 4.0);
+    EXPECT_GT(lines.psnr(), 50.0); // lines are none of its error
+    EXPECT_NEAR(lines.bias(), 0.0, 1e-3);
+    for (float& share : drawn.share) share *= 0.9F;
+    EXPECT_NEAR(compare_tones(drawn, asked, 4.0).bias(), -0.05, 1e-3);
+    EXPECT_NEAR(compare_tones(drawn, asked, 4.0).psnr(), 26.0, 0.2);
+    asked.counts[size * size / 2 + size / 2] = false;
+    EXPECT_EQ(compare_tones(drawn, asked, 14.0).number, 0.0);
+}
+
+} // namespace
+} // namespace bench
