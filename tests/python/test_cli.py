@@ -339,7 +339,7 @@ def test_bad_command_lines(files, marks, tmp_path, monkeypatch, capsys, argument
 
 
 def test_help_and_version(capsys):
-    for command in ([], ["draw"], ["fit"], ["points"], ["info"]):
+    for command in ([], ["draw"], ["sheet"], ["fit"], ["points"], ["info"]):
         assert main([*command, "--help"]) == 0
         assert "usage: hrbfnpr" in capsys.readouterr().out
     assert main(["--version"]) == 0

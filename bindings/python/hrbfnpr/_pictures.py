@@ -19,17 +19,21 @@ def to_pil(image: Array) -> Any:
     return Image.frombytes("RGBA", (width, height), bytes(image))
 
 
-def save(picture: Any, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str]) -> None:
-    """Write a PIL.Image to a path (atomically) or a binary file object."""
+def format_of(target: Union[str, "os.PathLike[str]", BinaryIO]) -> str:
+    """Pillow's name of the format that a file's ending stands for; PNG without an ending."""
     from PIL import Image
 
+    ending = os.path.splitext(os.fspath(target))[1].lower() if isinstance(target, (str, os.PathLike)) else ""
+    format = Image.registered_extensions().get(ending, "PNG" if not ending else None)
     if format is None:
-        ending = ""
-        if isinstance(target, (str, os.PathLike)):
-            ending = os.path.splitext(os.fspath(target))[1].lower()
-        format = Image.registered_extensions().get(ending, "PNG" if not ending else None)
-        if format is None:
-            raise ValueError(f"no picture format is known for the ending {ending!r}; use .png")
+        raise ValueError(f"no picture format is known for the ending {ending!r}; use .png")
+    return str(format)
+
+
+def save(picture: Any, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str]) -> None:
+    """Write a PIL.Image to a path (atomically) or a binary file object."""
+    if format is None:
+        format = format_of(target)
     if format == "JPEG":
         picture = picture.convert("RGB")
     if isinstance(target, (str, os.PathLike)):

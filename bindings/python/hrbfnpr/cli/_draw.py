@@ -6,14 +6,16 @@ import math
 import time
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, List, Sequence, Tuple, Union
+from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from .. import shapes
 from .._camera import Camera, corners
 from .._context import Context
+from .._drawing import Drawing
 from .._layer import Layer, preset_layers
+from .._line_set import Lines, LineSet
 from .._model import Model
 from .._names import MADE_KINDS
 from .._pictures import save as save_picture
@@ -90,7 +92,7 @@ def make_camera(arguments: Any, source: Union[Model, PointSet], points: Any) -> 
     """The camera asked for; without --eye one that sees all of the points."""
     up = arguments.up or (0.0, 1.0, 0.0)
     # Finds are drawn as they are measured.
-    fov = 0.0 if _is_plate(arguments) else 30.0
+    fov = 0.0 if _is_find(arguments) else 30.0
     angle = math.radians(fov if arguments.fov is None else arguments.fov)
     size = arguments.size or _automatic.LONG_SIDE
     if arguments.eye is not None:
@@ -115,7 +117,7 @@ def _camera_at(arguments: Any, source: Any, up: Any, angle: float, size: Tuple[i
     return camera.perspective(angle, size, max(distance - 2 * radius, distance / 1000), distance + 2 * radius)
 
 
-def _is_plate(arguments: Any) -> bool:
+def _is_find(arguments: Any) -> bool:
     return bool(arguments.style == "archaeological")
 
 
@@ -150,44 +152,81 @@ def generate(arguments: Any, model: Model, layers: Sequence[Layer], context: Con
         return PointSet.generate(model, layers, progress=bar, context=context, **options)
 
 
+def plan(
+    arguments: Any, model: Model, known: PointSet, camera: Camera, report: Reporter
+) -> Tuple[Style, List[Layer]]:
+    """The style for a camera, and the layers that it wants with what fills the darkest tone."""
+    style = make_style(arguments, camera.size)
+    low, high = model.bounds
+    pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
+    area = known.info.spacing**2 * len(known)
+    published, seeds = arguments.distribution == "published", max(model.info.centres, 1)
+    layers = make_layers(arguments, _wanted_layers(arguments))
+    layers = _automatic.marks(layers, style, area, pixels, published, seeds, report.note)
+    if arguments.tone_ranges == "in-turn":
+        layers = _automatic.in_turn(layers, style)
+    return style, layers
+
+
+def _has_section(arguments: Any) -> bool:
+    return _is_find(arguments) if arguments.profile is None else bool(arguments.profile == "yes")
+
+
+def _unit_of_bar(arguments: Any) -> str:
+    unit = arguments.scale_bar or ("units" if _is_find(arguments) else "none")
+    return "" if unit == "none" else str(unit)
+
+
+def is_plate(arguments: Any) -> bool:
+    """Whether there is more on the paper than the drawing."""
+    return _has_section(arguments) or _unit_of_bar(arguments) != ""
+
+
+def section_lines(arguments: Any, model: Model, camera: Camera) -> List[Lines]:
+    """What a section beside the drawing needs of the line set."""
+    return [_plate.section(model, camera)] if _has_section(arguments) else []
+
+
+def plate(
+    arguments: Any,
+    drawing: Drawing,
+    model: Model,
+    marks: PointSet,
+    line_set: Optional[LineSet],
+    camera: Camera,
+    style: Style,
+    context: Context,
+) -> Any:
+    """A PIL.Image: the drawing with a section beside it and a scale bar."""
+    section = line_set if _has_section(arguments) else None
+    unit = _unit_of_bar(arguments)
+    return _plate.compose(drawing.to_pil(), model, marks, section, camera, style, unit, context)
+
+
 def draw(arguments: Any, source: Union[Model, PointSet], context: Context, report: Reporter) -> None:
     """Draw a model or a point set and write the picture."""
     start = time.monotonic()
     output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + ".png")
     known = _automatic.probe(source, context) if isinstance(source, Model) else source
     camera = make_camera(arguments, source, _automatic.positions(known))
-    style = make_style(arguments, camera.size)
     if isinstance(source, Model):
+        style, layers = plan(arguments, source, known, camera, report)
         if arguments.save_model:
             source.save(arguments.save_model)
-        low, high = source.bounds
-        pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
-        area = known.info.spacing**2 * len(known)
-        published, seeds = arguments.distribution == "published", max(source.info.centres, 1)
-        wanted = _wanted_layers(arguments)
-        layers = make_layers(arguments, wanted)
-        layers = _automatic.marks(layers, style, area, pixels, published, seeds, report.note)
-        if arguments.tone_ranges == "in-turn":
-            layers = _automatic.in_turn(layers, style)
         marks = generate(arguments, source, layers, context, report)
-        beside = _is_plate(arguments) if arguments.profile is None else arguments.profile == "yes"
-        more = [_plate.section(source, camera)] if beside else []
-        line_set = _lines.make(arguments, source, style, context, report, more)
+        line_set = _lines.make(arguments, source, style, context, report, section_lines(arguments, source, camera))
     else:
+        style = make_style(arguments, camera.size)
         marks = source
-        line_set, beside = None, False
+        line_set = None
         if arguments.lines:
             report.note("lines are drawn of a model, not of saved points: contours come from marks")
     if arguments.save_points:
         marks.save(arguments.save_points)
     with report.stage("drawing"):
         drawing = Renderer(context=context).draw(Item(marks, style, line_set=line_set), camera)
-        unit = arguments.scale_bar or ("units" if _is_plate(arguments) else "none")
-        if isinstance(source, Model) and (beside or unit != "none"):
-            section = line_set if beside else None
-            unit = "" if unit == "none" else unit
-            picture = _plate.compose(drawing.to_pil(), source, marks, section, camera, style, unit, context)
-            save_picture(picture, output, None)
+        if isinstance(source, Model) and is_plate(arguments):
+            save_picture(plate(arguments, drawing, source, marks, line_set, camera, style, context), output, None)
         else:
             drawing.save(output)
     if not report.quiet:

@@ -99,16 +99,21 @@ def _line(wanted: Wanted, contour: LineStyle) -> LineStyle:
     return LineStyle(kind, name, levels, width=contour.width * share, hidden=contour.hidden, taper=taper)
 
 
+def needs_curvature(style: Style) -> bool:
+    """Whether the line set of a style must hold curvatures."""
+    return any(line.kind in ("suggestive_contour", "apparent_ridge", "isophote") for line in style.lines)
+
+
 def make(
     arguments: Any, model: Model, style: Style, context: Context, report: Reporter, more: Sequence[Lines] = ()
 ) -> Optional[LineSet]:
     """The line set that a style's lines want, with some more lines; None if it has none."""
     if style.visibility == "published" or not (style.lines or more):
         return None
-    wanted = arguments.lines if arguments.lines is not None else _of_style(arguments, style)
+    wanted = wanted_lines(arguments, style)
     once = [_once(one, model, arguments) for one in wanted if one.kind in (*_FOUND_ONCE, "section", "crease")]
     once += more
-    curved = any(line.kind in ("suggestive_contour", "apparent_ridge", "isophote") for line in style.lines)
+    curved = needs_curvature(style)
     support = _support(arguments, wanted)
     with report.stage("looking for lines") as bar:
         made = LineSet(model, once, with_curvature=curved, support=support, progress=bar, context=context)
@@ -123,8 +128,10 @@ def make(
     return made
 
 
-def _of_style(arguments: Any, style: Style) -> List[Wanted]:
-    """What a named style draws beside contours, as far as it can be had."""
+def wanted_lines(arguments: Any, style: Style) -> List[Wanted]:
+    """Those asked for, or what a named style draws beside contours, as far as it can be had."""
+    if arguments.lines is not None:
+        return list(arguments.lines)
     wanted = [Wanted(line.kind) for line in style.lines if line.kind in _FOUND_ONCE]
     if any(line.name == "crease" for line in style.lines) and _is_mesh(Path(arguments.input)):
         wanted.append(Wanted("crease"))

@@ -64,7 +64,7 @@ def _in_words(error: BaseException) -> str:
 def _run(arguments: Any) -> int:
     context = Context(arguments.threads or 0)
     report = Reporter(arguments.quiet)
-    commands = {"draw": _draw, "fit": _fit, "points": _points, "info": _info}
+    commands = {"draw": _draw, "sheet": _sheet, "fit": _fit, "points": _points, "info": _info}
     commands[arguments.command](arguments, context, report)
     return 0
 
@@ -85,6 +85,16 @@ def _draw(arguments: Any, context: Context, report: Reporter) -> None:
     from ._draw import draw
 
     draw(arguments, _load(arguments, context, report), context, report)
+
+
+def _sheet(arguments: Any, context: Context, report: Reporter) -> None:
+    from ._sheet import draw_sheet, output_of
+
+    output = output_of(arguments)
+    model = _load(arguments, context, report)
+    if not isinstance(model, Model):
+        raise UsageError(f"{arguments.input} holds a point set; a sheet is drawn of samples or of a model")
+    draw_sheet(arguments, output, model, context, report)
 
 
 def _fit(arguments: Any, context: Context, report: Reporter) -> None:

@@ -135,9 +135,17 @@ def _add_marks(parser: Parser) -> None:
     _add(group, "--curvature-of", "curvature_of", values.layers, "NAMES", "keep curvatures of these layers too")
 
 
+def _add_output(parser: Parser, ending: str) -> None:
+    parser.add_argument("output", metavar="OUTPUT", nargs="?", help=f"picture; INPUT's name with {ending} by default")
+    parser.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the same as an option")
+
+
+def _add_size(parser: Parser) -> None:
+    _add(parser, "--size", "size", values.size, "WxH", "pixels, or the longer side alone; 1600")
+
+
 def _add_camera(parser: Parser) -> None:
     group = parser.add_argument_group("camera")
-    _add(group, "--size", "size", values.size, "WxH", "pixels, or the longer side alone; 1600")
     _add(group, "--up", "up", values.direction, "AXIS", "x, y, z, -y, ... or X,Y,Z; y")
     _add(group, "--azimuth", "azimuth", values.number, "DEGREES", "of the camera about the up axis; 30")
     _add(group, "--elevation", "elevation", values.number, "DEGREES", "of the camera above the horizon; 20")
@@ -148,10 +156,23 @@ def _add_camera(parser: Parser) -> None:
     _add(group, "--margin", "margin", values.number, "SHARE", "free on each side, 0 to 0.45; 0.05")
 
 
+def _add_name(parser: Parser) -> None:
+    parser.add_argument("--style", default="contour-and-stipple", choices=PRESETS, metavar="NAME",
+                        help=_listed("named style, contour-and-stipple by default", PRESETS))  # fmt: skip
+
+
+def _add_cells(parser: Parser) -> None:
+    group = parser.add_argument_group("sheet")
+    _add(group, "--styles", "styles", values.styles, "NAMES", _listed("named styles, all by default", PRESETS))
+    _add(group, "--views", "views", values.views, "NAMES", "each style from these sides, instead of --azimuth and "
+         f"--elevation: {', '.join(values.VIEWS)}")  # fmt: skip
+    _add(group, "--size", "size", values.count(16, 4096), "PIXELS", "longer side of each drawing; 640")
+    _add(group, "--columns", "columns", values.count(1), "N", "drawings beside each other; as many as make the sheet "
+         "about square, or one for each view")  # fmt: skip
+
+
 def _add_style(parser: Parser) -> None:
     group = parser.add_argument_group("style")
-    group.add_argument("--style", default="contour-and-stipple", choices=PRESETS, metavar="NAME",
-                       help=_listed("named style, contour-and-stipple by default", PRESETS))  # fmt: skip
     _add(group, "--mark-radius", "mark_radius", values.number, "PIXELS", "of the pen, which the styles vary a little; an 800th of the picture")
     _add(group, "--ink", "ink", values.paint, "COLOUR", "of all marks: #rrggbb[aa] or R,G,B[,A] in 0 to 1")
     _add(group, "--paper", "paper", values.paint, "COLOUR", "as --ink")
@@ -209,12 +230,18 @@ def build() -> Parser:
 
     draw = commands.add_parser("draw", help="draw a picture", description="Draw a picture.")
     draw.add_argument("input", metavar="INPUT", help=f"{source} or point set")
-    draw.add_argument("output", metavar="OUTPUT", nargs="?", help="picture; INPUT's name with .png by default")
-    draw.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the same as an option")
+    _add_output(draw, ".png")
     draw.add_argument("--save-model", metavar="FILE", help="save the fitted model too")
     draw.add_argument("--save-points", metavar="FILE", help="save the marks too")
-    for add in (_add_style, _add_camera, _add_marks, _add_fit, _add_input, _add_common):
+    for add in (_add_name, _add_size, _add_style, _add_camera, _add_marks, _add_fit, _add_input, _add_common):
         add(draw)
+
+    sheet = commands.add_parser("sheet", help="draw a model in all styles, on one picture", description="Draw a model "
+                                "in all named styles on one picture: each as draw does at this size.")  # fmt: skip
+    sheet.add_argument("input", metavar="INPUT", help=source)
+    _add_output(sheet, "-sheet.png")
+    for add in (_add_cells, _add_style, _add_camera, _add_marks, _add_fit, _add_input, _add_common):
+        add(sheet)
 
     fit = commands.add_parser("fit", help="fit a model and save it", description="Fit a model and save it.")
     fit.add_argument("input", metavar="INPUT", help="PLY, XYZ, PWN, OBJ, STL or OFF")

@@ -10,10 +10,10 @@ from typing import Any, Iterator
 class Reporter:
     """Bars where stderr is a terminal and tqdm is installed; nothing if quiet."""
 
-    def __init__(self, quiet: bool) -> None:
+    def __init__(self, quiet: bool, bars: bool = True) -> None:
         self.quiet = quiet
         self._tqdm: Any = None
-        if not quiet and sys.stderr.isatty():
+        if bars and not quiet and sys.stderr.isatty():
             try:
                 from tqdm import tqdm
 
@@ -24,6 +24,10 @@ class Reporter:
     def note(self, text: str) -> None:
         if not self.quiet:
             print(f"hrbfnpr: note: {text}", file=sys.stderr)
+
+    def without_bars(self) -> "Reporter":
+        """Its notes alone, for what is part of a stage."""
+        return Reporter(self.quiet, bars=False)
 
     @contextmanager
     def stage(self, name: str) -> Iterator[Any]:

@@ -7,7 +7,7 @@ import math
 from typing import Callable, Dict, List, Optional, Tuple, Union
 
 from .._fields import color
-from .._names import LAYER_KINDS, STROKE_KINDS
+from .._names import LAYER_KINDS, PRESETS, STROKE_KINDS
 from .._style import LayerStyle, Style
 
 Vector = Tuple[float, float, float]
@@ -100,6 +100,30 @@ def layers(text: str) -> Tuple[str, ...]:
     for name in names:
         if name not in MADE:
             raise argparse.ArgumentTypeError(f"layers must be of {', '.join(MADE)}, not {name!r}")
+    return names
+
+
+def styles(text: str) -> Tuple[str, ...]:
+    """Named styles, each once."""
+    names = tuple(dict.fromkeys(text.split(",")))
+    for name in names:
+        if name not in PRESETS:
+            raise argparse.ArgumentTypeError(f"there is no style {name!r}; there are {', '.join(PRESETS)}")
+    return names
+
+
+VIEWS = {
+    "front": (0.0, 0.0), "right": (90.0, 0.0), "back": (180.0, 0.0), "left": (-90.0, 0.0),
+    "top": (0.0, 89.0), "bottom": (0.0, -89.0),
+}  # fmt: skip
+
+
+def views(text: str) -> Tuple[str, ...]:
+    """Names of views, each once."""
+    names = tuple(dict.fromkeys(text.split(",")))
+    for name in names:
+        if name not in VIEWS:
+            raise argparse.ArgumentTypeError(f"there is no view {name!r}; there are {', '.join(VIEWS)}")
     return names
 
 
