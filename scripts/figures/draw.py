@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""One panel of a figure becomes a picture."""
+
+import contextlib
+import io
+import shlex
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+import hrbfnpr
+from hrbfnpr import cli, shapes
+
+
+class Failed(Exception):
+    """A drawing that did not come about; the text says why."""
+
+
+def _run(words):
+    """A command line in this process."""
+    said = io.StringIO()
+    with contextlib.redirect_stderr(said):
+        code = cli.main([*words, "--quiet"])
+    if code == 130:
+        raise KeyboardInterrupt
+    if code != 0:
+        raise Failed(said.getvalue().strip().replace("hrbfnpr: error: ", ""))
+
+
+def _numbers(path, size):
+    """Numbers that depend on a model's extent: of zoom, and the range of distances from the camera of 30 degrees."""
+    points = shapes.read(path).points
+    extent = points.max(axis=0) - points.min(axis=0)
+    radius = float(np.linalg.norm(extent)) / 2
+    distance = radius / np.sin(np.radians(15))
+    return {"zoom": f"{size / extent.max():.6g}", "near": f"{distance - radius:.6g}", "far": f"{distance + radius:.6g}"}
+
+
+def _samples(path, more, options, size, target):
+    """The samples of a model as dots, those behind hidden."""
+    count = int(more[more.index("--samples") + 1]) if "--samples" in more else None
+    points, normals = shapes.samples(shapes.read(path), count)
+    marks = hrbfnpr.PointSet.create(hrbfnpr.OwnLayer(points, normals, kind="stipples"))
+    saved = target.with_suffix(".hrbm")
+    try:
+        marks.save(saved)
+        words = [*options, "--style", "stipple", "--tone", "none", "--mark-radius", f"{max(1.0, size / 200):g}"]
+        _run(["draw", str(saved), str(target), *words, "--size", str(size)])
+    finally:
+        saved.unlink(missing_ok=True)
+
+
+def _decay(size, target):
+    """Alpha of front points, nu^2, and of back points, 0.2 (ln(nu - 0.05) + 5), by |nu|."""
+    picture = Image.new("RGB", (size, size), "white")
+    pen, low, side = ImageDraw.Draw(picture), 0.9 * size, 0.8 * size
+    pen.line([(0.1 * size, 0.1 * size), (0.1 * size, low), (low, low)], fill="black", width=max(1, size // 300))
+    nu = np.linspace(0, 1, 200)
+    back = np.clip(0.2 * (np.log(np.maximum(nu - 0.05, 1e-9)) + 5), 0, 1)
+    for alpha, colour in ((nu**2, (0, 140, 0)), (back, (200, 0, 0))):
+        curve = [(0.1 * size + side * x, low - side * y) for x, y in zip(nu, alpha)]
+        pen.line(curve, fill=colour, width=max(1, size // 160))
+    picture.save(target)
+
+
+def _cut(target, part):
+    picture = Image.open(target)
+    size = (picture.width, picture.height, picture.width, picture.height)
+    picture.crop(tuple(round(share * length) for share, length in zip(part, size))).save(target)
+
+
+def draw(panel, models, size, target):
+    """Write the picture; returns the command that draws it, with the file's name alone, and the credit."""
+    path, more, credit = models.source(panel.model)
+    size = max(16, round(panel.scale * size))
+    options = shlex.split(panel.options.format(**_numbers(path, size / panel.scale)))
+    if panel.kind == "samples":
+        _samples(path, more, options, size, target)
+        return "", credit
+    if panel.kind == "decay":
+        _decay(size, target)
+        return "", "made from a formula"
+    command = "sheet" if panel.kind == "sheet" else "draw"
+    length = str(max(16, size // 2) if command == "sheet" else size)
+    _run([command, str(path), str(target), *more, *options, "--size", length])
+    if panel.part is not None:
+        _cut(target, panel.part)
+    words = [command, path.name, target.name, *more, *options, "--size", length]
+    return "python3 -m hrbfnpr " + shlex.join(words), credit

@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: MIT
+"""The figures of the article and their panels, as options of `python3 -m hrbfnpr draw`."""
+
+from typing import NamedTuple, Optional, Tuple
+
+# The article's own method in all its parts.
+PUBLISHED = (
+    "--distribution published --visibility published --tone-rule published --tone-curve linear "
+    "--silhouette-law angle --tone-fade 0"
+)
+
+
+class Panel(NamedTuple):
+    """One drawing.  A part is left, upper, right, lower as shares of a larger picture."""
+
+    name: str
+    title: str
+    model: str
+    options: str
+    kind: str = "draw"  # or "samples", "decay", "sheet"
+    part: Optional[Tuple[float, float, float, float]] = None
+    scale: float = 1.0  # of the size
+
+
+class Figure(NamedTuple):
+    number: str
+    title: str
+    caption: str
+    settings: str
+    panels: Tuple[Panel, ...]
+
+
+def both(name, title, model, options, ours, **more):
+    """The article's way and ours, beside it."""
+    return (
+        Panel(f"{name}_published", f"{title}, as published", model, f"{PUBLISHED} {options}", **more),
+        Panel(f"{name}_ours", f"{title}, ours", model, ours, **more),
+    )
+
+
+HEAD = "--azimuth 20 --elevation 5"
+KNOT = "--up z --azimuth 20 --elevation 50"
+TORI = "--up z --azimuth 25 --elevation 35"
+HEART = "--azimuth 20 --elevation 10"
+CANYON = "--up z --azimuth 20 --elevation 30"
+LAMP = "--azimuth 30 --elevation 15"
+BUNNY = "--azimuth 20 --elevation 15"
+BOX = "--seeds box --box-resolution 8"
+FIRST, SECOND = "--set principal.directions=first", "--set principal.directions=second"
+
+FIGURES = (
+    Figure(
+        "1",
+        "Steps of drawing a head",
+        "(a) point and normal samples; (b) silhouettes with hidden-line attenuation; (c) a small number of stippling "
+        "marks; (d) more stipples and cross hatching by curvature; (e) yet more stipples, and interior contours with a "
+        "white halo. 4096 samples, 700 000 marks.",
+        "A bust stands for David's head. 4096 samples as seeds; 512 000 stipples (3 steps) and 221 000 marks of strokes "
+        "(3 steps). Shares of them are not in the article: 0.1, 0.4 and 1 here.",
+        (
+            Panel("a", "(a) samples", "head", HEAD, "samples"),
+            *both("b", "(b) silhouettes", "head", f"{HEAD} --style silhouette --levels 3", f"{HEAD} --style silhouette"),
+            *both("c", "(c) few stipples", "head", f"{HEAD} --levels 3 --share 0.1", f"{HEAD} --share 0.25"),
+            *both(
+                "d",
+                "(d) cross hatching",
+                "head",
+                f"{HEAD} --style full --layers stipples,principal --levels 3 --share 0.4",
+                f"{HEAD} --style etching",
+            ),
+            *both(
+                "e",
+                "(e) more stipples and a halo",
+                "head",
+                f"{HEAD} --style full --layers stipples,principal --levels 3 --halo 4",
+                f"{HEAD} --style full --halo 4",
+            ),
+        ),
+    ),
+    Figure(
+        "7",
+        "Directions of drawing",
+        "(a) 256 samples of the Stanford bunny. Combing directions over (b) the sphere and (c) the bunny. (d) First and "
+        "second principal directions of curvature.",
+        "256 samples, seeds from the box of 8 cells; 3 steps of strokes (4 on the sphere, from 6 seeds).",
+        (
+            Panel("a", "(a) samples", "bunny", BUNNY, "samples"),
+            *both("b", "(b) combing, sphere", "sphere", "--style combing --levels 4 --tone none", "--style combing"),
+            *both("c", "(c) combing", "bunny", f"{BUNNY} {BOX} --style combing --levels 3", f"{BUNNY} --style combing"),
+            *both(
+                "d1",
+                "(d) first principal direction",
+                "bunny",
+                f"{BUNNY} {BOX} --style cross-hatch {FIRST} --levels 3",
+                f"{BUNNY} --style cross-hatch {FIRST}",
+            ),
+            *both(
+                "d2",
+                "(d) second principal direction",
+                "bunny",
+                f"{BUNNY} {BOX} --style cross-hatch {SECOND} --levels 3",
+                f"{BUNNY} --style cross-hatch {SECOND}",
+            ),
+        ),
+    ),
+    Figure(
+        "8",
+        "Hidden-line attenuation",
+        "Left: the decay of alpha when the point gets closer to the silhouette: back points (red) and front points "
+        "(green). Middle: without hidden-line attenuation. Right: the final result.",
+        "The article does not name the model: two linked tori here. Lambda 1.",
+        (
+            Panel("a", "alpha by n.v", "tori", "", "decay"),
+            *both(
+                "b",
+                "without attenuation",
+                "tori",
+                f"{TORI} --style silhouette --levels 5 --hidden-lines show",
+                f"{TORI} --style silhouette --hidden-lines show",
+            ),
+            *both("c", "attenuated", "tori", f"{TORI} --style silhouette --levels 5", f"{TORI} --style silhouette"),
+        ),
+    ),
+    Figure(
+        "10",
+        "Tone, and tone by scale",
+        "(From left to right) Tone by removing marks in proportion to the light's intensity. Scaling a shaded heart by "
+        "removing marks.",
+        "Exponents of the light 0.5, 1 and 2. The heart at full size, a half and a quarter, with marks of the same size; "
+        "without the data, the heart is Taubin's surface.",
+        (
+            *both("a", "exponent 0.5", "heart", f"{HEART} --levels 3 --tone-exponent 0.5", f"{HEART} --tone-exponent 0.5"),
+            *both("b", "exponent 1", "heart", f"{HEART} --levels 3", HEART),
+            *both("c", "exponent 2", "heart", f"{HEART} --levels 3 --tone-exponent 2", f"{HEART} --tone-exponent 2"),
+            *both(
+                "d",
+                "at a half",
+                "heart",
+                f"{HEART} --levels 3 --mark-radius 1 --zoom-reference {{zoom}} --zoom-exponent 2",
+                f"{HEART} --mark-radius 1",
+                scale=0.5,
+            ),
+            *both(
+                "e",
+                "at a quarter",
+                "heart",
+                f"{HEART} --levels 3 --mark-radius 1 --zoom-reference {{zoom}} --zoom-exponent 2",
+                f"{HEART} --mark-radius 1",
+                scale=0.25,
+            ),
+        ),
+    ),
+    Figure(
+        "11",
+        "Principal directions",
+        "First and second principal directions of curvature applied locally on two tori and a knot.",
+        "First direction above, second below; 3 steps of strokes from the samples.",
+        tuple(
+            panel
+            for model, view in (("tori", TORI), ("knot", KNOT))
+            for name, direction in (("first", FIRST), ("second", SECOND))
+            for panel in both(
+                f"{model}_{name}",
+                f"{name} direction",
+                model,
+                f"{view} --style cross-hatch {direction} --levels 3",
+                f"{view} --style cross-hatch {direction}",
+            )
+        ),
+    ),
+    Figure(
+        "12",
+        "A garden lamp",
+        "General and detailed rendering of a garden lamp.",
+        "1500 samples of the mesh. Creases of the mesh of 30 degrees and more are drawn as lines in ours; the published "
+        "method has none.",
+        tuple(
+            panel
+            for name, part in (("general", None), ("detail", (0.25, 0.0, 0.75, 0.5)))
+            for panel in both(
+                name,
+                name,
+                "lamp",
+                f"{LAMP} --style full --layers stipples,principal --levels 3",
+                f"{LAMP} --style engraving --lines contour,crease",
+                part=part,
+                scale=1.0 if part is None else 2.0,
+            )
+        ),
+    ),
+    Figure(
+        "13",
+        "A canyon",
+        "From top to bottom: stippling with depth modulation; cross-hatching along the principal directions; the 512 "
+        "samples; three different visual abstractions of the model. 512 samples, 400 000 marks.",
+        "Ours ends the surface where its samples do (support 3) and draws that border. Distances of the depth "
+        "modulation: the nearest and the farthest of the model.",
+        (
+            *both(
+                "a",
+                "stipples, depth",
+                "canyon",
+                f"{CANYON} --levels 4 --style stipple --depth-range {{near}},{{far}}",
+                f"{CANYON} --style stipple --depth-range {{near}},{{far}} --lines contour,border",
+            ),
+            *both(
+                "b",
+                "cross-hatching",
+                "canyon",
+                f"{CANYON} --levels 4 --style cross-hatch",
+                f"{CANYON} --style etching --lines contour,border",
+            ),
+            Panel("c", "samples", "canyon", CANYON, "samples"),
+            *both(
+                "d",
+                "silhouettes",
+                "canyon",
+                f"{CANYON} --levels 4 --style silhouette",
+                f"{CANYON} --style silhouette --lines contour,suggestive,border",
+            ),
+            *both(
+                "e",
+                "contours and stipples",
+                "canyon",
+                f"{CANYON} --levels 4",
+                f"{CANYON} --lines contour,border",
+            ),
+            *both(
+                "f",
+                "strokes and stipples",
+                "canyon",
+                f"{CANYON} --levels 4 --style full --layers stipples,principal",
+                f"{CANYON} --style full --lines contour,border",
+            ),
+        ),
+    ),
+    Figure(
+        "ours",
+        "What is not in the article",
+        "All named styles on one sheet; hatching whose width makes the tone; feature lines; sections; hidden parts "
+        "dashed.",
+        "",
+        (
+            Panel("sheet", "all named styles", "knot", KNOT, "sheet"),
+            Panel("engraving", "engraving", "knot", f"{KNOT} --style engraving"),
+            Panel("etching", "etching", "tori", f"{TORI} --style etching"),
+            Panel("woodcut", "woodcut", "heart", f"{HEART} --style woodcut"),
+            Panel("lines", "suggestive contours, ridges and valleys", "bunny",
+                  f"{BUNNY} --style silhouette --lines contour,suggestive,ridges,valleys"),
+            Panel("sections", "sections", "heart", f"{HEART} --style silhouette --lines contour,section=y:24"),
+            Panel("xray", "hidden parts dashed", "tori", f"{TORI} --style xray"),
+        ),
+    ),
+)  # fmt: skip

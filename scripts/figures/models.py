@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Where the models of the figures come from: a folder of data, the npm registry's bunny, or formulas."""
+
+from pathlib import Path
+
+import numpy as np
+
+
+class Missing(Exception):
+    """A model that is not at hand; the text says why."""
+
+
+# A model's file in a folder of data, and who is to be credited for it.
+FILES = {
+    "sphere": ("sphere_6.ply", "made from a formula"),
+    "tori": ("tori_256.ply", "made from a formula"),
+    "knot": ("knot_1024.ply", "made from a formula"),
+    "bunny": ("bunny_256.ply", "Stanford bunny: Stanford Computer Graphics Laboratory, shown for scholarly use"),
+    "heart": (
+        "heart_1024.ply",
+        "Human heart (male), modified: Kristen Browne, HuBMAP Human Reference Atlas, "
+        "doi:10.48539/HBM373.VSTV.568, CC BY 4.0",
+    ),
+    "head": ("head_4096.ply", "Bust of Demosthenes: photo scan by ryanfb, CC BY 4.0"),
+    "lamp": ("lamp_mesh.ply", "Lantern of KayKit Halloween Bits: Kay Lousberg, CC0 1.0"),
+    "canyon": ("canyon_512.ply", "Yosemite Valley: USGS National Elevation Dataset, public domain"),
+}
+SAMPLES = {"sphere": 6, "tori": 256, "knot": 1024, "bunny": 256, "heart": 512, "lamp": 1500}
+
+
+def _tube(centre, tangent, radius, around=400, across=48):
+    """Points and normals of a tube about a closed curve."""
+    t = np.linspace(0, 2 * np.pi, around, endpoint=False)
+    along = tangent(t)
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    side = np.cross(along, np.eye(3)[np.abs(along).argmin(axis=1)])
+    side /= np.linalg.norm(side, axis=1)[:, None]
+    other = np.cross(along, side)
+    angle = np.linspace(0, 2 * np.pi, across, endpoint=False)[:, None, None]
+    normals = np.cos(angle) * side + np.sin(angle) * other
+    return (centre(t) + radius * normals).reshape(-1, 3), normals.reshape(-1, 3)
+
+
+def _columns(*parts):
+    return np.stack(np.broadcast_arrays(*parts), axis=-1).astype(float)
+
+
+def knot():
+    """A tube of radius 0.35 about a trefoil."""
+    return _tube(
+        lambda t: _columns(np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t), -np.sin(3 * t)),
+        lambda t: _columns(np.cos(t) + 4 * np.cos(2 * t), -np.sin(t) + 4 * np.sin(2 * t), -3 * np.cos(3 * t)),
+        0.35,
+    )
+
+
+def tori():
+    """Two linked tori: about z at (-0.5, 0, 0), and about y at (0.5, 0, 0)."""
+    c, s = np.cos, np.sin
+    first = _tube(lambda t: _columns(c(t) - 0.5, s(t), 0), lambda t: _columns(-s(t), c(t), 0), 0.32)
+    second = _tube(lambda t: _columns(c(t) + 0.5, 0, s(t)), lambda t: _columns(-s(t), 0, c(t)), 0.32)
+    return tuple(np.concatenate(parts) for parts in zip(first, second))
+
+
+def _directions(count):
+    i = np.arange(count) + 0.5
+    z, turn = 1 - 2 * i / count, np.pi * (1 + 5**0.5) * i
+    return _columns(np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z)
+
+
+def heart():
+    """Taubin's heart, x^2 + 9/4 y^2 + z^2 - 1 = z (x^2 + 9/80 y^2)^(1/3), but for a little about the z axis."""
+    rays = _directions(8000)
+    rays = rays[np.hypot(rays[:, 0], rays[:, 1]) > 0.05]
+    square = (rays**2 * (1, 2.25, 1)).sum(axis=1)
+    root = np.cbrt(rays[:, 0] ** 2 + 9 / 80 * rays[:, 1] ** 2)
+    low, high = np.zeros(len(rays)), np.full(len(rays), 4.0)
+    for _ in range(60):
+        middle = (low + high) / 2
+        inside = square * middle**2 - rays[:, 2] * root * middle ** (5 / 3) < 1
+        low, high = np.where(inside, middle, low), np.where(inside, high, middle)
+    p = rays * low[:, None]
+    x, y, z = p.T
+    inner = x**2 + 9 / 80 * y**2
+    slope = z / 3 * inner ** (-2 / 3)
+    normals = _columns(2 * x - slope * 2 * x, 4.5 * y - slope * 9 / 40 * y, 2 * z - np.cbrt(inner))
+    return p, normals / np.linalg.norm(normals, axis=1)[:, None]
+
+
+def sphere():
+    """The six points on the axes."""
+    points = np.concatenate([np.eye(3), -np.eye(3)])
+    return points, points
+
+
+MADE = {"sphere": sphere, "tori": tori, "knot": knot, "heart": heart}
+
+
+class Models:
+    """Files of models by name."""
+
+    def __init__(self, data, bunny, scratch):
+        self._data, self._bunny, self._scratch = data, bunny, scratch
+        if data is not None and not any(self._given(name) for name in FILES):
+            names = ", ".join(file for file, _ in FILES.values())
+            raise ValueError(f"{data}: none of the models is there ({names}), nor in its points/ and meshes/")
+
+    def _given(self, name):
+        folders = (".", "points", "meshes") if self._data is not None else ()
+        paths = [self._data / folder / FILES[name][0] for folder in folders]
+        return next((path for path in paths if path.is_file()), None)
+
+    def source(self, name):
+        """The file of a model, options of `draw` that go with it, and its credit."""
+        given = self._given(name)
+        if given is not None:
+            more = ["--samples", "1500", "--crease", "30"] if name == "lamp" else []
+            return given, more, FILES[name][1]
+        if name == "bunny" and self._bunny is not None:
+            return self._bunny, ["--samples", "256"], FILES[name][1]
+        if name in MADE:
+            return self._write(name), ["--samples", str(SAMPLES[name])], "made from a formula"
+        raise Missing(f"{FILES[name][0]} is not at hand: --data DIR names a folder that has it")
+
+    def _write(self, name):
+        path = Path(self._scratch) / f"{name}.xyz"
+        if not path.exists():
+            np.savetxt(path, np.hstack(MADE[name]()), fmt="%.9g")
+        return path

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""scripts/figures: the article's figures, small, of models that are made here."""
+import os
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from conftest import PACKAGE, ROOT, fibonacci_sphere
+from test_cli import rows
+
+Image = pytest.importorskip("PIL.Image")
+
+
+def gallery(*arguments):
+    command = [sys.executable, "-B", str(ROOT / "scripts/figures/main.py"), *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(PACKAGE)})
+
+
+def test_figures_without_data(tmp_path):
+    out = tmp_path / "out"
+    run = gallery("--size", "48", "--figures", "8,12,13", out)
+    assert run.returncode == 0, run.stderr
+    assert "figure 8, b_published" in run.stdout  # the progress
+    for figure, file in (("12", "lamp_mesh.ply"), ("13", "canyon_512.ply")):
+        assert f"figure {figure}: left out: {file} is not at hand: --data DIR" in run.stdout
+    page = (out / "index.html").read_text(encoding="utf-8")
+    shown = re.findall(r'<img src="([^"]+)"', page)
+    assert len(shown) == 5 and sorted(shown) == sorted(path.name for path in out.glob("*.png"))
+    for name in shown:
+        picture = np.asarray(Image.open(out / name).convert("L"))
+        assert max(picture.shape) == 48 and (picture < 200).mean() > 0.005
+    assert page.count("Left out:") == 2 and 'name="viewport"' in page and "--visibility published" in page
+
+
+def test_a_folder_of_data(tmp_path):
+    points = fibonacci_sphere(80)
+    data = tmp_path / "data" / "points"
+    data.mkdir(parents=True)
+    header = "ply\nformat ascii 1.0\nelement vertex 80\n"
+    header += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz")) + "end_header\n"
+    for name in ("bunny_256", "sphere_6"):
+        (data / f"{name}.ply").write_text(header + rows(np.hstack([points, points])))
+    run = gallery("--data", tmp_path / "data", "--size", "40", "--figures", "7", tmp_path)
+    assert run.returncode == 0, run.stderr
+    page = (tmp_path / "index.html").read_text(encoding="utf-8")
+    assert "Left out" not in page and "Stanford Computer Graphics Laboratory" in page
+    assert len(list(tmp_path.glob("figure_7_*.png"))) == 9
+
+
+@pytest.mark.parametrize(
+    "arguments, code, words",
+    [
+        (["--data", "nowhere"], 2, "nowhere is no folder"),
+        (["--data", "{tmp}"], 1, "none of the models is there"),
+        (["--figures", "7,99"], 2, "no figure '99'; there are 1,7,8"),
+        (["--size", "5"], 2, "32 to 4096"),
+        (["--figures", "8", "{tmp}/file/out"], 1, "file"),
+    ],
+)
+def test_wrong_arguments(tmp_path, arguments, code, words):
+    (tmp_path / "file").write_text("")
+    out = [] if "out" in arguments[-1] else [tmp_path / "out"]
+    run = gallery(*(word.format(tmp=tmp_path) for word in arguments), *out)
+    assert run.returncode == code and words in run.stderr, run.stderr
+    assert "Traceback" not in run.stderr
