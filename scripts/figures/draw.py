@@ -28,12 +28,12 @@ def _run(words):
 
 
 def _numbers(path, size):
-    """Numbers that depend on a model's extent: of zoom, and the range of distances from the camera of 30 degrees."""
+    """Numbers that depend on a model's extent: of zoom, and a range of distances from the camera of 30 degrees."""
     points = shapes.read(path).points
     extent = points.max(axis=0) - points.min(axis=0)
     radius = float(np.linalg.norm(extent)) / 2
     distance = radius / np.sin(np.radians(15))
-    return {"zoom": f"{size / extent.max():.6g}", "near": f"{distance - radius:.6g}", "far": f"{distance + radius:.6g}"}
+    return {"zoom": f"{size / extent.max():.6g}", "near": f"{distance - radius:.6g}", "far": f"{distance + 3 * radius:.6g}"}
 
 
 def _samples(path, more, options, size, target):

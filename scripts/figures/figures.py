@@ -55,24 +55,24 @@ FIGURES = (
         "(a) point and normal samples; (b) silhouettes with hidden-line attenuation; (c) a small number of stippling "
         "marks; (d) more stipples and cross hatching by curvature; (e) yet more stipples, and interior contours with a "
         "white halo. 4096 samples, 700 000 marks.",
-        "A bust stands for David's head. 4096 samples as seeds; 512 000 stipples (3 steps) and 221 000 marks of strokes "
-        "(3 steps). Shares of them are not in the article: 0.1, 0.4 and 1 here.",
+        "A bust stands for David's head. 4096 samples as seeds; in (e) 512 000 stipples (3 steps) and 221 000 marks of "
+        "strokes (3 steps). How many (c) and (d) have is not in the article: 1 and 2 steps here.",
         (
             Panel("a", "(a) samples", "head", HEAD, "samples"),
             *both("b", "(b) silhouettes", "head", f"{HEAD} --style silhouette --levels 3", f"{HEAD} --style silhouette"),
-            *both("c", "(c) few stipples", "head", f"{HEAD} --levels 3 --share 0.1", f"{HEAD} --share 0.25"),
+            *both("c", "(c) few stipples", "head", f"{HEAD} --levels 1 --mark-radius 0.7", f"{HEAD} --share 0.25"),
             *both(
                 "d",
                 "(d) cross hatching",
                 "head",
-                f"{HEAD} --style full --layers stipples,principal --levels 3 --share 0.4",
+                f"{HEAD} --style full --layers stipples,principal --levels stipples=2,principal=2 --mark-radius 0.7",
                 f"{HEAD} --style etching",
             ),
             *both(
                 "e",
                 "(e) more stipples and a halo",
                 "head",
-                f"{HEAD} --style full --layers stipples,principal --levels 3 --halo 4",
+                f"{HEAD} --style full --layers stipples,principal --levels 3 --halo 4 --mark-radius 0.7",
                 f"{HEAD} --style full --halo 4",
             ),
         ),
@@ -82,23 +82,23 @@ FIGURES = (
         "Directions of drawing",
         "(a) 256 samples of the Stanford bunny. Combing directions over (b) the sphere and (c) the bunny. (d) First and "
         "second principal directions of curvature.",
-        "256 samples, seeds from the box of 8 cells; 3 steps of strokes (4 on the sphere, from 6 seeds).",
+        "256 samples, seeds from the box of 8 cells; 4 steps of strokes (3 on the sphere), no light.",
         (
             Panel("a", "(a) samples", "bunny", BUNNY, "samples"),
-            *both("b", "(b) combing, sphere", "sphere", "--style combing --levels 4 --tone none", "--style combing"),
-            *both("c", "(c) combing", "bunny", f"{BUNNY} {BOX} --style combing --levels 3", f"{BUNNY} --style combing"),
+            *both("b", "(b) combing, sphere", "sphere", f"{BOX} --style combing --levels 3 --tone none", "--style combing"),
+            *both("c", "(c) combing", "bunny", f"{BUNNY} {BOX} --style combing --levels 4 --tone none --mark-radius 0.7", f"{BUNNY} --style combing"),
             *both(
                 "d1",
                 "(d) first principal direction",
                 "bunny",
-                f"{BUNNY} {BOX} --style cross-hatch {FIRST} --levels 3",
+                f"{BUNNY} {BOX} --style cross-hatch {FIRST} --levels 4 --tone none --mark-radius 0.7",
                 f"{BUNNY} --style cross-hatch {FIRST}",
             ),
             *both(
                 "d2",
                 "(d) second principal direction",
                 "bunny",
-                f"{BUNNY} {BOX} --style cross-hatch {SECOND} --levels 3",
+                f"{BUNNY} {BOX} --style cross-hatch {SECOND} --levels 4 --tone none --mark-radius 0.7",
                 f"{BUNNY} --style cross-hatch {SECOND}",
             ),
         ),
@@ -136,7 +136,7 @@ FIGURES = (
                 "d",
                 "at a half",
                 "heart",
-                f"{HEART} --levels 3 --mark-radius 1 --zoom-reference {{zoom}} --zoom-exponent 2",
+                f"{HEART} --levels 3 --mark-radius 1 --zoom-reference {{zoom}} --zoom-exponent 0.5",
                 f"{HEART} --mark-radius 1",
                 scale=0.5,
             ),
@@ -144,7 +144,7 @@ FIGURES = (
                 "e",
                 "at a quarter",
                 "heart",
-                f"{HEART} --levels 3 --mark-radius 1 --zoom-reference {{zoom}} --zoom-exponent 2",
+                f"{HEART} --levels 3 --mark-radius 1 --zoom-reference {{zoom}} --zoom-exponent 0.5",
                 f"{HEART} --mark-radius 1",
                 scale=0.25,
             ),
@@ -193,14 +193,14 @@ FIGURES = (
         "A canyon",
         "From top to bottom: stippling with depth modulation; cross-hatching along the principal directions; the 512 "
         "samples; three different visual abstractions of the model. 512 samples, 400 000 marks.",
-        "Ours ends the surface where its samples do (support 3) and draws that border. Distances of the depth "
-        "modulation: the nearest and the farthest of the model.",
+        "Ours ends the surface where its samples do (support 3) and draws that border. Depth "
+        "modulation begins at the nearest place of the model, and ends a diagonal behind the farthest.",
         (
             *both(
                 "a",
                 "stipples, depth",
                 "canyon",
-                f"{CANYON} --levels 4 --style stipple --depth-range {{near}},{{far}}",
+                f"{CANYON} --levels 4 --style stipple --mark-radius 0.7 --tone none --depth-range {{near}},{{far}}",
                 f"{CANYON} --style stipple --depth-range {{near}},{{far}} --lines contour,border",
             ),
             *both(
