@@ -4,6 +4,7 @@
     docs.py links ROOT                      links to files of the project, and to their headings, lead somewhere
     docs.py glossary ROOT                   docs/glossary.md is sorted; each entry names a work that is listed, or is ours
     docs.py names ROOT                      names of the C interface, of the build and of files that documents name are there
+    docs.py presets ROOT                    docs/presets.md has a section and a picture for each named style of the header
     docs.py versions ROOT                   CHANGELOG.md, CITATION.cff and Cargo.toml name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
         README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
@@ -137,6 +138,30 @@ def wrong_names(root):
                 yield f"{name} says {path}, which is not there"
 
 
+def wrong_presets(root):
+    header = (root / "include/hrbfnpr.h").read_text(encoding="utf-8")
+    names = [name.lower().replace("_", "-") for name in re.findall(r"\bHRBFNPR_PRESET_([A-Z0-9_]+) = \d+", header)]
+    if not names:
+        yield "include/hrbfnpr.h has no presets"
+    page = (root / "docs/presets.md").read_text(encoding="utf-8")
+    sections = dict(re.findall(r"^## (\S+)\n(.*?)(?=^## |\Z)", page, re.DOTALL | re.MULTILINE))
+    pictures = {path.stem: path.stat().st_size for path in (root / "docs/images/presets").glob("*.png")}
+    hint = "run docs/preset_pictures.py"
+    for name in names:
+        if name not in sections:
+            yield f"docs/presets.md has no section {name}: {hint}"
+            continue
+        for needed in (f'src="images/presets/{name}.png"', f"--style {name} "):
+            if needed not in sections[name]:
+                yield f"docs/presets.md: the section {name} lacks {needed}: {hint}"
+        if not pictures.get(name):
+            yield f"docs/images/presets/{name}.png is not there, or empty: {hint}"
+    for name in sorted(pictures.keys() - set(names)):
+        yield f"docs/images/presets/{name}.png is of no preset"
+    if sum(pictures.values()) > 1_500_000:
+        yield f"pictures of presets have {sum(pictures.values())} bytes, more than 1.5 MB"
+
+
 def wrong_versions(root):
     cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
     version = re.search(r"^\s*VERSION (\d+\.\d+\.\d+)$", cmake, re.MULTILINE).group(1)
@@ -241,7 +266,7 @@ def tutorial(root):
                 yield f"docs/images/tutorial/{name} {why}: run docs/tutorial_pictures.py"
 
 
-CHECKS = {"links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "versions": wrong_versions, "tutorial": tutorial}
+CHECKS = {"links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets, "versions": wrong_versions, "tutorial": tutorial}
 
 
 def main():

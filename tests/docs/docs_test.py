@@ -33,10 +33,23 @@ A name in brackets, as [Hart 1996].
 
 - **Hart 1996**: J. C. Hart. Sphere tracing.
 """
+PRESETS = """# The named styles
+
+## x-ray
+
+<img src="images/presets/x-ray.png">
+
+```sh
+draw a.ply --style x-ray --size 480
+```
+"""
 FILES = {
     "README.md": README,
     "docs/glossary.md": GLOSSARY,
     "docs/a.png": "",
+    "docs/presets.md": PRESETS,
+    "docs/images/presets/x-ray.png": "a picture",
+    "include/hrbfnpr.h": "enum { HRBFNPR_PRESET_X_RAY = 0 };",
     "CMakeLists.txt": "option(HRBFNPR_TESTS)",
     "tests/CMakeLists.txt": "",
     "src/base/memory.h": "",
@@ -71,6 +84,13 @@ BREAKS = [
     ("names", "README.md", "`tests/`", "`tests/base`"),
     ("names", "README.md", "`base/memory`", "`base/recall`"),
     ("names", "README.md", "hrbfnpr_declared", "hrbfnpr_undeclared"),
+    ("presets", "docs/presets.md", "## x-ray", "## xray"),
+    ("presets", "docs/presets.md", "presets/x-ray", "presets/xray"),
+    ("presets", "docs/presets.md", "--style x-ray", "--style xray"),
+    ("presets", "docs/images/presets/x-ray.png", "a picture", ""),
+    ("presets", "include/hrbfnpr.h", "PRESET_X_RAY = 0", "PRESET_XRAY = 0"),
+    ("presets", "include/hrbfnpr.h", "= 0", "= 0, HRBFNPR_PRESET_WASH = 1"),
+    ("presets", "include/hrbfnpr.h", "PRESET", "PRE"),
     ("names", "docs/glossary.md", "change.", "change, such as hrbfnpr_invented."),
 ]
 
@@ -87,7 +107,7 @@ class Documents(unittest.TestCase):
         self.folder.cleanup()
 
     def test_right_documents_pass(self):
-        for check in ("links", "glossary", "names"):
+        for check in ("links", "glossary", "names", "presets"):
             with self.subTest(check=check):
                 self.assertEqual(list(docs.CHECKS[check](self.root)), [])
 
