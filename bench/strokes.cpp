@@ -9,6 +9,7 @@
 #include "hatch_tone.h"
 #include "hatch_ways.h"
 #include "line_models.h"
+#include "line_singularities.h"
 #include "line_views.h"
 #include "stroke_spacing.h"
 #include "timing.h"
@@ -17,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -49,10 +51,38 @@ struct Found {
     double mean = 0.0, variation = 0.0, alone = 0.0; // of sideways distances, in separations
     double ends = 0.0;                               // in a length of 1000 separations
     double kinks = 0.0;                              // turns by more than 30 degrees within two separations, as ends
+    double singularities = 0.0, fewest = 0.0;        // and as few as the sum of their indices takes
     double seconds = 0.0;
 };
 
-void measure_lines(const Strokes& strokes, double separation, Found& found) {
+// Whether a mark is within three separations of a singular point: lines turn there.
+bool is_singular(const Strokes& strokes, std::size_t i, const std::vector<bench::Singularity>& points,
+                 double separation) {
+    return std::any_of(points.begin(), points.end(), [&](const bench::Singularity& point) {
+        const Vec3 way = Strokes::vec(strokes.position, i) - point.position;
+        return bench::dot(way, way) < 9.0 * separation * separation;
+    });
+}
+
+// By how much a stroke turns within its tangent planes from mark i - 1 to i: against the direction there, carried along
+// by the shortest rotation, so that the surface's own bend does not count.
+double turn_at(const Strokes& strokes, std::size_t i) {
+    const Vec3 n = Strokes::vec(strokes.normal, i);
+    const Vec3 before = Strokes::vec(strokes.normal, i - 1);
+    const Vec3 d = Strokes::vec(strokes.direction, i - 1);
+    const Vec3 axis = bench::cross(before, n);
+    const Vec3 turned = bench::cross(axis, d);
+    const double cosine = bench::dot(before, n);
+    const double along = bench::dot(axis, d) / (1.0 + cosine);
+    Vec3 carried{};
+    for (std::size_t c = 0; c < 3; ++c) carried[c] = cosine * d[c] + turned[c] + along * axis[c];
+    const Vec3 now = Strokes::vec(strokes.direction, i);
+    return std::atan2(bench::dot(bench::cross(carried, now), n), bench::dot(carried, now));
+}
+
+void measure_lines(const Strokes& strokes, double separation, const std::vector<bench::Singularity>& points,
+                   Found& found) {
+    constexpr double most_turn = 30.0 * std::numbers::pi / 180.0;
     double length = 0.0;
     double ends = 0.0;
     double kinks = 0.0;
@@ -64,23 +94,34 @@ void measure_lines(const Strokes& strokes, double separation, Found& found) {
         const Vec3 leg = Strokes::vec(strokes.position, i) - Strokes::vec(strokes.position, i - 1);
         length += std::sqrt(bench::dot(leg, leg));
         double way = 0.0;
+        double turn = 0.0;
         for (std::size_t k = i; k > 0 && strokes.goes_on(k) && way < 2.0 * separation; --k) {
             const Vec3 step = Strokes::vec(strokes.position, k) - Strokes::vec(strokes.position, k - 1);
             way += std::sqrt(bench::dot(step, step));
-            // By directions in the tangent plane of the one, so that the surface's own bend does not count.
-            const Vec3 n = Strokes::vec(strokes.normal, i);
-            Vec3 d = Strokes::vec(strokes.direction, k - 1);
-            const double height = bench::dot(d, n);
-            for (std::size_t c = 0; c < 3; ++c) d[c] -= height * n[c];
-            const double cosine = bench::dot(Strokes::vec(strokes.direction, i), d) / std::sqrt(bench::dot(d, d));
-            if (cosine < std::cos(30.0 * 3.14159265358979 / 180.0)) {
-                kinks += 1.0;
-                break;
-            }
+            turn += turn_at(strokes, k);
+            if (std::abs(turn) <= most_turn) continue;
+            if (!is_singular(strokes, i, points, separation)) kinks += 1.0;
+            break;
         }
     }
     found.ends = 1000.0 * ends * separation / length;
     found.kinks = 1000.0 * kinks * separation / length;
+}
+
+// Of lines along one field.
+void measure_field(const Strokes& strokes, double separation, Found& found) {
+    std::vector<bench::Mark> marks;
+    std::vector<Vec3> direction;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        marks.push_back({Strokes::vec(strokes.position, i), Strokes::vec(strokes.normal, i)});
+        direction.push_back(Strokes::vec(strokes.direction, i));
+    }
+    const std::vector<bench::Singularity> points = bench::singularities(marks, direction, separation);
+    int halves = 0;
+    for (const bench::Singularity& point : points) halves += point.halves;
+    found.singularities = static_cast<double>(points.size());
+    found.fewest = std::abs(static_cast<double>(halves));
+    measure_lines(strokes, separation, points, found);
 }
 
 Found measure(hrbfnpr_context* context, const hrbfnpr_model* model, std::uint32_t kind, double separation) {
@@ -95,14 +136,16 @@ Found measure(hrbfnpr_context* context, const hrbfnpr_model* model, std::uint32_
     found.mean = spacing.mean;
     found.variation = spacing.variation;
     found.alone = spacing.alone;
-    measure_lines(strokes, separation, found);
+    if (kind == HRBFNPR_LAYER_KIND_HATCH)
+        measure_field(strokes, separation, found);
+    else
+        measure_lines(strokes, separation, {}, found);
     return found;
 }
 
-// Of two threads, so that machines can be compared.
 void print(const std::string& name, const char* kind, const Found& f) {
-    std::printf("%-24s %-8s %8.3f %10.3f %8.2f%% %12.2f %12.2f %8.2f\n", name.c_str(), kind, f.mean, f.variation,
-                100.0 * f.alone, f.ends, f.kinks, f.seconds);
+    std::printf("%-24s %-8s %8.3f %10.3f %8.2f%% %12.2f %12.2f %9.0f %6.0f %8.2f\n", name.c_str(), kind, f.mean,
+                f.variation, 100.0 * f.alone, f.ends, f.kinks, f.singularities, f.fewest, f.seconds);
     std::fflush(stdout);
 }
 
@@ -133,9 +176,9 @@ struct Settings {
 // ---- On the surface ------------------------------------------------------------------------
 
 void run_surface(hrbfnpr_context* context, const Settings& settings, Results& results) {
-    std::printf("%-24s %-8s %8s %10s %9s %12s %12s %8s\n", "model", "lines", "spacing", "variation", "alone",
-                "ends / 1000", "kinks / 1000", "s");
-    std::vector<double> variation, ends, before, ends_before, kinks;
+    std::printf("%-24s %-8s %8s %10s %9s %12s %12s %9s %6s %8s\n", "model", "lines", "spacing", "variation", "alone",
+                "ends / 1000", "kinks / 1000", "singular", "least", "s");
+    std::vector<double> variation, ends, before, ends_before, kinks, singular;
     for (const bench::Source& source : chosen_sources(settings)) {
         const scenes::Model model = bench::fit_centres(context, source.samples(), source.centres);
         const hrbfnpr_model_info info = bench::info_of(model.get());
@@ -151,12 +194,14 @@ void run_surface(hrbfnpr_context* context, const Settings& settings, Results& re
         ends.push_back(hatch.ends);
         ends_before.push_back(strokes.ends);
         kinks.push_back(hatch.kinks);
+        singular.push_back(hatch.singularities);
     }
     results.add("spacing_variation", bench::quantile(variation, 0.5));
     results.add("spacing_variation_max", *std::max_element(variation.begin(), variation.end()));
     results.add("principal_variation", bench::quantile(before, 0.5));
     results.add("ends_per_1000", bench::quantile(ends, 0.5));
     results.add("principal_ends_per_1000", bench::quantile(ends_before, 0.5));
+    results.add("singularities", bench::quantile(singular, 0.5));
     results.add("kinks_per_1000", bench::quantile(kinks, 0.5));
 }
 
@@ -262,6 +307,7 @@ void run_pops(hrbfnpr_context* context, const Settings& settings, Results& resul
     results.add("zoom_removals", zoom.removal_rate());
 }
 
+// Of two threads, so that machines can be compared.
 void time_frames(const std::string& head, Results& results) {
     const scenes::Context context = bench::make_context(2);
     const bench::Samples samples = head.empty() ? bench::bumpy(4096) : bench::read_ply(head);
