@@ -845,6 +845,17 @@ enum {
     HRBFNPR_SYMMETRY_CROSS = 1
 };
 
+/* What the lines of HATCH follow, besides a direction_function of the caller's.  Each is a line at every place, and how
+ * sure it is: where it is not, the smoothest field between decides. */
+enum {
+    HRBFNPR_HATCH_GUIDE_CURVATURE = 0, /* the direction in which the surface bends most, where it bends unevenly */
+    HRBFNPR_HATCH_GUIDE_COMBING = 1,   /* the first direction of COMBING [NPAR 5.3] */
+    HRBFNPR_HATCH_GUIDE_SECTIONS = 2,  /* the surface's sections by planes across `axis` */
+    HRBFNPR_HATCH_GUIDE_LIGHT = 3,     /* the tangent part of guide_direction, which points to the light */
+    HRBFNPR_HATCH_GUIDE_SILHOUETTE = 4 /* what is conjugate to guide_direction, which points to the eye: near where
+                                          that grazes the surface lines run as the silhouette does */
+};
+
 enum {
     HRBFNPR_SEED_AUTO = 0,    /* SAMPLES if the model has well-spread ones, else BOX */
     HRBFNPR_SEED_SAMPLES = 1, /* the model's samples; INVALID_ARGUMENT for a custom model */
@@ -943,8 +954,8 @@ typedef struct hrbfnpr_layer_desc {
                             3^levels marks; -1 */
 
     /* HATCH, with BLUE_NOISE.  separation is that of all lines together, or 0 for as many as make about the budget's
-     * marks; a step of 0 is 0.4 of it.  Lines follow direction_function where that is given, else the direction in
-     * which the surface bends most. */
+     * marks; a step of 0 is 0.4 of it.  Lines follow direction_function where that is given, else what
+     * guide says. */
     double angle;            /* by which lines are turned in the tangent plane, counter-clockwise as seen from outside;
                                 degrees; 0 */
     double smoothing;        /* of directions: the distance over which they are evened out; diagonals, > 0, 1 at most;
@@ -956,6 +967,11 @@ typedef struct hrbfnpr_layer_desc {
     double tone_smoothing;   /* over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by
                                 that; diagonals, 0 .. 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH, 0 for
                                 others; -1 */
+    uint32_t guide;          /* HRBFNPR_HATCH_GUIDE_...; CURVATURE */
+    uint32_t reserved;       /* 0 */
+    double guide_direction[3]; /* of LIGHT and SILHOUETTE, in object space; not 0; (0, 0, 1) */
+    double guide_weight;     /* of a guide other than CURVATURE: what is left of 1 is curvature's, 0 .. 1; 1.  Lines are
+                                blended as exp(2 i angle) */
 } hrbfnpr_layer_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);

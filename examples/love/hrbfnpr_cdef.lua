@@ -156,6 +156,8 @@ enum { HRBFNPR_LAYER_KIND_ANY = 0, HRBFNPR_LAYER_KIND_STIPPLES = 1, HRBFNPR_LAYE
     HRBFNPR_LAYER_KIND_HATCH = 6 };
 enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
 enum { HRBFNPR_SYMMETRY_LINE = 0, HRBFNPR_SYMMETRY_CROSS = 1 };
+enum { HRBFNPR_HATCH_GUIDE_CURVATURE = 0, HRBFNPR_HATCH_GUIDE_COMBING = 1, HRBFNPR_HATCH_GUIDE_SECTIONS = 2,
+    HRBFNPR_HATCH_GUIDE_LIGHT = 3, HRBFNPR_HATCH_GUIDE_SILHOUETTE = 4 };
 enum { HRBFNPR_SEED_AUTO = 0, HRBFNPR_SEED_SAMPLES = 1, HRBFNPR_SEED_BOX = 2, HRBFNPR_SEED_POINTS = 3 };
 enum { HRBFNPR_STROKE_START_SEEDS = 0, HRBFNPR_STROKE_START_STIPPLES = 1 };
 enum { HRBFNPR_DENSITY_UNIFORM = 0, HRBFNPR_DENSITY_CURVATURE = 1, HRBFNPR_DENSITY_CALLBACK = 2 };
@@ -170,7 +172,8 @@ typedef struct hrbfnpr_layer_desc { uint32_t struct_size; uint32_t kind; const c
     double density_strength; hrbfnpr_density_fn density_function; void* density_user; double separation; double step;
     double length; hrbfnpr_direction_fn direction_function; void* direction_user; uint32_t symmetry; uint32_t start;
     int32_t start_level; int32_t levels; double angle; double smoothing; double axis[3]; double axis_weight;
-    double tone_smoothing; } hrbfnpr_layer_desc;
+    double tone_smoothing; uint32_t guide; uint32_t reserved; double guide_direction[3]; double guide_weight;
+    } hrbfnpr_layer_desc;
 hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t distribution; const hrbfnpr_layer_desc* layers;
     int64_t layer_count; int64_t layer_stride; int64_t shared_budget; uint32_t tone_ranges; uint32_t seed_source;

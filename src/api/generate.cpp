@@ -25,6 +25,11 @@ static_assert(static_cast<int>(stipples::Density::curvature) == HRBFNPR_DENSITY_
 static_assert(static_cast<int>(stipples::Density::callback) == HRBFNPR_DENSITY_CALLBACK);
 static_assert(static_cast<int>(generate::ToneRanges::full) == HRBFNPR_TONE_RANGES_FULL);
 static_assert(static_cast<int>(generate::ToneRanges::in_turn) == HRBFNPR_TONE_RANGES_IN_TURN);
+static_assert(static_cast<int>(hatching::Guide::curvature) == HRBFNPR_HATCH_GUIDE_CURVATURE);
+static_assert(static_cast<int>(hatching::Guide::combing) == HRBFNPR_HATCH_GUIDE_COMBING);
+static_assert(static_cast<int>(hatching::Guide::sections) == HRBFNPR_HATCH_GUIDE_SECTIONS);
+static_assert(static_cast<int>(hatching::Guide::light) == HRBFNPR_HATCH_GUIDE_LIGHT);
+static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUIDE_SILHOUETTE);
 static_assert(static_cast<int>(marks::SeedSource::automatic) == HRBFNPR_SEED_AUTO);
 static_assert(static_cast<int>(marks::SeedSource::samples) == HRBFNPR_SEED_SAMPLES);
 static_assert(static_cast<int>(marks::SeedSource::box) == HRBFNPR_SEED_BOX);
@@ -78,7 +83,12 @@ constexpr auto hatch_fields() noexcept {
     return FieldTable{field("angle", &Layer::angle, rule::Between{-360.0, 360.0}),
                       field("smoothing", &Layer::smoothing, &To::smoothing, rule::Between{1e-6, 1.0}),
                       field("axis", &Layer::axis, rule::Any{}),
-                      field("axis_weight", &Layer::axis_weight, &To::axis_weight, rule::Between{0.0, 1e3})};
+                      field("axis_weight", &Layer::axis_weight, &To::axis_weight, rule::Between{0.0, 1e3}),
+                      field("guide", &Layer::guide, &To::guide,
+                            rule::OneOf{HRBFNPR_HATCH_GUIDE_SILHOUETTE, "HRBFNPR_HATCH_GUIDE_..."}),
+                      reserved("reserved", &Layer::reserved),
+                      field("guide_direction", &Layer::guide_direction, rule::Any{}),
+                      field("guide_weight", &Layer::guide_weight, &To::guide_weight, rule::Between{0.0, 1.0})};
 }
 constexpr auto published_fields() noexcept {
     using To = published::Settings;
@@ -131,7 +141,10 @@ hrbfnpr_layer_desc defaults() noexcept {
     stroke_fields().set_defaults(settings.strokes, desc);
     published_fields().set_defaults(settings.published, desc);
     hatch_fields().set_defaults(settings.hatching.field, desc);
-    for (int c = 0; c < 3; ++c) desc.axis[c] = settings.hatching.field.axis[c];
+    for (int c = 0; c < 3; ++c) {
+        desc.axis[c] = settings.hatching.field.axis[c];
+        desc.guide_direction[c] = settings.hatching.field.guide_direction[c];
+    }
     return desc;
 }
 
@@ -153,13 +166,13 @@ marks::TonePart checked_part(const char* owner, const char* field, float begin, 
     return {static_cast<double>(begin), static_cast<double>(end)};
 }
 
-glm::dvec3 checked_axis(const hrbfnpr_layer_desc& desc, const char* owner) {
-    const glm::dvec3 axis(desc.axis[0], desc.axis[1], desc.axis[2]);
-    const double length = glm::length(axis);
+glm::dvec3 checked_direction(const double (&given)[3], const char* field, const char* owner) {
+    const glm::dvec3 direction(given[0], given[1], given[2]);
+    const double length = glm::length(direction);
     if (!(length > 1e-150 && length < 1e150))
-        fail(Status::invalid_argument, "%s.axis is (%g, %g, %g); it must have a direction", owner, axis.x, axis.y,
-             axis.z);
-    return axis / length;
+        fail(Status::invalid_argument, "%s.%s is (%g, %g, %g); it must have a direction", owner, field, direction.x,
+             direction.y, direction.z);
+    return direction / length;
 }
 
 void check(const hrbfnpr_layer_desc& desc, const char* owner) {
@@ -188,7 +201,8 @@ generate::LayerSettings checked(const hrbfnpr_layer_desc& desc, const char* owne
     published_fields().copy(desc, settings.published);
     hatch_fields().copy(desc, settings.hatching.field);
     settings.hatching.angle = desc.angle * std::numbers::pi / 180.0;
-    settings.hatching.field.axis = checked_axis(desc, owner);
+    settings.hatching.field.axis = checked_direction(desc.axis, "axis", owner);
+    settings.hatching.field.guide_direction = checked_direction(desc.guide_direction, "guide_direction", owner);
     settings.name = checked_name(desc.name, owner);
     settings.with_curvature = (desc.flags & HRBFNPR_LAYER_WITH_CURVATURE) != 0;
     settings.part = {checked_part(owner, "tone_", desc.tone_begin, desc.tone_end),

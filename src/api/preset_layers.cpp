@@ -22,6 +22,8 @@ constexpr hrbfnpr_layer_desc of_kind(std::uint32_t kind) noexcept {
     desc.axis[1] = 1.0;
     desc.axis_weight = 0.06;
     desc.tone_smoothing = -1.0;
+    desc.guide_direction[2] = 1.0;
+    desc.guide_weight = 1.0;
     return desc;
 }
 

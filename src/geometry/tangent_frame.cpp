@@ -44,4 +44,14 @@ TangentFrame combing_frame(const glm::dvec3& n) noexcept {
     return {u, glm::cross(n, u)};
 }
 
+double combing_trust(const glm::dvec3& n) noexcept {
+    double a = std::abs(n.x);
+    double b = std::abs(n.y);
+    double c = std::abs(n.z);
+    if (a > b) std::swap(a, b);
+    if (b > c) std::swap(b, c);
+    if (a > b) std::swap(a, b);
+    return glm::smoothstep(0.05, 0.35, b - a);
+}
+
 } // namespace hrbfnpr::geometry

@@ -22,5 +22,8 @@ struct TangentFrame {
 // The combing basis of Stark 2009: n crossed with the coordinate axis along which its
 // component is smallest in magnitude.  Smooth inside each of its regions of the sphere.
 [[nodiscard]] TangentFrame combing_frame(const glm::dvec3& n) noexcept;
+// 0 at the borders of that basis's regions, where the two smallest components of n are alike in magnitude; 1 away from
+// them.
+[[nodiscard]] double combing_trust(const glm::dvec3& n) noexcept;
 
 } // namespace hrbfnpr::geometry

@@ -2,6 +2,7 @@
 #include "hatching/hatching.h"
 
 #include "hatching/join_lines.h"
+#include "hatching/line_guides.h"
 #include "hatching/line_marks.h"
 #include "stipples/blue_noise.h"
 
@@ -65,7 +66,9 @@ base::Array<Complex> guide(const marks::Site& site, const SampleGraph& graph, co
     }
     base::Array<surface::Curvature> curvature(site.memory());
     surface::principal_curvatures(site.runtime, site.implicit, graph.position, curvature, progress);
-    guide = guide_by_curvature(site.runtime, graph, curvature, settings.field);
+    const base::Array<Bend> bend = average_bends(site.runtime, graph, curvature);
+    guide = guide_by_curvature(site.runtime, graph, bend, settings.field);
+    if (settings.field.guide != Guide::curvature) mix_named_guide(graph, bend, settings.field, guide);
     add_axis(graph, settings.field, guide);
     return guide;
 }
@@ -107,8 +110,9 @@ StripeLines stripes_of(const marks::Site& site, const LineSamples& samples, cons
 bool Settings::is_on_ground_of(const Settings& other) const noexcept {
     return separation == other.separation && step == other.step && (separation > 0.0 || budget == other.budget) &&
            field.smoothing == other.field.smoothing && field.axis == other.field.axis &&
-           field.axis_weight == other.field.axis_weight && direction.function == other.direction.function &&
-           direction.user == other.direction.user;
+           field.axis_weight == other.field.axis_weight && field.guide == other.field.guide &&
+           field.guide_direction == other.field.guide_direction && field.guide_weight == other.field.guide_weight &&
+           direction.function == other.direction.function && direction.user == other.direction.user;
 }
 
 // Even samples, whose arrays go into the graph.

@@ -11,17 +11,9 @@ namespace {
 
 // Averages of curvature with the neighbours: each spreads by about half a spacing, so many by some four.
 constexpr int averages = 48;
-// A curvature counts in full where its radius is below this part of the diagonal.
-constexpr double full_radius = 0.05;
 // How strongly lines are pulled to unit length, and how often.
 constexpr double to_unit = 0.2;
 constexpr int pulls = 2;
-
-// The mean of curvatures and their difference as a line.
-struct Bend {
-    double mean = 0.0;
-    Complex difference{0.0};
-};
 
 void average(const base::Runtime& runtime, const SampleGraph& graph, const base::Array<Bend>& from,
              base::Array<Bend>& to) {
@@ -41,9 +33,8 @@ void average(const base::Runtime& runtime, const SampleGraph& graph, const base:
 
 } // namespace
 
-base::Array<Complex> guide_by_curvature(const base::Runtime& runtime, const SampleGraph& graph,
-                                        const base::Array<surface::Curvature>& curvature,
-                                        const FieldSettings& settings) {
+base::Array<Bend> average_bends(const base::Runtime& runtime, const SampleGraph& graph,
+                                const base::Array<surface::Curvature>& curvature) {
     base::Array<Bend> bend(runtime.memory, graph.size());
     base::Array<Bend> next(runtime.memory, graph.size());
     const double largest = 1.0 / (0.25 * graph.spacing); // what is sharper the samples do not know
@@ -57,6 +48,11 @@ base::Array<Complex> guide_by_curvature(const base::Runtime& runtime, const Samp
         average(runtime, graph, bend, next);
         std::swap(bend, next);
     }
+    return bend;
+}
+
+base::Array<Complex> guide_by_curvature(const base::Runtime& runtime, const SampleGraph& graph,
+                                        const base::Array<Bend>& bend, const FieldSettings& settings) {
     base::Array<Complex> guide(runtime.memory, graph.size());
     for (std::int64_t i = 0; i < graph.size(); ++i) {
         const double apart = std::abs(bend[i].difference);

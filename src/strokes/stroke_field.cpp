@@ -83,16 +83,9 @@ Measured measure(const marks::Site& site, marks::Kind kind, const Settings& sett
 
 } // namespace
 
-// The border is where the two smallest components of n are alike in magnitude.
 Combing combing_at(const glm::dvec3& n) noexcept {
     const geometry::TangentFrame frame = geometry::combing_frame(n);
-    double a = std::abs(n.x);
-    double b = std::abs(n.y);
-    double c = std::abs(n.z);
-    if (a > b) std::swap(a, b);
-    if (b > c) std::swap(b, c);
-    if (a > b) std::swap(a, b);
-    return {frame.r, frame.u, glm::smoothstep(0.05, 0.35, b - a)};
+    return {frame.r, frame.u, geometry::combing_trust(n)};
 }
 
 StrokeFieldResult make_stroke_field(const marks::Site& site, const stipples::SurfaceCells& cells, marks::Kind kind,

@@ -122,6 +122,7 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
         ["--set", "stipples.shown=true", "--set", "principal.directions=first", "--style", "cross-hatch"],
         ["--set", "light=y", "--set", "stipples.ink=#ff0000", "--set", "combing.contours=0"],
         ["--shape", "strokes", "--style", "hatch"],
+        ["--guide", "light", "--guide-direction", "1,2,3", "--guide-weight", "0.5", "--style", "engraving"],
         ["--lines", "contour,suggestive,ridges,valleys,apparent,parabolic,border", "--style", "silhouette"],
         ["--lines", "contour,section=z:5,isophotes=0.2:0.6", "--hidden", "dashed", "--line-width", "1.5"],
         ["--lines", "none", "--style", "xray"],

@@ -290,6 +290,22 @@ namespace HrbfNpr
         Cross = 1,
     }
 
+    /// <summary>What the lines of <see cref="LayerKind.Hatch"/> follow.</summary>
+    [NativeConstants("HRBFNPR_HATCH_GUIDE_")]
+    public enum HatchGuide
+    {
+        /// <summary>The direction in which the surface bends most (default).</summary>
+        Curvature = 0,
+        /// <summary>The first direction of Combing [NPAR 5.3].</summary>
+        Combing = 1,
+        /// <summary>Sections by planes across <see cref="Layer.Axis"/>.</summary>
+        Sections = 2,
+        /// <summary>Away from the light of <see cref="Layer.GuideDirection"/>.</summary>
+        Light = 3,
+        /// <summary>As the silhouette runs that is seen from <see cref="Layer.GuideDirection"/>.</summary>
+        Silhouette = 4,
+    }
+
     /// <summary>Where marks start from.</summary>
     [NativeConstants("HRBFNPR_SEED_")]
     public enum SeedSource

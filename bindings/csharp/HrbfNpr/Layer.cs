@@ -173,6 +173,14 @@ namespace HrbfNpr
         /// makes no islands of light; diagonals, 0.1 at most, 0 = not; -1 = 0.006 for Hatch, 0 for others.
         /// </summary>
         public double ToneSmoothing { get; set; } = -1;
+        /// <summary>Of Hatch: what lines follow where there is no <see cref="DirectionFunction"/>.</summary>
+        public HatchGuide Guide { get; set; }
+
+        /// <summary>Of Hatch: towards the light, or the eye, of a guide that asks for it; (0, 0, 1).</summary>
+        public Vector3d GuideDirection { get; set; } = (0, 0, 1);
+
+        /// <summary>Of Hatch: of a guide other than Curvature; what is left of 1 is curvature's; 1.</summary>
+        public double GuideWeight { get; set; } = 1;
 
         internal static unsafe Layer Read(hrbfnpr_layer_desc* desc)
         {
@@ -199,6 +207,9 @@ namespace HrbfNpr
                 Axis = *(Vector3d*)desc->axis,
                 AxisWeight = desc->axis_weight,
                 ToneSmoothing = desc->tone_smoothing,
+                Guide = (HatchGuide)desc->guide,
+                GuideDirection = *(Vector3d*)desc->guide_direction,
+                GuideWeight = desc->guide_weight,
             };
         }
 
@@ -228,6 +239,9 @@ namespace HrbfNpr
             *(Vector3d*)desc->axis = Axis;
             desc->axis_weight = AxisWeight;
             desc->tone_smoothing = ToneSmoothing;
+            desc->guide = (uint)Guide;
+            *(Vector3d*)desc->guide_direction = GuideDirection;
+            desc->guide_weight = GuideWeight;
         }
     }
 

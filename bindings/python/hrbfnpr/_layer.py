@@ -13,6 +13,7 @@ from ._library import ffi, lib
 from ._names import (
     DENSITIES,
     DISTRIBUTIONS,
+    GUIDES,
     LAYER_KINDS,
     MADE_KINDS,
     MARK_KINDS,
@@ -98,6 +99,13 @@ class Layer:
     tone_smoothing : float, optional
         Over so much of the surface the normals that tone goes by are averaged, so that the grain of a rough one makes
         no islands of light; in diagonals, 0.1 at most, 0 = not; by default 0.006 for "hatch", 0 for others.
+    guide : {"curvature", "combing", "sections", "light", "silhouette"}
+        What lines of "hatch" follow where no `direction` is given: the direction in which the surface bends
+        most, Stark's first one, sections by planes across `axis`, away from a light, or as the silhouette.
+    guide_direction : (x, y, z)
+        Towards the light of "light", or the eye of "silhouette", in the model's own space.
+    guide_weight : float
+        0 to 1: of a guide other than "curvature"; what is left of 1 is curvature's.
 
     Examples
     --------
@@ -126,6 +134,9 @@ class Layer:
     axis: Tuple[float, float, float] = (0.0, 1.0, 0.0)
     axis_weight: float = 0.06
     tone_smoothing: Optional[float] = None
+    guide: str = "curvature"
+    guide_direction: Tuple[float, float, float] = (0.0, 0.0, 1.0)
+    guide_weight: float = 1.0
 
     def _budget(self, default: int, distribution: int) -> int:
         if self.budget is not None:
@@ -152,6 +163,8 @@ class Layer:
         desc.axis = self.axis
         if self.tone_smoothing is not None:
             desc.tone_smoothing = self.tone_smoothing
+        desc.guide, desc.guide_weight = number_of("guide", GUIDES, self.guide), self.guide_weight
+        desc.guide_direction = self.guide_direction
         states: List[Optional[CallbackState]] = []
         keep = [c_name(desc, self.name)]
 
@@ -181,6 +194,7 @@ _OF_KINDS: Dict[str, Tuple[str, ...]] = {
     **{name: STROKE_KINDS for name in ("start", "start_level")},
     "direction": ("field", "hatch"),
     **{name: ("hatch",) for name in ("angle", "smoothing", "axis", "axis_weight")},
+    **{name: ("hatch",) for name in ("guide", "guide_direction", "guide_weight")},
 }
 
 
@@ -208,6 +222,8 @@ def _from_struct(desc: Any) -> Layer:
     fields_of_hatch = {} if kind != "hatch" else {
         "separation": desc.separation, "angle": desc.angle, "smoothing": desc.smoothing,
         "axis": tuple(desc.axis), "axis_weight": desc.axis_weight,
+        "guide": name_of(GUIDES, desc.guide), "guide_direction": tuple(desc.guide_direction),
+        "guide_weight": desc.guide_weight,
     }  # fmt: skip
     tones = {
         field: (begin, end)

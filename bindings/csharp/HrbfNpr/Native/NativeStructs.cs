@@ -191,6 +191,10 @@ namespace HrbfNpr
         internal fixed double axis[3];
         internal double axis_weight;
         internal double tone_smoothing;
+        internal uint guide;
+        internal uint reserved;
+        internal fixed double guide_direction[3];
+        internal double guide_weight;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_generate_desc")]

@@ -32,6 +32,7 @@ _GENERATE = (
     "projection_tolerance", "random_seed",
 )  # fmt: skip
 _STROKES = ("separation", "step", "length", "symmetry", "start", "start_level")
+_HATCH = ("separation", "step", "guide", "guide_direction", "guide_weight")
 _HATCH_PIXELS = ("hatch_spacing", "hatch_pen", "hatch_white", "hatch_taper", "hatch_shortest", "hatch_overshoot")
 _STYLE = (
     "paper", "hidden_lines", "visibility", "silhouette_threshold", "silhouette_law", "silhouette_width",
@@ -126,7 +127,7 @@ def make_layers(arguments: Any, wanted: Sequence[Layer]) -> List[Layer]:
     layers = []
     for layer in wanted:
         kind = layer.kind
-        fields = {"stipples": ("density", "density_strength"), "hatch": ("separation", "step")}.get(kind, _STROKES)
+        fields = {"stipples": ("density", "density_strength"), "hatch": _HATCH}.get(kind, _STROKES)
         layer = replace(layer, **given(arguments, (*fields, "tone_smoothing")))
         for field, numbers in (("budget", arguments.budget), ("levels", arguments.levels)):
             if numbers is not None and kind in numbers:

@@ -15,6 +15,7 @@ from .. import __version__
 from .._names import (
     DENSITIES,
     DISTRIBUTIONS,
+    GUIDES,
     HIDDEN_LINES,
     HIDDEN_PARTS,
     KERNELS,
@@ -122,6 +123,10 @@ def _add_marks(parser: Parser) -> None:
     _add(group, "--stroke-step", "step", values.number, "LENGTH", "of the marks along a stroke")
     _add(group, "--stroke-length", "length", values.number, "LENGTH", "of the longest stroke; 0 = no limit")
     _add_choice(group, "--symmetry", "symmetry", tuple(SYMMETRIES), "where the directions change places")
+    _add_choice(group, "--guide", "guide", tuple(GUIDES), "what lines of hatching follow")
+    _add(group, "--guide-direction", "guide_direction", values.direction, "X,Y,Z", "to the light, or to the eye, that "
+         "such a guide means; z")  # fmt: skip
+    _add(group, "--guide-weight", "guide_weight", values.number, "X", "of that guide; the rest of 1 is curvature's; 1")
     _add_choice(group, "--density", "density", tuple(name for name in DENSITIES if name != "callback"),
                 "where stipples are denser")  # fmt: skip
     _add(group, "--density-strength", "density_strength", values.number, "X", "of curvature, 0 to 1; 0.5")

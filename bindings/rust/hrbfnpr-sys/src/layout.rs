@@ -284,7 +284,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer_desc>() == either(184, 168, 164));
+    assert!(size_of::<hrbfnpr_layer_desc>() == either(224, 208, 204));
     assert!(align_of::<hrbfnpr_layer_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -317,6 +317,10 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_layer_desc, axis) == either(144, 128, 124));
     assert!(offset_of!(hrbfnpr_layer_desc, axis_weight) == either(168, 152, 148));
     assert!(offset_of!(hrbfnpr_layer_desc, tone_smoothing) == either(176, 160, 156));
+    assert!(offset_of!(hrbfnpr_layer_desc, guide) == either(184, 168, 164));
+    assert!(offset_of!(hrbfnpr_layer_desc, reserved) == either(188, 172, 168));
+    assert!(offset_of!(hrbfnpr_layer_desc, guide_direction) == either(192, 176, 172));
+    assert!(offset_of!(hrbfnpr_layer_desc, guide_weight) == either(216, 200, 196));
 };
 
 const _: () = {

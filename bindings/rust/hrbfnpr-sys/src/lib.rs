@@ -1142,6 +1142,21 @@ pub const HRBFNPR_SYMMETRY_LINE: u32 = 0;
 /// the direction that it follows for most of its length.
 pub const HRBFNPR_SYMMETRY_CROSS: u32 = 1;
 
+// What the lines of HATCH follow, besides a direction_function of the caller's.  Each is a
+// line at every place, and how
+// sure it is: where it is not, the smoothest field between decides.
+/// the direction in which the surface bends most, where it bends unevenly
+pub const HRBFNPR_HATCH_GUIDE_CURVATURE: u32 = 0;
+/// the first direction of COMBING [NPAR 5.3]
+pub const HRBFNPR_HATCH_GUIDE_COMBING: u32 = 1;
+/// the surface's sections by planes across `axis`
+pub const HRBFNPR_HATCH_GUIDE_SECTIONS: u32 = 2;
+/// the tangent part of guide_direction, which points to the light
+pub const HRBFNPR_HATCH_GUIDE_LIGHT: u32 = 3;
+/// what is conjugate to guide_direction, which points to the eye: near where that grazes the
+/// surface lines run as the silhouette does
+pub const HRBFNPR_HATCH_GUIDE_SILHOUETTE: u32 = 4;
+
 /// SAMPLES if the model has well-spread ones, else BOX
 pub const HRBFNPR_SEED_AUTO: u32 = 0;
 /// the model's samples; INVALID_ARGUMENT for a custom model
@@ -1273,9 +1288,8 @@ pub struct hrbfnpr_layer_desc {
     ///
     /// HATCH, with BLUE_NOISE.  separation is that of all lines together, or 0 for as many as
     /// make about the budget's
-    /// marks; a step of 0 is 0.4 of it.  Lines follow direction_function where that is given,
-    /// else the direction in
-    /// which the surface bends most.
+    /// marks; a step of 0 is 0.4 of it.  Lines follow direction_function where that is given, else what
+    /// guide says.
     pub angle: f64,
     /// of directions: the distance over which they are evened out; diagonals, > 0, 1 at most; 0.04
     pub smoothing: f64,
@@ -1288,6 +1302,15 @@ pub struct hrbfnpr_layer_desc {
     ///
     /// Of all kinds.
     pub tone_smoothing: f64,
+    /// HRBFNPR_HATCH_GUIDE_...; CURVATURE
+    pub guide: u32,
+    /// 0
+    pub reserved: u32,
+    /// of LIGHT and SILHOUETTE, in object space; not 0; (0, 0, 1)
+    pub guide_direction: [f64; 3],
+    /// of a guide other than CURVATURE: what is left of 1 is curvature's, 0 .. 1; 1. Lines are
+    /// blended as exp(2 i angle)
+    pub guide_weight: f64,
 }
 
 extern "C" {
