@@ -41,3 +41,10 @@ def test_a_guide_has_a_name():
         hrbfnpr.Model.fit([[0, 0, 1], [0, 0, -1]], [[0, 0, 1], [0, 0, -1]]).generate(
             [hrbfnpr.Layer("hatch", guide="wind")]
         )
+
+
+@pytest.mark.parametrize("fields", [{"guide_weight": 1.5}, {"guide_direction": (0, 0, 0)}])
+def test_what_a_guide_cannot_take_is_refused_by_name(ball, fields):
+    (name,) = fields
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match=rf"layers\[0\]\.{name}"):
+        marks_of(ball, guide="light", **fields)
