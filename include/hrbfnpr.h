@@ -1600,7 +1600,7 @@ enum {
                                                layers the second direction */
     HRBFNPR_PRESET_CROSS_HATCH = 2,         /* up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each;
                                                contours.  Of PRINCIPAL layers both directions */
-    HRBFNPR_PRESET_COMBING = 3,             /* combing strokes, the second direction in the darks; contours */
+    HRBFNPR_PRESET_COMBING = 3,             /* lines along Stark's combing direction, a second set in the darks; contours */
     HRBFNPR_PRESET_SILHOUETTE = 4,          /* contours only, hidden ones attenuated */
     HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, /* contours and stipples */
     HRBFNPR_PRESET_XRAY = 6,                /* contours only, hidden ones shown */
@@ -1625,7 +1625,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint3
 /* The layers that a preset draws, with defaults: a list of constants for
  * hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
  * For BLUE_NOISE: HATCH is not PUBLISHED; HATCH, CROSS_HATCH and FULL draw layers
- * of STIPPLES and PRINCIPAL then.
+ * of STIPPLES and PRINCIPAL then, COMBING those of STIPPLES and COMBING.
  * NULL and 0 for a number that is no preset's. */
 HRBFNPR_API const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
 /* "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:

@@ -29,17 +29,6 @@ constexpr hrbfnpr_layer_desc of_kind(std::uint32_t kind) noexcept {
 
 // Stipples give the contours of all of them.
 constexpr std::array<hrbfnpr_layer_desc, 1> stipples = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES)};
-// Light tones have strokes of the first direction, darker ones of the second too.
-constexpr hrbfnpr_layer_desc layered(std::uint32_t kind) noexcept {
-    hrbfnpr_layer_desc desc = of_kind(kind);
-    desc.tone_begin = 0.1F;
-    desc.tone_end = 0.55F;
-    desc.second_tone_begin = 0.5F;
-    desc.second_tone_end = 1.0F;
-    return desc;
-}
-constexpr std::array<hrbfnpr_layer_desc, 2> combing = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES),
-                                                       layered(HRBFNPR_LAYER_KIND_COMBING)};
 // Lights are left empty.
 constexpr std::array<hrbfnpr_layer_desc, 1> scientific = {[] {
     hrbfnpr_layer_desc desc = of_kind(HRBFNPR_LAYER_KIND_STIPPLES);
@@ -54,6 +43,11 @@ constexpr hrbfnpr_layer_desc hatched(const char* name, double angle) noexcept {
     desc.angle = angle;
     return desc;
 }
+constexpr hrbfnpr_layer_desc combed(const char* name, double angle) noexcept {
+    hrbfnpr_layer_desc desc = hatched(name, angle);
+    desc.guide = HRBFNPR_HATCH_GUIDE_COMBING;
+    return desc;
+}
 constexpr hrbfnpr_layer_desc by_curvature(hrbfnpr_layer_desc desc) noexcept {
     desc.axis_weight = 0.02;
     desc.smoothing = 0.03;
@@ -63,6 +57,8 @@ constexpr std::array<hrbfnpr_layer_desc, 4> cross_hatch = {
     of_kind(HRBFNPR_LAYER_KIND_STIPPLES), hatched("hatch-1", 0.0), hatched("hatch-2", 35.0), hatched("hatch-3", -30.0)};
 constexpr std::array<hrbfnpr_layer_desc, 3> two_sets = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES), hatched("hatch-1", 0.0),
                                                         hatched("hatch-2", 40.0)};
+constexpr std::array<hrbfnpr_layer_desc, 3> combing = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES), combed("hatch-1", 0.0),
+                                                       combed("hatch-2", 40.0)};
 constexpr std::array<hrbfnpr_layer_desc, 2> archaeological = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES),
                                                               by_curvature(hatched(nullptr, 0.0))};
 constexpr std::array<hrbfnpr_layer_desc, 2> engraving = {of_kind(HRBFNPR_LAYER_KIND_STIPPLES), hatched(nullptr, 0.0)};
@@ -81,7 +77,7 @@ PresetLayers preset_layers(std::uint32_t preset) noexcept {
     case HRBFNPR_PRESET_CROSS_HATCH: return {cross_hatch.data(), 4};
     case HRBFNPR_PRESET_FULL:
     case HRBFNPR_PRESET_SKETCH: return {two_sets.data(), 3};
-    case HRBFNPR_PRESET_COMBING: return {combing.data(), 2};
+    case HRBFNPR_PRESET_COMBING: return {combing.data(), 3};
     case HRBFNPR_PRESET_HATCH:
     case HRBFNPR_PRESET_ENGRAVING:
     case HRBFNPR_PRESET_WOODCUT: return {engraving.data(), 2};

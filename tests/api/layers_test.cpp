@@ -450,13 +450,7 @@ TEST(Layers, OfPresets) {
                 defaults.name = layers[i].name;
                 defaults.angle = layers[i].angle;
             }
-            // Strokes of the second direction are for the darks.
-            if (preset == HRBFNPR_PRESET_COMBING && i == 1) {
-                defaults.tone_begin = 0.1F;
-                defaults.tone_end = 0.55F;
-                defaults.second_tone_begin = 0.5F;
-                defaults.second_tone_end = 1.0F;
-            }
+            if (preset == HRBFNPR_PRESET_COMBING && i > 0) defaults.guide = HRBFNPR_HATCH_GUIDE_COMBING;
             EXPECT_EQ(std::memcmp(&defaults, &layers[i], sizeof defaults), 0);
         }
         const auto has = [&](std::uint32_t kind) {

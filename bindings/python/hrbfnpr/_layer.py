@@ -205,7 +205,8 @@ _PUBLISHED = {"hatch": "principal", "cross-hatch": "principal", "combing": "comb
 def preset_layers(preset: str, distribution: str = "blue_noise") -> List[Layer]:
     """The layers that a preset draws, to be changed and given to `PointSet.generate`.
 
-    Of the distribution "published" hatch, cross-hatch and full draw strokes of the kind "principal".
+    Of the distribution "published" hatch, cross-hatch and full draw strokes of the kind "principal",
+    combing those of the kind "combing".
     """
     if preset not in PRESETS:
         raise ValueError(f"preset must be one of {', '.join(map(repr, PRESETS))}, not {preset!r}")

@@ -110,8 +110,13 @@ constexpr LayerStyle cross_hatch_layers[] = {hidden(Kind::stipples),
                                              crossed("hatch-2", 0.38F, 0.66F, 0.24F),
                                              crossed("hatch-3", 0.60F, 0.90F, 0.30F),
                                              crossed(nullptr, 0.12F, 0.90F, 0.30F)};
-constexpr LayerStyle combing_layers[] = {hidden(Kind::stipples), hidden(Kind::principal),
-                                         sharing(as_lines(shown(Kind::combing, 0.55F)), 0.7F), hidden(Kind::field)};
+constexpr LayerStyle combing_layers[] = {hidden(Kind::stipples),
+                                         hidden(Kind::principal),
+                                         sharing(as_lines(shown(Kind::combing, 0.55F)), 0.7F),
+                                         hidden(Kind::field),
+                                         crossed("hatch-1", 0.10F, 0.60F, 0.32F),
+                                         crossed("hatch-2", 0.50F, 0.92F, 0.34F),
+                                         crossed(nullptr, 0.10F, 0.92F, 0.34F)};
 // Stipples in the lights and between lines, lines in the darks.  Strokes stay in the darker parts.
 constexpr LayerStyle full_layers[] = {sharing(shown(Kind::stipples, 0.7F), 0.45F),
                                       sharing(shown(Kind::principal), 0.6F),

@@ -2261,7 +2261,7 @@ pub const HRBFNPR_PRESET_HATCH: u32 = 1;
 /// up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each; contours. Of
 /// PRINCIPAL layers both directions
 pub const HRBFNPR_PRESET_CROSS_HATCH: u32 = 2;
-/// combing strokes, the second direction in the darks; contours
+/// lines along Stark's combing direction, a second set in the darks; contours
 pub const HRBFNPR_PRESET_COMBING: u32 = 3;
 /// contours only, hidden ones attenuated
 pub const HRBFNPR_PRESET_SILHOUETTE: u32 = 4;
@@ -2299,7 +2299,7 @@ extern "C" {
     /// The layers that a preset draws, with defaults: a list of constants for
     /// hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
     /// For BLUE_NOISE: HATCH is not PUBLISHED; HATCH, CROSS_HATCH and FULL draw layers
-    /// of STIPPLES and PRINCIPAL then.
+    /// of STIPPLES and PRINCIPAL then, COMBING those of STIPPLES and COMBING.
     /// NULL and 0 for a number that is no preset's.
     pub fn hrbfnpr_preset_layers(preset: u32, count: *mut i64) -> *const hrbfnpr_layer_desc;
     /// "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:
