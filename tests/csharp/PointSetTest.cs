@@ -135,7 +135,7 @@ namespace HrbfNpr.Tests
             GenerateOptions full = GenerateOptions.ForPreset(Preset.Full, 3000);
             Assert.Equal(new[] { LayerKind.Stipples, LayerKind.Hatch, LayerKind.Hatch }, full.Layers.Select(one => one.Kind).ToArray());
             Assert.True(full.Layers.All(one => one.Budget == 3000 && one.Levels == -1));
-            Assert.Equal(LayerKind.Combing, GenerateOptions.ForPreset(Preset.Combing).Layers[1].Kind);
+            Assert.Equal(HatchGuide.Combing, GenerateOptions.ForPreset(Preset.Combing).Layers[1].Guide);
             Assert.Equal(Layer.DefaultBudget, GenerateOptions.ForPreset(Preset.Stipple).Layers[0].Budget);
             Assert.Throws<InvalidArgumentException>(() => GenerateOptions.ForPreset((Preset)99));
         }

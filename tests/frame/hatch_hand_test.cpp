@@ -35,13 +35,13 @@ TEST_F(HatchByHand, LinesStrayByNoMoreThanTheyMay) {
         ASSERT_EQ(frame.drawing().strokes.size(), 9);
         for (std::int64_t s = 0; s < 9; ++s) {
             const float straight = 250.0F - 20.0F * std::round((250.0F - points_of(s).front().y) / 20.0F);
-            float before = 0.0F;
+            StrokePoint before{};
             for (const StrokePoint& p : points_of(s)) {
                 most = std::max(most, std::abs(p.y - straight));
                 if (p.x > 53.0F) {
-                    EXPECT_NEAR(p.y, before, 0.4F) << "smooth";
+                    EXPECT_LE(std::abs(p.y - before.y), 0.16F * std::abs(p.x - before.x)) << "smooth";
                 }
-                before = p.y;
+                before = p;
             }
         }
     }

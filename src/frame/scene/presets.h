@@ -68,7 +68,7 @@ constexpr LayerStyle lines_by_tone(const char* name, float begin, float end, flo
     style.hatch_coverage_end = coverage;
     style.hatch_spacing = 2.8F;
     style.hatch_pen = 0.45F;
-    style.hatch_white = 0.8F;
+    style.hatch_white = 0.68F;
     style.hatch_taper = 12.0F;
     style.hatch_shortest = 7.0F;
     return style;
@@ -128,7 +128,7 @@ constexpr LayerStyle full_layers[] = {sharing(shown(Kind::stipples, 0.7F), 0.45F
 
 // Stipples are not seen: they tell where the surface is.  Illustrators leave highlights empty, and cross their lines
 // at 30 to 60 degrees.
-constexpr LayerStyle engraving_layers[] = {lines_by_tone(nullptr, 0.15F, 0.95F, 0.78F), hidden(Kind::any)};
+constexpr LayerStyle engraving_layers[] = {lines_by_tone(nullptr, 0.15F, 0.95F, 0.74F), hidden(Kind::any)};
 constexpr LayerStyle etching_layers[] = {lines_by_tone("hatch-1", 0.15F, 0.55F, 0.36F),
                                          lines_by_tone("hatch-2", 0.40F, 0.75F, 0.36F),
                                          lines_by_tone("hatch-3", 0.66F, 0.92F, 0.36F), hidden(Kind::any)};

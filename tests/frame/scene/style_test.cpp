@@ -82,7 +82,7 @@ TEST(Presets, AreWhatTheirNamesSay) {
         EXPECT_EQ(shown(i), 0U);
         EXPECT_EQ(preset(i).style.hidden_lines, HiddenLines::hide);
     }
-    constexpr std::size_t sets_of[preset_count] = {0, 1, 4, 0, 0, 0, 0, 3, 1, 3, 1, 0, 3, 0, 1};
+    constexpr std::size_t sets_of[preset_count] = {0, 1, 4, 3, 0, 0, 0, 3, 1, 3, 1, 0, 3, 0, 1};
     for (std::uint32_t i = 0; i < preset_count; ++i) {
         const Preset p = preset(i);
         std::size_t sets = 0;
