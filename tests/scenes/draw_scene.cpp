@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// draw_scene NAME FILE [WIDTH HEIGHT [THREADS [BACKEND]]]: draws one scene into a PAM file.
+// draw_scene NAME FILE [WIDTH HEIGHT [THREADS [BACKEND [baseline]]]]: draws one scene into a PAM file.
 // BACKEND: auto, pool, openmp, run_tasks (a runner of this program) or serial; status 77 if the build has it not.
 // draw_scene --list: the scenes' names.
 #include "scenes/scenes.h"
@@ -35,11 +35,12 @@ void run_tasks(void* /*user*/, hrbfnpr_task_fn task, void* task_context, std::in
     upper.join();
 }
 
-scenes::Context make_context(int threads, std::string_view backend) {
+scenes::Context make_context(int threads, std::string_view backend, bool baseline) {
     scenes::Check check;
     hrbfnpr_context_desc desc;
     hrbfnpr_context_desc_init(&desc, sizeof desc);
     desc.thread_count = threads;
+    if (baseline) desc.highest_instruction_set = HRBFNPR_INSTRUCTION_SET_BASELINE;
     desc.thread_backend =
         static_cast<std::uint32_t>(std::find(std::begin(backends), std::end(backends), backend) - std::begin(backends));
     if (desc.thread_backend == HRBFNPR_THREAD_BACKEND_RUN_TASKS) desc.run_tasks = run_tasks;
@@ -59,7 +60,8 @@ int draw(int argc, char** argv) {
     const int height = argc > 4 ? std::atoi(argv[4]) : 480;
     const std::string_view backend = argc > 6 ? argv[6] : "auto";
     if (!is_built_in(backend)) return 77;
-    const scenes::Context context = make_context(argc > 5 ? std::atoi(argv[5]) : 0, backend);
+    const bool baseline = argc > 7 && std::string_view(argv[7]) == "baseline";
+    const scenes::Context context = make_context(argc > 5 ? std::atoi(argv[5]) : 0, backend, baseline);
     const scenes::Scene scene = scenes::make(context.get(), argv[1], width, height);
     if (write_pam(argv[2], scenes::draw(context.get(), scene))) return 0;
     std::fprintf(stderr, "draw_scene: cannot write %s\n", argv[2]);
