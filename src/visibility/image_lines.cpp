@@ -78,6 +78,7 @@ public:
         std::int64_t hidden = -1; // a piece that is not seen
         for (std::int64_t k = 0; k < pieces && hidden < 0; ++k)
             if (!seen(k)) hidden = k;
+        if (pieces == 0) return; // a point: its curve could not be followed
         if (hidden < 0) {
             add_line(subject, curve, 0, pieces, curves.closed[curve] != 0);
             return;
