@@ -229,7 +229,7 @@ def test_large_point_sets_are_thinned(tmp_path, capsys):
     [
         (["--style", "stipple"], ("MOST_MARKS", 300), r"stipples: \d+ marks would fill the darkest tone, 300 are made.*"
          r"gets \d+% of its ink: --marks stipples=\d+ makes all"),
-        (["--style", "combing", "--layers", "combing"], ("MOST_MARKS", 300), r"combing: \d+ marks would fill"),
+        (["--layers", "stipples,combing", "--marks", "stipples=100"], ("MOST_MARKS", 300), r"combing: \d+ marks would fill"),
         (["--distribution", "published"], ("MOST_LEVELS", 1), r"stipples: \d refinement steps would fill the picture, "
          r"1 are taken.*--levels stipples=\d takes all"),
     ],
