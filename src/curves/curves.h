@@ -5,6 +5,8 @@
 #include "base/memory.h"
 #include "curves/curve_points.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace hrbfnpr::curves {
@@ -36,8 +38,12 @@ struct Curves {
 class CubicPiece {
 public:
     CubicPiece(const CurvePoint& a, const CurvePoint& b) noexcept
-        : a_(a.position), b_(b.position), length_(glm::distance(a_, b_)),
-          begin_(length_ * glm::normalize(a.direction())), end_(length_ * glm::normalize(b.direction())) {}
+        : a_(a.position), b_(b.position), length_(glm::distance(a_, b_)), begin_(glm::normalize(a.direction())),
+          end_(glm::normalize(b.direction())) {
+        const double speed = length_ * over_chord(glm::dot(begin_, end_));
+        begin_ *= speed;
+        end_ *= speed;
+    }
 
     [[nodiscard]] glm::dvec3 at(double u) const noexcept {
         const double v = 1.0 - u;
@@ -51,6 +57,12 @@ public:
     [[nodiscard]] double length() const noexcept { return length_; }
 
 private:
+    // How fast it begins and ends, in chords, for its middle to lie on the arc of a circle: an arc of the angle t wants
+    // 4 tan(t / 4) radii, and its chord has 2 sin(t / 2).
+    [[nodiscard]] static double over_chord(double cosine) noexcept {
+        return 2.0 / (1.0 + std::sqrt(0.5 * (1.0 + std::clamp(cosine, 0.0, 1.0))));
+    }
+
     glm::dvec3 a_, b_;
     double length_;
     glm::dvec3 begin_, end_;

@@ -8,6 +8,8 @@ namespace {
 
 // Of a piece's length: a cubic between points that turns by less than a right angle is no farther from its chord.
 constexpr double bulge = 0.25;
+// Points before and after the guess that are tried.
+constexpr std::int64_t guesses = 2;
 
 geometry::VecArray places_of(base::Memory& memory, const Curves& curves) {
     geometry::VecArray places(memory, curves.point.size());
@@ -64,8 +66,21 @@ std::int64_t NearCurves::passing(const glm::dvec3& place, const glm::dvec3& alon
     std::int64_t found = -1;
     grid_.around(place, [&](std::int64_t at) {
         const std::int64_t point = grid_.index(at);
-        if (found >= 0 || curve_[point] == but || !(glm::dot(curves_.point[point].direction(), along) >= 0.0)) return;
-        if (foot_beside(point, place, distance).distance <= distance) found = curve_[point];
+        if (found < 0 && curve_[point] != but && passes(point, place, along, distance)) found = curve_[point];
+    });
+    return found;
+}
+
+std::int64_t NearCurves::point_by(const glm::dvec3& place, const glm::dvec3& along, double distance,
+                                  std::int64_t guess) const {
+    if (guess >= 0)
+        for (std::int64_t point = std::max(guess - guesses, std::int64_t{0});
+             point <= std::min(guess + guesses, curves_.point.size() - 1); ++point)
+            if (passes(point, place, along, distance)) return point;
+    std::int64_t found = -1;
+    grid_.around(place, [&](std::int64_t at) {
+        const std::int64_t point = grid_.index(at);
+        if (found < 0 && passes(point, place, along, distance)) found = point;
     });
     return found;
 }

@@ -25,8 +25,17 @@ public:
     // One of them that is not `but`, within this distance of the place; -1: none is.
     [[nodiscard]] std::int64_t passing(const glm::dvec3& place, const glm::dvec3& along, double distance,
                                        std::int64_t but = -1) const;
+    // The point beside which one passes; -1: none does.  Those beside `guess` are tried first: for places that follow
+    // each other.
+    [[nodiscard]] std::int64_t point_by(const glm::dvec3& place, const glm::dvec3& along, double distance,
+                                        std::int64_t guess) const;
 
 private:
+    [[nodiscard]] bool passes(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along,
+                              double distance) const noexcept {
+        return glm::dot(curves_.point[point].direction(), along) >= 0.0 &&
+               foot_beside(point, place, distance).distance <= distance;
+    }
     [[nodiscard]] Foot foot_beside(std::int64_t point, const glm::dvec3& place, double within) const noexcept;
 
     const Curves& curves_;

@@ -108,8 +108,11 @@ base::Array<Bead> Rounds::uncovered(const base::Array<Bead>& beads) const {
     const NearCurves near = near_curves();
     base::Array<std::uint8_t> is_covered(runtime_.memory, beads.size());
     runtime_.parallel.for_chunks(beads.size(), 512, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i)
-            is_covered[i] = near.passing(beads[i].place, beads[i].way, covered * mesh_.side) >= 0 ? 1 : 0;
+        std::int64_t point = -1; // beads of a chain follow each other, as a curve's points do
+        for (std::int64_t i = begin; i < end; ++i) {
+            point = near.point_by(beads[i].place, beads[i].way, covered * mesh_.side, point);
+            is_covered[i] = point >= 0 ? 1 : 0;
+        }
     });
     base::Array<Bead> left(runtime_.memory);
     for (std::int64_t i = 0; i < beads.size(); ++i)

@@ -13,7 +13,7 @@ namespace hrbfnpr::curves {
 struct TraceSettings {
     double longest = 1.0;                  // step, in the mesh's sides
     double shortest = 1e-4;                // in the mesh's sides: a curve that needs shorter ones is given up
-    double turn = 0.25;                    // radians between points, at most
+    double turn = 0.33;                    // radians between points, at most
     double tolerance = 2e-4;               // a Newton's step that is shorter is the last one; in the mesh's sides
     std::int32_t evaluation_limit = 20000; // for each start
 };

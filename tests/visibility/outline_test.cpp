@@ -64,7 +64,7 @@ std::optional<bool> says(const Picture& picture, const Outline& outline, const P
 
 // Beside the curve, on the side where there is less.
 bool is_outline(const Picture& picture, const Eye& eye, const Place& place) {
-    constexpr double beside = 0.02; // pixels
+    constexpr double beside = 0.005; // pixels: beside a cusp the hidden contour is nearer than 0.02
     const Piece& piece = picture.found->lines.pieces[place.piece];
     const curves::View& view = picture.subjects[static_cast<std::size_t>(piece.subject)].view;
     const glm::dvec3 p = picture.point_at(place);

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "curves/near_curves.h"
+
+#include "support/runtime.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace hrbfnpr::curves {
+namespace {
+
+// f = z and g = the distance from the z axis less the radius: a circle, anticlockwise.
+CurvePoint on_circle(double radius, double angle) {
+    CurvePoint p;
+    const glm::dvec3 out(std::cos(angle), std::sin(angle), 0.0);
+    p.position = radius * out;
+    p.gradient = {0.0, 0.0, 1.0};
+    p.level_gradient = out;
+    return p;
+}
+
+TEST(CubicPiece, IsTheArcOfACircle) {
+    constexpr double radius = 3.0;
+    for (const double angle : {0.01, 0.25, 0.4, 0.8}) {
+        const CubicPiece piece(on_circle(radius, 0.0), on_circle(radius, angle));
+        EXPECT_NEAR(glm::length(piece.at(0.5)), radius, 1e-14 * radius);
+        for (double u = 0.0; u <= 1.0; u += 0.05)
+            EXPECT_NEAR(glm::length(piece.at(u)), radius, 1e-4 * std::pow(angle, 6) * radius + 1e-14) << angle;
+    }
+}
+
+// Two circles, one in the other.
+Curves circles(base::Memory& memory) {
+    constexpr int points = 40;
+    Curves curves(memory);
+    curves.first.push_back(0);
+    for (const double radius : {1.0, 1.3}) {
+        for (int i = 0; i < points; ++i) curves.point.push_back(on_circle(radius, 2.0 * std::numbers::pi * i / points));
+        curves.first.push_back(curves.point.size());
+        curves.closed.push_back(1);
+    }
+    return curves;
+}
+
+TEST(NearCurves, WhateverTheGuessTheSamePlacesAreNear) {
+    constexpr double distance = 0.05;
+    const base::Runtime runtime = test::with_threads(1);
+    const Curves curves = circles(runtime.memory);
+    const NearCurves near(runtime.memory, curves, 0.25, distance);
+    int found = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double angle = 0.1 * i;
+        const double radius = 0.9 + 0.0017 * i;
+        const glm::dvec3 place = radius * glm::dvec3(std::cos(angle), std::sin(angle), 0.0);
+        for (const double way : {1.0, -1.0}) {
+            const glm::dvec3 along = way * glm::dvec3(-std::sin(angle), std::cos(angle), 0.0);
+            const std::int64_t curve = near.passing(place, along, distance);
+            for (const std::int64_t guess : {-1, 0, 1, 20, 39, 40, 79}) {
+                const std::int64_t point = near.point_by(place, along, distance, guess);
+                EXPECT_EQ(point >= 0, curve >= 0) << i << ' ' << guess;
+                if (point < 0) continue;
+                EXPECT_EQ(point < curves.first[1] ? 0 : 1, curve);
+            }
+            found += curve >= 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(found, 50);
+    EXPECT_LT(found, 200);
+}
+
+} // namespace
+} // namespace hrbfnpr::curves
