@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hrbfnpr::curves {
 namespace {
 
 constexpr int most_steps = 40;
+constexpr int trusted_steps = 6; // after these every step halves what is left: the value may jump at a sample
+constexpr int model_steps = 8;   // on a cubic, with no evaluation
 // Where more points are put on a piece that has a cusp.
 constexpr std::array<double, 3> inner_shares = {0.25, 0.5, 0.75};
 // In lengths of a piece: a point that came onto the curve by a shorter step knows enough of it.
@@ -23,19 +26,59 @@ double radial(const CurvePoint& p, const View& view) noexcept {
     return glm::dot(p.level_gradient, view.sight(p.position));
 }
 
-// The same along a cubic between points, by normals between theirs: t . (n x v) = v . grad g for t = n x grad g.
-double radial_of(const CubicPiece& cubic, const CurvePoint& a, const CurvePoint& b, const View& view,
-                 double u) noexcept {
-    const glm::dvec3 normal = (1.0 - u) * glm::normalize(a.gradient) + u * glm::normalize(b.gradient);
-    return glm::dot(cubic.derivative(u), glm::cross(normal, view.sight(cubic.at(u))));
-}
+// The same along a cubic between points, by normals between theirs, but for the length of n x grad g:
+// t . (n x v) = v . grad g for t = n x grad g.
+class RadialModel {
+public:
+    RadialModel(const CurvePoint& a, const CurvePoint& b, const View& view) noexcept
+        : view_(view), cubic_(a, b), begin_(glm::normalize(a.gradient)), end_(glm::normalize(b.gradient)) {}
+
+    [[nodiscard]] const CubicPiece& cubic() const noexcept { return cubic_; }
+    [[nodiscard]] double at(double u) const noexcept {
+        const glm::dvec3 normal = (1.0 - u) * begin_ + u * end_;
+        return glm::dot(glm::normalize(cubic_.derivative(u)), glm::cross(normal, view_.sight(cubic_.at(u))));
+    }
+    // By u, of what radial() is at a point of the curve there.
+    [[nodiscard]] double slope(double u, const CurvePoint& p) const noexcept {
+        constexpr double h = 1e-4;
+        return (at(u + h) - at(u - h)) / (2.0 * h) * glm::length(p.direction()) / glm::length(p.gradient);
+    }
+    // Where it changes its sign, if it does between the ends.  By regula falsi; the value of an end that stays twice is
+    // halved: Illinois.
+    [[nodiscard]] double root() const noexcept {
+        struct End {
+            double at, value;
+        };
+        End fixed{0.0, at(0.0)};
+        End moved{1.0, at(1.0)};
+        if ((fixed.value < 0.0) == (moved.value < 0.0)) return 0.5;
+        const auto between = [&] {
+            return moved.at - moved.value * (moved.at - fixed.at) / (moved.value - fixed.value);
+        };
+        for (int step = 0; step < model_steps; ++step) {
+            const double u = between();
+            const End next{u, at(u)};
+            if ((next.value < 0.0) == (moved.value < 0.0))
+                fixed.value *= 0.5;
+            else
+                fixed = moved;
+            moved = next;
+        }
+        return between();
+    }
+
+private:
+    const View& view_;
+    CubicPiece cubic_;
+    glm::dvec3 begin_, end_;
+};
 
 // Whether the radial curvature changes its sign on the way.
 bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view) noexcept {
-    const CubicPiece cubic(a, b);
+    const RadialModel model(a, b, view);
     const bool first = radial(a, view) < 0.0;
     for (const double u : inner_shares)
-        if ((radial_of(cubic, a, b, view, u) < 0.0) != first) return true;
+        if ((model.at(u) < 0.0) != first) return true;
     return (radial(b, view) < 0.0) != first;
 }
 
@@ -84,34 +127,33 @@ struct Search {
     std::int64_t piece; // its first point
     std::int64_t next;
     double low = 0.0, high = 1.0;
-    double low_value, high_value;
+    bool low_negative;
     double share = 0.5;
+    double last_share = 0.0, last_value = 0.0;
     CurvePoint a, b; // of the curve, where low and high are
-    int side = 0;    // that moved last
-    CurvePoint found;
+    CurvePoint found = {};
+    int steps = 0;
     bool done = false;
 };
 
-// Illinois: regula falsi that halves the value of an end which stays twice.  The value may jump at a sample.
-void narrow(Search& s, double value) noexcept {
-    if ((value < 0.0) == (s.low_value < 0.0)) {
-        s.low = s.share;
-        s.a = s.found;
-        s.low_value = value;
-        if (s.side < 0) s.high_value *= 0.5;
-        s.side = -1;
-    } else {
-        s.high = s.share;
-        s.b = s.found;
-        s.high_value = value;
-        if (s.side > 0) s.low_value *= 0.5;
-        s.side = 1;
-    }
-    s.done = s.high - s.low <= known;
-    const double share = s.low - s.low_value * (s.high - s.low) / (s.high_value - s.low_value);
-    const double next = share > s.low && share < s.high ? share : 0.5 * (s.low + s.high);
-    s.done = s.done || std::abs(next - s.share) <= known;
-    s.share = next;
+// By the cubic's slope at first, then by secants.
+double next_share(const Search& s, double value, const View& view) noexcept {
+    if (s.steps > trusted_steps) return 0.5 * (s.low + s.high);
+    const double slope = s.steps == 1 ? RadialModel(s.a, s.b, view).slope(s.share, s.found)
+                                      : (value - s.last_value) / (s.share - s.last_share);
+    const double next = s.share - value / slope;
+    return next > s.low && next < s.high ? next : 0.5 * (s.low + s.high);
+}
+
+void narrow(Search& s, double value, const View& view) noexcept {
+    ++s.steps;
+    const bool is_low = (value < 0.0) == s.low_negative;
+    (is_low ? s.low : s.high) = s.share;
+    const double next = next_share(s, value, view);
+    (is_low ? s.a : s.b) = s.found;
+    s.done = s.high - s.low <= known || std::abs(next - s.share) <= known;
+    s.last_share = std::exchange(s.share, next);
+    s.last_value = value;
 }
 
 base::Array<Search> find_changes(base::Memory& memory, const View& view, const Curves& curves) {
@@ -122,9 +164,9 @@ base::Array<Search> find_changes(base::Memory& memory, const View& view, const C
             const std::int64_t next = curves.next(c, at);
             const CurvePoint& p = curves.point[at];
             const CurvePoint& q = curves.point[next];
-            const double a = radial(p, view);
-            const double b = radial(q, view);
-            if ((a < 0.0) != (b < 0.0)) found.push_back({at, next, 0.0, 1.0, a, b, a / (a - b), p, q, 0, {}, false});
+            const bool negative = radial(p, view) < 0.0;
+            if (negative != (radial(q, view) < 0.0))
+                found.push_back({at, next, 0.0, 1.0, negative, RadialModel(p, q, view).root(), 0.0, 0.0, p, q});
         }
     }
     return found;
@@ -152,7 +194,7 @@ void search(const base::Runtime& runtime, const Level& contour, const View& view
         for (std::int64_t i = 0; i < active.size(); ++i) {
             Search& s = searches[active[i]];
             s.found = points[i];
-            narrow(s, radial(points[i], view));
+            narrow(s, radial(points[i], view), view);
             if (!s.done) active[left++] = active[i];
         }
         active.resize(left);
