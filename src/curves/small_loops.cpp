@@ -20,6 +20,8 @@ constexpr double probe = 0.05;
 constexpr double longest_step = 0.5;
 constexpr double farthest = 1.5;
 constexpr double near_surface = 1e-3; // what is no farther off counts as on it
+// Of |g| at the vertex: a quadratic whose extremum is no lower, and near, has no zero.
+constexpr double hopeless = 0.5;
 constexpr int most_steps = 5;
 
 std::int64_t corner_of(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex) noexcept {
@@ -44,13 +46,13 @@ bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t
     return true;
 }
 
-// Whether g has one sign in a triangle, and |g| is low at a corner beside another.
+// Whether g has one sign in a triangle, and |g| is low at a corner beside another.  Without branches: it is asked of
+// every triangle.
 bool is_low(double a, double b, double c) noexcept {
-    const double least = std::min({a, b, c});
-    const double most = std::max({a, b, c});
-    const double lower = least >= 0.0 ? least : -most; // of |g|; negative where the signs differ
-    const double upper = least >= 0.0 ? most : -least;
-    return lower >= 0.0 && lower < low * (upper - lower);
+    const double lower = std::min(std::abs(a), std::min(std::abs(b), std::abs(c)));
+    const double upper = std::max(std::abs(a), std::max(std::abs(b), std::abs(c)));
+    const bool parted = (std::min(a, std::min(b, c)) < 0.0) & (std::max(a, std::max(b, c)) > 0.0);
+    return !parted & (lower < low * (upper - lower));
 }
 
 // The corner where |g| is least.
@@ -166,6 +168,9 @@ bool Searches::go_on(Search& search, const CurvePoint* three) {
     glm::dvec2 step((-g.x * v.y + g.y * mixed) / determinant, (-g.y * u.x + g.x * mixed) / determinant);
     const double length = glm::length(step);
     if (!(length > 1e-3 * mesh_.side)) return false;
+    const double extremum = (three[0].level + 0.5 * glm::dot(g, step)) * (negative ? -1.0 : 1.0);
+    if (length <= longest_step * mesh_.side && extremum > hopeless * std::abs(at_vertices_[search.vertex]))
+        return false;
     if (length > longest_step * mesh_.side) step *= longest_step * mesh_.side / length;
     search.place = three[0].position + step.x * frame.u + step.y * frame.v;
     return glm::distance(search.place, mesh_.position[search.vertex]) <= farthest * mesh_.side;
