@@ -69,6 +69,7 @@ void SpanFinder::look_at(const Line& line, std::int64_t triangle) {
         keep(out, std::max({p[0][axis], p[1][axis], p[2][axis]}));
         keep(-out, -std::min({p[0][axis], p[1][axis], p[2][axis]}));
     }
+    if (!(range.low <= range.high)) return;
     const glm::dvec3 area = glm::cross(p[1] - p[0], p[2] - p[0]);
     if (const double twice = glm::length(area); twice > 0.0) {
         const glm::dvec3 normal = area / twice;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/crossings.h"
 
+#include "base/list.h"
 #include "visibility/meeting.h"
 #include "visibility/verify_crossings.h"
 
@@ -20,10 +21,12 @@ constexpr std::int64_t most_of_segment = 16;
 constexpr std::int64_t most_segments = 4096; // of a cell that pairs are looked for in
 constexpr double most_cells = 1.0e6;         // of the grid
 constexpr double grid_end = 1.0e4;           // pixels from the image's corner: its last cells hold all that lies beyond
-constexpr int most_steps = 20;               // of Newton's
-constexpr double known = 1e-10;              // shares of a piece
-constexpr double same_place = 1e-7;          // the same
-constexpr double slack = 1e-8;               // beyond the ends of a piece before the next one is taken
+constexpr std::int64_t cells_a_task = 4096;
+constexpr std::int64_t pairs_a_task = 16;
+constexpr int most_steps = 20;      // of Newton's
+constexpr double known = 1e-10;     // shares of a piece
+constexpr double same_place = 1e-7; // the same
+constexpr double slack = 1e-8;      // beyond the ends of a piece before the next one is taken
 // In sides: curves that come nearer are the same; and a line does not cross itself nearer to where it turns back.
 constexpr double nearest_gap = 1e-5;
 constexpr double smallest_loop = 0.02;
@@ -81,6 +84,7 @@ private:
         return subject_of(lines_.points[segment].piece).sheets > 0;
     }
     void make_grid();
+    [[nodiscard]] base::Array<Pair> find_pairs(CrossingReport& report, const base::Progress& progress) const;
     template <class F>
     void for_cells(std::int64_t segment, const F& f) const;
     [[nodiscard]] bool in_cell(std::int64_t cell, base::Array<Pair>& pairs) const;
@@ -296,19 +300,39 @@ void Finder::go(OnLine& place, double by) const noexcept {
                                     : OnLine{last, 1.0};
 }
 
-void Finder::run(CrossingReport& report, const base::Progress& progress) {
+// In the order of the cells, for any number of threads.
+base::Array<Finder::Pair> Finder::find_pairs(CrossingReport& report, const base::Progress& progress) const {
+    const std::int64_t cells = grid_.begin.size() - 1;
+    base::List<base::Array<Pair>> found(runtime_.memory);
+    for (std::int64_t begin = 0; begin < cells; begin += cells_a_task) found.add(base::Array<Pair>(runtime_.memory));
+    base::Array<std::int64_t> tangles(runtime_.memory, found.size());
+    runtime_.parallel.for_chunks(cells, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        const std::int64_t task = begin / cells_a_task;
+        for (std::int64_t cell = begin; cell < end; ++cell)
+            if (!in_cell(cell, found[task])) ++tangles[task];
+    });
     base::Array<Pair> pairs(runtime_.memory);
-    for (std::int64_t cell = 0; cell + 1 < grid_.begin.size(); ++cell)
-        if (!in_cell(cell, pairs)) ++report.tangles;
-    progress.check();
+    for (const base::Array<Pair>& some : found)
+        for (const Pair& pair : some) pairs.push_back(pair);
+    for (const std::int64_t some : tangles) report.tangles += some;
+    return pairs;
+}
+
+void Finder::run(CrossingReport& report, const base::Progress& progress) {
+    const base::Array<Pair> pairs = find_pairs(report, progress);
     report.of_polylines = pairs.size();
+    base::Array<Found> looked(runtime_.memory, pairs.size());
+    base::Array<std::uint8_t> is_one(runtime_.memory, pairs.size());
+    runtime_.parallel.for_chunks(pairs.size(), pairs_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) is_one[i] = look_at(pairs[i], looked[i]) ? 1 : 0;
+    });
     base::Array<Found> all(runtime_.memory);
-    for (const Pair& pair : pairs) {
-        Found found{};
-        if (!look_at(pair, found))
+    for (std::int64_t i = 0; i < pairs.size(); ++i) {
+        if (is_one[i] == 0)
             ++report.rejected;
         else
-            all.push_back(found);
+            all.push_back(looked[i]);
     }
     take(all, report);
     report.rejected += verify_crossings(runtime_, subjects_, lines_, found_, progress);
