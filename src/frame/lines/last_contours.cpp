@@ -13,11 +13,15 @@ namespace {
 // In the mesh's sides: points that move by more are not begun with; and of so many, none is.
 constexpr double farthest = 1.0;
 constexpr double most_left_out = 0.1;
+// In the mesh's sides: what is left after so short a step is a millionth, and the next frame asks again.
+constexpr double tolerance = 1e-3;
 
 void trace(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const curves::ContourLevel& level,
            const curves::Curves* near, Contours& contours) {
     curves::TraceReport report;
-    contours.traced = curves::trace(runtime, level, mesh, {}, report, base::Progress(), near);
+    curves::TraceSettings settings;
+    if (near != nullptr) settings.tolerance = tolerance;
+    contours.traced = curves::trace(runtime, level, mesh, settings, report, base::Progress(), near);
     contours.from_last = near != nullptr;
     contours.broken = report.broken + report.missed;
 }
