@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/cusps.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -14,6 +15,8 @@ constexpr int trusted_steps = 6; // after these every step halves what is left: 
 constexpr int model_steps = 8;   // on a cubic, with no evaluation
 // Where more points are put on a piece that has a cusp.
 constexpr std::array<double, 3> inner_shares = {0.25, 0.5, 0.75};
+// Of an angle with the line of sight: pieces, which turn by a third of a radian, come to no cusp from there and back.
+constexpr double clear_of_cusps = 0.5;
 // In lengths of a piece: a point that came onto the curve by a shorter step knows enough of it.
 constexpr double near_curve = 2e-4;
 // In lengths of the piece: where a cusp is known so well, the search for it ends; nearer to an end of the piece than
@@ -73,13 +76,22 @@ private:
     glm::dvec3 begin_, end_;
 };
 
+// The sine of the angle between the curve and the line of sight, with the sign of the radial curvature.
+double sine(const CurvePoint& p, const View& view) noexcept {
+    const glm::dvec3 sight = view.sight(p.position);
+    return radial(p, view) * glm::length(p.gradient) / (glm::length(sight) * glm::length(p.direction()));
+}
+
 // Whether the radial curvature changes its sign on the way.
 bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view) noexcept {
+    const double begin = sine(a, view);
+    const double end = sine(b, view);
+    if (std::min(begin, end) > clear_of_cusps || std::max(begin, end) < -clear_of_cusps) return false;
     const RadialModel model(a, b, view);
-    const bool first = radial(a, view) < 0.0;
+    const bool first = begin < 0.0;
     for (const double u : inner_shares)
         if ((model.at(u) < 0.0) != first) return true;
-    return (radial(b, view) < 0.0) != first;
+    return (end < 0.0) != first;
 }
 
 // The curves with points added where there are cusps: two of them may lie between two points.
