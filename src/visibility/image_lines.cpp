@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/image_lines.h"
 
+#include "base/list.h"
+
 #include <cmath>
 
 namespace hrbfnpr::visibility {
 namespace {
 
+constexpr std::int64_t pieces_a_task = 256;
 constexpr int deepest = 8;         // halvings of a piece
 constexpr double farthest = 1.0e9; // pixels: what is seen beyond is too near to the plane of the eye
 
@@ -119,6 +122,50 @@ private:
     ImageLines& lines_;
 };
 
+// Curves that one task draws.
+struct Part {
+    std::int32_t subject;
+    std::int64_t begin, end;
+};
+
+// Of some pieces each, or one longer curve.
+base::Array<Part> parts_of(base::Memory& memory, std::span<const Subject> subjects) {
+    base::Array<Part> parts(memory);
+    for (std::size_t s = 0; s < subjects.size(); ++s) {
+        const curves::Curves& curves = *subjects[s].curves;
+        std::int64_t pieces = pieces_a_task;
+        for (std::int64_t c = 0; c < curves.count(); ++c) {
+            if (pieces >= pieces_a_task) {
+                parts.push_back({static_cast<std::int32_t>(s), c, c});
+                pieces = 0;
+            }
+            pieces += curves.pieces_of(c);
+            parts[parts.size() - 1].end = c + 1;
+        }
+    }
+    return parts;
+}
+
+// The same numbers as if all had been drawn in turn.
+void append(const ImageLines& some, ImageLines& all) {
+    const std::int64_t lines = all.lines.size();
+    const std::int64_t pieces = all.pieces.size();
+    const std::int64_t points = all.points.size();
+    for (Line line : some.lines) {
+        line.first_piece += pieces;
+        line.first_point += points;
+        all.lines.push_back(line);
+    }
+    for (Piece piece : some.pieces) {
+        piece.line += static_cast<std::int32_t>(lines);
+        all.pieces.push_back(piece);
+    }
+    for (ImagePoint point : some.points) {
+        point.piece += static_cast<std::int32_t>(pieces);
+        all.points.push_back(point);
+    }
+}
+
 } // namespace
 
 Seen see(const curves::View& view, const glm::dvec3& p) noexcept {
@@ -127,11 +174,23 @@ Seen see(const curves::View& view, const glm::dvec3& p) noexcept {
 }
 
 ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance) {
+    base::Array<Part> parts = parts_of(runtime.memory, subjects);
+    base::List<ImageLines> drawn(runtime.memory);
+    for (std::int64_t i = 0; i < parts.size(); ++i) drawn.add(runtime.memory);
+    runtime.parallel.for_each(parts.size(), [&](std::int64_t i) {
+        Drawer drawer(subjects, tolerance, drawn[i]);
+        for (std::int64_t c = parts[i].begin; c < parts[i].end; ++c) drawer.add_curve(parts[i].subject, c);
+    });
     ImageLines lines(runtime.memory);
-    Drawer drawer(subjects, tolerance, lines);
-    for (std::size_t s = 0; s < subjects.size(); ++s)
-        for (std::int64_t c = 0; c < subjects[s].curves->count(); ++c)
-            drawer.add_curve(static_cast<std::int32_t>(s), c);
+    std::int64_t pieces = 0;
+    std::int64_t points = 0;
+    for (const ImageLines& some : drawn) {
+        pieces += some.pieces.size();
+        points += some.points.size();
+    }
+    lines.pieces.reserve(pieces);
+    lines.points.reserve(points);
+    for (const ImageLines& some : drawn) append(some, lines);
     return lines;
 }
 
