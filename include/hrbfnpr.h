@@ -1755,6 +1755,8 @@ typedef struct hrbfnpr_drawing_info {
     int64_t nanoseconds_lines;
     int64_t line_refined; /* curves whose visibility did not add up at first: they, and those that cross them, were made
                              finer */
+    int64_t line_tangles; /* cells of the image, four pixels wide or more, with so many crossings that none was taken:
+                             lines run to and fro over one another there, as on a flat face seen edge-on */
 } hrbfnpr_drawing_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);

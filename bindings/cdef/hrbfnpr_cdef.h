@@ -338,7 +338,7 @@ typedef struct hrbfnpr_drawing_info { uint32_t struct_size; uint32_t reserved; i
     int64_t dropped_zoom; int64_t dropped_hidden; int64_t splats; int64_t nanoseconds_classify;
     int64_t nanoseconds_visibility; int64_t nanoseconds_sort; int64_t bytes; int64_t scratch_bytes; int64_t line_curves;
     int64_t line_cusps; int64_t line_crossings; int64_t line_broken; int64_t line_settled; int64_t line_contradictions;
-    int64_t nanoseconds_lines; int64_t line_refined; } hrbfnpr_drawing_info;
+    int64_t nanoseconds_lines; int64_t line_refined; int64_t line_tangles; } hrbfnpr_drawing_info;
 hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
     hrbfnpr_error* error);

@@ -110,6 +110,7 @@ hrbfnpr_drawing_info describe(const drawing::Drawing& from) noexcept {
     info.line_contradictions = from.line_counts.contradictions;
     info.nanoseconds_lines = from.line_counts.nanoseconds;
     info.line_refined = from.line_counts.refined;
+    info.line_tangles = from.line_counts.tangles;
     return info;
 }
 

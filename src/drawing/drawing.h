@@ -48,6 +48,7 @@ struct Counts {
 // Of lines, counted while the drawing was made; hrbfnpr_drawing_info says what each is.
 struct LineCounts {
     std::int64_t curves = 0, cusps = 0, crossings = 0, broken = 0, refined = 0, settled = 0, contradictions = 0;
+    std::int64_t tangles = 0;
     std::int64_t nanoseconds = 0;
 };
 

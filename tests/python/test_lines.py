@@ -6,6 +6,7 @@ import hrbfnpr
 import numpy as np
 import pytest
 from conftest import fibonacci_sphere, torus
+from hrbfnpr.cli._lines import doubts
 
 
 @pytest.fixture(scope="module")
@@ -58,6 +59,18 @@ def test_hidden_parts(model, marks):
         drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), view)
         strokes[hidden] = drawing.info.strokes
     assert strokes["none"] < strokes["shown"] == strokes["attenuated"] < strokes["dashed"]
+
+
+def test_tangles_are_counted(model, marks):
+    steps = np.arange(6000)
+    knot = np.stack([1.4 + 1e-4 * np.sin(steps), 1e-4 * np.cos(0.7 * steps), 1e-4 * np.sin(2.3 * steps)], axis=1)
+    lines = hrbfnpr.LineSet(model, [hrbfnpr.Lines("own", "knot", polylines=[knot])])
+    for kinds, tangled in ((["contour"], False), (["contour", "own"], True)):
+        style = hrbfnpr.Style("silhouette", lines=kinds)
+        view = hrbfnpr.Camera.fit(model, (-1, 0.2, 0.1), (0, 0, 1), size=(200, 160))
+        drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), view)
+        assert (drawing.info.line_tangles > 0) == tangled
+        assert bool(doubts(drawing.info)) == tangled
 
 
 def test_lines_of_every_kind(model, marks):

@@ -101,6 +101,12 @@ namespace HrbfNpr
         /// Curves whose visibility did not add up at first: they, and those that cross them, were made finer.
         /// </summary>
         public readonly long LineRefined;
+
+        /// <summary>
+        /// Cells of the image, four pixels wide or more, with so many crossings that none was taken: lines run to and
+        /// fro over one another there, as on a flat face seen edge-on.
+        /// </summary>
+        public readonly long LineTangles;
     }
 
     /// <summary>

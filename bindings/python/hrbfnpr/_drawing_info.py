@@ -45,6 +45,9 @@ class DrawingInfo:
     nanoseconds_lines : int
     line_refined : int
         Curves whose visibility did not add up at first: they, and those that cross them, were made finer.
+    line_tangles : int
+        Cells of the image, four pixels wide or more, with so many crossings that none was taken: lines run to and
+        fro over one another there, as on a flat face seen edge-on.
     """
 
     items: int
@@ -77,6 +80,7 @@ class DrawingInfo:
     line_contradictions: int
     nanoseconds_lines: int
     line_refined: int
+    line_tangles: int
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ void count(const visibility::Invisibility& found, const TracedLines& traced, dra
     counts.refined = found.report.refined;
     counts.settled = found.report.settled;
     counts.contradictions = found.report.contradictions;
+    counts.tangles = found.report.crossings.tangles;
 }
 
 base::Array<LineFamily> families(base::Memory& memory, std::span<const visibility::Subject> subjects,

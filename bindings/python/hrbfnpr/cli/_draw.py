@@ -230,6 +230,8 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
             save_picture(plate(arguments, drawing, source, marks, line_set, camera, style, context), output, None)
         else:
             drawing.save(output)
+    for note in _lines.doubts(drawing.info):
+        report.note(note)
     if not report.quiet:
         width, height = camera.size
         seconds = time.monotonic() - start

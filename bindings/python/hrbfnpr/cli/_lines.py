@@ -10,6 +10,7 @@ import numpy as np
 
 from .. import shapes
 from .._context import Context
+from .._drawing_info import DrawingInfo
 from .._line_set import Lines, LineSet, LineSetInfo
 from .._line_style import LineStyle
 from .._model import Model
@@ -210,3 +211,13 @@ def _chains(edges: Sequence[Tuple[int, int]]) -> List[List[int]]:
                 line.append(after)
             lines.append(line)
     return lines
+
+
+def doubts(info: DrawingInfo) -> List[str]:
+    """What of a drawing's lines is not as sure as the rest."""
+    counts = (
+        (info.line_broken, "curves that end inside the surface, or were missed; more samples there would help"),
+        (info.line_contradictions, "lines of which a part may be drawn where it is hidden, or the other way round"),
+        (info.line_tangles, "places of the picture with so many crossings of lines that none was taken"),
+    )
+    return [f"{what}: {count}" for count, what in counts if count > 0]

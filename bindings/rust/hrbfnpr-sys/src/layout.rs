@@ -666,7 +666,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_drawing_info>() == 248);
+    assert!(size_of::<hrbfnpr_drawing_info>() == 256);
     assert!(align_of::<hrbfnpr_drawing_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -704,6 +704,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_drawing_info, line_contradictions) == 224);
     assert!(offset_of!(hrbfnpr_drawing_info, nanoseconds_lines) == 232);
     assert!(offset_of!(hrbfnpr_drawing_info, line_refined) == 240);
+    assert!(offset_of!(hrbfnpr_drawing_info, line_tangles) == 248);
 };
 
 const _: () = {

@@ -2475,6 +2475,9 @@ pub struct hrbfnpr_drawing_info {
     pub nanoseconds_lines: i64,
     /// curves whose visibility did not add up at first: they, and those that cross them, were made finer
     pub line_refined: i64,
+    /// cells of the image, four pixels wide or more, with so many crossings that none was taken:
+    /// lines run to and fro over one another there, as on a flat face seen edge-on
+    pub line_tangles: i64,
 }
 
 extern "C" {
