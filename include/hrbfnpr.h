@@ -1487,7 +1487,8 @@ typedef struct hrbfnpr_line_style {
     uint32_t hidden;      /* HRBFNPR_HIDDEN_PARTS_...; NONE */
     uint32_t cap;         /* HRBFNPR_CAP_...: of free ends; ROUND */
     float width;          /* > 0; 2 */
-    float taper;          /* over which a line narrows to a free end, half an ellipse; 0 = not at all; 12 */
+    float taper;          /* over which a line narrows to a free end, half an ellipse; 0 = not at all; 12.  A part with
+                             a free end that is shorter than two tapers is the thinner, the shorter it is */
     float hidden_width;   /* of ATTENUATED and DASHED, > 0; 1.2 */
     float hidden_opacity; /* 0 .. 1: of ATTENUATED, for each layer; 0.35 */
     float dash;           /* of DASHED, in hidden_widths, > 0; 5 */

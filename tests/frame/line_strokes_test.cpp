@@ -380,6 +380,26 @@ protected:
     }
 };
 
+TEST_F(TaperedAtCusps, TheThinnerTheShorter) {
+    constexpr float taper = 300.0F;
+    style[0].taper = taper;
+    style[0].width = 4.0F;
+    look();
+    int thin = 0;
+    for (const Stroke& stroke : frame.drawing().strokes) {
+        const auto points = points_of(stroke);
+        const bool has_free_end = points.front().radius == 0.0F || points.back().radius == 0.0F;
+        const float whole = points.back().length;
+        float widest = 0.0F;
+        for (const StrokePoint& p : points) widest = std::max(widest, p.radius);
+        const float asked = has_free_end ? 2.0F * std::min(1.0F, whole / (2.0F * taper)) : 2.0F;
+        EXPECT_LE(widest, 1.0001F * asked);
+        EXPECT_GT(widest, 0.95F * asked);
+        thin += has_free_end && whole < 2.0F * taper ? 1 : 0;
+    }
+    EXPECT_GT(thin, 0);
+}
+
 TEST_F(TaperedAtCusps, OnlyThere) {
     style[0].taper = 20.0F;
     style[0].width = 4.0F;

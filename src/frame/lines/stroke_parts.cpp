@@ -21,6 +21,10 @@ double tapered(double from_end, double taper) noexcept {
     return std::sqrt(std::max(0.0, 1.0 - left * left));
 }
 
+// The share of its width that a part with a free end has by its length: a short one, as between a cusp and a line
+// beside it, would be a bead.
+double thinned(double length, double taper) noexcept { return length < 2.0 * taper ? length / (2.0 * taper) : 1.0; }
+
 // By its strength there.
 float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
     if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
@@ -245,8 +249,12 @@ StrokeParts::Pen StrokeParts::pen_of(const DrawnAs& as, const Part& part) const 
     const double opacity = hidden && style.hidden == HiddenParts::attenuated
                                ? std::pow(static_cast<double>(style.hidden_opacity), part.layers)
                                : 1.0;
-    return {static_cast<double>(hidden && style.hidden != HiddenParts::shown ? style.hidden_width : style.width),
-            opacity, std::min(static_cast<double>(style.taper), 0.5 * length_of(part.interval)),
+    const double whole =
+        static_cast<double>(hidden && style.hidden != HiddenParts::shown ? style.hidden_width : style.width);
+    const double length = length_of(part.interval);
+    const double taper = static_cast<double>(style.taper);
+    const bool has_free_end = part.free_begin || part.free_end;
+    return {whole * (has_free_end && !dashed ? thinned(length, taper) : 1.0), opacity, std::min(taper, 0.5 * length),
             part.free_begin && !dashed, part.free_end && !dashed};
 }
 

@@ -2090,7 +2090,8 @@ pub struct hrbfnpr_line_style {
     pub cap: u32,
     /// > 0; 2
     pub width: f32,
-    /// over which a line narrows to a free end, half an ellipse; 0 = not at all; 12
+    /// over which a line narrows to a free end, half an ellipse; 0 = not at all; 12. A part with
+    /// a free end that is shorter than two tapers is the thinner, the shorter it is
     pub taper: f32,
     /// of ATTENUATED and DASHED, > 0; 1.2
     pub hidden_width: f32,
