@@ -3,6 +3,7 @@
 #pragma once
 
 #include "line_views.h"
+#include "line_visibility.h"
 #include "painter.h"
 
 #include <vector>
@@ -53,6 +54,28 @@ private:
         runs, [&] { lines.draw(orbit.at(7.0 * first++)); }, [&] { dots.make_drawing(orbit.at(7.0 * second++)); });
     std::printf("a drawing of 40 000 marks with contours: %.2f ms; of contours as lines: %.2f times that\n",
                 1e3 * times.seconds, times.ratio);
+    return times.ratio;
+}
+
+// A view from nothing over f, its gradient and its Hessian at as many places of the surface as its mesh has vertices.
+[[nodiscard]] inline double lines_over_cells(hrbfnpr_context* context, const LineModel& model) {
+    constexpr int runs = 9;
+    const std::int64_t vertices = info_of(model.lines.get()).triangles / 2;
+    const scenes::PointSet set = generate(context, model.model.get(), one_layer(HRBFNPR_LAYER_KIND_STIPPLES, vertices));
+    std::int64_t count = 0;
+    const float* position = attribute<float>(set.get(), 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
+    std::vector<glm::dvec3> places;
+    for (std::int64_t i = 0; i < count; ++i) places.emplace_back(glm::make_vec3(position + 3 * i));
+    LinePainter lines(context, model.marks.get(), model.lines.get());
+    const LineOrbit orbit(model.model.get());
+    double view = 0.0;
+    const auto draw = [&] {
+        lines.begin_anew();
+        lines.draw(orbit.at(7.0 * view++));
+    };
+    const Comparison times = compare(runs, draw, [&] { const Fields all(model.model.get(), places); });
+    std::printf("f and its derivatives at %lld places: %.2f ms; contours of a view from nothing: %.3f times that\n",
+                static_cast<long long>(count), 1e3 * times.seconds, times.ratio);
     return times.ratio;
 }
 

@@ -333,6 +333,7 @@ void run_times(hrbfnpr_context* context, const Settings& settings, Results& resu
     }
     results.add("warm_ms", bench::quantile(ms, 0.5));
     results.add("vs_marks", bench::lines_over_marks(context, model));
+    results.add("vs_cells", bench::lines_over_cells(context, model));
     bench::print_head();
     const double few = bench::median_ms(context, 256);
     results.add("growth", bench::median_ms(context, 16384) / few);
