@@ -15,7 +15,11 @@ namespace {
 constexpr int inverse_steps = 12;
 constexpr double shift = 0.02;
 constexpr int first_averages = 12;
-constexpr int averages = 40;
+// Rounds of plain means, in which a wave is low where it is squeezed or drawn out, so that waves of the right length
+// grow into it from around there and forks appear; with waves of one height none would, and lines would stay too dense
+// or too sparse.  Then averages of one height.
+constexpr int means = 100;
+constexpr int averages = 20;
 
 // By how much the phase grows along each link, and whether the lines point to opposite ways.
 struct Waves {
@@ -66,6 +70,20 @@ void average(const base::Runtime& runtime, const Waves& waves, int rounds, Phase
     }
 }
 
+void spread(const base::Runtime& runtime, const Waves& waves, int rounds, Phases& z, const base::Progress& progress) {
+    Phases next(runtime.memory, z.size());
+    const SampleGraph& graph = waves.graph;
+    for (int round = 0; round < rounds; ++round) {
+        progress.check();
+        runtime.parallel.for_chunks(z.size(), samples_a_task, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t i = begin; i < end; ++i)
+                next[i] = (waves.around(i, z) + z[i]) / static_cast<double>(1 + graph.first[i + 1] - graph.first[i]);
+        });
+        std::swap(next, z);
+    }
+    for (Complex& x : z) x = unit(x);
+}
+
 } // namespace
 
 Phases first_phases(const base::Runtime& runtime, const LineSamples& samples, double period, std::uint64_t seed,
@@ -97,6 +115,7 @@ Phases doubled(const base::Runtime& runtime, const LineSamples& samples, const P
     const Waves waves(runtime, samples, 0.5 * period);
     Phases z(runtime.memory, phases.size());
     for (std::int64_t i = 0; i < z.size(); ++i) z[i] = phases[i] * phases[i];
+    spread(runtime, waves, means, z, progress);
     average(runtime, waves, averages, z, progress);
     return z;
 }

@@ -18,6 +18,8 @@ constexpr double influence = 2.0;
 constexpr double least_cosine = 0.3;
 constexpr double steepest = 0.6;
 constexpr std::int64_t vertices_a_task = 2048;
+// Rounds: of plain means, as for samples, and all.
+constexpr int means = 20;
 constexpr int averages = 40;
 
 struct Heard {
@@ -163,7 +165,7 @@ void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceM
             runtime.parallel.for_chunks(z.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
                 for (std::int64_t v = begin; v < end; ++v) {
                     const Complex mean = waves.mean(v, z);
-                    next[v] = round < averages ? unit(mean) : mean;
+                    next[v] = round < means || round == averages ? mean : unit(mean);
                 }
             });
             std::swap(next, z);
