@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/hatching.h"
 
+#include "hatching/even_lines.h"
 #include "hatching/join_lines.h"
 #include "hatching/line_guides.h"
 #include "hatching/line_marks.h"
@@ -102,7 +103,8 @@ StripeLines stripes_of(const marks::Site& site, const LineSamples& samples, cons
     vertices.refine(site.runtime, mesh, finest, finer, progress.part(0.4, 0.8));
     const StripeLines lines = find_stripes(site.runtime, mesh, vertices, std::ldexp(finest, -finer), halvings - finer,
                                            progress.part(0.8, 1.0));
-    return joined(site.memory(), lines, widest_gap * std::ldexp(finest, -halvings));
+    const double separation = std::ldexp(finest, -halvings);
+    return evened(site.runtime, joined(site.memory(), lines, widest_gap * separation), separation, progress);
 }
 
 } // namespace

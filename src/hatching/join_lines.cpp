@@ -86,6 +86,7 @@ void Joiner::add(std::int64_t line, bool reversed, StripeLines& result) const {
     for (std::int64_t i = 0; i < count; ++i) {
         const std::int64_t at = begin + (reversed ? count - 1 - i : i);
         result.position.push_back(lines_.position[at]);
+        result.normal.push_back(lines_.normal[at]);
         result.level.push_back(lines_.level[at]);
     }
 }

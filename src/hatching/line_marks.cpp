@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/line_marks.h"
 
+#include "hatching/line_walk.h"
 #include "marks/assemble.h"
 #include "marks/tone_part.h"
 
@@ -70,31 +71,14 @@ private:
 
 // A closed line ends where it begins: once more.
 void Laying::resample(std::int64_t line) {
-    const std::int64_t begin = lines_.first[line];
-    const std::int64_t count = lines_.first[line + 1] - begin;
-    const bool closed = lines_.closed[line] != 0;
-    const auto at = [&](std::int64_t i) { return begin + i % count; };
-    const std::int64_t pieces = closed ? count : count - 1;
-    double length = 0.0;
-    for (std::int64_t i = 0; i < pieces; ++i)
-        length += glm::distance(lines_.position[at(i)], lines_.position[at(i + 1)]);
-    if (!(length >= shortest * settings_.separation)) return;
-    const auto steps = static_cast<std::int64_t>(std::max(2.0, std::round(length / settings_.step)));
-    Path path{point_.size(), steps + 1, closed};
-    std::int64_t i = 0;
-    double before = 0.0; // length up to point i
-    for (std::int64_t k = 0; k <= steps; ++k) {
-        const double wanted = length * static_cast<double>(k) / static_cast<double>(steps);
-        double way = glm::distance(lines_.position[at(i)], lines_.position[at(i + 1)]);
-        while (i + 1 < pieces && before + way < wanted) {
-            before += way;
-            ++i;
-            way = glm::distance(lines_.position[at(i)], lines_.position[at(i + 1)]);
-        }
-        const double share = way > 0.0 ? std::clamp((wanted - before) / way, 0.0, 1.0) : 0.0;
-        point_.push_back(glm::mix(lines_.position[at(i)], lines_.position[at(i + 1)], share));
-        level_.push_back(lines_.level[at(share < 0.5 ? i : i + 1)]);
-    }
+    const LineWalk walk(lines_, line);
+    if (!(walk.length() >= shortest * settings_.separation)) return;
+    const auto steps = static_cast<std::int64_t>(std::max(2.0, std::round(walk.length() / settings_.step)));
+    const Path path{point_.size(), steps + 1, lines_.closed[line] != 0};
+    walk.visit(steps, [&](const LinePlace& place) {
+        point_.push_back(place.of(lines_.position));
+        level_.push_back(place.level(lines_));
+    });
     smooth(path);
     vote(path);
     paths_.push_back(path);

@@ -68,6 +68,11 @@ private:
     [[nodiscard]] glm::dvec3 place(const Crossing& c) const noexcept {
         return mesh_.position[c.a] + c.share * (mesh_.position[c.b] - mesh_.position[c.a]);
     }
+    [[nodiscard]] glm::dvec3 normal(const Crossing& c) const noexcept {
+        const glm::dvec3 sum =
+            glm::mix(glm::normalize(mesh_.gradient[c.a]), glm::normalize(mesh_.gradient[c.b]), c.share);
+        return glm::normalize(sum);
+    }
     void add_line(std::int64_t from, base::Array<std::uint8_t>& taken, StripeLines& lines) const;
 
     const base::Runtime& runtime_;
@@ -200,6 +205,7 @@ void Stripes::add_line(std::int64_t from, base::Array<std::uint8_t>& taken, Stri
     while (true) {
         taken[at] = 1;
         lines.position.push_back(place(crossing_[at]));
+        lines.normal.push_back(normal(crossing_[at]));
         lines.level.push_back(crossing_[at].level);
         std::int64_t next = link_[2 * at] != last ? link_[2 * at] : link_[2 * at + 1];
         if (last < 0 && next < 0) next = link_[2 * at + 1];

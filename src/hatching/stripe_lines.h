@@ -9,7 +9,7 @@ namespace hrbfnpr::hatching {
 // Polylines, each point on an edge of the mesh.
 struct StripeLines {
     explicit StripeLines(base::Memory& memory) noexcept
-        : first(memory), closed(memory), position(memory), level(memory) {
+        : first(memory), closed(memory), position(memory), normal(memory), level(memory) {
         first.push_back(0);
     }
 
@@ -18,6 +18,7 @@ struct StripeLines {
     base::Array<std::int64_t> first; // of each line's points, and the end
     base::Array<std::uint8_t> closed;
     geometry::VecArray position;
+    geometry::VecArray normal;       // of the surface at each point, unit, about
     base::Array<std::uint8_t> level; // of each point: the coarsest wave that has a crest there
 };
 
