@@ -17,10 +17,10 @@ constexpr double step = 0.5;
 constexpr double reach = 1.75;
 constexpr double apart = 5.0;
 // They run beside a line: cosines of the angles between normals, and between the ways across; and they are no farther
-// off its tangent plane than this part of their distance, and a little.
+// off its tangent plane than this part of the way across, and a little.
 constexpr double least_normal = 0.3;
 constexpr double least_across = 0.7;
-constexpr double steepest = 0.6;
+constexpr double steepest = 0.75;
 constexpr double thickness = 0.1;
 // Rounds of moves, neighbours being looked for before each, and in each of them steps of this share of the way to the
 // middle; and how far a line moves in a round.
@@ -190,7 +190,8 @@ void Evener::look_around(const geometry::PointGrid& grid, std::int64_t i) {
         const glm::dvec3 there = glm::mix(way, next_way, share);
         const double aside = glm::dot(there, across);
         const double height = glm::dot(there, n);
-        if (std::abs(height) > steepest * std::hypot(aside, height) + thickness * separation_) return;
+        const double slack = thickness * separation_;
+        if (height * height > steepest * steepest * aside * aside + slack * slack) return;
         const auto size = static_cast<float>(std::abs(aside) / separation_);
         Neighbour& best = found[aside > 0.0 ? 1 : 0];
         if (size >= best.gap) return;

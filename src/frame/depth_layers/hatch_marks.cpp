@@ -83,8 +83,9 @@ void borrow_darkness(std::span<HatchMark> marks) noexcept {
 HatchMarks::HatchMarks(const Gather& gather, const Scene& scene, const Run& run, const float* taus) noexcept
     : gather_(gather), scene_(scene), run_(run), item_(scene.item_of(run)), sight_(gather.sight(run.item)),
       seer_(sight_.seer), style_(*run.style), taus_(taus), levels_(0), per_unit_(1.0 / item_.unit), separation_(0.0F),
-      beyond_(std::min(style_.hatch_taper + 2.0F * style_.hatch_shortest + 4.0F * style_.hatch_spacing,
-                       scene.lens.diagonal)),
+      beyond_(
+          std::min(style_.hatch_taper + 2.0F * shortest_filling * style_.hatch_shortest + 4.0F * style_.hatch_spacing,
+                   scene.lens.diagonal)),
       stretch_(0.0F), shown_(255) {
     const marks::LayerReport& report = run.marks->report;
     if (!has_separation(*run.marks)) return;

@@ -19,6 +19,10 @@ enum class HatchEnd : std::uint8_t {
 };
 inline constexpr std::size_t hatch_margins = 4;
 
+// A line between others that there is room for on a short way only, shorter than so many of the shortest parts, is left
+// out.
+inline constexpr float shortest_filling = 3.0F;
+
 struct HatchMark {
     float x, y; // pixels
     float window, depth, pixels_per_unit;

@@ -208,14 +208,16 @@ void HatchSpans::put(const LayerStyle& style, std::span<const HatchMark> marks, 
     const Drawn& drawn = drawn_[number];
     const float begin = at(drawn.begin);
     const float length = at(drawn.end) - begin;
-    if (!(length > 0.0F && length >= style.hatch_shortest)) return;
+    const bool fills = drawn.begins == HatchEnd::level && drawn.ends == HatchEnd::level;
+    const float shortest = (fills ? shortest_filling : 1.0F) * style.hatch_shortest;
+    if (!(length > 0.0F && length >= shortest)) return;
     const float gap_before = number > 0 ? begin - at(drawn_[number - 1].end) : nothing;
     const float gap_after = number + 1 < drawn_.size() ? at(drawn_[number + 1].begin) - at(drawn.end) : nothing;
     HatchSpan span;
     span.first = part.points.size();
     span.count = 1 + static_cast<std::int32_t>(std::ceil(length / point_step));
     span.closed = drawn.closed;
-    if (style.hatch_shortest > 0.0F) span.fade = smooth(length / style.hatch_shortest - 1.0F);
+    if (shortest > 0.0F) span.fade = smooth(length / shortest - 1.0F);
     if (!drawn.closed) {
         span.taper_begin = taper(style, drawn.begins, gap_before, point(marks, drawn.begin).width);
         span.taper_end = taper(style, drawn.ends, gap_after, point(marks, drawn.end).width);
