@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Lines between others: where they are moved to, and which ends are cut off.
+#include "hatching/even_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::hatching {
+namespace {
+
+// In the plane z = 0, along x, and rising.
+void add_line(StripeLines& lines, double y, double from, double to, std::uint8_t level = 0, double slope = 0.0) {
+    for (double x = from; x <= to; x += 0.4) {
+        lines.position.push_back({x, y + slope * x, 0.0});
+        lines.normal.push_back({0.0, 0.0, 1.0});
+        lines.level.push_back(level);
+    }
+    lines.first.push_back(lines.position.size());
+    lines.closed.push_back(0);
+}
+
+// Of a line's points between two x.
+double farthest_from(const StripeLines& lines, std::int64_t line, double y, double from, double to) {
+    double most = 0.0;
+    for (std::int64_t i = lines.first[line]; i < lines.first[line + 1]; ++i)
+        if (lines.position.x[i] >= from && lines.position.x[i] <= to)
+            most = std::max(most, std::abs(lines.position.y[i] - y));
+    return most;
+}
+
+TEST(EvenLines, MoveToTheMiddleWithTheirLevels) {
+    const base::Runtime runtime;
+    StripeLines lines(runtime.memory);
+    add_line(lines, 0.0, 0.0, 40.0, 1);
+    add_line(lines, 0.6, 0.0, 40.0, 3);
+    add_line(lines, 2.0, 0.0, 40.0, 2);
+    const StripeLines even = evened(runtime, lines, 1.0, {});
+    ASSERT_EQ(even.count(), 3);
+    EXPECT_LT(farthest_from(even, 1, 1.0, 0.0, 40.0), 0.05);
+    // A line with a neighbour on one side only stays.
+    EXPECT_EQ(farthest_from(even, 0, 0.0, 0.0, 40.0), 0.0);
+    for (std::int64_t l = 0; l < 3; ++l)
+        for (std::int64_t i = even.first[l]; i < even.first[l + 1]; ++i)
+            EXPECT_EQ(even.level[i], lines.level[lines.first[l]]);
+}
+
+TEST(EvenLines, EndWhereThereIsRoom) {
+    const base::Runtime runtime;
+    StripeLines lines(runtime.memory);
+    // A fan, from 1 to 2 apart.
+    add_line(lines, 0.5, 0.0, 60.0, 0, 1.0 / 120.0);
+    add_line(lines, -0.5, 0.0, 60.0, 0, -1.0 / 120.0);
+    add_line(lines, 0.3, 3.0, 60.0, 1);
+    const StripeLines even = evened(runtime, lines, 1.0, {});
+    ASSERT_EQ(even.count(), 3);
+    const double begin = even.position.x[even.first[2]];
+    EXPECT_GT(begin, 12.0); // where they are 1.2 apart
+    EXPECT_LT(begin, 24.0);
+    EXPECT_LT(farthest_from(even, 2, 0.0, 0.0, 60.0), 0.12);
+}
+
+TEST(EvenLines, ShortOnesWithoutRoomGo) {
+    const base::Runtime runtime;
+    StripeLines lines(runtime.memory);
+    add_line(lines, 0.0, 0.0, 40.0);
+    add_line(lines, 1.1, 0.0, 40.0);
+    add_line(lines, 0.5, 10.0, 30.0);
+    EXPECT_EQ(evened(runtime, lines, 1.0, {}).count(), 2);
+}
+
+} // namespace
+} // namespace hrbfnpr::hatching
