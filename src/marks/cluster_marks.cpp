@@ -157,6 +157,7 @@ private:
 };
 
 void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& pieces) {
+    const float* const tone_normal = layer.tone_normal.empty() ? layer.normal.data() : layer.tone_normal.data();
     for (std::int64_t s = 0; s < layer.strokes(); ++s) {
         const std::int64_t end = layer.stroke_first[s + 1];
         for (std::int64_t first = layer.stroke_first[s]; first < end; first += StrokePiece::most) {
@@ -166,7 +167,7 @@ void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& piec
             piece.level = layer.level[layer.mark_of(first)];
             for (std::int64_t i = 1; i < piece.count; ++i)
                 piece.level = std::min(piece.level, layer.level[layer.mark_of(first + i)]);
-            set_extent(piece, layer, {layer.position.data(), layer.normal.data()}, unit);
+            set_extent(piece, layer, {layer.position.data(), layer.normal.data(), tone_normal}, unit);
             pieces.push_back(piece);
         }
     }

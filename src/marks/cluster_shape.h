@@ -57,37 +57,48 @@ template <class Place, class Normal>
 
 void set_turn(Cluster& cluster, const Turn& turn) noexcept;
 
-// Ball and cone around marks begin .. end - 1; both are a little larger than the truth, so that floats hold them.
+struct Cone {
+    std::array<float, 3> axis{};
+    float cosine = 1.0F, sine = 0.0F; // of its half angle
+};
+
+// Around normal(begin) .. normal(end - 1), and a little larger than the truth, so that floats hold it.
+template <class Normal>
+[[nodiscard]] Cone cone_around(std::int64_t begin, std::int64_t end, const Normal& normal) {
+    glm::dvec3 sum(0.0);
+    for (std::int64_t i = begin; i < end; ++i) sum += normal(i);
+    const glm::dvec3 axis = glm::normalize(sum);
+    double cosine = 1.0;
+    for (std::int64_t i = begin; i < end; ++i) cosine = std::min(cosine, glm::dot(axis, normal(i)));
+    const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) + 1e-3;
+    Cone cone;
+    for (int k = 0; k < 3; ++k) cone.axis[static_cast<std::size_t>(k)] = static_cast<float>(axis[k]);
+    cone.cosine = static_cast<float>(std::cos(angle));
+    cone.sine = static_cast<float>(std::sin(angle));
+    return cone;
+}
+
+// Ball and cone around marks begin .. end - 1; both are a little larger than the truth.
 template <class Place, class Normal>
 void set_extent(Extent& extent, std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
     geometry::Bounds bounds;
-    glm::dvec3 sum(0.0);
-    for (std::int64_t i = begin; i < end; ++i) {
-        bounds.extend(place(i));
-        sum += normal(i);
-    }
+    for (std::int64_t i = begin; i < end; ++i) bounds.extend(place(i));
     const glm::dvec3 centre = bounds.centre();
-    const glm::dvec3 axis = glm::normalize(sum);
     double radius = 0.0;
-    double cosine = 1.0;
-    for (std::int64_t i = begin; i < end; ++i) {
-        radius = std::max(radius, glm::length(place(i) - centre));
-        cosine = std::min(cosine, glm::dot(axis, normal(i)));
-    }
-    for (int k = 0; k < 3; ++k) {
-        extent.centre[static_cast<std::size_t>(k)] = static_cast<float>(centre[k]);
-        extent.axis[static_cast<std::size_t>(k)] = static_cast<float>(axis[k]);
-    }
+    for (std::int64_t i = begin; i < end; ++i) radius = std::max(radius, glm::length(place(i) - centre));
+    for (int k = 0; k < 3; ++k) extent.centre[static_cast<std::size_t>(k)] = static_cast<float>(centre[k]);
     extent.radius = static_cast<float>(radius * 1.00001);
-    const double cone = std::acos(std::clamp(cosine, -1.0, 1.0)) + 1e-3;
-    extent.cone_cosine = static_cast<float>(std::cos(cone));
-    extent.cone_sine = static_cast<float>(std::sin(cone));
+    const Cone cone = cone_around(begin, end, normal);
+    extent.axis = cone.axis;
+    extent.cone_cosine = cone.cosine;
+    extent.cone_sine = cone.sine;
 }
 
 // Three floats of each mark of a layer, relative to the set's origin.
 struct MarkPlaces {
     const float* position;
     const float* normal;
+    const float* tone_normal; // NULL: they are not known
 };
 
 // Of the piece's marks.
@@ -96,10 +107,19 @@ inline void set_extent(StrokePiece& piece, const Layer& layer, const MarkPlaces&
         const float* const v = from + 3 * layer.mark_of(at);
         return glm::dvec3(v[0], v[1], v[2]);
     };
+    const std::int64_t begin = piece.first;
+    const std::int64_t end = begin + piece.count;
     set_extent(
-        piece, std::int64_t{piece.first}, std::int64_t{piece.first} + piece.count,
-        [&](std::int64_t at) { return vector(places.position, at) / unit; },
+        piece, begin, end, [&](std::int64_t at) { return vector(places.position, at) / unit; },
         [&](std::int64_t at) { return vector(places.normal, at); });
+    Cone tone{{}, -1.0F, 0.0F}; // all there are
+    if (places.tone_normal == places.normal)
+        tone = {piece.axis, piece.cone_cosine, piece.cone_sine};
+    else if (places.tone_normal != nullptr)
+        tone = cone_around(begin, end, [&](std::int64_t at) { return vector(places.tone_normal, at); });
+    piece.tone_axis = tone.axis;
+    piece.tone_cosine = tone.cosine;
+    piece.tone_sine = tone.sine;
 }
 
 } // namespace hrbfnpr::marks

@@ -41,6 +41,10 @@ struct Cluster : Extent {
 // marks has pieces_of(n).
 struct StrokePiece : Extent {
     static constexpr std::int64_t most = 32;
+    // Of a cone that holds all normals for tone: they may lie outside of the normals' own.
+    std::array<float, 3> tone_axis{};
+    float tone_cosine = 1.0F;
+    float tone_sine = 0.0F;
     std::uint32_t first = 0; // place in the order of the strokes
     std::uint8_t count = 0;
     std::uint8_t level = 0; // the lowest of its marks'

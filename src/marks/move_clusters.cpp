@@ -91,7 +91,9 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
             block.nz[at] = normal[mark + 2];
         }
     }
-    for (StrokePiece& piece : moved.piece) set_extent(piece, layer, {position, normal}, unit);
+    // Normals for tone turn with their marks' directions, too, which are not known here.
+    const float* const tone_normal = layer.tone_normal.empty() ? normal : nullptr;
+    for (StrokePiece& piece : moved.piece) set_extent(piece, layer, {position, normal, tone_normal}, unit);
     // Those that tell how the surface bends first: the others ask them.
     Moved clusters(moved);
     for (const bool few : {false, true})

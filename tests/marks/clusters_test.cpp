@@ -50,6 +50,10 @@ void expect_sound_pieces(const marks::Layer& layer) {
                 const glm::dvec3 n(marks::vector_at(layer.normal, mark));
                 ASSERT_LE(glm::length(p - vector_of(piece.centre)), static_cast<double>(piece.radius) + 1e-7);
                 ASSERT_GE(glm::dot(n, vector_of(piece.axis)), static_cast<double>(piece.cone_cosine));
+                const glm::dvec3 soft(
+                    layer.tone_normal.empty() ? n : glm::dvec3(marks::vector_at(layer.tone_normal, mark)));
+                ASSERT_GE(glm::dot(soft, vector_of(piece.tone_axis)), static_cast<double>(piece.tone_cosine));
+                ASSERT_NEAR(std::hypot(piece.tone_cosine, piece.tone_sine), 1.0F, 1e-5F);
                 level = std::min(level, layer.level[mark]);
             }
             ASSERT_EQ(piece.level, level);
@@ -124,6 +128,7 @@ TEST_F(Clusters, OfStrokesHaveOneSetEach) {
     add_torus_strokes(set, marks::Kind::combing, 100, 9, 0.3);
     for (std::int64_t i = 0; i < set.layers[1].count(); ++i)
         set.layers[1].width.push_back(0.1F + 0.9F * static_cast<float>(i % 7) / 7.0F);
+    for (const float x : set.layers[2].direction) set.layers[2].tone_normal.push_back(x); // far from the normals
     marks::cluster_marks(runtime, set);
     expect_sound(set.layers[0]);
     expect_sound(set.layers[1], true);
