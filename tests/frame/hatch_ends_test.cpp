@@ -21,6 +21,79 @@ TEST_F(Hatch, ALineEndsWhereItsToneDoes) {
     }
 }
 
+// Where the tone bends between one pixel and the next, whatever the number of marks.
+TEST_F(Hatch, EndsAreFoundToATenthOfAPixel) {
+    double worst = 0.0;
+    for (const double apart : {0.0005, 0.001, 0.002}) { // 0.1 to 0.4 pixels
+        set = marks::PointSet(runtime.memory);
+        add_line(set, {0.0, -1.0, 1.0, 0}, apart);
+        set_nesting(set, 0.1, 0);
+        cluster();
+        for (int i = 0; i < 20; ++i) {
+            const double at = -0.4 + 0.04123 * i;
+            darkness = [=](const glm::dvec3& p) {
+                const double d = at - p.x;
+                return 0.15 + 2.0 * d + 0.016 * (1.0 - std::cos(100.0 * d));
+            };
+            draw(front_camera(size, size, 1.25)); // 200 pixels a unit
+            ASSERT_EQ(frame.drawing().strokes.size(), 1);
+            worst = std::max(worst, std::abs(static_cast<double>(points_of(0).back().x) - 250.0 - 200.0 * at));
+        }
+    }
+    EXPECT_LE(worst, 0.1);
+    RecordProperty("worst", std::to_string(worst));
+}
+
+// Around the equator of a ball, seen from the side: they end just before the contour.
+TEST_F(Hatch, EndsAtTheContourAreFoundToATenthOfAPixel) {
+    for (const int marks : {200, 1000, 5000}) {
+        set = marks::PointSet(runtime.memory);
+        add_circle(set, 1.0, 0.0, {1, 0, 0}, marks);
+        set_nesting(set, 0.1, 0);
+        cluster();
+        frame::Camera camera = front_camera(size, size, 1.25);
+        camera.view = frame::look_at({0.0, -10.0, 0.0}, glm::dvec3(0.0), {0, 0, 1});
+        draw(camera);
+        ASSERT_EQ(frame.drawing().strokes.size(), 1);
+        const double reach = 200.0 * std::sqrt(1.0 - 0.03 * 0.03);
+        EXPECT_NEAR(std::abs(points_of(0).front().x - 250.0F), reach, 0.1) << marks;
+        EXPECT_NEAR(std::abs(points_of(0).back().x - 250.0F), reach, 0.1) << marks;
+    }
+}
+
+// A line of a level that fades in: where it begins, and its width, are those of the law.
+TEST_F(Hatch, LevelsEndWhereTheLawSays) {
+    constexpr double separation = 0.02;
+    constexpr auto coarse = static_cast<float>(2.0 * separation * 200.0); // pixels
+    add_line(set, {0.0, -1.0, 1.0, 1}, 0.002);
+    set_nesting(set, separation, 1);
+    cluster();
+    layer.hatch_spacing = 0.5F;
+    layer.hatch_white = 0.0F;
+    layer.hatch_tone_begin = 0.0F;
+    const auto widths_at = [&](double x) {
+        const auto dark = static_cast<float>(darkness({x, 0.0, 0.0}));
+        return frame::hatch_widths(layer, frame::hatch_coverage(layer, dark), coarse, 1);
+    };
+    for (const double rise : {0.2, 0.5, 1.0}) {
+        darkness = [=](const glm::dvec3& p) { return 0.1 + rise * 0.25 * (1.0 - p.x) * (1.0 - p.x); };
+        double low = -1.0; // drawn
+        double high = 1.0;
+        ASSERT_GT(frame::level_margin(widths_at(low), 1), 0.0F);
+        while (high - low > 1e-6) {
+            const double middle = 0.5 * (low + high);
+            (frame::level_margin(widths_at(middle), 1) >= 0.0F ? low : high) = middle;
+        }
+        draw(front_camera(size, size, 1.25));
+        ASSERT_EQ(frame.drawing().strokes.size(), 1);
+        EXPECT_NEAR(points_of(0).back().x, 250.0 + 200.0 * low, 0.1) << rise;
+        for (double x = -0.9; x < low - 0.05; x += 0.1)
+            EXPECT_NEAR(radius_at(points_of(0), 250.0 + 200.0 * x),
+                        0.5 * static_cast<double>(frame::hatch_width(widths_at(x), 1)), 0.008)
+                << rise << " " << x;
+    }
+}
+
 TEST_F(Hatch, LinesNarrowToTheirEnds) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.02);
     set_nesting(set, 0.02, 0);

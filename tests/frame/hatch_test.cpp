@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hatching: nested lines whose width makes the tone.
 #include "frame/hatching.h"
+#include "support/instruction_sets.h"
 #include "support/runtime.h"
 
 namespace hrbfnpr::testing {
@@ -242,19 +243,37 @@ TEST_F(Hatch, NormalsForToneAreTurnedWithTheirMarks) {
 }
 
 // What is not known to be passed over is looked at, and found not to be drawn.
-TEST_F(Hatch, PiecesThatArePassedOverWouldNotBeDrawn) {
-    add_latitudes(set);
+class HatchPieces : public Hatch, public ::testing::WithParamInterface<bool> {
+protected:
+    // Normals for tone lean to one side, out of the cones of the normals.
+    static void add_ball(marks::PointSet& to) {
+        add_latitudes(to);
+        if (!GetParam()) return;
+        marks::Layer& ball = to.layers[0];
+        for (std::int64_t i = 0; i < ball.count(); ++i) {
+            const glm::dvec3 soft = glm::normalize(glm::dvec3(marks::vector_at(ball.normal, i)) + lean);
+            for (int k = 0; k < 3; ++k) ball.tone_normal.push_back(static_cast<float>(soft[k]));
+        }
+    }
+    static void open_pieces(marks::Layer& ball) {
+        for (marks::StrokePiece& piece : ball.clusters.piece) {
+            piece.cone_cosine = piece.tone_cosine = -1.0F;
+            piece.cone_sine = piece.tone_sine = 0.0F;
+            piece.level = 0;
+        }
+    }
+    static constexpr glm::dvec3 lean{0.3, -0.5, 0.4};
+};
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutNormalsForTone, HatchPieces, ::testing::Bool());
+
+TEST_P(HatchPieces, ThatArePassedOverWouldNotBeDrawn) {
+    add_ball(set);
     cluster();
     style.tone = frame::Tone::light;
-    layer.hatch_pen = 0.01F; // so that all marks are seen
     marks::PointSet open(runtime.memory);
-    add_latitudes(open);
+    add_ball(open);
     open = clustered(runtime, std::move(open));
-    for (marks::StrokePiece& piece : open.layers[0].clusters.piece) {
-        piece.cone_cosine = -1.0F;
-        piece.cone_sine = 0.0F;
-        piece.level = 0;
-    }
+    open_pieces(open.layers[0]);
     style.layers = std::span(&layer, 1);
     DrawnFrame other(runtime);
     for (const double half : {0.4, 1.25, 4.0}) {
@@ -282,10 +301,14 @@ TEST_F(Hatch, PiecesThatArePassedOverWouldNotBeDrawn) {
     }
 }
 
-TEST_F(Hatch, SameBitsForAnyThreadCount) {
+TEST_F(Hatch, SameBitsForAnyThreadCountAndInstructionSet) {
     std::vector<float> expected;
-    for (const int threads : {1, 3}) {
-        const base::Runtime other = test::with_threads(threads);
+    std::vector<std::pair<int, base::InstructionSet>> machines;
+    for (const base::InstructionSet one : test::instruction_sets()) machines.emplace_back(1, one);
+    machines.emplace_back(3, machines.back().second);
+    for (const auto& [threads, instructions] : machines) {
+        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
+                                  nullptr, nullptr);
         marks::PointSet ball(other.memory);
         add_latitudes(ball);
         ball = clustered(other, std::move(ball));
@@ -306,7 +329,7 @@ TEST_F(Hatch, SameBitsForAnyThreadCount) {
             for (const Stroke& s : own.drawing().strokes) numbers.push_back(static_cast<float>(s.count));
         }
         if (expected.empty()) expected = numbers;
-        EXPECT_EQ(numbers, expected) << threads;
+        EXPECT_EQ(numbers, expected) << threads << " " << static_cast<int>(instructions);
     }
 }
 

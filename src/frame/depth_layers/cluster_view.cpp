@@ -168,6 +168,24 @@ ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, co
     return view;
 }
 
+// At a place v from the eye, n within the cone has n . v >= |v| cos(a + c), a the angle between v and the axis, c the
+// cone's; and elsewhere in the ball n . v is less by no more than its radius.  No root is taken.
+bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept {
+    if (!sight.rigid || !(extent.cone_cosine > 0.0F)) return false;
+    const glm::vec3 v = sight.seer.parallel ? sight.eye : vector(extent.centre) - sight.eye;
+    const float radius = sight.seer.parallel ? 0.0F : extent.radius;
+    const float along = glm::dot(vector(extent.axis), v);
+    const float least = along * extent.cone_cosine - radius;
+    const float across = glm::dot(v, v) - along * along;
+    return along > 0.0F && least > 0.0F &&
+           least * least > 1.001F * std::max(across, 0.0F) * extent.cone_sine * extent.cone_sine;
+}
+
+float least_lit(const marks::StrokePiece& piece, const ItemSight& sight) noexcept {
+    if (!sight.rigid) return -1.0F;
+    return cosines(glm::dot(vector(piece.tone_axis), sight.light), {piece.tone_cosine, piece.tone_sine}).least;
+}
+
 float pixels_per_unit_at(const marks::Cluster& cluster, const ItemSight& sight, const Lens& lens) noexcept {
     const float(&row)[4] = sight.seer.clip[3];
     const float w = row[0] * cluster.centre[0] + row[1] * cluster.centre[1] + row[2] * cluster.centre[2] + row[3];

@@ -48,6 +48,12 @@ struct ClusterView {
 [[nodiscard]] ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, const Lens& lens,
                                        const Frustum& frustum, float reach) noexcept;
 
+// Whether n . v > 0 at all marks; false where that is not known at once.
+[[nodiscard]] bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept;
+
+// No n . l of a normal for tone in the piece is less.
+[[nodiscard]] float least_lit(const marks::StrokePiece& piece, const ItemSight& sight) noexcept;
+
 // How far, in pixels, a mark's image lies from the contour's: it is at the angle nu from it along a circle whose
 // curvature is the radial one.
 [[nodiscard]] inline float contour_distance(float nu, float pixel_curvature) noexcept {

@@ -4,6 +4,7 @@
 
 #include "frame/depth_layers/gather.h"
 #include "frame/depth_layers/hatch_law.h"
+#include "frame/depth_layers/hatch_loops.h"
 
 #include <array>
 
@@ -26,11 +27,9 @@ inline constexpr float shortest_filling = 3.0F;
 struct HatchMark {
     float x, y; // pixels
     float window, depth, pixels_per_unit;
-    float nu;
     float side_x, side_y; // of the unit normal, eye space
-    float darkness;
-    float spacing; // of the lines of level 0, pixels, if their separation is known
-    float width;   // of the line, pixels
+    float width;          // of the line, pixels
+    float way;            // from the mark before, pixels, along those that are left out
     // The line is drawn where none is negative; by HatchEnd.
     std::array<float, hatch_margins> margin;
     std::uint32_t id;
@@ -43,53 +42,65 @@ struct HatchMark {
 
 // A stroke while its marks are looked at.
 struct HatchStroke {
-    explicit HatchStroke(base::Memory& memory) noexcept : place(memory), mark(memory), may_draw(memory) {}
+    explicit HatchStroke(base::Memory& memory) noexcept
+        : mark(memory), may_draw(memory), range(memory), number(memory), row(memory) {}
 
-    base::Array<std::int64_t> place; // of those that are seen, in the order of the strokes, rising
-    base::Array<HatchMark> mark;     // the same; of a closed stroke the first one again
-    base::Array<bool> may_draw;      // of each piece
+    // Half-open, in the order of the strokes.
+    struct Range {
+        std::int64_t begin, end;
+    };
+
+    base::Array<HatchMark> mark; // those that are drawn and the two beside them; of a closed stroke the first one again
+    base::Array<bool> may_draw;  // of each piece
+    base::Array<Range> range;    // of places that are looked at, rising
+    base::Array<std::uint32_t> number; // in the layer, of those marks
+    base::Array<float> row;            // of HatchRows
     std::int64_t first = 0,
-                 count = 0;  // places; of a closed one without the last mark, if that lies where the first does
-    std::int64_t stride = 1; // from one mark that is seen to the next
+                 count = 0; // places; of a closed one without the last mark, if that lies where the first does
     bool closed = false;
 
-    [[nodiscard]] std::int64_t bytes() const noexcept { return place.bytes() + mark.bytes() + may_draw.bytes(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept {
+        return mark.bytes() + may_draw.bytes() + range.bytes() + number.bytes() + row.bytes();
+    }
 };
 
 // Looks at the strokes of one run.
 class HatchMarks {
 public:
     // taus: of each mark of the run, if they are a callback's; else NULL.
-    HatchMarks(const Gather& gather, const Scene& scene, const Run& run, const float* taus) noexcept;
+    HatchMarks(const Gather& gather, const HatchLoops& loops, const Scene& scene, const Run& run,
+               const float* taus) noexcept;
 
-    // The marks of a stroke in their order: not those of pieces where nothing is drawn, unless they are next to others,
-    // nor more than the picture needs.  piece: the stroke's first one.  Returns whether there are any.
+    // The marks of a stroke in their order that its line needs.  piece: the stroke's first one.  Returns whether
+    // anything is drawn of it.
     bool see(std::int64_t stroke, std::int64_t piece, HatchStroke& seen) const;
 
 private:
     [[nodiscard]] std::int32_t most_level() const noexcept;
-    [[nodiscard]] std::int32_t most_level(float nearest, float darkness) const noexcept;
-    [[nodiscard]] bool may_draw(const marks::StrokePiece& piece, std::int64_t& stride) const noexcept;
-    [[nodiscard]] std::int64_t stride_of(const marks::StrokePiece& piece, float nearest) const noexcept;
+    [[nodiscard]] bool has_room(std::int32_t level, float nearest, float darkness) const noexcept;
+    void set_most_coverage() noexcept;
+    [[nodiscard]] HatchSight sight() const noexcept;
+    [[nodiscard]] HatchLaw law() const noexcept;
+    [[nodiscard]] bool may_draw(const marks::StrokePiece& piece) const noexcept;
+    [[nodiscard]] float most_darkness(const marks::StrokePiece& piece) const noexcept;
     void set_ends(std::int64_t stroke, HatchStroke& seen) const noexcept;
-    void find_places(HatchStroke& seen) const;
-    void see_marks(HatchStroke& seen) const;
-    void see_part(const HatchStroke& stroke, std::int64_t begin, std::span<HatchMark> marks) const noexcept;
-    void take_places(const Seen& seen, const std::int64_t* places, std::span<HatchMark> marks) const noexcept;
-    void set_darkness(const Seen& seen, const std::int64_t* places, std::span<HatchMark> marks) const noexcept;
-    [[nodiscard]] float most_darkness(const ClusterView& view) const noexcept;
-    [[nodiscard]] float picture_margin(float x, float y) const noexcept;
-    void set_width(HatchMark& mark) const noexcept;
-    void set_widths(std::span<HatchMark> marks) const noexcept;
-    void set_spacing(const HatchStroke& stroke, std::int64_t begin, const MarkRange& range,
-                     std::span<HatchMark> marks) const noexcept;
-    [[nodiscard]] float spacing_at(const glm::vec3& along, const glm::vec3& normal,
-                                   const HatchMark& mark) const noexcept;
+    void find_ranges(HatchStroke& seen) const;
+    void expect(const marks::StrokePiece& piece) const noexcept;
+    [[nodiscard]] HatchRows load(HatchStroke& seen) const;
+    void load(std::int64_t begin, std::int64_t count, std::uint32_t* numbers, const HatchRows& rows) const noexcept;
+    void see_rows(std::span<const std::uint32_t> numbers, const HatchRows& rows, bool closed) const noexcept;
+    void set_darkness(std::span<const std::uint32_t> numbers, const HatchRows& rows) const noexcept;
+    void borrow_darkness(std::int64_t count, float* darkness, const HatchRows& rows) const noexcept;
+    void set_widths_alone(std::span<const std::uint32_t> numbers, const HatchRows& rows) const noexcept;
+    void keep(const HatchRows& rows, HatchStroke& seen) const;
+    [[nodiscard]] HatchMark mark(const HatchRows& rows, std::int64_t at, std::uint32_t number) const noexcept;
+    [[nodiscard]] bool has_hand() const noexcept { return style_.hatch_wobble > 0.0F || style_.hatch_overshoot > 0.0F; }
     [[nodiscard]] glm::vec3 place(std::int64_t at) const noexcept {
         return glm::vec3(glm::dvec3(run_.position_of(run_.marks->mark_of(at))) * per_unit_);
     }
 
     const Gather& gather_;
+    const HatchLoops& loops_;
     const Scene& scene_;
     const Run& run_;
     const ItemView& item_;
@@ -103,6 +114,9 @@ private:
     float beyond_;        // the picture, pixels: there lines may end unseen
     float stretch_;       // of a length of 1 at the distance 1, pixels, at most
     std::int32_t shown_;  // no finer level can be seen from here
+    // No darkness of so many steps or less has a larger coverage.
+    static constexpr std::size_t steps = 16;
+    std::array<float, steps + 1> most_coverage_;
 };
 
 } // namespace hrbfnpr::frame

@@ -67,7 +67,7 @@ void HatchPoints::take_taus(const Scene& scene, const Gather& gather) {
 
 void HatchPoints::find(const Scene& scene, const Gather& gather, Batch& batch) const {
     const Run& run = scene.runs[batch.run];
-    const HatchMarks seen(gather, scene, run, asks(scene, run) ? taus_.data() + run.first : nullptr);
+    const HatchMarks seen(gather, loops_, scene, run, asks(scene, run) ? taus_.data() + run.first : nullptr);
     std::int64_t piece = batch.piece;
     for (std::int64_t s = batch.begin; s < batch.end; ++s) {
         if (seen.see(s, piece, batch.stroke))
@@ -77,22 +77,12 @@ void HatchPoints::find(const Scene& scene, const Gather& gather, Batch& batch) c
 }
 
 void HatchPoints::put(const Scene& scene, const Batch& batch, drawing::Drawing& drawing) const noexcept {
-    Dot dot{};
-    dot.opacity = 1.0F;
-    dot.layer = 2U * static_cast<std::uint32_t>(batch.run);
-    dot.mark_class = MarkClass::front;
-    dot.flags = scene.item_of(scene.runs[batch.run]).model != nullptr ? dot_is_exact : std::uint8_t{0};
+    const auto layer = 2U * static_cast<std::uint32_t>(batch.run);
+    const std::uint8_t flags = scene.item_of(scene.runs[batch.run]).model != nullptr ? dot_is_exact : std::uint8_t{0};
     Dot* to = drawing.dots.data() + batch.first_dot;
-    for (const HatchPoint& p : batch.part.points) {
-        dot.x = p.x;
-        dot.y = p.y;
-        dot.radius = 0.5F * p.width;
-        dot.depth = p.depth;
-        dot.window = p.window;
-        dot.pixels_per_unit = p.pixels_per_unit;
-        dot.id = p.id;
-        *to++ = dot;
-    }
+    for (const HatchPoint& p : batch.part.points)
+        *to++ = {p.x,  p.y,   0.5F * p.width,   1.0F,  p.depth, p.window, p.pixels_per_unit,
+                 p.id, layer, MarkClass::front, flags, 0,       0};
 }
 
 void HatchPoints::run(const Scene& scene, const Gather& gather, drawing::Drawing& drawing) {

@@ -23,7 +23,8 @@ public:
     };
 
     explicit HatchPoints(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), batches_(runtime.memory), taus_(runtime.memory) {}
+        : runtime_(runtime), loops_(hatch_loops(runtime.instruction_set)), batches_(runtime.memory),
+          taus_(runtime.memory) {}
 
     // Adds the points of all hatching to the drawing's dots, behind all others.  The drawing has been gathered.
     void run(const Scene& scene, const Gather& gather, drawing::Drawing& drawing);
@@ -42,6 +43,7 @@ private:
     void put(const Scene& scene, const Batch& batch, drawing::Drawing& drawing) const noexcept;
 
     const base::Runtime& runtime_;
+    HatchLoops loops_;
     base::List<Batch> batches_; // more than `count_` where an earlier frame had more
     std::int64_t count_ = 0;
     base::Array<float> taus_; // of each mark of the scene, where callbacks give tones

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/depth_layers/hatch_spans.h"
 
+#include "base/scratch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -69,23 +71,19 @@ void HatchSpans::add(const LayerStyle& style, std::int64_t stroke, std::span<Hat
 // Lengths of chords, and the tangents of a Catmull-Rom curve.
 void HatchSpans::measure(std::span<const HatchMark> marks) {
     const auto count = static_cast<std::int64_t>(marks.size());
-    length_.clear();
-    length_.resize_for_overwrite(count);
-    tangent_.clear();
-    tangent_.resize_for_overwrite(count);
-    const auto valid = [&](std::int64_t i) { return i >= 0 && i < count && marks[static_cast<std::size_t>(i)].valid; };
-    const auto p = [&](std::int64_t i) { return place(marks[static_cast<std::size_t>(i)]); };
+    base::resize_scratch(length_, count);
+    base::resize_scratch(tangent_, count);
+    const auto m = [&](std::int64_t i) -> const HatchMark& { return marks[static_cast<std::size_t>(i)]; };
     length_[0] = 0.0F;
-    for (std::int64_t i = 1; i < count; ++i)
-        length_[i] = length_[i - 1] + (valid(i) && valid(i - 1) ? glm::distance(p(i), p(i - 1)) : 0.0F);
-    const bool closed = valid(0) && valid(count - 1) && p(0) == p(count - 1);
+    for (std::int64_t i = 1; i < count; ++i) length_[i] = length_[i - 1] + m(i).way;
+    const bool closed = m(0).valid && m(count - 1).valid && place(m(0)) == place(m(count - 1));
     for (std::int64_t i = 0; i < count; ++i) {
         std::int64_t before = i > 0 ? i - 1 : closed ? count - 2 : 0;
         std::int64_t after = i + 1 < count ? i + 1 : closed ? 1 : i;
-        if (!valid(before)) before = i;
-        if (!valid(after)) after = i;
-        const float way = glm::distance(p(i), p(before)) + glm::distance(p(after), p(i));
-        tangent_[i] = way > 0.0F ? (p(after) - p(before)) / way : glm::vec2(0.0F);
+        if (!m(before).valid) before = i;
+        if (!m(after).valid) after = i;
+        const float way = (before != i ? m(i).way : 0.0F) + (after != i ? m(after).way : 0.0F);
+        tangent_[i] = way > 0.0F ? (place(m(after)) - place(m(before))) / way : glm::vec2(0.0F);
     }
 }
 
@@ -240,23 +238,24 @@ void HatchSpans::add_points(std::span<const HatchMark> marks, const Drawn& drawn
         while (place.mark < last && length_[place.mark + 1] < wanted) ++place.mark;
         const float way = length_[place.mark + 1] - length_[place.mark];
         place.share = way > 0.0F ? std::clamp((wanted - length_[place.mark]) / way, 0.0F, 1.0F) : 0.0F;
-        points.push_back(strayed(point(marks, place), place));
+        points.push_back(point(marks, place));
+        stray(points.back(), place);
     }
-    points.push_back(strayed(point(marks, drawn.end), drawn.end));
+    points.push_back(point(marks, drawn.end));
+    stray(points.back(), drawn.end);
 }
 
 // Across the line, as the hand has it there.
-HatchPoint HatchSpans::strayed(HatchPoint point, const Place& place) const noexcept {
-    if (!hand_.wobbles()) return point;
+void HatchSpans::stray(HatchPoint& point, const Place& place) const noexcept {
+    if (!hand_.wobbles()) return;
     const std::int64_t next = std::min(place.mark + 1, length_.size() - 1);
     const glm::vec2 along = (1.0F - place.share) * tangent_[place.mark] + place.share * tangent_[next];
     const float length = glm::length(along);
-    if (!(length > 0.0F)) return point;
+    if (!(length > 0.0F)) return;
     const double mark = static_cast<double>(place.mark + turned_) + static_cast<double>(place.share);
     const float aside = hand_.aside(mark) / length;
     point.x -= aside * along.y;
     point.y += aside * along.x;
-    return point;
 }
 
 // Hermite's cubic between two marks; the rest changes evenly.

@@ -61,7 +61,7 @@ private:
     [[nodiscard]] Place place_at(float length) const noexcept;
     [[nodiscard]] Place run_on(std::span<const HatchMark> marks, const Place& from, int way,
                                HatchEnd& end) const noexcept;
-    [[nodiscard]] HatchPoint strayed(HatchPoint point, const Place& place) const noexcept;
+    void stray(HatchPoint& point, const Place& place) const noexcept;
     [[nodiscard]] float at(const Place& place) const noexcept;
     void put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part);
     void add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,

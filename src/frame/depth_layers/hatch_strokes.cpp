@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/depth_layers/hatch_strokes.h"
 
+#include "base/scratch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -24,18 +26,24 @@ constexpr float halo_and_more = 1.5F;
 constexpr std::array<float, 2> tip_points = {0.3F, 1.2F};
 
 // Points that differ by less than this from what lies between those beside them are left out, pixels.
-constexpr float straight = 0.03F;
+constexpr float straight = 0.05F;
 constexpr float even_radius = 0.006F;
 constexpr std::int64_t most_left_out = 6; // one after the other
 
-// Whether p is what lies between a and b.
-[[nodiscard]] bool lies_between(const StrokePoint& a, const StrokePoint& p, const StrokePoint& b) noexcept {
+// Whether the points between a and b are what lies between them.
+[[nodiscard]] bool lie_between(const StrokePoint& a, std::span<const StrokePoint> points,
+                               const StrokePoint& b) noexcept {
     const float way = b.length - a.length;
-    if (!(way > 0.0F) || a.opacity != b.opacity || p.opacity != a.opacity) return false;
-    const float t = (p.length - a.length) / way;
-    const auto off = [t](float from, float at, float to) { return std::abs(at - from - t * (to - from)); };
-    return off(a.x, p.x, b.x) < straight && off(a.y, p.y, b.y) < straight &&
-           off(a.radius, p.radius, b.radius) < even_radius;
+    if (!(way > 0.0F) || a.opacity != b.opacity) return false;
+    const float scale = 1.0F / way;
+    const float x = b.x - a.x;
+    const float y = b.y - a.y;
+    const float radius = b.radius - a.radius;
+    return std::all_of(points.begin(), points.end(), [&](const StrokePoint& p) {
+        const float t = (p.length - a.length) * scale;
+        return p.opacity == a.opacity && std::abs(p.x - a.x - t * x) < straight &&
+               std::abs(p.y - a.y - t * y) < straight && std::abs(p.radius - a.radius - t * radius) < even_radius;
+    });
 }
 
 // An ellipse's quarter would be blunter.
@@ -152,10 +160,9 @@ private:
         std::int64_t kept = first;
         std::int64_t from = first; // the point that was kept last
         for (std::int64_t i = first + 1; i < points.size(); ++i) {
-            bool needed = i + 1 == points.size() || i - from > most_left_out;
-            for (std::int64_t k = from + 1; k <= i && !needed; ++k)
-                needed = !lies_between(points[kept], points[k], points[i + 1]);
-            if (!needed) continue;
+            if (i + 1 < points.size() && i - from <= most_left_out &&
+                lie_between(points[kept], {points.data() + from + 1, points.data() + i + 1}, points[i + 1]))
+                continue;
             points[++kept] = points[i];
             from = i;
         }
@@ -231,12 +238,21 @@ void make_strokes(const LayerStyle& style, float halo, const HatchPart& from, st
 
 } // namespace
 
-void HatchStrokes::append(const HatchStrokePart& part) {
-    const std::int64_t first = strokes_.points.size();
-    for (const StrokePoint& point : part.made.points) strokes_.points.push_back(point);
-    for (Stroke stroke : part.made.strokes) {
-        stroke.first += first;
-        strokes_.strokes.push_back(stroke);
+// The strokes of all parts, in their order.
+void HatchStrokes::append(std::int64_t parts) {
+    std::int64_t count = 0;
+    for (std::int64_t i = 0; i < parts; ++i) count += parts_[i].made.points.size();
+    base::resize_scratch(strokes_.points, count);
+    strokes_.strokes.clear();
+    std::int64_t first = 0;
+    for (std::int64_t i = 0; i < parts; ++i) {
+        const LineStrokes& made = parts_[i].made;
+        std::copy(made.points.begin(), made.points.end(), strokes_.points.data() + first);
+        for (Stroke stroke : made.strokes) {
+            stroke.first += first;
+            strokes_.strokes.push_back(stroke);
+        }
+        first += made.points.size();
     }
 }
 
@@ -244,8 +260,6 @@ const LineStrokes& HatchStrokes::run(const Scene& scene, const HatchPoints& poin
     const std::span<const HatchPoints::Batch> batches = points.batches();
     const auto count = static_cast<std::int64_t>(batches.size());
     while (parts_.size() < count) parts_.add(runtime_.memory);
-    strokes_.strokes.clear();
-    strokes_.points.clear();
     runtime_.parallel.for_each(count, [&](std::int64_t i) {
         const HatchPoints::Batch& batch = batches[static_cast<std::size_t>(i)];
         const std::span<Dot> dots(drawing.dots.data() + batch.first_dot,
@@ -259,8 +273,8 @@ const LineStrokes& HatchStrokes::run(const Scene& scene, const HatchPoints& poin
         drawing.dot_count -= part.seen;
         drawing.counts.shown += part.shown - part.seen;
         drawing.counts.dropped_hidden += part.hidden - (dots - part.seen);
-        append(part);
     }
+    append(count);
     return strokes_;
 }
 

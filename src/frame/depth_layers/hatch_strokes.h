@@ -32,7 +32,7 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    void append(const HatchStrokePart& part);
+    void append(std::int64_t parts);
 
     const base::Runtime& runtime_;
     base::List<HatchStrokePart> parts_;

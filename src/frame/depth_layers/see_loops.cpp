@@ -37,7 +37,7 @@ HWY_INLINE Sight sight(const Seer& s, W x, W y, W z) {
     return {hn::Sub(x, cx), hn::Sub(y, cy), hn::Sub(z, cz)};
 }
 
-HWY_INLINE void place(const Seer& s, W px, W py, W pz, std::int64_t at, Seen& seen) {
+HWY_INLINE void place(const Seer& s, W px, W py, W pz, std::int64_t at, const SeenRows& seen) {
     const F d;
     const W inverse = hn::Div(hn::Set(d, 1.0F), affine(s.clip[3], px, py, pz));
     hn::StoreU(hn::Mul(affine(s.clip[0], px, py, pz), inverse), d, seen.x + at);
@@ -54,44 +54,61 @@ HWY_INLINE W light(const Seer& s, W nx, W ny, W nz) {
     return hn::Div(dot3(s.light, lx, ly, lz), hn::Sqrt(squared(lx, ly, lz)));
 }
 
+// load(k): x, y, z of the place, then of the normal.
+template <class Load>
+HWY_INLINE void see_vector(const Seer& s, std::int64_t at, const SeenRows& seen, float* seen_along, const Load& load) {
+    const F d;
+    const W px = load(0);
+    const W py = load(1);
+    const W pz = load(2);
+    place(s, px, py, pz, at, seen);
+    const W ex = affine(s.eye[0], px, py, pz);
+    const W ey = affine(s.eye[1], px, py, pz);
+    const W ez = affine(s.eye[2], px, py, pz);
+    const Sight v = sight(s, ex, ey, ez);
+    const W length = hn::Sqrt(squared(v.x, v.y, v.z));
+    const W inverse = hn::Div(hn::Set(d, 1.0F), length);
+    const W nx = load(3);
+    const W ny = load(4);
+    const W nz = load(5);
+    W tx = dot3(s.normal[0], nx, ny, nz);
+    W ty = dot3(s.normal[1], nx, ny, nz);
+    W tz = dot3(s.normal[2], nx, ny, nz);
+    if (!s.rigid) {
+        const W unit = hn::Div(hn::Set(d, 1.0F), hn::Sqrt(squared(tx, ty, tz)));
+        tx = hn::Mul(tx, unit);
+        ty = hn::Mul(ty, unit);
+        tz = hn::Mul(tz, unit);
+    }
+    const W facing = hn::Add(hn::Add(hn::Mul(tx, v.x), hn::Mul(ty, v.y)), hn::Mul(tz, v.z));
+    hn::StoreU(hn::Mul(facing, inverse), d, seen.nu + at);
+    hn::StoreU(tx, d, seen.side_x + at);
+    hn::StoreU(ty, d, seen.side_y + at);
+    if (seen_along != nullptr) hn::StoreU(hn::Mul(hn::Neg(v.z), inverse), d, seen_along + at);
+    hn::StoreU(hn::Neg(ez), d, seen.depth + at);
+    hn::StoreU(s.parallel ? hn::Neg(ez) : length, d, seen.distance + at);
+    hn::StoreU(light(s, nx, ny, nz), d, seen.lit + at);
+}
+
 void see(const Seer& s, const MarkRange& range, Seen& seen) {
     const F d;
+    const SeenRows to = {seen.x,  seen.y,   seen.window, seen.depth,  seen.pixels_per_unit,
+                         seen.nu, seen.lit, seen.side_x, seen.side_y, seen.distance};
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for (std::int64_t at = 0; at < range.count; at += lanes) {
         const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
+        const float* const rows[6] = {m.x, m.y, m.z, m.nx, m.ny, m.nz};
         const std::int64_t in_block = at % marks::MarkBlock::size;
-        const auto load = [&](const float* from) HWY_ATTR { return hn::LoadU(d, from + in_block); };
-        const W px = load(m.x);
-        const W py = load(m.y);
-        const W pz = load(m.z);
-        place(s, px, py, pz, at, seen);
-        const W ex = affine(s.eye[0], px, py, pz);
-        const W ey = affine(s.eye[1], px, py, pz);
-        const W ez = affine(s.eye[2], px, py, pz);
-        const Sight v = sight(s, ex, ey, ez);
-        const W length = hn::Sqrt(squared(v.x, v.y, v.z));
-        const W inverse = hn::Div(hn::Set(d, 1.0F), length);
-        const W nx = load(m.nx);
-        const W ny = load(m.ny);
-        const W nz = load(m.nz);
-        W tx = dot3(s.normal[0], nx, ny, nz);
-        W ty = dot3(s.normal[1], nx, ny, nz);
-        W tz = dot3(s.normal[2], nx, ny, nz);
-        if (!s.rigid) {
-            const W unit = hn::Div(hn::Set(d, 1.0F), hn::Sqrt(squared(tx, ty, tz)));
-            tx = hn::Mul(tx, unit);
-            ty = hn::Mul(ty, unit);
-            tz = hn::Mul(tz, unit);
-        }
-        const W facing = hn::Add(hn::Add(hn::Mul(tx, v.x), hn::Mul(ty, v.y)), hn::Mul(tz, v.z));
-        hn::StoreU(hn::Mul(facing, inverse), d, seen.nu + at);
-        hn::StoreU(tx, d, seen.side_x + at);
-        hn::StoreU(ty, d, seen.side_y + at);
-        hn::StoreU(hn::Mul(hn::Neg(v.z), inverse), d, seen.along + at);
-        hn::StoreU(hn::Neg(ez), d, seen.depth + at);
-        hn::StoreU(s.parallel ? hn::Neg(ez) : length, d, seen.distance + at);
-        hn::StoreU(light(s, nx, ny, nz), d, seen.lit + at);
+        see_vector(s, at, to, seen.along, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + in_block); });
     }
+}
+
+void see_rows(const Seer& s, const MarkRows& marks, const SeenRows& seen) {
+    const F d;
+    const float* const rows[6] = {marks.x, marks.y, marks.z, marks.nx, marks.ny, marks.nz};
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    for (std::int64_t at = 0; at < marks.count; at += lanes)
+        see_vector(s, at, seen, nullptr, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + at); });
 }
 
 // The share of its area at which a mark is drawn, `place` its 1 - rank: it grows while the last ones shown come in.
@@ -277,7 +294,7 @@ void select(const Selection& j, const Seer& seer, const MarkRange& range, const 
 
 } // namespace
 
-SeeLoops pick_see_loops() noexcept { return {see, select}; }
+SeeLoops pick_see_loops() noexcept { return {see, see_rows, select}; }
 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

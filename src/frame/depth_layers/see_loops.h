@@ -29,6 +29,17 @@ struct MarkRange {
     std::int64_t count; // <= Seen::most
 };
 
+// Marks whose numbers of one sort stand one after the other; a vector may end beyond the last.
+struct MarkRows {
+    const float *x, *y, *z, *nx, *ny, *nz;
+    std::int64_t count;
+};
+
+// As Seen, of any number of marks.
+struct SeenRows {
+    float *x, *y, *window, *depth, *pixels_per_unit, *nu, *lit, *side_x, *side_y, *distance;
+};
+
 struct Seen {
     static constexpr std::int64_t most = marks::most_in_cluster;
     float x[most], y[most];           // pixels
@@ -82,6 +93,7 @@ struct Selected {
 
 struct SeeLoops {
     void (*see)(const Seer& seer, const MarkRange& marks, Seen& seen);
+    void (*see_rows)(const Seer& seer, const MarkRows& marks, const SeenRows& seen);
     // tau and tau_depth: of each mark; tau_depth may be NULL, all 1.
     void (*select)(const Selection& selection, const Seer& seer, const MarkRange& marks, const Seen& seen,
                    const float* tau, const float* tau_depth, Selected& selected);

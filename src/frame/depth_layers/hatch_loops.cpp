@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "frame/depth_layers/hatch_loops.cpp"
+#include "base/simd.h"
+
+#include "frame/depth_layers/hatch_loops.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hrbfnpr::frame::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, HatchRows::slack>; // a vector ends within the rows
+using I = hn::RebindToSigned<F>;
+using W = hn::Vec<F>;
+using M = hn::Mask<F>;
+
+// Products and sums are rounded one by one: a fused step would give other bits where there is one.
+HWY_INLINE W set(float x) { return hn::Set(F(), x); }
+HWY_INLINE W dot3(const float* row, W x, W y, W z) {
+    return hn::Add(hn::Add(hn::Mul(set(row[0]), x), hn::Mul(set(row[1]), y)), hn::Mul(set(row[2]), z));
+}
+HWY_INLINE W squared(W x, W y) { return hn::Add(hn::Mul(x, x), hn::Mul(y, y)); }
+HWY_INLINE W squared(W x, W y, W z) { return hn::Add(squared(x, y), hn::Mul(z, z)); }
+HWY_INLINE W clamped(W x, float low, float high) { return hn::Min(hn::Max(x, set(low)), set(high)); }
+
+// Calls f(i) for the first of each vector of marks.
+template <class Step>
+HWY_INLINE void for_vectors(std::int64_t count, Step&& step) {
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(F()));
+    for (std::int64_t at = 0; at < count; at += lanes) step(at);
+}
+
+// Of a positive number.
+HWY_INLINE W log2(W x) {
+    const F d;
+    const I i;
+    const auto bits = hn::BitCast(i, x);
+    // From the root of 1/2 to the root of 2.
+    const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, 0x3F3504F3)));
+    const W m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
+    const W t = hn::Div(hn::Sub(m, set(1.0F)), hn::Add(m, set(1.0F)));
+    const W s = hn::Mul(t, t);
+    // 2 atanh(t) / ln 2
+    const float terms[] = {0.41219858F, 0.57707802F, 0.96179669F, 2.88539008F};
+    W sum = set(0.32059890F);
+    for (const float term : terms) sum = hn::Add(hn::Mul(sum, s), set(term));
+    return hn::Add(hn::ConvertTo(d, exponent), hn::Mul(sum, t));
+}
+
+HWY_INLINE W exp2(W x) {
+    const F d;
+    const I i;
+    const W y = clamped(x, -126.0F, 126.0F);
+    const auto whole = hn::NearestInt(y);
+    const W t = hn::Mul(hn::Sub(y, hn::ConvertTo(d, whole)), set(0.69314718F));
+    const float terms[] = {1.0F / 720.0F, 1.0F / 120.0F, 1.0F / 24.0F, 1.0F / 6.0F, 0.5F, 1.0F, 1.0F};
+    W sum = set(1.0F / 5040.0F);
+    for (const float term : terms) sum = hn::Add(hn::Mul(sum, t), set(term));
+    return hn::Mul(sum, hn::BitCast(d, hn::ShiftLeft<23>(hn::Add(whole, hn::Set(i, 127)))));
+}
+
+void load(const float* triples, std::int64_t count, float factor, float other, float* x, float* y, float* z) {
+    const F d;
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    const auto scaled = [&](W v) HWY_ATTR { return hn::Mul(hn::Mul(v, set(factor)), set(other)); };
+    std::int64_t at = 0;
+    for (; at + lanes <= count; at += lanes) {
+        W a, b, c;
+        hn::LoadInterleaved3(d, triples + 3 * at, a, b, c);
+        hn::StoreU(scaled(a), d, x + at);
+        hn::StoreU(scaled(b), d, y + at);
+        hn::StoreU(scaled(c), d, z + at);
+    }
+    for (; at < count; ++at) {
+        x[at] = triples[3 * at] * factor * other;
+        y[at] = triples[3 * at + 1] * factor * other;
+        z[at] = triples[3 * at + 2] * factor * other;
+    }
+}
+
+// n . l of normals for tone.
+HWY_INLINE W lit(const Seer& s, W nx, W ny, W nz) {
+    if (s.rigid) return dot3(s.light, nx, ny, nz);
+    const W lx = dot3(s.normal_light[0], nx, ny, nz);
+    const W ly = dot3(s.normal_light[1], nx, ny, nz);
+    const W lz = dot3(s.normal_light[2], nx, ny, nz);
+    return hn::Div(dot3(s.light, lx, ly, lz), hn::Sqrt(squared(lx, ly, lz)));
+}
+
+// A parallelogram with one side along the line and one across it, on the surface, has an area and a base in the
+// picture.  With parallel lines of sight that is separation |n . v| / sqrt(1 - (t . v)^2).
+HWY_INLINE W spacing_at(const HatchSight& sight, const HatchRows& rows) {
+    const F d;
+    const Seer& s = *sight.seer;
+    const auto row = [&](HatchRow number, std::int64_t at) HWY_ATTR { return hn::LoadU(d, rows[number] + at); };
+    const auto along = [&](HatchRow number) HWY_ATTR { return hn::Sub(row(number, 1), row(number, -1)); };
+    const W ax = along(HatchRow::x);
+    const W ay = along(HatchRow::y);
+    const W az = along(HatchRow::z);
+    const W nx = row(HatchRow::normal_x, 0);
+    const W ny = row(HatchRow::normal_y, 0);
+    const W nz = row(HatchRow::normal_z, 0);
+    const W bx = hn::Sub(hn::Mul(ny, az), hn::Mul(ay, nz));
+    const W by = hn::Sub(hn::Mul(nz, ax), hn::Mul(az, nx));
+    const W bz = hn::Sub(hn::Mul(nx, ay), hn::Mul(ax, ny));
+    const W left = row(HatchRow::left, 0);
+    const W top = row(HatchRow::top, 0);
+    const W scale = hn::Mul(row(HatchRow::pixels_per_unit, 0), set(1.0F / s.pixels));
+    const auto image = [&](const float* clip, W place, W x, W y, W z) HWY_ATTR {
+        return hn::Mul(hn::Sub(dot3(clip, x, y, z), hn::Mul(place, dot3(s.clip[3], x, y, z))), scale);
+    };
+    const W a_left = image(s.clip[0], left, ax, ay, az);
+    const W a_top = image(s.clip[1], top, ax, ay, az);
+    const W b_left = image(s.clip[0], left, bx, by, bz);
+    const W b_top = image(s.clip[1], top, bx, by, bz);
+    const W area = hn::Abs(hn::Sub(hn::Mul(a_left, b_top), hn::Mul(a_top, b_left)));
+    const W base = hn::Mul(hn::Sqrt(squared(a_left, a_top)), hn::Sqrt(squared(bx, by, bz)));
+    return hn::IfThenElseZero(hn::Gt(base, hn::Zero(d)), hn::Div(hn::Mul(set(sight.separation), area), base));
+}
+
+void place(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
+    const F d;
+    for_vectors(count, [&](std::int64_t at) HWY_ATTR {
+        const HatchRows own = rows.from(at);
+        const auto row = [&](HatchRow number) HWY_ATTR { return hn::LoadU(d, own[number]); };
+        if (sight.has_tone_normals)
+            hn::StoreU(lit(*sight.seer, row(HatchRow::tone_x), row(HatchRow::tone_y), row(HatchRow::tone_z)), d,
+                       own[HatchRow::darkness]);
+        const W left = row(HatchRow::left);
+        const W top = row(HatchRow::top);
+        const W nu = row(HatchRow::nu);
+        const W horizontal = hn::Min(hn::Sub(left, set(sight.left)), hn::Sub(set(sight.right), left));
+        const W vertical = hn::Min(hn::Sub(top, set(sight.top)), hn::Sub(set(sight.bottom), top));
+        const W margin = hn::Add(set(sight.beyond), hn::Min(horizontal, vertical));
+        // Everything is asked so that a value that is not a number answers "nowhere".
+        const auto between = [&](W value, float low, float high)
+                                 HWY_ATTR { return hn::And(hn::Ge(value, set(low)), hn::Le(value, set(high))); };
+        const M valid =
+            hn::And(hn::And(hn::And(hn::Eq(left, left), hn::Eq(top, top)),
+                            hn::And(between(row(HatchRow::window), 0.0F, 1.0F), between(nu, -1.001F, 1.001F))),
+                    hn::And(hn::Gt(row(HatchRow::pixels_per_unit), hn::Zero(d)), hn::Gt(margin, set(-sight.farthest))));
+        hn::StoreU(hn::IfThenElse(valid, margin, set(hatch_nowhere)), d, own[HatchRow::picture_margin]);
+        hn::StoreU(hn::Sub(set(sight.last_nu), nu), d, own[HatchRow::rim_margin]);
+    });
+}
+
+struct Widths {
+    W lambda, full, width, fading, margin;
+};
+
+// hatch_coverage().
+HWY_INLINE W coverage(const HatchLaw& law, W darkness) {
+    const F d;
+    const W at = clamped(hn::Mul(hn::Sub(darkness, set(law.tone_begin)), set(1.0F / law.tone_span)), 0.0F, 1.0F);
+    const W risen = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), exp2(hn::Mul(log2(at), set(law.coverage_exponent))));
+    return hn::Mul(set(law.share), hn::Add(set(law.coverage_begin), hn::Mul(set(law.coverage_rise), risen)));
+}
+
+// hatch_widths().
+HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing) {
+    const F d;
+    const I i;
+    const W one = set(1.0F);
+    // In distances that are wanted.
+    const W room = hn::Mul(spacing, hn::Min(set(1.0F / law.spacing), hn::Mul(coverage, set(1.0F / law.pen))));
+    Widths w;
+    w.lambda = hn::IfThenElseZero(hn::Gt(room, one), hn::Min(log2(room), set(law.levels)));
+    const auto full = hn::ConvertTo(i, w.lambda);
+    w.full = hn::ConvertTo(d, full);
+    const W weight = hn::Sub(w.lambda, w.full);
+    const W half = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(i, 127), full))); // to the power of `full`
+    const W period = hn::Mul(spacing, half);
+    const W lines = hn::Add(one, weight);
+    const W ink = hn::Min(hn::Mul(coverage, period),
+                          hn::Max(hn::Sub(period, hn::Mul(lines, set(law.white))), hn::Mul(lines, set(law.pen))));
+    const W next = hn::Div(hn::Mul(weight, ink), lines);
+    w.margin = hn::Sub(hn::Mul(next, set(1.0F / law.pen)), set(law.thinnest_fading));
+    w.fading = hn::Mul(next, clamped(hn::Mul(w.margin, set(1.0F / law.fading_ramp)), 0.0F, 1.0F));
+    w.width = hn::Sub(ink, w.fading);
+    return w;
+}
+
+// Numbers before the first and after the last one: those of a closed stroke's other end.
+HWY_INLINE void put_around(float* row, std::int64_t count, bool closed, std::int64_t reach, float otherwise) {
+    for (std::int64_t k = 1; k <= reach; ++k) {
+        row[-k] = closed && k <= count ? row[count - k] : otherwise;
+        row[count + k - 1] = closed && k <= count ? row[k - 1] : otherwise;
+    }
+}
+
+// The largest of the numbers up to two away.
+HWY_INLINE W largest_near(const float* row) {
+    const F d;
+    const auto pair = [&](std::int64_t away)
+                          HWY_ATTR { return hn::Max(hn::LoadU(d, row - away), hn::LoadU(d, row + away)); };
+    return hn::Max(hn::LoadU(d, row), hn::Max(pair(1), pair(2)));
+}
+
+// What the tone, the rim and the picture leave.
+HWY_INLINE void set_least(const HatchLaw& law, const HatchRows& rows) {
+    const F d;
+    const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.tone_begin));
+    hn::StoreU(tone, d, rows[HatchRow::tone_margin]);
+    const W others = hn::Min(hn::LoadU(d, rows[HatchRow::rim_margin]), hn::LoadU(d, rows[HatchRow::picture_margin]));
+    hn::StoreU(hn::Min(tone, others), d, rows[HatchRow::least]);
+}
+
+HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows) {
+    const F d;
+    const auto row = [&](HatchRow number) HWY_ATTR { return hn::LoadU(d, rows[number]); };
+    const W one = set(1.0F);
+    const W darkness = row(HatchRow::darkness);
+    const W level = row(HatchRow::level);
+    const W picture = row(HatchRow::picture_margin);
+    const W spacing = spacing_at(sight, rows);
+    const Widths w = widths(law, coverage(law, darkness), spacing);
+    const M full = hn::Le(level, w.full);
+    const M fades = hn::Eq(level, hn::Add(w.full, one));
+    const W rest = hn::Sub(hn::Sub(w.lambda, hn::Sub(level, one)), set(law.thinnest_fading));
+    const W margin = hn::IfThenElse(full, one, hn::IfThenElse(fades, w.margin, rest));
+    const W width = hn::IfThenElse(full, w.width, hn::IfThenElseZero(fades, w.fading));
+    // What is no number is not below either.
+    const M turned = hn::Not(hn::Lt(row(HatchRow::nu), set(law.widest_nu)));
+    const M valid =
+        hn::And(hn::And(hn::Eq(darkness, darkness), hn::Eq(spacing, spacing)), hn::Lt(width, set(law.widest)));
+    hn::StoreU(hn::IfThenElse(turned, one, margin), d, rows[HatchRow::level_margin]);
+    hn::StoreU(hn::IfThenZeroElse(turned, width), d, rows[HatchRow::width]);
+    hn::StoreU(hn::IfThenElse(hn::Or(turned, valid), picture, set(hatch_nowhere)), d, rows[HatchRow::picture_margin]);
+}
+
+void widen(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed) {
+    const F d;
+    for_vectors(count, [&](std::int64_t at) HWY_ATTR { set_least(law, rows.from(at)); });
+    put_around(rows[HatchRow::least], count, closed, 2, -1.0F);
+    for_vectors(count, [&](std::int64_t at) HWY_ATTR {
+        const HatchRows own = rows.from(at);
+        if (!hn::AllTrue(d, hn::Lt(largest_near(own[HatchRow::least]), hn::Zero(d)))) {
+            set_width(sight, law, own);
+            return;
+        }
+        hn::StoreU(set(1.0F), d, own[HatchRow::level_margin]);
+        hn::StoreU(hn::Zero(d), d, own[HatchRow::width]);
+    });
+}
+
+void measure(const HatchRows& rows, std::int64_t count, bool closed) {
+    const F d;
+    put_around(rows[HatchRow::left], count, closed, 1, 0.0F);
+    put_around(rows[HatchRow::top], count, closed, 1, 0.0F);
+    put_around(rows[HatchRow::picture_margin], count, closed, 1, hatch_nowhere);
+    for_vectors(count, [&](std::int64_t at) HWY_ATTR {
+        const HatchRows own = rows.from(at);
+        const auto row = [&](HatchRow number, std::int64_t aside = 0)
+                             HWY_ATTR { return hn::LoadU(d, own[number] + aside); };
+        const W picture = row(HatchRow::picture_margin);
+        const M both =
+            hn::And(hn::Gt(picture, set(hatch_nowhere)), hn::Gt(row(HatchRow::picture_margin, -1), set(hatch_nowhere)));
+        const W x = hn::Sub(row(HatchRow::left), row(HatchRow::left, -1));
+        const W y = hn::Sub(row(HatchRow::top), row(HatchRow::top, -1));
+        hn::StoreU(hn::IfThenElseZero(both, hn::Sqrt(squared(x, y))), d, own[HatchRow::leg]);
+        hn::StoreU(hn::Min(hn::Min(row(HatchRow::tone_margin), row(HatchRow::level_margin)),
+                           hn::Min(row(HatchRow::rim_margin), picture)),
+                   d, own[HatchRow::least]);
+    });
+    put_around(rows[HatchRow::least], count, closed, 2, -1.0F);
+    for_vectors(count, [&](std::int64_t at) HWY_ATTR {
+        hn::StoreU(largest_near(rows[HatchRow::least] + at), d, rows[HatchRow::near] + at);
+    });
+}
+
+} // namespace
+
+HatchLoops pick_hatch_loops() noexcept { return {load, place, widen, measure}; }
+
+} // namespace hrbfnpr::frame::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+HRBFNPR_CHOOSE(hrbfnpr::frame, HatchLoops, hatch_loops, pick_hatch_loops)

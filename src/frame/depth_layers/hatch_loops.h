@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// From the marks of a stroke to where and how wide its line is drawn, for each instruction set; the same bits from all
+// of them.
+#pragma once
+
+#include "frame/depth_layers/see_loops.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::frame {
+
+// What is known of each mark of a stroke.
+enum class HatchRow : std::int64_t {
+    x, // of the set's own space, in its unit
+    y,
+    z,
+    normal_x,
+    normal_y,
+    normal_z,
+    tone_x, // normals for tone, of a set that has them
+    tone_y,
+    tone_z,
+    level,
+    left, // of the picture, pixels
+    top,
+    window,
+    depth,
+    pixels_per_unit,
+    nu,
+    side_x,
+    side_y,
+    distance,
+    darkness,    // first n . l
+    spacing,     // of the lines of level 0, pixels
+    width,       // of the line, pixels
+    leg,         // from the mark before, pixels; 0 if one of them has no place
+    tone_margin, // the line is drawn where none of the four is negative; by HatchEnd
+    level_margin,
+    rim_margin,
+    picture_margin, // hatch_nowhere: it has no place in the picture's plane
+    least,          // of the margins
+    near,           // the greatest of the least margins of the marks up to two away
+    rows
+};
+
+inline constexpr float hatch_nowhere = -1e30F;
+
+// Rows of numbers that can be read and written `slack` numbers beyond their ends.
+struct HatchRows {
+    static constexpr std::int64_t slack = 16;
+
+    float* first = nullptr; // of the first mark
+    std::int64_t stride = 0;
+
+    [[nodiscard]] float* operator[](HatchRow row) const noexcept {
+        return first + static_cast<std::int64_t>(row) * stride;
+    }
+    [[nodiscard]] HatchRows from(std::int64_t mark) const noexcept { return {first + mark, stride}; }
+};
+
+// How marks are seen.
+struct HatchSight {
+    const Seer* seer;
+    bool has_tone_normals;
+    float separation;               // of the lines of level 0 on the surface; 0: not known
+    float left, top, right, bottom; // of the picture, pixels
+    float beyond;                   // around it
+    float last_nu;                  // a line ends where it is larger
+    float farthest;                 // outside of the picture
+};
+
+// hatch_law.h, for a style and a layer.
+struct HatchLaw {
+    float tone_begin, tone_span;
+    float share, coverage_begin, coverage_rise, coverage_exponent;
+    float spacing, pen, white;
+    float levels;
+    float thinnest_fading, fading_ramp;
+    float widest_nu; // what faces away more has no width
+    float widest;    // what would be wider has no place
+};
+
+struct HatchLoops {
+    // From x, y, z of one mark after the other to rows, multiplied by the one and then by the other factor.
+    void (*load)(const float* triples, std::int64_t count, float factor, float other, float* x, float* y, float* z);
+    // Margins, and n . l of normals for tone, of marks that are seen.
+    void (*place)(const HatchSight& sight, const HatchRows& rows, std::int64_t count);
+    // Widths and their margins, from darkness and what place() gives, where a mark may be drawn and next to that.  The
+    // rows hold the places before the first and after the last mark, too.
+    void (*widen)(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed);
+    // Legs, and which marks are near to one that is drawn.
+    void (*measure)(const HatchRows& rows, std::int64_t count, bool closed);
+};
+
+[[nodiscard]] HatchLoops hatch_loops(base::InstructionSet set) noexcept;
+
+} // namespace hrbfnpr::frame
