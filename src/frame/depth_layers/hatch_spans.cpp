@@ -13,6 +13,8 @@ namespace {
 constexpr float point_step = 2.5F; // pixels
 // Gaps of fewer widths are closed.
 constexpr float least_gap = 2.0F;
+// Short parts fade while a gap beside them grows by so much, in the length of the shortest.
+constexpr float fading_gap = 0.25F;
 // A line's end where its stroke or its level ends is this much as long as where its tone ends ...
 constexpr float blunt = 0.35F;
 // Where the surface turns away a line that crosses the contour by at least the first of these sines runs on under it,
@@ -64,8 +66,8 @@ void HatchSpans::add(const LayerStyle& style, std::int64_t stroke, std::span<Hat
     const std::int64_t steps = length_.size() - 1;
     hand_ = HatchHand(style, stroke, closed ? steps : 0, length_[steps] / static_cast<float>(steps));
     if (hand_.overshoots()) overshoot(marks);
-    join(marks);
-    for (std::int64_t i = 0; i < drawn_.size(); ++i) put(style, marks, i, part);
+    join(style, marks);
+    for (std::int64_t i = 0; i < drawn_.size(); i += drawn_[i].joined) put(style, marks, i, part);
 }
 
 // Lengths of chords, and the tangents of a Catmull-Rom curve.
@@ -153,23 +155,45 @@ void HatchSpans::overshoot(std::span<const HatchMark> marks) {
     }
 }
 
-// Gaps that are no longer than they are wide look like mistakes.
-void HatchSpans::join(std::span<const HatchMark> marks) {
+// Gaps that are no longer than they are wide look like mistakes.  They open little by little: up to half of that they
+// are closed, then the line is the thinner there the longer they are.
+void HatchSpans::join(const LayerStyle& style, std::span<const HatchMark> marks) {
     const auto width = [&](const Place& place) { return point(marks, place).width; };
     const auto may = [](HatchEnd end) { return end == HatchEnd::tone || end == HatchEnd::level; };
-    std::int64_t kept = 0;
     for (std::int64_t i = 1; i < drawn_.size(); ++i) {
-        Drawn& last = drawn_[kept];
-        const Drawn& next = drawn_[i];
+        const Drawn& last = drawn_[i - 1];
+        Drawn& next = drawn_[i];
+        if (!may(last.ends) || !may(next.begins)) continue;
+        const float longest = 0.5F * least_gap * (width(last.end) + width(next.begin));
         const float gap = at(next.begin) - at(last.end);
-        if (may(last.ends) && may(next.begins) && gap < 0.5F * least_gap * (width(last.end) + width(next.begin))) {
-            last.end = next.end;
-            last.ends = next.ends;
-        } else {
-            drawn_[++kept] = next;
+        if (gap < longest) next.link = std::min(2.0F * (1.0F - gap / longest), 1.0F);
+        const float range = 0.5F * longest + fading_gap * style.hatch_shortest;
+        next.near = std::clamp((longest + range - gap) / range, 0.0F, 1.0F);
+    }
+    for (std::int64_t i = 0; i < drawn_.size(); ++i) drawn_[i].fade = fade_of(i, style.hatch_shortest);
+    for (std::int64_t i = drawn_.size() - 2; i >= 0; --i)
+        if (drawn_[i + 1].link > 0.0F && drawn_[i].fade > 0.0F && drawn_[i + 1].fade > 0.0F)
+            drawn_[i].joined = 1 + drawn_[i + 1].joined;
+}
+
+// Short parts are thin, and shorter ones are left out, but those that were one with a longer one before a gap opened
+// between them: they fade while it grows.
+float HatchSpans::fade_of(std::int64_t number, float shortest) const noexcept {
+    if (!(shortest > 0.0F)) return 1.0F;
+    float most = 0.0F;
+    float before = 1.0F;
+    for (std::int64_t first = number; first >= 0 && before > most; before = std::min(before, drawn_[first--].near)) {
+        float near = before;
+        for (std::int64_t last = number; last < drawn_.size(); ++last) {
+            if (last > number) near = std::min(near, drawn_[last].near);
+            if (!(near > most)) break;
+            const float length = at(drawn_[last].end) - at(drawn_[first].begin);
+            const bool fills = drawn_[first].begins == HatchEnd::level && drawn_[last].ends == HatchEnd::level;
+            const float least = (fills ? shortest_filling : 1.0F) * shortest;
+            if (length >= least) most = std::max(most, near * smooth(length / least - 1.0F));
         }
     }
-    if (!drawn_.empty()) drawn_.resize(kept + 1);
+    return most;
 }
 
 // gap: to the next part of the line.  A taper is shorter beside a gap that is about to be closed.
@@ -204,45 +228,60 @@ float HatchSpans::along_rim(const LayerStyle& style, std::span<const HatchMark> 
 void HatchSpans::put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part) {
     constexpr float nothing = std::numeric_limits<float>::infinity();
     const Drawn& drawn = drawn_[number];
+    const std::int64_t next = number + drawn.joined;
+    const Drawn& last = drawn_[next - 1];
     const float begin = at(drawn.begin);
-    const float length = at(drawn.end) - begin;
-    const bool fills = drawn.begins == HatchEnd::level && drawn.ends == HatchEnd::level;
-    const float shortest = (fills ? shortest_filling : 1.0F) * style.hatch_shortest;
-    if (!(length > 0.0F && length >= shortest)) return;
+    const float length = at(last.end) - begin;
+    if (!(length > 0.0F && drawn.fade > 0.0F)) return;
     const float gap_before = number > 0 ? begin - at(drawn_[number - 1].end) : nothing;
-    const float gap_after = number + 1 < drawn_.size() ? at(drawn_[number + 1].begin) - at(drawn.end) : nothing;
+    const float gap_after = next < drawn_.size() ? at(drawn_[next].begin) - at(last.end) : nothing;
     HatchSpan span;
     span.first = part.points.size();
     span.count = 1 + static_cast<std::int32_t>(std::ceil(length / point_step));
     span.closed = drawn.closed;
-    if (shortest > 0.0F) span.fade = smooth(length / shortest - 1.0F);
+    if (drawn.joined == 1) span.fade = drawn.fade;
     if (!drawn.closed) {
         span.taper_begin = taper(style, drawn.begins, gap_before, point(marks, drawn.begin).width);
-        span.taper_end = taper(style, drawn.ends, gap_after, point(marks, drawn.end).width);
+        span.taper_end = taper(style, last.ends, gap_after, point(marks, last.end).width);
         if (drawn.begins == HatchEnd::rim) span.taper_begin *= along_rim(style, marks, drawn.begin, 1);
-        if (drawn.ends == HatchEnd::rim) span.taper_end *= along_rim(style, marks, drawn.end, -1);
+        if (last.ends == HatchEnd::rim) span.taper_end *= along_rim(style, marks, last.end, -1);
     }
-    add_points(marks, drawn, span.count, part.points);
+    add_points(marks, number, span.count, part.points);
     part.spans.push_back(span);
 }
 
+// Of parts that are joined: how wide the line is at that length, where it is in the one of that number or behind it.
+float HatchSpans::joined_fade(std::int64_t first, std::int64_t& part, float length) const noexcept {
+    const std::int64_t last = first + drawn_[first].joined - 1;
+    while (part < last && length >= at(drawn_[part + 1].begin)) ++part;
+    const Drawn& own = drawn_[part];
+    if (part == last || length <= at(own.end)) return own.fade;
+    return std::min(own.fade, drawn_[part + 1].fade) * drawn_[part + 1].link;
+}
+
 // At even steps along the chords.
-void HatchSpans::add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,
+void HatchSpans::add_points(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
                             base::Array<HatchPoint>& points) const {
+    const Drawn& drawn = drawn_[number];
+    const Place& end = drawn_[number + drawn.joined - 1].end;
     const float begin = at(drawn.begin);
-    const float step = (at(drawn.end) - begin) / static_cast<float>(count - 1);
+    const float step = (at(end) - begin) / static_cast<float>(count - 1);
     const std::int64_t last = length_.size() - 2;
+    std::int64_t part = number;
+    const auto put = [&](const Place& place, float length) {
+        points.push_back(point(marks, place));
+        if (drawn.joined > 1) points.back().width *= joined_fade(number, part, length);
+        stray(points.back(), place);
+    };
     Place place = drawn.begin;
     for (std::int32_t i = 0; i + 1 < count; ++i) {
         const float wanted = begin + step * static_cast<float>(i);
         while (place.mark < last && length_[place.mark + 1] < wanted) ++place.mark;
         const float way = length_[place.mark + 1] - length_[place.mark];
         place.share = way > 0.0F ? std::clamp((wanted - length_[place.mark]) / way, 0.0F, 1.0F) : 0.0F;
-        points.push_back(point(marks, place));
-        stray(points.back(), place);
+        put(place, wanted);
     }
-    points.push_back(point(marks, drawn.end));
-    stray(points.back(), drawn.end);
+    put(end, at(end));
 }
 
 // Across the line, as the hand has it there.

@@ -52,11 +52,16 @@ private:
         Place begin, end;
         HatchEnd begins = HatchEnd::line, ends = HatchEnd::line;
         bool closed = false;
+        float link = 0.0F;       // of the gap before it: 0 open, 1 closed
+        float near = 0.0F;       // the same of wider gaps
+        float fade = 1.0F;       // of its width
+        std::int64_t joined = 1; // it and those that the line goes on with
     };
 
     void find(std::span<const HatchMark> marks, bool closed);
     void measure(std::span<const HatchMark> marks);
-    void join(std::span<const HatchMark> marks);
+    void join(const LayerStyle& style, std::span<const HatchMark> marks);
+    [[nodiscard]] float fade_of(std::int64_t number, float shortest) const noexcept;
     void overshoot(std::span<const HatchMark> marks);
     [[nodiscard]] Place place_at(float length) const noexcept;
     [[nodiscard]] Place run_on(std::span<const HatchMark> marks, const Place& from, int way,
@@ -64,8 +69,9 @@ private:
     void stray(HatchPoint& point, const Place& place) const noexcept;
     [[nodiscard]] float at(const Place& place) const noexcept;
     void put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part);
-    void add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,
+    void add_points(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
                     base::Array<HatchPoint>& points) const;
+    [[nodiscard]] float joined_fade(std::int64_t first, std::int64_t& part, float length) const noexcept;
     [[nodiscard]] float taper(const LayerStyle& style, HatchEnd end, float gap, float width) const noexcept;
     [[nodiscard]] float along_rim(const LayerStyle& style, std::span<const HatchMark> marks, const Place& place,
                                   std::int64_t inward) const noexcept;
