@@ -72,12 +72,21 @@ struct MarkTable {
                 normal.emplace_back(glm::make_vec3(n + 3 * i));
                 const bool goes_on = i > 0 && stroke[2 * i] == stroke[2 * i - 2];
                 const auto number = static_cast<std::uint32_t>(place.size());
-                place.push_back(goes_on ? place.back() : MarkPlace{++line, number, 0});
+                place.push_back(goes_on ? place.back() : MarkPlace{++line, number, 0, false});
             }
         }
         std::vector<std::uint32_t> counts(line + 1, 0);
         for (const MarkPlace& mark : place) ++counts[mark.line];
-        for (MarkPlace& mark : place) mark.count = counts[mark.line];
+        for (MarkPlace& mark : place) {
+            mark.count = counts[mark.line];
+            mark.closed = is_closed(mark);
+        }
+    }
+    // As lines of hatching are taken for closed.
+    [[nodiscard]] bool is_closed(const MarkPlace& line) const {
+        if (line.count < 4) return false;
+        const glm::dvec3* const first = &position[line.first];
+        return glm::distance(first[0], first[line.count - 1]) <= 1.5 * glm::distance(first[0], first[1]);
     }
 
     std::vector<glm::dvec3> position, normal;

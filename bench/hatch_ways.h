@@ -7,6 +7,8 @@
 #include "hatch_pictures.h"
 #include "line_times.h"
 
+#include <limits>
+
 namespace bench {
 
 // Light of the world and hidden lines shown: nothing passes behind anything, and the tone of a place stays.
@@ -18,6 +20,14 @@ namespace bench {
     return style;
 }
 
+// Of the layers of hatching.
+[[nodiscard]] inline float thinnest_pen(const Style& style) {
+    float pen = std::numeric_limits<float>::infinity();
+    for (const hrbfnpr_layer_style& layer : style.layer)
+        if (layer.shape == HRBFNPR_SHAPE_HATCH) pen = std::min(pen, layer.hatch_pen);
+    return pen;
+}
+
 // The marks of one set, frame after frame.
 class HatchFollower {
 public:
@@ -27,12 +37,15 @@ public:
         constexpr double away = 0.25; // as for stipples: what faces the eye by less may be a contour's
         const Lens lens(camera);
         std::vector<MarkInk>& inks = frames_.emplace_back(table_.place.size());
-        for (std::size_t i = 0; i < inks.size(); ++i)
-            inks[i].counts = lens.facing(table_.position[i], table_.normal[i]) < -away &&
-                             lens.holds(lens.image_of(table_.position[i]), 2.0);
-        for (const DrawnStroke& stroke : strokes) add_widths(stroke, table_.place, inks);
+        std::vector<glm::vec2> images(inks.size());
+        for (std::size_t i = 0; i < inks.size(); ++i) {
+            const glm::dvec2 image = lens.image_of(table_.position[i]);
+            images[i] = image;
+            inks[i].counts = lens.facing(table_.position[i], table_.normal[i]) < -away && lens.holds(image, 2.0);
+        }
+        for (const DrawnStroke& stroke : strokes) add_widths(stroke, table_.place, images, inks);
     }
-    [[nodiscard]] WidthChanges changes() const { return width_changes(frames_); }
+    [[nodiscard]] WidthChanges changes(float pen) const { return width_changes(frames_, pen); }
     [[nodiscard]] const MarkTable& table() const { return table_; }
     [[nodiscard]] const std::vector<std::vector<MarkInk>>& frames() const { return frames_; }
 
@@ -45,14 +58,15 @@ private:
                                                   std::uint32_t preset, const Way& way) {
     constexpr int size = 800;
     const Orbit orbit(set, size, size);
-    StrokePainter painter(context, set, way_style(preset, size));
+    const Style style = way_style(preset, size);
+    StrokePainter painter(context, set, style);
     HatchFollower follower(set);
     for (int step = 0; step <= way.steps; ++step) {
         const hrbfnpr_camera camera = orbit.at(step * way.degrees, std::pow(way.zoom, step));
         painter.draw(camera);
         follower.look(camera, painter.strokes());
     }
-    return follower.changes();
+    return follower.changes(thinnest_pen(style));
 }
 
 } // namespace bench

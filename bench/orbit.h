@@ -53,6 +53,7 @@ public:
         check(hrbfnpr_camera_fit_points(&start_, &places, info.origin, direction.data(), up.data(), 0.5, width, height,
                                         0.02, check.error()));
         middle_ = 0.5 * (glm::make_vec3(info.bounds_min) + glm::make_vec3(info.bounds_max));
+        part_planes(start_);
     }
 
     [[nodiscard]] hrbfnpr_camera at(double degrees, double zoom = 1.0) const {
@@ -69,6 +70,15 @@ public:
     }
 
 private:
+    // From the near to the far plane there is room for the set whatever its turn.  OpenGL's depths, in perspective.
+    static void part_planes(hrbfnpr_camera& camera) {
+        double* const p = camera.projection;
+        const double near = 0.5 * p[14] / (p[10] - 1.0);
+        const double far = 2.0 * p[14] / (p[10] + 1.0);
+        p[10] = (far + near) / (near - far);
+        p[14] = 2.0 * far * near / (near - far);
+    }
+
     hrbfnpr_camera start_{};
     glm::dvec3 middle_{0.0};
 };

@@ -4,6 +4,8 @@
 
 #include "drawn_stroke.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 
 namespace bench {
@@ -17,16 +19,17 @@ struct MarkInk {
 struct WidthChanges {
     double frames = 0.0;
     double shown = 0.0;    // marks with ink in one of two frames, summed over pairs
-    double pops = 0.0;     // of these: by more than half of the widest that the mark is on the whole way
+    double pops = 0.0;     // of these: by more than half of its full width
     double removals = 0.0; // of these: from a hundredth of it or more to less
 
     [[nodiscard]] double pop_rate() const { return pops / shown; }
     [[nodiscard]] double removal_rate() const { return removals / shown; }
 };
 
-// Frames after each other, of the same marks.
-[[nodiscard]] inline WidthChanges width_changes(const std::vector<std::vector<MarkInk>>& frames) {
-    std::vector<float> widest(frames.empty() ? 0 : frames[0].size(), 0.0F);
+// Frames after each other, of the same marks.  The full width of a mark is the widest that it is on the whole way, but
+// not less than the pen: at a line's tip it may never be more than a hair.
+[[nodiscard]] inline WidthChanges width_changes(const std::vector<std::vector<MarkInk>>& frames, float pen = 0.0F) {
+    std::vector<float> widest(frames.empty() ? 0 : frames[0].size(), pen);
     for (const auto& frame : frames)
         for (std::size_t i = 0; i < frame.size(); ++i)
             if (frame[i].counts) widest[i] = std::max(widest[i], frame[i].width);
@@ -50,32 +53,52 @@ struct MarkPlace {
     std::uint32_t line = 0;
     std::uint32_t first = 0; // mark of the line
     std::uint32_t count = 0; // of its marks
+    bool closed = false;     // its last mark is beside its first one
 };
 
-// Puts the widths of a stroke on all marks that it passes; a mark's number is its id - 1.
-inline void add_widths(const DrawnStroke& stroke, const std::vector<MarkPlace>& places, std::vector<MarkInk>& inks) {
-    const auto put = [&](std::uint32_t mark, float radius) {
-        inks[mark].width = std::max(inks[mark].width, 2.0F * radius);
-    };
+// A stroke where it is nearest to a mark's image.
+struct NearestPlace {
+    std::size_t mark = 0;
+    float distance = 0.0F; // pixels
+    float width = 0.0F;
+};
+
+[[nodiscard]] inline NearestPlace nearest_place(std::size_t mark, const glm::vec2& image, const StrokePoint& a,
+                                                const StrokePoint& b) {
+    const glm::vec2 from(a.x, a.y);
+    const glm::vec2 way = glm::vec2(b.x, b.y) - from;
+    const float square = glm::dot(way, way);
+    const float t = square > 0.0F ? std::clamp(glm::dot(image - from, way) / square, 0.0F, 1.0F) : 0.0F;
+    return {mark, glm::distance(from + t * way, image), 2.0F * (a.radius + t * (b.radius - a.radius))};
+}
+
+// Puts the widths of a stroke on all marks that it passes, each as it is where the stroke is nearest to the mark's own
+// image, in pixels, if that is within a pixel.  A mark's number is its id - 1.
+inline void add_widths(const DrawnStroke& stroke, const std::vector<MarkPlace>& places,
+                       const std::vector<glm::vec2>& images, std::vector<MarkInk>& inks) {
+    std::vector<NearestPlace> found;
     for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
-        const std::uint32_t a = stroke[i].id - 1;
-        const std::uint32_t b = stroke[i + 1].id - 1;
-        const MarkPlace& line = places[a];
-        put(a, stroke[i].radius);
-        put(b, stroke[i + 1].radius);
-        if (line.line != places[b].line || a == b) continue;
-        // The shorter way, for closed lines.
-        std::int64_t way = std::int64_t{b} - a;
+        const std::int64_t a = std::int64_t{stroke[i].id} - 1;
+        const std::int64_t b = std::int64_t{stroke[i + 1].id} - 1;
+        const MarkPlace& line = places[static_cast<std::size_t>(a)];
+        if (line.line != places[static_cast<std::size_t>(b)].line) continue;
+        std::int64_t way = b - a;
         const std::int64_t around = line.count;
-        if (2 * std::abs(way) > around) way += way > 0 ? -around : around;
-        const std::int64_t steps = std::abs(way);
-        for (std::int64_t k = 1; k < steps; ++k) {
-            const std::int64_t at = (a - line.first + (way > 0 ? k : -k) + around) % around;
-            const float t = static_cast<float>(k) / static_cast<float>(steps);
-            put(line.first + static_cast<std::uint32_t>(at),
-                stroke[i].radius + t * (stroke[i + 1].radius - stroke[i].radius));
+        if (line.closed && 2 * std::abs(way) > around) way += way > 0 ? -around : around; // the shorter one
+        // And the marks beside: a point's mark is the nearest one.
+        const std::int64_t low = a - line.first + std::min<std::int64_t>(way, 0) - 1;
+        for (std::int64_t k = low; k <= low + std::abs(way) + 2; ++k) {
+            if (!line.closed && (k < 0 || k >= around)) continue;
+            const auto mark = static_cast<std::size_t>(line.first + (k + around) % around);
+            found.push_back(nearest_place(mark, images[mark], stroke[i], stroke[i + 1]));
         }
     }
+    std::sort(found.begin(), found.end(), [](const NearestPlace& a, const NearestPlace& b) {
+        return a.mark != b.mark ? a.mark < b.mark : a.distance < b.distance;
+    });
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if ((i == 0 || found[i - 1].mark != found[i].mark) && found[i].distance <= 1.0F)
+            inks[found[i].mark].width = std::max(inks[found[i].mark].width, found[i].width);
 }
 
 } // namespace bench

@@ -75,19 +75,36 @@ TEST(StrokeMeasures, InkThatComesAtOnceIsAPop) {
     EXPECT_EQ(width_changes(hidden).shown, 0.0);
 }
 
+TEST(StrokeMeasures, AHairThatGoesIsNoPop) {
+    const std::vector<std::vector<MarkInk>> frames{{{0.1F, true}}, {{0.0F, true}}};
+    EXPECT_EQ(width_changes(frames).pops, 1.0);
+    EXPECT_EQ(width_changes(frames, 0.4F).pops, 0.0);
+}
+
+// Marks 2 pixels apart.
 TEST(StrokeMeasures, AStrokePutsInkOnAllMarksThatItPasses) {
-    std::vector<MarkPlace> places(10, MarkPlace{1, 0, 10});
+    std::vector<MarkPlace> places(10, MarkPlace{1, 0, 10, false});
+    std::vector<glm::vec2> images;
+    for (int i = 0; i < 10; ++i) images.emplace_back(2.0F * static_cast<float>(i), 0.5F);
     std::vector<MarkInk> inks(10);
-    add_widths({{0.0F, 0.0F, 0.0F, 0.5F, 3}, {8.0F, 0.0F, 0.0F, 1.5F, 7}}, places, inks);
-    EXPECT_EQ(inks[1].width, 0.0F);
-    EXPECT_EQ(inks[2].width, 1.0F);
-    EXPECT_EQ(inks[4].width, 2.0F);
+    const DrawnStroke stroke{{3.4F, 0.0F, 0.0F, 0.5F, 3}, {11.4F, 0.0F, 0.0F, 1.5F, 7}};
+    add_widths(stroke, places, images, inks);
+    EXPECT_EQ(inks[1].width, 0.0F) << "more than a pixel before the beginning";
+    EXPECT_NEAR(inks[2].width, 1.15F, 1e-5F);
+    EXPECT_NEAR(inks[5].width, 2.65F, 1e-5F);
     EXPECT_EQ(inks[6].width, 3.0F);
-    EXPECT_EQ(inks[7].width, 0.0F);
-    add_widths({{0.0F, 0.0F, 0.0F, 1.0F, 9}, {8.0F, 0.0F, 0.0F, 1.0F, 2}}, places, inks); // a closed line's beginning
-    EXPECT_EQ(inks[9].width, 2.0F);
+    EXPECT_EQ(inks[7].width, 0.0F) << "more than a pixel beyond the end";
+    // An open line does not go on from its end to its beginning, however far apart the marks of two points are.
+    inks.assign(10, {});
+    const DrawnStroke whole{{0.0F, 0.0F, 0.0F, 1.0F, 1}, {18.0F, 0.0F, 0.0F, 1.0F, 10}};
+    add_widths(whole, places, images, inks);
+    for (const MarkInk& ink : inks) EXPECT_EQ(ink.width, 2.0F);
+    for (MarkPlace& place : places) place.closed = true;
+    inks.assign(10, {});
+    add_widths(whole, places, images, inks);
+    EXPECT_EQ(inks[5].width, 0.0F);
     EXPECT_EQ(inks[0].width, 2.0F);
-    EXPECT_EQ(inks[5].width, 2.5F);
+    EXPECT_EQ(inks[9].width, 2.0F);
 }
 
 TEST(StrokeMeasures, ToneIsComparedInWindows) {
