@@ -212,6 +212,73 @@ TEST_F(Hatch, WhatIsHiddenOfAWideLineInPassingIsDrawn) {
     for (const StrokePoint& p : points_of(0)) EXPECT_EQ(p.opacity, 1.0F);
 }
 
+// As long as a halo is what is hidden where a contour runs out: there lines go on, and up to half as much more they get
+// thinner.
+TEST_F(Hatch, WhatIsHiddenForAHaloIsDrawn) {
+    add_line(set, {0.0, -1.0, 1.0, 0}, 0.005);
+    set.spacing = 0.02;
+    layer.radius = 0.5F;
+    cluster();
+    const marks::PointSet wall = clustered(runtime, plane(runtime.memory, 60));
+    glm::dmat4 narrow(1.0);
+    narrow[0][0] = 0.02; // 8 pixels
+    narrow[3] = {0.0, 0.0, 2.0, 1.0};
+    ASSERT_EQ(draw_behind(wall, narrow).strokes.size(), 2);
+    const double from = static_cast<double>(points_of(0).back().x);
+    const double gap = static_cast<double>(points_of(1).front().x) - from;
+    ASSERT_GT(gap, 6.0);
+    EXPECT_EQ(draw_behind(wall, narrow, gap / 1.6).strokes.size(), 2);
+    for (const auto& [halos, share] : {std::pair{0.9, 1.0}, {1.1, 0.8}, {1.25, 0.5}, {1.4, 0.2}}) {
+        ASSERT_EQ(draw_behind(wall, narrow, gap / halos).strokes.size(), 1) << halos;
+        const auto points = points_of(0);
+        EXPECT_NEAR(radius_at(points, from + 0.5 * gap), share * radius_at(points, from - 20.0), 0.02) << halos;
+        for (const StrokePoint& p : points) EXPECT_EQ(p.opacity, 1.0F);
+    }
+}
+
+// Helices around the upright cylinder that fills the picture's width; each rises by so much in a length of 1 around it.
+void add_helix(marks::PointSet& set, double rise) {
+    constexpr int marks = 1200;
+    marks::Layer& layer = layer_of(set, marks::Kind::own);
+    const std::uint32_t number = 2 * static_cast<std::uint32_t>(layer.strokes());
+    for (int i = 0; i <= marks; ++i) {
+        const double a = 0.6 * pi * (2.0 * i / marks - 1.0);
+        const glm::dvec3 n(std::sin(a), 0.0, std::cos(a));
+        const glm::dvec3 along = glm::normalize(glm::dvec3(std::cos(a), rise, -std::sin(a)));
+        add_mark(layer, 0.8 * n + glm::dvec3(0.0, 0.8 * rise * a, 0.0), n, along, number,
+                 static_cast<std::uint32_t>(i));
+        set.bounds.extend(0.8 * n + glm::dvec3(0.0, 0.8 * rise * a, 0.0));
+    }
+    marks::index_strokes(layer);
+}
+
+// At 30 degrees and more, seen over half a taper: closer to it all lines touch the contour.
+TEST_F(Hatch, LinesRunOutUnderAContourThatTheyCross) {
+    style.tone = frame::Tone::none;
+    for (const auto& [rise, crosses] : {std::pair{0.0, true}, {0.15, true}, {0.7, false}, {0.9, false}}) {
+        set = marks::PointSet(runtime.memory);
+        add_helix(set, rise);
+        set.spacing = 0.02;
+        cluster();
+        draw(front_camera(size, size, 1.25));
+        ASSERT_EQ(frame.drawing().strokes.size(), 1) << rise;
+        const auto points = points_of(0);
+        const float length = points.back().length;
+        const auto at = [&](float way) { // along the line
+            const auto next = std::find_if(points.begin() + 1, points.end() - 1,
+                                           [&](const StrokePoint& p) { return p.length >= way; });
+            const StrokePoint& a = next[-1];
+            return std::lerp(a.radius, next->radius, (way - a.length) / (next->length - a.length));
+        };
+        const float middle = at(0.5F * length);
+        for (const float away : {1.0F, 3.0F}) {
+            const float narrowed = std::sqrt(away / 7.0F);
+            EXPECT_NEAR(at(away), middle * (crosses ? 1.0F : narrowed), 0.06F * middle) << rise << ' ' << away;
+            EXPECT_NEAR(at(length - away), middle * (crosses ? 1.0F : narrowed), 0.06F * middle) << rise << ' ' << away;
+        }
+    }
+}
+
 // Most of one does.
 TEST_F(Hatch, AnArcHasTwoEnds) {
     add_circle(set, 0.8, 0.0, {0, 0, 1}, 40, false);

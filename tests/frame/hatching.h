@@ -97,8 +97,8 @@ protected:
         frame.draw(items, camera);
         return frame.drawing();
     }
-    // Behind something blank, which hides it.
-    const drawing::Drawing& draw_behind(const marks::PointSet& blank, const glm::dmat4& transform) {
+    // Behind something blank, which hides it and has no halo itself.
+    const drawing::Drawing& draw_behind(const marks::PointSet& blank, const glm::dmat4& transform, double halo = 0.0) {
         frame::LayerStyle unseen;
         unseen.share = 0.0F;
         unseen.contours = false;
@@ -108,6 +108,7 @@ protected:
         blank_style.tone = frame::Tone::none;
         blank_style.layers = std::span(&unseen, 1);
         style.layers = std::span(&layer, 1);
+        style.halo_width = static_cast<float>(halo);
         const std::array items{layered_item(set, style), layered_item(blank, blank_style, transform)};
         frame.draw(items, front_camera(size, size, 1.25));
         return frame.drawing();
