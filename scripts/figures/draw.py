@@ -33,7 +33,17 @@ def _numbers(path, size):
     extent = points.max(axis=0) - points.min(axis=0)
     radius = float(np.linalg.norm(extent)) / 2
     distance = radius / np.sin(np.radians(15))
-    return {"zoom": f"{size / extent.max():.6g}", "near": f"{distance - radius:.6g}", "far": f"{distance + 3 * radius:.6g}"}
+    far = distance + 2 * radius
+    return {"zoom": f"{size / extent.max():.6g}", "near": f"{distance - radius:.6g}", "far": f"{far:.6g}"}
+
+
+def _pens(options, size):
+    """The options with pens for figures of this size, not of 640."""
+    words = shlex.split(options)
+    for i, word in enumerate(words[:-1]):
+        if word in ("--mark-radius", "--halo"):
+            words[i + 1] = f"{float(words[i + 1]) * size / 640:.6g}"
+    return words
 
 
 def _samples(path, more, options, size, target):
@@ -73,7 +83,8 @@ def draw(panel, models, size, target):
     """Write the picture; returns the command that draws it, with the file's name alone, and the credit."""
     path, more, credit = models.source(panel.model)
     size = max(16, round(panel.scale * size))
-    options = shlex.split(panel.options.format(**_numbers(path, size / panel.scale)))
+    whole = size / panel.scale
+    options = _pens(panel.options.format(**_numbers(path, whole)), whole)
     if panel.kind == "samples":
         _samples(path, more, options, size, target)
         return "", credit

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The figures of the article and their panels, as options of `python3 -m hrbfnpr draw`."""
+"""The figures of the article and their panels, as options of `python3 -m hrbfnpr draw`.
+
+Pixels of --mark-radius and --halo are those of figures whose longer side has 640; larger ones have them larger.
+"""
 
 from typing import NamedTuple, Optional, Tuple
 
@@ -43,10 +46,15 @@ KNOT = "--up z --azimuth 20 --elevation 50"
 TORI = "--up z --azimuth 25 --elevation 35"
 HEART = "--azimuth 20 --elevation 10"
 CANYON = "--up z --azimuth 20 --elevation 30"
+RAKING = "--light-space world --light -0.8,-0.3,0.8"  # what is flat is bright by any other light
+MANY = "--levels 4 --mark-radius 0.5"
 LAMP = "--azimuth 30 --elevation 15"
 BUNNY = "--azimuth 20 --elevation 15"
 BOX = "--seeds box --box-resolution 8"
-FIRST, SECOND = "--set principal.directions=first", "--set principal.directions=second"
+# By the article's first direction the surface bends most, around a limb; in the library the first is that of the
+# larger curvature by sign, which is the other one where the surface is convex.
+FIRST, SECOND = "--set principal.directions=second", "--set principal.directions=first"
+ALONG_FIRST, ALONG_SECOND = "--style hatch", "--style hatch --hatch-angle 90"
 
 FIGURES = (
     Figure(
@@ -56,23 +64,36 @@ FIGURES = (
         "marks; (d) more stipples and cross hatching by curvature; (e) yet more stipples, and interior contours with a "
         "white halo. 4096 samples, 700 000 marks.",
         "A bust stands for David's head. 4096 samples as seeds; in (e) 512 000 stipples (3 steps) and 221 000 marks of "
-        "strokes (3 steps). How many (c) and (d) have is not in the article: 1 and 2 steps here.",
+        "strokes (3 steps). How many (c) and (d) have is not in the article: of the stipples of 3 steps 8 % in (c); "
+        "2 steps in (d).",
         (
             Panel("a", "(a) samples", "head", HEAD, "samples"),
-            *both("b", "(b) silhouettes", "head", f"{HEAD} --style silhouette --levels 3", f"{HEAD} --style silhouette"),
-            *both("c", "(c) few stipples", "head", f"{HEAD} --levels 1 --mark-radius 0.7", f"{HEAD} --share 0.25"),
+            *both(
+                "b",
+                "(b) silhouettes",
+                "head",
+                f"{HEAD} --style silhouette --levels 3",
+                f"{HEAD} --style silhouette",
+            ),
+            *both(
+                "c",
+                "(c) few stipples",
+                "head",
+                f"{HEAD} --levels 3 --share 0.08 --mark-radius 0.5",
+                f"{HEAD} --share 0.25",
+            ),
             *both(
                 "d",
                 "(d) cross hatching",
                 "head",
-                f"{HEAD} --style full --layers stipples,principal --levels stipples=2,principal=2 --mark-radius 0.7",
+                f"{HEAD} --style full --layers stipples,principal --levels stipples=2,principal=3 --mark-radius 0.5",
                 f"{HEAD} --style etching",
             ),
             *both(
                 "e",
                 "(e) more stipples and a halo",
                 "head",
-                f"{HEAD} --style full --layers stipples,principal --levels 3 --halo 4 --mark-radius 0.7",
+                f"{HEAD} --style full --layers stipples,principal --levels 3 --halo 4 --mark-radius 0.5",
                 f"{HEAD} --style full --halo 4",
             ),
         ),
@@ -80,26 +101,39 @@ FIGURES = (
     Figure(
         "7",
         "Directions of drawing",
-        "(a) 256 samples of the Stanford bunny. Combing directions over (b) the sphere and (c) the bunny. (d) First and "
-        "second principal directions of curvature.",
-        "256 samples, seeds from the box of 8 cells; 4 steps of strokes (3 on the sphere), no light.",
+        "(a) 256 samples of the Stanford bunny. Combing directions over (b) the sphere and (c) the bunny. (d) First "
+        "and second principal directions of curvature.",
+        "256 samples, seeds from the box of 8 cells; 4 steps of strokes (3 on the sphere), no light. Ours are lit, and "
+        "follow the direction in which the surface bends most, and across it.",
         (
             Panel("a", "(a) samples", "bunny", BUNNY, "samples"),
-            *both("b", "(b) combing, sphere", "sphere", f"{BOX} --style combing --levels 3 --tone none", "--style combing"),
-            *both("c", "(c) combing", "bunny", f"{BUNNY} {BOX} --style combing --levels 4 --tone none --mark-radius 0.7", f"{BUNNY} --style combing"),
+            *both(
+                "b",
+                "(b) combing, sphere",
+                "sphere",
+                f"{BOX} --style combing --levels 3 --tone none",
+                "--style combing",
+            ),
+            *both(
+                "c",
+                "(c) combing",
+                "bunny",
+                f"{BUNNY} {BOX} --style combing --levels 4 --tone none --mark-radius 0.7",
+                f"{BUNNY} --style combing",
+            ),
             *both(
                 "d1",
                 "(d) first principal direction",
                 "bunny",
                 f"{BUNNY} {BOX} --style cross-hatch {FIRST} --levels 4 --tone none --mark-radius 0.7",
-                f"{BUNNY} --style cross-hatch {FIRST}",
+                f"{BUNNY} {ALONG_FIRST}",
             ),
             *both(
                 "d2",
                 "(d) second principal direction",
                 "bunny",
                 f"{BUNNY} {BOX} --style cross-hatch {SECOND} --levels 4 --tone none --mark-radius 0.7",
-                f"{BUNNY} --style cross-hatch {SECOND}",
+                f"{BUNNY} {ALONG_SECOND}",
             ),
         ),
     ),
@@ -126,17 +160,25 @@ FIGURES = (
         "Tone, and tone by scale",
         "(From left to right) Tone by removing marks in proportion to the light's intensity. Scaling a shaded heart by "
         "removing marks.",
-        "Exponents of the light 0.5, 1 and 2. The heart at full size, a half and a quarter, with marks of the same size; "
-        "without the data, the heart is Taubin's surface.",
+        "Exponents of the light 0.5, 1 and 2. The heart at full size, a half and a quarter, with marks of the same "
+        "size: the share that is left falls with the square of the size, of each tone (by the printed rule a mark has one "
+        "random number for light and size, and only the darkest places would keep any). Without the data, the heart is "
+        "Taubin's surface.",
         (
-            *both("a", "exponent 0.5", "heart", f"{HEART} --levels 3 --tone-exponent 0.5", f"{HEART} --tone-exponent 0.5"),
-            *both("b", "exponent 1", "heart", f"{HEART} --levels 3", HEART),
-            *both("c", "exponent 2", "heart", f"{HEART} --levels 3 --tone-exponent 2", f"{HEART} --tone-exponent 2"),
+            *both(
+                "a",
+                "exponent 0.5",
+                "heart",
+                f"{HEART} {MANY} --tone-exponent 0.5",
+                f"{HEART} --tone-exponent 0.5",
+            ),
+            *both("b", "exponent 1", "heart", f"{HEART} {MANY}", HEART),
+            *both("c", "exponent 2", "heart", f"{HEART} {MANY} --tone-exponent 2", f"{HEART} --tone-exponent 2"),
             *both(
                 "d",
                 "at a half",
                 "heart",
-                f"{HEART} --levels 3 --mark-radius 1 --zoom-reference {{zoom}} --zoom-exponent 0.5",
+                f"{HEART} {MANY} --tone-rule share --zoom-reference {{zoom}} --zoom-exponent 2",
                 f"{HEART} --mark-radius 1",
                 scale=0.5,
             ),
@@ -144,7 +186,7 @@ FIGURES = (
                 "e",
                 "at a quarter",
                 "heart",
-                f"{HEART} --levels 3 --mark-radius 1 --zoom-reference {{zoom}} --zoom-exponent 0.5",
+                f"{HEART} {MANY} --tone-rule share --zoom-reference {{zoom}} --zoom-exponent 2",
                 f"{HEART} --mark-radius 1",
                 scale=0.25,
             ),
@@ -154,17 +196,18 @@ FIGURES = (
         "11",
         "Principal directions",
         "First and second principal directions of curvature applied locally on two tori and a knot.",
-        "First direction above, second below; 3 steps of strokes from the samples.",
+        "4 steps of strokes from the samples, 3 on the knot. The first direction is the one in which the surface bends "
+        "most.",
         tuple(
             panel
-            for model, view in (("tori", TORI), ("knot", KNOT))
-            for name, direction in (("first", FIRST), ("second", SECOND))
+            for model, view, levels in (("tori", TORI, 4), ("knot", KNOT, 3))
+            for name, direction, ours in (("first", FIRST, ALONG_FIRST), ("second", SECOND, ALONG_SECOND))
             for panel in both(
                 f"{model}_{name}",
                 f"{name} direction",
                 model,
-                f"{view} --style cross-hatch {direction} --levels 3",
-                f"{view} --style cross-hatch {direction}",
+                f"{view} --style cross-hatch {direction} --levels {levels} --mark-radius 0.7",
+                f"{view} {ours}",
             )
         ),
     ),
@@ -172,8 +215,8 @@ FIGURES = (
         "12",
         "A garden lamp",
         "General and detailed rendering of a garden lamp.",
-        "1500 samples of the mesh. Creases of the mesh of 30 degrees and more are drawn as lines in ours; the published "
-        "method has none.",
+        "1500 samples of the mesh. Creases of the mesh of 30 degrees and more are drawn as lines in ours; the "
+        "published method has none.",
         tuple(
             panel
             for name, part in (("general", None), ("detail", (0.25, 0.0, 0.75, 0.5)))
@@ -194,43 +237,49 @@ FIGURES = (
         "From top to bottom: stippling with depth modulation; cross-hatching along the principal directions; the 512 "
         "samples; three different visual abstractions of the model. 512 samples, 400 000 marks.",
         "Ours ends the surface where its samples do (support 3) and draws that border. Depth "
-        "modulation begins at the nearest place of the model, and ends a diagonal behind the farthest.",
+        "modulation begins at the nearest place of the model, and ends a diagonal behind its middle. The light comes "
+        "from the left.",
         (
             *both(
                 "a",
                 "stipples, depth",
                 "canyon",
-                f"{CANYON} --levels 4 --style stipple --mark-radius 0.7 --tone none --depth-range {{near}},{{far}}",
-                f"{CANYON} --style stipple --depth-range {{near}},{{far}} --lines contour,border",
+                f"{CANYON} --levels 4 --style stipple --mark-radius 0.6 --tone none --depth-range {{near}},{{far}}",
+                f"{CANYON} --style stipple --tone none --depth-range {{near}},{{far}} --lines contour,border",
+                scale=2.0,
             ),
             *both(
                 "b",
                 "cross-hatching",
                 "canyon",
-                f"{CANYON} --levels 4 --style cross-hatch",
-                f"{CANYON} --style etching --lines contour,border",
+                f"{CANYON} {RAKING} --levels 5 --style cross-hatch --mark-radius 0.6",
+                f"{CANYON} {RAKING} --style etching --lines contour,border",
+                scale=2.0,
             ),
-            Panel("c", "samples", "canyon", CANYON, "samples"),
+            Panel("c", "samples", "canyon", CANYON, "samples", scale=2.0),
             *both(
                 "d",
                 "silhouettes",
                 "canyon",
-                f"{CANYON} --levels 4 --style silhouette",
+                f"{CANYON} --levels 5 --style silhouette",
                 f"{CANYON} --style silhouette --lines contour,suggestive,border",
+                scale=2.0,
             ),
             *both(
                 "e",
                 "contours and stipples",
                 "canyon",
-                f"{CANYON} --levels 4",
-                f"{CANYON} --lines contour,border",
+                f"{CANYON} {RAKING} --levels 4 --mark-radius 0.6",
+                f"{CANYON} {RAKING} --lines contour,border",
+                scale=2.0,
             ),
             *both(
                 "f",
                 "strokes and stipples",
                 "canyon",
-                f"{CANYON} --levels 4 --style full --layers stipples,principal",
-                f"{CANYON} --style full --lines contour,border",
+                f"{CANYON} {RAKING} --levels 4 --style full --layers stipples,principal --mark-radius 0.6",
+                f"{CANYON} {RAKING} --style full --lines contour,border",
+                scale=2.0,
             ),
         ),
     ),

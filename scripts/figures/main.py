@@ -14,7 +14,9 @@ from page import page
 
 def arguments():
     parser = argparse.ArgumentParser(prog="gallery", description="Draw figures of the article again.")
-    parser.add_argument("out", nargs="?", default="out/gallery", type=Path, metavar="OUT", help="out/gallery if not given")
+    parser.add_argument(
+        "out", nargs="?", default="out/gallery", type=Path, metavar="OUT", help="out/gallery if not given"
+    )
     parser.add_argument("--data", type=Path, metavar="DIR", help="a folder of the models")
     parser.add_argument("--bunny", type=Path, metavar="MESH", help="a mesh of the bunny, where DIR has none")
     parser.add_argument("--size", type=int, default=640, metavar="N", help="longer side of a picture, 640")

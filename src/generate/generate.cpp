@@ -251,9 +251,12 @@ void Generation::blue_noise() {
 void Generation::require_some() const {
     marks::LevelReport all;
     bool lengths_given = false;
+    const Growing* few = nullptr; // strokes of a budget
     for (const Growing& layer : growing_) {
         if (layer.marks.count() > 0) return;
         lengths_given = lengths_given || layer.settings.strokes.separation > 0.0 || layer.settings.strokes.step > 0.0;
+        if (layer.settings.has_strokes() && layer.settings.budget > 0 && !(layer.settings.strokes.separation > 0.0))
+            few = &layer;
         for (const marks::LevelReport& level : set_.layers[layer.place].report.level) {
             all.attempted += level.attempted;
             all.dropped_not_converged += level.dropped_not_converged;
@@ -263,6 +266,13 @@ void Generation::require_some() const {
     }
     // A budget of a few marks may be too small for the shortest stroke.
     if (all.attempted == 0 && !lengths_given) return;
+    if (all.attempted == 0 && few != nullptr)
+        fail(
+            Status::not_converged,
+            "no mark could be placed in layers[%lld]: at most %lld marks, a step of %g apart, make strokes that are %g "
+            "apart, and none is shorter than 2.5 times that; set a larger budget or step, or the separation",
+            static_cast<long long>(few->place), static_cast<long long>(few->settings.budget),
+            site_.unit * few->settings.strokes.step, site_.unit * set_.layers[few->place].report.step);
     fail(Status::not_converged,
          "no mark could be placed: of %lld, %lld did not converge, %lld strayed and %lld were degenerate; no stroke is "
          "shorter than 2.5 times the separation, or has a step below the projection_tolerance",

@@ -84,6 +84,19 @@ def test_hatching_is_the_same_at_every_size(files, tmp_path):
     assert np.abs(a - b).max() < 1e-6
 
 
+def test_lines_of_hatching_are_turned(files, tmp_path):
+    directions = []
+    for angle in ("0", "90"):
+        saved = tmp_path / f"{angle}.points"
+        assert main(["draw", str(files["ply"]), str(tmp_path / "out.png"), *QUICK, "--style", "cross-hatch",
+                     "--hatch-angle", angle, "--guide", "sections", "--save-points", str(saved)]) == 0  # fmt: skip
+        layers = [one for one in hrbfnpr.PointSet.load(saved).layers if one.kind == "hatch"]
+        assert len(layers) == 3  # 35 and -30 degrees apart
+        directions.append([np.abs(np.asarray(layer.directions)[:, 1]).mean() for layer in layers])
+    along, across = directions
+    assert along[0] < 0.15 and across[0] > 0.5 and min(along[1:]) > 0.2 and max(across[1:]) < across[0]
+
+
 def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main(["draw", str(files["xyz"]), "--size", "100x80", "--marks", "500", "--samples", "50"]) == 0
@@ -298,6 +311,7 @@ def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
         (["draw", "{xyz}", "/nowhere/out.png"], 1, "No such file"),
         (["draw", "{xyz}", "out.bmpx"], 1, "no picture format"),
         (["draw", "{xyz}", "--box-jitter", "0.9"], 1, "box_jitter"),
+        (["draw", "{xyz}", "--layers", "combing", "--marks", "2"], 1, "at most 2 marks, a step of 0.0.* set a larger budget"),
         (["draw", "{xyz}", "--tone-exponent", "-1"], 1, "tone_exponent"),
         (["draw", "{xyz}", "--direction", "0,1,0"], 1, "up"),
         (["draw", "{xyz}", "--tolerance", "-1"], 1, "tolerance"),

@@ -113,6 +113,14 @@ def test_the_default_output_and_summary(ring_file, tmp_path, monkeypatch, capsys
     assert Image.open("ring-sheet.png").size[0] > 144
 
 
+def test_a_note_says_which_drawing_it_is_about(ring_file, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("hrbfnpr.cli._automatic.MOST_MARKS", 300)
+    options = ["--size", "120", "--samples", "60", "--styles", "stipple,silhouette,full"]
+    assert main(["sheet", ring_file, "-o", str(tmp_path / "out.png"), *options]) == 0
+    notes = [line for line in capsys.readouterr().err.splitlines() if "would fill" in line]
+    assert [note.split(": ")[2] for note in notes] == ["stipple", "silhouette", "full"], notes
+
+
 @pytest.mark.parametrize(
     "arguments, code, words",
     [

@@ -77,8 +77,8 @@ class Layer:
     length : float
         The longest such stroke; 0 = no limit.
     direction : callable, optional
-        For "field", and for "hatch" in place of curvature.  It gets positions and unit normals, shape (n, 3) each, and returns directions of the
-        same shape: their sign and length count nothing, 0 0 0 is none.
+        For "field", and for "hatch" in place of curvature.  It gets positions and unit normals, shape (n, 3) each, and
+        returns directions of the same shape: their sign and length count nothing, 0 0 0 is none.
     symmetry : {"cross", "line"}
         Whether such strokes go straight on where the two directions change places, or turn.
     start : {"seeds", "stipples"}

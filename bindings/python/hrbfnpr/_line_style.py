@@ -39,7 +39,9 @@ class LineStyle(KindStyle):
     lower = number("A line goes on while its strength is at least this; 0 with `upper` 0 = that of the kind.")
     upper = number("... and is drawn if it is this somewhere.")
     ink = color_field("Straight RGBA in [0, 1], or '#rrggbb'.")
-    outline_factor = number("Of the width of contours and borders, where nothing lies beside them: the drawing's outline.")
+    outline_factor = number(
+        "Of the width of contours and borders, where nothing lies beside them: the drawing's outline."
+    )
     far_factor = number("Of the width at the farthest of all lines' places in view; 1 at the nearest.")
     lit_factor = number("Of the width where the surface faces the style's light; 1 where it faces away.")
     curvature_factor = number("Of the width where the surface bends sharply: of contours along the line of sight.")

@@ -43,8 +43,8 @@ FORMATS = _numbers(
 )  # fmt: skip
 PRIMITIVES = _numbers("PRIMITIVE", "points", "line_strips", "triangle_strips")
 LINE_KINDS = _numbers(
-    "LINE_KIND", "contour", "suggestive_contour", "ridge", "valley", "apparent_ridge", "parabolic", "isophote", "section",
-    "border", "own",
+    "LINE_KIND", "contour", "suggestive_contour", "ridge", "valley", "apparent_ridge", "parabolic", "isophote",
+    "section", "border", "own",
 )  # fmt: skip
 HIDDEN_PARTS = _numbers("HIDDEN_PARTS", "none", "attenuated", "dashed", "shown")
 CAPS = _numbers("CAP", "round", "flat", "pointed")

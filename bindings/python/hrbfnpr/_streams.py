@@ -79,7 +79,9 @@ def to_bytes(function: Callable[..., int], handle: Any) -> bytes:
     return b"".join(parts)
 
 
-def load(from_stream: Callable[..., int], from_memory: Callable[..., int], context: Any, out: Any, source: Source) -> None:
+def load(
+    from_stream: Callable[..., int], from_memory: Callable[..., int], context: Any, out: Any, source: Source
+) -> None:
     """The library's `_load` and `_load_memory`; the new handle is left in `out`."""
     if isinstance(source, (bytes, bytearray, memoryview)):
         error = new_error()

@@ -79,7 +79,9 @@ class LayerStyle(KindStyle):
     hatch_taper = number("Over which a line narrows where it ends by its tone, pixels.")
     hatch_shortest = number("Shorter pieces are not drawn, those up to twice as long are thinner; pixels.")
     hatch_wobble = number("How far a line may stray to either side, as of an unsteady hand, in hatch_pens.")
-    hatch_overshoot = number("Lines run on past the tone that they end at by up to this, each by another length; pixels.")
+    hatch_overshoot = number(
+        "Lines run on past the tone that they end at by up to this, each by another length; pixels."
+    )
     hatch_seed = integer("Of these two: any number.")
 
     _c_type = "hrbfnpr_layer_style"

@@ -132,6 +132,8 @@ def make_layers(arguments: Any, wanted: Sequence[Layer]) -> List[Layer]:
         for field, numbers in (("budget", arguments.budget), ("levels", arguments.levels)):
             if numbers is not None and kind in numbers:
                 layer = replace(layer, **{field: numbers[kind]})
+        if kind == "hatch" and arguments.hatch_angle is not None:
+            layer = replace(layer, angle=layer.angle + arguments.hatch_angle)
         layers.append(replace(layer, with_curvature=kind in (arguments.curvature_of or ())))
     return layers
 

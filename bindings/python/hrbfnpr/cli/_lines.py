@@ -23,7 +23,9 @@ _SHORT = {
     "suggestive": "suggestive_contour", "ridges": "ridge", "valleys": "valley", "apparent": "apparent_ridge",
     "contours": "contour", "isophotes": "isophote", "sections": "section", "borders": "border", "creases": "crease",
 }  # fmt: skip
-NAMES = ("contour", "suggestive", "ridges", "valleys", "apparent", "parabolic", "isophotes", "section", "border", "crease")
+NAMES = (
+    "contour", "suggestive", "ridges", "valleys", "apparent", "parabolic", "isophotes", "section", "border", "crease",
+)  # fmt: skip
 _FOUND_ONCE = ("ridge", "valley", "parabolic")
 # Options that mean something to contours of marks only: given, these are drawn unless --lines is given too.
 _OF_MARKS = ("silhouette_threshold", "silhouette_law", "silhouette_width", "silhouette_radius", "contours_of")

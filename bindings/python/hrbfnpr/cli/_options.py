@@ -127,6 +127,8 @@ def _add_marks(parser: Parser) -> None:
     _add(group, "--guide-direction", "guide_direction", values.direction, "X,Y,Z", "to the light, or to the eye, that "
          "such a guide means; z")  # fmt: skip
     _add(group, "--guide-weight", "guide_weight", values.number, "X", "of that guide; the rest of 1 is curvature's; 1")
+    _add(group, "--hatch-angle", "hatch_angle", values.number, "DEGREES", "by which all lines of hatching are turned; "
+         "90 is across what they follow; 0")  # fmt: skip
     _add_choice(group, "--density", "density", tuple(name for name in DENSITIES if name != "callback"),
                 "where stipples are denser")  # fmt: skip
     _add(group, "--density-strength", "density_strength", values.number, "X", "of curvature, 0 to 1; 0.5")
@@ -178,7 +180,8 @@ def _add_cells(parser: Parser) -> None:
 
 def _add_style(parser: Parser) -> None:
     group = parser.add_argument_group("style")
-    _add(group, "--mark-radius", "mark_radius", values.number, "PIXELS", "of the pen, which the styles vary a little; an 800th of the picture")
+    _add(group, "--mark-radius", "mark_radius", values.number, "PIXELS", "of the pen, which the styles vary a little; "
+         "an 800th of the picture")  # fmt: skip
     _add(group, "--ink", "ink", values.paint, "COLOUR", "of all marks: #rrggbb[aa] or R,G,B[,A] in 0 to 1")
     _add(group, "--paper", "paper", values.paint, "COLOUR", "as --ink")
     group.add_argument("--transparent", action="store_true", help="paper that lets all through")
@@ -187,20 +190,27 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--delta", "silhouette_threshold", values.number, "X", "limit of silhouettes, 0 to 1")
     _add_choice(group, "--silhouette-law", "silhouette_law", tuple(SILHOUETTE_LAWS), "which marks are silhouettes")
     _add(group, "--silhouette-width", "silhouette_width", values.number, "PIXELS", "on either side of the contour")
-    _add(group, "--lines", "lines", _lines.parse, "KINDS", f"lines drawn as curves: {', '.join(_lines.NAMES)}, with commas between; section=z:20, isophotes=0.3:0.6; none: contours by marks; those of the style")
+    _add(group, "--lines", "lines", _lines.parse, "KINDS", f"lines drawn as curves: {', '.join(_lines.NAMES)}, with "
+         "commas between; section=z:20, isophotes=0.3:0.6; none: contours by marks; those of the style")  # fmt: skip
     _add_choice(group, "--hidden", "hidden", tuple(HIDDEN_PARTS), "hidden parts of lines")
-    _add(group, "--support", "support", values.number, "S", "where lines end beyond the samples of open data: 1.5 close to even ones, 3 farther; 0 nowhere; 3 with a border among the lines, else 0")
+    _add(group, "--support", "support", values.number, "S", "where lines end beyond the samples of open "
+         "data: 1.5 close to even ones, 3 farther; 0 nowhere; 3 with a border among the lines, else 0")  # fmt: skip
     _add(group, "--line-width", "line_width", values.number, "PIXELS", "of contours; others are finer")
-    _add(group, "--outline", "outline_factor", values.number, "X", "times the width of lines where nothing lies beside them; 1.5 of silhouette and xray, else 1")
+    _add(group, "--outline", "outline_factor", values.number, "X", "times the width of lines where nothing lies "
+         "beside them; 1.5 of silhouette and xray, else 1")  # fmt: skip
     _add(group, "--far-lines", "far_factor", values.number, "X", "times the width of lines at the farthest place; 1")
     _add(group, "--lit-lines", "lit_factor", values.number, "X", "times the width of lines towards the light; 1")
-    _add(group, "--sharp-lines", "curvature_factor", values.number, "X", "times the width of lines where the surface bends sharply; 1")
-    _add(group, "--wobble", "wobble", values.number, "WIDTHS", "how far lines stray, as of an unsteady hand; their width varies by half as much; 0")
+    _add(group, "--sharp-lines", "curvature_factor", values.number, "X", "times the width of lines where the "
+         "surface bends sharply; 1")  # fmt: skip
+    _add(group, "--wobble", "wobble", values.number, "WIDTHS", "how far lines stray, as of an unsteady hand; their "
+         "width varies by half as much; 0")  # fmt: skip
     _add(group, "--attenuation-front", "attenuation_front", values.number, "LAMBDA", "of what lies behind front marks")
     _add(group, "--attenuation-back", "attenuation_back", values.number, "LAMBDA", "of what lies behind back marks")
-    _add(group, "--splat-radius", "splat_radius", values.number, "PIXELS", "of the splats that stand for the surface; automatic")
+    _add(group, "--splat-radius", "splat_radius", values.number, "PIXELS", "of the splats that stand for the "
+         "surface; automatic")  # fmt: skip
     _add(group, "--splat-overlap", "splat_overlap", values.number, "N", "opacity of a layer of surface; 0 as published")
-    _add(group, "--halo", "halo_width", values.number, "PIXELS", "how far beyond its contour a surface hides; as the pen")
+    _add(group, "--halo", "halo_width", values.number, "PIXELS", "how far beyond its contour a surface hides; as "
+         "the pen")  # fmt: skip
     group.add_argument("--tone", choices=["none", "light"], metavar="NAME", default=None, help="none or light")
     _add_choice(group, "--tone-rule", "tone_rule", tuple(TONE_RULES), "how tone, depth, zoom and share combine")
     _add_choice(group, "--tone-curve", "tone_curve", tuple(TONE_CURVES), "what is as dark as asked for")

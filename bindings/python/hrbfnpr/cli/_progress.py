@@ -10,8 +10,8 @@ from typing import Any, Iterator
 class Reporter:
     """Bars where stderr is a terminal and tqdm is installed; nothing if quiet."""
 
-    def __init__(self, quiet: bool, bars: bool = True) -> None:
-        self.quiet = quiet
+    def __init__(self, quiet: bool, bars: bool = True, about: str = "") -> None:
+        self.quiet, self._about = quiet, about
         self._tqdm: Any = None
         if bars and not quiet and sys.stderr.isatty():
             try:
@@ -23,11 +23,11 @@ class Reporter:
 
     def note(self, text: str) -> None:
         if not self.quiet:
-            print(f"hrbfnpr: note: {text}", file=sys.stderr)
+            print(f"hrbfnpr: note: {self._about}{text}", file=sys.stderr)
 
-    def without_bars(self) -> "Reporter":
-        """Its notes alone, for what is part of a stage."""
-        return Reporter(self.quiet, bars=False)
+    def without_bars(self, about: str = "") -> "Reporter":
+        """Its notes alone, for what is part of a stage; they begin with what they are about."""
+        return Reporter(self.quiet, bars=False, about=f"{about}: " if about else "")
 
     @contextmanager
     def stage(self, name: str) -> Iterator[Any]:

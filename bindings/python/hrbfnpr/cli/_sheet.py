@@ -88,7 +88,8 @@ class _Artist:
     def draw(self, cell: Cell) -> Any:
         """A PIL.Image, the same as `draw` makes."""
         camera = self.camera(cell)
-        style, layers = _draw.plan(cell.arguments, self._model, self._known, camera, self._report)
+        about = self._report.without_bars(cell.label)
+        style, layers = _draw.plan(cell.arguments, self._model, self._known, camera, about)
         marks, line_set = self._marks_of(cell, layers), self._lines_of(cell, style, camera)
         drawing = self._renderer.draw(Item(marks, style, line_set=line_set), camera)
         if not _draw.is_plate(cell.arguments):
