@@ -33,7 +33,7 @@ def _numbers(path, size):
     extent = points.max(axis=0) - points.min(axis=0)
     radius = float(np.linalg.norm(extent)) / 2
     distance = radius / np.sin(np.radians(15))
-    far = distance + 2 * radius
+    far = distance + 1.4 * radius
     return {"zoom": f"{size / extent.max():.6g}", "near": f"{distance - radius:.6g}", "far": f"{far:.6g}"}
 
 

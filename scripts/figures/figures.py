@@ -237,7 +237,7 @@ FIGURES = (
         "From top to bottom: stippling with depth modulation; cross-hatching along the principal directions; the 512 "
         "samples; three different visual abstractions of the model. 512 samples, 400 000 marks.",
         "Ours ends the surface where its samples do (support 3) and draws that border. Depth "
-        "modulation begins at the nearest place of the model, and ends a diagonal behind its middle. The light comes "
+        "modulation begins at the nearest place of the model, and ends a little behind the farthest. The light comes "
         "from the left.",
         (
             *both(

@@ -19,7 +19,8 @@ from .._style import LayerStyle, Style
 from . import _automatic
 
 NAME = "middle"  # of the section among the lines of a line set
-_STRIP = 0.09  # of the picture's longer side, for the bar
+_STRIP = 0.09  # of the picture's longer side, for the bar ...
+_LEAST_STRIP = 44.0  # ... but in pens room for the bar and what is written below it
 _BAR = 0.3  # of the picture's width, at most
 
 
@@ -53,7 +54,7 @@ def compose(
     paper = tuple(round(255 * part) for part in style.paper)
     beside = None if lines is None else _profile(model, marks, lines, camera, scale, style, pen, context)
     width, height = picture.size
-    strip = round(_STRIP * max(width, height)) if unit else 0
+    strip = round(max(_STRIP * max(width, height), _LEAST_STRIP * pen)) if unit else 0
     plate = Image.new("RGBA", (width + (beside.size[0] if beside else 0), height + strip), paper)
     plate.paste(picture, (0, 0))
     if beside is not None:
@@ -82,8 +83,9 @@ def _profile(
     reach = 4.0 * float(np.linalg.norm(points, axis=1).max())
     side = Camera.look_at(target + reach * right, target, up)
     side = side.orthographic(height / scale, (width, height), 0.01 * reach, 2 * reach)
-    outline = LineStyle("section", NAME, width=2.6 * pen, hidden="shown", ink=style.silhouette_ink)
-    blank = Style(layers=[LayerStyle(shown=False, contours=False)], lines=[outline], paper=style.paper)
+    # Whole: contours, which are not drawn here, would leave gaps by their halo, and ends by a taper, in it.
+    outline = LineStyle("section", NAME, width=2.6 * pen, hidden="shown", taper=0.0, ink=style.silhouette_ink)
+    blank = Style(layers=[LayerStyle(shown=False, contours=False)], lines=[outline], paper=style.paper, halo_width=0.0)
     image = to_pil(Renderer(context=context).draw(Item(marks, blank, line_set=lines), side).image())
     return _filled(image, style, pen)
 
