@@ -269,10 +269,13 @@ void run_ends(hrbfnpr_context* context, const Settings& settings, Results& resul
     results.add("principal_short_intervals", bench::quantile(shorts_before, 0.5));
 }
 
+// Pictures of 3200 pixels take a while: surfaces of all kinds, but no more than 1000 samples of one.
 void run_sizes(hrbfnpr_context* context, const Settings& settings, Results& results) {
+    constexpr std::int64_t most_centres = 1000;
     std::printf("\nthe share of a picture's strokes that one of another size has\n");
     bench::SameAtSizes worst;
     for (const bench::Source& source : chosen_sources(settings)) {
+        if (source.centres > most_centres) continue;
         const scenes::Model model = fitted(context, source);
         std::printf("%s\n", source.name.c_str());
         const bench::SameAtSizes same = bench::same_at_sizes(context, model.get(), HRBFNPR_PRESET_ETCHING);

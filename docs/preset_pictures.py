@@ -23,13 +23,13 @@ VIEW = ["--azimuth", "20", "--elevation", "15", "--size", str(SIZE)]
 
 USES = {
     "stipple": "Soft forms and fine tones without any line: the classic of scientific drawing.",
-    "hatch": "Strokes around the form, for tone and shape with one set of lines.",
-    "cross-hatch": "Strokes along both principal directions, darker where they cross.",
-    "combing": "Strokes that do not follow curvature: for surfaces that bend much and irregularly.",
+    "hatch": "Lines around the form, more of them where it is darker: tone and shape with one set.",
+    "cross-hatch": "Up to three sets of lines at 30 to 65 degrees to each other, darker where they cross.",
+    "combing": "Lines that do not follow curvature: for surfaces that bend much and irregularly.",
     "silhouette": "Contours alone, hidden ones pale: icons, instructions, a base to paint over.",
     "contour-and-stipple": "Contours and stipples: a good first choice for any model.",
     "xray": "Contours alone, hidden ones dashed: technical drawings, assemblies.",
-    "full": "Contours with a white halo, stipples and strokes: the article's most finished drawing.",
+    "full": "Contours with a white halo, stipples, and lines in the darks: as the article's most finished drawing.",
     "engraving": "Parallel lines that swell with the tone, as in a banknote or an old book.",
     "etching": "Thin lines in up to three layers that cross each other, a darker tone each.",
     "woodcut": "Few wide lines that close up to black, and heavy contours: posters, small prints.",
