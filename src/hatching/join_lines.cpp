@@ -10,22 +10,30 @@ namespace {
 
 // Cosine of the angle between a line's end, and that of the other, and the way from one to the other.
 constexpr double straight = 0.95;
-// Points from an end by which its direction is told.
-constexpr std::int64_t back = 3;
+// Over so small a part of the widest gap the way across says nothing, and the ends' directions not all.
+constexpr double touching = 0.2;
+constexpr double straight_enough = 0.8;
+// An end's direction is told by points of the line up to this part of the widest gap away, three at least: nearer ones
+// know their place to a part of the mesh's cells.
+constexpr double back = 0.5;
+constexpr std::int64_t fewest_back = 3;
 
 // End 2 l is the begin of line l, 2 l + 1 its end.
 class Joiner {
 public:
-    Joiner(base::Memory& memory, const StripeLines& lines) noexcept
+    Joiner(base::Memory& memory, const StripeLines& lines, double reach)
         : memory_(memory), lines_(lines), place_(memory), way_(memory), partner_(memory, 2 * lines.count()),
           taken_(memory, lines.count()) {
         std::fill(partner_.begin(), partner_.end(), -1);
         for (std::int64_t l = 0; l < lines.count(); ++l)
             for (const bool end : {false, true}) {
-                const std::int64_t last = lines.first[l + 1] - 1;
-                const std::int64_t at = end ? last : lines.first[l];
-                const std::int64_t from =
-                    end ? std::max(lines.first[l], last - back) : std::min(last, lines.first[l] + back);
+                const std::int64_t at = end ? lines.first[l + 1] - 1 : lines.first[l];
+                const std::int64_t last = end ? lines.first[l] : lines.first[l + 1] - 1; // the other one
+                const std::int64_t step = end ? -1 : 1;
+                std::int64_t from = at;
+                while (from != last && ((from - at) * step < fewest_back ||
+                                        glm::distance(lines.position[from], lines.position[at]) < back * reach))
+                    from += step;
                 place_.push_back(lines.position[at]);
                 way_.push_back(glm::normalize(lines.position[at] - lines.position[from]));
             }
@@ -54,6 +62,7 @@ private:
 bool Joiner::faces(std::int64_t a, std::int64_t b, double reach) const noexcept {
     const glm::dvec3 gap = place_[b] - place_[a];
     const double length = glm::length(gap);
+    if (length < touching * reach) return glm::dot(way_[a], way_[b]) < -straight_enough;
     return length <= reach && glm::dot(way_[a], gap) > straight * length && glm::dot(way_[b], gap) < -straight * length;
 }
 
@@ -83,8 +92,16 @@ void Joiner::find(double reach) {
 void Joiner::add(std::int64_t line, bool reversed, StripeLines& result) const {
     const std::int64_t begin = lines_.first[line];
     const std::int64_t count = lines_.first[line + 1] - begin;
-    for (std::int64_t i = 0; i < count; ++i) {
-        const std::int64_t at = begin + (reversed ? count - 1 - i : i);
+    const auto place_of = [&](std::int64_t i) { return begin + (reversed ? count - 1 - i : i); };
+    std::int64_t before = 0;
+    // Where ends lie beside each other, or one beyond the other, nothing goes back.
+    if (const std::int64_t size = result.position.size(); size > result.first[result.first.size() - 1]) {
+        const glm::dvec3 last = result.position[size - 1];
+        const glm::dvec3 onwards = -way_[2 * line + (reversed ? 1 : 0)];
+        while (before + 2 < count && glm::dot(lines_.position[place_of(before)] - last, onwards) <= 0.0) ++before;
+    }
+    for (std::int64_t i = before; i < count; ++i) {
+        const std::int64_t at = place_of(i);
         result.position.push_back(lines_.position[at]);
         result.normal.push_back(lines_.normal[at]);
         result.level.push_back(lines_.level[at]);
@@ -119,7 +136,7 @@ StripeLines Joiner::join() {
 } // namespace
 
 StripeLines joined(base::Memory& memory, const StripeLines& lines, double reach) {
-    Joiner joiner(memory, lines);
+    Joiner joiner(memory, lines, reach);
     joiner.find(reach);
     return joiner.join();
 }

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Lines of crests, found one triangle after the other, become whole ones.
+#include "hatching/join_lines.h"
+
+#include "base/runtime.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using hatching::StripeLines;
+using Polyline = std::vector<glm::dvec3>;
+
+// Straight in the plane z = 0, a point every tenth.
+Polyline line(double x0, double y0, double x1, double y1) {
+    const int count = std::max(1, static_cast<int>(std::lround(10.0 * std::hypot(x1 - x0, y1 - y0))));
+    Polyline points;
+    for (int i = 0; i <= count; ++i)
+        points.emplace_back(std::lerp(x0, x1, double(i) / count), std::lerp(y0, y1, double(i) / count), 0.0);
+    return points;
+}
+
+class Join : public ::testing::Test {
+protected:
+    // Over gaps of up to 2.
+    StripeLines join(const std::vector<Polyline>& lines) {
+        StripeLines all(runtime.memory);
+        for (const Polyline& points : lines) {
+            for (const glm::dvec3& p : points) {
+                all.position.push_back(p);
+                all.level.push_back(0);
+            }
+            all.first.push_back(all.position.size());
+            all.closed.push_back(0);
+        }
+        return hatching::joined(runtime.memory, all, 2.0);
+    }
+    // How far a line goes back along x, at most.
+    static double back(const StripeLines& lines) {
+        double most = 0.0;
+        for (std::int64_t i = 1; i < lines.position.size(); ++i) {
+            const double step = lines.position[i].x - lines.position[i - 1].x;
+            most = std::max(most, lines.position[0].x < lines.position[lines.position.size() - 1].x ? -step : step);
+        }
+        return most;
+    }
+
+    base::Runtime runtime;
+};
+
+TEST_F(Join, LinesThatFaceEachOtherOverAGap) {
+    EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 0.1, 3, 0.1)}).count(), 1);
+    EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 1.0, 3, 1.0)}).count(), 2) << "aside";
+    EXPECT_EQ(join({line(-3, 0, -1.2, 0), line(1.2, 0.0, 3, 0.0)}).count(), 2) << "too far";
+    EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 0.0, 0.8, 3.0)}).count(), 2) << "a corner";
+}
+
+// The way across a gap that is hardly one may have any direction.
+TEST_F(Join, LinesWhoseEndsTouch) {
+    for (int k = 0; k < 12; ++k) {
+        const double x = 0.1 * std::cos(0.5236 * k);
+        const double y = 0.1 * std::sin(0.5236 * k);
+        const StripeLines lines = join({line(-3, 0, 0, 0), line(3, y, x, y)});
+        ASSERT_EQ(lines.count(), 1) << x << ' ' << y;
+        EXPECT_LT(back(lines), 1e-9) << x << ' ' << y;
+    }
+    // Bends, but no corner and no fork.
+    EXPECT_EQ(join({line(-3, 0, 0, 0), line(0.02, 0.02, 3, 1.5)}).count(), 1);
+    EXPECT_EQ(join({line(-3, 0, 0, 0), line(0.02, 0.02, 3, 6)}).count(), 2);
+    EXPECT_EQ(join({line(-3, 0, 0, 0), line(-3, 0.2, 0, 0.2)}).count(), 2);
+    EXPECT_EQ(join({line(-3, 0, 0, 0), line(-3, 0.2, 0, 0.2), line(0.05, 0.05, 3, 0.0)}).count(), 2);
+}
+
+// Of points near its end a line does not know where it goes.
+TEST_F(Join, AnEndMayBeRagged) {
+    Polyline ragged = line(-3, 0, 0, 0);
+    for (const double y : {0.03, 0.07, 0.12}) ragged.emplace_back(0.02, y, 0.0);
+    EXPECT_EQ(join({ragged, line(0.05, 0.1, 3, 0)}).count(), 1);
+}
+
+} // namespace
+} // namespace hrbfnpr::testing
