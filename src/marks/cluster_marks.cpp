@@ -5,6 +5,7 @@
 #include "geometry/morton.h"
 #include "geometry/unit.h"
 #include "marks/cluster_shape.h"
+#include "marks/line_gaps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +177,7 @@ void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& piec
 } // namespace
 
 std::int64_t MarkClusters::bytes() const noexcept {
-    return block.bytes() + width.bytes() + cluster.bytes() + piece.bytes();
+    return block.bytes() + width.bytes() + cluster.bytes() + piece.bytes() + gap.bytes();
 }
 
 void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Progress& progress) {
@@ -187,6 +188,7 @@ void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Prog
         Clustering(layer, set.unit, layer.clusters, progress).run();
         cut_strokes(layer, set.unit, layer.clusters.piece);
     });
+    for (Layer& layer : set.layers) measure_gaps(runtime, layer, layer.clusters.gap, progress);
 }
 
 } // namespace hrbfnpr::marks

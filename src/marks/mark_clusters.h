@@ -56,12 +56,13 @@ struct StrokePiece : Extent {
 
 struct MarkClusters {
     explicit MarkClusters(base::Memory& memory) noexcept
-        : block(memory), width(memory), cluster(memory), piece(memory) {}
+        : block(memory), width(memory), cluster(memory), piece(memory), gap(memory) {}
 
     base::Array<MarkBlock> block;
     base::Array<float> width; // of each place in the blocks; or empty: all 1
     base::Array<Cluster> cluster;
     base::Array<StrokePiece> piece; // of all strokes
+    base::Array<float> gap;         // of each mark, by measure_gaps(); or empty
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };

@@ -36,15 +36,16 @@ inline constexpr float thinnest_fading = 0.5F;
 // ... and has its width where it should be so much wider; until then the full lines have the rest.
 inline constexpr float fading_ramp = 0.25F;
 
-// spacing: of the lines of level 0 in the picture, pixels; those of levels 0 to k are 2^k times as close.
+// spacing: of the lines of level 0 in the picture, pixels; those of levels 0 to k are 2^k times as close.  gap: by
+// which lines are really farther apart; levels come and go without it.
 [[nodiscard]] inline HatchWidths hatch_widths(const LayerStyle& style, float coverage, float spacing,
-                                              std::int32_t levels) noexcept {
+                                              std::int32_t levels, float gap = 1.0F) noexcept {
     const float wanted = std::max(style.hatch_spacing, style.hatch_pen / coverage);
     HatchWidths widths;
     if (spacing > wanted) widths.lambda = std::min(std::log2(spacing / wanted), static_cast<float>(levels));
     widths.full = static_cast<std::int32_t>(widths.lambda);
     const float weight = widths.lambda - static_cast<float>(widths.full); // 0 at the finest level
-    const float period = spacing / static_cast<float>(1U << static_cast<unsigned>(widths.full));
+    const float period = gap * spacing / static_cast<float>(1U << static_cast<unsigned>(widths.full));
     // Of the lines within a period: (1 + weight) wide ones.  Closer together than asked they are thinner than the pen.
     const float lines = 1.0F + weight;
     const float ink =

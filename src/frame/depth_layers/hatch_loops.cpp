@@ -159,7 +159,7 @@ HWY_INLINE W coverage(const HatchLaw& law, W darkness) {
 }
 
 // hatch_widths().
-HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing) {
+HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     const F d;
     const I i;
     const W one = set(1.0F);
@@ -171,7 +171,7 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing) {
     w.full = hn::ConvertTo(d, full);
     const W weight = hn::Sub(w.lambda, w.full);
     const W half = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(i, 127), full))); // to the power of `full`
-    const W period = hn::Mul(spacing, half);
+    const W period = hn::Mul(hn::Mul(gap, spacing), half);
     const W lines = hn::Add(one, weight);
     const W ink = hn::Min(hn::Mul(coverage, period),
                           hn::Max(hn::Sub(period, hn::Mul(lines, set(law.white))), hn::Mul(lines, set(law.pen))));
@@ -215,7 +215,7 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
     const W level = row(HatchRow::level);
     const W picture = row(HatchRow::picture_margin);
     const W spacing = spacing_at(sight, rows);
-    const Widths w = widths(law, coverage(law, darkness), spacing);
+    const Widths w = widths(law, coverage(law, darkness), spacing, row(HatchRow::gap));
     const M full = hn::Le(level, w.full);
     const M fades = hn::Eq(level, hn::Add(w.full, one));
     const W rest = hn::Sub(hn::Sub(w.lambda, hn::Sub(level, one)), set(law.thinnest_fading));

@@ -21,6 +21,7 @@ enum class HatchRow : std::int64_t {
     tone_y,
     tone_z,
     level,
+    gap,  // by which lines are farther apart around it than asked
     left, // of the picture, pixels
     top,
     window,

@@ -236,6 +236,9 @@ void HatchMarks::load(std::int64_t begin, std::int64_t count, std::uint32_t* num
         std::copy_n(layer.stroke_order.data() + begin, count, numbers);
     for (std::int64_t i = 0; i < count; ++i)
         rows[HatchRow::level][i] = static_cast<float>(layer.level[ordered ? begin + i : std::int64_t{numbers[i]}]);
+    const base::Array<float>& gap = layer.clusters.gap;
+    for (std::int64_t i = 0; i < count; ++i)
+        rows[HatchRow::gap][i] = gap.empty() ? 1.0F : gap[std::int64_t{numbers[i]}];
     const auto put = [&](HatchRow x, const float* all, float factor, float other) {
         const HatchRows row{rows[x], rows.stride};
         float* const y = row.first + row.stride;
