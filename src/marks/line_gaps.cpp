@@ -11,7 +11,7 @@ namespace hrbfnpr::marks {
 namespace {
 
 // In separations: lines are looked for so far to either side ...
-constexpr double reach = 3.5;
+constexpr double reach = 2.5;
 // ... where they cross a strip of twice this width, which one mark of each does, or two ...
 constexpr double beside = 0.35;
 // ... and no farther off the tangent plane than this part of their distance, and facing the same way.
@@ -20,11 +20,12 @@ constexpr double least_cosine = 0.5;
 // Marks that are nearer to each other across are of one line, and no gap counts as wider.
 constexpr double same_line = 0.3;
 constexpr double widest = 2.0;
-// Every so many marks of a line are asked, and as many to either side averaged as make about three separations.
-constexpr std::int64_t every = 3;
+// Every so many marks of a line are asked, and as many to either side averaged as make some three separations.
+constexpr std::int64_t every = 4;
 constexpr std::int64_t most_averaged = 2;
 constexpr std::int64_t most_lines = 64;
-constexpr std::int64_t chunk = 16; // lines
+constexpr std::int64_t most_visits = 4000; // of marks around a mark
+constexpr std::int64_t chunk = 16;         // lines
 
 [[nodiscard]] bool has_nested_lines(const Layer& layer) noexcept {
     return (layer.kind == Kind::hatch || layer.kind == Kind::own) && layer.strokes() > 1 && layer.report.step > 0.0;
@@ -35,6 +36,15 @@ public:
     Gaps(const base::Runtime& runtime, const Layer& layer)
         : layer_(layer), separation_(layer.report.step), place_(places(runtime.memory, layer)),
           grid_(place_, reach * separation_) {}
+
+    // Whether so few marks lie around each one that they can all be looked at: a file may have any separation.
+    [[nodiscard]] bool are_few() const noexcept {
+        constexpr std::int64_t samples = 32;
+        const std::int64_t step = std::max<std::int64_t>(place_.size() / samples, 1);
+        std::int64_t visits = 0;
+        for (std::int64_t i = 0; i < place_.size(); i += step) grid_.around(place_[i], [&](std::int64_t) { ++visits; });
+        return visits <= most_visits * (place_.size() / step);
+    }
 
     // Of one line; `asked` is room.
     void measure(std::int64_t stroke, base::Array<float>& asked, base::Array<float>& gap) const {
@@ -72,7 +82,7 @@ private:
         std::sort(offset.begin(), offset.begin() + count);
         double sum = 0.0;
         double weights = 0.0;
-        double last = offset[0];
+        double last = count > 0 ? offset[0] : 0.0;
         for (std::int64_t i = 1; i < count; ++i) {
             if (offset[static_cast<std::size_t>(i)] - last < same_line) continue;
             const double here = offset[static_cast<std::size_t>(i)];
@@ -96,10 +106,11 @@ private:
             const std::int64_t other = grid_.index(at);
             const glm::dvec3 way = (place_[other] - p) / separation_;
             const double u = glm::dot(way, across);
-            if (count == most_lines || std::abs(u) > reach || std::abs(glm::dot(way, along)) > beside) return;
-            if (std::abs(glm::dot(way, n)) > steepest * std::abs(u) + 0.1) return;
-            if (glm::dot(n, glm::dvec3(vector_at(layer_.normal, other))) < least_cosine) return;
-            offset[static_cast<std::size_t>(count++)] = u;
+            // What is no number is beside nothing.
+            if (count < most_lines && std::abs(u) < reach && std::abs(glm::dot(way, along)) < beside &&
+                std::abs(glm::dot(way, n)) < steepest * std::abs(u) + 0.1 &&
+                glm::dot(n, glm::dvec3(vector_at(layer_.normal, other))) > least_cosine)
+                offset[static_cast<std::size_t>(count++)] = u;
         });
         return count;
     }
@@ -116,8 +127,9 @@ void measure_gaps(const base::Runtime& runtime, const Layer& layer, base::Array<
                   const base::Progress& progress) {
     gap.clear();
     if (!has_nested_lines(layer)) return;
-    gap.resize(layer.count());
     const Gaps gaps(runtime, layer);
+    if (!gaps.are_few()) return;
+    gap.resize(layer.count());
     runtime.parallel.for_chunks(layer.strokes(), chunk, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         base::Array<float> asked(runtime.memory);

@@ -23,6 +23,29 @@ TEST_F(Hatch, CoversWhatTheToneAsksForAtAnyZoom) {
     RecordProperty("worst_error", std::to_string(worst));
 }
 
+// The lines' own distances count, not the separation that they were to have: everywhere, and in parts of a surface.
+TEST_F(Hatch, CoversWhatTheToneAsksForWhereLinesLieNearerOrFartherApart) {
+    for (const double stretch : {0.7, 1.0, 1.4}) {
+        set = nested_plane(runtime.memory);
+        marks::Layer& layer_of_lines = layer_of(set, marks::Kind::own);
+        const auto stretched = [=](double y) { return y < 0.0 ? y : stretch * y; };
+        for (std::int64_t i = 0; i < layer_of_lines.count(); ++i) {
+            float& y = layer_of_lines.position[3 * i + 1];
+            y = static_cast<float>(stretched(static_cast<double>(y)));
+        }
+        cluster();
+        darkness = [](const glm::dvec3&) { return 0.5; };
+        draw(front_camera(size, size, 1.25)); // 200 pixels a unit
+        for (const double side : {-1.0, 1.0}) {
+            // Five periods of the coarsest lines, from between two lines on.
+            const double period = 200.0 * (side < 0.0 ? 1.0 : stretch) * step;
+            const double middle = -side * (30.0 + 0.5) * period;
+            EXPECT_NEAR(ink(100.0, 20.0 * period, 0.5 * size, middle), coverage(layer, 0.5), 0.004)
+                << stretch << ' ' << side;
+        }
+    }
+}
+
 TEST_F(Hatch, CoversWhatTheToneAsksForAtASlant) {
     set = nested_plane(runtime.memory);
     cluster();
