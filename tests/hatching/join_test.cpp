@@ -32,6 +32,7 @@ protected:
         for (const Polyline& points : lines) {
             for (const glm::dvec3& p : points) {
                 all.position.push_back(p);
+                all.normal.push_back({0.0, 0.0, 1.0});
                 all.level.push_back(0);
             }
             all.first.push_back(all.position.size());
