@@ -21,6 +21,8 @@ constexpr float blunt = 0.35F;
 // and one that hardly does, by the second, narrows before it.
 constexpr float crosses = 0.5F;
 constexpr float runs_along = 0.25F;
+// Of the tone, and of n . v: where so much of them is left at an end, it is its level's alone.
+constexpr float by_level_alone = 0.1F;
 constexpr float rim_part = 0.5F; // of a taper: so much of the line is looked at
 
 struct Crossing {
@@ -39,6 +41,17 @@ struct Crossing {
         if (share <= first.share) first = {share, static_cast<HatchEnd>(k)};
     }
     return first;
+}
+
+// How much an end is one of a level: 0 where another margin runs out, too.
+[[nodiscard]] float by_level(const HatchMark& drawn, const HatchMark& other, const Crossing& at) noexcept {
+    if (at.end != HatchEnd::level) return 0.0F;
+    float least = by_level_alone;
+    for (const HatchEnd end : {HatchEnd::tone, HatchEnd::rim}) {
+        const auto k = static_cast<std::size_t>(end);
+        least = std::min(least, drawn.margin[k] + at.share * (other.margin[k] - drawn.margin[k]));
+    }
+    return std::max(least, 0.0F) / by_level_alone;
 }
 
 [[nodiscard]] glm::vec2 place(const HatchMark& m) noexcept { return {m.x, m.y}; }
@@ -101,6 +114,7 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
             const Crossing begin = crossing(m(i), m(i - 1));
             if (begin.share > 0.0F) drawn.begin = {i - 1, 1.0F - begin.share};
             drawn.begins = begin.end;
+            drawn.begins_by_level = by_level(m(i), m(i - 1), begin);
         }
         while (i + 1 < count && m(i + 1).is_drawn()) ++i;
         drawn.end = {i, 0.0F};
@@ -108,6 +122,7 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
             const Crossing end = crossing(m(i), m(i + 1));
             drawn.end = {i, end.share};
             drawn.ends = end.end;
+            drawn.ends_by_level = by_level(m(i), m(i + 1), end);
         }
         drawn.closed = closed;
         drawn_.push_back(drawn);
@@ -188,8 +203,8 @@ float HatchSpans::fade_of(std::int64_t number, float shortest) const noexcept {
             if (last > number) near = std::min(near, drawn_[last].near);
             if (!(near > most)) break;
             const float length = at(drawn_[last].end) - at(drawn_[first].begin);
-            const bool fills = drawn_[first].begins == HatchEnd::level && drawn_[last].ends == HatchEnd::level;
-            const float least = (fills ? shortest_filling : 1.0F) * shortest;
+            const float fills = std::min(drawn_[first].begins_by_level, drawn_[last].ends_by_level);
+            const float least = std::lerp(1.0F, shortest_filling, fills) * shortest;
             if (length >= least) most = std::max(most, near * smooth(length / least - 1.0F));
         }
     }

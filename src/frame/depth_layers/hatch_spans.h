@@ -51,6 +51,7 @@ private:
     struct Drawn {
         Place begin, end;
         HatchEnd begins = HatchEnd::line, ends = HatchEnd::line;
+        float begins_by_level = 0.0F, ends_by_level = 0.0F; // 1: its level's alone
         bool closed = false;
         float link = 0.0F;       // of the gap before it: 0 open, 1 closed
         float near = 0.0F;       // the same of wider gaps
