@@ -36,7 +36,6 @@ public:
     RadialModel(const CurvePoint& a, const CurvePoint& b, const View& view) noexcept
         : view_(view), cubic_(a, b), begin_(glm::normalize(a.gradient)), end_(glm::normalize(b.gradient)) {}
 
-    [[nodiscard]] const CubicPiece& cubic() const noexcept { return cubic_; }
     [[nodiscard]] double at(double u) const noexcept {
         const glm::dvec3 normal = (1.0 - u) * begin_ + u * end_;
         return glm::dot(glm::normalize(cubic_.derivative(u)), glm::cross(normal, view_.sight(cubic_.at(u))));
