@@ -68,7 +68,8 @@ private:
     template <class Visit>
     void for_lines(Visit&& visit) const {
         runtime_.parallel.for_chunks(line_.size(), lines_a_task, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t l = begin; l < end; ++l) visit(line_[l]);
+            for (std::int64_t l = begin; l < end; ++l)
+                if (line_[l].begin < line_[l].end) visit(line_[l]); // not what has been cut off
         });
     }
     [[nodiscard]] bool is_left(std::int64_t i) const noexcept {

@@ -32,7 +32,6 @@ enum class HatchRow : std::int64_t {
     side_y,
     distance,
     darkness,    // first n . l
-    spacing,     // of the lines of level 0, pixels
     width,       // of the line, pixels
     leg,         // from the mark before, pixels; 0 if one of them has no place
     tone_margin, // the line is drawn where none of the four is negative; by HatchEnd
