@@ -275,7 +275,11 @@ void run_sizes(hrbfnpr_context* context, const Settings& settings, Results& resu
     std::printf("\nthe share of a picture's strokes that one of another size has\n");
     bench::SameAtSizes worst;
     for (const bench::Source& source : chosen_sources(settings)) {
-        if (source.centres > most_centres) continue;
+        if (source.centres > most_centres) {
+            std::printf("%s is left out: more than %lld samples\n", source.name.c_str(),
+                        static_cast<long long>(most_centres));
+            continue;
+        }
         const scenes::Model model = fitted(context, source);
         std::printf("%s\n", source.name.c_str());
         const bench::SameAtSizes same = bench::same_at_sizes(context, model.get(), HRBFNPR_PRESET_ETCHING);

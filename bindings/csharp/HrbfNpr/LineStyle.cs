@@ -35,7 +35,8 @@ namespace HrbfNpr
         public float Width { get; set; }
 
         /// <summary>
-        /// Pixels, 0 or more, over which a line narrows to a free end, half an ellipse; 0 = not at all; 12.
+        /// Pixels, 0 or more, over which a line narrows to a free end, half an ellipse; 0 = not at all; 12. A part with a
+        /// free end that is shorter than two tapers is the thinner, the shorter it is.
         /// </summary>
         public float Taper { get; set; }
 

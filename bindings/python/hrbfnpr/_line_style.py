@@ -29,7 +29,10 @@ class LineStyle(KindStyle):
     hidden = choice(HIDDEN_PARTS, 'Parts that surface hides: "none", "attenuated", "dashed" or "shown".')
     cap = choice(CAPS, 'Of free ends, where a line turns behind its own surface: "round", "flat" or "pointed".')
     width = number("Pixels.")
-    taper = number("Pixels over which a line narrows to a free end; 0 = not at all.")
+    taper = number(
+        "Pixels over which a line narrows to a free end; 0 = not at all.  Parts with a free end that are shorter than "
+        "two tapers are the thinner, the shorter they are."
+    )
     hidden_width = number('Of "attenuated" and "dashed".')
     hidden_opacity = number('Of "attenuated", for each layer of surface before it, 0 to 1.')
     dash = number('Of "dashed", in hidden_widths; the more layers lie before it, the shorter.')
