@@ -122,11 +122,20 @@ inline void add_gaps(const std::vector<DrawnStroke>& strokes, const MarkTable& m
     return ends_of(painter, model);
 }
 
+// Of lines that are thinned out by their distance, or of all of them, by hairlines: those end only where the surface is
+// light, turns away or is hidden, which no choice of lines along these directions can avoid.
 [[nodiscard]] inline StrokeEnds ends_of_hatching(hrbfnpr_context* context, const hrbfnpr_model* model,
-                                                 std::uint32_t preset) {
+                                                 std::uint32_t preset, bool every_line) {
     const scenes::PointSet set = hatch_set(context, model, preset);
     Style style = hatch_style(preset, frame_size);
     style.line_count = 0;
+    if (every_line) {
+        for (hrbfnpr_layer_style& layer : style.layer) {
+            layer.hatch_white = 0.0F;
+            layer.hatch_pen = 0.02F;
+            layer.hatch_spacing = 0.05F;
+        }
+    }
     StrokePainter painter(context, set.get(), style);
     return ends_of(painter, model);
 }

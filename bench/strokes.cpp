@@ -240,23 +240,27 @@ void run_screen(hrbfnpr_context* context, const Settings& settings, Results& res
     results.add("screen_variation_whole", bench::quantile(whole, 0.5));
 }
 
-void print_ends(const std::string& name, const char* kind, const bench::StrokeEnds& e) {
-    std::printf("%-24s %-10s %12.0f %12.2f %12.2f\n", name.c_str(), kind, e.length, e.ends_per_1000(),
+void print_ends(const std::string& name, const std::string& kind, const bench::StrokeEnds& e) {
+    std::printf("%-24s %-22s %12.0f %12.2f %12.2f\n", name.c_str(), kind.c_str(), e.length, e.ends_per_1000(),
                 e.shorts_per_1000());
     std::fflush(stdout);
 }
 
 void run_ends(hrbfnpr_context* context, const Settings& settings, Results& results) {
-    std::printf("\nstrokes of pictures from three sides\n%-24s %-10s %12s %12s %12s\n", "model", "strokes", "length px",
+    std::printf("\nstrokes of pictures from three sides\n%-24s %-22s %12s %12s %12s\n", "model", "strokes", "length px",
                 "ends / 1000", "short / 1000");
-    std::vector<double> ends, shorts, ends_before, shorts_before;
+    std::vector<double> ends, shorts, forced, ends_before, shorts_before;
     for (const bench::Source& source : chosen_sources(settings)) {
         const scenes::Model model = fitted(context, source);
         for (const std::uint32_t preset : {HRBFNPR_PRESET_ENGRAVING, HRBFNPR_PRESET_ETCHING}) {
-            const bench::StrokeEnds found = bench::ends_of_hatching(context, model.get(), preset);
-            print_ends(source.name, hrbfnpr_preset_name(preset), found);
+            const std::string kind = hrbfnpr_preset_name(preset);
+            const bench::StrokeEnds found = bench::ends_of_hatching(context, model.get(), preset, false);
+            print_ends(source.name, kind, found);
             ends.push_back(found.ends_per_1000());
             shorts.push_back(found.shorts_per_1000());
+            const bench::StrokeEnds all = bench::ends_of_hatching(context, model.get(), preset, true);
+            print_ends(source.name, kind + ", every line", all);
+            forced.push_back(all.ends_per_1000());
         }
         const bench::StrokeEnds found = bench::ends_of_principal(context, model.get());
         print_ends(source.name, "principal", found);
@@ -264,6 +268,7 @@ void run_ends(hrbfnpr_context* context, const Settings& settings, Results& resul
         shorts_before.push_back(found.shorts_per_1000());
     }
     results.add("ends_per_1000_px", bench::quantile(ends, 0.5));
+    results.add("every_line_ends_per_1000_px", bench::quantile(forced, 0.5));
     results.add("principal_ends_per_1000_px", bench::quantile(ends_before, 0.5));
     results.add("short_intervals", bench::quantile(shorts, 0.5));
     results.add("principal_short_intervals", bench::quantile(shorts_before, 0.5));
