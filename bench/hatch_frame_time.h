@@ -80,10 +80,20 @@ private:
         return generate(context, model, desc);
     }
 
+    // Of the paper, pixels that are black.
+    static double ink(const Painter& painter) {
+        double sum = 0.0;
+        const std::vector<std::uint8_t>& pixels = painter.pixels();
+        for (std::size_t i = 0; i < pixels.size(); i += 4) sum += 255.0 - pixels[i];
+        return sum / 255.0;
+    }
+
     static void print(const char* name, Painter& painter, const hrbfnpr_point_set* set) {
         const hrbfnpr_drawing_info info = painter.info();
-        std::printf("%-8s %7lld marks: gather %.2f, bins and strokes %.2f, depth layers %.2f, image %.2f ms\n", name,
-                    static_cast<long long>(info.marks), 1e-6 * static_cast<double>(info.nanoseconds_classify),
+        std::printf("%-8s %7lld marks, ink of %.0f pixels: gather %.2f, bins and strokes %.2f, depth layers %.2f, "
+                    "image %.2f ms\n",
+                    name, static_cast<long long>(info.marks), ink(painter),
+                    1e-6 * static_cast<double>(info.nanoseconds_classify),
                     1e-6 * static_cast<double>(info.nanoseconds_sort),
                     1e-6 * static_cast<double>(info.nanoseconds_visibility), painter.image_ms());
         for (std::int64_t i = 0; i < info_of(set).layers; ++i)
