@@ -777,6 +777,68 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, co
                                                   const hrbfnpr_array_out* inside, int64_t* inside_count,
                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
 
+/*
+ * --------------------------------------------------------------------------
+ * Where a surface ends.  A fitted surface goes on where its samples end: that of
+ * one view of a scan, or of a terrain, to the end of the search box; and it may
+ * grow sheets where no sample ever was.  Trimming leaves these out:
+ *
+ *     s(x) = -ln sum_j exp(-(2 d_j / h_j)^2) ((1 + n_j . m) / 2)^2
+ *
+ * tells how well the samples bear out a place x of the surface; j: the 24 samples
+ * nearest to x, d_j away, with normals n_j and the spacing h_j around them (as far
+ * as the sixth neighbour), m: the surface's normal at x.  A connected part of the
+ * surface where s exceeds `limit` is left out if it reaches the end of the search
+ * box, or if it is too far from all samples to be a hole between them (`hole`).
+ * Other parts stay: a hole that is closed so is no error.
+ */
+
+typedef struct hrbfnpr_trim_desc {
+    uint32_t struct_size;
+    uint32_t reserved;     /* 0 */
+    double limit;          /* of s, > 0; 1.5.  The surface ends some 0.7 spacings beyond its last samples, with 3
+                              some 0.9 */
+    double hole;           /* >= 0, diagonals; 0.05: holes that nowhere are farther from the samples stay closed */
+    double closest;        /* >= 0, diagonals; 0: no spacing h_j is taken to be less.  For samples that are much denser
+                              than the surface is accurate, such as many points of a mesh: 0.01 leaves out what is more
+                              than about 0.01 diagonals off them */
+    hrbfnpr_array points;  /* FLOAT32 or FLOAT64, 3, finite: the samples; not given = the model's centres.  All points
+                              of a scan tell better than the centres chosen from them where it ends */
+    hrbfnpr_array normals; /* FLOAT32 or FLOAT64, 3: of `points`, as many, not 0, of any length; not given = the
+                              surface's own there */
+} hrbfnpr_trim_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_trim_desc_init(hrbfnpr_trim_desc* desc, uint32_t struct_size);
+
+/* The same model with a surface that ends where its samples do: marks, line sets
+ * and rays of the new model do.  f, projections, curvatures and _contains are
+ * those of `model`, which it keeps.  Trimming a trimmed model begins with the
+ * whole one again.  A surface of which nothing is to be left out stays whole, and
+ * what is made from it is bit for bit that of `model`.
+ * desc NULL = defaults.  operation may be NULL.
+ * A trimmed model cannot be saved: save the whole one.
+ * Errors: INVALID_ARGUMENT (a custom model without points), NOT_CONVERGED (no
+ * part of the surface is near the samples; one sample has no spacing),
+ * OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_trim(const hrbfnpr_model* model, const hrbfnpr_trim_desc* desc,
+                                              hrbfnpr_operation* operation, hrbfnpr_model** out_model,
+                                              hrbfnpr_error* error);
+
+typedef struct hrbfnpr_trim_info {
+    uint32_t struct_size;
+    uint32_t is_trimmed;  /* 1: the surface ends somewhere; 0: it is whole, and all else is 0 but samples, spacing */
+    int64_t samples;      /* that tell where; 0: the model was never trimmed */
+    int64_t parts;        /* of the surface, connected, that are left out */
+    int64_t parts_to_end; /* of these, those that reach the end of the search box: the samples are open there */
+    double share;         /* of the surface's area in the box that is left out, 0 to 1, within some percent */
+    double farthest;      /* place left out from the samples, units of the model */
+    double spacing;       /* of the samples, the median of h_j */
+} hrbfnpr_trim_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_trim_info_init(hrbfnpr_trim_info* info, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* model, hrbfnpr_trim_info* info,
+                                                       hrbfnpr_error* error);
+
 /* Saving and loading.  The stream is little-endian, versioned and checksummed;
  * a loaded model evaluates to the same bits.  A custom model cannot be saved
  * (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
@@ -1141,8 +1203,8 @@ typedef struct hrbfnpr_placement_info {
     int64_t attempted;
     int64_t placed;
     int64_t dropped_not_converged; /* projection ended short of the tolerance */
-    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step; or cut
-                                      off the rest of its stroke by one that was dropped */
+    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step, or beyond the end of a
+                                      trimmed model; or cut off the rest of its stroke by one that was dropped */
     int64_t dropped_degenerate;    /* zero gradient or not finite */
     int64_t dropped_budget;        /* over the layer's budget */
 } hrbfnpr_placement_info;

@@ -142,6 +142,15 @@ hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipsc
     hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, const hrbfnpr_array* points,
     const hrbfnpr_array_out* inside, int64_t* inside_count, hrbfnpr_operation* operation, hrbfnpr_error* error);
+typedef struct hrbfnpr_trim_desc { uint32_t struct_size; uint32_t reserved; double limit; double hole; double closest;
+    hrbfnpr_array points; hrbfnpr_array normals; } hrbfnpr_trim_desc;
+hrbfnpr_status hrbfnpr_trim_desc_init(hrbfnpr_trim_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_trim(const hrbfnpr_model* model, const hrbfnpr_trim_desc* desc,
+    hrbfnpr_operation* operation, hrbfnpr_model** out_model, hrbfnpr_error* error);
+typedef struct hrbfnpr_trim_info { uint32_t struct_size; uint32_t is_trimmed; int64_t samples; int64_t parts;
+    int64_t parts_to_end; double share; double farthest; double spacing; } hrbfnpr_trim_info;
+hrbfnpr_status hrbfnpr_trim_info_init(hrbfnpr_trim_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* model, hrbfnpr_trim_info* info, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write, void* user, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* destination, int64_t capacity, int64_t* size,
     hrbfnpr_error* error);

@@ -27,6 +27,7 @@ BY_HAND = {
     "hrbfnpr_layer_info": "LayerInfo",
     "hrbfnpr_placement_info": "PlacementInfo",
     "hrbfnpr_line_set_info": "LineSetInfo",
+    "hrbfnpr_trim_info": "TrimInfo",
     "hrbfnpr_drawing_info": "DrawingInfo",
     "hrbfnpr_drawing_layer_info": "DrawingLayerInfo",
     "hrbfnpr_mark_identity": "MarkIdentity",

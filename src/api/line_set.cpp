@@ -43,22 +43,6 @@ namespace {
 constexpr double expected_evaluations = 1e6;
 constexpr std::int64_t most_lines = 65536;
 
-// Element by element, all of them finite.
-base::Array<double> finite_numbers(base::Memory& memory, const hrbfnpr_array& array, const char* name, ArrayType type) {
-    base::Array<double> numbers(memory);
-    const base::InView view = in_view(array, name, type);
-    for (std::int64_t i = 0; i < view.count; ++i) {
-        for (std::uint32_t c = 0; c < type.components; ++c) {
-            const double number = view.get(i, c);
-            if (!std::isfinite(number))
-                fail(Status::invalid_argument, "%s[%lld] has %g; numbers must be finite", name,
-                     static_cast<long long>(i), number);
-            numbers.push_back(number);
-        }
-    }
-    return numbers;
-}
-
 // What the requests of a descriptor refer to, until the set is made.
 struct Requests {
     explicit Requests(base::Memory& memory) noexcept : memory_(memory) {}
@@ -155,7 +139,9 @@ struct SupportArrays {
     }
 
     [[nodiscard]] curves::SupportSettings settings(double limit, const hrbfnpr_model& model) const {
-        curves::SupportSettings settings{limit, points.span(), normals.span()};
+        curves::SupportSettings settings{limit, points.span(), normals.span(), nullptr};
+        settings.trim = limit > 0.0 ? nullptr : model.trim().trim.get();
+        if (settings.trim != nullptr) return settings;
         if (const implicit::HrbfData* const data = model.data(); data != nullptr && points.empty()) {
             settings.points = data->sample_position.span();
             settings.normals = data->sample_normal.span();

@@ -18,7 +18,25 @@ static_assert(static_cast<std::uint32_t>(fit::SolverReason::not_definite) == HRB
 static_assert(static_cast<std::uint32_t>(fit::Repair::reorient) == HRBFNPR_REPAIR_REORIENT);
 static_assert(static_cast<std::uint32_t>(fit::RegularizationMode::automatic) == HRBFNPR_REGULARIZATION_AUTO);
 
+hrbfnpr_model::hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr_model& of, generate::FoundTrim&& found)
+    : Child(context), surface(std::in_place_type<std::monostate>), history(context.runtime.memory), whole_(&of.whole()),
+      trim_(std::move(found)) {
+    if (trim_.trim != nullptr) trimmed_.emplace(whole_->implicit(), *trim_.trim);
+    whole_->add_reference();
+}
+
+hrbfnpr_model::~hrbfnpr_model() { api::release_handle(whole_); }
+
+const implicit::Implicit& hrbfnpr_model::trimmed(const implicit::Implicit& prepared) const {
+    if (!trimmed_) return prepared;
+    if (&prepared == &whole_->implicit()) return *trimmed_;
+    const std::scoped_lock lock(preparing_);
+    if (!prepared_trimmed_) prepared_trimmed_.emplace(prepared, *trim_.trim);
+    return *prepared_trimmed_;
+}
+
 const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const base::Progress& progress) const {
+    if (whole_ != nullptr) return trimmed(whole_->implicit_for(evaluations, progress));
     const implicit::HrbfData* const hrbf = data();
     if (hrbf == nullptr || !implicit::Prepared::pays(*hrbf, evaluations)) return implicit();
     {
@@ -246,7 +264,7 @@ hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
     set_box(info.bounds_min, info.bounds_max, model.implicit().bounds());
     const implicit::HrbfData* data = model.data();
     if (data == nullptr) return info;
-    describe_fit(info, model.report);
+    describe_fit(info, model.whole().report);
     info.kernel = static_cast<std::uint32_t>(data->kernel);
     info.polynomial_degree = data->polynomial_degree;
     info.centres = data->count();
@@ -260,7 +278,7 @@ hrbfnpr_array view_of(const hrbfnpr_model& model, std::uint32_t attribute) {
         fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MODEL_ATTRIBUTE_... (0 to 2)",
              attribute);
     if (attribute == HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY)
-        return {model.history.data(), model.history.size(), sizeof(double), HRBFNPR_SCALAR_FLOAT64, 1};
+        return {model.whole().history.data(), model.whole().history.size(), sizeof(double), HRBFNPR_SCALAR_FLOAT64, 1};
     hrbfnpr_array view{nullptr, 0, 3 * sizeof(double), HRBFNPR_SCALAR_FLOAT64, 3};
     if (const implicit::HrbfData* data = model.data()) {
         const bool position = attribute == HRBFNPR_MODEL_ATTRIBUTE_POSITION;

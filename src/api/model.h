@@ -4,13 +4,16 @@
 
 #include "api/handles.h"
 #include "fit/fit.h"
+#include "generate/find_trim.h"
 #include "generate/settings.h"
 #include "implicit/custom.h"
 #include "implicit/hrbf.h"
 #include "implicit/prepared.h"
+#include "implicit/trimmed.h"
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <variant>
 
 struct hrbfnpr_model : hrbfnpr::api::Child {
@@ -18,22 +21,31 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         : Child(context),
           surface(std::in_place_type<hrbfnpr::implicit::Hrbf>, context.runtime.instruction_set, std::move(fit.data)),
           report(fit.report), history(std::move(fit.history)) {}
+    // The same function, whose surface ends where the trim says; null: nowhere else.  Trims of a trimmed model are
+    // of the whole one.
+    hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr_model& of, hrbfnpr::generate::FoundTrim&& found);
+    ~hrbfnpr_model();
     // From here on the caller's release function will be called.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr::implicit::CustomFunction& custom) noexcept
         : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Custom>, custom),
           history(context.runtime.memory) {}
 
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit() const noexcept {
+        if (trimmed_) return *trimmed_;
+        if (whole_ != nullptr) return whole_->implicit();
         if (const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface)) return *hrbf;
         return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
     }
+    // Without its end.
+    [[nodiscard]] const hrbfnpr_model& whole() const noexcept { return whole_ != nullptr ? *whole_ : *this; }
+    [[nodiscard]] const hrbfnpr::generate::FoundTrim& trim() const noexcept { return trim_; }
     // The same function for so many evaluations: prepared for them where that takes less time, which the first such
     // call does.  Any thread.
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit_for(double evaluations,
                                                                   const hrbfnpr::base::Progress& progress) const;
     // nullptr for a custom model.
     [[nodiscard]] const hrbfnpr::implicit::HrbfData* data() const noexcept {
-        const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface);
+        const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&whole().surface);
         return hrbf != nullptr ? &hrbf->data() : nullptr;
     }
     // Empty for a custom model.
@@ -43,11 +55,18 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
                                : hrbfnpr::generate::SampleHint{};
     }
 
-    std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Custom> surface;
+    std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Custom, std::monostate> surface; // nothing: of whole()
+    // Of whole():
     hrbfnpr::fit::FitReport report;
     hrbfnpr::base::Array<double> history; // of a fit's residual; empty for a loaded or custom model
 
 private:
+    [[nodiscard]] const hrbfnpr::implicit::Implicit& trimmed(const hrbfnpr::implicit::Implicit& prepared) const;
+
+    const hrbfnpr_model* whole_ = nullptr; // that it is the same function as
+    hrbfnpr::generate::FoundTrim trim_;
+    std::optional<hrbfnpr::implicit::Trimmed> trimmed_;
+    mutable std::optional<hrbfnpr::implicit::Trimmed> prepared_trimmed_;
     mutable std::mutex preparing_;
     mutable bool tried_ = false; // to prepare
     mutable std::unique_ptr<hrbfnpr::implicit::Prepared> prepared_;

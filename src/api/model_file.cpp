@@ -110,7 +110,10 @@ void save(const hrbfnpr_model& model, io::Writer& writer) {
     const implicit::HrbfData* data = model.data();
     if (data == nullptr)
         fail(Status::invalid_argument, "model is a custom one: its function cannot be saved; only fits can");
-    io::save_model(*data, numbers_of(model.report), writer);
+    if (model.trim().trim != nullptr)
+        fail(Status::invalid_argument, "model is trimmed: files of models do not hold where a surface ends; save the "
+                                       "model that it was trimmed from, and trim it again after loading");
+    io::save_model(*data, numbers_of(model.whole().report), writer);
 }
 
 hrbfnpr_model* load(hrbfnpr_context& context, io::Reader& reader) {

@@ -3,6 +3,7 @@
 
 #include "base/status.h"
 
+#include <cmath>
 #include <limits>
 
 namespace hrbfnpr::api {
@@ -94,6 +95,21 @@ base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType typ
     const base::InView view = in_view(array, name, type);
     if (array.data != nullptr || array.count != 0) check_count(view.count, count, name);
     return view;
+}
+
+base::Array<double> finite_numbers(base::Memory& memory, const hrbfnpr_array& array, const char* name, ArrayType type) {
+    base::Array<double> numbers(memory);
+    const base::InView view = in_view(array, name, type);
+    for (std::int64_t i = 0; i < view.count; ++i) {
+        for (std::uint32_t c = 0; c < type.components; ++c) {
+            const double number = view.get(i, c);
+            if (!std::isfinite(number))
+                fail(Status::invalid_argument, "%s[%lld] has %g; numbers must be finite", name,
+                     static_cast<long long>(i), number);
+            numbers.push_back(number);
+        }
+    }
+    return numbers;
 }
 
 base::OutView out_view(const hrbfnpr_array_out* array, const char* name, ArrayType type, std::int64_t count) {

@@ -2,6 +2,7 @@
 // From hrbfnpr_array to the views that the rooms below take.  Nothing below checks them again.
 #pragma once
 
+#include "base/memory.h"
 #include "base/view.h"
 
 #include <hrbfnpr.h>
@@ -27,6 +28,9 @@ inline constexpr ArrayType number_type{1, float_types};
 [[nodiscard]] base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type);
 // ... of exactly `count` elements, or not given.
 [[nodiscard]] base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type, std::int64_t count);
+// Element by element, all of them finite.
+[[nodiscard]] base::Array<double> finite_numbers(base::Memory& memory, const hrbfnpr_array& array, const char* name,
+                                                 ArrayType type);
 // array may be NULL: not wanted.
 [[nodiscard]] base::OutView out_view(const hrbfnpr_array_out* array, const char* name, ArrayType type,
                                      std::int64_t count);

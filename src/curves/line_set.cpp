@@ -94,10 +94,11 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     const geometry::VecArray seeds = settings.seeds.empty()
                                          ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
                                          : given_seeds(runtime.memory, settings.seeds);
+    const double limit = settings.support.trim != nullptr ? settings.support.trim->limit() : settings.support.limit;
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
         mesh_ = automatic ? of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
                           : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
-        if (support_) clip_mesh(runtime, settings.support.limit, progress);
+        if (support_ != nullptr) clip_mesh(runtime, limit, progress);
         const auto triangles = static_cast<double>(mesh_->triangles());
         const bool thin = static_cast<double>(mesh_->turned) > turned_share * triangles || mesh_->missed_seeds > 0;
         if (!automatic || !thin || 4 * mesh_->triangles() > most_triangles_of_finer) break;
@@ -107,7 +108,7 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
         fail(Status::not_converged,
              "all of the surface lies beyond its samples: give a larger support than %g, or "
              "support_points nearer to the surface",
-             settings.support.limit);
+             limit);
     if (mesh_->triangles() == 0)
         fail(Status::not_converged, "no surface was found to draw lines of: f has no zero near the seeds; give "
                                     "seed_points on the surface");
@@ -125,7 +126,8 @@ void LineSet::measure_support(const base::Runtime& runtime, const SupportSetting
                                {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}}, progress);
     }
     for (std::int64_t i = 0; i < normals.size(); ++i) normals.set(i, glm::normalize(normals[i]));
-    support_.emplace(runtime, points, normals, progress);
+    own_support_.emplace(runtime, points, normals, 0.0, progress);
+    support_ = &*own_support_;
 }
 
 void LineSet::clip_mesh(const base::Runtime& runtime, double limit, const base::Progress& progress) {
@@ -200,9 +202,12 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
     : surface_(surface), source_(std::move(shape)), shaped_(runtime.memory), border_(runtime.memory),
       found_(runtime.memory) {
     const base::Stopwatch watch;
-    if (settings.support.limit > 0.0) measure_support(runtime, settings.support, progress);
+    if (settings.support.trim != nullptr)
+        support_ = &settings.support.trim->support();
+    else if (settings.support.limit > 0.0)
+        measure_support(runtime, settings.support, progress);
     make_mesh(runtime, settings, progress.part(0.0, 0.4));
-    if (!support_) border_ = border_lines(runtime.memory, *mesh_);
+    if (support_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
     bool with_shape = settings.with_shape;
     for (const LineRequest& request : settings.lines)
         with_shape = with_shape || (request.kind != LineKind::own && needs_shape(feature_of(request.kind)));
@@ -223,7 +228,7 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
 
 std::int64_t LineSet::bytes() const noexcept {
     std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shaped_.bytes() + border_.bytes();
-    if (support_) bytes += support_->bytes();
+    if (own_support_) bytes += own_support_->bytes();
     for (const FoundLines& found : found_) bytes += found.lines.bytes();
     return bytes;
 }

@@ -8,6 +8,7 @@
 #include "curves/surface_end.h"
 #include "curves/surface_lines.h"
 #include "curves/surface_mesh.h"
+#include "surface/trim.h"
 
 #include <array>
 #include <memory>
@@ -68,9 +69,10 @@ struct FoundLines {
 
 // Where the surface ends for want of samples.
 struct SupportSettings {
-    double limit = 0.0;              // of s in surface/support.h; 0: the surface goes on to the end of its region
-    std::span<const double> points;  // 3n packed samples; not empty where there is a limit
-    std::span<const double> normals; // of these, unit; empty: those of the surface there
+    double limit = 0.0;                  // of s in surface/support.h; 0: the surface goes on to the end of its region
+    std::span<const double> points;      // 3n packed samples; not empty where there is a limit
+    std::span<const double> normals;     // of these, unit; empty: those of the surface there
+    const surface::Trim* trim = nullptr; // instead of all: where the surface of the model ends; outlives the set
 };
 
 struct LineSetSettings {
@@ -121,7 +123,8 @@ private:
     std::shared_ptr<const void> identity_ = std::make_shared<char>();
     const implicit::Implicit& surface_;
     std::unique_ptr<const implicit::ShapeSource> source_;
-    std::optional<surface::Support> support_;
+    std::optional<surface::Support> own_support_;
+    const surface::Support* support_ = nullptr; // that, or the model's; null: the surface ends at its region
     std::optional<SupportLevel> border_level_;
     std::optional<SurfaceEnd> end_; // of the mesh
     bool border_exact_ = false;

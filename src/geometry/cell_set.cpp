@@ -11,27 +11,33 @@ namespace {
 // The two lowest bits of each coordinate of a packed cell.
 constexpr std::uint64_t in_block = 3U | std::uint64_t{3} << CellGrid::bits | std::uint64_t{3} << (2 * CellGrid::bits);
 
+// The name of a cell's block, and the cell in it.
+std::uint64_t block_of(std::uint64_t packed) noexcept { return (packed & ~in_block) | 1U; }
+std::uint64_t bit_of(std::uint64_t packed) noexcept {
+    return std::uint64_t{1} << morton_code(CellGrid::unpack(packed & in_block));
+}
+
 } // namespace
 
 // Where the block stands, or the free place where it would.
-CellSet::Block& CellSet::place(base::Array<Block>& table, std::uint64_t name) noexcept {
+std::int64_t CellSet::place(const base::Array<Block>& table, std::uint64_t name) noexcept {
     const auto mask = static_cast<std::uint64_t>(table.size() - 1);
     for (std::uint64_t at = mixed_bits(name) & mask;; at = (at + 1) & mask) {
-        Block& block = table[static_cast<std::int64_t>(at)];
-        if (block.name == name || block.name == 0) return block;
+        const auto number = static_cast<std::int64_t>(at);
+        if (table[number].name == name || table[number].name == 0) return number;
     }
 }
 
 void CellSet::grow() {
     base::Array<Block> larger(table_.memory(), std::max<std::int64_t>(64, 2 * table_.size()));
     for (const Block& block : table_)
-        if (block.name != 0) place(larger, block.name) = block;
+        if (block.name != 0) larger[place(larger, block.name)] = block;
     table_ = std::move(larger);
 }
 
 std::uint64_t CellSet::insert(std::uint64_t name, std::uint64_t cells) {
     if (2 * (blocks_ + 1) > table_.size()) grow();
-    Block& block = place(table_, name);
+    Block& block = table_[place(table_, name)];
     if (block.name == 0) {
         block.name = name;
         ++blocks_;
@@ -42,9 +48,10 @@ std::uint64_t CellSet::insert(std::uint64_t name, std::uint64_t cells) {
     return fresh;
 }
 
-bool CellSet::insert(std::uint64_t packed) {
-    const CellGrid::Cell cell = CellGrid::unpack(packed & in_block);
-    return insert((packed & ~in_block) | 1U, std::uint64_t{1} << morton_code(cell)) != 0;
+bool CellSet::insert(std::uint64_t packed) { return insert(block_of(packed), bit_of(packed)) != 0; }
+
+bool CellSet::contains(std::uint64_t packed) const noexcept {
+    return size_ > 0 && (table_[place(table_, block_of(packed))].cells & bit_of(packed)) != 0;
 }
 
 std::uint32_t CellSet::insert_around(const CellGrid::Cell& cell, std::uint32_t wanted) {

@@ -13,6 +13,8 @@ public:
     explicit CellSet(base::Memory& memory) noexcept : table_(memory) {}
 
     [[nodiscard]] std::int64_t size() const noexcept { return size_; }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return table_.bytes(); }
+    [[nodiscard]] bool contains(std::uint64_t packed) const noexcept;
     // Whether the cell was new.
     bool insert(std::uint64_t packed);
     // Of the 27 neighbours, those with their bits set; returns the bits of the new ones.
@@ -24,7 +26,7 @@ private:
         std::uint64_t cells;
     };
 
-    [[nodiscard]] static Block& place(base::Array<Block>& table, std::uint64_t name) noexcept;
+    [[nodiscard]] static std::int64_t place(const base::Array<Block>& table, std::uint64_t name) noexcept;
     // Of these cells of a block the new ones.
     std::uint64_t insert(std::uint64_t name, std::uint64_t cells);
     void grow();

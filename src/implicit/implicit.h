@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "geometry/vec.h"
+#include "implicit/extent.h"
 
 #include <array>
 #include <cstdint>
@@ -55,6 +56,13 @@ public:
 
     // The box that the surface (or its samples) lies in; never empty, finite.
     [[nodiscard]] virtual const geometry::Bounds& bounds() const noexcept = 0;
+
+    // Where the surface ends inside of its bounds; null: nowhere.
+    [[nodiscard]] virtual const Extent* extent() const noexcept { return nullptr; }
+    [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
+        const Extent* const end = extent();
+        return end == nullptr || end->holds(place, gradient);
+    }
 
     // Length scale of tolerances: the diagonal of the bounds, positive even for one sample.
     [[nodiscard]] double diagonal() const noexcept;

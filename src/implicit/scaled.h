@@ -11,18 +11,34 @@ class Scaled final : public Implicit {
 public:
     // `own` lives as long as this.
     Scaled(const Implicit& own, double unit) noexcept
-        : own_(own), unit_(unit), bounds_{own.bounds().min / unit, own.bounds().max / unit} {}
+        : own_(own), unit_(unit), bounds_{own.bounds().min / unit, own.bounds().max / unit}, extent_(own, unit) {}
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return own_.concurrent(); }
     [[nodiscard]] std::int64_t cells() const noexcept override { return own_.cells(); }
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept override { return own_.cell_of(unit_ * p); }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return bounds_; }
+    [[nodiscard]] const Extent* extent() const noexcept override {
+        return own_.extent() != nullptr ? &extent_ : nullptr;
+    }
 
 private:
+    struct ScaledExtent final : Extent {
+        ScaledExtent(const Implicit& of, double by) noexcept : own(of), unit(by) {}
+        [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
+            return own.holds(unit * place, gradient);
+        }
+        [[nodiscard]] bool may_end_near(const glm::dvec3& place, double half) const noexcept override {
+            return own.extent()->may_end_near(unit * place, unit * half);
+        }
+        const Implicit& own;
+        double unit;
+    };
+
     const Implicit& own_;
     double unit_;
     geometry::Bounds bounds_;
+    ScaledExtent extent_;
 };
 
 } // namespace hrbfnpr::implicit

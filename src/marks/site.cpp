@@ -32,6 +32,20 @@ void Settler::settle(double stray_limit, LevelReport& report, const base::Progre
         placed_[i] = 1;
         ++report.placed;
     }
+    drop_beyond_end(report);
+}
+
+// Where the surface is not borne out by its samples.
+void Settler::drop_beyond_end(LevelReport& report) {
+    if (site_.implicit.extent() == nullptr) return;
+    constexpr std::int64_t grain = 256;
+    site_.runtime.parallel.for_chunks(placed_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i)
+            if (placed_[i] != 0 && !site_.implicit.holds(projection_.position[i], projection_.gradient[i]))
+                placed_[i] = beyond;
+    });
+    for (std::int64_t i = 0; i < placed_.size(); ++i)
+        if (placed_[i] == beyond) drop(i, report.dropped_strayed, report);
 }
 
 glm::dvec3 Settler::normal(std::int64_t i) const noexcept { return glm::normalize(projection_.gradient[i]); }

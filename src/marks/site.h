@@ -45,6 +45,10 @@ public:
     geometry::VecArray start; // filled by the caller
 
 private:
+    static constexpr std::uint8_t beyond = 2;
+
+    void drop_beyond_end(LevelReport& report);
+
     const Site& site_;
     surface::Projection projection_;
     base::Array<std::uint8_t> placed_;

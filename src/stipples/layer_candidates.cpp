@@ -163,7 +163,7 @@ Projection* LayerCandidates::land(std::int64_t i, double distance, Projection* t
     std::uint32_t ticket = trial_ticket_[i];
     for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(projections_of_point_); ++k) {
         const std::int32_t cell = cell_of(at);
-        if (cell < 0)
+        if (cell < 0 || !site_.implicit.holds(at, normal))
             ++strayed;
         else if (kind_[cell] != CellKind::flat)
             *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), bits,
@@ -245,7 +245,7 @@ void LayerCandidates::step_down_again(std::int64_t first, const base::Progress& 
             const bool near = std::abs(distance) <= cells_.band;
             const glm::dvec3 normal = near ? glm::normalize(field_.gradient[k]) : glm::dvec3(0.0);
             const glm::dvec3 at = near ? trial_[k] - distance * normal : trial_[k];
-            const std::int32_t cell = near ? cell_of(at) : -1;
+            const std::int32_t cell = near && site_.implicit.holds(at, normal) ? cell_of(at) : -1;
             if (cell < 0 || kind_[cell] == CellKind::flat) {
                 strayed_ += cell < 0 ? 1 : 0;
                 projection.cell = -1; // it is no candidate after all

@@ -57,6 +57,9 @@ PlaneCandidates::Judged PlaneCandidates::judge(const SurfaceCell& cell, CellNeig
     const double side = cells_.grid.side;
     const glm::dvec3 along = glm::abs(cell.normal);
     if (std::isnan(cell.distance)) return {CellKind::bent, 0.0F};
+    if (const implicit::Extent* const extent = site_.implicit.extent(); extent != nullptr)
+        if (extent->may_end_near(cells_.grid.centre(geometry::morton_cell(cell.code)), 0.5 * side))
+            return {CellKind::bent, 0.0F};
     if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + clearly))
         return {CellKind::clear, 0.0F};
     around.go_to(cell.code);

@@ -87,6 +87,8 @@ Flood::Judged Flood::judge(std::int64_t i, bool first) const noexcept {
         judged.cell.distance = distance;
         judged.cell.normal = glm::normalize(field_.gradient[i]);
     }
+    // Nor beyond the end of a surface that is trimmed.
+    if (near && !site_.implicit.holds(centre_[i] - distance * judged.cell.normal, judged.cell.normal)) return judged;
     if (seeded || std::abs(distance) <= cells_.half_diagonal())
         judged.onward =
             onward(place, judged.cell, !(std::abs(front_[i].expected - distance) <= trusted * cells_.grid.side));

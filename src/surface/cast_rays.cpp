@@ -199,6 +199,10 @@ void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) noexcept {
 
 void Batch::hit(std::size_t i, double s, const glm::dvec3& g) noexcept {
     Ray& ray = rays_[i];
+    if (!implicit_.holds(ray.start + s * ray.direction, g)) { // f changes its sign, but there is no surface
+        ray.inside = !ray.inside;
+        return go_on(i, ray.behind, ray.behind_value);
+    }
     const std::int64_t at = (begin_ + static_cast<std::int64_t>(i)) * settings_.maximum_hits + ray.hits++;
     const double slope = glm::length(g);
     hits_.t[at] = std::clamp((ray.offset + s) / ray.length, settings_.t_min, settings_.t_max);

@@ -15,6 +15,8 @@ namespace {
 constexpr std::int64_t sixth = 6;
 constexpr std::int64_t around = 17;
 constexpr std::int64_t grain = 64;
+// Of the limit: s where the surface goes on whatever the samples say.
+constexpr double borne_out = 0.9;
 
 double distance_to_sixth(const geometry::VecArray& position, const geometry::Neighbours& neighbours, std::int64_t i) {
     const std::int64_t last = std::min(sixth, neighbours.each()) - 1;
@@ -46,14 +48,34 @@ struct Support::Near {
 };
 
 Support::Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
-                 const base::Progress& progress)
+                 double closest, const base::Progress& progress)
     : tree_(position, progress), normal_(position.memory(), position.size()),
-      sharpness_(position.memory(), position.size()) {
+      sharpness_(position.memory(), position.size()), ends_(position.memory()) {
     for (std::int64_t at = 0; at < tree_.size(); ++at) normal_.set(at, normal[tree_.index(at)]);
-    measure_spacing(runtime, progress);
+    measure_spacing(runtime, closest, progress);
 }
 
-void Support::measure_spacing(const base::Runtime& runtime, const base::Progress& progress) {
+void Support::end_only_in(const geometry::CellGrid& grid, geometry::CellSet cells, double limit) {
+    grid_ = grid;
+    ends_ = std::move(cells);
+    limit_ = limit;
+}
+
+bool Support::may_end_near(const glm::dvec3& place, double half) const noexcept {
+    constexpr std::int64_t most = 8; // cells along an axis that are looked at
+    if (!(limit_ > 0.0)) return true;
+    const geometry::CellGrid::Cell low = grid_.cell_of(place - half);
+    const geometry::CellGrid::Cell high = grid_.cell_of(place + half);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (high[axis] - low[axis] > most) return true;
+    for (std::int64_t z = low[2]; z <= high[2]; ++z)
+        for (std::int64_t y = low[1]; y <= high[1]; ++y)
+            for (std::int64_t x = low[0]; x <= high[0]; ++x)
+                if (ends_.contains(geometry::CellGrid::pack({x, y, z}))) return true;
+    return false;
+}
+
+void Support::measure_spacing(const base::Runtime& runtime, double closest, const base::Progress& progress) {
     const geometry::VecArray& position = tree_.points();
     const std::int64_t count = position.size();
     const geometry::Neighbours neighbours(runtime.parallel, position, around, progress);
@@ -66,7 +88,7 @@ void Support::measure_spacing(const base::Runtime& runtime, const base::Progress
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
             const double h = neighbours.each() > 0 ? own_and_median(distance, neighbours.of(i), i) : smallest;
-            sharpness_[i] = 4.0 / (h * h);
+            sharpness_[i] = 4.0 / std::pow(std::max(h, closest), 2.0);
         }
     });
 }
@@ -89,15 +111,37 @@ Support::Near Support::look(const glm::dvec3& place, const glm::dvec3& normal) c
 
 double Support::value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
     const Near near = look(place, glm::normalize(gradient));
-    return near.sum > 0.0 ? near.least - std::log(near.sum) : std::numeric_limits<double>::infinity();
+    const double s = near.sum > 0.0 ? near.least - std::log(near.sum) : std::numeric_limits<double>::infinity();
+    return s < limit_ || may_end_at(place) ? s : borne_out * limit_;
+}
+
+Support::Nearest Support::nearest_sample(const glm::dvec3& place) const noexcept {
+    std::int64_t at = 0;
+    const auto any = [](std::int64_t) { return true; };
+    if (tree_.nearest(place, 1, any, any, &at) == 0) return {std::numeric_limits<double>::infinity(), 0.0};
+    return {glm::distance(place, tree_.points()[at]), 2.0 / std::sqrt(sharpness_[at])};
+}
+
+double Support::median_spacing() const {
+    base::Array<double> all(sharpness_.memory());
+    for (const double sharpness : sharpness_) all.push_back(2.0 / std::sqrt(sharpness));
+    std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
+    return all[all.size() / 2];
 }
 
 Support::Answer Support::evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
     const glm::dvec3 normal = glm::normalize(gradient);
     const Near near = look(place, normal);
     Answer answer{std::numeric_limits<double>::infinity(), glm::dvec3(0.0), glm::dvec3(0.0)};
-    if (!(near.sum > 0.0)) return answer;
+    if (!(near.sum > 0.0)) {
+        if (!may_end_at(place)) answer.value = borne_out * limit_;
+        return answer;
+    }
     answer.value = near.least - std::log(near.sum);
+    if (answer.value >= limit_ && !may_end_at(place)) {
+        answer.value = borne_out * limit_;
+        return answer;
+    }
     for (std::size_t k = 0; k < near.count; ++k) {
         if (!(near.facing[k] > 0.0)) continue;
         const std::int64_t j = near.at[k];
@@ -120,7 +164,7 @@ void Support::evaluate_all(const base::Runtime& runtime, const geometry::VecArra
 }
 
 std::int64_t Support::bytes() const noexcept {
-    return tree_.points().bytes() + normal_.bytes() + sharpness_.bytes() +
+    return tree_.points().bytes() + normal_.bytes() + sharpness_.bytes() + ends_.bytes() +
            tree_.nodes() * static_cast<std::int64_t>(sizeof(geometry::Bounds) + sizeof(std::int64_t));
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/operation.h"
 #include "base/runtime.h"
+#include "geometry/cell_set.h"
 #include "geometry/point_tree.h"
 #include "geometry/vec_array.h"
 
@@ -28,9 +29,18 @@ public:
         glm::dvec3 by_normal; // by the normal, perpendicular to it
     };
 
-    // position and normal (unit) of the same samples, one or more.
+    // position and normal (unit) of the same samples, one or more.  No spacing is taken to be less than the closest:
+    // what a dense sample of a shape shall bear out is as near to it as that, and not as its samples to each other.
     Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
-            const base::Progress& progress);
+            double closest, const base::Progress& progress);
+
+    // From here on s is below `limit` but in these cells: holes that shall stay closed are.
+    void end_only_in(const geometry::CellGrid& grid, geometry::CellSet cells, double limit);
+    [[nodiscard]] bool may_end_at(const glm::dvec3& place) const noexcept {
+        return !(limit_ > 0.0) || ends_.contains(geometry::CellGrid::pack(grid_.cell_of(place)));
+    }
+    // Whether it may end in a cube around the place.
+    [[nodiscard]] bool may_end_near(const glm::dvec3& place, double half) const noexcept;
 
     // On the calling thread; const, for any number of threads.
     [[nodiscard]] double value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
@@ -39,18 +49,28 @@ public:
     void evaluate_all(const base::Runtime& runtime, const geometry::VecArray& place, const geometry::VecArray& gradient,
                       base::Array<double>& value, const base::Progress& progress) const;
 
+    // How far it is to the nearest sample, and the spacing there.
+    struct Nearest {
+        double distance, spacing;
+    };
+    [[nodiscard]] Nearest nearest_sample(const glm::dvec3& place) const noexcept;
+    [[nodiscard]] double median_spacing() const;
+
     [[nodiscard]] std::int64_t samples() const noexcept { return tree_.size(); }
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
     struct Near;
 
-    void measure_spacing(const base::Runtime& runtime, const base::Progress& progress);
+    void measure_spacing(const base::Runtime& runtime, double closest, const base::Progress& progress);
     [[nodiscard]] Near look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
 
     geometry::PointTree tree_;
     geometry::VecArray normal_;     // in the tree's order, as the next
     base::Array<double> sharpness_; // (2 / h)^2
+    geometry::CellGrid grid_;
+    geometry::CellSet ends_; // where the surface may end, if there is a limit
+    double limit_ = 0.0;
 };
 
 } // namespace hrbfnpr::surface

@@ -66,6 +66,31 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void AModelCanBeTrimmed()
+        {
+            Assert.Equal(0L, model.TrimInfo.Samples);
+            using (Model closed = model.Trim())
+            {
+                Assert.False(closed.TrimInfo.IsTrimmed);
+                Assert.True(closed.TrimInfo.Samples > 0 && closed.TrimInfo.Spacing > 0);
+            }
+            var cap = new double[] { 0, 0, 1, 0.3, 0, 0.95, -0.3, 0, 0.95, 0, 0.3, 0.95, 0, -0.3, 0.95 };
+            using (Model open = model.Trim(new TrimOptions { Points = cap, Normals = cap }))
+            using (LineSet some = open.LineSet())
+            {
+                TrimInfo info = open.TrimInfo;
+                Assert.True(info.IsTrimmed && info.Farthest > 1);
+                Assert.Equal(5L, info.Samples);
+                Assert.Equal(1L, info.Parts);
+                Assert.Equal(0L, info.PartsToEnd);
+                Assert.InRange(info.Share, 0.5, 0.99);
+                Assert.Equal(1L, some.Info.Borders);
+                Assert.Throws<InvalidArgumentException>(() => open.ToBytes());
+            }
+            Assert.Throws<InvalidArgumentException>(() => model.Trim(new TrimOptions { Limit = 0 }));
+        }
+
+        [Fact]
         public void ContoursAreStrokesOfALayerOfTheirOwn()
         {
             using (Drawing drawing = renderer.Draw(With(silhouette), camera))

@@ -85,6 +85,7 @@ def test_dataclasses_hold_every_field_of_their_structs():
         "hrbfnpr_placement_info": hrbfnpr.PlacementInfo,
         "hrbfnpr_drawing_info": hrbfnpr.DrawingInfo,
         "hrbfnpr_line_set_info": hrbfnpr.LineSetInfo,
+        "hrbfnpr_trim_info": hrbfnpr.TrimInfo,
         "hrbfnpr_drawing_layer_info": hrbfnpr.DrawingLayerInfo,
         "hrbfnpr_mark_identity": hrbfnpr.MarkIdentity,
     }

@@ -117,7 +117,8 @@ TEST(Candidates, DoNotDependOnWhatMemoryHeld) {
 
 // A part of them, by tickets, is spread like all.
 TEST(PlaneCandidates, APartByTicketsIsSpreadLikeAll) {
-    Cover cover(Sphere(), {1.0, 0.0, 0.0}, 0.05);
+    const Sphere sphere;
+    Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
     Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples, {});
     for (const double share : {0.5, 0.1, 0.01}) {
         const auto limit = static_cast<std::uint64_t>(share * 4294967296.0);

@@ -21,6 +21,7 @@ Support support_of(const base::Runtime& runtime, const PartSamples& samples) {
     return {runtime,
             PartSamples::unpacked(runtime.memory, samples.points),
             PartSamples::unpacked(runtime.memory, samples.normals),
+            0.0,
             {}};
 }
 

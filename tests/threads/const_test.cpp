@@ -212,6 +212,19 @@ void add_point_sets(std::map<std::string, Call>& calls) {
             hrbfnpr_point_set_step_patches(s.context.get(), s.model.get(), nullptr, &corners, nullptr, nullptr, error);
         result.add(corner);
     });
+    CALL(hrbfnpr_model_trim) {
+        hrbfnpr_model* trimmed = nullptr;
+        status = hrbfnpr_model_trim(s.model.get(), nullptr, nullptr, &trimmed, error);
+        const Model owned(trimmed);
+        auto info = made(hrbfnpr_trim_info_init);
+        if (trimmed != nullptr) static_cast<void>(hrbfnpr_model_get_trim_info(trimmed, &info, error));
+        result.add(info);
+    });
+    CALL(hrbfnpr_model_get_trim_info) {
+        auto info = made(hrbfnpr_trim_info_init);
+        status = hrbfnpr_model_get_trim_info(s.model.get(), &info, error);
+        result.add(info);
+    });
     CALL(hrbfnpr_line_set_create) {
         hrbfnpr_line_set* lines = nullptr;
         status = hrbfnpr_line_set_create(s.context.get(), s.model.get(), nullptr, nullptr, &lines, error);

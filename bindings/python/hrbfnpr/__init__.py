@@ -53,6 +53,7 @@ from ._point_set import PointSet, StepPatches
 from ._point_set_info import LayerInfo, PlacementInfo, PointSetInfo
 from ._renderer import Item, Renderer
 from ._style import LayerStyle, Style
+from ._trim import TrimInfo
 
 __version__: str = _ffi.string(_lib.hrbfnpr_version_string()).decode()
 
@@ -64,7 +65,7 @@ __all__ = [
     "MarkIdentity", "MarkLayer",
     "MarkResults", "Model", "ModelInfo", "NotConvergedError", "Operation", "OutOfMemoryError",
     "OwnLayer", "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits",
-    "Renderer", "SingularSystemError", "StepPatches", "StreamError", "Style",
+    "Renderer", "SingularSystemError", "StepPatches", "StreamError", "Style", "TrimInfo",
     "UnsupportedStructError", "VersionMismatchError", "Vertices", "build_info", "default_context",
     "library_path", "preset_layers", "set_default_context",
 ]  # fmt: skip

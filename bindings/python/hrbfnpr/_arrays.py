@@ -264,3 +264,11 @@ def vector(argument: str, value: Any, length: int = 3) -> List[float]:
 def scalar(values: Array, shape: Tuple[int, ...]) -> Any:
     """A number for a single point."""
     return values[()] if np is not None and shape == () else values
+
+def float_code(dtype: Any) -> str:
+    """Of the names and types that stand for double and single precision."""
+    name = dtype if isinstance(dtype, str) else np.dtype(dtype).name
+    codes = {"float64": "d", "float32": "f", "d": "d", "f": "f"}
+    if name not in codes:
+        raise ValueError(f"dtype must be 'float64' or 'float32', not {dtype!r}")
+    return codes[name]

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Callable, Optional, Tuple, Union
 
 from . import _streams
-from ._arrays import Array, block_in, output, output_field, scalar, vector, wrap
+from ._arrays import Array, block_in, float_code, output, output_field, scalar, vector, wrap
 from ._callbacks import CallbackState, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
 from ._function import FunctionState, on_evaluate, on_release
-from ._handles import Owner, own
+from ._handles import own
 from ._library import ffi, lib
 from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits, Vector
 from ._names import KERNELS, REPAIRS, SOLVER_REASONS, SOLVERS, name_of, number_of
@@ -18,6 +18,7 @@ from ._numpy import np
 from ._operation import Operation, Progress, running
 from ._rays import HitArrays, pairs
 from ._structs import read_struct
+from ._trim import Trimming
 
 if TYPE_CHECKING:
     from ._layer import LayersToMake
@@ -30,7 +31,7 @@ def _load(data: bytes) -> Model:
     return Model.load(data)
 
 
-class Model(Owner):
+class Model(Trimming):
     """An implicit surface: f < 0 inside, f > 0 outside, with a gradient near 1 at the surface [NPAR 4].
 
     Immutable: any number of threads may use one model at a time.  Made by `fit`, `from_function` or
@@ -222,7 +223,7 @@ class Model(Owner):
             value (...), gradient (..., 3) or None, hessian (..., 6) or None: xx xy xz yy yz zz.
         """
         block = block_in("points", points)
-        code = _float_code(dtype)
+        code = float_code(dtype)
         wanted = (1, 3 if gradient else 0, 6 if hessian else 0)
         if out is not None:
             wanted = tuple(0 if given is None else n for given, n in zip(out, (1, 3, 6)))  # type: ignore[assignment]
@@ -273,7 +274,7 @@ class Model(Owner):
         desc = new_struct("hrbfnpr_project_desc")
         desc.evaluation_limit, desc.tolerance = evaluation_limit, tolerance
         desc.armijo_slope, desc.armijo_factor = armijo_slope, armijo_factor
-        code = _float_code(dtype)
+        code = float_code(dtype)
         result, error = new_struct("hrbfnpr_projection"), new_error()
         position = output_field(result, "position", block.shape, 3, code)
         normal = output_field(result, "normal", block.shape, 3, code)
@@ -306,7 +307,7 @@ class Model(Owner):
             in [0, 1]: 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
         """
         block = block_in("points", points)
-        code = _float_code(dtype)
+        code = float_code(dtype)
         result, error = new_struct("hrbfnpr_curvature"), new_error()
         sizes = zip(Curvature._fields, (1, 1, 3, 3, 1))
         k1, k2, d1, d2, confidence = (output_field(result, name, block.shape, size, code) for name, size in sizes)
@@ -370,7 +371,7 @@ class Model(Owner):
         desc.maximum_hits, desc.evaluation_limit = room, evaluation_limit
         desc.t_min, desc.t_max, desc.lipschitz = t_min, t_max, lipschitz
         desc.smallest_step, desc.tolerance = smallest_step, tolerance
-        made = HitArrays(start.count, max(room, 0), _float_code(dtype))
+        made = HitArrays(start.count, max(room, 0), float_code(dtype))
         error = new_error()
         with running(operation, progress, self._context) as (handle, state):
             status = lib.hrbfnpr_model_cast_rays(
@@ -490,11 +491,3 @@ class Model(Owner):
 
     def _check(self, status: int, error: Any, state: CallbackState) -> None:
         check(status, error, state, shared=self._function)
-
-
-def _float_code(dtype: Any) -> str:
-    name = dtype if isinstance(dtype, str) else np.dtype(dtype).name
-    codes = {"float64": "d", "float32": "f", "d": "d", "f": "f"}
-    if name not in codes:
-        raise ValueError(f"dtype must be 'float64' or 'float32', not {dtype!r}")
-    return codes[name]

@@ -145,6 +145,20 @@ namespace HrbfNpr
             hrbfnpr_array* inside, long* inside_count, OperationHandle operation, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_trim_desc_init(hrbfnpr_trim_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_trim(ModelHandle model, hrbfnpr_trim_desc* desc,
+            OperationHandle operation, out IntPtr out_model, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_trim_info_init(TrimInfo* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_get_trim_info(ModelHandle model, TrimInfo* info,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_model_save(ModelHandle model, IntPtr write, IntPtr user,
             hrbfnpr_error* error);
 

@@ -161,6 +161,18 @@ namespace HrbfNpr
         internal long hit_rays;
     }
 
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_trim_desc")]
+    internal unsafe struct hrbfnpr_trim_desc
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal double limit;
+        internal double hole;
+        internal double closest;
+        internal hrbfnpr_array points;
+        internal hrbfnpr_array normals;
+    }
+
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_desc")]
     internal unsafe struct hrbfnpr_layer_desc
     {

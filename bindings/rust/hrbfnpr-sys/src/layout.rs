@@ -284,6 +284,39 @@ const _: () = {
 };
 
 const _: () = {
+    assert!(size_of::<hrbfnpr_trim_desc>() == either(96, 96, 88));
+    assert!(align_of::<hrbfnpr_trim_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_trim_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_trim_desc, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_trim_desc, limit) == 8);
+    assert!(offset_of!(hrbfnpr_trim_desc, hole) == 16);
+    assert!(offset_of!(hrbfnpr_trim_desc, closest) == 24);
+    assert!(offset_of!(hrbfnpr_trim_desc, points) == 32);
+    assert!(offset_of!(hrbfnpr_trim_desc, normals) == either(64, 64, 60));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_trim_info>() == 56);
+    assert!(align_of::<hrbfnpr_trim_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_trim_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_trim_info, is_trimmed) == 4);
+    assert!(offset_of!(hrbfnpr_trim_info, samples) == 8);
+    assert!(offset_of!(hrbfnpr_trim_info, parts) == 16);
+    assert!(offset_of!(hrbfnpr_trim_info, parts_to_end) == 24);
+    assert!(offset_of!(hrbfnpr_trim_info, share) == 32);
+    assert!(offset_of!(hrbfnpr_trim_info, farthest) == 40);
+    assert!(offset_of!(hrbfnpr_trim_info, spacing) == 48);
+};
+
+const _: () = {
     assert!(size_of::<hrbfnpr_layer_desc>() == either(224, 208, 204));
     assert!(align_of::<hrbfnpr_layer_desc>() == either(8, 8, 4));
 };

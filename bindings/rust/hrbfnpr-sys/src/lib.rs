@@ -97,6 +97,22 @@
 //!
 //! Streams, for saving and loading.  Both run on the thread that entered.
 //!
+//! # MODEL: an implicit surface f = 0, immutable [NPAR 4]
+//!
+//! --------------------------------------------------------------------------
+//! Where a surface ends.  A fitted surface goes on where its samples end: that of
+//! one view of a scan, or of a terrain, to the end of the search box; and it may
+//! grow sheets where no sample ever was.  Trimming leaves these out:
+//!
+//!     s(x) = -ln sum_j exp(-(2 d_j / h_j)^2) ((1 + n_j . m) / 2)^2
+//!
+//! tells how well the samples bear out a place x of the surface; j: the 24 samples
+//! nearest to x, d_j away, with normals n_j and the spacing h_j around them (as far
+//! as the sixth neighbour), m: the surface's normal at x.  A connected part of the
+//! surface where s exceeds `limit` is left out if it reaches the end of the search
+//! box, or if it is too far from all samples to be a hole between them (`hole`).
+//! Other parts stay: a hole that is closed so is no error.
+//!
 //! # POINT SET: layers of marks on a surface, immutable [NPAR 4.2, 5]
 //!
 //! A point set is a list of layers.  A layer is a list of marks of one kind,
@@ -1056,6 +1072,78 @@ extern "C" {
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_trim_desc {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// of s, > 0; 1.5. The surface ends some 0.7 spacings beyond its last samples, with 3 some 0.9
+    pub limit: f64,
+    /// >= 0, diagonals; 0.05: holes that nowhere are farther from the samples stay closed
+    pub hole: f64,
+    /// >= 0, diagonals; 0: no spacing h_j is taken to be less. For samples that are much denser
+    /// than the surface is accurate, such as many points of a mesh: 0.01 leaves out what is more
+    /// than about 0.01 diagonals off them
+    pub closest: f64,
+    /// FLOAT32 or FLOAT64, 3, finite: the samples; not given = the model's centres. All points of
+    /// a scan tell better than the centres chosen from them where it ends
+    pub points: hrbfnpr_array,
+    /// FLOAT32 or FLOAT64, 3: of `points`, as many, not 0, of any length; not given = the
+    /// surface's own there
+    pub normals: hrbfnpr_array,
+}
+
+extern "C" {
+    pub fn hrbfnpr_trim_desc_init(desc: *mut hrbfnpr_trim_desc, struct_size: u32) -> hrbfnpr_status;
+    /// The same model with a surface that ends where its samples do: marks, line sets
+    /// and rays of the new model do.  f, projections, curvatures and _contains are
+    /// those of `model`, which it keeps.  Trimming a trimmed model begins with the
+    /// whole one again.  A surface of which nothing is to be left out stays whole, and
+    /// what is made from it is bit for bit that of `model`.
+    /// desc NULL = defaults.  operation may be NULL.
+    /// A trimmed model cannot be saved: save the whole one.
+    /// Errors: INVALID_ARGUMENT (a custom model without points), NOT_CONVERGED (no
+    /// part of the surface is near the samples; one sample has no spacing),
+    /// OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    pub fn hrbfnpr_model_trim(
+        model: *const hrbfnpr_model,
+        desc: *const hrbfnpr_trim_desc,
+        operation: *mut hrbfnpr_operation,
+        out_model: *mut *mut hrbfnpr_model,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_trim_info {
+    pub struct_size: u32,
+    /// 1: the surface ends somewhere; 0: it is whole, and all else is 0 but samples, spacing
+    pub is_trimmed: u32,
+    /// that tell where; 0: the model was never trimmed
+    pub samples: i64,
+    /// of the surface, connected, that are left out
+    pub parts: i64,
+    /// of these, those that reach the end of the search box: the samples are open there
+    pub parts_to_end: i64,
+    /// of the surface's area in the box that is left out, 0 to 1, within some percent
+    pub share: f64,
+    /// place left out from the samples, units of the model
+    pub farthest: f64,
+    /// of the samples, the median of h_j
+    pub spacing: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_trim_info_init(info: *mut hrbfnpr_trim_info, struct_size: u32) -> hrbfnpr_status;
+    pub fn hrbfnpr_model_get_trim_info(
+        model: *const hrbfnpr_model,
+        info: *mut hrbfnpr_trim_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
     /// Saving and loading.  The stream is little-endian, versioned and checksummed;
     /// a loaded model evaluates to the same bits.  A custom model cannot be saved
     /// (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
@@ -1578,8 +1666,8 @@ pub struct hrbfnpr_placement_info {
     pub placed: i64,
     /// projection ended short of the tolerance
     pub dropped_not_converged: i64,
-    /// landed farther away than a cell diagonal or the step; or cut off the rest of its stroke by
-    /// one that was dropped
+    /// landed farther away than a cell diagonal or the step, or beyond the end of a trimmed
+    /// model; or cut off the rest of its stroke by one that was dropped
     pub dropped_strayed: i64,
     /// zero gradient or not finite
     pub dropped_degenerate: i64,

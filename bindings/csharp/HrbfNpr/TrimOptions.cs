@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+namespace HrbfNpr
+{
+    /// <summary>How a model is trimmed; a new one holds all defaults.</summary>
+    public sealed class TrimOptions
+    {
+        /// <summary>
+        /// The surface ends where s(x) = -ln sum_j exp(-(2 d_j / h_j)^2) ((1 + n_j . m) / 2)^2 exceeds this; j: the 24
+        /// samples nearest to x, d_j away, with normals n_j and the spacing h_j around them, m: the normal at x.  0.001
+        /// to 1000; 1.5 ends it some 0.7 spacings beyond the last samples.
+        /// </summary>
+        public double Limit { get; set; } = 1.5;
+
+        /// <summary>
+        /// Holes that nowhere are farther from the samples than so many diagonals stay closed; 0 or more, 0.05.
+        /// </summary>
+        public double Hole { get; set; } = 0.05;
+
+        /// <summary>
+        /// Diagonals, 0 to 1: spacings are taken to be at least this; 0.  For many points of a mesh, of which 0.01
+        /// leaves out what is more than about 0.01 diagonals off them.
+        /// </summary>
+        public double Closest { get; set; }
+
+        /// <summary>n points, float or double: the samples; if not given, the model's centres.</summary>
+        public ArrayView Points { get; set; }
+
+        /// <summary>Of <see cref="Points"/>, of any length; if not given, those of the surface there.</summary>
+        public ArrayView Normals { get; set; }
+
+        internal unsafe void Write(hrbfnpr_trim_desc* desc, Pins pins)
+        {
+            Errors.Check(NativeMethods.hrbfnpr_trim_desc_init(desc, (uint)sizeof(hrbfnpr_trim_desc)));
+            desc->limit = Limit;
+            desc->hole = Hole;
+            desc->closest = Closest;
+            desc->points = Points.ToNative(pins, 3, nameof(Points));
+            desc->normals = Normals.ToNative(pins, 3, nameof(Normals));
+        }
+    }
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "api/barrier.h"
+#include "api/descriptor.h"
+#include "api/fields.h"
+#include "api/lists.h"
+#include "api/model.h"
+#include "api/operation.h"
+#include "api/views.h"
+#include "implicit/evaluate_all.h"
+
+using namespace hrbfnpr;
+
+namespace hrbfnpr::api {
+namespace {
+
+using Trim = hrbfnpr_trim_desc;
+
+constexpr auto trim_fields() noexcept {
+    using generate::TrimSettings;
+    return FieldTable{field("reserved", &Trim::reserved, rule::OneOf{0, "0"}),
+                      field("limit", &Trim::limit, &TrimSettings::limit, rule::Between{1e-3, 1e3}),
+                      field("hole", &Trim::hole, &TrimSettings::hole, rule::AtLeast{0.0}),
+                      field("closest", &Trim::closest, &TrimSettings::closest, rule::Between{0.0, 1.0}),
+                      field("points", &Trim::points, rule::Any{}),
+                      field("normals", &Trim::normals, rule::Any{})};
+}
+static_assert(trim_fields().covers<Trim>());
+
+} // namespace
+
+template <>
+hrbfnpr_trim_desc defaults() noexcept {
+    hrbfnpr_trim_desc desc{};
+    trim_fields().set_defaults(generate::TrimSettings{}, desc);
+    return desc;
+}
+
+template <>
+hrbfnpr_trim_info defaults() noexcept {
+    return {};
+}
+
+namespace {
+
+geometry::VecArray vectors(base::Memory& memory, std::span<const double> numbers) {
+    geometry::VecArray all(memory);
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) all.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    return all;
+}
+
+geometry::VecArray points_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc& desc) {
+    base::Memory& memory = model.runtime().memory;
+    const base::Array<double> given = finite_numbers(memory, desc.points, "trim_desc.points", points_type);
+    if (!given.empty()) return vectors(memory, given.span());
+    const implicit::HrbfData* const data = model.data();
+    if (data == nullptr)
+        fail(Status::invalid_argument, "trim_desc.points is empty and a custom model has no samples; give some");
+    return vectors(memory, data->sample_position.span());
+}
+
+// Normals that nobody gave are the samples', or the surface's own.
+geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc& desc,
+                              const geometry::VecArray& points, const base::Progress& progress) {
+    base::Memory& memory = model.runtime().memory;
+    const base::Array<double> given = finite_numbers(memory, desc.normals, "trim_desc.normals", points_type);
+    geometry::VecArray normals = vectors(memory, given.span());
+    if (!given.empty() && normals.size() != points.size())
+        fail(Status::invalid_argument, "trim_desc.normals has %lld elements; it must have as many as points, %lld",
+             static_cast<long long>(normals.size()), static_cast<long long>(points.size()));
+    if (normals.empty() && desc.points.count == 0) normals = vectors(memory, model.data()->sample_normal.span());
+    if (normals.empty()) {
+        normals.resize(points.size());
+        implicit::evaluate_all(model.runtime(), model.implicit_for(static_cast<double>(points.size()), progress),
+                               points, {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}}, progress);
+    }
+    for (std::int64_t i = 0; i < normals.size(); ++i) {
+        if (!(glm::length(normals[i]) > 0.0))
+            fail(Status::invalid_argument, "trim_desc.normals[%lld] is 0; normals must have a direction",
+                 static_cast<long long>(i));
+        normals.set(i, glm::normalize(normals[i]));
+    }
+    return normals;
+}
+
+void log_trim(const base::Runtime& runtime, const generate::TrimReport& report) {
+    if (report.parts == 0) return;
+    runtime.log(base::LogLevel::info,
+                "trim: %lld parts, %.1f %% of the surface, are beyond the samples and left out; %lld of them reach the "
+                "end of the search box",
+                static_cast<long long>(report.parts), 100.0 * report.share,
+                static_cast<long long>(report.parts_to_end));
+}
+
+hrbfnpr_model* trim(const hrbfnpr_model& given, const hrbfnpr_trim_desc& desc, hrbfnpr_operation* operation) {
+    constexpr double evaluations = 2e5;
+    trim_fields().check("trim_desc", desc);
+    generate::TrimSettings settings;
+    trim_fields().copy(desc, settings);
+    const hrbfnpr_model& whole = given.whole();
+    const OperationUse use(operation);
+    const geometry::VecArray points = points_of(whole, desc);
+    const geometry::VecArray normals = normals_of(whole, desc, points, use.progress().part(0.0, 0.1));
+    const base::Runtime& runtime = whole.runtime();
+    generate::FoundTrim found =
+        generate::find_trim(runtime, whole.implicit_for(evaluations, use.progress().part(0.1, 0.3)), points, normals,
+                            settings, use.progress().part(0.3, 1.0));
+    use.finish();
+    log_trim(runtime, found.report);
+    return make_handle<hrbfnpr_model>(whole.context(), whole, std::move(found));
+}
+
+hrbfnpr_trim_info describe(const hrbfnpr_model& model) noexcept {
+    const generate::FoundTrim& found = model.trim();
+    hrbfnpr_trim_info info{};
+    info.is_trimmed = found.trim != nullptr ? 1 : 0;
+    info.samples = found.report.samples;
+    info.parts = found.report.parts;
+    info.parts_to_end = found.report.parts_to_end;
+    info.share = found.report.share;
+    info.farthest = found.report.farthest;
+    info.spacing = found.report.spacing;
+    return info;
+}
+
+} // namespace
+} // namespace hrbfnpr::api
+
+extern "C" {
+
+hrbfnpr_status hrbfnpr_trim_desc_init(hrbfnpr_trim_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_model_trim(const hrbfnpr_model* model, const hrbfnpr_trim_desc* desc,
+                                  hrbfnpr_operation* operation, hrbfnpr_model** out_model, hrbfnpr_error* error) {
+    return api::guarded_create(out_model, "out_model", error, [&] {
+        return api::trim(api::deref(model, "model"), api::read_optional_struct(desc, "trim_desc"), operation);
+    });
+}
+
+hrbfnpr_status hrbfnpr_trim_info_init(hrbfnpr_trim_info* info, uint32_t struct_size) {
+    return api::init_struct(info, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* model, hrbfnpr_trim_info* info, hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        const auto& handle = api::deref(model, "model");
+        api::check_output_struct(info, "trim_info");
+        api::write_struct(info, api::describe(handle));
+    });
+}
+
+} // extern "C"

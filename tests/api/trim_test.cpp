@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+// Surfaces that end where their samples do: what is left out, what stays, and every bad argument by name.
+#include "fixture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace api_test {
+namespace {
+
+constexpr auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int whole = 1000;
+const double sphere_spacing = std::sqrt(4.0 * 3.141592653589793 / whole);
+
+// Of the unit sphere's even ones those with low < z < high, and where x + z > 0.
+scenes::Samples zone(double low, double high, bool tilted = false) {
+    scenes::Samples samples;
+    for (int i = 0; i < whole; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / whole;
+        const double turn = 2.399963229728653 * i;
+        const double r = std::sqrt(1.0 - z * z);
+        if (!(z > low && z < high) || (tilted && !(r * std::cos(turn) + z > 0.0))) continue;
+        samples.add({r * std::cos(turn), r * std::sin(turn), z}, {r * std::cos(turn), r * std::sin(turn), z});
+    }
+    return samples;
+}
+
+// A square of the plane z = 0, a hundred samples.
+scenes::Samples square() {
+    scenes::Samples samples;
+    for (int row = 0; row < 10; ++row)
+        for (int column = 0; column < 10; ++column) samples.add({0.1 * column, 0.1 * row, 0.0}, {0.0, 0.0, 1.0});
+    return samples;
+}
+
+Model trimmed(const Model& model, const hrbfnpr_trim_desc* desc = nullptr) {
+    Error error;
+    hrbfnpr_model* made = nullptr;
+    EXPECT_OK(hrbfnpr_model_trim(model.get(), desc, nullptr, &made, error));
+    return Model(made);
+}
+
+hrbfnpr_trim_info info_of(const Model& model) {
+    Error error;
+    auto info = made(hrbfnpr_trim_info_init);
+    EXPECT_OK(hrbfnpr_model_get_trim_info(model.get(), &info, error));
+    return info;
+}
+
+std::vector<float> stipples_of(const Context& context, const Model& model, std::int64_t budget = 4000) {
+    Error error;
+    const PointSet set = generate(context, model, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, budget));
+    hrbfnpr_array view{};
+    EXPECT_OK(hrbfnpr_point_set_view(set.get(), 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &view, error));
+    auto info = made(hrbfnpr_point_set_info_init);
+    EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
+    std::vector<float> positions(3 * static_cast<std::size_t>(view.count));
+    const auto* const from = static_cast<const float*>(view.data);
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = from[i] + static_cast<float>(info.origin[i % 3]);
+    return positions;
+}
+
+// Along (1, 0, 1).
+float lowest(const std::vector<float>& positions) {
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < positions.size(); i += 3)
+        least = std::min(least, std::sqrt(0.5F) * (positions[i] + positions[i + 2]));
+    return least;
+}
+
+TEST(Trim, LeavesOutWhatIsBeyondTheSamplesOfAnOpenScan) {
+    const Context context = make_context();
+    const Model open = fit(context, zone(-1.0, 1.0, true));
+    const Model model = trimmed(open);
+    const hrbfnpr_trim_info info = info_of(model);
+    EXPECT_EQ(info.is_trimmed, 1U);
+    EXPECT_NEAR(static_cast<double>(info.samples), 0.5 * whole, 5.0);
+    EXPECT_EQ(info.parts, 1);
+    EXPECT_GT(info.share, 0.05);
+    EXPECT_GT(info.farthest, sphere_spacing);
+    const std::vector<float> stipples = stipples_of(context, model);
+    EXPECT_GT(stipples.size(), std::size_t{3 * 3900});
+    EXPECT_GT(lowest(stipples), -1.0 * sphere_spacing);
+    EXPECT_LT(lowest(stipples), -0.2 * sphere_spacing);
+    EXPECT_LT(lowest(stipples_of(context, open)), -2.0 * sphere_spacing); // what a fit invents
+}
+
+TEST(Trim, LeavesAFlatSquareOfASquare) {
+    const Context context = make_context();
+    const Model model = trimmed(fit(context, square()));
+    EXPECT_GE(info_of(model).parts_to_end, 1);
+    const std::vector<float> stipples = stipples_of(context, model);
+    for (std::size_t i = 0; i < stipples.size(); ++i) {
+        if (i % 3 == 2) continue;
+        EXPECT_GT(stipples[i], -0.1);
+        EXPECT_LT(stipples[i], 0.9 + 0.1);
+    }
+    EXPECT_LT(*std::min_element(stipples.begin(), stipples.end()), -0.02);
+}
+
+TEST(Trim, LeavesClosedSurfacesAsTheyAre) {
+    const Context context = make_context();
+    const Model closed = fit(context, scenes::trefoil(600));
+    const Model model = trimmed(closed);
+    const hrbfnpr_trim_info info = info_of(model);
+    EXPECT_EQ(info.is_trimmed, 0U);
+    EXPECT_EQ(info.samples, 600);
+    EXPECT_EQ(info.parts + info.parts_to_end, 0);
+    EXPECT_TRUE(info.share == 0.0 && info.farthest == 0.0 && info.spacing > 0.0);
+    EXPECT_EQ(stipples_of(context, model), stipples_of(context, closed));
+    EXPECT_EQ(info_of(closed).samples, 0);
+}
+
+// Where samples are wanting in the middle, by the size of the hole.
+TEST(Trim, KeepsSmallHolesClosed) {
+    const Context context = make_context();
+    const Model model = fit(context, zone(-1.0, 0.9)); // 0.45 from its rim to the middle
+    auto desc = made(hrbfnpr_trim_desc_init);
+    desc.hole = 0.2; // of 3.5
+    EXPECT_EQ(info_of(trimmed(model, &desc)).is_trimmed, 0U);
+    desc.hole = 0.05;
+    const Model open = trimmed(model, &desc);
+    EXPECT_EQ(info_of(open).parts, 1);
+    EXPECT_EQ(info_of(open).parts_to_end, 0);
+    EXPECT_NEAR(info_of(open).share, 0.05, 0.03);
+}
+
+// A sphere and a tube that leaves it: no sample knows of that.
+int tube_function(void* /*user*/, int64_t count, const double* points, double* value, double* gradient,
+                  double* /*hessian*/) {
+    for (int64_t i = 0; i < count; ++i) {
+        const double* p = points + 3 * i;
+        const double of_sphere = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        const double way = std::clamp(p[2], 0.0, 1.8);
+        const double of_tube = std::sqrt(p[0] * p[0] + p[1] * p[1] + (p[2] - way) * (p[2] - way));
+        const bool tube = of_tube - 0.15 < of_sphere - 1.0;
+        value[i] = tube ? of_tube - 0.15 : of_sphere - 1.0;
+        for (int c = 0; gradient != nullptr && c < 3; ++c)
+            gradient[3 * i + c] = (p[c] - (tube && c == 2 ? way : 0.0)) / (tube ? of_tube : of_sphere);
+    }
+    return 0;
+}
+
+Model sphere_with_tube(const Context& context) {
+    Error error;
+    auto desc = made(hrbfnpr_custom_desc_init);
+    desc.function = tube_function;
+    desc.flags = HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_THREAD_SAFE;
+    for (int c = 0; c < 3; ++c) {
+        desc.bounds_min[c] = -1.1;
+        desc.bounds_max[c] = c < 2 ? 1.1 : 2.1;
+    }
+    hrbfnpr_model* model = nullptr;
+    EXPECT_OK(hrbfnpr_model_create_custom(context.get(), &desc, &model, error));
+    return Model(model);
+}
+
+TEST(Trim, LeavesOutSheetsThatNoSampleIsNearTo) {
+    const Context context = make_context();
+    const scenes::Samples samples = zone(-1.0, 1.0);
+    auto desc = made(hrbfnpr_trim_desc_init);
+    desc.points = in(samples.points);
+    desc.normals = in(samples.normals);
+    const Model model = trimmed(sphere_with_tube(context), &desc);
+    EXPECT_EQ(info_of(model).parts, 1);
+    EXPECT_EQ(info_of(model).parts_to_end, 0);
+    EXPECT_NEAR(info_of(model).farthest, 0.95, 0.1);
+    const std::vector<float> stipples = stipples_of(context, model);
+    for (std::size_t i = 2; i < stipples.size(); i += 3) EXPECT_LT(stipples[i], 1.0 + 1.5 * sphere_spacing);
+}
+
+TEST(Trim, EndsRaysAndLines) {
+    Error error;
+    const Context context = make_context();
+    const Model model = trimmed(fit(context, zone(0.0, 1.0)));
+    // Down through the cap and its open side, and across below it.
+    const std::vector<double> origin{0.1, 0.2, 3.0, 3.0, 0.0, -0.2};
+    const std::vector<double> direction{0.0, 0.0, -1.0, -1.0, 0.0, 0.0};
+    const hrbfnpr_array origins = in(origin);
+    const hrbfnpr_array directions = in(direction);
+    std::vector<std::uint32_t> count(2);
+    std::vector<double> t(8);
+    auto cast = made(hrbfnpr_cast_desc_init);
+    cast.maximum_hits = 4;
+    auto hits = made(hrbfnpr_ray_hits_init);
+    hits.count = out(count, 1);
+    hits.t = out(t, 4);
+    ASSERT_OK(hrbfnpr_model_cast_rays(model.get(), &origins, &directions, &cast, &hits, nullptr, error));
+    EXPECT_EQ(count, (std::vector<std::uint32_t>{1, 0}));
+    EXPECT_NEAR(t[0], 3.0 - std::sqrt(1.0 - 0.05), 1e-2);
+
+    hrbfnpr_line_set* made_set = nullptr;
+    ASSERT_OK(hrbfnpr_line_set_create(context.get(), model.get(), nullptr, nullptr, &made_set, error));
+    const hrbfnpr::test::LineSet lines(made_set);
+    auto info = made(hrbfnpr_line_set_info_init);
+    ASSERT_OK(hrbfnpr_line_set_get_info(lines.get(), &info, error));
+    EXPECT_EQ(info.borders, 1);
+    EXPECT_GT(info.left_out, 0.01);
+}
+
+TEST(Trim, IsTheSameForAnyNumberOfThreads) {
+    const std::vector<float> one = [] {
+        const Context context = make_context(1);
+        return stipples_of(context, trimmed(fit(context, zone(0.0, 1.0))));
+    }();
+    const Context context = make_context(3);
+    EXPECT_EQ(stipples_of(context, trimmed(fit(context, zone(0.0, 1.0)))), one);
+}
+
+TEST(Trim, KeepsTheModelThatItIsOf) {
+    Error error;
+    const Context context = make_context();
+    Model open = fit(context, zone(0.0, 1.0));
+    Model once = trimmed(open);
+    open.reset();
+    const Model again = trimmed(once);
+    once.reset();
+    EXPECT_EQ(info_of(again).parts, 1);
+    auto info = made(hrbfnpr_model_info_init);
+    ASSERT_OK(hrbfnpr_model_get_info(again.get(), &info, error));
+    EXPECT_EQ(info.centres, whole / 2);
+    std::int64_t size = 0;
+    EXPECT_FAILS(hrbfnpr_model_save_memory(again.get(), nullptr, 0, &size, error), invalid, "model is trimmed");
+}
+
+TEST(Trim, RefusesWhatIsNoEnd) {
+    Error error;
+    const Context context = make_context();
+    const Model model = fit(context, zone(0.0, 1.0));
+    const std::vector<double> two{0, 0, 1, 0, 0, nan};
+    const std::vector<double> one{0, 0, 1};
+    const std::vector<double> none{0, 0, 0};
+    const auto refused = [&](const Model& of, const std::function<void(hrbfnpr_trim_desc&)>& change, const char* part) {
+        auto desc = made(hrbfnpr_trim_desc_init);
+        change(desc);
+        hrbfnpr_model* got = nullptr;
+        EXPECT_FAILS(hrbfnpr_model_trim(of.get(), &desc, nullptr, &got, error), invalid, part);
+        EXPECT_EQ(got, nullptr);
+    };
+    refused(
+        model, [](auto& desc) { desc.limit = 0.0; }, "trim_desc.limit");
+    refused(
+        model, [](auto& desc) { desc.limit = nan; }, "trim_desc.limit");
+    refused(
+        model, [](auto& desc) { desc.hole = -1.0; }, "trim_desc.hole");
+    refused(
+        model, [](auto& desc) { desc.closest = 2.0; }, "trim_desc.closest");
+    refused(
+        model, [](auto& desc) { desc.reserved = 1; }, "trim_desc.reserved");
+    refused(
+        model, [&](auto& desc) { desc.points = in(two); }, "trim_desc.points[1]");
+    refused(
+        model,
+        [&](auto& desc) {
+            desc.points = in(one);
+            desc.normals = in(none);
+        },
+        "trim_desc.normals[0] is 0");
+    refused(
+        model, [&](auto& desc) { desc.normals = in(one); }, "trim_desc.normals has 1 elements");
+    refused(
+        sphere_with_tube(context), [](auto&) {}, "trim_desc.points is empty");
+}
+
+// One sample is a plane without an end.
+TEST(Trim, SaysThatOneSampleHasNoEnd) {
+    Error error;
+    const Context context = make_context();
+    scenes::Samples samples;
+    samples.points = {1.0, 2.0, 3.0};
+    samples.normals = {0.0, 0.0, 1.0};
+    const Model model = fit(context, samples);
+    hrbfnpr_model* got = nullptr;
+    EXPECT_FAILS(hrbfnpr_model_trim(model.get(), nullptr, nullptr, &got, error), HRBFNPR_STATUS_NOT_CONVERGED,
+                 "no part of the surface is near its samples");
+}
+
+TEST(Trim, CanBeCancelled) {
+    Error error;
+    const Context context = make_context();
+    const Model model = fit(context, zone(0.0, 1.0));
+    const Operation operation = make_operation(context);
+    hrbfnpr_operation_cancel(operation.get());
+    hrbfnpr_model* got = nullptr;
+    EXPECT_EQ(hrbfnpr_model_trim(model.get(), nullptr, operation.get(), &got, error), HRBFNPR_STATUS_CANCELLED);
+}
+
+} // namespace
+} // namespace api_test

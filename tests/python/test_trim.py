@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""Surfaces that end where their samples do."""
+import math
+
+import pytest
+
+import hrbfnpr
+
+WHOLE = 1500
+
+
+def zone(low, tilt=0):
+    """Even samples of the unit sphere above a height, or a tilted one, which are their own normals."""
+    points = []
+    for i in range(WHOLE):
+        z = 1 - (2 * i + 1) / WHOLE
+        r, turn = math.sqrt(1 - z * z), 2.399963229728653 * i
+        if z + tilt * r * math.cos(turn) > low:
+            points.append((r * math.cos(turn), r * math.sin(turn), z))
+    return points
+
+
+def heights(marks):
+    """Along (1, 0, 1)."""
+    x, _, z = marks.origin
+    return [(row[0] + x + row[2] + z) / math.sqrt(2) for row in marks.layers[0].positions.tolist()]
+
+
+def test_an_open_scan_ends_where_its_samples_do():
+    cap = zone(0.0, 1.0)
+    model = hrbfnpr.Model.fit(cap, cap)
+    assert model.trim_info.samples == 0
+    trimmed = model.trim()
+    info = trimmed.trim_info
+    assert info.is_trimmed and info.samples == len(cap) and info.parts == 1 and 0 < info.share < 0.9
+    assert trimmed.info.centres == len(cap)
+    lowest = min(heights(trimmed.generate(budget=2000)))
+    assert -info.spacing < lowest < 0
+    assert min(heights(model.generate(budget=2000))) < 1.5 * lowest
+    assert hrbfnpr.LineSet(trimmed).info.borders == 1
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="trimmed"):
+        trimmed.to_bytes()
+
+
+def test_given_samples_tell_where_it_ends():
+    ball = zone(-1.0)
+    model = hrbfnpr.Model.fit(ball, ball)
+    assert not model.trim().trim_info.is_trimmed
+    cap = zone(0.0)
+    for normals in (cap, None):
+        info = model.trim(cap, normals).trim_info
+        assert info.is_trimmed and info.samples == len(cap) and 0.3 < info.share < 0.6
+    assert not model.trim(cap, hole=1.0).trim_info.is_trimmed
+
+
+def test_a_function_is_trimmed_too():
+    def value(points):
+        return [math.hypot(*point) - 1 for point in points.tolist()]
+
+    model = hrbfnpr.Model.from_function(value, bounds=((-1, -1, -1), (1, 1, 1)))
+    cap = zone(0.0)
+    info = model.trim(cap, cap).trim_info
+    assert info.is_trimmed and info.parts == 1
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="trim_desc.points is empty"):
+        model.trim()
+
+
+@pytest.mark.parametrize("wrong", ({"limit": 0}, {"hole": -1}, {"closest": 2}, {"points": [(0, 0, math.nan)]}))
+def test_wrong_arguments_are_named(wrong):
+    cap = zone(0.5)
+    model = hrbfnpr.Model.fit(cap, cap)
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match=f"trim_desc.{next(iter(wrong))}"):
+        model.trim(**wrong)
