@@ -95,8 +95,8 @@ def test_ply_strips(tmp_path):
         (b"ply\nformat ascii 1.0\n", "not a PLY"),
         (ply_header("ascii", ("face", 0, ["float x"])), "no vertices"),
         (ply_header("ascii", ("vertex", 2, XYZ)) + b"1 2 3\n", "ends in the middle"),
-        (ply_header("ascii", ("vertex", 1, XYZ)) + b"1 2\n", "not as declared"),
-        (ply_header("ascii", ("vertex", 1, XYZ)) + b"1 2 x\n", "not as declared"),
+        (ply_header("ascii", ("vertex", 1, XYZ)) + b"1 2\n", r"line 9: element 'vertex' is not as declared: 2 numbers instead of 3"),
+        (ply_header("ascii", ("vertex", 1, XYZ)) + b"1 2 x\n", r"line 9, column 3: 'x' is not a number"),
         (ply_header("ascii", ("vertex", 0, XYZ)), "no vertices|no points"),
         (ply_header("ascii", ("vertex", -1, XYZ)), "negative"),
         (ply_header("binary_little_endian", ("vertex", 10**9, XYZ)) + bytes(50), "ends in the middle"),
@@ -105,7 +105,7 @@ def test_ply_strips(tmp_path):
         (ply_header("binary_big_endian", ("vertex", 1, XYZ), ("face", 1, ["list int int vertex_indices"]))
          + bytes(12) + b"\xff\xff\xff\xff", "list of -1"),
         (ply_header("ascii", ("vertex", 1, XYZ), ("face", 1, ["list int int vertex_indices"]))
-         + b"0 0 0\n3 0 1 2\n", "names vertex 2"),
+         + b"0 0 0\n3 0 1 2\n", "line 12: a face names vertex 1, but there is one vertex, 0"),
         (ply_header("odd", ("vertex", 1, XYZ)), "cannot be understood"),
         (ply_header("ascii", ("vertex", 1, ["complex x"])), "cannot be understood"),
     ],
@@ -138,11 +138,11 @@ def test_xyz_and_pwn(tmp_path, name, text):
     [
         ("", "no points"),
         ("# nothing\n", "no points"),
-        ("1 2 3 0 0 1\n4 5 6\n", "differ"),
-        ("1 2 x 0 0 1\n", "not 'x'"),
-        ("1 2 3 4\n", "3 numbers, or 6"),
+        ("1 2 3 0 0 1\n4 5 6\n", "line 2: 3 numbers, where line 1 has 6"),
+        ("1 2 x 0 0 1\n", "line 1, column 3: 'x' is not a number"),
+        ("1 2\n", "line 1: a line holds x y z, .*; here are 2 numbers"),
         ("3\n1 2 3\n4 5 6\n0 0 1\n1 0 0\n", "announces 3"),
-        ("5\n", "announces 5"),
+        ("5\n", "5 points are announced"),
         ("-2\n1 2 3\n", "count was expected"),
     ],
 )
@@ -170,10 +170,10 @@ def test_obj_points(tmp_path):
     "text, words",
     [
         ("f 1 2 3\n", "names vertex|no points"),
-        ("v 1 2\n", "too few"),
-        ("v 1 2 3\nf 1 2 3\n", "names vertex 2"),
+        ("v 1 2\n", "line 1: a vertex needs 3 numbers, and there are 2"),
+        ("v 1 2 3\nf 1 2 3\n", "line 2, column 3: a face names vertex 2, but there is one vertex, 1"),
         ("v 1 2 3\nf 1 1 x\n", "corner 'x'"),
-        ("v 1 2 3\nf 1 1 -5\n", "names vertex"),
+        ("v 1 2 3\nf 1 1 -5\n", "line 2, column 4: a face names vertex -5"),
     ],
 )
 def test_broken_obj(tmp_path, text, words):
@@ -207,7 +207,7 @@ def test_noff_points(tmp_path):
         ("OFF\n8 6 0\n1 2 3\n", "ends before"),
         ("OFF\n1 1 0\n1 2 3\n3 0 0\n", "fewer than its 3"),
         ("4OFF\n1 0 0\n1 2 3 4\n", "not understood"),
-        ("OFF\n1 0 0\n1 2\n", "fewer than 3"),
+        ("OFF\n1 0 0\n1 2\n", "line 3: a vertex needs 3 numbers, and there are 2"),
     ],
 )
 def test_broken_off(tmp_path, text, words):

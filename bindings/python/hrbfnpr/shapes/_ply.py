@@ -2,12 +2,14 @@
 """PLY: any elements, any types, ASCII and binary, faces as polygons or triangle strips."""
 from __future__ import annotations
 
+import struct
 from dataclasses import dataclass, field
-from typing import Any, Dict, List, Optional, Tuple, Union
+from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 
-from ._shape import Shape, ShapeError, fans, fans_of_block, strips
+from ._shape import Integers, Shape, ShapeError, fans, fans_of_block, strips
+from ._table import Rows, at, check_indices, numbers, polygons
 
 _TYPES = {
     "char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1",
@@ -15,8 +17,28 @@ _TYPES = {
     "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4",
     "float": "f4", "float32": "f4", "double": "f8", "float64": "f8",
 }  # fmt: skip
+_CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I", "f4": "f", "f8": "d"}  # of struct
 _FORMATS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 _LIST_NAMES = ("vertex_indices", "vertex_index")
+
+
+@dataclass(frozen=True)
+class _Lists:
+    """Lists of an ascii file: runs of `values`, and the line that each is on."""
+
+    values: Integers
+    starts: Integers
+    counts: Integers
+    lines: Integers
+
+    def __iter__(self) -> Iterator[List[int]]:
+        return (self.values[start : start + count].tolist() for start, count in zip(self.starts, self.counts))
+
+    def triangles(self, vertices: int) -> Integers:
+        rows = Rows(self.values.astype(float), self.counts, self.lines)
+        result, lines = polygons(rows, self.counts, self.starts, self.values)
+        check_indices(result, lines, vertices)
+        return result
 
 
 @dataclass
@@ -34,7 +56,8 @@ class _Element:
 def read_ply(data: bytes) -> Shape:
     """Read the bytes of a PLY file."""
     order, elements, offset = _header(data)
-    reader: Union[_Ascii, _Binary] = _Ascii(data[offset:]) if order == "" else _Binary(data, offset, order)
+    first_line = data.count(b"\n", 0, offset) + 1 if b"\n" in data[:offset] else data.count(b"\r", 0, offset) + 1
+    reader: Union[_Ascii, _Binary] = _Ascii(data[offset:], first_line) if order == "" else _Binary(data, offset, order)
     columns: Dict[str, Dict[str, Any]] = {}
     for element in elements:
         columns[element.name] = reader.read(element)
@@ -45,10 +68,12 @@ def read_ply(data: bytes) -> Shape:
     if all(name in vertex for name in ("nx", "ny", "nz")):
         normals = np.column_stack([vertex[name] for name in ("nx", "ny", "nz")]).astype(np.float64)
     points = np.column_stack([vertex[axis] for axis in "xyz"]).astype(np.float64)
-    return Shape(points, normals, _triangles(columns))
+    names = next(tuple(name for name, _, _ in one.properties) for one in elements if one.name == "vertex")
+    form = {"": "ascii", "<": "binary, little-endian", ">": "binary, big-endian"}[order]
+    return Shape(points, normals, _triangles(columns, len(points)), f"PLY, {form}", names)
 
 
-def _triangles(columns: Dict[str, Dict[str, Any]]) -> Any:
+def _triangles(columns: Dict[str, Dict[str, Any]], vertices: int) -> Any:
     parts = []
     for name, lists in columns.items():
         indices = next((lists[key] for key in _LIST_NAMES if key in lists), None)
@@ -56,6 +81,8 @@ def _triangles(columns: Dict[str, Dict[str, Any]]) -> Any:
             continue
         if name == "tristrips":
             parts += [strips([int(i) for i in strip]) for strip in indices]
+        elif name == "face" and isinstance(indices, _Lists):
+            parts.append(indices.triangles(vertices))
         elif name == "face":
             parts.append(fans_of_block(indices) if isinstance(indices, np.ndarray) else fans(indices))
     return np.concatenate(parts) if parts else None
@@ -64,14 +91,16 @@ def _triangles(columns: Dict[str, Dict[str, Any]]) -> Any:
 def _header(data: bytes) -> Tuple[str, List[_Element], int]:
     """Byte order ("" for ASCII), elements, and where the data starts."""
     start = data.find(b"end_header")
-    if not data.startswith(b"ply") or start < 0:
-        raise ShapeError("not a PLY file, or its header is cut short")
+    if not data.startswith(b"ply"):
+        raise ShapeError("not a PLY file: it does not begin with ply" + ("" if data else ", it is empty"))
+    if start < 0:
+        raise ShapeError("not a PLY file, or its header is cut short: there is no end_header")
     end = start + len(b"end_header")
     if data[end : end + 2] == b"\r\n":
         end += 1
     elements: List[_Element] = []
     order = None
-    for line in data[:start].decode("latin-1").splitlines():
+    for number, line in enumerate(data[:start].decode("latin-1").splitlines(), 1):
         words = line.split()
         try:
             if words[:1] == ["format"]:
@@ -83,7 +112,7 @@ def _header(data: bytes) -> Tuple[str, List[_Element], int]:
             elif words[:1] == ["property"]:
                 elements[-1].properties.append((words[2], _TYPES[words[1]], None))
         except (KeyError, IndexError, ValueError):
-            raise ShapeError(f"the PLY header has a line that cannot be understood: {line.strip()!r}") from None
+            raise at(number, 0, f"the PLY header cannot be understood: {line.strip()[:80]!r}") from None
     if order is None:
         raise ShapeError("the PLY header has no format line")
     if any(element.count < 0 for element in elements):
@@ -91,51 +120,82 @@ def _header(data: bytes) -> Tuple[str, List[_Element], int]:
     return order, elements, end + 1
 
 
-def _cut_short(element: _Element) -> ShapeError:
-    return ShapeError(f"the PLY file ends in the middle of its {element.count} elements {element.name!r}")
+def _cut_short(element: _Element, found: Optional[int] = None) -> ShapeError:
+    there = "" if found is None else f", behind {max(found, 0)} of them"
+    return ShapeError(f"the PLY file ends in the middle of its {element.count} elements {element.name!r}{there}")
 
 
 class _Ascii:
     """Elements are runs of numbers, one element a line."""
 
-    def __init__(self, data: bytes) -> None:
-        self._lines = [line for line in data.decode("latin-1").splitlines() if line.strip()]
+    def __init__(self, data: bytes, first_line: int) -> None:
+        text = data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+        self._rows = numbers(text, first_line)
+        self._starts = self._rows.starts
         self._next = 0
 
     def read(self, element: _Element) -> Dict[str, Any]:
-        lines = self._lines[self._next : self._next + element.count]
-        self._next += element.count
+        first, last = self._next, self._next + element.count
+        self._next = last
         if element.count == 0:
             return {name: [] for name, _, _ in element.properties}
-        if len(lines) < element.count:
-            raise _cut_short(element)
-        try:
-            return self._lists(element, lines) if element.has_lists else self._numbers(element, lines)
-        except (ValueError, IndexError):
-            raise ShapeError(f"the PLY file has a line of element {element.name!r} that is not as declared") from None
+        if len(self._rows.counts) < last:
+            raise _cut_short(element, len(self._rows.counts) - first)
+        lists = [i for i, (_, _, length) in enumerate(element.properties) if length]
+        if not lists:
+            return self._numbers(element, first, last)
+        if len(lists) == 1:
+            return self._one_list(element, lists[0], first, last)
+        return self._lists(element, first, last)
 
-    @staticmethod
-    def _numbers(element: _Element, lines: List[str]) -> Dict[str, Any]:
-        values = np.array(" ".join(lines).split(), dtype=np.float64)
-        table = values.reshape(element.count, -1)
-        if table.shape[1] != len(element.properties):
-            raise ValueError
+    def _wrong(self, element: _Element, row: int, expected: int) -> ShapeError:
+        line, found = int(self._rows.lines[row]), int(self._rows.counts[row])
+        return at(line, 0, f"element {element.name!r} is not as declared: {found} numbers instead of {expected}")
+
+    def _numbers(self, element: _Element, first: int, last: int) -> Dict[str, Any]:
+        counts, width = self._rows.counts[first:last], len(element.properties)
+        wrong = np.flatnonzero(counts != width)
+        if len(wrong):
+            raise self._wrong(element, first + int(wrong[0]), width)
+        start = self._starts[first]
+        table = self._rows.values[start : start + width * element.count].reshape(element.count, width)
         return {name: table[:, i] for i, (name, _, _) in enumerate(element.properties)}
 
-    @staticmethod
-    def _lists(element: _Element, lines: List[str]) -> Dict[str, Any]:
+    def _one_list(self, element: _Element, place: int, first: int, last: int) -> Dict[str, Any]:
+        """The usual faces: a list, with single numbers before and behind it."""
+        values, starts, counts = self._rows.values, self._starts[first:last], self._rows.counts[first:last]
+        behind = len(element.properties) - place - 1
+        sizes = np.zeros(len(counts))
+        long_enough = counts > place
+        sizes[long_enough] = values[starts[long_enough] + place]
+        wrong = np.flatnonzero((place + 1 + sizes + behind != counts) | (sizes < 0))
+        if len(wrong):
+            i = int(wrong[0])
+            raise self._wrong(element, first + i, int(place + 1 + max(sizes[i], 0) + behind))
+        whole = sizes.astype(np.int64)
+        columns: Dict[str, Any] = {}
+        for i, (name, _, _) in enumerate(element.properties):
+            if i == place:
+                lists = _Lists(values.astype(np.int64), starts + place + 1, whole, self._rows.lines[first:last])
+                columns[name] = lists
+            else:
+                columns[name] = values[starts + i if i < place else starts + whole + i]
+        return columns
+
+    def _lists(self, element: _Element, first: int, last: int) -> Dict[str, Any]:
         columns: Dict[str, Any] = {name: [] for name, _, _ in element.properties}
-        for line in lines:
-            words = line.split()
-            at = 0
+        for row in range(first, last):
+            start, count = int(self._starts[row]), int(self._rows.counts[row])
+            words = self._rows.values[start : start + count]
+            place = 0
             for name, _, length in element.properties:
-                count = int(words[at]) if length else 1
-                at += 1 if length else 0
-                if len(words) < at + count:
-                    raise ValueError
-                numbers = words[at : at + count]
-                columns[name].append([int(n) for n in numbers] if length else float(numbers[0]))
-                at += count
+                size = int(words[place]) if length and place < count else 1
+                place += 1 if length else 0
+                if size < 0 or count < place + size:
+                    raise self._wrong(element, row, place + max(size, 1))
+                part = words[place : place + size]
+                columns[name].append([int(n) for n in part] if length else float(part[0]))
+                place += size
         return columns
 
 
@@ -191,12 +251,20 @@ class _Binary:
     def _element(self, element: _Element) -> Dict[str, Any]:
         values: Dict[str, Any] = {}
         for name, kind, length in element.properties:
-            count = int(self._take(np.dtype(self._order + length), 1, element)[0]) if length else 1
+            count = int(self._unpack(length, 1, element)[0]) if length else 1
             if count < 0:
                 raise ShapeError(f"the PLY file has a list of {count} numbers")
-            numbers = self._take(np.dtype(self._order + kind), count, element)
+            numbers = self._unpack(kind, count, element)
             values[name] = [int(n) for n in numbers] if length else numbers[0]
         return values
+
+    def _unpack(self, kind: str, count: int, element: _Element) -> Tuple[Any, ...]:
+        size = int(kind[1]) * count
+        if size > len(self._data) - self._at:
+            raise _cut_short(element)
+        numbers = struct.unpack_from(f"{self._order}{count}{_CODES[kind]}", self._data, self._at)
+        self._at += size
+        return numbers
 
     def _varying(self, element: _Element) -> Dict[str, Any]:
         columns: Dict[str, Any] = {name: [] for name, _, _ in element.properties}

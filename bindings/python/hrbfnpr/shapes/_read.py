@@ -1,20 +1,105 @@
 # SPDX-License-Identifier: MIT
-"""Reads a shape from a file of any known format."""
+"""Reads a shape from a file of any known format: by its contents, and by its ending where these say nothing."""
 from __future__ import annotations
 
-import contextlib
-import io
+import gzip
 import os
+import re
+import zlib
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, List, Union
+from typing import Callable, Dict, NamedTuple, Optional, Tuple, Union
 
-import numpy as np
-
+from . import _heights, _scans, _vtk
+from ._gltf import read_gltf
+from ._obj import read_obj, read_off
+from ._pcd import read_pcd
 from ._ply import read_ply
-from ._shape import Shape, ShapeError, fans_of_block
-from ._text import read_obj, read_off, read_xyz
+from ._shape import Shape, ShapeError
+from ._stl import read_stl
+from ._xyz import read_xyz
 
-_TEXT_READERS = {".xyz": read_xyz, ".pwn": read_xyz, ".xyzn": read_xyz, ".obj": read_obj, ".off": read_off}
+_HEAD = 65536  # bytes that tell what a file is
+
+
+class Format(NamedTuple):
+    """A name, and the reader: of bytes, or of a path where a library or the size wants one."""
+
+    name: str
+    read: Optional[Callable[[bytes], Shape]] = None
+    read_path: Optional[Callable[[Path], Shape]] = None
+
+
+def _gltf_of(path: Path) -> Shape:
+    return read_gltf(path.read_bytes(), path.parent)
+
+
+FORMATS: Dict[str, Format] = {
+    one.name: one
+    for one in (
+        Format("PLY", read_ply), Format("OBJ", read_obj), Format("STL", read_stl), Format("OFF", read_off),
+        Format("text", read_xyz), Format("PCD", read_pcd), Format("glTF", None, _gltf_of),
+        Format("VTP", None, _vtk.read_vtp), Format("VTU", None, lambda path: _vtk.read_meshio(path, "VTU")),
+        Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
+        Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
+        Format("GeoTIFF", None, _heights.read_geotiff),
+    )
+}  # fmt: skip
+ENDINGS = {
+    ".ply": "PLY", ".obj": "OBJ", ".stl": "STL", ".off": "OFF", ".noff": "OFF", ".coff": "OFF", ".pcd": "PCD",
+    ".xyz": "text", ".xyzn": "text", ".pwn": "text", ".txt": "text", ".asc": "text", ".csv": "text", ".pts": "text",
+    ".gltf": "glTF", ".glb": "glTF", ".vtp": "VTP", ".vtu": "VTU", ".vtk": "VTK", ".las": "LAS", ".laz": "LAS",
+    ".e57": "E57", ".grd": "grid", ".pgm": "PGM", ".tif": "GeoTIFF", ".tiff": "GeoTIFF",
+}  # fmt: skip
+_BY_MESHIO = (".msh", ".inp", ".mesh", ".bdf", ".nas", ".med", ".xdmf", ".tet", ".avs", ".e", ".exo", ".dat")
+_MAGIC: Tuple[Tuple[bytes, str], ...] = (
+    (rb"ply\s", "PLY"), (rb"glTF", "glTF"), (rb"LASF", "LAS"), (rb"ASTM-E57", "E57"),
+    (rb"(?:#[^\n]*\n|\s)*(?:VERSION\s[.\d]+\s+)?FIELDS\s", "PCD"), (rb"# vtk DataFile", "VTK"),
+    (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*PolyData", "VTP"),
+    (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*UnstructuredGrid", "VTU"),
+    (rb"P[25]\s", "PGM"), (rb"II[*+]\0|MM\0[*+]", "GeoTIFF"), (rb"\s*(?i:ncols|nrows)\s+\d+\s", "grid"),
+    (rb"\s*(?:ST)?C?N?4?n?OFF\b", "OFF"), (rb"\s*\{[^\0]*\"asset\"\s*:", "glTF"),
+    (rb"\s*(?i:solid)\b[^\0]*\n\s*(?i:facet|endsolid)\b", "STL"),
+    (rb"(?:\s*(?:#[^\n]*|mtllib[^\n]*|[og]\s[^\n]*|s\s[^\n]*|usemtl[^\n]*)?\n)*v[ \t]+[-+.\d]\S*[ \t]+[-+.\d]", "OBJ"),
+)  # fmt: skip
+READ = (
+    "PLY, OBJ, STL, OFF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PCD, LAS, LAZ or E57; "
+    "VTK, VTU and VTP; height maps as ESRI grid, PGM or GeoTIFF"
+)
+_CONVERT = {
+    **dict.fromkeys((".step", ".stp", ".iges", ".igs", ".brep", ".sldprt", ".ipt", ".fcstd"),
+                    "it holds no triangles: FreeCAD exports them as STL"),
+    **dict.fromkeys((".blend", ".fbx", ".dae", ".3ds", ".max", ".usd", ".usda", ".usdc", ".usdz", ".x3d", ".wrl", ".abc"),
+                    "Blender exports it as glTF or PLY"),
+    **dict.fromkeys((".ptx", ".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"), "CloudCompare saves it as PLY, with normals"),
+    **dict.fromkeys((".zip", ".7z", ".rar", ".tar"), "unpack it first"),
+    **dict.fromkeys((".3mf", ".amf", ".ctm"), "MeshLab or a slicer exports it as STL"),
+    **dict.fromkeys((".nii", ".dcm", ".nrrd", ".mha", ".vti"), "it holds a volume: 3D Slicer exports a surface as PLY"),
+    **dict.fromkeys((".png", ".jpg", ".jpeg", ".bmp"), "it is a picture; heights of terrain go into a PGM of 16 bits"),
+    **dict.fromkeys((".npy", ".npz", ".mat"), "save the points and normals as text, x y z nx ny nz in a line"),
+}  # fmt: skip
+
+
+def format_of(head: bytes, size: int) -> Optional[str]:
+    """The format that the first bytes of a file, of that size in all, show; None if they do not."""
+    for pattern, name in _MAGIC:
+        if re.match(pattern, head, re.S):
+            return name
+    if size >= 84 and size == 84 + 50 * int.from_bytes(head[80:84], "little"):
+        return "STL"
+    return "text" if _is_table(head) else None
+
+
+def _is_table(head: bytes) -> bool:
+    """Whether the first lines have numbers, but for headings and comments."""
+    if head[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        head = head[: len(head) // 2 * 2].decode("utf-16", errors="replace").encode()
+    if b"\0" in head:
+        return False
+    lines = [line for line in head.splitlines()[:40] if line.strip() and not line.lstrip().startswith((b"#", b"//"))]
+    table = re.compile(rb"\s*[-+.\d][-+.\deE]*(?:[,;\s]+(?:[-+.\deE]+|nan|inf))*[,;\s]*\Z", re.I)
+    good = sum(1 for line in lines if table.match(line))
+    return good >= 1 and good >= len(lines) - 2
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
@@ -23,44 +108,74 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
     Parameters
     ----------
     path : path
-        PLY, XYZ, PWN, OBJ, OFF, or what meshio reads (STL, VTK, ...), told by the ending.
+        PLY, OBJ, STL, OFF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
+        PCD, LAS; LAZ, E57, GeoTIFF, VTK and its kin with the package that reads them.  What the file holds counts
+        for more than its ending.  A file that gzip has packed is unpacked.
 
     Raises
     ------
     ShapeError
-        If the file cannot be used.
+        If the file cannot be used; the message says where, in text by line and column (the words of a line).
     OSError
         If it cannot be opened.
     """
     path = Path(path)
+    with open(path, "rb") as file:
+        head = file.read(_HEAD)
+        size = file.seek(0, os.SEEK_END)
     ending = path.suffix.lower()
-    if ending == ".ply":
-        return read_ply(path.read_bytes())
-    if ending in _TEXT_READERS:
-        # utf-8-sig: some programs put a byte-order mark before the first number.
-        return _TEXT_READERS[ending](path.read_text(encoding="utf-8-sig", errors="replace"))
-    return _read_meshio(path)
+    packed = head[:2] == b"\x1f\x8b"
+    if packed:
+        data = _unpacked(path)
+        head, size, ending = data[:_HEAD], len(data), Path(path.stem).suffix.lower()
+    expected = ENDINGS.get(ending)
+    if not head.strip():
+        raise ShapeError(_empty(expected, size))
+    found = format_of(head, size)
+    name = _chosen(found, expected, ending)
+    if name is None:
+        return _unknown(path, ending, packed)
+    form = FORMATS[name]
+    if form.read is not None:
+        data = data if packed else path.read_bytes()
+        shape = read_xyz(data, ending in (".xyzn", ".pwn")) if name == "text" else form.read(data)
+    elif packed:
+        raise ShapeError(f"{name} is read from files that are not packed: unpack it first (gunzip)")
+    else:
+        assert form.read_path is not None
+        shape = form.read_path(path)
+    if expected is not None and name != expected and {name, expected} != {"grid", "text"}:
+        return replace(shape, notes=(f"the ending is {ending}, but the file holds {name}, and is read so", *shape.notes))
+    return shape
 
 
-def _read_meshio(path: Path) -> Shape:
-    path.stat()  # a missing file is an OSError like everywhere, whatever meshio makes of it
+def _chosen(found: Optional[str], expected: Optional[str], ending: str) -> Optional[str]:
+    """Contents that are told by their first bytes win; a table of numbers, which many a file begins like, does not."""
+    if found == "text" and expected not in (None, "text"):
+        return expected
+    if found is None or (found == "text" and expected is None and ending in (*_CONVERT, *_BY_MESHIO)):
+        return expected
+    return found
+
+
+def _empty(expected: Optional[str], size: int) -> str:
+    holds = "the file is empty" if size == 0 else "the file holds blanks only"
+    if expected in (None, "text"):
+        return f"there are no points: {holds}"
+    return f"not {'an' if expected[0] in 'OELS' else 'a'} {expected} file: {holds}"
+
+
+def _unpacked(path: Path) -> bytes:
     try:
-        import meshio
-    except ImportError:
-        raise ShapeError(f"reading {path.suffix or 'this kind of'} files needs meshio (python3-meshio)") from None
-    try:
-        # meshio reports some failures on stdout and ends the process.
-        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-            mesh = meshio.read(path)
-    except (Exception, SystemExit) as error:
-        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise ShapeError(f"meshio cannot read it: {reason}") from error
-    points = np.asarray(mesh.points, dtype=np.float64)
-    if points.ndim != 2 or points.shape[1] != 3:
-        raise ShapeError("its points are not in three dimensions")
-    parts: List[Any] = [
-        fans_of_block(block.data)
-        for block in mesh.cells
-        if block.type in ("triangle", "quad") or block.type.startswith("polygon")
-    ]
-    return Shape(points, None, np.concatenate(parts) if parts else None)
+        with gzip.open(path) as file:
+            return file.read()
+    except (OSError, EOFError, zlib.error) as error:
+        raise ShapeError(f"it is packed by gzip, and damaged: {error}") from None
+
+
+def _unknown(path: Path, ending: str, packed: bool) -> Shape:
+    if ending in _BY_MESHIO and not packed:
+        return _vtk.read_meshio(path)
+    what = f"files that end in {ending} are not read" if ending else "the file has no ending, and its contents tell nothing"
+    advice = _CONVERT.get(ending, "MeshLab, Blender or CloudCompare convert others, to PLY for example")
+    raise ShapeError(f"{what}; {advice}. Read are {READ}")

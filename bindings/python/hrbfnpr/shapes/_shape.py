@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
+Vector = Tuple[float, float, float]
 
 
 class ShapeError(ValueError):
@@ -25,11 +26,23 @@ class Shape:
     points : array of float64, shape (n, 3)
     normals : array of float64, shape (n, 3), or None
     triangles : array of int64, shape (m, 3), or None
+    format : str
+        What it was read from, such as ``"PLY, ascii"``; empty if it was not read.
+    columns : tuple of str
+        What the file has for each point, in its order, such as ``("x", "y", "z", "red", "green", "blue")``.
+    up : tuple of float, or None
+        The direction that is up by the convention of the format, if it has one.
+    notes : tuple of str
+        What was left out or taken for something while it was read.
     """
 
     points: Floats
     normals: Optional[Floats] = None
     triangles: Optional[Integers] = None
+    format: str = ""
+    columns: Tuple[str, ...] = ()
+    up: Optional[Vector] = None
+    notes: Tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if len(self.points) == 0:

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""Which column of a table of points is what: by a line that names them, or by their numbers."""
+from __future__ import annotations
+
+import re
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+
+from ._shape import Floats
+
+_PLACE = {
+    "x": "x", "y": "y", "z": "z", "easting": "x", "northing": "y", "east": "x", "north": "y",
+    "elevation": "z", "height": "z", "altitude": "z",
+}  # fmt: skip
+_COLOURS = {"r": "red", "g": "green", "b": "blue", "red": "red", "green": "green", "blue": "blue"}
+_AXIS = {"0": "x", "1": "y", "2": "z", "x": "x", "y": "y", "z": "z"}
+_UNIT = 0.02  # how far off 1 a normal's length may be
+_MOST = 0.9  # share of rows that tells what a column is
+
+
+class Columns(NamedTuple):
+    """A name for each column, and what there is to say of how it was found."""
+
+    names: Tuple[str, ...]
+    notes: Tuple[str, ...] = ()
+
+    def triple(self, names: Sequence[str]) -> Optional[List[int]]:
+        """The places of three columns; None unless all are there."""
+        if all(name in self.names for name in names):
+            return [self.names.index(name) for name in names]
+        return None
+
+
+def _name(word: str) -> str:
+    """What a heading stands for; itself if it is unknown."""
+    bare = re.sub(r"[\[(](?!\d)[^\])]*[\])]", "", word.strip().strip("\"'").lower()).strip(" _")
+    if bare in _PLACE:
+        return _PLACE[bare]
+    if bare in _COLOURS:
+        return _COLOURS[bare]
+    normal = re.fullmatch(r"(?:n|norm|normals?)[ _:.\[]*([xyz012])\]?", bare) or re.fullmatch(r"([xyz])_?n(?:ormal)?", bare)
+    if normal:
+        return "n" + _AXIS[normal.group(1)]
+    place = re.fullmatch(r"(?:p|pos|positions?|points?|coords?|coordinates?|vertex)[ _:.\[]*([xyz012])\]?", bare)
+    place = place or re.fullmatch(r"([xyz])[ _]?(?:pos|position|coord|coordinate|value)?", bare)
+    if place:
+        return _AXIS[place.group(1)]
+    return bare or "nothing"
+
+
+def by_heading(words: Sequence[str]) -> Optional[Columns]:
+    """Names from a line of headings; None if it does not name x, y and z."""
+    names: List[str] = []
+    for word in words:
+        name = _name(word)
+        names.append(name if name not in names else f"{name} again")
+    return Columns(tuple(names)) if all(axis in names for axis in "xyz") else None
+
+
+def _is_unit(rows: Floats) -> bool:
+    length = np.linalg.norm(rows, axis=1)
+    used = np.isfinite(length) & (length > 0)
+    return bool(used.any()) and float((np.abs(length[used] - 1) <= _UNIT).mean()) >= _MOST
+
+
+def _is_colour(rows: Floats) -> bool:
+    """Whole numbers of 0 to 255, or numbers of 0 to 1, which no normals are: these have both signs, and length 1."""
+    finite = rows[np.isfinite(rows).all(axis=1)]
+    if len(finite) == 0 or finite.min() < 0:
+        return False
+    if finite.max() <= 1:
+        return True
+    return bool(finite.max() <= 255 and (finite == np.round(finite)).all())
+
+
+def by_content(table: Floats, normals_expected: bool = False) -> Columns:
+    """Names from what the columns hold.  `normals_expected`: the file's ending promises normals."""
+    width = table.shape[1]
+    some: Any = table if len(table) <= 20000 else table[:: len(table) // 20000 + 1]
+    found: Dict[int, Tuple[str, ...]] = {}
+    notes: List[str] = []
+    starts = range(3, width - 2)
+    unit = [start for start in starts if _is_unit(some[:, start : start + 3])]
+    # Colours may be of length 1 by chance, as pure red is; normals have both signs.
+    signed = [start for start in unit if some[:, start : start + 3].min() < 0]
+    place = (signed or unit or [0])[0]
+    if not place:
+        place = _other_normals(some, starts, normals_expected, notes)
+    if place:
+        found[place] = ("nx", "ny", "nz")
+    for start in starts:
+        taken = {place, place + 1, place + 2} if place else set()
+        if found.keys() <= {place} and not taken & {start, start + 1, start + 2} and _is_colour(some[:, start : start + 3]):
+            found[start] = ("red", "green", "blue")
+    names = ["x", "y", "z"] + ["other"] * (width - 3)
+    for start, three in found.items():
+        names[start : start + 3] = three
+    if width >= 6 and not place:
+        what = "colours" if any("red" in three for three in found.values()) else "no normals"
+        which = next((start for start, three in found.items() if "red" in three), 3)
+        notes.append(f"columns {which + 1} to {which + 3} are {what}: they are not used")
+    return Columns(tuple(names), tuple(notes))
+
+
+def _other_normals(table: Floats, starts: Sequence[int], expected: bool, notes: List[str]) -> int:
+    """Where normals are that are not of unit length; 0 if nowhere."""
+    for start in starts:
+        rows = table[:, start : start + 3]
+        if len(starts) > 1 and start + 3 != table.shape[1]:
+            continue  # the last three
+        if expected or (not _is_colour(rows) and float(np.nanmin(rows)) < 0):
+            notes.append(f"columns {start + 1} to {start + 3} are not of unit length, and are taken for normals")
+            return start
+    return 0

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: MIT
+"""glTF 2 and GLB: the triangles and points of a scene, where its nodes put them."""
+from __future__ import annotations
+
+import base64
+import json
+import struct
+from pathlib import Path
+from typing import Any, Dict, List, Optional, Tuple
+from urllib.parse import unquote
+
+import numpy as np
+
+from ._shape import Floats, Integers, Shape, ShapeError, Vector
+
+UP: Vector = (0.0, 1.0, 0.0)
+_TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+_WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+_COMPRESSED = ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression")
+_POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
+_DEEPEST = 200  # nodes of nodes
+
+
+def read_gltf(data: bytes, folder: Path) -> Shape:
+    """Read the bytes of a .gltf or a .glb; files that it names are looked for in a folder."""
+    binary = data[:4] == b"glTF"
+    text, chunk = _chunks(data) if binary else (data, b"")
+    try:
+        document = json.loads(text)
+        if not isinstance(document, dict) or "asset" not in document:
+            raise ShapeError("not a glTF file: it has no asset")
+        return _Reader(document, chunk, folder, "GLB" if binary else "glTF").shape()
+    except json.JSONDecodeError as error:
+        raise ShapeError(f"line {error.lineno}, column {error.colno}: the JSON of the glTF file: {error.msg}") from None
+    except UnicodeDecodeError:
+        raise ShapeError("not a glTF file: its JSON is no text") from None
+    except (KeyError, IndexError, TypeError, AttributeError) as error:
+        raise ShapeError(f"the glTF file refers to what is not there: {error!r}") from None
+
+
+def _chunks(data: bytes) -> Tuple[bytes, bytes]:
+    """The JSON of a GLB, and its binary part."""
+    if len(data) < 20:
+        raise ShapeError("the GLB file ends before its contents")
+    version, length = struct.unpack_from("<II", data, 4)
+    if version != 2:
+        raise ShapeError(f"GLB files of version {version} are not read: version 2 is")
+    if length > len(data):
+        raise ShapeError(f"the GLB file is cut short: {len(data)} of {length} bytes are there")
+    parts: Dict[bytes, bytes] = {}
+    at = 12
+    while at + 8 <= length:
+        size, kind = struct.unpack_from("<I4s", data, at)
+        parts.setdefault(kind, data[at + 8 : at + 8 + size])
+        at += 8 + size
+    if b"JSON" not in parts:
+        raise ShapeError("the GLB file has no JSON part")
+    return parts[b"JSON"], parts.get(b"BIN\0", b"")
+
+
+class _Reader:
+    """One document."""
+
+    def __init__(self, document: Dict[str, Any], chunk: bytes, folder: Path, form: str) -> None:
+        self._document, self._chunk, self._folder, self._form = document, chunk, folder, form
+        self._buffers: Dict[int, bytes] = {}
+        self._points: List[Floats] = []
+        self._normals: List[Optional[Floats]] = []
+        self._triangles: List[Integers] = []
+        self._count = 0
+        self._world: Dict[int, Floats] = {}
+
+    def shape(self) -> Shape:
+        for extension in _COMPRESSED:
+            if extension in self._document.get("extensionsRequired", ()):
+                raise ShapeError(
+                    f"its geometry is compressed ({extension}), which is not read; save it without compression, "
+                    "in Blender for example, or convert it to PLY"
+                )
+        nodes = self._document.get("nodes", [])
+        self._world = self._places(nodes)
+        for number, place in self._world.items():
+            if "mesh" in nodes[number]:
+                self._mesh(nodes[number], place)
+        if not self._points:
+            raise ShapeError("the scene of the glTF file has no triangles and no points")
+        triangles = np.concatenate(self._triangles) if self._triangles else None
+        normals = None
+        if triangles is None and all(part is not None for part in self._normals):
+            normals = np.concatenate([part for part in self._normals if part is not None])
+        columns = ("x", "y", "z") if normals is None else ("x", "y", "z", "nx", "ny", "nz")
+        return Shape(np.concatenate(self._points), normals, triangles, self._form, columns, UP)
+
+    def _roots(self, nodes: List[Any]) -> List[int]:
+        scenes = self._document.get("scenes", [])
+        if scenes:
+            return list(scenes[self._document.get("scene", 0)].get("nodes", []))
+        children = {child for node in nodes for child in node.get("children", [])}
+        return [i for i in range(len(nodes)) if i not in children]
+
+    def _places(self, nodes: List[Any]) -> Dict[int, Floats]:
+        """Where the nodes of the scene are, as matrices."""
+        world: Dict[int, Floats] = {}
+        todo = [(root, np.eye(4), 0) for root in reversed(self._roots(nodes))]
+        while todo:
+            number, above, depth = todo.pop()
+            if depth > _DEEPEST or number in world:
+                raise ShapeError("the nodes of the glTF file go in a circle")
+            world[number] = above @ _matrix(nodes[number])
+            todo += [(child, world[number], depth + 1) for child in reversed(nodes[number].get("children", []))]
+        return world
+
+    def _mesh(self, node: Dict[str, Any], matrix: Floats) -> None:
+        for part in self._document["meshes"][node["mesh"]]["primitives"]:
+            mode = part.get("mode", _TRIANGLES)
+            if mode not in (_POINTS, _TRIANGLES, _STRIP, _FAN) or "POSITION" not in part["attributes"]:
+                continue
+            points = self._accessor(part["attributes"]["POSITION"])
+            if "skin" in node and "JOINTS_0" in part["attributes"]:
+                points = self._posed(points, part["attributes"], self._document["skins"][node["skin"]])
+                linear = np.eye(3)
+            else:
+                points = points @ matrix[:3, :3].T + matrix[:3, 3]
+                linear = matrix[:3, :3]
+            normals = None
+            if mode == _POINTS and "NORMAL" in part["attributes"]:
+                normals = self._accessor(part["attributes"]["NORMAL"]) @ np.linalg.inv(linear)
+            if mode != _POINTS:
+                indices = self._accessor(part["indices"])[:, 0].astype(np.int64) if "indices" in part else None
+                triangles = _triangles(np.arange(len(points)) if indices is None else indices, mode)
+                self._check(triangles, len(points))
+                if np.linalg.det(linear) < 0:
+                    triangles = triangles[:, ::-1]
+                self._triangles.append(triangles + self._count)
+            self._points.append(points)
+            self._normals.append(normals)
+            self._count += len(points)
+
+    @staticmethod
+    def _check(triangles: Integers, count: int) -> None:
+        if len(triangles) and int(triangles.max()) >= count:
+            raise ShapeError(f"a face names vertex {triangles.max()}, but its part has only {count} vertices")
+
+    def _posed(self, points: Floats, attributes: Dict[str, int], skin: Dict[str, Any]) -> Floats:
+        """Moved by the joints of a skeleton, as it stands; the place of the mesh itself does not count."""
+        joints = self._accessor(attributes["JOINTS_0"]).astype(np.int64)
+        weights = self._accessor(attributes["WEIGHTS_0"])
+        count = len(skin["joints"])
+        inverse = np.tile(np.eye(4), (count, 1, 1))
+        if "inverseBindMatrices" in skin:
+            inverse = self._accessor(skin["inverseBindMatrices"]).reshape(-1, 4, 4).transpose(0, 2, 1)
+        moves = np.stack([self._world.get(joint, np.eye(4)) @ inverse[i] for i, joint in enumerate(skin["joints"])])
+        total = np.maximum(weights.sum(axis=1, keepdims=True), 1e-12)
+        blended = np.einsum("ij,ijkl->ikl", weights / total, moves[joints])
+        return np.einsum("ikl,il->ik", blended[:, :3, :3], points) + blended[:, :3, 3]
+
+    def _accessor(self, number: int) -> Floats:
+        """Numbers as floats, shape (count, width)."""
+        accessor = self._document["accessors"][number]
+        dtype, width, count = np.dtype(_TYPES[accessor["componentType"]]), _WIDTHS[accessor["type"]], accessor["count"]
+        if "bufferView" in accessor:
+            values = self._view(accessor["bufferView"], accessor.get("byteOffset", 0), dtype, width, count)
+        else:
+            values = np.zeros((count, width), dtype)
+        if "sparse" in accessor:
+            values = values.copy()
+            sparse = accessor["sparse"]
+            which, new = sparse["indices"], sparse["values"]
+            kind = np.dtype(_TYPES[which["componentType"]])
+            places = self._view(which["bufferView"], which.get("byteOffset", 0), kind, 1, sparse["count"])[:, 0]
+            values[places] = self._view(new["bufferView"], new.get("byteOffset", 0), dtype, width, sparse["count"])
+        result = values.astype(np.float64)
+        if accessor.get("normalized") and dtype.kind in "iu":
+            result = np.maximum(result / np.iinfo(dtype).max, -1.0)
+        return result
+
+    def _view(self, number: int, offset: int, dtype: Any, width: int, count: int) -> Any:
+        view = self._document["bufferViews"][number]
+        data = self._buffer(view["buffer"])
+        start, size = view.get("byteOffset", 0) + offset, dtype.itemsize * width
+        stride = view.get("byteStride") or size
+        if count == 0:
+            return np.zeros((0, width), dtype)
+        if min(start, count, stride) < 0 or start + stride * (count - 1) + size > len(data):
+            raise ShapeError(f"the glTF file is cut short: part {number} of its data ends beyond the {len(data)} bytes there are")
+        rows = np.ndarray((count, size), np.uint8, data, start, (stride, 1))
+        return np.ascontiguousarray(rows).view(dtype)
+
+    def _buffer(self, number: int) -> bytes:
+        if number not in self._buffers:
+            uri = self._document["buffers"][number].get("uri")
+            if uri is None:
+                self._buffers[number] = self._chunk
+            elif uri.startswith("data:"):
+                try:
+                    self._buffers[number] = base64.b64decode(uri.partition(",")[2])
+                except ValueError:
+                    raise ShapeError(f"data of buffer {number} of the glTF file is damaged") from None
+            else:
+                path = self._folder / unquote(uri)
+                try:
+                    self._buffers[number] = path.read_bytes()
+                except OSError as error:
+                    raise ShapeError(f"it needs {uri} beside it: {error.strerror}") from None
+        return self._buffers[number]
+
+
+def _matrix(node: Dict[str, Any]) -> Floats:
+    """Of a node within the one above it."""
+    if "matrix" in node:
+        return np.array(node["matrix"], dtype=np.float64).reshape(4, 4).T
+    result = np.eye(4)
+    x, y, z, w = node.get("rotation", (0.0, 0.0, 0.0, 1.0))
+    turn = np.array([
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ])  # fmt: skip
+    result[:3, :3] = turn * np.array(node.get("scale", (1.0, 1.0, 1.0)))
+    result[:3, 3] = node.get("translation", (0.0, 0.0, 0.0))
+    return result
+
+
+def _triangles(indices: Integers, mode: int) -> Integers:
+    if mode == _TRIANGLES:
+        return indices[: len(indices) // 3 * 3].reshape(-1, 3)
+    i = np.arange(max(len(indices) - 2, 0))
+    if mode == _FAN:
+        return np.column_stack([np.full(len(i), indices[0]), indices[i + 1], indices[i + 2]])
+    odd = i % 2
+    return np.column_stack([indices[i + odd], indices[i + 1 - odd], indices[i + 2]])

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""Height maps: ESRI's ASCII grids, PGM, and GeoTIFF, which rasterio reads.  They become meshes, z up."""
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+from typing import Any, Dict, List, Tuple
+
+import numpy as np
+
+from ._optional import needed
+from ._shape import Floats, Shape, ShapeError, Vector
+from ._table import at, number_at, numbers, plain
+
+UP: Vector = (0.0, 0.0, 1.0)
+MOST_CELLS = 300_000  # of what is used; of larger maps every second, third, ... row and column
+_METRES = 111_320.0  # of a degree of latitude
+_RELIEF = 0.15  # height over width of a picture that does not say its scale
+_KEYS = ("ncols", "nrows", "xllcorner", "xllcenter", "yllcorner", "yllcenter", "cellsize", "nodata_value", "dx", "dy")
+
+
+def mesh(heights: Floats, cell: Tuple[float, float], form: str, notes: List[str], west: float = 0.0, south: float = 0.0) -> Shape:
+    """Two triangles for each four neighbours that have a height; row 0 is in the north."""
+    rows, columns = heights.shape
+    step = max(1, math.ceil(math.sqrt(rows * columns / MOST_CELLS)))
+    if step > 1:
+        heights = heights[::step, ::step]
+        notes.append(f"of its {columns} x {rows} heights every {_ordinal(step)} row and column is used")
+    known = np.isfinite(heights)
+    if not known.any():
+        raise ShapeError("the height map has no heights: every one is marked as missing")
+    if not known.all():
+        notes.append(f"{int((~known).sum())} of {known.size} heights are missing")
+    down, across = np.indices(heights.shape)
+    x, y = west + across * cell[0] * step, south + (rows - 1 - down * step) * cell[1]
+    number = np.cumsum(known.ravel()).reshape(known.shape) - 1
+    points = np.column_stack([x[known], y[known], heights[known]])
+    a, b, c, d = number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]
+    whole = known[:-1, :-1] & known[1:, :-1] & known[1:, 1:] & known[:-1, 1:]
+    triangles = np.concatenate([np.stack([a, b, c], -1)[whole], np.stack([a, c, d], -1)[whole]])
+    if len(triangles) == 0:
+        raise ShapeError("the height map has no four neighbouring heights")
+    return Shape(points, None, triangles.astype(np.int64), form, ("z",), UP, tuple(notes))
+
+
+def _ordinal(number: int) -> str:
+    return {2: "second", 3: "third"}.get(number, f"{number}th")
+
+
+def _in_metres(cell: Tuple[float, float], west: float, south: float, rows: int, notes: List[str]) -> Tuple[float, float]:
+    """Cells in degrees become metres, as heights are."""
+    notes.append("cells are in degrees: their sides are turned into metres, as heights are")
+    latitude = south + rows * cell[1] / 2
+    return cell[0] * _METRES * math.cos(math.radians(latitude)), cell[1] * _METRES
+
+
+def read_grid(data: bytes) -> Shape:
+    """ESRI's ASCII grid: a header with ncols, nrows and cellsize, then rows of heights from the north."""
+    text = plain(data)
+    head: Dict[str, float] = {}
+    start, number = 0, 1
+    while start < len(text):
+        end = text.find(b"\n", start)
+        end = len(text) if end < 0 else end
+        words = text[start:end].split()
+        if words and words[0].decode("latin-1").lower() not in _KEYS:
+            break
+        if len(words) >= 2:
+            head[words[0].decode("latin-1").lower()] = number_at(words[1], number, 2)
+        start, number = end + 1, number + 1
+    columns, rows = int(head.get("ncols", 0)), int(head.get("nrows", 0))
+    cell = (head.get("cellsize", head.get("dx", 0.0)), head.get("cellsize", head.get("dy", 0.0)))
+    if columns < 2 or rows < 2 or min(cell) <= 0:
+        raise ShapeError("the header of the height map needs ncols, nrows and cellsize, of two columns and rows at least")
+    values = numbers(text[start:], number)
+    if len(values.values) != columns * rows:
+        last = int(values.lines[-1]) if len(values.lines) else number
+        raise at(last, 0, f"the height map has {len(values.values)} heights, and {columns} x {rows} are announced")
+    heights = values.values.reshape(rows, columns).copy()
+    heights[heights == head.get("nodata_value", -9999.0)] = np.nan
+    notes: List[str] = []
+    west, south = head.get("xllcorner", head.get("xllcenter", 0.0)), head.get("yllcorner", head.get("yllcenter", 0.0))
+    if max(cell) < 0.1 and abs(west) <= 360 and abs(south) <= 90 and np.nanmax(heights) - np.nanmin(heights) > 1:
+        return mesh(heights, _in_metres(cell, west, south, rows, notes), "height map, ESRI grid", notes)
+    return mesh(heights, cell, "height map, ESRI grid", notes, west, south)
+
+
+def read_pgm(data: bytes) -> Shape:
+    """A grey picture as heights, 8 or 16 bits; a comment may say the cell's sides, as in "cell 24.5 m x 30.8 m"."""
+    head = re.match(rb"(P[25])((?:\s+|#[^\n]*\n)+)(\d+)((?:\s+|#[^\n]*\n)+)(\d+)((?:\s+|#[^\n]*\n)+)(\d+)\s", data)
+    if head is None:
+        raise ShapeError("not a PGM file, or its header is cut short")
+    columns, rows, most = (int(head.group(i)) for i in (3, 5, 7))
+    if columns < 2 or rows < 2 or not 0 < most < 65536:
+        raise ShapeError(f"a height map of {columns} x {rows} heights up to {most} cannot be used")
+    count, dtype = columns * rows, np.dtype(">u2" if most > 255 else "u1")
+    if head.group(1) == b"P2":
+        values = numbers(data[head.end() :], data.count(b"\n", 0, head.end()) + 1).values
+    else:
+        values = np.frombuffer(data, dtype, min(count, (len(data) - head.end()) // dtype.itemsize), head.end())
+    if len(values) < count:
+        raise ShapeError(f"the PGM file ends in the middle of its {columns} x {rows} heights, behind {len(values)}")
+    heights = values[:count].astype(np.float64).reshape(rows, columns)
+    comments = b" ".join(head.group(i) for i in (2, 4, 6)).decode("latin-1")
+    cell, scale, notes = _scale_of(comments, heights)
+    return mesh(heights * scale, cell, "height map, PGM", notes)
+
+
+def _scale_of(comments: str, heights: Floats) -> Tuple[Tuple[float, float], float, List[str]]:
+    """Sides of a cell, the unit of heights in that of these sides, and notes."""
+    found = re.search(r"cell\D*?([\d.]+)\s*m?[^\d#]*([\d.]+)?", comments)
+    if found:
+        side = float(found.group(1))
+        unit = 0.1 if "decimet" in comments else 0.01 if "centimet" in comments else 1.0
+        return (side, float(found.group(2) or side)), unit, []
+    relief = float(heights.max() - heights.min())
+    scale = _RELIEF * max(heights.shape) / relief if relief > 0 else 1.0
+    note = f"the picture does not say its scale: from its lowest to its highest place are {_RELIEF:.0%} of its longer side"
+    return (1.0, 1.0), scale, [note]
+
+
+def read_geotiff(path: Path) -> Shape:
+    """The first band of a GeoTIFF."""
+    rasterio = needed("rasterio", "GeoTIFF", "python3-rasterio", "gdal_translate -of AAIGrid turns it into a grid, .asc")
+    import warnings
+
+    notes: List[str] = []
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of a picture without a place on the Earth
+        try:
+            with rasterio.open(path) as source:
+                step = max(1, math.ceil(math.sqrt(source.width * source.height / MOST_CELLS)))
+                shape = (max(2, source.height // step), max(2, source.width // step))
+                band: Any = source.read(1, out_shape=shape, masked=True)
+                cell = (abs(source.transform.a) * source.width / shape[1], abs(source.transform.e) * source.height / shape[0])
+                bounds, degrees = source.bounds, bool(source.crs and source.crs.is_geographic)
+                size = (source.width, source.height)
+        except Exception as error:  # of kinds that differ between its versions
+            raise ShapeError(f"rasterio cannot read it: {error}") from None
+    if step > 1:
+        notes.append(f"its {size[0]} x {size[1]} heights are used as {shape[1]} x {shape[0]}")
+    heights = np.ma.filled(band.astype(np.float64), np.nan)
+    if degrees:
+        return mesh(heights, _in_metres(cell, bounds.left, bounds.bottom, shape[0], notes), "height map, GeoTIFF", notes)
+    return mesh(heights, cell, "height map, GeoTIFF", notes, bounds.left, bounds.bottom)

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""OBJ and OFF meshes."""
+from __future__ import annotations
+
+import re
+from typing import Dict, List, Tuple
+
+import numpy as np
+
+from ._shape import Floats, Integers, Shape, ShapeError
+from ._table import Rows, at, check_indices, numbers, out_of_range, plain, polygons, shown, whole, without_comments
+
+_CORNER = re.compile(rb"[+-]?\d+(?:/[+-]?\d*){0,2}")
+
+
+def read_obj(data: bytes) -> Shape:
+    """Vertices and faces; normals only where there are no faces and one for each vertex."""
+    text = without_comments(plain(data))
+    if b"\\\n" in text:
+        text = re.sub(rb"((?:[^\n]*\\\n)+)([^\n]*)", _joined, text)
+    found: Dict[bytes, Tuple[List[bytes], List[int]]] = {b"v": ([], []), b"vn": ([], []), b"f": ([], [])}
+    for number, line in enumerate(text.split(b"\n"), 1):
+        words = line.split(None, 1)
+        if words and words[0] in found:
+            lines, where = found[words[0]]
+            lines.append(words[1] if len(words) == 2 else b"")
+            where.append(number)
+    vertices, wide = _vectors(*found[b"v"], "a vertex")
+    columns = ("x", "y", "z", "red", "green", "blue") if wide >= 6 else ("x", "y", "z")
+    if found[b"f"][0]:
+        triangles = _faces(*found[b"f"], np.array(found[b"v"][1]))
+        return Shape(vertices, None, triangles, "OBJ", columns)
+    normals, _ = _vectors(*found[b"vn"], "a normal")
+    if len(vertices) == 0:
+        raise ShapeError("there are no points: no line begins with v")
+    matched = len(normals) == len(vertices)
+    if matched:
+        columns = (*columns, "nx", "ny", "nz")
+    return Shape(vertices, normals if matched else None, None, "OBJ", columns)
+
+
+def _joined(found: "re.Match[bytes]") -> bytes:
+    """Lines that go on become one, and as many empty ones behind it."""
+    return found.group(1).replace(b"\\\n", b" ") + found.group(2) + b"\n" * found.group(1).count(b"\n")
+
+
+def _placed(lines: List[bytes], where: List[int], least: int = 1) -> Rows:
+    """Numbers of some lines of a file; `least` words stand before them."""
+    try:
+        rows = numbers(b"\n".join(lines))
+    except ShapeError:
+        for line, number in zip(lines, where):
+            numbers(line, number, least=least)
+        raise
+    return rows._replace(lines=np.array(where, dtype=np.int64)[rows.lines - 1])
+
+
+def _vectors(lines: List[bytes], where: List[int], what: str) -> Tuple[Floats, int]:
+    """The first three numbers of each line, and how many the first one has."""
+    rows = _placed(lines, where)
+    if len(rows.counts) != len(lines):
+        empty = next(i for i, line in enumerate(lines) if not line.strip())
+        raise at(where[empty], 0, f"{what} needs 3 numbers, and there are 0")
+    return rows.table(3, what).reshape(-1, 3), int(rows.counts[0]) if len(lines) else 0
+
+
+def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers) -> Integers:
+    """Of corners such as 7, 7/1, 7//3 or -1: counted from 1, or back from the last vertex so far."""
+    try:
+        rows = _placed([re.sub(rb"/\S*", b"", line) for line in lines], where)
+        corners = whole(rows, "a corner")
+    except ShapeError:
+        for line, number in zip(lines, where):
+            for column, word in enumerate(line.split(), 2):
+                if not _CORNER.fullmatch(word):
+                    raise at(number, column, f"a face has the corner {shown(word)}; 7, 7/1 or 7//3 are right") from None
+        raise
+    count = len(vertex_lines)
+    line_of = np.repeat(rows.lines, rows.counts)
+    seen = np.searchsorted(vertex_lines, line_of)
+    index = np.where(corners < 0, seen + corners, corners - 1)
+    wrong = np.flatnonzero((index < 0) | (index >= count))
+    if len(wrong):
+        i = int(wrong[0])
+        column = i - int(rows.starts[np.searchsorted(rows.starts, i, side="right") - 1]) + 2
+        raise at(int(line_of[i]), column, out_of_range(int(corners[i]), count, 1))
+    return polygons(rows, rows.counts, rows.starts, index)[0]
+
+
+def read_off(data: bytes) -> Shape:
+    """OFF and its kin with normals (NOFF) or colours (COFF); text only."""
+    if re.match(rb"\s*\w*OFF\s+BINARY", data[:100]):
+        raise ShapeError("not an OFF file in text form: binary ones are not read; save it as text, or as PLY")
+    text = without_comments(plain(data))
+    head = re.match(rb"\s*(\w*OFF)\b", text)
+    if head is None:
+        raise ShapeError("not an OFF file in text form: it does not begin with OFF")
+    kind = head.group(1).decode()
+    if "4" in kind or "n" in kind:
+        raise ShapeError(f"OFF files of the dimension of {kind!r} are not understood")
+    rest, first = text[head.end() :], 1 + text.count(b"\n", 0, head.end())
+    start = re.search(rb"\S", rest)
+    if start is None:
+        raise ShapeError("the OFF file lacks its counts")
+    counts, begin = _counts(rest, start.start(), first)
+    first += rest.count(b"\n", 0, begin)
+    rows = numbers(rest[begin:], first) if counts[0] or counts[1] else numbers(b"")
+    if len(rows.counts) < counts[0] + counts[1]:
+        raise ShapeError(
+            f"the OFF file ends before its {counts[0]} vertices and {counts[1]} faces do: "
+            f"{len(rows.counts)} lines follow the counts"
+        )
+    width = 6 if "N" in kind else 3
+    cut = [counts[0], counts[0] + counts[1]]
+    table = _part(rows, 0, cut[0]).table(width, "a vertex").reshape(-1, width)
+    triangles = _off_faces(_part(rows, *cut), counts[0]) if counts[1] else None
+    columns = ("x", "y", "z", "nx", "ny", "nz")[:width]
+    return Shape(table[:, :3], table[:, 3:] if width == 6 else None, triangles, "OFF", columns)
+
+
+def _counts(text: bytes, start: int, first_line: int) -> Tuple[List[int], int]:
+    """Vertices and faces, and where the line ends."""
+    end = text.find(b"\n", start)
+    end = len(text) if end < 0 else end
+    line = first_line + text.count(b"\n", 0, start)
+    words = text[start:end].split()
+    for column, word in enumerate(words, 1):
+        if not word.isdigit():
+            raise at(line, column, f"a count was expected, not {shown(word)}")
+    if len(words) < 2:
+        raise at(line, 0, "the OFF file lacks its counts: vertices and faces, as in 8 6 0")
+    return [int(word) for word in words], end
+
+
+def _part(rows: Rows, first: int, last: int) -> Rows:
+    """Some of the lines."""
+    ends = np.concatenate([[0], np.cumsum(rows.counts)])
+    return Rows(rows.values[ends[first] : ends[last]], rows.counts[first:last], rows.lines[first:last])
+
+
+def _off_faces(rows: Rows, count: int) -> Integers:
+    """A number of corners, the corners, and perhaps a colour, which need not be whole."""
+    sizes = rows.values[rows.starts]
+    for i in np.flatnonzero((sizes != np.round(sizes)) | (sizes < 0)):
+        raise at(int(rows.lines[i]), 1, f"a face begins with the number of its corners, not with {sizes[i]:g}")
+    corners = sizes.astype(np.int64)
+    for i in np.flatnonzero(rows.counts < corners + 1):
+        raise at(int(rows.lines[i]), 0, f"a face has fewer than its {corners[i]} corners")
+    triangles, lines = polygons(rows, corners, rows.starts + 1, rows.values.astype(np.int64))
+    check_indices(triangles, lines, count)
+    return triangles

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""PCD, the point clouds of PCL: ascii, binary and compressed."""
+from __future__ import annotations
+
+import struct
+from typing import Any, Dict, List, Tuple
+
+import numpy as np
+
+from ._shape import Shape, ShapeError
+from ._table import at, numbers
+
+_TYPES = {"F": "f", "I": "i", "U": "u"}
+
+
+def read_pcd(data: bytes) -> Shape:
+    """Read the bytes of a PCD file."""
+    head, offset, line = _header(data)
+    try:
+        names = head["FIELDS"]
+        sizes, types = [int(word) for word in head["SIZE"]], head["TYPE"]
+        counts = [int(word) for word in head.get("COUNT", ["1"] * len(names))]
+        points = int(head["POINTS"][0]) if "POINTS" in head else int(head["WIDTH"][0]) * int(head["HEIGHT"][0])
+        form = head["DATA"][0].lower()
+        fields = [(f"{name} {i}", f"<{_TYPES[kind]}{size}", (count,))
+                  for i, (name, kind, size, count) in enumerate(zip(names, types, sizes, counts))]  # fmt: skip
+    except (KeyError, ValueError, IndexError) as error:
+        raise ShapeError(f"the PCD header lacks {error.args[0]}, or cannot be understood") from None
+    if not len(names) == len(sizes) == len(types) == len(counts) or points < 0:
+        raise ShapeError("the PCD header has lists that differ in length, or a negative count")
+    if form == "ascii":
+        columns = _ascii(data[offset:], line, names, counts, points)
+    elif form == "binary":
+        columns = _packed(data[offset:], np.dtype(fields), points)
+    elif form == "binary_compressed":
+        columns = _compressed(data[offset:], fields, points)
+    else:
+        raise ShapeError(f"PCD files with data in the form {form!r} are not understood")
+    return _shape(columns, tuple(names), form)
+
+
+def _shape(columns: Dict[str, Any], names: Tuple[str, ...], form: str) -> Shape:
+    if not all(axis in columns for axis in "xyz"):
+        raise ShapeError(f"the PCD file has no x, y and z; it has {', '.join(names)}")
+    points = np.column_stack([columns[axis] for axis in "xyz"]).astype(np.float64)
+    normals = None
+    for three in (("normal_x", "normal_y", "normal_z"), ("nx", "ny", "nz")):
+        if all(name in columns for name in three):
+            normals = np.column_stack([columns[name] for name in three]).astype(np.float64)
+    return Shape(points, normals, None, f"PCD, {form}", names)
+
+
+def _header(data: bytes) -> Tuple[Dict[str, List[str]], int, int]:
+    """The words behind each keyword, where the data begins, and the number of that line."""
+    head: Dict[str, List[str]] = {}
+    start, number = 0, 0
+    while start < len(data):
+        end = data.find(b"\n", start)
+        end = len(data) if end < 0 else end
+        words = data[start:end].decode("latin-1").split()
+        start, number = end + 1, number + 1
+        if words and not words[0].startswith("#"):
+            head[words[0].upper()] = words[1:]
+            if words[0].upper() == "DATA":
+                return head, start, number + 1
+            if number > 100:
+                break
+    raise ShapeError("not a PCD file, or its header is cut short: there is no DATA line")
+
+
+def _ascii(data: bytes, line: int, names: List[str], counts: List[int], points: int) -> Dict[str, Any]:
+    rows = numbers(data, line)
+    if len(rows.counts) < points:
+        raise ShapeError(f"the PCD file ends in the middle of its {points} points, behind {len(rows.counts)} of them")
+    width = sum(counts)
+    for i in np.flatnonzero(rows.counts[:points] != width):
+        raise at(int(rows.lines[i]), 0, f"{rows.counts[i]} numbers, where the header has {width}")
+    table = rows.values[: width * points].reshape(points, width)
+    starts = np.cumsum([0, *counts])
+    return {name: table[:, starts[i]] for i, name in enumerate(names)}
+
+
+def _packed(data: bytes, dtype: Any, points: int) -> Dict[str, Any]:
+    there = len(data) // max(dtype.itemsize, 1)
+    if there < points:
+        raise ShapeError(f"the PCD file ends in the middle of its {points} points, behind {there} of them")
+    table = np.frombuffer(data, dtype, points)
+    return {name.rsplit(" ", 1)[0]: table[name][:, 0] for name in dtype.names}
+
+
+def _compressed(data: bytes, fields: List[Any], points: int) -> Dict[str, Any]:
+    """All numbers of the first field, then those of the second, ..., compressed by LZF."""
+    if len(data) < 8:
+        raise ShapeError("the PCD file ends before its points")
+    packed, size = struct.unpack_from("<II", data)
+    if len(data) < 8 + packed:
+        raise ShapeError(f"the PCD file ends in the middle of its {packed} compressed bytes, behind {len(data) - 8}")
+    raw, at_byte, columns = _unpack(data[8 : 8 + packed], size), 0, {}
+    for name, kind, (count,) in fields:
+        if at_byte + points * count * np.dtype(kind).itemsize > len(raw):
+            raise ShapeError(f"the PCD file ends in the middle of its {points} points")
+        numbers_ = np.frombuffer(raw, kind, points * count, at_byte)
+        columns[name.rsplit(" ", 1)[0]] = numbers_.reshape(points, count)[:, 0]
+        at_byte += numbers_.nbytes
+    return columns
+
+
+def _unpack(data: bytes, size: int) -> bytes:
+    """LZF: runs of bytes as they are, and copies of what came before."""
+    out = bytearray()
+    i = 0
+    try:
+        while i < len(data):
+            control = data[i]
+            i += 1
+            if control < 32:
+                out += data[i : i + control + 1]
+                i += control + 1
+                continue
+            length = control >> 5
+            if length == 7:
+                length += data[i]
+                i += 1
+            back = ((control & 31) << 8) + data[i] + 1
+            i += 1
+            length += 2
+            start = len(out) - back
+            if start < 0:
+                raise IndexError
+            piece = out[start : start + length]
+            while len(piece) < length:  # a copy that runs into itself
+                piece += piece[: length - len(piece)]
+            out += piece
+    except IndexError:
+        raise ShapeError("the compressed points of the PCD file are damaged") from None
+    if len(out) != size:
+        raise ShapeError("the compressed points of the PCD file are damaged")
+    return bytes(out)

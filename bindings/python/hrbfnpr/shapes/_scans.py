@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""Points of scanners: LAS, which is read here, LAZ by laspy, E57 by pye57.  z is up in them."""
+from __future__ import annotations
+
+import math
+import struct
+from pathlib import Path
+from typing import Any, List, Optional, Tuple
+
+import numpy as np
+
+from ._optional import needed
+from ._shape import Floats, Shape, ShapeError, Vector
+
+UP: Vector = (0.0, 0.0, 1.0)
+MOST_POINTS = 4_000_000  # that are read, evenly taken from more
+_HEADER = 227  # bytes of the shortest header
+
+
+def read_las(path: Path) -> Shape:
+    """Read a LAS file, or a LAZ file by laspy."""
+    with open(path, "rb") as file:
+        head = file.read(375)
+    if head[:4] != b"LASF" or len(head) < _HEADER:
+        raise ShapeError("not a LAS file, or its header is cut short")
+    offset, form, length, count = struct.unpack_from("<I4xBHI", head, 96)
+    scale, shift = struct.unpack_from("<3d", head, 131), struct.unpack_from("<3d", head, 155)
+    if head[25] >= 4 and count == 0 and len(head) >= 255:  # version 1.4
+        count = struct.unpack_from("<Q", head, 247)[0]
+    if count == 0:
+        raise ShapeError("the LAS file has no points")
+    if form & 0xC0:
+        points, notes = _by_laspy(path)
+        return Shape(points, None, None, "LAZ", ("x", "y", "z"), UP, notes)
+    there = (path.stat().st_size - offset) // max(length, 1)
+    if length < 20 or there < count:
+        raise ShapeError(f"the LAS file ends in the middle of its {count} points, behind {max(there, 0)} of them")
+    record = np.dtype({"names": ["place"], "formats": [("<i4", 3)], "itemsize": length})
+    table: Any = np.memmap(path, record, "r", offset, (count,))
+    step = math.ceil(count / MOST_POINTS)
+    places = np.array(table["place"][::step], dtype=np.float64)
+    notes = _taken(count, len(places))
+    return Shape(places * scale + shift, None, None, "LAS", ("x", "y", "z"), UP, notes)
+
+
+def _taken(count: int, used: int) -> Tuple[str, ...]:
+    return (f"of its {count} points {used} are read",) if used < count else ()
+
+
+def _by_laspy(path: Path) -> Tuple[Floats, Tuple[str, ...]]:
+    laspy = needed("laspy", "LAZ", "pip install laspy[lazrs]", "pdal translate or las2las turns it into LAS")
+    try:
+        with laspy.open(path) as file:
+            count = int(file.header.point_count)
+            step = math.ceil(count / MOST_POINTS)
+            parts: List[Any] = []
+            for chunk in file.chunk_iterator(1_000_000):
+                parts.append(np.column_stack([chunk.x, chunk.y, chunk.z])[::step])
+    except Exception as error:  # whatever its decompressors raise
+        raise ShapeError(f"laspy cannot read it: {error}") from None
+    points: Floats = np.concatenate(parts).astype(np.float64)
+    return points, _taken(count, len(points))
+
+
+def read_e57(path: Path) -> Shape:
+    """All scans of an E57 file, in their common frame; by pye57."""
+    pye57 = needed("pye57", "E57", "pip install pye57", "CloudCompare saves it as PLY, with normals")
+    points: List[Floats] = []
+    normals: Optional[List[Floats]] = []
+    try:
+        file = pye57.E57(str(path))
+        for scan in range(file.scan_count):
+            data = file.read_scan(scan, ignore_missing_fields=True, transform=True)
+            points.append(np.column_stack([data[f"cartesian{axis}"] for axis in "XYZ"]))
+            if normals is not None and all(f"nor:normal{axis}" in data for axis in "XYZ"):
+                normals.append(np.column_stack([data[f"nor:normal{axis}"] for axis in "XYZ"]))
+            else:
+                normals = None
+    except Exception as error:  # whatever the library behind it raises
+        raise ShapeError(f"pye57 cannot read it: {error}") from None
+    if not points:
+        raise ShapeError("the E57 file has no scans")
+    columns = ("x", "y", "z", "nx", "ny", "nz") if normals else ("x", "y", "z")
+    return Shape(np.concatenate(points), np.concatenate(normals) if normals else None, None, "E57", columns, UP)

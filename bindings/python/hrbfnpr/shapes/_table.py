@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: MIT
+"""Numbers in text files, read at once, and found one by one where something is wrong.
+
+Lines are counted from 1, and so are columns: the words of a line.
+"""
+from __future__ import annotations
+
+import re
+import warnings
+from typing import Any, List, NamedTuple, Sequence, Tuple
+
+import numpy as np
+
+from ._shape import Floats, Integers, ShapeError
+
+_UTF16 = (b"\xff\xfe", b"\xfe\xff")
+
+
+class Rows(NamedTuple):
+    """Numbers of the lines that hold any.
+
+    `values` are all of them in turn, `counts` how many a line has, `lines` the numbers of these lines.
+    """
+
+    values: Floats
+    counts: Integers
+    lines: Integers
+
+    @property
+    def starts(self) -> Integers:
+        """Where in `values` each line begins."""
+        result: Integers = np.cumsum(self.counts) - self.counts
+        return result
+
+    def table(self, width: int, what: str) -> Floats:
+        """The first `width` numbers of each line."""
+        short = np.flatnonzero(self.counts < width)
+        if len(short):
+            i = int(short[0])
+            raise at(int(self.lines[i]), 0, f"{what} needs {width} numbers, and there are {self.counts[i]}")
+        if len(self.counts) and (self.counts == self.counts[0]).all():
+            return self.values.reshape(len(self.counts), -1)[:, :width]
+        result: Floats = self.values[self.starts[:, None] + np.arange(width)]
+        return result
+
+
+def at(line: int, column: int, what: str) -> ShapeError:
+    """An error that says where; column 0 is the whole line."""
+    return ShapeError(f"line {line}, column {column}: {what}" if column else f"line {line}: {what}")
+
+
+def plain(data: bytes) -> bytes:
+    """UTF-8 without a byte-order mark, lines ended by a line feed; an error where it is no text."""
+    if data[:2] in _UTF16:
+        data = data.decode("utf-16", errors="replace").encode()
+    elif data[:3] == b"\xef\xbb\xbf":
+        data = data[3:]
+    if b"\0" in data[:4096]:
+        raise ShapeError("this is no text but binary data")
+    return data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+
+
+def without_comments(text: bytes, marks: Sequence[bytes] = (b"#",)) -> bytes:
+    """The same lines, cut off where a comment begins."""
+    for mark in marks:
+        if mark in text:
+            text = re.sub(re.escape(mark) + rb"[^\n]*", b"", text)
+    return text
+
+
+def numbers(text: bytes, first_line: int = 1, hint: str = "", least: int = 0) -> Rows:
+    """All numbers of a text whose words are apart by spaces.
+
+    Parameters
+    ----------
+    first_line : int
+        Number of the text's first line, for messages.
+    hint : str
+        What is said behind a word that is no number.
+    least : int
+        Column of the first word, less one: of lines whose first words are elsewhere.
+    """
+    starts, lines, counts = _words(text)
+    with warnings.catch_warnings():
+        # What is no number ends the parse: with a warning or an error, as NumPy is old or new.
+        warnings.simplefilter("ignore", DeprecationWarning)
+        try:
+            values = np.fromstring(text, dtype=np.float64, sep=" ")
+        except ValueError:
+            values = np.empty(0)
+    if len(values) != len(starts):
+        values = _one_by_one(text, first_line, hint, least)
+    return Rows(values, counts, lines + first_line)
+
+
+def _words(text: bytes) -> Tuple[Integers, Integers, Integers]:
+    """Where words begin; the lines that have some, from 0; and how many each of these has."""
+    codes = np.frombuffer(text, dtype=np.uint8)
+    word = codes > 32
+    starts = np.flatnonzero(word & ~np.concatenate([[False], word[:-1]]))
+    per_line = np.bincount(np.searchsorted(np.flatnonzero(codes == 10), starts)) if len(starts) else starts
+    lines = np.flatnonzero(per_line)
+    return starts, lines, per_line[lines]
+
+
+def _one_by_one(text: bytes, first_line: int, hint: str, least: int) -> Floats:
+    """What Python takes for numbers; an error at the first word that is none."""
+    values: List[float] = []
+    for number, line in enumerate(text.split(b"\n"), first_line):
+        for column, word in enumerate(line.split(), 1 + least):
+            values.append(number_at(word, number, column, hint))
+    return np.array(values, dtype=np.float64)
+
+
+def number_at(word: bytes, line: int, column: int, hint: str = "") -> float:
+    """A word as a number, or an error that says where it is none."""
+    try:
+        return float(word)
+    except ValueError:
+        raise at(line, column, f"{shown(word)} is not a number{hint and '; ' + hint}") from None
+
+
+def is_number(word: bytes) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def shown(word: bytes) -> str:
+    """A word of a file in quotation marks, cut where it is very long."""
+    text = word.decode("utf-8", errors="replace")
+    return repr(text if len(text) <= 40 else text[:37] + "...")
+
+
+def whole(rows: Rows, what: str, least: int = 0) -> Integers:
+    """The values as whole numbers, or an error that says where one is not."""
+    with np.errstate(invalid="ignore"):
+        result: Integers = rows.values.astype(np.int64)
+    wrong = np.flatnonzero(result != rows.values)
+    if len(wrong):
+        i = int(wrong[0])
+        line = int(np.searchsorted(rows.starts, i, side="right")) - 1
+        column = i - int(rows.starts[line]) + 1 + least
+        raise at(int(rows.lines[line]), column, f"{what} must be a whole number, not {rows.values[i]:g}")
+    return result
+
+
+def polygons(rows: Rows, counts: Integers, starts: Integers, values: Integers) -> Tuple[Integers, Integers]:
+    """Triangles of polygons whose corners are runs of `values`, and the line that each comes from."""
+    parts: List[Any] = []
+    lines: List[Any] = []
+    for size in np.unique(counts[counts >= 3]):
+        which = np.flatnonzero(counts == size)
+        corners = values[starts[which][:, None] + np.arange(size)]
+        for i in range(1, int(size) - 1):
+            parts.append(corners[:, [0, i, i + 1]])
+            lines.append(np.column_stack([which, np.full(len(which), i)]))
+    if not parts:
+        return np.empty((0, 3), dtype=np.int64), np.empty(0, dtype=np.int64)
+    order = np.lexsort(np.concatenate(lines).T[::-1])
+    return np.concatenate(parts)[order], rows.lines[np.concatenate(lines)[order, 0]]
+
+
+def check_indices(triangles: Integers, lines: Integers, count: int, first: int = 0) -> None:
+    """An error for a corner that is no vertex, by its own number and line; `first` is that of the first vertex."""
+    wrong = np.flatnonzero(((triangles < 0) | (triangles >= count)).any(axis=1))
+    if len(wrong) == 0:
+        return
+    i = int(wrong[0])
+    index = next(int(v) for v in triangles[i] if not 0 <= v < count)
+    raise at(int(lines[i]), 0, out_of_range(index + first, count, first))
+
+
+def out_of_range(index: int, count: int, first: int = 0) -> str:
+    """What is said of a face that names a vertex which is not there."""
+    if count > 1:
+        return f"a face names vertex {index}, but there are {count} vertices, {first} to {count - 1 + first}"
+    return f"a face names vertex {index}, but there " + (f"is one vertex, {first}" if count else "are no vertices")

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+"""Tables of points: XYZ and its kin (.xyz .xyzn .pwn .txt .asc .csv .pts)."""
+from __future__ import annotations
+
+import re
+from typing import Any, List, NamedTuple, Optional, Tuple
+
+import numpy as np
+
+from ._columns import Columns, by_content, by_heading
+from ._shape import Floats, Shape, ShapeError
+from ._table import Rows, at, is_number, number_at, numbers, plain, shown, without_comments
+
+_HINT = "a line holds x y z, or x y z nx ny nz, and a first line may name the columns"
+_COMMENTS = (b"#", b"//")
+_DECIMAL = re.compile(rb"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
+_TO_SPACES = bytes.maketrans(b",;\t", b"   ")
+
+
+class _Head(NamedTuple):
+    """What comes before the numbers."""
+
+    columns: Optional[Columns]
+    count: Optional[int]
+    at: int  # where the numbers begin, in bytes
+    line: int  # and their line's number
+    first: bytes  # that line
+
+
+def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
+    """Three numbers a line or more; columns are known by a heading or by what they hold.
+
+    A first line may hold the number of points.  PWN has two dialects: six numbers a line, and all points, then
+    all normals.  `normals_expected`: the file's ending says that there are some.
+    """
+    text = plain(data)
+    head = _head(text)
+    separator, decimal_comma = _separator(head.first)
+    body = without_comments(text[head.at :], _COMMENTS)
+    notes: Tuple[str, ...] = ()
+    if decimal_comma:
+        body, notes = body.replace(b",", b"."), ("commas are decimal marks here",)
+    body = body.rstrip()
+    if head.columns is not None or _has_gaps(body, separator):
+        names = head.columns.names if head.columns else None
+        table, names = _split(body, head.line, separator, names)
+    else:
+        rows = numbers(body.translate(_TO_SPACES), head.line, _HINT)
+        twice = _points_then_normals(rows, head.count)
+        if twice is not None:
+            return twice
+        table, names = _even(rows), None
+    _check_count(head.count, len(table), table.shape[1])
+    columns = Columns(names) if names else by_content(table, normals_expected)
+    if table.shape[1] < 3:
+        raise at(head.line, 0, f"{_HINT}; here are {table.shape[1]} numbers")
+    places, normals = columns.triple("xyz"), columns.triple(("nx", "ny", "nz"))
+    assert places is not None
+    return Shape(
+        table[:, places], None if normals is None else table[:, normals], format="text", columns=columns.names,
+        notes=(*notes, *columns.notes),
+    )  # fmt: skip
+
+
+def _head(text: bytes) -> _Head:
+    columns: Optional[Columns] = None
+    count: Optional[int] = None
+    start, number = 0, 0
+    while start < len(text):
+        end = text.find(b"\n", start)
+        end = len(text) if end < 0 else end
+        line, number = text[start:end].strip(), number + 1
+        bare = line.lstrip(b"#/;%! ")
+        heading = by_heading(_headings(bare)) if columns is None and count is None or bare != line else None
+        if heading is not None:
+            columns = heading
+        elif line and bare == line:
+            words = line.replace(b";", b" ").split()
+            if len(words) == 1 and words[0].isdigit() and count is None:
+                count = int(words[0])
+            else:
+                _check_first(line, number, columns is not None)
+                return _Head(columns, count, start, number, line)
+        start = end + 1
+    if count is not None:
+        raise at(number, 0, f"{count} points are announced, and none follow")
+    raise ShapeError("there are no points")
+
+
+def _headings(line: bytes) -> List[str]:
+    words = line.decode("utf-8", errors="replace")
+    mark = next((mark for mark in (";", ",", "\t") if mark in words), None)
+    return [word.strip() for word in words.split(mark)] if mark else words.split()
+
+
+def _check_first(line: bytes, number: int, headed: bool) -> None:
+    """Say what is wrong with the first line already where it is no numbers at all."""
+    words = re.split(rb"[,;\s]+", line.strip(b",; \t"))
+    if len(words) == 1 and re.fullmatch(rb"-\d+", words[0]):
+        raise at(number, 1, f"a count was expected, not {shown(words[0])}")
+    if not headed and not is_number(words[0]):
+        raise at(number, 1, f"{shown(words[0])} is not a number; {_HINT}")
+
+
+def _separator(line: bytes) -> Tuple[bytes, bool]:
+    """What is between the columns, and whether commas are decimal marks."""
+    apart = b";" if b";" in line else None
+    words = line.split(apart)
+    if b"," in line and len(words) >= 3 and b"." not in line:
+        if all(_DECIMAL.fullmatch(word.strip()) or is_number(word) for word in words):
+            return apart or b"", True
+    if apart is None and b"," in line:
+        apart = b","
+    return apart or b"", False
+
+
+def _has_gaps(body: bytes, separator: bytes) -> bool:
+    """Whether a column may be empty somewhere."""
+    return bool(separator) and re.search(re.escape(separator) + rb"[ \t]*(?:$|" + re.escape(separator) + rb")", body, re.M) is not None
+
+
+def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple[str, ...]]) -> Tuple[Floats, Any]:
+    """The table of a text with headings, other columns left as they are; and the names of its columns."""
+    wanted = [i for i, name in enumerate(names or ()) if name in ("x", "y", "z", "nx", "ny", "nz")]
+    if not (separator and _has_gaps(body, separator)):
+        try:
+            rows = numbers(body.translate(_TO_SPACES), first_line)
+            if names is None or (rows.counts == len(names)).all():
+                return rows.values.reshape(len(rows.counts), -1), names
+        except (ShapeError, ValueError):
+            pass  # a column of words, perhaps, which is not wanted
+    result: List[List[float]] = []
+    width = len(names) if names else 0
+    for number, line in enumerate(body.split(b"\n"), first_line):
+        if not line.strip():
+            continue
+        words = [word.strip().strip(b"\"'") for word in (line.split(separator) if separator else line.split())]
+        if separator and len(words) > 1 and not words[-1]:
+            words.pop()  # a separator at the end of the line
+        width = width or len(words)
+        if len(words) < width and (not wanted or len(words) <= max(wanted)):
+            raise at(number, 0, f"there are {len(words)} columns, and {width} were expected")
+        row = [float("nan")] * width
+        for i in wanted or range(min(width, len(words))):
+            row[i] = number_at(words[i], number, i + 1, _HINT) if words[i] else float("nan")
+        result.append(row)
+    return np.array(result, dtype=np.float64).reshape(len(result), width), names
+
+
+def _even(rows: Rows) -> Floats:
+    if len(rows.counts) == 0:
+        raise ShapeError("there are no points")
+    usual = int(rows.counts[0])
+    odd = np.flatnonzero(rows.counts != usual)
+    if len(odd):
+        i = int(odd[0])
+        raise at(int(rows.lines[i]), 0, f"{rows.counts[i]} numbers, where line {rows.lines[0]} has {usual}")
+    return rows.values.reshape(len(rows.counts), usual)
+
+
+def _points_then_normals(rows: Rows, count: Optional[int]) -> Optional[Shape]:
+    if count is None or len(rows.counts) != 2 * count or not (rows.counts == 3).all():
+        return None
+    table = rows.values.reshape(-1, 3)
+    return Shape(table[:count], table[count:], format="PWN", columns=("x", "y", "z", "nx", "ny", "nz"))
+
+
+def _check_count(count: Optional[int], found: int, width: int) -> None:
+    if count is not None and count != found:
+        raise ShapeError(f"the first line announces {count} points, but {found} lines of {width} numbers follow")
