@@ -19,6 +19,9 @@ Image = pytest.importorskip("PIL.Image")
 QUICK = ["--size", "120", "--marks", "1500", "--samples", "60", "--quiet"]
 
 
+STAGE = r"([a-z ]{12}) +(\d+\.\d\d) s(?:  .*)?"  # a line of what was done
+
+
 def rows(table):
     return "".join(" ".join(f"{x:.6f}" for x in row) + "\n" for row in table)
 
@@ -56,7 +59,10 @@ def test_draw_every_kind(files, tmp_path, kind, capsys):
     assert main(["draw", str(files[kind]), str(output), *QUICK]) == 0
     assert max(Image.open(output).size) == 120
     assert 0.01 < ink(output) < 0.9
-    assert capsys.readouterr() == ("", "")
+    out, err = capsys.readouterr()
+    # 60 samples are few for sharp edges, and that is said.
+    edged = kind in ("obj", "stl", "off")
+    assert out == "" and err.count("\n") == (err.startswith("hrbfnpr: warning: the surface is off the mesh") if edged else 0)
 
 
 @pytest.mark.parametrize("style", hrbfnpr.PRESETS)
@@ -101,7 +107,14 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main(["draw", str(files["xyz"]), "--size", "100x80", "--marks", "500", "--samples", "50"]) == 0
     out, err = capsys.readouterr()
-    assert out.startswith("a.png: 100 x 80 pixels, ") and err == ""
+    lines = out.splitlines()
+    assert re.fullmatch(r"a\.png: 100 x 80 pixels, 500 marks, \d+\.\d s", lines[-1]) and err == ""
+    stages = [re.fullmatch(STAGE, line) for line in lines[:-1]]
+    assert all(stages), lines
+    names = ["start", "read", "sample", "orient", "fit", "place marks", "trace lines", "frame", "write", "total"]
+    assert [stage.group(1).strip() for stage in stages] == names
+    seconds = [float(stage.group(2)) for stage in stages]
+    assert abs(seconds[-1] - sum(seconds[:-1])) < 0.1 + 0.2 * seconds[-1]
     assert Image.open("a.png").size == (100, 80)
 
 
@@ -177,10 +190,12 @@ def test_where_the_surface_ends(files, tmp_path, options, words, capsys):
 def test_flip(files, tmp_path):
     pictures = []
     for name, options in (("a", []), ("b", ["--flip"])):
-        options += ["--lines", "none"]  # those are the same from inside
+        options += ["--lines", "none", "--allow-blank"]  # lines are the same from inside
         assert main(["draw", str(files["xyz"]), str(tmp_path / name), *QUICK, *options]) == 0
         pictures.append(ink(tmp_path / name))
     assert pictures[0] > 2 * pictures[1]
+    assert main(["draw", str(files["xyz"]), str(tmp_path / "c"), *QUICK, "--flip"]) == 3
+    assert not (tmp_path / "c").exists()
 
 
 def test_the_same_picture_at_any_number_of_threads(files, tmp_path):
@@ -308,7 +323,14 @@ def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
         (["draw", "{xyz}", "--unknown"], 2, "unrecognized"),
         (["draw", "missing.xyz"], 1, "missing.xyz: No such file"),
         (["draw", "."], 1, "directory"),
-        (["draw", "{xyz}", "/nowhere/out.png"], 1, "No such file"),
+        (["draw", "{xyz}", "/nowhere/out.png"], 1, "/nowhere/out.png: there is no folder /nowhere$"),
+        (["draw", "{xyz}", "."], 1, r"\.: it is a folder"),
+        (["draw", "{xyz}", "out.png", "--save-model", "/nowhere/m"], 1, "/nowhere/m: there is no folder"),
+        (["draw", "{xyz}", "out.png", "--save-points", "m.xyz"], 1, "m.xyz: a point set cannot be written as .xyz"),
+        (["fit", "{xyz}", "/nowhere/m"], 1, "/nowhere/m: there is no folder"),
+        (["fit", "{xyz}", "m.stl"], 1, "m.stl: a model cannot be written as .stl: use .hrbf"),
+        (["points", "{xyz}", "m.obj"], 1, "m.obj: a point set cannot be written as .obj: use .hrbm, or .ply"),
+        (["draw", "{xyz}", "out.psd"], 1, "no picture format"),
         (["draw", "{xyz}", "out.bmpx"], 1, "no picture format"),
         (["draw", "{xyz}", "--box-jitter", "0.9"], 1, "box_jitter"),
         (["draw", "{xyz}", "--layers", "combing", "--marks", "2"], 1, "at most 2 marks, a step of 0.0.* set a larger budget"),
@@ -317,7 +339,7 @@ def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
         (["draw", "{xyz}", "--tolerance", "-1"], 1, "tolerance"),
         (["draw", "{xyz}", "--regularization", "some"], 2, "number is needed"),
         (["draw", "{xyz}", "--outliers", "reorient"], 2, "outliers"),
-        (["draw", "bad.xyz"], 1, "bad.xyz: a line must hold"),
+        (["draw", "bad.xyz"], 1, "bad.xyz: line 1: a line holds x y z.*; here are 2 numbers"),
         (["draw", "bad.ply"], 1, "bad.ply: not a PLY"),
         (["draw", "bad.hrbf"], 1, "bad.hrbf: "),
         (["draw", "flat.xyz"], 1, "no normals"),
@@ -334,7 +356,7 @@ def test_bad_command_lines(files, marks, tmp_path, monkeypatch, capsys, argument
     import re
 
     monkeypatch.chdir(tmp_path)
-    write(tmp_path, "bad.xyz", "1 2 3 4\n")
+    write(tmp_path, "bad.xyz", "1 2\n")
     write(tmp_path, "bad.ply", "nothing")
     write(tmp_path, "bad.hrbf", b"\x89HRB\r\n\x1a\n" + bytes(100))
     write(tmp_path, "bad.stl", b"")
@@ -348,7 +370,8 @@ def test_bad_command_lines(files, marks, tmp_path, monkeypatch, capsys, argument
         given = [*[word.format(**files) for word in arguments], *quick]
     assert main(given) == code
     out, err = capsys.readouterr()
-    assert out == "" and err.startswith("hrbfnpr: error: ") and err.count("\n") == 1, err
+    assert all(re.fullmatch(STAGE, line) for line in out.splitlines()), out
+    assert err.startswith("hrbfnpr: error: ") and err.count("\n") == 1, err
     assert re.search(words, err), err
     assert sorted(tmp_path.iterdir()) == before  # nothing is left behind
 
@@ -407,7 +430,8 @@ def test_ctrl_c(tmp_path):
         time.sleep(2.0)
         run.send_signal(signal.SIGINT)
         out, err = run.communicate(timeout=60)
-    assert (run.returncode, out, err) == (130, "", "hrbfnpr: error: interrupted\n")
+    assert (run.returncode, err) == (130, "hrbfnpr: error: interrupted\n")
+    assert out == "" or re.fullmatch(STAGE, out.splitlines()[-1])
     assert not output.exists()
 
 

@@ -24,6 +24,10 @@ def _reporter(progress: Progress) -> Callable[[float], Any]:
     if not hasattr(progress, "update") or not hasattr(progress, "n"):
         raise TypeError("progress must be callable, or a progress bar with `n` and `update` such as tqdm's")
 
+    if getattr(progress, "bar_format", "") is None and getattr(progress, "total", None) in (None, 1):
+        progress.total = 1.0
+        progress.bar_format = "{l_bar}{bar}| {elapsed}"  # percent; a count would be a fraction with all its digits
+
     def update(fraction: float) -> None:
         total = progress.total if getattr(progress, "total", None) else 1.0
         progress.update(fraction * total - progress.n)

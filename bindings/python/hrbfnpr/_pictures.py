@@ -25,7 +25,7 @@ def format_of(target: Union[str, "os.PathLike[str]", BinaryIO]) -> str:
 
     ending = os.path.splitext(os.fspath(target))[1].lower() if isinstance(target, (str, os.PathLike)) else ""
     format = Image.registered_extensions().get(ending, "PNG" if not ending else None)
-    if format is None:
+    if format is None or format not in Image.SAVE:
         raise ValueError(f"no picture format is known for the ending {ending!r}; use .png")
     return str(format)
 

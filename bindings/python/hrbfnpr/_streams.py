@@ -55,8 +55,10 @@ def write_atomically(path: Union[str, "os.PathLike[str]"], write: Callable[[Bina
         with open(temporary, "xb") as file:
             write(file)
         os.replace(temporary, target)
-    except BaseException:
+    except BaseException as error:
         temporary.unlink(missing_ok=True)
+        if isinstance(error, OSError) and error.filename == str(temporary):
+            error.filename = os.fsdecode(path)  # what the caller knows
         raise
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, List, Optional, Sequence, Tuple, Union
@@ -22,9 +21,9 @@ from .._pictures import save as save_picture
 from .._point_set import PointSet
 from .._renderer import Item, Renderer
 from .._style import Style
-from . import _automatic, _lines, _plate
+from . import _automatic, _blank, _lines, _plate
 from . import _values as values
-from ._inputs import given
+from ._inputs import Loaded, given
 from ._progress import Reporter
 
 _GENERATE = (
@@ -91,7 +90,7 @@ def _draw_as_published(style: Style) -> None:
 
 def make_camera(arguments: Any, source: Union[Model, PointSet], points: Any) -> Camera:
     """The camera asked for; without --eye one that sees all of the points."""
-    up = arguments.up or (0.0, 1.0, 0.0)
+    up = arguments.up
     # Finds are drawn as they are measured.
     fov = 0.0 if _is_find(arguments) else 30.0
     angle = math.radians(fov if arguments.fov is None else arguments.fov)
@@ -151,8 +150,10 @@ def generate(arguments: Any, model: Model, layers: Sequence[Layer], context: Con
     options = given(arguments, _GENERATE)
     if arguments.seed_points is not None:
         options["seed_points"] = shapes.read(arguments.seed_points).points
-    with report.stage("placing marks") as bar:
-        return PointSet.generate(model, layers, progress=bar, context=context, **options)
+    with report.stage("place marks", "placing marks") as stage:
+        marks = PointSet.generate(model, layers, progress=stage.bar, context=context, **options)
+        stage.says = f"{len(marks)} marks: {', '.join(layer.name or layer.kind for layer in marks.layers)}"
+    return marks
 
 
 def plan(
@@ -206,16 +207,19 @@ def plate(
     return _plate.compose(drawing.to_pil(), model, marks, section, camera, style, unit, context)
 
 
-def draw(arguments: Any, source: Union[Model, PointSet], context: Context, report: Reporter) -> None:
+def output_of(arguments: Any) -> Path:
+    """Where the picture goes."""
+    return Path(arguments.output_option or arguments.output or Path(arguments.input).stem + ".png")
+
+
+def draw(arguments: Any, loaded: Loaded, context: Context, report: Reporter) -> None:
     """Draw a model or a point set and write the picture."""
-    start = time.monotonic()
-    output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + ".png")
+    source, output = loaded.content, output_of(arguments)
+    arguments.up, arguments.input_shape = loaded.up, loaded.shape
     known = _automatic.probe(source, context) if isinstance(source, Model) else source
     camera = make_camera(arguments, source, _automatic.positions(known))
     if isinstance(source, Model):
         style, layers = plan(arguments, source, known, camera, report)
-        if arguments.save_model:
-            source.save(arguments.save_model)
         marks = generate(arguments, source, layers, context, report)
         line_set = _lines.make(arguments, source, style, context, report, section_lines(arguments, source, camera))
     else:
@@ -224,17 +228,29 @@ def draw(arguments: Any, source: Union[Model, PointSet], context: Context, repor
         line_set = None
         if arguments.lines:
             report.note("lines are drawn of a model, not of saved points: contours come from marks")
-    if arguments.save_points:
-        marks.save(arguments.save_points)
-    with report.stage("drawing"):
+    with report.stage("frame", "drawing") as stage:
         drawing = Renderer(context=context).draw(Item(marks, style, line_set=line_set), camera)
+        stage.says = f"{drawing.info.shown} of {len(marks)} marks shown, {drawing.info.line_curves} curves"
+        if not arguments.allow_blank:
+            _blank.check(drawing, source, camera, style, arguments.flip)
+    _write(arguments, source, marks, line_set, drawing, camera, style, output, context, report)
+    for doubt in _lines.doubts(drawing.info):
+        report.warn(doubt)
+    width, height = camera.size
+    report.summary(f"{output}: {width} x {height} pixels, {len(marks)} marks")
+
+
+def _write(
+    arguments: Any, source: Any, marks: PointSet, line_set: Optional[LineSet], drawing: Drawing, camera: Camera,
+    style: Style, output: Path, context: Context, report: Reporter,
+) -> None:  # fmt: skip
+    with report.stage("write", "writing") as stage:
+        if isinstance(source, Model) and arguments.save_model:
+            source.save(arguments.save_model)
+        if arguments.save_points:
+            marks.save(arguments.save_points)
         if isinstance(source, Model) and is_plate(arguments):
             save_picture(plate(arguments, drawing, source, marks, line_set, camera, style, context), output, None)
         else:
             drawing.save(output)
-    for note in _lines.doubts(drawing.info):
-        report.note(note)
-    if not report.quiet:
-        width, height = camera.size
-        seconds = time.monotonic() - start
-        print(f"{output}: {width} x {height} pixels, {len(marks)} marks, {seconds:.1f} s")
+        stage.says = ", ".join(filter(None, (str(output), arguments.save_model, arguments.save_points)))

@@ -1,24 +1,47 @@
 # SPDX-License-Identifier: MIT
-"""What a command works on: a saved model or point set, or samples from a file."""
+"""What a command works on: a saved model or point set, or a model fitted to what a file holds.
+
+The stages of the latter are read, sample, orient, fit and compare.
+"""
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Tuple, Union
+from typing import Any, Optional, Tuple, Union
+
+import numpy as np
 
 from .. import shapes
 from .._context import Context
 from .._errors import CorruptDataError
 from .._model import Model
 from .._point_set import PointSet
+from ..shapes import Shape, ShapeError
+from ..shapes._shape import Floats, Vector
+from . import _automatic, _nearness, _orient, _up
 from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
 MOST_SAMPLES = 4096  # a direct fit of more takes minutes and gigabytes
+FEW = 10  # samples with which a surface is a guess
+NO_NORMALS = (
+    "the points have no normals, and there are no faces to compute them from: CloudCompare (Edit > Normals > Compute) "
+    "and MeshLab (Compute normals for point sets) make them; save as PLY with normals"
+)
 
 FIT = (
     "kernel", "kernel_radius", "polynomial_degree", "regularization", "solver", "tolerance", "maximum_centres",
     "refinement_steps", "outliers", "flipped_normals",
 )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Loaded:
+    """A model or a point set, what it comes from if that was read, and which way is up."""
+
+    content: Union[Model, PointSet]
+    shape: Optional[Shape]
+    up: Vector
 
 
 def given(arguments: Any, names: Tuple[str, ...]) -> "dict[str, Any]":
@@ -41,28 +64,134 @@ def load_saved(path: Path, context: Context) -> Union[Model, PointSet, None]:
             raise as_points if "model" in str(as_points) else as_model from None
 
 
-def _samples(path: Path, arguments: Any, report: Reporter) -> Any:
-    shape = shapes.read(path)
+def in_words(shape: Shape) -> str:
+    """What was read, in a line."""
+    count = f"{len(shape.points)} points"
+    if shape.is_mesh:
+        assert shape.triangles is not None
+        count = f"{len(shape.points)} vertices, {len(shape.triangles)} triangles"
+    elif shape.normals is not None:
+        count += " with normals"
+    return f"{shape.format}: {count}"
+
+
+def _read(path: Path, report: Reporter) -> Shape:
+    shape = mended(shapes.read(path), report)
+    for note in shape.notes:
+        report.note(note)
+    return shape
+
+
+def mended(shape: Shape, report: Reporter) -> Shape:
+    """Without the faces that cannot be used."""
+    if not shape.is_mesh:
+        return shape
+    assert shape.triangles is not None
+    finite = np.isfinite(shape.points[shape.triangles]).all(axis=(1, 2))
+    if finite.all():
+        return shape
+    if not finite.any():
+        raise ShapeError("no face has three corners that are finite")
+    report.warn(f"{int((~finite).sum())} faces with a corner that is not finite are left out")
+    return replace(shape, triangles=shape.triangles[finite])
+
+
+def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
     count = arguments.samples
     chosen = arguments.tolerance or arguments.maximum_centres  # the fit itself chooses, from all of them
     if count is None and not shape.is_mesh and not chosen and len(shape.points) > MOST_SAMPLES:
         count = MOST_SAMPLES
         report.note(f"{len(shape.points)} points, of which {count} are used; --samples N sets another number")
+    if not shape.is_mesh and shape.normals is None:
+        raise ShapeError(NO_NORMALS)
     options = given(arguments, ("crease", "random_seed"))
-    with report.stage("sampling") as bar:
+    with report.stage("sample", "sampling") as stage:
+        bar = stage.bar
         progress = None if bar is None else lambda fraction: bar.update(fraction - bar.n)
-        points, normals = shapes.samples(shape, count, flip=arguments.flip, report=progress, **options)
+        points, normals = shapes.samples(shape, count, report=progress, **options)
+        stage.says = f"{len(points)} samples"
     if not shape.is_mesh and count is None and len(points) < len(shape.points):
         left_out = len(shape.points) - len(points)
         report.note(f"{left_out} points without a usable position or normal are left out")
     return points, normals
 
 
-def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Union[Model, PointSet]:
+def _normals(shape: Shape, points: Floats, normals: Floats, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
+    """Those that look outward; --flip is the user's own word on it."""
+    if arguments.flip:
+        return points, -normals
+    if shape.is_mesh and _was_turned(shape, points, normals):
+        report.note("the mesh was inside out: its faces are turned")
+    even = shape.is_mesh or arguments.samples is not None
+    return _orient.settle(points, normals, arguments.normals or "auto", even, report)
+
+
+def _was_turned(shape: Shape, points: Floats, normals: Floats) -> bool:
+    """Whether sampling has turned the faces, as it does with closed meshes that are inside out."""
+    assert shape.triangles is not None
+    start = shape.points[shape.triangles[0, 0]]
+    a, b, c = (shape.points[shape.triangles[:, i]] - start for i in range(3))
+    volume = np.einsum("ij,ij->", a, np.cross(b, c))
+    return bool(volume < 0 and np.einsum("ij,ij->", points - start, normals) > 0)
+
+
+def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Loaded:
     """The saved model or point set, or a model fitted to the samples in the file."""
-    saved = load_saved(path, context)
+    with report.stage("read", "reading") as stage:
+        saved = load_saved(path, context)
+        shape = None if saved is not None else _read(path, report)
+        stage.says = in_words(shape) if shape is not None else _saved_in_words(saved)
     if saved is not None:
-        return saved
-    points, normals = _samples(path, arguments, report)
-    with report.stage("fitting") as bar:
-        return Model.fit(points, normals, progress=bar, context=context, **given(arguments, FIT))
+        return Loaded(saved, None, _up_of_saved(saved, arguments, context, report))
+    assert shape is not None
+    points, normals = _samples(shape, arguments, report)
+    points, normals = _normals(shape, points, normals, arguments, report)
+    up = _up_of(shape, points, normals, arguments, report)
+    with report.stage("fit", "fitting") as stage:
+        model = Model.fit(points, normals, progress=stage.bar, context=context, **given(arguments, FIT))
+        info = model.info
+        how = _nearness.of_points(model)
+        stage.says = f"{info.centres} centres, {info.kernel}, {info.solver}; {how}"
+    for repair in _nearness.repairs(model):
+        report.note(repair)
+    for doubt in [*_nearness.doubts(model), *_thin_evidence(points)]:
+        report.warn(doubt)
+    _nearness.tell(shape, model, arguments.samples is not None, context, report)
+    return Loaded(model, shape, up)
+
+
+def _saved_in_words(saved: Union[Model, PointSet, None]) -> str:
+    if isinstance(saved, Model):
+        return f"a saved model of {saved.info.centres} centres"
+    return f"a saved point set of {0 if saved is None else len(saved)} marks"
+
+
+def _thin_evidence(points: Floats) -> Tuple[str, ...]:
+    """What is said of samples that hardly make a surface."""
+    if len(points) == 1:
+        return ("there is one point only: what is drawn is its plane",)
+    extent = np.linalg.svd(points - points.mean(axis=0), compute_uv=False) if len(points) < 5000 else np.ones(3)
+    if len(points) < FEW:
+        return (f"there are {len(points)} points only: the surface between them is a guess",)
+    if len(extent) > 1 and extent[1] < 1e-4 * extent[0]:
+        return ("all points are on a line: the surface beside it is a guess",)
+    return ()
+
+
+def _up_of(shape: Optional[Shape], points: Floats, normals: Floats, arguments: Any, report: Reporter) -> Vector:
+    """--up, or what is found."""
+    wanted: Optional[Vector] = getattr(arguments, "up", None)
+    if wanted is not None or not hasattr(arguments, "up"):
+        return wanted or _up.Y
+    up, why = _up.choose(shape, points, normals)
+    if why:
+        report.note(f"up is {_up.name(up)}: {why}; --up y sets another direction")
+    return up
+
+
+def _up_of_saved(saved: Union[Model, PointSet], arguments: Any, context: Context, report: Reporter) -> Vector:
+    if getattr(arguments, "up", None) is not None or not hasattr(arguments, "up"):
+        return _up_of(None, np.zeros((0, 3)), np.zeros((0, 3)), arguments, report)
+    marks = _automatic.probe(saved, context) if isinstance(saved, Model) else saved
+    normals = np.concatenate([np.asarray(layer.normals, dtype=float) for layer in marks.layers])
+    return _up_of(None, _automatic.positions(marks), normals, arguments, report)

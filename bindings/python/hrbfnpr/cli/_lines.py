@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
@@ -118,13 +117,14 @@ def make(
     once += more
     curved = needs_curvature(style)
     support = _support(arguments, wanted)
-    with report.stage("looking for lines") as bar:
-        made = LineSet(model, once, with_curvature=curved, support=support, progress=bar, context=context)
-    info = made.info
-    if support > 0 and not report.quiet:
-        print(_what_ends(info, support))
+    with report.stage("trace lines", "looking for lines") as stage:
+        made = LineSet(model, once, with_curvature=curved, support=support, progress=stage.bar, context=context)
+        info = made.info
+        stage.says = f"on {info.triangles} triangles, {info.lines} lines found once"
+    if support > 0:
+        report.say(_what_ends(info, support))
     if info.turned > 2e-3 * info.triangles or info.missed_seeds:
-        report.note(
+        report.warn(
             f"the surface is thinner than the cells that lines are looked for in ({info.turned} of {info.triangles} "
             f"triangles look away, {info.missed_seeds} samples are missed): lines may be missing there"
         )
@@ -136,16 +136,9 @@ def wanted_lines(arguments: Any, style: Style) -> List[Wanted]:
     if arguments.lines is not None:
         return list(arguments.lines)
     wanted = [Wanted(line.kind) for line in style.lines if line.kind in _FOUND_ONCE]
-    if any(line.name == "crease" for line in style.lines) and _is_mesh(Path(arguments.input)):
+    if any(line.name == "crease" for line in style.lines) and arguments.input_shape and arguments.input_shape.is_mesh:
         wanted.append(Wanted("crease"))
     return wanted
-
-
-def _is_mesh(path: Path) -> bool:
-    try:
-        return bool(shapes.read(path).is_mesh)
-    except (shapes.ShapeError, OSError):  # a saved model
-        return False
 
 
 def _support(arguments: Any, wanted: Sequence[Wanted]) -> float:
@@ -169,13 +162,13 @@ def _once(wanted: Wanted, model: Model, arguments: Any) -> Lines:
         places = low + (high - low) * (np.arange(wanted.planes) + 0.5) / wanted.planes
         return Lines("section", levels=list(places), plane=np.eye(3)[wanted.axis])
     if wanted.kind == "crease":
-        return Lines("own", "crease", polylines=creases(shapes.read(Path(arguments.input))))
+        return Lines("own", "crease", polylines=creases(arguments.input_shape))
     return Lines(wanted.kind)
 
 
 def creases(shape: Any, angle: float = 30.0) -> Sequence[Any]:
     """Edges of a mesh where faces meet at more than an angle, joined to polylines."""
-    if not shape.is_mesh:
+    if shape is None or not shape.is_mesh:
         raise shapes.ShapeError("creases come from a mesh; this file has no faces")
     points, index = np.unique(shape.points, axis=0, return_inverse=True)
     faces = index.reshape(-1)[shape.triangles]

@@ -6,6 +6,7 @@ import dataclasses
 import json
 import os
 import sys
+import time
 from pathlib import Path
 from typing import Any, Dict, List, Optional
 
@@ -14,7 +15,11 @@ from .._errors import Error, OutOfMemoryError
 from .._layer import Layer
 from .._model import Model
 from .._point_set import PointSet
+from ._blank import BlankError
+from ._clock import process_start
+from ._inputs import Loaded, load, load_saved
 from ._options import build
+from ._outputs import check_all, check_saved
 from ._progress import Reporter
 
 
@@ -28,15 +33,22 @@ def main(argv: Optional[List[str]] = None) -> int:
     Returns
     -------
     int
-        0; 1 after a failure; 2 for a wrong command line; 130 after Ctrl-C.
+        0; 1 after a failure; 2 for a wrong command line; 3 where a picture would be blank; 130 after Ctrl-C.
+        Of `check`: 0, 1 with warnings, 2 if the file cannot be used.
     """
+    start = process_start() if argv is None else time.monotonic()
+    report = Reporter(quiet=True)
     try:
         arguments = build().parse_args(argv)
-        return _run(arguments)
+        report = Reporter(arguments.quiet, start=start)
+        return _run(arguments, report)
     except SystemExit as end:  # argparse, for --help and wrong options
         return end.code if isinstance(end.code, int) else 0
     except UsageError as error:
         return _fail(str(error), 2)
+    except BlankError as error:
+        report.finish()
+        return _fail(str(error), 3)
     except KeyboardInterrupt:
         return _fail("interrupted", 130)
     except BrokenPipeError:
@@ -61,17 +73,13 @@ def _in_words(error: BaseException) -> str:
     return " ".join(str(error).split())
 
 
-def _run(arguments: Any) -> int:
+def _run(arguments: Any, report: Reporter) -> int:
     context = Context(arguments.threads or 0)
-    report = Reporter(arguments.quiet)
-    commands = {"draw": _draw, "sheet": _sheet, "fit": _fit, "points": _points, "info": _info}
-    commands[arguments.command](arguments, context, report)
-    return 0
+    commands = {"draw": _draw, "sheet": _sheet, "fit": _fit, "points": _points, "info": _info, "check": _check}
+    return commands[arguments.command](arguments, context, report) or 0
 
 
-def _load(arguments: Any, context: Context, report: Reporter) -> Any:
-    from ._inputs import load
-
+def _load(arguments: Any, context: Context, report: Reporter) -> Loaded:
     path = Path(arguments.input)
     try:
         return load(path, arguments, context, report)
@@ -82,8 +90,9 @@ def _load(arguments: Any, context: Context, report: Reporter) -> Any:
 
 
 def _draw(arguments: Any, context: Context, report: Reporter) -> None:
-    from ._draw import draw
+    from ._draw import draw, output_of
 
+    check_all(arguments, output_of(arguments))
     draw(arguments, _load(arguments, context, report), context, report)
 
 
@@ -91,43 +100,53 @@ def _sheet(arguments: Any, context: Context, report: Reporter) -> None:
     from ._sheet import draw_sheet, output_of
 
     output = output_of(arguments)
-    model = _load(arguments, context, report)
-    if not isinstance(model, Model):
+    check_all(arguments, output)
+    loaded = _load(arguments, context, report)
+    if not isinstance(loaded.content, Model):
         raise UsageError(f"{arguments.input} holds a point set; a sheet is drawn of samples or of a model")
-    draw_sheet(arguments, output, model, context, report)
+    arguments.up, arguments.input_shape = loaded.up, loaded.shape
+    draw_sheet(arguments, output, loaded.content, context, report)
 
 
 def _fit(arguments: Any, context: Context, report: Reporter) -> None:
-    model = _load(arguments, context, report)
+    check_saved(arguments.output, "model")
+    model = _load(arguments, context, report).content
     if not isinstance(model, Model):
         raise UsageError(f"{arguments.input} holds a point set; a model is fitted to samples")
-    model.save(arguments.output)
-    if not report.quiet:
-        info = model.info
-        print(f"{arguments.output}: {info.centres} centres, {info.kernel}, {info.seconds_total:.1f} s")
+    with report.stage("write", "writing") as stage:
+        model.save(arguments.output)
+        stage.says = arguments.output
+    report.summary(f"{arguments.output}: {model.info.centres} centres, {model.info.kernel}")
 
 
 def _points(arguments: Any, context: Context, report: Reporter) -> None:
     from ._draw import generate, make_layers
 
-    model = _load(arguments, context, report)
+    check_saved(arguments.output, "point set", ".ply")
+    model = _load(arguments, context, report).content
     if not isinstance(model, Model):
         raise UsageError(f"{arguments.input} holds a point set already")
     layers = [Layer(kind) for kind in arguments.layers or ("stipples",)]
     marks = generate(arguments, model, make_layers(arguments, layers), context, report)
-    if arguments.output.lower().endswith(".ply"):
-        from ._ply import write_ply
+    with report.stage("write", "writing") as stage:
+        if arguments.output.lower().endswith(".ply"):
+            from ._ply import write_ply
 
-        write_ply(arguments.output, marks)
-    else:
-        marks.save(arguments.output)
-    if not report.quiet:
-        print(f"{arguments.output}: {len(marks)} marks, {marks.info.seconds_total:.1f} s")
+            write_ply(arguments.output, marks)
+        else:
+            marks.save(arguments.output)
+        stage.says = arguments.output
+    report.summary(f"{arguments.output}: {len(marks)} marks")
+
+
+def _check(arguments: Any, context: Context, report: Reporter) -> int:
+    from ._check import check
+
+    return check(Path(arguments.input), arguments.json, context)
 
 
 def _describe(path: Path, context: Context) -> Dict[str, Any]:
     from .. import shapes
-    from ._inputs import load_saved
 
     saved = load_saved(path, context)
     if saved is not None:
@@ -140,6 +159,7 @@ def _describe(path: Path, context: Context) -> Dict[str, Any]:
     return {
         "file": str(path),
         "kind": "mesh" if shape.is_mesh else "points",
+        "format": shape.format,
         "points": len(shape.points),
         "triangles": 0 if shape.triangles is None else len(shape.triangles),
         "normals": shape.normals is not None,

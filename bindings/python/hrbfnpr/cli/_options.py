@@ -33,6 +33,7 @@ from .._names import (
     TONE_RULES,
     VISIBILITIES,
 )
+from ..shapes._read import READ
 from . import _lines
 from . import _values as values
 
@@ -75,7 +76,7 @@ def _add_choice(group: Any, option: str, dest: str, names: Sequence[str], help: 
 def _add_common(parser: Parser) -> None:
     group = parser.add_argument_group("general")
     _add(group, "--threads", "threads", values.count(0, 256), "N", "threads, 0 = all processors (default)")
-    group.add_argument("-q", "--quiet", action="store_true", help="no progress bars, notes or summary")
+    group.add_argument("-q", "--quiet", action="store_true", help="warnings and errors only")
 
 
 def _add_input(parser: Parser) -> None:
@@ -84,7 +85,8 @@ def _add_input(parser: Parser) -> None:
          "or chosen from a point set (all up to 4096 by default)")  # fmt: skip
     _add(group, "--crease", "crease", values.number, "DEGREES", "faces of a mesh that meet at a sharper angle do "
          "not share their normals; 60")  # fmt: skip
-    group.add_argument("--flip", action="store_true", help="turn all normals")
+    _add_choice(group, "--normals", "normals", ("auto", "keep"), "whether normals that all look inward are turned; auto")
+    group.add_argument("--flip", action="store_true", help="turn all normals, whatever they look like")
     _add(group, "--random-seed", "random_seed", values.count(0, 2**64 - 1), "N", "of all that is random; 1")
 
 
@@ -153,7 +155,8 @@ def _add_size(parser: Parser) -> None:
 
 def _add_camera(parser: Parser) -> None:
     group = parser.add_argument_group("camera")
-    _add(group, "--up", "up", values.direction, "AXIS", "x, y, z, -y, ... or X,Y,Z; y")
+    _add(group, "--up", "up", values.up, "AXIS", "x, y, z, -y, ... or X,Y,Z; auto (default): by the kind of file "
+         "and the shape, y where neither tells")  # fmt: skip
     _add(group, "--azimuth", "azimuth", values.number, "DEGREES", "of the camera about the up axis; 30")
     _add(group, "--elevation", "elevation", values.number, "DEGREES", "of the camera above the horizon; 20")
     _add(group, "--direction", "direction", values.direction, "X,Y,Z", "from the eye into the scene, instead of these")
@@ -241,13 +244,14 @@ def build() -> Parser:
     parser = Parser(prog="hrbfnpr", description="Pen-and-ink drawings of surfaces given by points and normals.")
     parser.add_argument("--version", action="version", version=f"hrbfnpr {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    source = "PLY, XYZ, PWN, OBJ, STL, OFF, or a saved model"
+    source = "a mesh or points with normals (check --help lists the formats), or a saved model"
 
     draw = commands.add_parser("draw", help="draw a picture", description="Draw a picture.")
     draw.add_argument("input", metavar="INPUT", help=f"{source} or point set")
     _add_output(draw, ".png")
     draw.add_argument("--save-model", metavar="FILE", help="save the fitted model too")
     draw.add_argument("--save-points", metavar="FILE", help="save the marks too")
+    draw.add_argument("--allow-blank", action="store_true", help="write the picture even if hardly anything is seen")
     for add in (_add_name, _add_size, _add_style, _add_camera, _add_marks, _add_fit, _add_input, _add_common):
         add(draw)
 
@@ -259,7 +263,7 @@ def build() -> Parser:
         add(sheet)
 
     fit = commands.add_parser("fit", help="fit a model and save it", description="Fit a model and save it.")
-    fit.add_argument("input", metavar="INPUT", help="PLY, XYZ, PWN, OBJ, STL or OFF")
+    fit.add_argument("input", metavar="INPUT", help="a mesh or points with normals")
     fit.add_argument("output", metavar="OUTPUT", help="the model")
     for add in (_add_fit, _add_input, _add_common):
         add(fit)
@@ -269,6 +273,13 @@ def build() -> Parser:
     points.add_argument("output", metavar="OUTPUT", help="the point set, or its marks as .ply")
     for add in (_add_marks, _add_fit, _add_input, _add_common):
         add(points)
+
+    check = commands.add_parser("check", help="look at a file without drawing it", description="Look at a file without "
+                                "drawing it: what it holds, what is wrong with it, what a fit would repair, and what to "
+                                f"do. Read are {READ}. Exit status: 0 fine, 1 warnings, 2 unusable.")  # fmt: skip
+    check.add_argument("input", metavar="FILE", help="a mesh or points, a saved model or point set")
+    check.add_argument("--json", action="store_true", help="as JSON")
+    _add_common(check)
 
     info = commands.add_parser("info", help="tell about a file or the library", description="Tell about a file, or, "
                                "without one, about the library.")  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import math
-import time
 from pathlib import Path
 from typing import Any, Dict, List, NamedTuple, Tuple
 
@@ -14,7 +13,7 @@ from .._context import Context
 from .._model import Model
 from .._names import PRESETS
 from .._renderer import Item, Renderer
-from . import _automatic, _draw, _lines
+from . import _automatic, _blank, _draw, _lines
 from ._progress import Reporter
 from ._values import VIEWS
 
@@ -50,12 +49,8 @@ class Layout(NamedTuple):
 
 
 def output_of(arguments: Any) -> Path:
-    """Where the sheet goes; an error before the work rather than behind it, if it cannot go there."""
-    output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + "-sheet.png")
-    _pictures.format_of(output)
-    if not output.parent.is_dir():
-        raise FileNotFoundError(2, "No such folder", str(output.parent))
-    return output
+    """Where the sheet goes."""
+    return Path(arguments.output_option or arguments.output or Path(arguments.input).stem + "-sheet.png")
 
 
 def cells(arguments: Any) -> List[Cell]:
@@ -92,6 +87,10 @@ class _Artist:
         style, layers = _draw.plan(cell.arguments, self._model, self._known, camera, about)
         marks, line_set = self._marks_of(cell, layers), self._lines_of(cell, style, camera)
         drawing = self._renderer.draw(Item(marks, style, line_set=line_set), camera)
+        try:
+            _blank.check(drawing, self._model, camera, style, cell.arguments.flip)
+        except _blank.BlankError as error:  # the others may be worth having
+            about.warn(str(error))
         if not _draw.is_plate(cell.arguments):
             return drawing.to_pil()
         return _draw.plate(
@@ -157,20 +156,21 @@ def _compose(layout: Layout, pictures: List[Any], labels: List[Any]) -> Any:
 
 def draw_sheet(arguments: Any, output: Path, model: Model, context: Context, report: Reporter) -> None:
     """Draw all cells and write the sheet."""
-    start = time.monotonic()
     wanted = cells(arguments)
     artist = _Artist(model, context, report.without_bars())
     pictures = []
-    with report.stage("drawing") as bar:
+    with report.stage("drawings", "drawing") as stage:
         for cell in wanted:
-            if bar is not None:
-                bar.set_description(cell.label)
+            if stage.bar is not None:
+                stage.bar.set_description(cell.label)
             pictures.append(artist.draw(cell))
-            if bar is not None:
-                bar.update(1 / len(wanted))
+            if stage.bar is not None:
+                stage.bar.update(1 / len(wanted))
+        stage.says = f"{len(wanted)}: marks, lines and frames of each"
     sizes = [picture.size for picture in pictures]
     text = max(8, max(map(max, sizes)) // 28)
     labels = [_label(cell.label, text, max(size[0] for size in sizes)) for cell in wanted]
-    _pictures.save(_compose(_layout(arguments, sizes, labels), pictures, labels), output, None)
-    if not report.quiet:
-        print(f"{output}: {len(wanted)} drawings, {time.monotonic() - start:.1f} s")
+    with report.stage("write", "writing") as stage:
+        _pictures.save(_compose(_layout(arguments, sizes, labels), pictures, labels), output, None)
+        stage.says = str(output)
+    report.summary(f"{output}: {len(wanted)} drawings")

@@ -55,6 +55,11 @@ def vector(text: str) -> Vector:
     return x, y, z
 
 
+def up(text: str) -> Optional[Vector]:
+    """A direction; None for auto."""
+    return None if text == "auto" else direction(text)
+
+
 def direction(text: str) -> Vector:
     """x, y or z, with a sign or not, or three numbers."""
     axis, sign = text.lstrip("+-"), -1.0 if text.startswith("-") else 1.0

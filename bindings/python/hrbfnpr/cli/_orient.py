@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""Which way the normals of samples look: outward, inward, or some this way and some that.
+
+What repairs normals, or makes them where there are none, belongs in `settle`.
+"""
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Tuple
+
+import numpy as np
+
+from ..shapes._shape import Floats
+from ._progress import Reporter
+
+SOURCES = 2500  # samples that stand for all
+QUERIES = 300  # of these, where it is asked
+NEIGHBOURS = 8
+INWARD = -0.6  # sum of the winding numbers on both sides: 1 of a closed surface, -1 inside out, 0 of a flat sheet
+DOUBTFUL = -0.25
+MIXED = 0.02  # share of normals against their neighbours that is warned of
+
+
+class Normals(NamedTuple):
+    """How normals look.
+
+    `closed` is the sum of the winding numbers on both sides of the samples, in the middle: 1 where they are a
+    closed surface with outward normals, -1 with inward ones, about 0 on an open sheet or with mixed ones.
+    `against` is the share of normals that look against those around them, `outside_in` the share of samples where
+    that sum is below 0, of those where it tells anything.
+    """
+
+    closed: float
+    against: float
+    outside_in: float
+
+    @property
+    def inward(self) -> bool:
+        """All of them, of a surface that is closed but for holes."""
+        return self.closed < INWARD and self.against < MIXED
+
+    @property
+    def mixed(self) -> bool:
+        """Some against their neighbours, or one part against another."""
+        return self.against >= MIXED or 0.05 < self.outside_in < 0.95
+
+
+def look(points: Floats, normals: Floats, even: bool, seed: int = 1) -> Normals:
+    """Winding numbers and neighbours; `even` means that each sample stands for the same area."""
+    random = np.random.default_rng(seed)
+    few = np.arange(len(points))
+    if len(points) > SOURCES:
+        few = np.sort(random.choice(len(points), SOURCES, replace=False))
+    points, normals = points[few], normals[few]
+    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    if len(points) < 6 or size == 0:
+        return Normals(0.0, 0.0, 0.0)
+    points = (points - points.mean(axis=0)) / size
+    distance, nearest = neighbours(points, points, min(NEIGHBOURS + 1, len(points)))
+    spacing = distance[:, -1]
+    areas = np.full(len(points), np.median(spacing) ** 2) if even else spacing**2
+    areas = areas * (np.pi / (distance.shape[1] - 1))
+    queries = np.arange(len(points))
+    if len(points) > QUERIES:
+        queries = random.choice(len(points), QUERIES, replace=False)
+    step = np.maximum(spacing[queries], 1e-6)[:, None] * normals[queries]
+    sums = sum(_winding(points[queries] + side * step, points, normals, areas) for side in (0.5, -0.5))
+    telling = np.abs(sums) > 0.4
+    outside_in = float((sums[telling] < 0).mean()) if telling.mean() > 0.3 else 0.0
+    return Normals(float(np.median(sums)), _against(points, normals, nearest[:, 1:]), outside_in)
+
+
+def neighbours(queries: Floats, points: Floats, count: int) -> Tuple[Floats, Any]:
+    """Distances to the nearest points and their indices, near ones first; a point is its own nearest."""
+    squares = (points**2).sum(axis=1)
+    distances, indices = [], []
+    for start in range(0, len(queries), 512):
+        block = queries[start : start + 512]
+        d2 = squares - 2 * block @ points.T + (block**2).sum(axis=1)[:, None]
+        near = np.argpartition(d2, count - 1, axis=1)[:, :count]
+        d2 = np.take_along_axis(d2, near, axis=1)
+        order = np.argsort(d2, axis=1)
+        indices.append(np.take_along_axis(near, order, axis=1))
+        distances.append(np.sqrt(np.maximum(np.take_along_axis(d2, order, axis=1), 0)))
+    return np.concatenate(distances), np.concatenate(indices)
+
+
+def _winding(queries: Floats, points: Floats, normals: Floats, areas: Floats) -> Floats:
+    away = points[None] - queries[:, None]
+    distance = np.linalg.norm(away, axis=2)
+    angle = np.einsum("ijk,jk->ij", away, normals * areas[:, None]) / np.maximum(distance, 1e-9) ** 3
+    result: Floats = angle.sum(axis=1) / (4 * np.pi)
+    return result
+
+
+def _against(points: Floats, normals: Floats, nearest: Any) -> float:
+    """Share of normals that most of their neighbours on the same sheet are against."""
+    away = points[nearest] - points[:, None]
+    length = np.linalg.norm(away, axis=2)
+    across = np.abs(np.einsum("ijk,ik->ij", away, normals))
+    beside = (across < 0.5 * length) & (length > 0)
+    opposed = np.einsum("ijk,ik->ij", normals[nearest], normals) < -0.25
+    counts = beside.sum(axis=1)
+    return float(((opposed & beside).sum(axis=1) > 0.6 * counts)[counts >= 3].sum() / len(points))
+
+
+def settle(points: Floats, normals: Floats, mode: str, even: bool, report: Reporter) -> Tuple[Floats, Floats]:
+    """The samples with normals that look outward, as far as that can be told; what was done is said."""
+    with report.stage("orient", "orienting") as stage:
+        found = look(points, normals, even)
+        if mode == "keep":
+            stage.says = "normals as they are"
+        elif found.inward:
+            normals = -normals
+            stage.says = "normals looked inward: all are turned"
+            report.note("all normals looked inward: they are turned (--normals keep leaves them)")
+        else:
+            stage.says = in_words(found)
+    for doubt in doubts(found, len(points)) if mode != "keep" else ():
+        report.warn(doubt)
+    return points, normals
+
+
+def in_words(found: Normals) -> str:
+    if found.mixed:
+        return "normals differ"
+    if found.closed > -INWARD:
+        return "normals look outward"
+    return "an open surface: its normals are as they are"
+
+
+def doubts(found: Normals, count: int) -> Tuple[str, ...]:
+    """What is wrong with normals that were not turned."""
+    if found.inward:
+        return ()
+    if found.against >= MIXED:
+        return (
+            f"about {round(found.against * count)} of {count} normals look against those around them, so the surface is "
+            "wrong there: --flipped-normals reorient repairs a few; orient them anew, in MeshLab or CloudCompare, if "
+            "they are many",
+        )
+    if found.mixed:
+        return (
+            f"some parts have outward normals and others inward ones (about {found.outside_in:.0%}): parts that look "
+            "inward are drawn empty",
+        )
+    if found.closed < DOUBTFUL:
+        return ("most of the surface looks inward, and it is open: --flip turns all normals, if the picture is empty",)
+    return ()

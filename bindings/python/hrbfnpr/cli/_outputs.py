@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""Whether results can be written, asked before the work."""
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Optional, Union
+
+from .. import _pictures
+from ..shapes._read import ENDINGS
+
+_SAVED = {"model": ".hrbf", "point set": ".hrbm"}
+
+
+def check(path: Union[str, Path]) -> None:
+    """An error, by the name that the user typed, if a file cannot be put there."""
+    target = Path(os.path.realpath(path))
+    if target.is_dir():
+        raise IsADirectoryError(21, "it is a folder; a file name is needed", str(path))
+    if not target.parent.is_dir():
+        raise FileNotFoundError(2, f"there is no folder {os.path.dirname(path) or '.'}", str(path))
+    writable = os.access(target, os.W_OK) if target.exists() else True
+    if not (writable and (os.access(target.parent, os.W_OK) or target.exists() and not target.is_file())):
+        raise PermissionError(13, "it cannot be written there", str(path))
+
+
+def check_picture(path: Union[str, Path]) -> None:
+    """The same of a picture, whose ending says its format."""
+    _pictures.format_of(path)
+    check(path)
+
+
+def check_saved(path: Optional[str], kind: str, also: str = "") -> None:
+    """The same of a model or a point set; an ending of another format is refused, but for `also`."""
+    if path is None:
+        return
+    ending = os.path.splitext(path)[1].lower()
+    if ending in ENDINGS and ending != also:
+        other = f", or {also}" if also else ""
+        raise ValueError(f"{path}: a {kind} cannot be written as {ending}: use {_SAVED[kind]}{other}")
+    check(path)
+
+
+def check_all(arguments: Any, picture: Optional[Path]) -> None:
+    """Everything that a command will write."""
+    if picture is not None:
+        check_picture(picture)
+    check_saved(getattr(arguments, "save_model", None), "model")
+    check_saved(getattr(arguments, "save_points", None), "point set")
