@@ -23,6 +23,7 @@ from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
 MOST_SAMPLES = 4096  # a direct fit of more takes minutes and gigabytes
+MOST_LOOKED_AT = 500_000  # triangles, for about two seconds
 FEW = 10  # samples with which a surface is a guess
 NO_NORMALS = (
     "the points have no normals, and there are no faces to compute them from: CloudCompare (Edit > Normals > Compute) "
@@ -76,24 +77,23 @@ def in_words(shape: Shape) -> str:
 
 
 def _read(path: Path, report: Reporter) -> Shape:
-    shape = mended(shapes.read(path), report)
+    shape, left_out = finite_faces(shapes.read(path))
+    if left_out:
+        report.warn(f"{_nearness.of(left_out, 'face')} with a corner that is not finite left out")
     for note in shape.notes:
         report.note(note)
     return shape
 
 
-def mended(shape: Shape, report: Reporter) -> Shape:
-    """Without the faces that cannot be used."""
+def finite_faces(shape: Shape) -> Tuple[Shape, int]:
+    """Without the faces that cannot be used, and how many they are."""
     if not shape.is_mesh:
-        return shape
+        return shape, 0
     assert shape.triangles is not None
     finite = np.isfinite(shape.points[shape.triangles]).all(axis=(1, 2))
-    if finite.all():
-        return shape
     if not finite.any():
         raise ShapeError("no face has three corners that are finite")
-    report.warn(f"{int((~finite).sum())} faces with a corner that is not finite are left out")
-    return replace(shape, triangles=shape.triangles[finite])
+    return (shape, 0) if finite.all() else (replace(shape, triangles=shape.triangles[finite]), int((~finite).sum()))
 
 
 def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
@@ -120,10 +120,28 @@ def _normals(shape: Shape, points: Floats, normals: Floats, arguments: Any, repo
     """Those that look outward; --flip is the user's own word on it."""
     if arguments.flip:
         return points, -normals
-    if shape.is_mesh and _was_turned(shape, points, normals):
+    with report.stage("orient", "orienting") as stage:
+        if shape.is_mesh:
+            _faces(shape, points, normals, report)
+        normals, stage.says = _orient.settle(points, normals, arguments.normals or "auto", shape.is_mesh, report)
+    return points, normals
+
+
+def _faces(shape: Shape, points: Floats, normals: Floats, report: Reporter) -> None:
+    """What there is to say of a mesh and its normals."""
+    assert shape.triangles is not None
+    if _was_turned(shape, points, normals):
         report.note("the mesh was inside out: its faces are turned")
-    even = shape.is_mesh or arguments.samples is not None
-    return _orient.settle(points, normals, arguments.normals or "auto", even, report)
+    if len(shape.triangles) > MOST_LOOKED_AT:
+        return
+    facts = shapes.mesh_facts(shape)
+    if facts.inconsistent_edges:
+        report.warn(
+            f"{_nearness.of(facts.inconsistent_edges, 'edge')} between faces that look to opposite sides: turn faces in "
+            "MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)"
+        )
+    if facts.components > 1:
+        report.note(f"the mesh has {facts.components} parts: those within others, or that run through others, make lumps")
 
 
 def _was_turned(shape: Shape, points: Floats, normals: Floats) -> bool:
@@ -184,7 +202,7 @@ def _up_of(shape: Optional[Shape], points: Floats, normals: Floats, arguments: A
     if wanted is not None or not hasattr(arguments, "up"):
         return wanted or _up.Y
     up, why = _up.choose(shape, points, normals)
-    if why:
+    if up != _up.Y:
         report.note(f"up is {_up.name(up)}: {why}; --up y sets another direction")
     return up
 

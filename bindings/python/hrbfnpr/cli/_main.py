@@ -21,6 +21,7 @@ from ._inputs import Loaded, load, load_saved
 from ._options import build
 from ._outputs import check_all, check_saved
 from ._progress import Reporter
+from ._values import words_of
 
 
 class UsageError(Exception):
@@ -57,7 +58,7 @@ def main(argv: Optional[List[str]] = None) -> int:
     except OutOfMemoryError as error:
         return _fail(f"out of memory: {error}; fewer --samples or --marks need less", 1)
     except (Error, OSError, ValueError, ImportError) as error:
-        return _fail(_in_words(error), 1)
+        return _fail(words_of(error), 1)
     except MemoryError:
         return _fail("out of memory", 1)
 
@@ -65,12 +66,6 @@ def main(argv: Optional[List[str]] = None) -> int:
 def _fail(message: str, code: int) -> int:
     print(f"hrbfnpr: error: {message}", file=sys.stderr)
     return code
-
-
-def _in_words(error: BaseException) -> str:
-    if isinstance(error, OSError) and error.filename is not None:
-        return f"{os.fsdecode(error.filename)}: {error.strerror}"
-    return " ".join(str(error).split())
 
 
 def _run(arguments: Any, report: Reporter) -> int:
@@ -86,7 +81,7 @@ def _load(arguments: Any, context: Context, report: Reporter) -> Loaded:
     except (Error, ValueError) as error:
         if isinstance(error, (OutOfMemoryError,)):
             raise
-        raise ValueError(f"{path}: {_in_words(error)}") from error
+        raise ValueError(f"{path}: {words_of(error)}") from error
 
 
 def _draw(arguments: Any, context: Context, report: Reporter) -> None:
@@ -175,7 +170,7 @@ def _info(arguments: Any, context: Context, report: Reporter) -> None:
         try:
             facts = _describe(Path(arguments.input), context)
         except (Error, ValueError) as error:
-            raise ValueError(f"{arguments.input}: {_in_words(error)}") from error
+            raise ValueError(f"{arguments.input}: {words_of(error)}") from error
     if arguments.json:
         print(json.dumps(facts, indent=2))
     else:

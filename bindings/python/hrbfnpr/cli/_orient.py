@@ -15,9 +15,10 @@ from ._progress import Reporter
 SOURCES = 2500  # samples that stand for all
 QUERIES = 300  # of these, where it is asked
 NEIGHBOURS = 8
-INWARD = -0.6  # sum of the winding numbers on both sides: 1 of a closed surface, -1 inside out, 0 of a flat sheet
+INWARD = -0.5  # sum of the winding numbers on both sides: 1 of a closed surface, -1 inside out, 0 of a flat sheet
 DOUBTFUL = -0.25
-MIXED = 0.02  # share of normals against their neighbours that is warned of
+MIXED = 0.02  # share of normals against their neighbours that is warned of ...
+UNSURE = 0.1  # ... and up to which all others may be trusted
 
 
 class Normals(NamedTuple):
@@ -25,23 +26,25 @@ class Normals(NamedTuple):
 
     `closed` is the sum of the winding numbers on both sides of the samples, in the middle: 1 where they are a
     closed surface with outward normals, -1 with inward ones, about 0 on an open sheet or with mixed ones.
-    `against` is the share of normals that look against those around them, `outside_in` the share of samples where
-    that sum is below 0, of those where it tells anything.
+    `against` is the share of normals that look against nearly all around them, `flipped` the share that would make
+    as many neighbours differ if it were flipped at random, `outside_in` the share of samples where that sum is below
+    0, of those where it tells anything.
     """
 
     closed: float
     against: float
+    flipped: float
     outside_in: float
 
     @property
     def inward(self) -> bool:
         """All of them, of a surface that is closed but for holes."""
-        return self.closed < INWARD and self.against < MIXED
+        return self.closed < INWARD and self.against < UNSURE
 
     @property
     def mixed(self) -> bool:
         """Some against their neighbours, or one part against another."""
-        return self.against >= MIXED or 0.05 < self.outside_in < 0.95
+        return self.against >= MIXED or self.flipped >= UNSURE or 0.05 < self.outside_in < 0.95
 
 
 def look(points: Floats, normals: Floats, even: bool, seed: int = 1) -> Normals:
@@ -53,7 +56,7 @@ def look(points: Floats, normals: Floats, even: bool, seed: int = 1) -> Normals:
     points, normals = points[few], normals[few]
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     if len(points) < 6 or size == 0:
-        return Normals(0.0, 0.0, 0.0)
+        return Normals(0.0, 0.0, 0.0, 0.0)
     points = (points - points.mean(axis=0)) / size
     distance, nearest = neighbours(points, points, min(NEIGHBOURS + 1, len(points)))
     spacing = distance[:, -1]
@@ -66,7 +69,7 @@ def look(points: Floats, normals: Floats, even: bool, seed: int = 1) -> Normals:
     sums = sum(_winding(points[queries] + side * step, points, normals, areas) for side in (0.5, -0.5))
     telling = np.abs(sums) > 0.4
     outside_in = float((sums[telling] < 0).mean()) if telling.mean() > 0.3 else 0.0
-    return Normals(float(np.median(sums)), _against(points, normals, nearest[:, 1:]), outside_in)
+    return Normals(float(np.median(sums)), *_against(points, normals, nearest[:, 1:]), outside_in)
 
 
 def neighbours(queries: Floats, points: Floats, count: int) -> Tuple[Floats, Any]:
@@ -92,32 +95,30 @@ def _winding(queries: Floats, points: Floats, normals: Floats, areas: Floats) ->
     return result
 
 
-def _against(points: Floats, normals: Floats, nearest: Any) -> float:
-    """Share of normals that most of their neighbours on the same sheet are against."""
+def _against(points: Floats, normals: Floats, nearest: Any) -> Tuple[float, float]:
+    """Share of normals that most of their neighbours on the same sheet are against, and what differing pairs tell."""
     away = points[nearest] - points[:, None]
     length = np.linalg.norm(away, axis=2)
     across = np.abs(np.einsum("ijk,ik->ij", away, normals))
     beside = (across < 0.5 * length) & (length > 0)
     opposed = np.einsum("ijk,ik->ij", normals[nearest], normals) < -0.25
     counts = beside.sum(axis=1)
-    return float(((opposed & beside).sum(axis=1) > 0.6 * counts)[counts >= 3].sum() / len(points))
+    against = float(((opposed & beside).sum(axis=1) > 0.75 * counts)[counts >= 3].sum() / len(points))
+    pairs = float((opposed & beside).sum() / max(beside.sum(), 1))  # 2 p (1 - p) of a share p
+    return against, (1 - np.sqrt(max(1 - 2 * pairs, 0.0))) / 2
 
 
-def settle(points: Floats, normals: Floats, mode: str, even: bool, report: Reporter) -> Tuple[Floats, Floats]:
-    """The samples with normals that look outward, as far as that can be told; what was done is said."""
-    with report.stage("orient", "orienting") as stage:
-        found = look(points, normals, even)
-        if mode == "keep":
-            stage.says = "normals as they are"
-        elif found.inward:
-            normals = -normals
-            stage.says = "normals looked inward: all are turned"
-            report.note("all normals looked inward: they are turned (--normals keep leaves them)")
-        else:
-            stage.says = in_words(found)
-    for doubt in doubts(found, len(points)) if mode != "keep" else ():
+def settle(points: Floats, normals: Floats, mode: str, mesh: bool, report: Reporter) -> Tuple[Floats, str]:
+    """The normals of samples, turned outward as far as that can be told, and what was done in words."""
+    if mode == "keep":
+        return normals, "normals as they are"
+    found = look(points, normals, mesh)
+    if found.inward:
+        report.note("all normals looked inward: they are turned (--normals keep leaves them)")
+        return -normals, "normals looked inward: all are turned"
+    for doubt in doubts(found, len(points), mesh):
         report.warn(doubt)
-    return points, normals
+    return normals, in_words(found)
 
 
 def in_words(found: Normals) -> str:
@@ -128,13 +129,19 @@ def in_words(found: Normals) -> str:
     return "an open surface: its normals are as they are"
 
 
-def doubts(found: Normals, count: int) -> Tuple[str, ...]:
+def doubts(found: Normals, count: int, mesh: bool) -> Tuple[str, ...]:
     """What is wrong with normals that were not turned."""
     if found.inward:
         return ()
-    if found.against >= MIXED:
+    if mesh and found.mixed:
+        share = max(found.flipped, found.outside_in)
         return (
-            f"about {round(found.against * count)} of {count} normals look against those around them, so the surface is "
+            f"some faces look outward and others inward (about {share:.0%}), so the surface is wrong there: turn them in "
+            "MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)",
+        )
+    if found.against >= MIXED or found.flipped >= UNSURE:
+        return (
+            f"about {round(found.flipped * count)} of {count} normals look against those around them, so the surface is "
             "wrong there: --flipped-normals reorient repairs a few; orient them anew, in MeshLab or CloudCompare, if "
             "they are many",
         )

@@ -15,27 +15,28 @@ _FLAT = 0.3  # relief of a terrain over its shorter side, at most ...
 _RELIEF = 0.003  # ... and at least
 _UPWARD = 0.7  # mean of the normals' upward parts
 _BASE = 0.05  # share of the surface that a base has, at least
+_NOTHING = "nothing speaks for another direction"
 _OTHERS = 4.0  # how much larger it is than any other flat end
 
 
 def choose(shape: Optional[Shape], points: Floats, normals: Floats) -> Tuple[Vector, str]:
-    """Up, and why; no reason where it is y because nothing speaks for another."""
+    """Up, and why."""
     if shape is not None and shape.up is not None:
-        return shape.up, f"as is usual in {shape.format.split(',')[0]} files" if shape.up != Y else ""
+        return shape.up, f"it is so in {shape.format.split(',')[0]} files"
     low, high = points.min(axis=0), points.max(axis=0)
     extent = high - low
     if (extent <= 0).any():
-        return Y, ""
+        return Y, _NOTHING
     if _is_terrain(extent, normals, 2) and not _is_terrain(extent, normals, 1):
         return Z, "the surface is a terrain: it is flat, and looks along z everywhere"
     if (np.abs(normals[:, 2]) > 0.05).mean() > 0.98 and abs(np.sign(normals[:, 2]).mean()) > 0.95:
-        return Y, ""  # a view from one side, or a relief: it has no end to stand on
+        return Y, _NOTHING  # a view from one side, or a relief: it has no end to stand on
     bases = _bases(points, normals, low, extent)
     if bases[4] >= _BASE and bases[4] >= _OTHERS * np.delete(bases, 4).max():
         return Z, "it has a flat base below along z, and no other flat end"
     if _stands(low, high, extent, 2) and not _stands(low, high, extent, 1) and bases[4] >= bases[2]:
         return Z, "it stands on z = 0, in the middle of x and y"
-    return Y, ""
+    return Y, _NOTHING
 
 
 def _is_terrain(extent: Floats, normals: Floats, axis: int) -> bool:

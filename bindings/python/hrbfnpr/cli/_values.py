@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import os
 from typing import Callable, Dict, List, Optional, Tuple, Union
 
 from .._fields import color
@@ -11,6 +12,13 @@ from .._names import LAYER_KINDS, PRESETS, STROKE_KINDS
 from .._style import LayerStyle, Style
 
 Vector = Tuple[float, float, float]
+
+
+def words_of(error: BaseException) -> str:
+    """An error in a line, with the file that it is about."""
+    if isinstance(error, OSError) and error.filename is not None:
+        return f"{os.fsdecode(error.filename)}: {error.strerror}"
+    return " ".join(str(error).split())
 
 
 def _numbers(text: str, length: int) -> List[float]:

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Reads point sets and meshes, and samples a mesh to a few well-spread points with normals.
 
-Needs NumPy; formats other than PLY, XYZ, PWN, OBJ and OFF are read by meshio.
+Needs NumPy; a few formats need the package that reads them (docs/input.md).
 
 >>> shape = hrbfnpr.shapes.read("bunny.ply")
 >>> points, normals = hrbfnpr.shapes.samples(shape, 1000)
 """
+from ._facts import MeshFacts, mesh_facts
 from ._read import read
 from ._sample import farthest_points, samples
 from ._shape import Shape, ShapeError
 
-__all__ = ["Shape", "ShapeError", "farthest_points", "read", "samples"]
+__all__ = ["MeshFacts", "Shape", "ShapeError", "farthest_points", "mesh_facts", "read", "samples"]
