@@ -30,7 +30,9 @@ def check(drawing: Drawing, source: Union[Model, PointSet], camera: Camera, styl
     few = any(layer.shown for layer in style.layers) and info.shown < LEAST_SHOWN * facing
     if ink >= LEAST_INK and not (few and info.dropped_hidden > MOST_HIDDEN * facing):
         return
-    seen = "nothing is drawn" if ink == 0 else f"{info.shown} of {info.marks} marks are visible, ink is on {ink:.2%} of it"
+    seen = "nothing is drawn"
+    if ink > 0:
+        seen = f"{info.shown} of {info.marks} marks are visible, and ink is on {ink:.2%} of it"
     raise BlankError(f"the picture would be blank: {seen}. {_why(drawing, source, camera, style, flipped)}")
 
 
@@ -60,7 +62,9 @@ def _why(drawing: Drawing, source: Any, camera: Camera, style: Style, flipped: b
     if all(tuple(one.ink[:3]) == tuple(style.paper[:3]) or one.ink[3] == 0 for one in style.layers if one.shown):
         reasons.append("the ink cannot be seen on the paper")
     if not reasons:
-        reasons.append("the model is too small in the picture, or the style draws no marks: try --style contour-and-stipple")
+        reasons.append(
+            "the model is too small in the picture, or the style draws no marks: try --style contour-and-stipple"
+        )
     return "; ".join(reasons)
 
 

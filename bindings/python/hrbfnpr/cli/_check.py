@@ -113,7 +113,9 @@ def _places(shape: Shape, findings: Findings) -> Floats:
         findings.repairs.append(f"{of(int((~finite).sum()), 'point')} without a finite position left out")
         findings.warn(f"{of(int((~finite).sum()), 'position')} not finite")
     if diagonal == 0:
-        findings.warn("all points are at one place: there is no surface to draw", "look for the scale in the program it is from")
+        findings.warn(
+            "all points are at one place: there is no surface to draw", "look for the scale in the program it is from"
+        )
     elif float(np.abs((low + high) / 2).max()) > _FAR * diagonal:
         findings.warn(
             "it is very far from the origin for its size: single precision loses its details",
@@ -152,7 +154,9 @@ def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Fl
 
 def _orientation(points: Floats, normals: Floats, mesh: bool, findings: Findings) -> None:
     found = _orient.look(points, normals, mesh)
-    words = "inward" if found.inward else "mixed" if found.mixed else "outward" if found.closed > -_orient.INWARD else "open"
+    words = "inward" if found.inward else "mixed" if found.mixed else "outward"
+    if words == "outward" and found.closed <= -_orient.INWARD:
+        words = "open"
     findings.facts.update(
         normals_look=words, normals_closed=round(found.closed, 3), normals_flipped_share=round(found.flipped, 4)
     )
@@ -184,15 +188,17 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
     elif facts.parts_inside_out:
         findings.warn(
             f"{facts.parts_inside_out} of {facts.components} parts are inside out, or cavities",
-            "turn their faces in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside), unless they are cavities",
+            "unless they are cavities, turn their faces in MeshLab (Re-orient all faces coherently) or Blender "
+            "(Recalculate outside)",
         )
     if facts.boundary_edges:
         findings.warn(
             f"it is open: {of(facts.holes, 'border')} of {of(facts.boundary_edges, 'edge')}",
-            "draw with --lines contour,border --support 3 to end it where the faces do; holes are closed by the surface",
+            "the surface closes holes, and goes on beyond borders: --lines contour,border --support 3 ends lines there",
         )
     if facts.non_manifold_edges:
-        findings.warn(f"{of(facts.non_manifold_edges, 'edge')} of more than two triangles", "nothing, if the picture is right")
+        what = f"{of(facts.non_manifold_edges, 'edge')} of more than two triangles"
+        findings.warn(what, "nothing, if the picture is right")
     if facts.inconsistent_edges:
         findings.warn(
             f"{of(facts.inconsistent_edges, 'edge')} between triangles that look to opposite sides",
@@ -200,7 +206,7 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
         )
     if facts.components > 1:
         findings.warn(
-            f"it has {facts.components} parts: those within others, or that run through others, make lumps",
+            f"it has {facts.components} parts: those within others, or that cut others, make lumps",
             "keep the outer surface only, if parts are inside others",
         )
     good = _inputs.finite_faces(shape)[0]

@@ -137,11 +137,11 @@ def _faces(shape: Shape, points: Floats, normals: Floats, report: Reporter) -> N
     facts = shapes.mesh_facts(shape)
     if facts.inconsistent_edges:
         report.warn(
-            f"{_nearness.of(facts.inconsistent_edges, 'edge')} between faces that look to opposite sides: turn faces in "
-            "MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)"
+            f"{_nearness.of(facts.inconsistent_edges, 'edge')} between faces that look to opposite sides: turn faces "
+            "in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)"
         )
     if facts.components > 1:
-        report.note(f"the mesh has {facts.components} parts: those within others, or that run through others, make lumps")
+        report.note(f"the mesh has {facts.components} parts: those within others, or that cut others, make lumps")
 
 
 def _was_turned(shape: Shape, points: Floats, normals: Floats) -> bool:

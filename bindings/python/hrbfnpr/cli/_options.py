@@ -85,7 +85,7 @@ def _add_input(parser: Parser) -> None:
          "or chosen from a point set (all up to 4096 by default)")  # fmt: skip
     _add(group, "--crease", "crease", values.number, "DEGREES", "faces of a mesh that meet at a sharper angle do "
          "not share their normals; 60")  # fmt: skip
-    _add_choice(group, "--normals", "normals", ("auto", "keep"), "whether normals that all look inward are turned; auto")
+    _add_choice(group, "--normals", "normals", ("auto", "keep"), "whether those that all look inward are turned; auto")
     group.add_argument("--flip", action="store_true", help="turn all normals, whatever they look like")
     _add(group, "--random-seed", "random_seed", values.count(0, 2**64 - 1), "N", "of all that is random; 1")
 
@@ -275,8 +275,8 @@ def build() -> Parser:
         add(points)
 
     check = commands.add_parser("check", help="look at a file without drawing it", description="Look at a file without "
-                                "drawing it: what it holds, what is wrong with it, what a fit would repair, and what to "
-                                f"do. Read are {READ}. Exit status: 0 fine, 1 warnings, 2 unusable.")  # fmt: skip
+                                "drawing it: what it holds, what is wrong with it, what a fit would repair, and what "
+                                f"to do. Read are {READ}. Exit status: 0 fine, 1 warnings, 2 unusable.")  # fmt: skip
     check.add_argument("input", metavar="FILE", help="a mesh or points, a saved model or point set")
     check.add_argument("--json", action="store_true", help="as JSON")
     _add_common(check)

@@ -136,13 +136,13 @@ def doubts(found: Normals, count: int, mesh: bool) -> Tuple[str, ...]:
     if mesh and found.mixed:
         share = max(found.flipped, found.outside_in)
         return (
-            f"some faces look outward and others inward (about {share:.0%}), so the surface is wrong there: turn them in "
-            "MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)",
+            f"some faces look outward and others inward (about {share:.0%}), so the surface is wrong there: turn them "
+            "in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)",
         )
     if found.against >= MIXED or found.flipped >= UNSURE:
         return (
-            f"about {round(found.flipped * count)} of {count} normals look against those around them, so the surface is "
-            "wrong there: --flipped-normals reorient repairs a few; orient them anew, in MeshLab or CloudCompare, if "
+            f"about {round(found.flipped * count)} of {count} normals look against those around them, so the surface "
+            "is wrong there: --flipped-normals reorient repairs a few; orient them anew, in MeshLab or CloudCompare, if "
             "they are many",
         )
     if found.mixed:

@@ -39,7 +39,8 @@ def _name(word: str) -> str:
         return _PLACE[bare]
     if bare in _COLOURS:
         return _COLOURS[bare]
-    normal = re.fullmatch(r"(?:n|norm|normals?)[ _:.\[]*([xyz012])\]?", bare) or re.fullmatch(r"([xyz])_?n(?:ormal)?", bare)
+    normal = re.fullmatch(r"(?:n|norm|normals?)[ _:.\[]*([xyz012])\]?", bare)
+    normal = normal or re.fullmatch(r"([xyz])_?n(?:ormal)?", bare)
     if normal:
         return "n" + _AXIS[normal.group(1)]
     place = re.fullmatch(r"(?:p|pos|positions?|points?|coords?|coordinates?|vertex)[ _:.\[]*([xyz012])\]?", bare)
@@ -91,7 +92,8 @@ def by_content(table: Floats, normals_expected: bool = False) -> Columns:
         found[place] = ("nx", "ny", "nz")
     for start in starts:
         taken = {place, place + 1, place + 2} if place else set()
-        if found.keys() <= {place} and not taken & {start, start + 1, start + 2} and _is_colour(some[:, start : start + 3]):
+        free = found.keys() <= {place} and not taken & {start, start + 1, start + 2}
+        if free and _is_colour(some[:, start : start + 3]):
             found[start] = ("red", "green", "blue")
     names = ["x", "y", "z"] + ["other"] * (width - 3)
     for start, three in found.items():

@@ -93,7 +93,8 @@ def _edges(triangles: Integers, count: int) -> Tuple[Integers, int, int]:
     keys, where, times = np.unique(low * count + high, return_inverse=True, return_counts=True)
     ways = np.bincount(where.reshape(-1), weights=np.where(forward, 1.0, -1.0), minlength=len(keys))
     single = keys[times == 1]
-    return np.column_stack([single // count, single % count]), int((times > 2).sum()), int(((times == 2) & (ways != 0)).sum())
+    boundary = np.column_stack([single // count, single % count])
+    return boundary, int((times > 2).sum()), int(((times == 2) & (ways != 0)).sum())
 
 
 def _components(count: int, triangles: Integers) -> Tuple[Any, int]:

@@ -20,7 +20,9 @@ _RELIEF = 0.15  # height over width of a picture that does not say its scale
 _KEYS = ("ncols", "nrows", "xllcorner", "xllcenter", "yllcorner", "yllcenter", "cellsize", "nodata_value", "dx", "dy")
 
 
-def mesh(heights: Floats, cell: Tuple[float, float], form: str, notes: List[str], west: float = 0.0, south: float = 0.0) -> Shape:
+def mesh(
+    heights: Floats, cell: Tuple[float, float], form: str, notes: List[str], west: float = 0.0, south: float = 0.0
+) -> Shape:
     """Two triangles for each four neighbours that have a height; row 0 is in the north."""
     rows, columns = heights.shape
     step = max(1, math.ceil(math.sqrt(rows * columns / MOST_CELLS)))
@@ -72,7 +74,7 @@ def read_grid(data: bytes) -> Shape:
     columns, rows = int(head.get("ncols", 0)), int(head.get("nrows", 0))
     cell = (head.get("cellsize", head.get("dx", 0.0)), head.get("cellsize", head.get("dy", 0.0)))
     if columns < 2 or rows < 2 or min(cell) <= 0:
-        raise ShapeError("the header of the height map needs ncols, nrows and cellsize, of two columns and rows at least")
+        raise ShapeError("the height map needs ncols, nrows and cellsize, and two columns and rows at least")
     values = numbers(text[start:], number)
     if len(values.values) != columns * rows:
         last = int(values.lines[-1]) if len(values.lines) else number
@@ -116,13 +118,13 @@ def _scale_of(comments: str, heights: Floats) -> Tuple[Tuple[float, float], floa
         return (side, float(found.group(2) or side)), unit, []
     relief = float(heights.max() - heights.min())
     scale = _RELIEF * max(heights.shape) / relief if relief > 0 else 1.0
-    note = f"the picture does not say its scale: from its lowest to its highest place are {_RELIEF:.0%} of its longer side"
+    note = f"the picture does not say its scale: its heights are made {_RELIEF:.0%} of its longer side"
     return (1.0, 1.0), scale, [note]
 
 
 def read_geotiff(path: Path) -> Shape:
     """The first band of a GeoTIFF."""
-    rasterio = needed("rasterio", "GeoTIFF", "python3-rasterio", "gdal_translate -of AAIGrid turns it into a grid, .asc")
+    rasterio = needed("rasterio", "GeoTIFF", "python3-rasterio", "gdal_translate -of AAIGrid makes a grid of it, .asc")
     import warnings
 
     notes: List[str] = []
@@ -133,7 +135,8 @@ def read_geotiff(path: Path) -> Shape:
                 step = max(1, math.ceil(math.sqrt(source.width * source.height / MOST_CELLS)))
                 shape = (max(2, source.height // step), max(2, source.width // step))
                 band: Any = source.read(1, out_shape=shape, masked=True)
-                cell = (abs(source.transform.a) * source.width / shape[1], abs(source.transform.e) * source.height / shape[0])
+                place = source.transform
+                cell = (abs(place.a) * source.width / shape[1], abs(place.e) * source.height / shape[0])
                 bounds, degrees = source.bounds, bool(source.crs and source.crs.is_geographic)
                 size = (source.width, source.height)
         except Exception as error:  # of kinds that differ between its versions
@@ -142,5 +145,6 @@ def read_geotiff(path: Path) -> Shape:
         notes.append(f"its {size[0]} x {size[1]} heights are used as {shape[1]} x {shape[0]}")
     heights = np.ma.filled(band.astype(np.float64), np.nan)
     if degrees:
-        return mesh(heights, _in_metres(cell, bounds.left, bounds.bottom, shape[0], notes), "height map, GeoTIFF", notes)
+        cell = _in_metres(cell, bounds.left, bounds.bottom, shape[0], notes)
+        return mesh(heights, cell, "height map, GeoTIFF", notes)
     return mesh(heights, cell, "height map, GeoTIFF", notes, bounds.left, bounds.bottom)

@@ -69,9 +69,10 @@ READ = (
 _CONVERT = {
     **dict.fromkeys((".step", ".stp", ".iges", ".igs", ".brep", ".sldprt", ".ipt", ".fcstd"),
                     "it holds no triangles: FreeCAD exports them as STL"),
-    **dict.fromkeys((".blend", ".fbx", ".dae", ".3ds", ".max", ".usd", ".usda", ".usdc", ".usdz", ".x3d", ".wrl", ".abc"),
+    **dict.fromkeys((".blend", ".fbx", ".dae", ".3ds", ".max", ".usd", ".usda", ".usdc", ".usdz", ".x3d", ".wrl"),
                     "Blender exports it as glTF or PLY"),
-    **dict.fromkeys((".ptx", ".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"), "CloudCompare saves it as PLY, with normals"),
+    **dict.fromkeys((".ptx", ".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"),
+                    "CloudCompare saves it as PLY, with normals"),
     **dict.fromkeys((".zip", ".7z", ".rar", ".tar"), "unpack it first"),
     **dict.fromkeys((".3mf", ".amf", ".ctm"), "MeshLab or a slicer exports it as STL"),
     **dict.fromkeys((".nii", ".dcm", ".nrrd", ".mha", ".vti"), "it holds a volume: 3D Slicer exports a surface as PLY"),
@@ -145,7 +146,8 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
         assert form.read_path is not None
         shape = form.read_path(path)
     if expected is not None and name != expected and {name, expected} != {"grid", "text"}:
-        return replace(shape, notes=(f"the ending is {ending}, but the file holds {name}, and is read so", *shape.notes))
+        note = f"the ending is {ending}, but the file holds {name}, and is read so"
+        return replace(shape, notes=(note, *shape.notes))
     return shape
 
 
@@ -176,6 +178,8 @@ def _unpacked(path: Path) -> bytes:
 def _unknown(path: Path, ending: str, packed: bool) -> Shape:
     if ending in _BY_MESHIO and not packed:
         return _vtk.read_meshio(path)
-    what = f"files that end in {ending} are not read" if ending else "the file has no ending, and its contents tell nothing"
+    what = "the file has no ending, and its contents tell nothing"
+    if ending:
+        what = f"files that end in {ending} are not read"
     advice = _CONVERT.get(ending, "MeshLab, Blender or CloudCompare convert others, to PLY for example")
     raise ShapeError(f"{what}; {advice}. Read are {READ}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 from pathlib import Path
-from typing import Any, List, Optional
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -83,19 +83,21 @@ def read_meshio(path: Path, form: str = "") -> Shape:
         for block in mesh.cells
         if block.type in ("triangle", "quad") or block.type.startswith("polygon")
     ]
-    notes = ()
+    notes: Tuple[str, ...] = ()
     if not parts:
-        parts = [outer for block in mesh.cells if block.type in _FACES for outer in [_outer(mesh.cells)]][:1]
+        outer = _outer(mesh.cells)
+        parts = [outer] if len(outer) else []
         notes = ("its cells fill a volume: their outer faces are used",) if parts else ()
     normals = mesh.point_data.get("Normals", mesh.point_data.get("normals"))
     given = None if parts or normals is None else np.asarray(normals, dtype=np.float64)
     columns = ("x", "y", "z") if given is None else ("x", "y", "z", "nx", "ny", "nz")
-    return Shape(points, given, np.concatenate(parts) if parts else None, form or path.suffix[1:].upper(), columns, notes=notes)
+    triangles = np.concatenate(parts) if parts else None
+    return Shape(points, given, triangles, form or path.suffix[1:].upper(), columns, notes=notes)
 
 
 def _outer(blocks: Any) -> Integers:
     """Triangles of the faces that one cell only has."""
-    faces: "dict[tuple[int, ...], list[int]]" = {}
+    faces: Dict[Tuple[int, ...], List[int]] = {}
     for block in blocks:
         for cell in np.asarray(block.data).tolist() if block.type in _FACES else ():
             for corners in _FACES[block.type]:

@@ -116,7 +116,10 @@ def _separator(line: bytes) -> Tuple[bytes, bool]:
 
 def _has_gaps(body: bytes, separator: bytes) -> bool:
     """Whether a column may be empty somewhere."""
-    return bool(separator) and re.search(re.escape(separator) + rb"[ \t]*(?:$|" + re.escape(separator) + rb")", body, re.M) is not None
+    if not separator:
+        return False
+    mark = re.escape(separator)
+    return re.search(mark + rb"[ \t]*(?:$|" + mark + rb")", body, re.M) is not None
 
 
 def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple[str, ...]]) -> Tuple[Floats, Any]:
@@ -135,8 +138,8 @@ def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple
         if not line.strip():
             continue
         words = [word.strip().strip(b"\"'") for word in (line.split(separator) if separator else line.split())]
-        if separator and len(words) > 1 and not words[-1]:
-            words.pop()  # a separator at the end of the line
+        if len(words) > max(width, 1) and not words[-1]:
+            words.pop()  # behind a separator at the end of the line
         width = width or len(words)
         if len(words) < width and (not wanted or len(words) <= max(wanted)):
             raise at(number, 0, f"there are {len(words)} columns, and {width} were expected")

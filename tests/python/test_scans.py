@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: MIT
+"""Points of scanners, height maps, and files of VTK."""
+import struct
+import sys
+import types
+
+import numpy as np
+import pytest
+from conftest import fibonacci_sphere
+from test_shapes import CUBE, VERTICES, write
+
+from hrbfnpr import shapes
+
+POINTS = fibonacci_sphere(60) * [1.0, 0.7, 1.3] + 5
+NORMALS = fibonacci_sphere(60)
+COLOURS = np.random.default_rng(1).integers(0, 256, (60, 3))
+
+
+def lines(*columns, mark=" ", form="{:.6f}"):
+    """A table of columns; those of whole numbers without a point."""
+    table = [column.reshape(60, -1) for column in columns]
+    rows = zip(*(part.tolist() for part in table))
+    return "".join(
+        mark.join(str(x) if isinstance(x, int) else form.format(x) for part in row for x in part) + "\n" for row in rows
+    )
+
+
+def is_right(shape, normals=True):
+    np.testing.assert_allclose(shape.points, POINTS, atol=1e-5)
+    if normals:
+        np.testing.assert_allclose(shape.normals, NORMALS, atol=1e-5)
+    else:
+        assert shape.normals is None
+    return True
+
+
+# --- PCD ---------------------------------------------------------------------------------------
+
+
+def lzf(data):
+    """As little compressed as can be: runs as they are, and copies of four equal bytes and more."""
+    out, i, run = b"", 0, b""
+    while i < len(data):
+        same = 1
+        while i + same < len(data) and data[i + same] == data[i] and same < 200:
+            same += 1
+        if same >= 5:
+            run += data[i : i + 1]
+            out += b"".join(bytes([len(run[k : k + 32]) - 1]) + run[k : k + 32] for k in range(0, len(run), 32))
+            run, length = b"", same - 1 - 2
+            out += bytes([7 << 5, length - 7, 0]) if length >= 7 else bytes([length << 5, 0])
+            i += same
+        else:
+            run += data[i : i + 1]
+            i += 1
+    return out + b"".join(bytes([len(run[k : k + 32]) - 1]) + run[k : k + 32] for k in range(0, len(run), 32))
+
+
+def pcd(form):
+    head = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z rgb normal_x normal_y normal_z\n"
+    head += "SIZE 4 4 4 4 4 4 4\nTYPE F F F U F F F\nCOUNT 1 1 1 1 1 1 1\nWIDTH 60\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
+    head = (head + f"POINTS 60\nDATA {form}\n").encode()
+    if form == "ascii":
+        return head + lines(POINTS, np.zeros(60, int), NORMALS).encode()
+    table = np.zeros(60, dtype=[("p", "<f4", 3), ("rgb", "<u4"), ("n", "<f4", 3)])
+    table["p"], table["n"] = POINTS, NORMALS
+    if form == "binary":
+        return head + table.tobytes()
+    fields = [table["p"][:, i] for i in range(3)] + [table["rgb"]] + [table["n"][:, i] for i in range(3)]
+    raw = b"".join(field.tobytes() for field in fields)
+    packed = lzf(raw)
+    assert len(packed) < len(raw)
+    return head + struct.pack("<II", len(packed), len(raw)) + packed
+
+
+@pytest.mark.parametrize("form", ["ascii", "binary", "binary_compressed"])
+def test_pcd(tmp_path, form):
+    assert is_right(shapes.read(write(tmp_path, "a.pcd", pcd(form))))
+
+
+@pytest.mark.parametrize(
+    "data, words",
+    [
+        (pcd("ascii")[:-300], "line 71: |ends in the middle of its 60 points"),
+        (pcd("binary")[:-300], "ends in the middle of its 60 points, behind 49"),
+        (pcd("binary_compressed")[:-300], "ends in the middle"),
+        (pcd("binary_compressed").replace(b"POINTS 60", b"POINTS 61"), "ends in the middle of its 61"),
+        (pcd("ascii").replace(b"FIELDS x y z", b"FIELDS a b c"), "no x, y and z"),
+        (pcd("ascii").replace(b"DATA ascii", b"DATA odd"), "'odd' are not understood"),
+        (pcd("ascii").replace(b"SIZE", b"SIZES"), "lacks SIZE"),
+        (b"# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\n", "no DATA line"),
+    ],
+)
+def test_broken_pcd(tmp_path, data, words):
+    with pytest.raises(shapes.ShapeError, match=words):
+        shapes.read(write(tmp_path, "a.pcd", data))
+
+
+# --- scanners and heights ----------------------------------------------------------------------
+
+
+def las(version=2, form=0, count=60):
+    head = bytearray(375 if version == 4 else 227)
+    head[:4], head[24], head[25] = b"LASF", 1, version
+    struct.pack_into("<HIIBHI", head, 94, len(head), len(head), 0, form, 20, 0 if version == 4 else count)
+    struct.pack_into("<6d", head, 131, 0.001, 0.001, 0.001, 4.0, 4.0, 4.0)
+    if version == 4:
+        struct.pack_into("<Q", head, 247, count)
+    table = np.zeros((60, 20), np.uint8)
+    table[:, :12] = np.round((POINTS - 4) * 1000).astype("<i4").view(np.uint8).reshape(60, 12)
+    return bytes(head) + table.tobytes()
+
+
+@pytest.mark.parametrize("version", [2, 4])
+def test_las(tmp_path, version):
+    shape = shapes.read(write(tmp_path, "a.las", las(version)))
+    np.testing.assert_allclose(shape.points, POINTS, atol=6e-4)
+    assert shape.up == (0, 0, 1) and shape.format == "LAS"
+
+
+def test_broken_las(tmp_path, monkeypatch):
+    cases = ((las()[:-100], "behind 55 of them"), (las()[:100], "header is cut short"), (las(count=0), "no points"))
+    for data, words in cases:
+        with pytest.raises(shapes.ShapeError, match=words):
+            shapes.read(write(tmp_path, "a.las", data))
+    monkeypatch.setattr("hrbfnpr.shapes._scans.MOST_POINTS", 20)
+    shape = shapes.read(write(tmp_path, "a.las", las()))
+    assert len(shape.points) == 20 and shape.notes == ("of its 60 points 20 are read",)
+
+
+def test_e57_by_its_package(tmp_path, monkeypatch):
+    class E57:
+        scan_count = 2
+
+        def __init__(self, path):
+            pass
+
+        def read_scan(self, number, **options):
+            part = slice(None, 30) if number == 0 else slice(30, None)
+            names = [f"cartesian{axis}" for axis in "XYZ"], [f"nor:normal{axis}" for axis in "XYZ"]
+            return {**dict(zip(names[0], POINTS[part].T)), **dict(zip(names[1], NORMALS[part].T))}
+
+    monkeypatch.setitem(sys.modules, "pye57", types.SimpleNamespace(E57=E57))
+    assert is_right(shapes.read(write(tmp_path, "a.e57", b"ASTM-E57" + bytes(100))))
+
+
+HEIGHTS = np.round(100 + 10 * np.add.outer(np.arange(5), np.arange(4)) ** 0.5, 3)
+
+
+def grid(head="xllcorner 1000\nyllcorner 2000\ncellsize 5\n"):
+    return f"ncols 4\nnrows 5\n{head}NODATA_value -9999\n" + "\n".join(" ".join(map(str, row)) for row in HEIGHTS)
+
+
+@pytest.mark.parametrize("name", ["a.asc", "a.grd", "a.txt"])
+def test_esri_grids(tmp_path, name):
+    shape = shapes.read(write(tmp_path, name, grid()))
+    assert shape.up == (0, 0, 1) and len(shape.triangles) == 2 * 4 * 3
+    np.testing.assert_allclose(shape.points[0], [1000, 2020, HEIGHTS[0, 0]])  # north-west
+    np.testing.assert_allclose(shape.points[-1], [1015, 2000, HEIGHTS[-1, -1]])
+    assert (shapes.samples(shape, 20)[1][:, 2] > 0).all()
+    holes = shapes.read(write(tmp_path, "b.asc", grid().replace(str(HEIGHTS[0, 0]), "-9999")))
+    assert len(holes.points) == 19 and len(holes.triangles) == 22 and "1 of 20 heights are missing" in holes.notes
+
+
+def test_grids_in_degrees(tmp_path):
+    shape = shapes.read(write(tmp_path, "a.asc", grid("xllcorner 10\nyllcorner 60\ncellsize 0.001\n")))
+    extent = np.ptp(shape.points, axis=0)
+    np.testing.assert_allclose(extent[:2], [3 * 55.66, 4 * 111.32], rtol=1e-3)
+    assert "degrees" in shape.notes[0]
+
+
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        (grid() + " 7", "line 11: the height map has 21 heights, and 4 x 5"),
+        (grid().replace(str(HEIGHTS[4, 3]), "deep"), "line 11, column 4: 'deep' is not a number"),
+        (grid("xllcorner 0\n"), "needs ncols, nrows and cellsize"),
+        ("ncols 4\nnrows 5\ncellsize five\n", "line 3, column 2: 'five' is not a number"),
+        ("ncols 2\nnrows 2\ncellsize 1\n-9999 -9999 -9999 -9999", "no heights"),
+    ],
+)
+def test_broken_grids(tmp_path, text, words):
+    with pytest.raises(shapes.ShapeError, match=words):
+        shapes.read(write(tmp_path, "a.asc", text))
+
+
+def test_large_height_maps_are_thinned(tmp_path, monkeypatch):
+    monkeypatch.setattr("hrbfnpr.shapes._heights.MOST_CELLS", 6)
+    shape = shapes.read(write(tmp_path, "a.asc", grid()))
+    assert len(shape.points) == 6 and "every second row and column" in shape.notes[0]
+    np.testing.assert_allclose(np.ptp(shape.points, axis=0)[:2], [10, 20])
+
+
+def test_pgm(tmp_path):
+    deep = b"P5\n# decimetres; cell 24.5 m x 30.0 m\n4 5\n65535\n" + (10 * HEIGHTS).astype(">u2").tobytes()
+    shape = shapes.read(write(tmp_path, "a.pgm", deep))
+    np.testing.assert_allclose(np.ptp(shape.points, axis=0), [3 * 24.5, 4 * 30, np.ptp(HEIGHTS)], atol=0.2)
+    assert shape.notes == ()
+    flat = "P2\n4 5\n255\n" + " ".join(map(str, HEIGHTS.astype(int).ravel()))
+    shape = shapes.read(write(tmp_path, "b.pgm", flat))
+    np.testing.assert_allclose(np.ptp(shape.points, axis=0), [3, 4, 0.75])
+    assert "does not say its scale" in shape.notes[0]
+    with pytest.raises(shapes.ShapeError, match="behind 15"):
+        shapes.read(write(tmp_path, "a.pgm", deep[:-10]))
+
+
+# --- VTK ---------------------------------------------------------------------------------------
+
+
+def test_cells_of_a_volume(tmp_path):
+    meshio = pytest.importorskip("meshio")
+    points = np.vstack([VERTICES, [[1, 1, 1]]])
+    meshio.Mesh(points, [("tetra", np.array([[0, 1, 2, 3], [1, 2, 3, 4]]))]).write(tmp_path / "a.vtu")
+    shape = shapes.read(tmp_path / "a.vtu")
+    facts = shapes.mesh_facts(shape)
+    assert len(shape.triangles) == 6 and facts.boundary_edges == 0 and "outer faces" in shape.notes[0]
+    meshio.Mesh(CUBE, [("hexahedron", np.array([[0, 1, 3, 2, 4, 5, 7, 6]]))]).write(tmp_path / "b.vtk")
+    facts = shapes.mesh_facts(shapes.read(tmp_path / "b.vtk"))
+    assert facts.closed and not facts.inside_out and facts.volume == pytest.approx(1)
+
+
+def test_polygons_of_vtk(tmp_path):
+    vtk = pytest.importorskip("vtk")
+    source = vtk.vtkSphereSource()
+    for writer, name in ((vtk.vtkXMLPolyDataWriter(), "a.vtp"), (vtk.vtkPolyDataWriter(), "a.vtk")):
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.SetFileName(str(tmp_path / name))
+        writer.Write()
+        facts = shapes.mesh_facts(shapes.read(tmp_path / name))
+        assert facts.closed and not facts.inside_out
+
+
+def test_geotiff(tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    place = rasterio.transform.from_origin(1000, 2025, 5, 5)
+    options = {"width": 4, "height": 5, "count": 1, "dtype": "float64", "nodata": -9999, "transform": place}
+    with rasterio.open(tmp_path / "a.tif", "w", driver="GTiff", **options) as file:
+        file.write(HEIGHTS, 1)
+    shape = shapes.read(tmp_path / "a.tif")
+    np.testing.assert_allclose(shape.points, shapes.read(write(tmp_path, "a.asc", grid())).points)
