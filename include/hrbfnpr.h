@@ -816,7 +816,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_trim_desc_init(hrbfnpr_trim_desc* desc, uint3
  * whole one again.  A surface of which nothing is to be left out stays whole, and
  * what is made from it is bit for bit that of `model`.
  * desc NULL = defaults.  operation may be NULL.
- * A trimmed model cannot be saved: save the whole one.
+ * Files of models hold where they end.
  * Errors: INVALID_ARGUMENT (a custom model without points), NOT_CONVERGED (no
  * part of the surface is near the samples; one sample has no spacing),
  * OUT_OF_MEMORY, CANCELLED, CALLBACK. */

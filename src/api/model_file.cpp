@@ -106,20 +106,65 @@ fit::FitReport report_of(std::span<const double> stored) noexcept {
     return report;
 }
 
+void append(base::Array<double>& packed, const geometry::VecArray& vectors) {
+    for (std::int64_t i = 0; i < vectors.size(); ++i)
+        for (int c = 0; c < 3; ++c) packed.push_back(vectors[i][c]);
+}
+
+geometry::VecArray unpacked(const base::Array<double>& packed) {
+    geometry::VecArray vectors(packed.memory());
+    for (std::int64_t i = 0; i + 2 < packed.size(); i += 3)
+        vectors.push_back({packed[i], packed[i + 1], packed[i + 2]});
+    return vectors;
+}
+
+io::TrimFile file_of(base::Memory& memory, const generate::FoundTrim& found) {
+    io::TrimFile file(memory);
+    if (found.trim == nullptr) return file;
+    const surface::Support& support = found.trim->support();
+    file.limit = found.trim->limit();
+    file.closest = found.trim->closest();
+    file.grid = support.grid();
+    append(file.position, support.positions());
+    append(file.normal, support.normals());
+    for (const std::uint64_t cell : support.ends().packed()) file.cells.push_back(static_cast<std::int64_t>(cell));
+    const generate::TrimReport& report = found.report;
+    for (const double number : {static_cast<double>(report.parts), static_cast<double>(report.parts_to_end),
+                                report.share, report.farthest, report.spacing})
+        file.report.push_back(number);
+    return file;
+}
+
+generate::FoundTrim trim_of(const base::Runtime& runtime, const io::TrimFile& file) {
+    surface::Support support(runtime, unpacked(file.position), unpacked(file.normal), file.closest, {});
+    geometry::CellSet cells(runtime.memory);
+    for (const std::int64_t cell : file.cells) cells.insert(static_cast<std::uint64_t>(cell));
+    support.end_only_in(file.grid, std::move(cells), file.limit);
+    std::array<double, 5> n{};
+    std::copy_n(file.report.begin(), std::min<std::int64_t>(file.report.size(), 5), n.begin());
+    generate::FoundTrim found;
+    found.report = {support.samples(), count_of(n[0]), count_of(n[1]), n[2], n[3], n[4]};
+    found.trim = std::make_unique<surface::Trim>(std::move(support), file.limit, file.closest);
+    return found;
+}
+
 void save(const hrbfnpr_model& model, io::Writer& writer) {
     const implicit::HrbfData* data = model.data();
     if (data == nullptr)
         fail(Status::invalid_argument, "model is a custom one: its function cannot be saved; only fits can");
-    if (model.trim().trim != nullptr)
-        fail(Status::invalid_argument, "model is trimmed: files of models do not hold where a surface ends; save the "
-                                       "model that it was trimmed from, and trim it again after loading");
-    io::save_model(*data, numbers_of(model.whole().report), writer);
+    const io::TrimFile trim = file_of(model.runtime().memory, model.trim());
+    io::save_model(*data, numbers_of(model.whole().report), &trim, writer);
 }
 
 hrbfnpr_model* load(hrbfnpr_context& context, io::Reader& reader) {
     io::ModelFile file = io::load_model(context.runtime.memory, reader);
-    return make_handle<hrbfnpr_model>(context, fit::FitResult{std::move(file.data), report_of(file.report.span()),
-                                                              base::Array<double>(context.runtime.memory)});
+    auto* const model =
+        make_handle<hrbfnpr_model>(context, fit::FitResult{std::move(file.data), report_of(file.report.span()),
+                                                           base::Array<double>(context.runtime.memory)});
+    if (file.trim.position.empty()) return model;
+    const Hold<hrbfnpr_model> whole(model); // from here on, and the trimmed one
+    release_handle(model);
+    return make_handle<hrbfnpr_model>(context, *model, trim_of(context.runtime, file.trim));
 }
 
 } // namespace

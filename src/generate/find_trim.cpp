@@ -178,8 +178,8 @@ geometry::CellSet Search::cells_left_out() const {
 FoundTrim find_trim(const base::Runtime& runtime, const implicit::Implicit& implicit,
                     const geometry::VecArray& position, const geometry::VecArray& normal, const TrimSettings& settings,
                     const base::Progress& progress) {
-    surface::Support support(runtime, position, normal, settings.closest * implicit.diagonal(),
-                             progress.part(0.0, 0.3));
+    const double closest = settings.closest * implicit.diagonal();
+    surface::Support support(runtime, position, normal, closest, progress.part(0.0, 0.3));
     Search search(runtime, implicit, support, settings);
     FoundTrim found;
     found.report = search.run(position, progress.part(0.3, 1.0));
@@ -188,7 +188,7 @@ FoundTrim find_trim(const base::Runtime& runtime, const implicit::Implicit& impl
         fail(Status::not_converged, "no part of the surface is near its samples: give more of them, or a larger limit");
     if (found.report.parts == 0) return found;
     support.end_only_in(search.grid(), search.cells_left_out(), settings.limit);
-    found.trim = std::make_unique<surface::Trim>(std::move(support), settings.limit);
+    found.trim = std::make_unique<surface::Trim>(std::move(support), settings.limit, closest);
     progress.update(1.0);
     return found;
 }

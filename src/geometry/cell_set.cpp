@@ -3,6 +3,7 @@
 
 #include "geometry/cell_block.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace hrbfnpr::geometry {
@@ -49,6 +50,16 @@ std::uint64_t CellSet::insert(std::uint64_t name, std::uint64_t cells) {
 }
 
 bool CellSet::insert(std::uint64_t packed) { return insert(block_of(packed), bit_of(packed)) != 0; }
+
+base::Array<std::uint64_t> CellSet::packed() const {
+    base::Array<std::uint64_t> all(table_.memory());
+    for (const Block& block : table_)
+        for (std::uint64_t left = block.cells; left != 0; left &= left - 1)
+            all.push_back((block.name & ~in_block) |
+                          CellGrid::pack(morton_cell(static_cast<std::uint64_t>(std::countr_zero(left)))));
+    std::sort(all.begin(), all.end());
+    return all;
+}
 
 bool CellSet::contains(std::uint64_t packed) const noexcept {
     return size_ > 0 && (table_[place(table_, block_of(packed))].cells & bit_of(packed)) != 0;

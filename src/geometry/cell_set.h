@@ -14,6 +14,8 @@ public:
 
     [[nodiscard]] std::int64_t size() const noexcept { return size_; }
     [[nodiscard]] std::int64_t bytes() const noexcept { return table_.bytes(); }
+    // All of them, packed, rising.
+    [[nodiscard]] base::Array<std::uint64_t> packed() const;
     [[nodiscard]] bool contains(std::uint64_t packed) const noexcept;
     // Whether the cell was new.
     bool insert(std::uint64_t packed);

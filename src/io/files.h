@@ -3,21 +3,33 @@
 #pragma once
 
 #include "base/memory.h"
+#include "geometry/cell_grid.h"
 #include "implicit/hrbf.h"
 #include "io/stream.h"
 #include "marks/point_set.h"
 
 namespace hrbfnpr::io {
 
-// Numbers that a model keeps beside its coefficients, in the order of fit::FitReport;
-// opaque to this room.
-struct ModelFile {
-    explicit ModelFile(base::Memory& memory) noexcept : data(memory), report(memory) {}
-    implicit::HrbfData data;
-    base::Array<double> report;
+// Where the surface of a trimmed model ends (surface/trim.h).
+struct TrimFile {
+    explicit TrimFile(base::Memory& memory) noexcept
+        : report(memory), position(memory), normal(memory), cells(memory) {}
+    double limit = 0.0, closest = 0.0;
+    geometry::CellGrid grid;
+    base::Array<double> report; // opaque, as that of a model
+    base::Array<double> position, normal;
+    base::Array<std::int64_t> cells; // packed
 };
 
-void save_model(const implicit::HrbfData& data, std::span<const double> report, Writer& writer);
+struct ModelFile {
+    explicit ModelFile(base::Memory& memory) noexcept : data(memory), report(memory), trim(memory) {}
+    implicit::HrbfData data;
+    base::Array<double> report; // numbers in the order of fit::FitReport, opaque to this room
+    TrimFile trim;              // without samples: the model is not trimmed
+};
+
+// trim: null or without samples where the model is not trimmed.
+void save_model(const implicit::HrbfData& data, std::span<const double> report, const TrimFile* trim, Writer& writer);
 // Throws Error{corrupt_data, version_mismatch, io, out_of_memory}; reads no byte beyond the file's end.
 [[nodiscard]] ModelFile load_model(base::Memory& memory, Reader& reader);
 

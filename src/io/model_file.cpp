@@ -16,6 +16,13 @@ constexpr std::uint32_t tag_beta[3] = {tag("BETX"), tag("BETY"), tag("BETZ")};
 constexpr std::uint32_t tag_polynomial = tag("POLY");
 constexpr std::uint32_t tag_report = tag("RPRT");
 
+// At the end, if the model is trimmed.
+constexpr std::uint32_t tag_trim = tag("TRIM");
+constexpr std::uint32_t tag_trim_report = tag("TRRP");
+constexpr std::uint32_t tag_trim_position = tag("TPOS");
+constexpr std::uint32_t tag_trim_normal = tag("TNRM");
+constexpr std::uint32_t tag_trim_cells = tag("TCEL");
+
 constexpr std::int32_t highest_degree = 3;
 constexpr std::int64_t longest_report = 1024;
 
@@ -74,6 +81,28 @@ void encode(Encoder& encoder, const implicit::HrbfData& data, std::span<const do
     encoder.section(tag_beta[2], data.beta.z.span());
     encoder.section(tag_polynomial, data.polynomial.span());
     encoder.section(tag_report, report);
+}
+
+void encode(Encoder& encoder, const TrimFile& trim) {
+    const glm::dvec3& origin = trim.grid.origin;
+    encoder.section<double>(tag_trim,
+                            std::array{trim.limit, trim.closest, origin.x, origin.y, origin.z, trim.grid.side});
+    encoder.section(tag_trim_report, trim.report.span());
+    encoder.section(tag_trim_position, trim.position.span());
+    encoder.section(tag_trim_normal, trim.normal.span());
+    encoder.section(tag_trim_cells, trim.cells.span());
+}
+
+void decode(Decoder& decoder, TrimFile& trim) {
+    std::array<double, 6> n{};
+    decoder.section<double>(tag_trim, n);
+    trim.limit = n[0];
+    trim.closest = n[1];
+    trim.grid = {{n[2], n[3], n[4]}, n[5]};
+    decoder.section(tag_trim_report, trim.report);
+    decoder.section(tag_trim_position, trim.position);
+    decoder.section(tag_trim_normal, trim.normal, trim.position.size());
+    decoder.section(tag_trim_cells, trim.cells);
 }
 
 void decode_kind(Decoder& decoder, implicit::HrbfData& data) {
@@ -172,10 +201,30 @@ void check_arrays(const Decoder& decoder, const implicit::HrbfData& data) {
     check_places(decoder, data);
 }
 
+void check(const Decoder& decoder, const TrimFile& trim) {
+    const glm::dvec3& origin = trim.grid.origin;
+    const std::array<double, 6> numbers{trim.limit, trim.closest, origin.x, origin.y, origin.z, trim.grid.side};
+    check_finite<double>(decoder, "trim", numbers);
+    if (!(trim.limit > 0.0) || trim.closest < 0.0 || !(trim.grid.side > 0.0))
+        decoder.damaged("its trim is none: limit, spacing or side are out of range");
+    if (trim.report.size() > longest_report) decoder.damaged("its trim's report is too long");
+    if (trim.position.empty() || trim.position.size() % 3 != 0)
+        decoder.damaged("its trim has no whole number of samples");
+    check_finite(decoder, "trim.position", trim.position.span());
+    for (const double x : trim.position)
+        if (std::abs(x) > coordinate_limit) decoder.damaged("its trim has a sample beyond 1e100");
+    check_unit(decoder, "trim.normal", trim.normal.span());
+    for (const std::int64_t cell : trim.cells)
+        if (cell < 0) decoder.damaged("its trim has a cell that is none");
+}
+
 } // namespace
 
-void save_model(const implicit::HrbfData& data, std::span<const double> report, Writer& writer) {
-    write_file(writer, kind_model, model_version, [&](Encoder& encoder) { encode(encoder, data, report); });
+void save_model(const implicit::HrbfData& data, std::span<const double> report, const TrimFile* trim, Writer& writer) {
+    write_file(writer, kind_model, model_version, [&](Encoder& encoder) {
+        encode(encoder, data, report);
+        if (trim != nullptr && !trim->position.empty()) encode(encoder, *trim);
+    });
 }
 
 ModelFile load_model(base::Memory& memory, Reader& reader) {
@@ -187,10 +236,13 @@ ModelFile load_model(base::Memory& memory, Reader& reader) {
     set_numbers(file.data, numbers);
     decode_arrays(decoder, file.data);
     decoder.section(tag_report, file.report);
+    const bool trimmed = decoder.more();
+    if (trimmed) decode(decoder, file.trim);
     decoder.finish();
     if (file.report.size() > longest_report) decoder.damaged("its report is too long");
     check_numbers(decoder, file.data);
     check_arrays(decoder, file.data);
+    if (trimmed) check(decoder, file.trim);
     return file;
 }
 

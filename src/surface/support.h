@@ -56,6 +56,11 @@ public:
     [[nodiscard]] Nearest nearest_sample(const glm::dvec3& place) const noexcept;
     [[nodiscard]] double median_spacing() const;
 
+    // Of the samples, in an order of its own.
+    [[nodiscard]] const geometry::VecArray& positions() const noexcept { return tree_.points(); }
+    [[nodiscard]] const geometry::VecArray& normals() const noexcept { return normal_; }
+    [[nodiscard]] const geometry::CellGrid& grid() const noexcept { return grid_; }
+    [[nodiscard]] const geometry::CellSet& ends() const noexcept { return ends_; }
     [[nodiscard]] std::int64_t samples() const noexcept { return tree_.size(); }
     [[nodiscard]] std::int64_t bytes() const noexcept;
 

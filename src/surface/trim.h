@@ -11,10 +11,13 @@ namespace hrbfnpr::surface {
 
 class Trim final : public implicit::Extent {
 public:
-    Trim(Support support, double limit) noexcept : support_(std::move(support)), limit_(limit) {}
+    // closest: as the support was made with.
+    Trim(Support support, double limit, double closest) noexcept
+        : support_(std::move(support)), limit_(limit), closest_(closest) {}
 
     [[nodiscard]] const Support& support() const noexcept { return support_; }
     [[nodiscard]] double limit() const noexcept { return limit_; }
+    [[nodiscard]] double closest() const noexcept { return closest_; }
 
     [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
         return !support_.may_end_at(place) || support_.value(place, gradient) <= limit_;
@@ -25,7 +28,7 @@ public:
 
 private:
     Support support_;
-    double limit_;
+    double limit_, closest_;
 };
 
 } // namespace hrbfnpr::surface

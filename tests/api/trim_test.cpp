@@ -222,8 +222,25 @@ TEST(Trim, KeepsTheModelThatItIsOf) {
     auto info = made(hrbfnpr_model_info_init);
     ASSERT_OK(hrbfnpr_model_get_info(again.get(), &info, error));
     EXPECT_EQ(info.centres, whole / 2);
+}
+
+TEST(Trim, IsSavedWithTheModel) {
+    Error error;
+    const Context context = make_context();
+    const Model model = trimmed(fit(context, zone(0.0, 1.0)));
     std::int64_t size = 0;
-    EXPECT_FAILS(hrbfnpr_model_save_memory(again.get(), nullptr, 0, &size, error), invalid, "model is trimmed");
+    ASSERT_EQ(hrbfnpr_model_save_memory(model.get(), nullptr, 0, &size, error), HRBFNPR_STATUS_BUFFER_TOO_SMALL);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+    ASSERT_OK(hrbfnpr_model_save_memory(model.get(), bytes.data(), size, &size, error));
+    hrbfnpr_model* made = nullptr;
+    ASSERT_OK(hrbfnpr_model_load_memory(context.get(), bytes.data(), size, &made, error));
+    const Model loaded(made);
+    const hrbfnpr_trim_info before = info_of(model);
+    const hrbfnpr_trim_info after = info_of(loaded);
+    EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
+    EXPECT_EQ(stipples_of(context, loaded), stipples_of(context, model));
+    bytes[bytes.size() - 100] ^= 1U;
+    EXPECT_EQ(hrbfnpr_model_load_memory(context.get(), bytes.data(), size, &made, error), HRBFNPR_STATUS_CORRUPT_DATA);
 }
 
 TEST(Trim, RefusesWhatIsNoEnd) {

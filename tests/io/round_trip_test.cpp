@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 namespace hrbfnpr::io {
 namespace {
@@ -34,12 +35,53 @@ TEST(ModelFile, KeepsEveryBit) {
             MemoryReader reader = reader_of(first);
             const ModelFile loaded = load_model(memory, reader);
             BytesWriter second;
-            save_model(loaded.data, loaded.report.span(), second);
+            save_model(loaded.data, loaded.report.span(), &loaded.trim, second);
             EXPECT_EQ(first, second.bytes);
             EXPECT_EQ(loaded.data.kernel, kind);
             EXPECT_EQ(loaded.data.polynomial_degree, degree);
             EXPECT_EQ(loaded.data.count(), 5);
         }
+}
+
+TEST(ModelFile, HoldsWhereATrimmedModelEnds) {
+    base::Memory memory;
+    ModelFile file(memory);
+    file.data = model(memory, 3);
+    file.trim.limit = 1.5;
+    file.trim.closest = 0.25;
+    file.trim.grid = {{1.0, 2.0, 3.0}, 0.5};
+    for (const double number : {4.0, 5.0}) file.trim.report.push_back(number);
+    for (const double number : {0.0, 1.0, 2.0}) file.trim.position.push_back(number);
+    for (const double number : {0.0, 0.0, 1.0}) file.trim.normal.push_back(number);
+    for (const std::int64_t cell : {std::int64_t{7}, std::int64_t{1} << 60}) file.trim.cells.push_back(cell);
+    const auto bytes_with = [&](const TrimFile& trim) {
+        BytesWriter writer;
+        save_model(file.data, report(), &trim, writer);
+        return writer.bytes;
+    };
+    const Bytes bytes = bytes_with(file.trim);
+    MemoryReader reader = reader_of(bytes);
+    const ModelFile loaded = load_model(memory, reader);
+    EXPECT_EQ(bytes_with(loaded.trim), bytes);
+    EXPECT_EQ(loaded.trim.limit, 1.5);
+    EXPECT_EQ(loaded.trim.closest, 0.25);
+    EXPECT_EQ(loaded.trim.grid.origin, glm::dvec3(1.0, 2.0, 3.0));
+    EXPECT_EQ(loaded.trim.grid.side, 0.5);
+    EXPECT_EQ(loaded.trim.cells.size(), 2);
+
+    const auto is_refused = [&](double& number, double wrong) {
+        const double right = std::exchange(number, wrong);
+        const Bytes damaged = bytes_with(file.trim);
+        number = right;
+        MemoryReader other = reader_of(damaged);
+        EXPECT_THROW((void)load_model(memory, other), Error) << wrong;
+    };
+    is_refused(file.trim.limit, 0.0);
+    is_refused(file.trim.closest, -1.0);
+    is_refused(file.trim.grid.side, 0.0);
+    is_refused(file.trim.grid.origin.x, std::numeric_limits<double>::quiet_NaN());
+    is_refused(file.trim.position[0], 1e101);
+    is_refused(file.trim.normal[0], 2.0);
 }
 
 TEST(ModelFile, GivesBackEveryField) {

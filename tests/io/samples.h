@@ -116,7 +116,7 @@ inline marks::PointSet point_set(base::Memory& memory, std::int64_t count) {
 
 inline Bytes bytes_of(const implicit::HrbfData& data) {
     BytesWriter writer;
-    save_model(data, report(), writer);
+    save_model(data, report(), nullptr, writer);
     return writer.bytes;
 }
 

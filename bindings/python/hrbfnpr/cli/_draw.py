@@ -216,6 +216,7 @@ def draw(arguments: Any, loaded: Loaded, context: Context, report: Reporter) -> 
     """Draw a model or a point set and write the picture."""
     source, output = loaded.content, output_of(arguments)
     arguments.up, arguments.input_shape = loaded.up, loaded.shape
+    arguments.has_end = isinstance(source, Model) and source.trim_info.is_trimmed
     known = _automatic.probe(source, context) if isinstance(source, Model) else source
     camera = make_camera(arguments, source, _automatic.positions(known))
     if isinstance(source, Model):

@@ -18,7 +18,7 @@ from .._model import Model
 from .._point_set import PointSet
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats, Vector
-from . import _automatic, _nearness, _orient, _up
+from . import _automatic, _ends, _nearness, _orient, _up
 from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
@@ -159,6 +159,8 @@ def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Load
         saved = load_saved(path, context)
         shape = None if saved is not None else _read(path, report)
         stage.says = in_words(shape) if shape is not None else _saved_in_words(saved)
+    if isinstance(saved, Model):
+        saved = _ends.end_of_saved(saved, arguments.close)
     if saved is not None:
         return Loaded(saved, None, _up_of_saved(saved, arguments, context, report))
     assert shape is not None
@@ -175,7 +177,7 @@ def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Load
     for doubt in [*_nearness.doubts(model), *_thin_evidence(points)]:
         report.warn(doubt)
     _nearness.tell(shape, model, arguments.samples is not None, context, report)
-    return Loaded(model, shape, up)
+    return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
 
 
 def _saved_in_words(saved: Union[Model, PointSet, None]) -> str:

@@ -80,6 +80,8 @@ def style_lines(arguments: Any, style: Style, pen: float) -> None:
         style.lines = [_line(wanted, contour) for wanted in arguments.lines]
     elif any(getattr(arguments, option) is not None for option in _OF_MARKS):
         style.lines = []
+    if arguments.lines is None and style.lines and getattr(arguments, "has_end", False):
+        style.lines = [*style.lines, _line(Wanted("border"), contour)]
     wider = 1.0 if arguments.line_width is None else arguments.line_width / (pen * contour.width)
     for line in style.lines:
         if arguments.hidden is not None or arguments.hidden_lines is not None:
@@ -116,7 +118,7 @@ def make(
     once = [_once(one, model, arguments) for one in wanted if one.kind in (*_FOUND_ONCE, "section", "crease")]
     once += more
     curved = needs_curvature(style)
-    support = _support(arguments, wanted)
+    support = _support(arguments, wanted, model)
     with report.stage("trace lines", "looking for lines") as stage:
         made = LineSet(model, once, with_curvature=curved, support=support, progress=stage.bar, context=context)
         info = made.info
@@ -141,10 +143,12 @@ def wanted_lines(arguments: Any, style: Style) -> List[Wanted]:
     return wanted
 
 
-def _support(arguments: Any, wanted: Sequence[Wanted]) -> float:
-    """Whoever wants a border wants it where the samples end."""
+def _support(arguments: Any, wanted: Sequence[Wanted], model: Model) -> float:
+    """Whoever wants a border wants it where the samples end; a trimmed model has its own."""
     if arguments.support is not None:
         return float(arguments.support)
+    if model.trim_info.is_trimmed:
+        return 0.0
     return _OPEN if any(one.kind == "border" for one in wanted) else 0.0
 
 

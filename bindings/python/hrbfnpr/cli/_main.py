@@ -100,6 +100,7 @@ def _sheet(arguments: Any, context: Context, report: Reporter) -> None:
     if not isinstance(loaded.content, Model):
         raise UsageError(f"{arguments.input} holds a point set; a sheet is drawn of samples or of a model")
     arguments.up, arguments.input_shape = loaded.up, loaded.shape
+    arguments.has_end = isinstance(loaded.content, Model) and loaded.content.trim_info.is_trimmed
     draw_sheet(arguments, output, loaded.content, context, report)
 
 

@@ -31,28 +31,28 @@ class Nearness(NamedTuple):
 
 def of_mesh(shape: Shape, model: Model, context: Context, seed: int = 1) -> Nearness:
     """Measured at random places, even over the mesh."""
-    places = _places(shape, seed)
-    found = model.project(places)
-    distance = np.linalg.norm(np.asarray(found.position) - places, axis=1)
-    diagonal = float(np.linalg.norm(np.ptp(places, axis=0)))
+    measured = places(shape, seed, PLACES)
+    found = model.project(measured)
+    distance = np.linalg.norm(np.asarray(found.position) - measured, axis=1)
+    diagonal = float(np.linalg.norm(np.ptp(measured, axis=0)))
     # Where projecting does not converge, the value over its gradient's length is near enough to tell.
     lost = np.asarray(found.status) != 0
     if lost.any():
-        there: Any = model.evaluate(places[lost], gradient=True)
+        there: Any = model.evaluate(measured[lost], gradient=True)
         slope = np.maximum(np.linalg.norm(np.asarray(there.gradient), axis=1), 1e-12)
         distance[lost] = np.minimum(np.abs(np.asarray(there.value)) / slope, diagonal)
     share = distance / diagonal
     return Nearness(float(np.quantile(share, 0.99)), float(share.max()), float((share > FAR).mean()))
 
 
-def _places(shape: Shape, seed: int) -> Floats:
-    """Random ones on the faces."""
+def places(shape: Shape, seed: int, count: int) -> Floats:
+    """Random ones on the faces, even over their area."""
     assert shape.triangles is not None
     random = np.random.default_rng(seed)
     a, b, c = (shape.points[shape.triangles[:, i]] for i in range(3))
     total = np.cumsum(np.linalg.norm(np.cross(b - a, c - a), axis=1))
-    chosen = np.minimum(np.searchsorted(total, random.random(PLACES) * total[-1], side="right"), len(total) - 1)
-    root, turn = np.sqrt(random.random((PLACES, 1))), random.random((PLACES, 1))
+    chosen = np.minimum(np.searchsorted(total, random.random(count) * total[-1], side="right"), len(total) - 1)
+    root, turn = np.sqrt(random.random((count, 1))), random.random((count, 1))
     result: Floats = (1 - root) * a[chosen] + root * (1 - turn) * b[chosen] + root * turn * c[chosen]
     return result
 

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""Where the command line ends what it draws: where the points or the mesh do."""
+import numpy as np
+import pytest
+from conftest import fibonacci_sphere
+
+import hrbfnpr
+from hrbfnpr.cli import main
+
+SIDE = 20
+
+
+def terrain():
+    x, y = np.meshgrid(np.linspace(0, 1, SIDE), np.linspace(0, 1, SIDE))
+    z = 0.05 * np.sin(6 * x) * np.cos(5 * y)
+    slope = np.stack([-0.3 * np.cos(6 * x) * np.cos(5 * y), 0.25 * np.sin(6 * x) * np.sin(5 * y), np.ones_like(x)], -1)
+    return np.stack([x, y, z], -1).reshape(-1, 3), slope.reshape(-1, 3)
+
+
+@pytest.fixture
+def scan(tmp_path):
+    path = tmp_path / "scan.xyz"
+    np.savetxt(path, np.column_stack(terrain()))
+    return path
+
+
+def fitted(path, *options):
+    target = path.with_suffix(".hrb")
+    assert main(["fit", str(path), str(target), *options]) == 0
+    return hrbfnpr.Model.load(target)
+
+
+def test_a_terrain_ends_where_its_points_do(scan, capsys):
+    info = fitted(scan).trim_info
+    assert info.is_trimmed and info.samples == SIDE**2 and info.parts_to_end == info.parts
+    assert "is beyond the points" in capsys.readouterr().out
+
+
+def test_it_is_closed_on_request(scan, capsys):
+    assert not fitted(scan, "--close").trim_info.is_trimmed
+    assert "beyond" not in capsys.readouterr().out
+
+
+def test_a_closed_surface_stays_whole(tmp_path, capsys):
+    path = tmp_path / "ball.xyz"
+    np.savetxt(path, np.column_stack([fibonacci_sphere(300), fibonacci_sphere(300)]))
+    assert not fitted(path).trim_info.is_trimmed
+    assert "the surface is whole" in capsys.readouterr().out
+
+
+def test_a_mesh_tells_where_it_ends(tmp_path, capsys):
+    points, _ = terrain()
+    path = tmp_path / "mesh.obj"
+    corner = np.arange(SIDE**2).reshape(SIDE, SIDE)
+    a, b, c, d = (part.reshape(-1) + 1 for part in (corner[:-1, :-1], corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1]))
+    rows = [f"v {x} {y} {z}\n" for x, y, z in points] + [f"f {i} {j} {k} {m}\n" for i, j, k, m in zip(a, b, c, d)]
+    path.write_text("".join(rows))
+    assert fitted(path).trim_info.is_trimmed
+    assert "is beyond the mesh" in capsys.readouterr().out
+
+
+def test_the_border_is_drawn(scan, tmp_path, capsys):
+    from PIL import Image
+
+    # Seen from above a terrain has no contour: the line around it is its border.
+    picture = str(tmp_path / "out.png")
+    options = ["--style", "silhouette", "--size", "200", "--up", "z", "--elevation", "80", "--quiet"]
+    assert main(["draw", str(scan), picture, *options]) == 0
+    assert (np.asarray(Image.open(picture).convert("L")) < 100).sum() > 300
+    assert main(["draw", str(scan), picture, *options, "--close"]) == 3
+    assert "would be blank" in capsys.readouterr().err
