@@ -12,7 +12,8 @@ from .._model import Model
 from .._point_set import PointSet
 from .._style import Style
 
-LEAST_INK = 1e-4  # share of the picture's pixels that are at least half covered
+SEEN = 16  # of 255, by which a pixel differs from the paper
+LEAST_INK = 1e-4  # share of such pixels
 LEAST_SHOWN = 0.03  # of the marks that face the eye, where a style shows tone by marks ...
 MOST_HIDDEN = 0.4  # ... and more than this of them is behind something
 
@@ -24,8 +25,7 @@ class BlankError(ValueError):
 def check(drawing: Drawing, source: Union[Model, PointSet], camera: Camera, style: Style, flipped: bool) -> None:
     """Raise BlankError if hardly anything can be seen."""
     info = drawing.info
-    cover = np.asarray(drawing.image(format="coverage8"))
-    ink = float((cover >= 64).mean())
+    ink = _ink(drawing, style)
     facing = info.front + info.silhouette
     few = any(layer.shown for layer in style.layers) and info.shown < LEAST_SHOWN * facing
     if ink >= LEAST_INK and not (few and info.dropped_hidden > MOST_HIDDEN * facing):
@@ -36,10 +36,18 @@ def check(drawing: Drawing, source: Union[Model, PointSet], camera: Camera, styl
     raise BlankError(f"the picture would be blank: {seen}. {_why(drawing, source, camera, style, flipped)}")
 
 
+def _ink(drawing: Drawing, style: Style) -> float:
+    """Share of the picture that is not as the paper."""
+    pixels = np.asarray(drawing.image(), dtype=float)
+    paper = 255 * np.asarray(style.paper, dtype=float)
+    colour = np.abs(pixels[..., :3] * pixels[..., 3:] - paper[:3] * paper[3]).max(axis=-1) / 255
+    return float((np.maximum(colour, np.abs(pixels[..., 3] - paper[3])) >= SEEN).mean())
+
+
 def _why(drawing: Drawing, source: Any, camera: Camera, style: Style, flipped: bool) -> str:
     info = drawing.info
-    inside = info.marks - info.outside
-    if inside == 0 or _in_view(source, camera) == 0:
+    facing = info.front + info.silhouette
+    if info.outside == info.marks or _in_view(source, camera) == 0:
         return (
             "The camera looks away from the model, or past it: leave out --eye and --direction, or let --target be in "
             "the model"
@@ -47,17 +55,20 @@ def _why(drawing: Drawing, source: Any, camera: Camera, style: Style, flipped: b
     if np.ptp(np.array(corners(source)), axis=0).max() == 0:
         return "All samples are at one point"
     reasons: List[str] = []
-    if info.dropped_hidden > MOST_HIDDEN * (info.front + info.silhouette):
+    if info.back > 20 * facing:
+        turn = "without --flip it is seen" if flipped else "--flip turns it over"
+        reasons.append(f"all that is in view looks away from the eye: another --azimuth shows its front, or {turn}")
+    if info.dropped_hidden > MOST_HIDDEN * facing:
         turn = "leave out --flip" if flipped else "--flip turns them"
         reasons.append(
-            f"{info.dropped_hidden} of {info.front + info.silhouette} marks that face the eye are behind something, as "
+            f"{info.dropped_hidden} of {facing} marks that face the eye are behind something, as "
             f"where normals look inward: {turn}"
         )
-    if info.dropped_tone > inside / 2:
+    if info.dropped_tone > facing / 2 and not reasons:
         reasons.append("all is so light that no mark is drawn: --tone none draws all marks, --light turns the light")
-    if info.dropped_depth > inside / 2:
+    if info.dropped_depth > facing / 2:
         reasons.append("marks vanish with the distance: leave out --depth-range")
-    if info.dropped_zoom > inside / 2:
+    if info.dropped_zoom > facing / 2:
         reasons.append("marks vanish with the zoom: leave out --zoom-reference")
     if all(tuple(one.ink[:3]) == tuple(style.paper[:3]) or one.ink[3] == 0 for one in style.layers if one.shown):
         reasons.append("the ink cannot be seen on the paper")
@@ -65,7 +76,8 @@ def _why(drawing: Drawing, source: Any, camera: Camera, style: Style, flipped: b
         reasons.append(
             "the model is too small in the picture, or the style draws no marks: try --style contour-and-stipple"
         )
-    return "; ".join(reasons)
+    text = "; ".join(reasons)
+    return text[0].upper() + text[1:]
 
 
 def _in_view(source: Any, camera: Camera) -> int:

@@ -15,6 +15,7 @@ from ._progress import Reporter
 SOURCES = 2500  # samples that stand for all
 QUERIES = 300  # of these, where it is asked
 NEIGHBOURS = 8
+SOFT = 0.1  # of a sample's area, which keeps what lies right beside it finite
 INWARD = -0.5  # sum of the winding numbers on both sides: 1 of a closed surface, -1 inside out, 0 of a flat sheet
 DOUBTFUL = -0.25
 MIXED = 0.02  # share of normals against their neighbours that is warned of ...
@@ -44,7 +45,7 @@ class Normals(NamedTuple):
     @property
     def mixed(self) -> bool:
         """Some against their neighbours, or one part against another."""
-        return self.against >= MIXED or self.flipped >= UNSURE or 0.05 < self.outside_in < 0.95
+        return self.against >= MIXED or 0.05 < self.outside_in < 0.95
 
 
 def look(points: Floats, normals: Floats, even: bool, seed: int = 1) -> Normals:
@@ -89,9 +90,9 @@ def neighbours(queries: Floats, points: Floats, count: int) -> Tuple[Floats, Any
 
 def _winding(queries: Floats, points: Floats, normals: Floats, areas: Floats) -> Floats:
     away = points[None] - queries[:, None]
-    distance = np.linalg.norm(away, axis=2)
-    angle = np.einsum("ijk,jk->ij", away, normals * areas[:, None]) / np.maximum(distance, 1e-9) ** 3
-    result: Floats = angle.sum(axis=1) / (4 * np.pi)
+    distance = np.sqrt((away**2).sum(axis=2) + SOFT * areas)
+    parts = np.einsum("ijk,jk->ij", away, normals * areas[:, None]) / distance**3 / (4 * np.pi)
+    result: Floats = np.clip(parts, -0.5, 0.5).sum(axis=1)  # a flat piece fills half of the view at most
     return result
 
 
@@ -139,7 +140,7 @@ def doubts(found: Normals, count: int, mesh: bool) -> Tuple[str, ...]:
             f"some faces look outward and others inward (about {share:.0%}), so the surface is wrong there: turn them "
             "in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)",
         )
-    if found.against >= MIXED or found.flipped >= UNSURE:
+    if found.against >= MIXED:
         return (
             f"about {round(found.flipped * count)} of {count} normals look against those around them, so the surface "
             "is wrong there: --flipped-normals reorient repairs a few; orient them anew, in MeshLab or CloudCompare, if "

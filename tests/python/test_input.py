@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: MIT
+"""docs/input.md: what it says happens to each kind of input does, and is said in these words."""
+import dataclasses
+import json
+import re
+import shlex
+
+import numpy as np
+import pytest
+from conftest import ROOT, fibonacci_sphere, torus
+from test_cli import STAGE, rows
+from test_meshes import glb, gltf
+from test_shapes import CUBE, QUADS, ply_header, stl, write
+
+from hrbfnpr import shapes
+from hrbfnpr.cli import main
+
+Image = pytest.importorskip("PIL.Image")
+
+DOCUMENT = (ROOT / "docs" / "input.md").read_text(encoding="utf-8")
+QUICK = ["--size", "100", "--marks", "600"]
+
+
+def ball(scale=1.0):
+    points = fibonacci_sphere(200)
+    return scale * points, points
+
+
+def table(points, normals=None):
+    return rows(points if normals is None else np.hstack([points, normals]))
+
+
+def obj(vertices, faces):
+    text = "".join(f"v {x} {y} {z}\n" for x, y, z in np.asarray(vertices).tolist())
+    return text + "".join("f " + " ".join(str(i + 1) for i in face) + "\n" for face in faces)
+
+
+def tube(across=24, along=12, turned=(), ends=True):
+    """A closed cylinder of quads, or an open one, about y; the numbers of faces to turn over."""
+    angle = 2 * np.pi * np.arange(across) / across
+    rings = [np.column_stack([np.cos(angle), 0 * angle + y, np.sin(angle)]) for y in np.linspace(0, 3, along)]
+    vertices = np.vstack([*rings, [[0, 0, 0], [0, 3, 0]]])
+    faces = []
+    for ring in range(along - 1):
+        for i in range(across):
+            a, b = ring * across + i, ring * across + (i + 1) % across
+            faces.append([a, a + across, b + across, b])
+    if ends:
+        first, last = len(vertices) - 2, (along - 1) * across
+        for i in range(across):
+            faces.append([first, i, (i + 1) % across])
+            faces.append([len(vertices) - 1, last + (i + 1) % across, last + i])
+    return vertices, [face[::-1] if number in turned else face for number, face in enumerate(faces)]
+
+
+def waves():
+    across, down = np.meshgrid(np.arange(12), np.arange(10))
+    return "ncols 12\nnrows 10\ncellsize 30\n" + rows(500 + 20 * np.sin(across / 2) * np.cos(down / 3))
+
+
+def mixed():
+    points, normals = ball()
+    signs = np.where(np.random.default_rng(3).random(200) < 0.3, -1, 1)
+    return table(points, signs[:, None] * normals)
+
+
+def with_zeros():
+    points, normals = ball()
+    normals = normals.copy()
+    normals[::50] = 0
+    return table(points, normals)
+
+
+def holed():
+    vertices, faces = tube(ends=False)
+    return obj(vertices, [face[::-1] for face in faces])
+
+
+def two_parts():
+    vertices, faces = tube()
+    return obj(np.vstack([vertices, vertices + [3, 0, 0]]), [*faces, *([i + len(vertices) for i in face] for face in faces)])
+
+
+def spiked():
+    vertices, faces = tube()
+    vertices[0] = [9, 0, 0]
+    return obj(vertices, faces)
+
+
+def not_finite():
+    vertices, faces = tube()
+    return obj(vertices, faces) + "v nan 0 0\nf 1 2 " + str(len(vertices) + 1) + "\n"
+
+
+def cut_short():
+    return ply_header("binary_little_endian", ("vertex", 100, ["float x", "float y", "float z"])) + bytes(200)
+
+
+def thin():
+    rod = np.array([[0.02, 1, 0.02]])
+    vertices, faces = tube()
+    cube = obj(CUBE * 3, QUADS)
+    shifted = [[i + 8 for i in face] for face in faces]
+    return cube + obj(vertices * rod + [1.5, 3, 1.5], shifted)
+
+
+# Of each row of the table: the file, what is in it, options, and the exit status.
+ROWS = {
+    "points, all normals inward": ("a.xyz", lambda: table(ball()[0], -ball()[1]), [], 0),
+    "points, some normals inward": ("a.xyz", mixed, [], 0),
+    "points without normals": ("a.xyz", lambda: table(ball()[0]), [], 1),
+    "points with colours, without normals": (
+        "a.xyz", lambda: "".join(f"{x} {y} {z} 9 200 31\n" for x, y, z in ball()[0].tolist()), [], 1),
+    "points without a usable place or normal among others": ("a.xyz", with_zeros, [], 0),
+    "points at one place": ("a.xyz", lambda: 2 * table(*ball()), [], 0),
+    "more than 4096 points": ("a.xyz", lambda: table(*2 * [fibonacci_sphere(4200)]), ["--max-centres", "0"], 0),
+    "fewer than ten points": ("a.xyz", lambda: table(*2 * [fibonacci_sphere(8)]), [], 0),
+    "one point": ("a.xyz", lambda: "0 0 0 0 0 1\n", [], 3),
+    "closed mesh, inside out": ("a.obj", lambda: obj(tube()[0], [face[::-1] for face in tube()[1]]), [], 0),
+    "mesh with holes, inside out": ("a.obj", holed, [], 0),
+    "mesh, some faces turned over": ("a.obj", lambda: obj(*tube(turned=range(0, 60, 7))), [], 0),
+    "mesh of several parts": ("a.obj", two_parts, [], 0),
+    "mesh with thin parts, too few samples": ("a.obj", thin, ["--samples", "60"], 0),
+    "mesh, some corners not finite": ("a.obj", not_finite, [], 0),
+    "height map": ("a.asc", waves, [], 0),
+    "STL": ("a.stl", lambda: stl(True), ["--samples", "200"], 0),
+    "file whose ending lies": ("a.xyz", lambda: stl(True), ["--samples", "200"], 0),
+    "text that is no table": ("a.xyz", lambda: "Dear Sir,\nI send you my scan.\n", [], 1),
+    "face with a vertex that is not there": ("a.obj", lambda: "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n", [], 1),
+    "file that is cut short": ("a.ply", cut_short, [], 1),
+    "empty file": ("a.ply", lambda: "", [], 1),
+    "format that is not read": ("a.docx", lambda: b"PK\3\4" + bytes(50), [], 1),
+    "camera that looks away": ("a.xyz", lambda: table(*ball()), ["--eye", "0,0,5", "--target", "0,0,9"], 3),
+    "output that cannot be written": ("a.xyz", lambda: table(*ball()), ["-o", "nowhere/out.png"], 1),
+}  # fmt: skip
+
+
+def documented():
+    section = DOCUMENT.split("\n## What happens\n")[1].split("\n## ")[0]
+    found = re.findall(r"^\| (.+?) \| (.+) \| `(.+)` \|$", section, re.M)
+    return {name: said for name, _, said in found}
+
+
+def test_each_row_has_a_case():
+    assert list(documented()) == list(ROWS)
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_what_is_said(tmp_path, monkeypatch, capsys, name):
+    monkeypatch.chdir(tmp_path)
+    file, make, options, code = ROWS[name]
+    write(tmp_path, file, make())
+    output = [] if "-o" in options else ["out.png"]
+    assert main(["draw", file, *output, *QUICK, *options]) == code
+    out, err = capsys.readouterr()
+    words = re.escape("hrbfnpr: " + documented()[name]).replace("FILE", re.escape(file))
+    assert re.search(r"(?m)^" + re.sub(r"\bN\b", r"\\d+(?:\\.\\d+)?", words), err), err
+    lines = err.splitlines()
+    assert all(re.match(r"hrbfnpr: (note|warning|error): ", line) for line in lines)
+    order = [re.match(r"hrbfnpr: (note|warning|error)", line).group(1) for line in lines]
+    assert order == sorted(order, key=["note", "warning", "error"].index)
+    assert ("error" in order) == (code != 0)
+    assert (tmp_path / "out.png").exists() == (code == 0)
+    assert not [path for path in tmp_path.iterdir() if path.name not in (file, "out.png")]
+
+
+@pytest.mark.parametrize("name", [name for name in ROWS if ROWS[name][3] == 0])
+def test_quiet_keeps_warnings_alone(tmp_path, monkeypatch, capsys, name):
+    monkeypatch.chdir(tmp_path)
+    file, make, options, _ = ROWS[name]
+    write(tmp_path, file, make())
+    assert main(["draw", file, "out.png", *QUICK, *options, "--quiet"]) == 0
+    out, err = capsys.readouterr()
+    assert out == "" and all(line.startswith("hrbfnpr: warning: ") for line in err.splitlines())
+    assert ("hrbfnpr: warning: " in err) >= documented()[name].startswith("warning")
+
+
+def blocks(language):
+    return re.findall(rf"^```{language}\n(.*?)^```$", DOCUMENT, re.DOTALL | re.MULTILINE)
+
+
+def test_commands(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    write(tmp_path, "scan.xyz", table(*torus(16, 8)))
+    commands = [line for block in blocks("sh") for line in block.splitlines() if line]
+    assert len(commands) >= 3
+    for command in commands:
+        words = shlex.split(command, comments=True)
+        assert words[:3] == ["python3", "-m", "hrbfnpr"]
+        assert main(words[3:]) == 0, command
+    assert Image.open("scan.png").size[0] <= 400
+    capsys.readouterr()
+
+
+def test_the_lines_that_are_shown():
+    (shown,) = blocks("text")
+    lines = shown.splitlines()
+    assert all(re.fullmatch(STAGE, line) for line in lines[:-1])
+    assert re.fullmatch(r"\S+: \d+ x \d+ pixels, \d+ marks, \d+\.\d s", lines[-1])
+
+
+def test_the_keys_of_json(tmp_path, capsys):
+    section = DOCUMENT.split("\n## check\n")[1]
+    entries = re.findall(r"^\| (`.+?) \| (.+) \|$", section, re.M)
+    keys = {key for names, _ in entries for key in re.findall(r"`(\w+)`", names)}
+    found = set()
+    for path in (write(tmp_path, "a.xyz", table(*ball())), write(tmp_path, "a.obj", obj(CUBE, QUADS))):
+        assert main(["check", str(path), "--json"]) == 0
+        found |= json.loads(capsys.readouterr().out).keys()
+    assert found == keys
+    mesh = next(value for names, value in entries if names == "`mesh`")
+    assert re.findall(r"`(\w+)`", mesh) == [field.name for field in dataclasses.fields(shapes.MeshFacts)]
+
+
+# --- check -------------------------------------------------------------------------------------
+
+
+def checked(path, capsys):
+    code = main(["check", str(path), "--json"])
+    facts = json.loads(capsys.readouterr().out)
+    assert main(["check", str(path)]) == code
+    out, err = capsys.readouterr()
+    assert err == "" and out.splitlines()[-1] == f"status: {facts['status']}"
+    assert ("fine", "warnings", "unusable")[code] == facts["status"]
+    return facts
+
+
+def test_check_of_points(tmp_path, capsys):
+    facts = checked(write(tmp_path, "a.csv", "x,y,z,nx,ny,nz\n" + table(*ball(2.0)).replace(" ", ",")), capsys)
+    assert facts["status"] == "fine" and facts["points"] == 200 and facts["normals_look"] == "outward"
+    assert facts["columns"] == ["x", "y", "z", "nx", "ny", "nz"] and facts["diagonal"] == pytest.approx(6.92, abs=0.05)
+    assert facts["repairs"] == facts["warnings"] == facts["advice"] == []
+    facts = checked(write(tmp_path, "b.xyz", table(ball()[0], -3 * ball()[1])), capsys)
+    assert facts["normals_look"] == "inward" and facts["normals_unit_share"] == 0 and len(facts["repairs"]) == 2
+    facts = checked(write(tmp_path, "c.xyz", mixed()), capsys)
+    assert facts["normals_look"] == "mixed" and 0.2 < facts["normals_flipped_share"] < 0.4
+    facts = checked(write(tmp_path, "d.xyz", with_zeros() + table(*(part[1:5] for part in ball()))), capsys)
+    assert facts["normals_zero"] == 4 and facts["duplicates"] >= 1 and facts["status"] == "warnings"
+    facts = checked(write(tmp_path, "e.xyz", "nan 0 0 0 0 1\n" + table(*ball())), capsys)
+    assert facts["points_not_finite"] == 1
+    facts = checked(write(tmp_path, "f.xyz", table(ball()[0] + [4e6, 5e6, 0], ball()[1])), capsys)
+    assert "far from the origin" in facts["warnings"][0]
+
+
+def test_check_of_what_cannot_be_used(tmp_path, capsys):
+    for name, data, words in (
+        ("a.xyz", table(ball()[0]), "no normals"),
+        ("b.xyz", "Dear\n", "^line 1, column 1"),
+        ("c.xyz", "", "empty"),
+        ("d.docx", "", "no points"),
+        ("missing", None, "No such file"),
+        ("e.xyz", "x y z nx ny nz\n0 0 0 0 0 0\n", "normal that is not zero"),
+        ("f.obj", "v 0 0 0\nf 1 1 1\n", "degenerate"),
+    ):
+        path = tmp_path / name if data is None else write(tmp_path, name, data)
+        facts = checked(path, capsys)
+        assert facts["status"] == "unusable" and re.search(words, facts["errors"][0]), facts["errors"]
+
+
+def test_check_of_meshes(tmp_path, capsys):
+    facts = checked(write(tmp_path, "a.obj", obj(*tube())), capsys)
+    mesh = facts["mesh"]
+    assert facts["status"] == "fine" and mesh["closed"] and mesh["components"] == 1
+    assert mesh["volume"] == pytest.approx(3 * np.pi, rel=0.02) and mesh["area"] == pytest.approx(8 * np.pi, rel=0.02)
+    mesh = checked(write(tmp_path, "b.obj", obj(tube()[0], [face[::-1] for face in tube()[1]])), capsys)["mesh"]
+    assert mesh["inside_out"] and mesh["parts_inside_out"] == 1
+    facts = checked(write(tmp_path, "c.obj", obj(*tube(ends=False))), capsys)
+    mesh = facts["mesh"]
+    assert not mesh["closed"] and mesh["boundary_edges"] == 48 and mesh["holes"] == 2 and mesh["unused_vertices"] == 2
+    assert "it is open: 2 borders of 48 edges" in facts["warnings"]
+    mesh = checked(write(tmp_path, "d.obj", obj(*tube(turned=[5]))), capsys)["mesh"]
+    assert mesh["inconsistent_edges"] == 4 and not mesh["closed"]
+    mesh = checked(write(tmp_path, "e.obj", two_parts()), capsys)["mesh"]
+    assert mesh["components"] == 2 and mesh["closed"]
+    mesh = checked(write(tmp_path, "f.obj", obj(*tube()) + "f 1 2 200\nf 1 1 2\nf 1 25 26\n"), capsys)["mesh"]
+    assert mesh["non_manifold_edges"] >= 2 and mesh["degenerate_triangles"] == 1 and mesh["duplicate_triangles"] == 1
+    mesh = checked(write(tmp_path, "g.obj", not_finite()), capsys)["mesh"]
+    assert mesh["faces_not_finite"] == 1 and mesh["closed"]
+    facts = checked(write(tmp_path, "h.stl", stl(True)), capsys)
+    assert facts["mesh"]["joined_vertices"] == 8 and facts["mesh"]["closed"] and facts["up"] == "z"
+    facts = checked(write(tmp_path, "i.glb", glb(*gltf())), capsys)
+    assert facts["unit"] == "metres" and facts["up"] == "y"
+
+
+def test_check_of_saved_files(tmp_path, capsys, sphere, marks):
+    sphere.save(tmp_path / "a.hrbf")
+    marks.save(tmp_path / "a.hrbm")
+    assert checked(tmp_path / "a.hrbf", capsys)["kind"] == "model"
+    assert checked(tmp_path / "a.hrbm", capsys)["kind"] == "point set"
