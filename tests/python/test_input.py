@@ -78,7 +78,8 @@ def holed():
 
 def two_parts():
     vertices, faces = tube()
-    return obj(np.vstack([vertices, vertices + [3, 0, 0]]), [*faces, *([i + len(vertices) for i in face] for face in faces)])
+    beside = [[i + len(vertices) for i in face] for face in faces]
+    return obj(np.vstack([vertices, vertices + [3, 0, 0]]), [*faces, *beside])
 
 
 def spiked():

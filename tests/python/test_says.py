@@ -304,7 +304,8 @@ def test_how_near_the_surface_is(tmp_path, capsys):
     for samples in ("80", "2000"):
         assert draw(path, tmp_path / "a.png", "--samples", samples) == 0
         out, err = capsys.readouterr()
-        share, most = re.search(r"(?m)^compare .*99 % within ([\d.]+)% of the diagonal, all within ([\d.]+)%", out).groups()
+        figures = r"(?m)^compare .*99 % within ([\d.]+)% of the diagonal, all within ([\d.]+)%"
+        share, most = re.search(figures, out).groups()
         assert float(share) <= float(most)
         found.append(float(share))
         assert ("the surface is off the mesh" in err) == (samples == "80")

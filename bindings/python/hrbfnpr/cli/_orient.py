@@ -45,7 +45,7 @@ class Normals(NamedTuple):
     @property
     def mixed(self) -> bool:
         """Some against their neighbours, or one part against another."""
-        return self.against >= MIXED or 0.05 < self.outside_in < 0.95
+        return self.against >= MIXED or self.flipped >= UNSURE or 0.05 < self.outside_in < 0.95
 
 
 def look(points: Floats, normals: Floats, even: bool, seed: int = 1) -> Normals:
@@ -105,7 +105,10 @@ def _against(points: Floats, normals: Floats, nearest: Any) -> Tuple[float, floa
     opposed = np.einsum("ijk,ik->ij", normals[nearest], normals) < -0.25
     counts = beside.sum(axis=1)
     against = float(((opposed & beside).sum(axis=1) > 0.75 * counts)[counts >= 3].sum() / len(points))
-    pairs = float((opposed & beside).sum() / max(beside.sum(), 1))  # 2 p (1 - p) of a share p
+    level = (across < 0.25 * length) & (length > 0)  # surely on the same sheet
+    if level.mean() < 0.2:
+        return against, against
+    pairs = float((opposed & level).sum() / level.sum())  # 2 p (1 - p) of a share p
     return against, (1 - np.sqrt(max(1 - 2 * pairs, 0.0))) / 2
 
 
@@ -140,7 +143,7 @@ def doubts(found: Normals, count: int, mesh: bool) -> Tuple[str, ...]:
             f"some faces look outward and others inward (about {share:.0%}), so the surface is wrong there: turn them "
             "in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)",
         )
-    if found.against >= MIXED:
+    if found.against >= MIXED or found.flipped >= UNSURE:
         return (
             f"about {round(found.flipped * count)} of {count} normals look against those around them, so the surface "
             "is wrong there: --flipped-normals reorient repairs a few; orient them anew, in MeshLab or CloudCompare, if "
