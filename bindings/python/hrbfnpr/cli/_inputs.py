@@ -23,7 +23,7 @@ from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
 MOST_SAMPLES = 4096  # a direct fit of more takes minutes and gigabytes
-MOST_LOOKED_AT = 500_000  # triangles, for about two seconds
+MOST_LOOKED_AT = 200_000  # triangles, for about a second
 FEW = 10  # samples with which a surface is a guess
 NO_NORMALS = (
     "the points have no normals, and there are no faces to compute them from: CloudCompare (Edit > Normals > Compute) "
@@ -96,6 +96,12 @@ def finite_faces(shape: Shape) -> Tuple[Shape, int]:
     return (shape, 0) if finite.all() else (replace(shape, triangles=shape.triangles[finite]), int((~finite).sum()))
 
 
+def no_normals(shape: Shape) -> str:
+    """What is said of points that have none."""
+    others = [name for name in shape.columns if name not in ("x", "y", "z")]
+    return NO_NORMALS + (f" (what it has besides x, y and z: {', '.join(others)})" if others else "")
+
+
 def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
     count = arguments.samples
     chosen = arguments.tolerance or arguments.maximum_centres  # the fit itself chooses, from all of them
@@ -103,7 +109,7 @@ def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Fl
         count = MOST_SAMPLES
         report.note(f"{len(shape.points)} points, of which {count} are used; --samples N sets another number")
     if not shape.is_mesh and shape.normals is None:
-        raise ShapeError(NO_NORMALS)
+        raise ShapeError(no_normals(shape))
     options = given(arguments, ("crease", "random_seed"))
     with report.stage("sample", "sampling") as stage:
         bar = stage.bar
@@ -171,7 +177,7 @@ def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Load
         model = Model.fit(points, normals, progress=stage.bar, context=context, **given(arguments, FIT))
         info = model.info
         how = _nearness.of_points(model)
-        stage.says = f"{info.centres} centres, {info.kernel}, {info.solver}; {how}"
+        stage.says = f"{_nearness.of(info.centres, 'centre')}, {info.kernel}, {info.solver}; {how}"
     for repair in _nearness.repairs(model):
         report.note(repair)
     for doubt in [*_nearness.doubts(model), *_thin_evidence(points)]:

@@ -8,7 +8,7 @@ from typing import Dict, List, Tuple
 import numpy as np
 
 from ._shape import Floats, Integers, Shape, ShapeError
-from ._table import Rows, at, check_indices, numbers, out_of_range, plain, polygons, shown, whole, without_comments
+from ._table import Rows, at, check_indices, number_at, numbers, out_of_range, plain, polygons, shown, whole, without_comments
 
 _CORNER = re.compile(rb"[+-]?\d+(?:/[+-]?\d*){0,2}")
 
@@ -44,13 +44,14 @@ def _joined(found: "re.Match[bytes]") -> bytes:
     return found.group(1).replace(b"\\\n", b" ") + found.group(2) + b"\n" * found.group(1).count(b"\n")
 
 
-def _placed(lines: List[bytes], where: List[int], least: int = 1) -> Rows:
-    """Numbers of some lines of a file; `least` words stand before them."""
+def _placed(lines: List[bytes], where: List[int]) -> Rows:
+    """Numbers of some lines of a file, of which the first word is taken off."""
     try:
         rows = numbers(b"\n".join(lines))
     except ShapeError:
         for line, number in zip(lines, where):
-            numbers(line, number, least=least)
+            for column, word in enumerate(line.split(), 2):
+                number_at(word, number, column)
         raise
     return rows._replace(lines=np.array(where, dtype=np.int64)[rows.lines - 1])
 
@@ -67,8 +68,8 @@ def _vectors(lines: List[bytes], where: List[int], what: str) -> Tuple[Floats, i
 def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers) -> Integers:
     """Of corners such as 7, 7/1, 7//3 or -1: counted from 1, or back from the last vertex so far."""
     try:
-        rows = _placed([re.sub(rb"/\S*", b"", line) for line in lines], where)
-        corners = whole(rows, "a corner")
+        rows = _placed(re.sub(rb"/\S*", b"", b"\n".join(lines)).split(b"\n"), where)
+        corners = whole(rows, "a corner", 1)
     except ShapeError:
         for line, number in zip(lines, where):
             for column, word in enumerate(line.split(), 2):

@@ -81,6 +81,12 @@ _CONVERT = {
 }  # fmt: skip
 
 
+_NO_MODEL = (
+    (rb"\s*<(?i:!doctype html|html)\b", "this is a page of the web, not a model: the download went wrong"),
+    (rb"version https://git-lfs", "this is a pointer of Git LFS, not the file itself: git lfs pull fetches it"),
+)
+
+
 def format_of(head: bytes, size: int) -> Optional[str]:
     """The format that the first bytes of a file, of that size in all, show; None if they do not."""
     for pattern, name in _MAGIC:
@@ -132,8 +138,10 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
     expected = ENDINGS.get(ending)
     if not head.strip():
         raise ShapeError(_empty(expected, size))
-    found = format_of(head, size)
-    name = _chosen(found, expected, ending)
+    for pattern, what in _NO_MODEL:
+        if re.match(pattern, head):
+            raise ShapeError(what)
+    name = format_of(head, size) or expected
     if name is None:
         return _unknown(path, ending, packed)
     form = FORMATS[name]
@@ -146,18 +154,10 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
         assert form.read_path is not None
         shape = form.read_path(path)
     if expected is not None and name != expected and {name, expected} != {"grid", "text"}:
-        note = f"the ending is {ending}, but the file holds {name}, and is read so"
+        what = "a table of points" if name == "text" else name
+        note = f"the ending is {ending}, but the file holds {what}, and is read so"
         return replace(shape, notes=(note, *shape.notes))
     return shape
-
-
-def _chosen(found: Optional[str], expected: Optional[str], ending: str) -> Optional[str]:
-    """Contents that are told by their first bytes win; a table of numbers, which many a file begins like, does not."""
-    if found == "text" and expected not in (None, "text"):
-        return expected
-    if found is None or (found == "text" and expected is None and ending in (*_CONVERT, *_BY_MESHIO)):
-        return expected
-    return found
 
 
 def _empty(expected: Optional[str], size: int) -> str:

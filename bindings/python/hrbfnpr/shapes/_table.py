@@ -68,7 +68,7 @@ def without_comments(text: bytes, marks: Sequence[bytes] = (b"#",)) -> bytes:
     return text
 
 
-def numbers(text: bytes, first_line: int = 1, hint: str = "", least: int = 0) -> Rows:
+def numbers(text: bytes, first_line: int = 1, hint: str = "") -> Rows:
     """All numbers of a text whose words are apart by spaces.
 
     Parameters
@@ -77,8 +77,6 @@ def numbers(text: bytes, first_line: int = 1, hint: str = "", least: int = 0) ->
         Number of the text's first line, for messages.
     hint : str
         What is said behind a word that is no number.
-    least : int
-        Column of the first word, less one: of lines whose first words are elsewhere.
     """
     starts, lines, counts = _words(text)
     with warnings.catch_warnings():
@@ -89,7 +87,7 @@ def numbers(text: bytes, first_line: int = 1, hint: str = "", least: int = 0) ->
         except ValueError:
             values = np.empty(0)
     if len(values) != len(starts):
-        values = _one_by_one(text, first_line, hint, least)
+        values = _one_by_one(text, first_line, hint)
     return Rows(values, counts, lines + first_line)
 
 
@@ -103,11 +101,11 @@ def _words(text: bytes) -> Tuple[Integers, Integers, Integers]:
     return starts, lines, per_line[lines]
 
 
-def _one_by_one(text: bytes, first_line: int, hint: str, least: int) -> Floats:
+def _one_by_one(text: bytes, first_line: int, hint: str) -> Floats:
     """What Python takes for numbers; an error at the first word that is none."""
     values: List[float] = []
     for number, line in enumerate(text.split(b"\n"), first_line):
-        for column, word in enumerate(line.split(), 1 + least):
+        for column, word in enumerate(line.split(), 1):
             values.append(number_at(word, number, column, hint))
     return np.array(values, dtype=np.float64)
 
@@ -134,8 +132,8 @@ def shown(word: bytes) -> str:
     return repr(text if len(text) <= 40 else text[:37] + "...")
 
 
-def whole(rows: Rows, what: str, least: int = 0) -> Integers:
-    """The values as whole numbers, or an error that says where one is not."""
+def whole(rows: Rows, what: str, least: int) -> Integers:
+    """The values as whole numbers, or an error that says where one is not; `least` words stand before a line's."""
     with np.errstate(invalid="ignore"):
         result: Integers = rows.values.astype(np.int64)
     wrong = np.flatnonzero(result != rows.values)

@@ -11,7 +11,7 @@ from ._columns import Columns, by_content, by_heading
 from ._shape import Floats, Shape, ShapeError
 from ._table import Rows, at, is_number, number_at, numbers, plain, shown, without_comments
 
-_HINT = "a line holds x y z, or x y z nx ny nz, and a first line may name the columns"
+_HINT = "a line holds x y z, or x y z nx ny nz, and a first line may name these columns"
 _COMMENTS = (b"#", b"//")
 _DECIMAL = re.compile(rb"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _TO_SPACES = bytes.maketrans(b",;\t", b"   ")
