@@ -459,3 +459,4 @@ def test_progress_bars_are_for_terminals(files, tmp_path):
     run.communicate(timeout=60)
     for stage in (b"fitting", b"placing marks", b"drawing", b"100%"):
         assert stage in text
+    assert b"/1" not in text  # nor a fraction with all its digits

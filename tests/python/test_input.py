@@ -116,6 +116,7 @@ ROWS = {
     "points at one place": ("a.xyz", lambda: 2 * table(*ball()), [], 0),
     "more than 4096 points": ("a.xyz", lambda: table(*2 * [fibonacci_sphere(4200)]), ["--max-centres", "0"], 0),
     "fewer than ten points": ("a.xyz", lambda: table(*2 * [fibonacci_sphere(8)]), [], 0),
+    "points in a plane, or a flat mesh": ("a.obj", lambda: obj(CUBE[:4] * [3, 2, 1], [[0, 1, 3, 2]]), [], 0),
     "one point": ("a.xyz", lambda: "0 0 0 0 0 1\n", [], 3),
     "closed mesh, inside out": ("a.obj", lambda: obj(tube()[0], [face[::-1] for face in tube()[1]]), [], 0),
     "mesh with holes, inside out": ("a.obj", holed, [], 0),
@@ -250,7 +251,7 @@ def test_check_of_what_cannot_be_used(tmp_path, capsys):
         ("c.xyz", "", "empty"),
         ("d.docx", "", "no points"),
         ("missing", None, "No such file"),
-        ("e.xyz", "x y z nx ny nz\n0 0 0 0 0 0\n", "normal that is not zero"),
+        ("e.xyz", "x y z nx ny nz\n0 0 0 0 0 0\n", "all normals are zero: CloudCompare"),
         ("f.obj", "v 0 0 0\nf 1 1 1\n", "degenerate"),
     ):
         path = tmp_path / name if data is None else write(tmp_path, name, data)

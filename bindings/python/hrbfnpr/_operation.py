@@ -27,6 +27,8 @@ def _reporter(progress: Progress) -> Callable[[float], Any]:
     if getattr(progress, "bar_format", "") is None and getattr(progress, "total", None) in (None, 1):
         progress.total = 1.0
         progress.bar_format = "{l_bar}{bar}| {elapsed}"  # percent; a count would be a fraction with all its digits
+        if getattr(progress, "ncols", None) == 0:
+            progress.ncols = 80  # of a terminal without a width, for which the format would not be used
 
     def update(fraction: float) -> None:
         total = progress.total if getattr(progress, "total", None) else 1.0

@@ -130,8 +130,8 @@ def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Fl
     findings.facts["duplicates"] = repeated
     if repeated:
         findings.repairs.append(f"{of(repeated, 'point')} at the place of another merged, where their normals agree")
-    if shape.normals is None:
-        raise ShapeError(_inputs.no_normals(shape))
+    _inputs.require_normals(shape)
+    assert shape.normals is not None
     length = np.linalg.norm(shape.normals, axis=1)
     bad = int((~np.isfinite(length)).sum())
     zero = int((length == 0).sum())

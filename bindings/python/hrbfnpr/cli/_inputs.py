@@ -24,10 +24,11 @@ from ._progress import Reporter
 _MAGIC = b"\x89HRB\r\n\x1a\n"
 MOST_SAMPLES = 4096  # a direct fit of more takes minutes and gigabytes
 MOST_LOOKED_AT = 200_000  # triangles, for about a second
+THIN = 1e-4  # of the longest extent, what is none
 FEW = 10  # samples with which a surface is a guess
-NO_NORMALS = (
-    "the points have no normals, and there are no faces to compute them from: CloudCompare (Edit > Normals > Compute) "
-    "and MeshLab (Compute normals for point sets) make them; save as PLY with normals"
+_MAKE_NORMALS = (
+    "CloudCompare (Edit > Normals > Compute) and MeshLab (Compute normals for point sets) make them; save as PLY with "
+    "normals"
 )
 
 FIT = (
@@ -96,10 +97,15 @@ def finite_faces(shape: Shape) -> Tuple[Shape, int]:
     return (shape, 0) if finite.all() else (replace(shape, triangles=shape.triangles[finite]), int((~finite).sum()))
 
 
-def no_normals(shape: Shape) -> str:
-    """What is said of points that have none."""
+def require_normals(shape: Shape) -> None:
+    """An error for points that have none, or none but zeros."""
+    if shape.normals is not None and np.any(np.nan_to_num(shape.normals)):
+        return
+    if shape.normals is not None:
+        raise ShapeError(f"all normals are zero: {_MAKE_NORMALS}")
     others = [name for name in shape.columns if name not in ("x", "y", "z")]
-    return NO_NORMALS + (f" (what it has besides x, y and z: {', '.join(others)})" if others else "")
+    has = f" (what it has besides x, y and z: {', '.join(others)})" if others else ""
+    raise ShapeError(f"the points have no normals, and there are no faces to compute them from{has}: {_MAKE_NORMALS}")
 
 
 def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
@@ -108,8 +114,8 @@ def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Fl
     if count is None and not shape.is_mesh and not chosen and len(shape.points) > MOST_SAMPLES:
         count = MOST_SAMPLES
         report.note(f"{len(shape.points)} points, of which {count} are used; --samples N sets another number")
-    if not shape.is_mesh and shape.normals is None:
-        raise ShapeError(no_normals(shape))
+    if not shape.is_mesh:
+        require_normals(shape)
     options = given(arguments, ("crease", "random_seed"))
     with report.stage("sample", "sampling") as stage:
         bar = stage.bar
@@ -196,11 +202,17 @@ def _thin_evidence(points: Floats) -> Tuple[str, ...]:
     """What is said of samples that hardly make a surface."""
     if len(points) == 1:
         return ("there is one point only: what is drawn is its plane",)
-    extent = np.linalg.svd(points - points.mean(axis=0), compute_uv=False) if len(points) < 5000 else np.ones(3)
     if len(points) < FEW:
         return (f"there are {len(points)} points only: the surface between them is a guess",)
-    if len(extent) > 1 and extent[1] < 1e-4 * extent[0]:
+    away = points - points.mean(axis=0)
+    extent = np.sqrt(np.maximum(np.linalg.eigvalsh(away.T @ away)[::-1], 0))  # of the longest side first
+    if extent[1] < THIN * extent[0]:
         return ("all points are on a line: the surface beside it is a guess",)
+    if extent[2] < THIN * extent[0]:
+        return (
+            "all points lie in a plane, and the surface goes on beyond them: --lines contour,border --support 3 ends lines "
+            "where they end",
+        )
     return ()
 
 

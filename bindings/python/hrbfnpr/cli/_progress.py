@@ -2,6 +2,7 @@
 """What is told to the user: stages and their seconds on stdout; bars, notes and, at the end, warnings on stderr."""
 from __future__ import annotations
 
+import shutil
 import sys
 import time
 from contextlib import contextmanager
@@ -96,8 +97,12 @@ class Reporter:
             stage = Stage(None)
             yield stage
         else:
-            layout = "{desc:<16}{percentage:3.0f}% |{bar:40}| {elapsed}"
-            with self._tqdm(total=1.0, desc=doing, bar_format=layout, file=sys.stderr, leave=False) as bar:
+            layout = "{desc:<18}{percentage:3.0f}% |{bar:30}| {elapsed}"
+            # A terminal that does not know its width would get a fraction with all its digits instead.
+            width = shutil.get_terminal_size().columns or 80
+            with self._tqdm(
+                total=1.0, desc=doing, bar_format=layout, file=sys.stderr, leave=False, ncols=width
+            ) as bar:
                 stage = Stage(bar)
                 yield stage
                 bar.update(1.0 - bar.n)
