@@ -206,3 +206,15 @@ def test_a_package_that_is_missing_is_named(tmp_path, monkeypatch, module, name,
     data = las(form=0x80) if data is None else data
     with pytest.raises(shapes.ShapeError, match=f"needs {module} .*{package}.*or without it"):
         shapes.read(write(tmp_path, name, data))
+
+
+def test_words_are_counted_in_blocks(monkeypatch):
+    from hrbfnpr.shapes import _table
+
+    random = np.random.default_rng(0)
+    for _ in range(100):
+        text = bytes(random.choice(list(b"12 \n. "), random.integers(0, 60)).tolist())
+        monkeypatch.setattr(_table, "_BLOCK", int(random.integers(1, 9)))
+        words, lines, counts = _table._words(text)
+        expected = [(number, len(line.split())) for number, line in enumerate(text.split(b"\n")) if line.split()]
+        assert list(zip(lines.tolist(), counts.tolist())) == expected and words == len(text.split())

@@ -13,6 +13,7 @@ import numpy as np
 
 from ._shape import Floats, Integers, ShapeError
 
+_BLOCK = 1 << 24  # bytes that are looked at together
 _UTF16 = (b"\xff\xfe", b"\xfe\xff")
 
 
@@ -78,7 +79,7 @@ def numbers(text: bytes, first_line: int = 1, hint: str = "") -> Rows:
     hint : str
         What is said behind a word that is no number.
     """
-    starts, lines, counts = _words(text)
+    words, lines, counts = _words(text)
     with warnings.catch_warnings():
         # What is no number ends the parse: with a warning or an error, as NumPy is old or new.
         warnings.simplefilter("ignore", DeprecationWarning)
@@ -86,19 +87,28 @@ def numbers(text: bytes, first_line: int = 1, hint: str = "") -> Rows:
             values = np.fromstring(text, dtype=np.float64, sep=" ")
         except ValueError:
             values = np.empty(0)
-    if len(values) != len(starts):
+    if len(values) != words:
         values = _one_by_one(text, first_line, hint)
     return Rows(values, counts, lines + first_line)
 
 
-def _words(text: bytes) -> Tuple[Integers, Integers, Integers]:
-    """Where words begin; the lines that have some, from 0; and how many each of these has."""
+def _words(text: bytes) -> Tuple[int, Integers, Integers]:
+    """How many words there are; the lines that have some, from 0; and how many each of these has."""
     codes = np.frombuffer(text, dtype=np.uint8)
-    word = codes > 32
-    starts = np.flatnonzero(word & ~np.concatenate([[False], word[:-1]]))
-    per_line = np.bincount(np.searchsorted(np.flatnonzero(codes == 10), starts)) if len(starts) else starts
+    counts: List[Any] = []
+    before, first = False, 0  # whether a word runs into the block; the block's first line
+    for start in range(0, len(codes), _BLOCK):
+        block = codes[start : start + _BLOCK]
+        word = block > 32
+        begins = np.flatnonzero(word & ~np.concatenate([[before], word[:-1]]))
+        ends = np.flatnonzero(block == 10)
+        counts.append((first, np.bincount(np.searchsorted(ends, begins), minlength=len(ends) + 1)))
+        before, first = bool(word[-1]), first + len(ends)
+    per_line = np.zeros(first + 1, dtype=np.int64)
+    for line, part in counts:
+        per_line[line : line + len(part)] += part
     lines = np.flatnonzero(per_line)
-    return starts, lines, per_line[lines]
+    return int(per_line.sum()), lines, per_line[lines]
 
 
 def _one_by_one(text: bytes, first_line: int, hint: str) -> Floats:
