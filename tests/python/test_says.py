@@ -78,6 +78,12 @@ def test_walls_that_are_too_thin_to_tell_are_left_alone():
         assert not found.inward and not found.mixed
 
 
+def test_every_fourth_normal_turned_over_is_mixed():
+    points, normals = ball()
+    found = _orient.look(points, np.where(np.arange(200)[:, None] % 4 == 0, -normals, normals), False)
+    assert found.mixed and found.flipped == pytest.approx(0.25, abs=0.05)
+
+
 def test_half_of_a_closed_surface_turned_over_is_mixed():
     points, normals = torus(30, 14)
     normals = np.where(points[:, :1] > 0, normals, -normals)
@@ -269,7 +275,7 @@ def test_the_total_is_that_of_the_process(tmp_path):
     points, normals = ball()
     signs = np.where(np.arange(200) % 4 == 0, -1, 1)[:, None]
     path = write(tmp_path, "a.xyz", table(points, signs * normals))
-    result = run("import time; time.sleep(0.8)", "draw", str(path), str(tmp_path / "a.png"), *QUICK)
+    result = run("import time; time.sleep(0.8)", "draw", str(path), str(tmp_path / "a.png"), *QUICK, "--lines", "none")
     assert result.returncode == 0, result.stdout
     lines = result.stdout.splitlines()
     seconds = {line[:12].strip(): float(line[12:20]) for line in lines if re.match(r"[a-z ]{12} +[\d.]+ s", line)}

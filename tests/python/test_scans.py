@@ -73,6 +73,19 @@ def pcd(form):
     return head + struct.pack("<II", len(packed), len(raw)) + packed
 
 
+def test_compressed_runs():
+    from hrbfnpr.shapes._pcd import _unpack
+
+    assert _unpack(bytes([2]) + b"abc" + bytes([7 << 5, 0, 2]), 12) == 4 * b"abc"
+    assert _unpack(bytes([3]) + b"abcd" + bytes([1 << 5, 3, 2 << 5, 1]), 11) == b"abcdabcbcbc"
+    far = bytes(range(32)) * 20
+    packed = b"".join(bytes([31]) + far[k : k + 32] for k in range(0, len(far), 32))
+    assert _unpack(packed + bytes([(1 << 5) + 1, 255]), len(far) + 3) == far + far[-512:-509]
+    for broken in (bytes([0]) + b"a" + bytes([1 << 5, 1]), bytes([3]) + b"abcd" + bytes([7 << 5])):
+        with pytest.raises(shapes.ShapeError, match="damaged"):
+            _unpack(broken, 7)
+
+
 @pytest.mark.parametrize("form", ["ascii", "binary", "binary_compressed"])
 def test_pcd(tmp_path, form):
     assert is_right(shapes.read(write(tmp_path, "a.pcd", pcd(form))))
