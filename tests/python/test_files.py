@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 import pytest
-from test_scans import COLOURS, NORMALS, POINTS, is_right, las, lines
+from test_scans import COLOURS, NORMALS, POINTS, grid, is_right, las, lines, pcd
 from test_shapes import CUBE, QUADS, ply_header, stl, write
 
 from hrbfnpr import shapes
@@ -206,6 +206,52 @@ def test_a_package_that_is_missing_is_named(tmp_path, monkeypatch, module, name,
     data = las(form=0x80) if data is None else data
     with pytest.raises(shapes.ShapeError, match=f"needs {module} .*{package}.*or without it"):
         shapes.read(write(tmp_path, name, data))
+
+
+def damaged(data, random):
+    """A few bytes changed, left out, doubled or cut off."""
+    data = bytearray(data)
+    for _ in range(random.integers(1, 5)):
+        if not data:
+            break
+        at, what = random.integers(len(data)), random.integers(5)
+        if what == 0:
+            data[at] = random.integers(256)
+        elif what == 1:
+            data[at] = random.choice(list(b"0123456789-. \n/"))
+        elif what == 2:
+            del data[at : at + random.integers(1, 40)]
+        elif what == 3:
+            data[at:at] = data[at : at + 30]
+        else:
+            data[at : at + 4] = [b"\xff\xff\xff\xff", b"\0\0\0\0", b"nan ", b"9999"][random.integers(4)]
+    return bytes(data)
+
+
+def whole_files():
+    yield from {"a.stl": stl(True), "b.stl": stl(False), "a.las": las(), "a.asc": grid().encode()}.items()
+    yield from ((f"{form}.pcd", pcd(form)) for form in ("ascii", "binary", "binary_compressed"))
+    yield from ((name, TABLES[name].encode()) for name in ("cloudcompare.asc", "words.csv", "meshlab.pts"))
+    yield from {"a.obj": CUBE_OBJ.encode(), "a.off": CUBE_OFF.encode()}.items()
+    head = ply_header("ascii", ("vertex", 8, ["float x", "float y", "float z"]), ("face", 6, ["list uchar int vertex_index"]))
+    yield "a.ply", head + CUBE_OFF.split("\n", 2)[2].encode()
+
+
+def test_damaged_files_are_refused_or_read(tmp_path):
+    random = np.random.default_rng(1)
+    refused = 0
+    for name, data in whole_files():
+        shapes.read(write(tmp_path, name, data))
+        for _ in range(60):
+            path = write(tmp_path, name, damaged(data, random))
+            try:
+                shape = shapes.read(path)
+                if shape.is_mesh:
+                    shapes.mesh_facts(shape)
+            except shapes.ShapeError as error:
+                refused += 1
+                assert str(error) and "\n" not in str(error)
+    assert refused > 150
 
 
 def test_words_are_counted_in_blocks(monkeypatch):

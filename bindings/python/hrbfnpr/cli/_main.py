@@ -10,6 +10,8 @@ import time
 from pathlib import Path
 from typing import Any, Dict, List, Optional
 
+import numpy as np
+
 from .._context import Context, build_info
 from .._errors import Error, OutOfMemoryError
 from .._layer import Layer
@@ -71,7 +73,8 @@ def _fail(message: str, code: int) -> int:
 def _run(arguments: Any, report: Reporter) -> int:
     context = Context(arguments.threads or 0)
     commands = {"draw": _draw, "sheet": _sheet, "fit": _fit, "points": _points, "info": _info, "check": _check}
-    return commands[arguments.command](arguments, context, report) or 0
+    with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
+        return commands[arguments.command](arguments, context, report) or 0
 
 
 def _load(arguments: Any, context: Context, report: Reporter) -> Loaded:

@@ -18,6 +18,7 @@ _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126:
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 _COMPRESSED = ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression")
 _POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
+_MOST = 1 << 28  # numbers in a list
 _DEEPEST = 200  # nodes of nodes
 
 
@@ -34,7 +35,9 @@ def read_gltf(data: bytes, folder: Path) -> Shape:
         raise ShapeError(f"line {error.lineno}, column {error.colno}: the JSON of the glTF file: {error.msg}") from None
     except UnicodeDecodeError:
         raise ShapeError("not a glTF file: its JSON is no text") from None
-    except (KeyError, IndexError, TypeError, AttributeError) as error:
+    except ShapeError:
+        raise
+    except (KeyError, IndexError, TypeError, AttributeError, ValueError) as error:
         raise ShapeError(f"the glTF file refers to what is not there: {error!r}") from None
 
 
@@ -158,6 +161,8 @@ class _Reader:
         """Numbers as floats, shape (count, width)."""
         accessor = self._document["accessors"][number]
         dtype, width, count = np.dtype(_TYPES[accessor["componentType"]]), _WIDTHS[accessor["type"]], accessor["count"]
+        if count > _MOST:
+            raise ShapeError(f"the glTF file has {count} numbers in a list: it is damaged, or too large")
         if "bufferView" in accessor:
             values = self._view(accessor["bufferView"], accessor.get("byteOffset", 0), dtype, width, count)
         else:

@@ -57,6 +57,11 @@ def _in_metres(cell: Tuple[float, float], west: float, south: float, rows: int, 
     return cell[0] * _METRES * math.cos(math.radians(latitude)), cell[1] * _METRES
 
 
+def _finite_at(word: bytes, line: int) -> float:
+    value = number_at(word, line, 2)
+    return value if math.isfinite(value) else 0.0
+
+
 def read_grid(data: bytes) -> Shape:
     """ESRI's ASCII grid: a header with ncols, nrows and cellsize, then rows of heights from the north."""
     text = plain(data)
@@ -69,7 +74,7 @@ def read_grid(data: bytes) -> Shape:
         if words and words[0].decode("latin-1").lower() not in _KEYS:
             break
         if len(words) >= 2:
-            head[words[0].decode("latin-1").lower()] = number_at(words[1], number, 2)
+            head[words[0].decode("latin-1").lower()] = _finite_at(words[1], number)
         start, number = end + 1, number + 1
     columns, rows = int(head.get("ncols", 0)), int(head.get("nrows", 0))
     cell = (head.get("cellsize", head.get("dx", 0.0)), head.get("cellsize", head.get("dy", 0.0)))
@@ -111,8 +116,8 @@ def read_pgm(data: bytes) -> Shape:
 
 def _scale_of(comments: str, heights: Floats) -> Tuple[Tuple[float, float], float, List[str]]:
     """Sides of a cell, the unit of heights in that of these sides, and notes."""
-    found = re.search(r"cell\D*?([\d.]+)\s*m?[^\d#]*([\d.]+)?", comments)
-    if found:
+    found = re.search(r"cell\D*?(\d+(?:\.\d+)?)\s*m?[^\d#]*(\d+(?:\.\d+)?)?", comments)
+    if found and float(found.group(1)) > 0:
         side = float(found.group(1))
         unit = 0.1 if "decimet" in comments else 0.01 if "centimet" in comments else 1.0
         return (side, float(found.group(2) or side)), unit, []

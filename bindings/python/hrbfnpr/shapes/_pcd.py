@@ -24,10 +24,11 @@ def read_pcd(data: bytes) -> Shape:
         form = head["DATA"][0].lower()
         fields = [(f"{name} {i}", f"<{_TYPES[kind]}{size}", (count,))
                   for i, (name, kind, size, count) in enumerate(zip(names, types, sizes, counts))]  # fmt: skip
-    except (KeyError, ValueError, IndexError) as error:
+        np.dtype(fields)
+    except (KeyError, ValueError, IndexError, TypeError) as error:
         raise ShapeError(f"the PCD header lacks {error.args[0]}, or cannot be understood") from None
-    if not len(names) == len(sizes) == len(types) == len(counts) or points < 0:
-        raise ShapeError("the PCD header has lists that differ in length, or a negative count")
+    if not len(names) == len(sizes) == len(types) == len(counts) or points < 0 or min(counts, default=0) < 1:
+        raise ShapeError("the PCD header has lists that differ in length, or a count that is too small")
     if form == "ascii":
         columns = _ascii(data[offset:], line, names, counts, points)
     elif form == "binary":

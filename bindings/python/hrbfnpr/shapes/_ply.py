@@ -48,6 +48,11 @@ class _Element:
     # Name, type of a number, type of a list's length (None: not a list).
     properties: List[Tuple[str, str, Optional[str]]] = field(default_factory=list)
 
+    def add(self, name: str, kind: str, length: Optional[str]) -> None:
+        """A property; a name that is there already is told from the first one."""
+        again = sum(1 for one, _, _ in self.properties if one.split(" ")[0] == name)
+        self.properties.append((f"{name} {again}" if again else name, kind, length))
+
     @property
     def has_lists(self) -> bool:
         return any(length for _, _, length in self.properties)
@@ -108,9 +113,9 @@ def _header(data: bytes) -> Tuple[str, List[_Element], int]:
             elif words[:1] == ["element"]:
                 elements.append(_Element(words[1], int(words[2])))
             elif words[:2] == ["property", "list"]:
-                elements[-1].properties.append((words[4], _TYPES[words[3]], _TYPES[words[2]]))
+                elements[-1].add(words[4], _TYPES[words[3]], _TYPES[words[2]])
             elif words[:1] == ["property"]:
-                elements[-1].properties.append((words[2], _TYPES[words[1]], None))
+                elements[-1].add(words[2], _TYPES[words[1]], None)
         except (KeyError, IndexError, ValueError):
             raise at(number, 0, f"the PLY header cannot be understood: {line.strip()[:80]!r}") from None
     if order is None:
@@ -167,7 +172,7 @@ class _Ascii:
         behind = len(element.properties) - place - 1
         sizes = np.zeros(len(counts))
         long_enough = counts > place
-        sizes[long_enough] = values[starts[long_enough] + place]
+        sizes[long_enough] = np.nan_to_num(values[starts[long_enough] + place], nan=-1.0)
         wrong = np.flatnonzero((place + 1 + sizes + behind != counts) | (sizes < 0))
         if len(wrong):
             i = int(wrong[0])

@@ -10,6 +10,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Callable, Dict, NamedTuple, Optional, Tuple, Union
 
+import numpy as np
+
 from . import _heights, _scans, _vtk
 from ._gltf import read_gltf
 from ._obj import read_obj, read_off
@@ -126,7 +128,11 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
     OSError
         If it cannot be opened.
     """
-    path = Path(path)
+    with np.errstate(invalid="ignore", over="ignore"):  # of numbers that are none, which later stages leave out
+        return _read(Path(path))
+
+
+def _read(path: Path) -> Shape:
     with open(path, "rb") as file:
         head = file.read(_HEAD)
         size = file.seek(0, os.SEEK_END)
