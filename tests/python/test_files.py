@@ -29,6 +29,7 @@ TABLES = {
     "colours_behind.xyz": lines(POINTS, NORMALS, COLOURS),
     "colours_of_one.xyz": lines(POINTS, COLOURS / 255, NORMALS),
     "intensity.pts": "60\n" + lines(POINTS, GREY, NORMALS),
+    "numbered.txt": lines(GREY + 1, POINTS, NORMALS),
     "curvature.xyz": lines(POINTS, NORMALS, GREY / 60),
     "heading.csv": "id,X,Y,Z,Normal_X,Normal_Y,Normal_Z\n" + lines(GREY, POINTS, NORMALS, mark=","),
     "quoted.csv": '"x","y","z","nx","ny","nz"\n' + lines(POINTS, NORMALS, mark=","),
@@ -76,10 +77,11 @@ def test_tables(tmp_path, name, dress):
         (lines(POINTS, GREY), "other"),
         (lines(POINTS, GREY, COLOURS), "rgb"),
         ("//X Y Z R G B\n" + lines(POINTS, COLOURS), "rgb"),
+        (lines(GREY, POINTS), "number"),
         ("x,y,z,r,g,b,label\n" + lines(POINTS, COLOURS, GREY, mark=","), "rgb"),
         (lines(POINTS, 0 * COLOURS), "rgb"),
     ],
-    ids=range(8),
+    ids=range(9),
 )
 def test_colours_are_no_normals(tmp_path, text, columns):
     shape = shapes.read(write(tmp_path, "a.txt", text))
@@ -91,6 +93,8 @@ def test_what_columns_are_taken_for_is_said(tmp_path):
     assert "columns 4 to 6 are colours" in shapes.read(write(tmp_path, "a.xyz", lines(POINTS, COLOURS))).notes[0]
     scaled = write(tmp_path, "b.xyz", TABLES["scaled.xyz"])
     assert "columns 4 to 6 are not of unit length" in shapes.read(scaled).notes[0]
+    counted = shapes.read(write(tmp_path, "d.txt", lines(GREY, POINTS, COLOURS))).notes
+    assert "column 1 counts the points" in counted[0] and "columns 5 to 7 are colours" in counted[1]
     assert "commas are decimal marks" in shapes.read(write(tmp_path, "c.txt", TABLES["decimal_commas.txt"])).notes[0]
 
 
@@ -233,7 +237,8 @@ def whole_files():
     yield from ((f"{form}.pcd", pcd(form)) for form in ("ascii", "binary", "binary_compressed"))
     yield from ((name, TABLES[name].encode()) for name in ("cloudcompare.asc", "words.csv", "meshlab.pts"))
     yield from {"a.obj": CUBE_OBJ.encode(), "a.off": CUBE_OFF.encode()}.items()
-    head = ply_header("ascii", ("vertex", 8, ["float x", "float y", "float z"]), ("face", 6, ["list uchar int vertex_index"]))
+    faces = ("face", 6, ["list uchar int vertex_index"])
+    head = ply_header("ascii", ("vertex", 8, ["float x", "float y", "float z"]), faces)
     yield "a.ply", head + CUBE_OFF.split("\n", 2)[2].encode()
 
 

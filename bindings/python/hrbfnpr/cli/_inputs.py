@@ -210,8 +210,8 @@ def _thin_evidence(points: Floats) -> Tuple[str, ...]:
         return ("all points are on a line: the surface beside it is a guess",)
     if extent[2] < THIN * extent[0]:
         return (
-            "all points lie in a plane, and the surface goes on beyond them: --lines contour,border --support 3 ends lines "
-            "where they end",
+            "all points lie in a plane, and the surface goes on beyond them: --lines contour,border --support 3 ends "
+            "lines where they end",
         )
     return ()
 

@@ -65,6 +65,14 @@ def _is_unit(rows: Floats) -> bool:
     return bool(used.any()) and float((np.abs(length[used] - 1) <= _UNIT).mean()) >= _MOST
 
 
+def _is_numbered(table: Floats) -> bool:
+    """Whether the first of four columns or more counts the rows, and what follows is not whole."""
+    if table.shape[1] < 4 or len(table) < 3:
+        return False
+    first = table[:, 0]
+    return bool((first - first[0] == np.arange(len(table))).all() and (table[:, 1:4] != np.round(table[:, 1:4])).any())
+
+
 def _is_colour(rows: Floats) -> bool:
     """Whole numbers of 0 to 255, or numbers of 0 to 1, which no normals are: these have both signs, and length 1."""
     finite = rows[np.isfinite(rows).all(axis=1)]
@@ -75,8 +83,14 @@ def _is_colour(rows: Floats) -> bool:
     return bool(finite.max() <= 255 and (finite == np.round(finite)).all())
 
 
-def by_content(table: Floats, normals_expected: bool = False) -> Columns:
-    """Names from what the columns hold.  `normals_expected`: the file's ending promises normals."""
+def by_content(table: Floats, normals_expected: bool = False, before: int = 0) -> Columns:
+    """Names from what the columns hold.
+
+    `normals_expected`: the file's ending promises normals; `before`: columns of the file that the table lacks.
+    """
+    if _is_numbered(table):
+        rest = by_content(table[:, 1:], normals_expected, 1)
+        return Columns(("number", *rest.names), ("column 1 counts the points: it is not used", *rest.notes))
     width = table.shape[1]
     some: Any = table if len(table) <= 20000 else table[:: len(table) // 20000 + 1]
     found: Dict[int, Tuple[str, ...]] = {}
@@ -87,7 +101,7 @@ def by_content(table: Floats, normals_expected: bool = False) -> Columns:
     signed = [start for start in unit if some[:, start : start + 3].min() < 0]
     place = (signed or unit or [0])[0]
     if not place:
-        place = _other_normals(some, starts, normals_expected, notes)
+        place = _other_normals(some, starts, normals_expected, notes, before)
     if place:
         found[place] = ("nx", "ny", "nz")
     for start in starts:
@@ -101,17 +115,18 @@ def by_content(table: Floats, normals_expected: bool = False) -> Columns:
     if width >= 6 and not place:
         what = "colours" if any("red" in three for three in found.values()) else "no normals"
         which = next((start for start, three in found.items() if "red" in three), 3)
-        notes.append(f"columns {which + 1} to {which + 3} are {what}: they are not used")
+        notes.append(f"columns {which + 1 + before} to {which + 3 + before} are {what}: they are not used")
     return Columns(tuple(names), tuple(notes))
 
 
-def _other_normals(table: Floats, starts: Sequence[int], expected: bool, notes: List[str]) -> int:
+def _other_normals(table: Floats, starts: Sequence[int], expected: bool, notes: List[str], before: int) -> int:
     """Where normals are that are not of unit length; 0 if nowhere."""
     for start in starts:
         rows = table[:, start : start + 3]
         if len(starts) > 1 and start + 3 != table.shape[1]:
             continue  # the last three
         if expected or (not _is_colour(rows) and float(np.nanmin(rows)) < 0):
-            notes.append(f"columns {start + 1} to {start + 3} are not of unit length, and are taken for normals")
+            which = f"columns {start + 1 + before} to {start + 3 + before}"
+            notes.append(f"{which} are not of unit length, and are taken for normals")
             return start
     return 0

@@ -187,7 +187,7 @@ class _Reader:
         if count == 0:
             return np.zeros((0, width), dtype)
         if min(start, count, stride) < 0 or start + stride * (count - 1) + size > len(data):
-            raise ShapeError(f"the glTF file is cut short: part {number} ends beyond the {len(data)} bytes that are there")
+            raise ShapeError(f"the glTF file is cut short: part {number} ends beyond the {len(data)} bytes there are")
         rows = np.ndarray((count, size), np.uint8, data, start, (stride, 1))
         return np.ascontiguousarray(rows).view(dtype)
 

@@ -8,7 +8,19 @@ from typing import Dict, List, Tuple
 import numpy as np
 
 from ._shape import Floats, Integers, Shape, ShapeError
-from ._table import Rows, at, check_indices, number_at, numbers, out_of_range, plain, polygons, shown, whole, without_comments
+from ._table import (
+    Rows,
+    at,
+    check_indices,
+    number_at,
+    numbers,
+    out_of_range,
+    plain,
+    polygons,
+    shown,
+    whole,
+    without_comments,
+)
 
 _CORNER = re.compile(rb"[+-]?\d+(?:/[+-]?\d*){0,2}")
 
