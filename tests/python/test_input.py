@@ -64,6 +64,20 @@ def mixed():
     return table(points, signs[:, None] * normals)
 
 
+def edged():
+    """The faces of a cube, each with points on its edges."""
+    side = np.linspace(-1, 1, 7)
+    square = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
+    parts = []
+    for axis in range(3):
+        for sign in (-1.0, 1.0):
+            points, normals = np.zeros((49, 3)), np.zeros((49, 3))
+            points[:, [(axis + 1) % 3, (axis + 2) % 3]] = square
+            points[:, axis], normals[:, axis] = sign, sign
+            parts.append(table(points, normals))
+    return "".join(parts)
+
+
 def with_zeros():
     points, normals = ball()
     normals = normals.copy()
@@ -114,6 +128,7 @@ ROWS = {
         "a.xyz", lambda: "".join(f"{x} {y} {z} 9 200 31\n" for x, y, z in ball()[0].tolist()), [], 1),
     "points without a usable place or normal among others": ("a.xyz", with_zeros, [], 0),
     "points at one place": ("a.xyz", lambda: 2 * table(*ball()), [], 0),
+    "points at one place, with several normals, as on a sharp edge": ("a.xyz", edged, [], 0),
     "more than 4096 points": ("a.xyz", lambda: table(*2 * [fibonacci_sphere(4200)]), ["--max-centres", "0"], 0),
     "fewer than ten points": ("a.xyz", lambda: table(*2 * [fibonacci_sphere(8)]), [], 0),
     "points in a plane, or a flat mesh": ("a.obj", lambda: obj(CUBE[:4] * [3, 2, 1], [[0, 1, 3, 2]]), [], 0),
@@ -242,6 +257,19 @@ def test_check_of_points(tmp_path, capsys):
     assert facts["points_not_finite"] == 1
     facts = checked(write(tmp_path, "f.xyz", table(ball()[0] + [4e6, 5e6, 0], ball()[1])), capsys)
     assert "far from the origin" in facts["warnings"][0]
+
+
+def test_several_normals_at_one_place(tmp_path, capsys):
+    facts = checked(write(tmp_path, "a.xyz", edged()), capsys)
+    assert facts["status"] == "fine" and "68 places with several normals: their mean is used" in facts["repairs"]
+    points, normals = ball()
+    both = table(points, normals) + table(points[:3], -normals[:3])
+    assert main(["draw", str(write(tmp_path, "b.xyz", both)), str(tmp_path / "b.png"), *QUICK]) == 0
+    out, err = capsys.readouterr()
+    assert "warning: 3 places with opposite normals left out" in err and " 197 centres" in out
+    path = write(tmp_path, "c.xyz", table(points, normals) + table(points, -normals))
+    assert main(["draw", str(path), str(tmp_path / "c.png"), *QUICK]) == 1
+    assert "all points are in pairs with opposite normals" in capsys.readouterr().err
 
 
 def test_check_of_what_cannot_be_used(tmp_path, capsys):

@@ -148,6 +148,13 @@ def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Fl
     if usable.sum() < _inputs.FEW:
         findings.warn(f"there are {of(int(usable.sum()), 'point')} only: the surface between them is a guess")
     points, normals = shape.points[usable], shape.normals[usable] / length[usable, None]
+    points, normals, joined, opposite = _orient.agreed(points, normals)
+    if joined:
+        findings.repairs.append(f"{of(joined, 'place')} with several normals: their mean is used")
+    if opposite:
+        findings.warn(f"{of(opposite, 'place')} with opposite normals, left out")
+    if len(points) == 0:
+        raise ShapeError("all points are in pairs with opposite normals")
     _orientation(points, normals, False, findings)
     return points, normals
 

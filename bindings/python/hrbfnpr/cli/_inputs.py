@@ -130,6 +130,14 @@ def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Fl
 
 def _normals(shape: Shape, points: Floats, normals: Floats, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
     """Those that look outward; --flip is the user's own word on it."""
+    if not shape.is_mesh:
+        points, normals, joined, opposite = _orient.agreed(points, normals)
+        if joined:
+            report.note(f"{_nearness.of(joined, 'place')} with several normals, as on a sharp edge: their mean is used")
+        if opposite:
+            report.warn(f"{_nearness.of(opposite, 'place')} with opposite normals left out")
+        if len(points) == 0:
+            raise ShapeError("all points are in pairs with opposite normals")
     if arguments.flip:
         return points, -normals
     with report.stage("orient", "orienting") as stage:

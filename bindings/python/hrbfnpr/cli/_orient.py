@@ -15,6 +15,8 @@ from ._progress import Reporter
 SOURCES = 2500  # samples that stand for all
 QUERIES = 300  # of these, where it is asked
 NEIGHBOURS = 8
+AGREEMENT = 0.99985  # cosine of the angle up to which normals at one place are the same, as the fit has it
+OPPOSITE = 0.2  # length of the mean of normals that tell nothing together
 SOFT = 0.1  # of a sample's area, which keeps what lies right beside it finite
 INWARD = -0.5  # sum of the winding numbers on both sides: 1 of a closed surface, -1 inside out, 0 of a flat sheet
 DOUBTFUL = -0.25
@@ -110,6 +112,30 @@ def _against(points: Floats, normals: Floats, nearest: Any) -> Tuple[float, floa
         return against, against
     pairs = float((opposed & level).sum() / level.sum())  # 2 p (1 - p) of a share p
     return against, (1 - np.sqrt(max(1 - 2 * pairs, 0.0))) / 2
+
+
+def agreed(points: Floats, normals: Floats) -> Tuple[Floats, Floats, int, int]:
+    """Samples of which no two are at one place with different normals.
+
+    Where they are, as vertices on a sharp edge of a mesh, one stays, with the mean normal; where the normals are
+    opposite none does.  Also returns how many places were joined, and how many were left out.
+    """
+    _, first, where, counts = np.unique(points, axis=0, return_index=True, return_inverse=True, return_counts=True)
+    if counts.max() == 1:
+        return points, normals, 0, 0
+    where = where.reshape(-1)
+    differs = np.zeros(len(counts), dtype=bool)
+    differs[where[np.einsum("ij,ij->i", normals, normals[first[where]]) < AGREEMENT]] = True
+    if not differs.any():
+        return points, normals, 0, 0
+    mean = np.column_stack([np.bincount(where, weights=normals[:, axis]) for axis in range(3)]) / counts[:, None]
+    length = np.linalg.norm(mean, axis=1)
+    keep = ~differs[where]
+    joined = differs & (length > OPPOSITE)
+    keep[first[joined]] = True
+    new = normals.copy()
+    new[first[joined]] = mean[joined] / length[joined, None]
+    return points[keep], new[keep], int(joined.sum()), int((differs & ~joined).sum())
 
 
 def settle(points: Floats, normals: Floats, mode: str, mesh: bool, report: Reporter) -> Tuple[Floats, str]:
