@@ -18,6 +18,12 @@ constexpr std::int64_t most_direct = 6000;
 // Up to so many samples each one's own residual is below 1e-8, not only their mean, at the price of two iterations.
 constexpr std::int64_t small = 2048;
 
+// Of so few the direct solver takes some tenths of a second, and gives more than iterations that rounding ends above
+// this residual.  Of more it takes up to a minute: what is good enough where the iterative solver is asked for by name
+// is good enough here.
+constexpr std::int64_t quickly_direct = 512;
+constexpr double exact_enough = 1e-8;
+
 constexpr std::int32_t second_neighbours = 48;
 
 // Found by trying the Stanford dragon's 435 545 vertices: with less the iterations break down, with much more the
@@ -38,11 +44,12 @@ constexpr double softened_tolerance = 3e-4;
     return options.degree + 1 >= kernel::order(options.kernel);
 }
 
-// Whether the iterations came near the goal and then no further; of few samples the direct solver gives more.
+// Whether the iterations came near the goal and then no further.
 [[nodiscard]] bool rounding_ends(const HermiteSystem& system, const SolveOptions& options,
                                  const Solution& solution) noexcept {
     if (solution.converged || solution.iterations >= options.iterations) return false;
-    const bool direct_is_better = options.solver == SolverKind::automatic && system.samples() <= small;
+    const bool direct_is_better = options.solver == SolverKind::automatic && system.samples() <= quickly_direct &&
+                                  solution.residual > exact_enough;
     return !direct_is_better && solution.residual <= options.acceptable;
 }
 

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
@@ -213,6 +215,43 @@ TEST(Solver, AutomaticFallsBackToTheDirectOne) {
     EXPECT_LE(report.value_residual_max, 1e-10);
     EXPECT_LE(report.gradient_residual_max, 1e-10);
     EXPECT_GT(report.condition_estimate, 1e3); // of the factored matrix
+}
+
+// A box's faces with samples that crowd towards its edges: rounding ends the iterations short of their goal.
+Cloud graded_box() {
+    std::vector<double> place;
+    for (double gap = 0.5; place.size() < 17; gap *= 0.6) {
+        place.push_back(gap);
+        if (gap < 0.5) place.push_back(1.0 - gap);
+    }
+    Cloud cloud;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0})
+            for (const double u : place)
+                for (const double v : place) {
+                    std::array<double, 3> point{};
+                    std::array<double, 3> normal{};
+                    point[static_cast<std::size_t>(axis)] = side > 0.0 ? 1.0 : 0.0;
+                    point[static_cast<std::size_t>((axis + 1) % 3)] = u;
+                    point[static_cast<std::size_t>((axis + 2) % 3)] = v;
+                    normal[static_cast<std::size_t>(axis)] = side;
+                    cloud.add({point[0], point[1], point[2]}, {normal[0], normal[1], normal[2]});
+                }
+    return cloud;
+}
+
+TEST(Solver, AutomaticTakesWhatTheIterativeOneIsContentWith) {
+    const base::Runtime runtime;
+    const Cloud cloud = graded_box();
+    fit::FitInput chosen = input(cloud);
+    const fit::FitReport automatic = fit::fit(runtime, chosen, {}).report;
+    chosen.solver = fit::SolverKind::iterative;
+    const fit::FitReport asked = fit::fit(runtime, chosen, {}).report;
+    EXPECT_GT(asked.solver_residual, 1e-10) << "it tells nothing";
+    EXPECT_EQ(automatic.solver, fit::SolverKind::iterative);
+    EXPECT_EQ(automatic.solver_reason, fit::SolverReason::large);
+    EXPECT_EQ(automatic.solver_residual, asked.solver_residual);
+    EXPECT_LE(automatic.value_residual_max, 1e-9);
 }
 
 } // namespace
