@@ -86,9 +86,9 @@
  *   the library, unless flagged thread-safe.  No call changes the caller's
  *   floating-point state, locale or OpenMP settings.
  *
- * Stacks.  Every call but hrbfnpr_model_fit does with a thread's stack of 64 KiB,
- *   12 of them for the caller's own frames and callbacks; hrbfnpr_model_fit needs
- *   512 KiB, on the thread that calls it and, with a `run_tasks` hook, on those
+ * Stacks.  Every call but hrbfnpr_model_fit and _fit_mesh does with a thread's
+ *   stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
+ *   two need 512 KiB, on the thread that calls it and, with a `run_tasks` hook, on those
  *   that run its tasks.  Neither depends on the number of samples or marks.
  *
  * Callbacks.  A callback must return normally: it must not throw, longjmp, or
@@ -198,7 +198,9 @@ enum {
     HRBFNPR_SCALAR_FLOAT32 = 1,
     HRBFNPR_SCALAR_FLOAT64 = 2,
     HRBFNPR_SCALAR_UINT8 = 3,
-    HRBFNPR_SCALAR_UINT32 = 4
+    HRBFNPR_SCALAR_UINT32 = 4,
+    HRBFNPR_SCALAR_INT32 = 5,
+    HRBFNPR_SCALAR_INT64 = 6
 };
 
 /* `count` elements of `components` scalars each, `stride` bytes apart.
@@ -1997,6 +1999,258 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* ide
 /* What an id stands for.  INVALID_ARGUMENT for one that is no mark's. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawing, uint32_t id,
                                                     hrbfnpr_mark_identity* identity, hrbfnpr_error* error);
+
+/*
+ * ==========================================================================
+ * 12  MESH: triangles as they come, made usable; samples, fits and errors by it
+ * ==========================================================================
+ *
+ * A mesh is immutable.  Making one repairs what can be repaired, and counts it:
+ * vertices in exactly the same place are joined, triangles without area and
+ * repeated ones left out, unused vertices dropped; of each component the faces
+ * are turned to agree, and a closed one that is inside out is turned whole.
+ */
+
+typedef struct hrbfnpr_mesh hrbfnpr_mesh;
+
+/* Which components are kept.  A component is what hangs together by shared
+ * vertices. */
+enum {
+    HRBFNPR_PARTS_OUTER = 0,  /* all but those that lie inside a closed one: eyes in a head, inner shells */
+    HRBFNPR_PARTS_ALL = 1,    /* all; one that lies inside an odd number of closed ones is a cavity if its faces say so,
+                                 and is not turned */
+    HRBFNPR_PARTS_LARGEST = 2 /* that of the largest area */
+};
+
+/* What becomes of the order of a face's corners. */
+enum {
+    HRBFNPR_FACES_TURN = 0, /* faces are turned to agree with their component, and closed components outward */
+    HRBFNPR_FACES_KEEP = 1  /* as they are */
+};
+
+/* Triangles; quadrilaterals and polygons are cut into them by the caller.
+ * A corner that is no number of a vertex, or that a vertex which is not finite
+ * belongs to, is INVALID_ARGUMENT, and the message names the face and the
+ * index; so are coordinates beyond 1e60, a mesh less than 1e-60 across, and one that has no
+ * face left. */
+typedef struct hrbfnpr_mesh_desc {
+    uint32_t struct_size;
+    uint32_t parts;          /* HRBFNPR_PARTS_...; OUTER */
+    hrbfnpr_array vertices;  /* n x 3, FLOAT32 or FLOAT64; n < 2^31 */
+    hrbfnpr_array triangles; /* m x 3, INT32, INT64 or UINT32: numbers of vertices, from 0, counter-clockwise as seen
+                                from outside; m < 2^29 */
+    double crease_angle;     /* degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; 60 */
+    uint32_t faces;          /* HRBFNPR_FACES_...; TURN */
+    uint32_t reserved;
+} hrbfnpr_mesh_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_desc_init(hrbfnpr_mesh_desc* desc, uint32_t struct_size);
+
+/* operation may be NULL.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_create(hrbfnpr_context* context, const hrbfnpr_mesh_desc* desc,
+                                               hrbfnpr_operation* operation, hrbfnpr_mesh** out_mesh,
+                                               hrbfnpr_error* error);
+HRBFNPR_API void hrbfnpr_mesh_retain(const hrbfnpr_mesh* mesh);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_mesh_release(const hrbfnpr_mesh* mesh); /* any thread; NULL is ignored */
+
+/* Of what is kept, but for the numbers of what was found on the way.  An edge is
+ * at the boundary if one face has it, and not manifold if more than two have. */
+typedef struct hrbfnpr_mesh_info {
+    uint32_t struct_size;
+    uint32_t closed;              /* 1: no edge is at the boundary or not manifold, and all faces agree */
+    int64_t given_vertices;
+    int64_t given_faces;
+    int64_t vertices;             /* kept */
+    int64_t faces;
+    int64_t welded_vertices;      /* in the place of another, and joined with it */
+    int64_t degenerate_faces;     /* without area, left out */
+    int64_t repeated_faces;       /* with the corners of another, left out */
+    int64_t turned_faces;         /* against those beside them, turned */
+    int64_t components;           /* of the given faces */
+    int64_t turned_components;    /* closed and inside out, turned */
+    int64_t nested_components;    /* inside a closed one */
+    int64_t left_out_components;
+    int64_t left_out_faces;       /* of these */
+    int64_t boundary_edges;
+    int64_t boundary_loops;
+    int64_t nonmanifold_edges;
+    int64_t contrary_edges;       /* whose two faces do not agree: the mesh cannot be oriented, or was not to be */
+    int64_t euler_characteristic; /* vertices - edges + faces */
+    int64_t genus;                /* sum of the handles of all components; -1 where the mesh is not closed */
+    double area;
+    double volume;                /* enclosed; NaN where the mesh is not closed */
+    double bounds_min[3];
+    double bounds_max[3];
+    double seconds;               /* that making it took */
+    int64_t bytes;                /* kept by the mesh */
+} hrbfnpr_mesh_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_info_init(hrbfnpr_mesh_info* info, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_get_info(const hrbfnpr_mesh* mesh, hrbfnpr_mesh_info* info,
+                                                 hrbfnpr_error* error);
+
+enum {
+    HRBFNPR_MESH_ATTRIBUTE_VERTEX = 0,       /* places, FLOAT64 x 3 */
+    HRBFNPR_MESH_ATTRIBUTE_TRIANGLE = 1,     /* numbers of vertices, INT32 x 3, of each face */
+    HRBFNPR_MESH_ATTRIBUTE_COMPONENT = 2,    /* from 0, INT32 x 1, of each face */
+    HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE = 3,   /* the number that the face was given by, INT32 x 1 */
+    HRBFNPR_MESH_ATTRIBUTE_CORNER_NORMAL = 4 /* unit normals of the three corners, FLOAT64 x 9, of each face */
+};
+
+/* A zero-copy view of what is kept, valid while the mesh lives. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_view(const hrbfnpr_mesh* mesh, uint32_t attribute,
+                                             hrbfnpr_array* out_view, hrbfnpr_error* error);
+
+typedef struct hrbfnpr_sample_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t candidates;   /* random places to choose from, 0 = 40 for each sample, 1000000 at most; never fewer than
+                             samples; as many as samples: all of them, in random order */
+    uint64_t random_seed; /* any number; 1 */
+} hrbfnpr_sample_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint32_t struct_size);
+
+/* As many samples of the mesh as `points` has elements (at least 1, 10000000 at
+ * most): random places, even over its area, of which each next one that is
+ * taken is the farthest from those before, so that every prefix is even.
+ * points, normals: n x 3, FLOAT32 or FLOAT64; normals (may be NULL) are unit,
+ * interpolated between those of the corners, which take in the faces about
+ * their vertex within the crease angle, by their angles there.
+ * desc may be NULL; operation too. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_sample(const hrbfnpr_mesh* mesh, const hrbfnpr_sample_desc* desc,
+                                               const hrbfnpr_array_out* points, const hrbfnpr_array_out* normals,
+                                               hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+/* Farthest-point order: each is the point farthest from those before it, the
+ * first the one nearest to the middle of the bounding box; of equals the one of
+ * lower number.  Every prefix is an even choice [Gonzalez 1985].
+ * points:   n x 3, FLOAT32 or FLOAT64, finite, below 1e100.
+ * indices:  k x 1, INT64, INT32 or UINT32, k <= n: numbers of points.
+ * distance: k x 1, FLOAT32 or FLOAT64, or NULL: from those before; infinite for
+ *           the first.
+ * 20 000 of a million take half a second.  operation may be NULL. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_farthest_points(hrbfnpr_context* context, const hrbfnpr_array* points,
+                                                   const hrbfnpr_array_out* indices,
+                                                   const hrbfnpr_array_out* distance,
+                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+/* How near a surface is to a mesh.  "Surface": of the model, within the box of
+ * the mesh, grown by 0.05 diagonals; "diagonal" is the mesh's.  What of it is
+ * nearest to the mesh's border goes on beyond that, and is left out.  Where
+ * closed components overlap, what lies inside is no part of the mesh. */
+typedef struct hrbfnpr_compare_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double tolerance;     /* that shares are counted for, in units of the mesh; 0 = 0.002 diagonals */
+    double far;           /* beyond it a part of the surface is an invention, and a part of the mesh missed; 0 = 0.01
+                             diagonals */
+    double support;       /* > 0: what the samples of the model do not bear out by this limit is left out, as a line set
+                             with the same `support` does; a custom model has none; 0 = nothing is left out */
+    int64_t points;       /* on each side, 100 .. 10000000; 0 = 20000 */
+    double cell_size;     /* of the cells that the surface is looked for in; 0 = 1/128 of the diagonal.  What is
+                             thinner or smaller may be missed */
+    uint64_t random_seed; /* any number; 1 */
+} hrbfnpr_compare_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_compare_desc_init(hrbfnpr_compare_desc* desc, uint32_t struct_size);
+
+/* Distances in units of the mesh.  p99: 99 % are not farther.  Of no points: NaN. */
+typedef struct hrbfnpr_comparison {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t surface_points;  /* places on the surface, even over its area */
+    double surface_mean;     /* of their distances from the mesh */
+    double surface_p99;
+    double surface_max;
+    double surface_share;    /* within the tolerance */
+    double invented_share;   /* of the surface, beyond `far` */
+    double left_out_share;   /* of the surface: beyond the mesh's border, or by `support`; in none of the above */
+    int64_t mesh_points;     /* places on the mesh, even over its area */
+    double mesh_mean;        /* of their distances from the surface */
+    double mesh_p99;
+    double mesh_max;
+    double mesh_share;       /* within the tolerance */
+    double missed_share;     /* of the mesh, beyond `far` */
+    double normal_mean;      /* degrees between the mesh's normals and the surface's beside them */
+    double normal_p99;
+    int64_t components;      /* of the surface */
+    int64_t genus;           /* of the surface, sum over its components; -1 if it has a border in the box */
+    double tolerance;        /* as used */
+    double diagonal;
+    double seconds;
+} hrbfnpr_comparison;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_comparison_init(hrbfnpr_comparison* comparison, uint32_t struct_size);
+
+/* Measures both ways, for any model, in the same coordinates as the mesh.  The
+ * surface is found from places on the mesh and from 16^3 places of the box: a
+ * small part of it that neither leads to is missed.
+ * desc may be NULL; operation too. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model, const hrbfnpr_mesh* mesh,
+                                                      const hrbfnpr_compare_desc* desc,
+                                                      hrbfnpr_comparison* comparison,
+                                                      hrbfnpr_operation* operation, hrbfnpr_error* error);
+
+/* How a mesh is fitted. */
+typedef struct hrbfnpr_mesh_fit_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double tolerance;        /* how near the surface and the mesh are to be to each other, in units of the mesh; 0 =
+                                0.002 diagonals; not below 1e-6 diagonals */
+    double share;            /* of both that has to be within the tolerance, above 0, at most 1; 0.99 */
+    double far;              /* what no part may be beyond; 0 = five times the tolerance */
+    int64_t maximum_centres; /* 16 .. 1000000; 20000 */
+    int64_t candidates;      /* places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details */
+    uint64_t random_seed;    /* any number; 1 */
+} hrbfnpr_mesh_fit_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_desc_init(hrbfnpr_mesh_fit_desc* desc, uint32_t struct_size);
+
+/* What a fit to a mesh came to: the last of the measurements that it went by,
+ * at places of their own.  hrbfnpr_model_compare_mesh measures again, and more. */
+typedef struct hrbfnpr_mesh_fit_info {
+    uint32_t struct_size;
+    uint32_t reached;            /* 1: tolerance, share and far are kept, both ways */
+    double tolerance;            /* as used */
+    double far;
+    int64_t candidates;
+    int64_t centres;             /* all */
+    int64_t off_surface_centres; /* of these, the last ones: where f is held to the distance from the mesh */
+    int32_t rounds;              /* fits */
+    uint32_t supported;          /* 1: the mesh has a border, and the surface beyond it was not counted */
+    double surface_share;        /* of the surface, within the tolerance of the mesh */
+    double surface_p99;
+    double surface_max;
+    double mesh_share;           /* of the mesh, within the tolerance of the surface */
+    double mesh_p99;
+    double mesh_max;
+    double seconds_sample;
+    double seconds_fit;          /* of all rounds */
+    double seconds_measure;
+    double seconds_total;
+} hrbfnpr_mesh_fit_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size);
+
+/* Fits a surface to a mesh with as many samples as that takes: some hundred
+ * even ones, then, in rounds, more where the surface is off the mesh or the mesh
+ * off the surface.  Where the surface goes on far from a closed mesh, f is held
+ * to the signed distance from the mesh at a few places off it: these are the
+ * last centres of the model, whose normal is the way to the mesh or from it.
+ *
+ * An end short of the tolerance is no error: `reached` is 0, and the log warns.
+ * Edges that are sharp are rounded by some tenths of the samples' spacing: where
+ * there are many, a share of 0.99 may take all maximum_centres.
+ *
+ * desc may be NULL.  fit (may be NULL): kernel, solver and regularization of the
+ * fits; its points and normals must be empty, its tolerance and maximum_centres
+ * 0.  info and operation may be NULL.  Errors as of hrbfnpr_model_fit, whose
+ * stack it needs as well. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
+                                                  const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info,
+                                                  hrbfnpr_operation* operation, hrbfnpr_model** out_model,
+                                                  hrbfnpr_error* error);
 
 #ifdef __cplusplus
 }

@@ -14,7 +14,8 @@ const char* hrbfnpr_status_name(hrbfnpr_status status);
 typedef struct hrbfnpr_error { uint32_t struct_size; hrbfnpr_status status; char message[248]; } hrbfnpr_error;
 hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed);
-enum { HRBFNPR_SCALAR_FLOAT32 = 1, HRBFNPR_SCALAR_FLOAT64 = 2, HRBFNPR_SCALAR_UINT8 = 3, HRBFNPR_SCALAR_UINT32 = 4 };
+enum { HRBFNPR_SCALAR_FLOAT32 = 1, HRBFNPR_SCALAR_FLOAT64 = 2, HRBFNPR_SCALAR_UINT8 = 3, HRBFNPR_SCALAR_UINT32 = 4,
+    HRBFNPR_SCALAR_INT32 = 5, HRBFNPR_SCALAR_INT64 = 6 };
 typedef struct hrbfnpr_array { const void* data; int64_t count; int64_t stride; uint32_t scalar; uint32_t components;
     } hrbfnpr_array;
 typedef struct hrbfnpr_array_out { void* data; int64_t count; int64_t stride; uint32_t scalar; uint32_t components;
@@ -394,4 +395,58 @@ typedef struct hrbfnpr_mark_identity { uint32_t struct_size; uint32_t id; int64_
     int64_t stroke; int64_t place; } hrbfnpr_mark_identity;
 hrbfnpr_status hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawing, uint32_t id, hrbfnpr_mark_identity* identity,
+    hrbfnpr_error* error);
+typedef struct hrbfnpr_mesh hrbfnpr_mesh;
+enum { HRBFNPR_PARTS_OUTER = 0, HRBFNPR_PARTS_ALL = 1, HRBFNPR_PARTS_LARGEST = 2 };
+enum { HRBFNPR_FACES_TURN = 0, HRBFNPR_FACES_KEEP = 1 };
+typedef struct hrbfnpr_mesh_desc { uint32_t struct_size; uint32_t parts; hrbfnpr_array vertices;
+    hrbfnpr_array triangles; double crease_angle; uint32_t faces; uint32_t reserved; } hrbfnpr_mesh_desc;
+hrbfnpr_status hrbfnpr_mesh_desc_init(hrbfnpr_mesh_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_mesh_create(hrbfnpr_context* context, const hrbfnpr_mesh_desc* desc,
+    hrbfnpr_operation* operation, hrbfnpr_mesh** out_mesh, hrbfnpr_error* error);
+void hrbfnpr_mesh_retain(const hrbfnpr_mesh* mesh);
+void hrbfnpr_mesh_release(const hrbfnpr_mesh* mesh);
+typedef struct hrbfnpr_mesh_info { uint32_t struct_size; uint32_t closed; int64_t given_vertices; int64_t given_faces;
+    int64_t vertices; int64_t faces; int64_t welded_vertices; int64_t degenerate_faces; int64_t repeated_faces;
+    int64_t turned_faces; int64_t components; int64_t turned_components; int64_t nested_components;
+    int64_t left_out_components; int64_t left_out_faces; int64_t boundary_edges; int64_t boundary_loops;
+    int64_t nonmanifold_edges; int64_t contrary_edges; int64_t euler_characteristic; int64_t genus; double area;
+    double volume; double bounds_min[3]; double bounds_max[3]; double seconds; int64_t bytes; } hrbfnpr_mesh_info;
+hrbfnpr_status hrbfnpr_mesh_info_init(hrbfnpr_mesh_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_mesh_get_info(const hrbfnpr_mesh* mesh, hrbfnpr_mesh_info* info, hrbfnpr_error* error);
+enum { HRBFNPR_MESH_ATTRIBUTE_VERTEX = 0, HRBFNPR_MESH_ATTRIBUTE_TRIANGLE = 1, HRBFNPR_MESH_ATTRIBUTE_COMPONENT = 2,
+    HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE = 3, HRBFNPR_MESH_ATTRIBUTE_CORNER_NORMAL = 4 };
+hrbfnpr_status hrbfnpr_mesh_view(const hrbfnpr_mesh* mesh, uint32_t attribute, hrbfnpr_array* out_view,
+    hrbfnpr_error* error);
+typedef struct hrbfnpr_sample_desc { uint32_t struct_size; uint32_t reserved; int64_t candidates; uint64_t random_seed;
+    } hrbfnpr_sample_desc;
+hrbfnpr_status hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_mesh_sample(const hrbfnpr_mesh* mesh, const hrbfnpr_sample_desc* desc,
+    const hrbfnpr_array_out* points, const hrbfnpr_array_out* normals, hrbfnpr_operation* operation,
+    hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_farthest_points(hrbfnpr_context* context, const hrbfnpr_array* points,
+    const hrbfnpr_array_out* indices, const hrbfnpr_array_out* distance, hrbfnpr_operation* operation,
+    hrbfnpr_error* error);
+typedef struct hrbfnpr_compare_desc { uint32_t struct_size; uint32_t reserved; double tolerance; double far;
+    double support; int64_t points; double cell_size; uint64_t random_seed; } hrbfnpr_compare_desc;
+hrbfnpr_status hrbfnpr_compare_desc_init(hrbfnpr_compare_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_comparison { uint32_t struct_size; uint32_t reserved; int64_t surface_points;
+    double surface_mean; double surface_p99; double surface_max; double surface_share; double invented_share;
+    double left_out_share; int64_t mesh_points; double mesh_mean; double mesh_p99; double mesh_max; double mesh_share;
+    double missed_share; double normal_mean; double normal_p99; int64_t components; int64_t genus; double tolerance;
+    double diagonal; double seconds; } hrbfnpr_comparison;
+hrbfnpr_status hrbfnpr_comparison_init(hrbfnpr_comparison* comparison, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model, const hrbfnpr_mesh* mesh,
+    const hrbfnpr_compare_desc* desc, hrbfnpr_comparison* comparison, hrbfnpr_operation* operation,
+    hrbfnpr_error* error);
+typedef struct hrbfnpr_mesh_fit_desc { uint32_t struct_size; uint32_t reserved; double tolerance; double share;
+    double far; int64_t maximum_centres; int64_t candidates; uint64_t random_seed; } hrbfnpr_mesh_fit_desc;
+hrbfnpr_status hrbfnpr_mesh_fit_desc_init(hrbfnpr_mesh_fit_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_mesh_fit_info { uint32_t struct_size; uint32_t reached; double tolerance; double far;
+    int64_t candidates; int64_t centres; int64_t off_surface_centres; int32_t rounds; uint32_t supported;
+    double surface_share; double surface_p99; double surface_max; double mesh_share; double mesh_p99; double mesh_max;
+    double seconds_sample; double seconds_fit; double seconds_measure; double seconds_total; } hrbfnpr_mesh_fit_info;
+hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
+    const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation, hrbfnpr_model** out_model,
     hrbfnpr_error* error);

@@ -4,6 +4,7 @@
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
+#include "api/fit_options.h"
 #include "api/operation.h"
 #include "api/views.h"
 #include "fit/local_factors.h"
@@ -289,6 +290,22 @@ hrbfnpr_array view_of(const hrbfnpr_model& model, std::uint32_t attribute) {
 }
 
 } // namespace
+
+fit::FitInput checked_options(const hrbfnpr_fit_desc& desc) {
+    if (desc.points.count != 0 || desc.normals.count != 0)
+        fail(Status::invalid_argument, "fit_desc.points and normals must be empty: samples are taken of the mesh");
+    if (desc.tolerance != 0.0 || desc.maximum_centres != 0)
+        fail(Status::invalid_argument, "fit_desc.tolerance and maximum_centres must be 0: those of mesh_fit_desc hold");
+    if (desc.regularization_mode != HRBFNPR_REGULARIZATION_GIVEN || desc.outliers != HRBFNPR_REPAIR_KEEP ||
+        desc.flipped_normals != HRBFNPR_REPAIR_KEEP)
+        fail(Status::invalid_argument,
+             "fit_desc.regularization_mode, outliers and flipped_normals must be 0: a mesh has no noise");
+    fit_fields().check("fit_desc", desc);
+    fit::FitInput input;
+    fit_fields().copy(desc, input);
+    return input;
+}
+
 } // namespace hrbfnpr::api
 
 extern "C" {

@@ -13,6 +13,8 @@ static_assert(static_cast<std::uint32_t>(base::Scalar::float32) == HRBFNPR_SCALA
 static_assert(static_cast<std::uint32_t>(base::Scalar::float64) == HRBFNPR_SCALAR_FLOAT64);
 static_assert(static_cast<std::uint32_t>(base::Scalar::uint8) == HRBFNPR_SCALAR_UINT8);
 static_assert(static_cast<std::uint32_t>(base::Scalar::uint32) == HRBFNPR_SCALAR_UINT32);
+static_assert(static_cast<std::uint32_t>(base::Scalar::int32) == HRBFNPR_SCALAR_INT32);
+static_assert(static_cast<std::uint32_t>(base::Scalar::int64) == HRBFNPR_SCALAR_INT64);
 
 constexpr auto longest = std::numeric_limits<std::int64_t>::max();
 
@@ -22,12 +24,13 @@ const char* names_of(unsigned scalars) noexcept {
     case float32_only: return "FLOAT32";
     case uint8_only: return "UINT8";
     case uint32_only: return "UINT32";
+    case index_types: return "INT32, INT64 or UINT32";
     default: return "UINT8 or UINT32";
     }
 }
 
 void check_type(std::uint32_t scalar, std::uint32_t components, const char* name, ArrayType type) {
-    if (scalar < HRBFNPR_SCALAR_FLOAT32 || scalar > HRBFNPR_SCALAR_UINT32 || (type.scalars & (1U << scalar)) == 0)
+    if (scalar < HRBFNPR_SCALAR_FLOAT32 || scalar > HRBFNPR_SCALAR_INT64 || (type.scalars & (1U << scalar)) == 0)
         fail(Status::invalid_argument, "%s.scalar is %u; it must be HRBFNPR_SCALAR_ %s", name, scalar,
              names_of(type.scalars));
     if (components != type.components)

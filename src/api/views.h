@@ -15,6 +15,8 @@ inline constexpr unsigned float32_only = 1U << HRBFNPR_SCALAR_FLOAT32;
 inline constexpr unsigned uint8_only = 1U << HRBFNPR_SCALAR_UINT8;
 inline constexpr unsigned uint32_only = 1U << HRBFNPR_SCALAR_UINT32;
 inline constexpr unsigned uint8_or_uint32 = uint8_only | uint32_only;
+inline constexpr unsigned index_types =
+    1U << HRBFNPR_SCALAR_INT32 | 1U << HRBFNPR_SCALAR_INT64 | 1U << HRBFNPR_SCALAR_UINT32;
 
 struct ArrayType {
     std::uint32_t components;

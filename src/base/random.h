@@ -24,7 +24,8 @@ enum class Purpose : std::uint32_t {
     layer = 9,
     wobble = 10,
     stripes = 11,
-    hatch_hand = 12
+    hatch_hand = 12,
+    mesh_sample = 20
 };
 
 using Philox = std::array<std::uint32_t, 4>;

@@ -10,10 +10,10 @@
 namespace hrbfnpr::base {
 
 // Same numbers as HRBFNPR_SCALAR_...
-enum class Scalar : std::uint32_t { float32 = 1, float64 = 2, uint8 = 3, uint32 = 4 };
+enum class Scalar : std::uint32_t { float32 = 1, float64 = 2, uint8 = 3, uint32 = 4, int32 = 5, int64 = 6 };
 
 [[nodiscard]] constexpr std::int64_t size_of(Scalar scalar) noexcept {
-    return scalar == Scalar::float64 ? 8 : scalar == Scalar::uint8 ? 1 : 4;
+    return scalar == Scalar::float64 || scalar == Scalar::int64 ? 8 : scalar == Scalar::uint8 ? 1 : 4;
 }
 
 namespace detail {
@@ -48,8 +48,17 @@ struct InView {
         case Scalar::float64: return detail::read_as<double>(at);
         case Scalar::uint8: return detail::read_as<std::uint8_t>(at);
         case Scalar::uint32: return detail::read_as<std::uint32_t>(at);
+        case Scalar::int32: return detail::read_as<std::int32_t>(at);
+        case Scalar::int64: return detail::read_as<std::int64_t>(at);
         }
         return 0.0;
+    }
+    // Of views of integers, exactly.
+    [[nodiscard]] std::int64_t get_integer(std::int64_t i, std::uint32_t component) const noexcept {
+        if (scalar != Scalar::int64) return static_cast<std::int64_t>(get(i, component));
+        std::int64_t value = 0;
+        std::memcpy(&value, data + i * stride + static_cast<std::int64_t>(component) * size_of(scalar), sizeof value);
+        return value;
     }
 };
 
@@ -68,6 +77,8 @@ struct OutView {
         case Scalar::float64: detail::write_as<double>(at, number); break;
         case Scalar::uint8: detail::write_as<std::uint8_t>(at, number); break;
         case Scalar::uint32: detail::write_as<std::uint32_t>(at, number); break;
+        case Scalar::int32: detail::write_as<std::int32_t>(at, number); break;
+        case Scalar::int64: detail::write_as<std::int64_t>(at, number); break;
         }
     }
 };

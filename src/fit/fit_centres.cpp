@@ -94,12 +94,13 @@ constexpr double radius_limit = 1e30;
     return data;
 }
 
-// f(x_i) = 0, grad f(x_i) = n_i; normals are the same in normalised coordinates.
+// f(x_i) = 0, or the value of x_i, grad f(x_i) = n_i; normals are the same in normalised coordinates.
 [[nodiscard]] base::Array<double> right_hand_side(base::Memory& memory, const HermiteSystem& system,
-                                                  const geometry::VecArray& normal) {
+                                                  const Samples& centres, double scale) {
     base::Array<double> rhs(memory, system.unknowns());
-    for (std::int64_t i = 0; i < normal.size(); ++i)
-        for (glm::length_t c = 0; c < 3; ++c) rhs[4 * i + 1 + c] = normal[i][c];
+    for (std::int64_t i = 0; i < centres.normal.size(); ++i)
+        for (glm::length_t c = 0; c < 3; ++c) rhs[4 * i + 1 + c] = centres.normal[i][c];
+    for (std::int64_t i = 0; i < centres.value.size(); ++i) rhs[4 * i] = centres.value[i] / scale;
     return rhs;
 }
 
@@ -150,7 +151,7 @@ CentreFit fit_centres(const base::Runtime& runtime, const FitInput& input, const
                   0.0};
     implicit::HrbfData& data = fit.result.data;
     const HermiteSystem system(data.centre_position, system_options(input, smoothing, data));
-    const base::Array<double> rhs = right_hand_side(runtime.memory, system, centres.normal);
+    const base::Array<double> rhs = right_hand_side(runtime.memory, system, centres, data.scale);
     const double seconds_before = watch.seconds();
     Solution solution = solve(runtime, system, rhs.data(), solve_options(input), progress);
     store(solution, data);

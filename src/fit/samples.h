@@ -10,10 +10,11 @@
 namespace hrbfnpr::fit {
 
 struct Samples {
-    explicit Samples(base::Memory& memory) noexcept : position(memory), normal(memory) {}
+    explicit Samples(base::Memory& memory) noexcept : position(memory), normal(memory), value(memory) {}
 
     geometry::VecArray position; // the caller's coordinates
     geometry::VecArray normal;   // unit
+    base::Array<double> value;   // what f is held to, in the caller's unit; empty: 0, as on the surface
     geometry::Bounds bounds;
     double spacing = 0.0; // mean distance to the nearest other sample; 0 for one sample
     std::int64_t merged = 0;

@@ -33,6 +33,7 @@ FLOORS = {
     "strokes": 7,
     "drawing": 6,
     "io": 6,
+    "mesh/fit": 6,
     "published": 6,
     "stipples": 6,
     "visibility": 6,
@@ -42,6 +43,7 @@ FLOORS = {
     "surface": 4,
     "implicit": 3,
     "kernel": 2,
+    "mesh": 2,
     "geometry": 1,
     "base": 0,
 }

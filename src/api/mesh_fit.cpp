@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/fit/fit_mesh.h"
+
+#include "api/barrier.h"
+#include "api/descriptor.h"
+#include "api/fields.h"
+#include "api/fit_options.h"
+#include "api/mesh.h"
+#include "api/model.h"
+#include "api/operation.h"
+
+#include <memory>
+
+using namespace hrbfnpr;
+
+namespace hrbfnpr::api {
+namespace {
+
+using Compare = hrbfnpr_compare_desc;
+using Fit = hrbfnpr_mesh_fit_desc;
+
+constexpr auto compare_fields() noexcept {
+    using mesh::CompareSettings;
+    return FieldTable{reserved("reserved", &Compare::reserved),
+                      field("tolerance", &Compare::tolerance, &CompareSettings::tolerance, rule::AtLeast{0.0}),
+                      field("far", &Compare::far, &CompareSettings::far, rule::AtLeast{0.0}),
+                      field("support", &Compare::support, &CompareSettings::support, rule::AtLeast{0.0}),
+                      field("points", &Compare::points, &CompareSettings::points, rule::Between{0.0, 1e7}),
+                      field("cell_size", &Compare::cell_size, &CompareSettings::cell_size, rule::AtLeast{0.0}),
+                      field("random_seed", &Compare::random_seed, &CompareSettings::seed, rule::Any{})};
+}
+static_assert(compare_fields().covers<Compare>());
+
+constexpr auto fit_fields() noexcept {
+    using mesh::FitMeshSettings;
+    return FieldTable{
+        reserved("reserved", &Fit::reserved),
+        field("tolerance", &Fit::tolerance, &FitMeshSettings::tolerance, rule::AtLeast{0.0}),
+        field("share", &Fit::share, &FitMeshSettings::share, rule::PositiveUpTo{1.0}),
+        field("far", &Fit::far, &FitMeshSettings::far, rule::AtLeast{0.0}),
+        field("maximum_centres", &Fit::maximum_centres, &FitMeshSettings::maximum_centres, rule::Between{16.0, 1e6}),
+        field("candidates", &Fit::candidates, &FitMeshSettings::candidates, rule::Between{0.0, 1e7}),
+        field("random_seed", &Fit::random_seed, &FitMeshSettings::seed, rule::Any{})};
+}
+static_assert(fit_fields().covers<Fit>());
+
+} // namespace
+
+template <>
+hrbfnpr_compare_desc defaults() noexcept {
+    hrbfnpr_compare_desc desc{};
+    compare_fields().set_defaults(mesh::CompareSettings{}, desc);
+    return desc;
+}
+
+template <>
+hrbfnpr_comparison defaults() noexcept {
+    return {};
+}
+
+template <>
+hrbfnpr_mesh_fit_desc defaults() noexcept {
+    hrbfnpr_mesh_fit_desc desc{};
+    fit_fields().set_defaults(mesh::FitMeshSettings{}, desc);
+    return desc;
+}
+
+template <>
+hrbfnpr_mesh_fit_info defaults() noexcept {
+    return {};
+}
+
+namespace {
+
+constexpr double evaluations_of_a_comparison = 1e6;
+constexpr double smallest_tolerance = 1e-6; // in diagonals
+constexpr double smallest_cell = 1e-3;
+constexpr std::int64_t fewest_points = 100;
+constexpr std::int64_t fewest_candidates = 1000;
+
+void check_fewest(const char* owner, const char* name, std::int64_t value, std::int64_t fewest) {
+    if (value != 0 && value < fewest)
+        fail(Status::invalid_argument, "%s.%s is %lld; it must be 0 (automatic) or at least %lld", owner, name,
+             static_cast<long long>(value), static_cast<long long>(fewest));
+}
+
+void check_smallest(const char* owner, const char* name, double value, double smallest) {
+    if (value != 0.0 && value < smallest)
+        fail(Status::invalid_argument, "%s.%s is %g; it must be 0 (automatic) or at least %g", owner, name, value,
+             smallest);
+}
+
+// What the samples of a model bear out; null if it has none, or nobody asks.
+std::unique_ptr<surface::Support> support_of(const hrbfnpr_model& model, double limit, const base::Progress& progress) {
+    const implicit::HrbfData* const data = model.data();
+    if (!(limit > 0.0)) return nullptr;
+    if (data == nullptr)
+        fail(Status::invalid_argument, "compare_desc.support is %g, but a custom model has no samples; give 0", limit);
+    geometry::VecArray position(model.runtime().memory);
+    geometry::VecArray normal(model.runtime().memory);
+    const double* const p = data->sample_position.data();
+    const double* const n = data->sample_normal.data();
+    for (std::int64_t i = 0; i < 3 * data->count(); i += 3) {
+        position.push_back({p[i], p[i + 1], p[i + 2]});
+        normal.push_back({n[i], n[i + 1], n[i + 2]});
+    }
+    return std::make_unique<surface::Support>(model.runtime(), position, normal, progress);
+}
+
+hrbfnpr_comparison described(const mesh::Comparison& result) noexcept {
+    hrbfnpr_comparison to{};
+    to.surface_points = result.surface.points;
+    to.surface_mean = result.surface.mean;
+    to.surface_p99 = result.surface.p99;
+    to.surface_max = result.surface.most;
+    to.surface_share = result.surface.share;
+    to.invented_share = result.surface.beyond;
+    to.left_out_share = result.left_out;
+    to.mesh_points = result.mesh.points;
+    to.mesh_mean = result.mesh.mean;
+    to.mesh_p99 = result.mesh.p99;
+    to.mesh_max = result.mesh.most;
+    to.mesh_share = result.mesh.share;
+    to.missed_share = result.mesh.beyond;
+    to.normal_mean = result.normal_mean;
+    to.normal_p99 = result.normal_p99;
+    to.components = result.components;
+    to.genus = result.genus;
+    to.tolerance = result.tolerance;
+    to.diagonal = result.diagonal;
+    to.seconds = result.seconds;
+    return to;
+}
+
+void compare(const hrbfnpr_model& model, const hrbfnpr_mesh& mesh, const Compare& desc, hrbfnpr_comparison* out,
+             hrbfnpr_operation* operation) {
+    check_output_struct(out, "comparison");
+    compare_fields().check("compare_desc", desc);
+    check_fewest("compare_desc", "points", desc.points, fewest_points);
+    check_smallest("compare_desc", "cell_size", desc.cell_size, smallest_cell * mesh.mesh.bounds.diagonal());
+    mesh::CompareSettings settings;
+    compare_fields().copy(desc, settings);
+    const OperationUse use(operation);
+    const std::unique_ptr<surface::Support> support = support_of(model, desc.support, use.progress());
+    const implicit::Implicit& implicit = model.implicit_for(evaluations_of_a_comparison, use.progress());
+    const mesh::Comparison result =
+        mesh::compare(model.runtime(), implicit, mesh.mesh, mesh.tree, support.get(), settings, use.progress());
+    use.finish();
+    write_struct(out, described(result));
+}
+
+void log_fit(const base::Runtime& runtime, const mesh::FitMeshReport& report, std::int64_t centres) {
+    runtime.log(base::LogLevel::info,
+                "mesh fit: %lld centres in %d rounds, %.3f s; within %.3g: %.2f %% of the mesh and %.2f %% of the "
+                "surface",
+                static_cast<long long>(centres), static_cast<int>(report.rounds), report.seconds_total,
+                report.tolerance, 100.0 * report.mesh.share, 100.0 * report.surface.share);
+    if (!report.reached)
+        runtime.log(base::LogLevel::warning,
+                    "mesh fit: the tolerance is not reached: the mesh is up to %.3g from the surface, the surface up "
+                    "to %.3g from the mesh; give more maximum_centres, or a larger tolerance",
+                    report.mesh.most, report.surface.most);
+}
+
+hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t centres) noexcept {
+    hrbfnpr_mesh_fit_info to{};
+    to.reached = report.reached ? 1 : 0;
+    to.tolerance = report.tolerance;
+    to.far = report.far;
+    to.candidates = report.candidates;
+    to.centres = centres;
+    to.off_surface_centres = report.off_surface;
+    to.rounds = report.rounds;
+    to.supported = report.supported ? 1 : 0;
+    to.surface_share = report.surface.share;
+    to.surface_p99 = report.surface.p99;
+    to.surface_max = report.surface.most;
+    to.mesh_share = report.mesh.share;
+    to.mesh_p99 = report.mesh.p99;
+    to.mesh_max = report.mesh.most;
+    to.seconds_sample = report.seconds_sample;
+    to.seconds_fit = report.seconds_fit;
+    to.seconds_measure = report.seconds_measure;
+    to.seconds_total = report.seconds_total;
+    return to;
+}
+
+hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const Fit& desc, const hrbfnpr_fit_desc& fit,
+                        hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation) {
+    if (info != nullptr) check_output_struct(info, "mesh_fit_info");
+    fit_fields().check("mesh_fit_desc", desc);
+    check_fewest("mesh_fit_desc", "candidates", desc.candidates, fewest_candidates);
+    check_smallest("mesh_fit_desc", "tolerance", desc.tolerance, smallest_tolerance * mesh.mesh.bounds.diagonal());
+    if (desc.far != 0.0 && desc.far < desc.tolerance)
+        fail(Status::invalid_argument, "mesh_fit_desc.far is %g, less than the tolerance, %g", desc.far,
+             desc.tolerance);
+    mesh::FitMeshSettings settings;
+    fit_fields().copy(desc, settings);
+    const fit::FitInput options = checked_options(fit);
+    const OperationUse use(operation);
+    mesh::MeshFit result = mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options, use.progress());
+    use.finish();
+    const std::int64_t centres = result.fit.data.count();
+    log_fit(mesh.runtime(), result.report, centres);
+    auto* const model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit));
+    if (info != nullptr) write_struct(info, described(result.report, centres));
+    return model;
+}
+
+} // namespace
+} // namespace hrbfnpr::api
+
+extern "C" {
+
+hrbfnpr_status hrbfnpr_compare_desc_init(hrbfnpr_compare_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_comparison_init(hrbfnpr_comparison* comparison, uint32_t struct_size) {
+    return api::init_struct(comparison, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model, const hrbfnpr_mesh* mesh,
+                                          const hrbfnpr_compare_desc* desc, hrbfnpr_comparison* comparison,
+                                          hrbfnpr_operation* operation, hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        api::compare(api::deref(model, "model"), api::deref(mesh, "mesh"),
+                     api::read_optional_struct(desc, "compare_desc"), comparison, operation);
+    });
+}
+
+hrbfnpr_status hrbfnpr_mesh_fit_desc_init(hrbfnpr_mesh_fit_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size) {
+    return api::init_struct(info, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
+                                      const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info,
+                                      hrbfnpr_operation* operation, hrbfnpr_model** out_model, hrbfnpr_error* error) {
+    return api::guarded_create(out_model, "out_model", error, [&] {
+        return api::fit_mesh(api::deref(mesh, "mesh"), api::read_optional_struct(desc, "mesh_fit_desc"),
+                             api::read_optional_struct(fit, "fit_desc"), info, operation);
+    });
+}
+
+} // extern "C"

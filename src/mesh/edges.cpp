@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/edges.h"
+
+#include <algorithm>
+
+namespace hrbfnpr::mesh {
+namespace {
+
+constexpr std::int64_t run = 1 << 16; // sides that are sorted at a time
+
+[[nodiscard]] bool before(const Side& a, const Side& b) noexcept {
+    return a.edge < b.edge || (a.edge == b.edge && a.face < b.face);
+}
+
+void merge_runs(const base::Runtime& runtime, base::Array<Side>& sides) {
+    base::Array<Side> other(runtime.memory);
+    other.resize_for_overwrite(sides.size());
+    for (std::int64_t width = run; width < sides.size(); width *= 2) {
+        runtime.parallel.for_chunks(sides.size(), 2 * width, [&](std::int64_t begin, std::int64_t end) {
+            const std::int64_t middle = std::min(begin + width, end);
+            std::merge(sides.begin() + begin, sides.begin() + middle, sides.begin() + middle, sides.begin() + end,
+                       other.begin() + begin, before);
+        });
+        std::swap(sides, other);
+    }
+}
+
+} // namespace
+
+base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<Triangle>& triangle) {
+    base::Array<Side> sides(runtime.memory);
+    sides.resize_for_overwrite(3 * triangle.size());
+    runtime.parallel.for_chunks(triangle.size(), run / 3, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t face = begin; face < end; ++face)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto a = static_cast<std::uint64_t>(triangle[face][k]);
+                const auto b = static_cast<std::uint64_t>(triangle[face][(k + 1) % 3]);
+                sides[3 * face + static_cast<std::int64_t>(k)] = {std::min(a, b) << 32U | std::max(a, b),
+                                                                  static_cast<std::int32_t>(face), a < b ? 1 : 0};
+            }
+    });
+    runtime.parallel.for_chunks(sides.size(), run, [&](std::int64_t begin, std::int64_t end) {
+        std::sort(sides.begin() + begin, sides.begin() + end, before);
+    });
+    merge_runs(runtime, sides);
+    return sides;
+}
+
+base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, std::int64_t vertices,
+                                        std::int64_t& count) {
+    base::Memory& memory = triangle.memory();
+    Sets sets(memory, vertices);
+    for (const Triangle& t : triangle) {
+        sets.join(t[0], t[1]);
+        sets.join(t[0], t[2]);
+    }
+    base::Array<std::int32_t> number(memory, vertices); // of a set, and 1
+    base::Array<std::int32_t> component(memory, triangle.size());
+    count = 0;
+    for (std::int64_t face = 0; face < triangle.size(); ++face) {
+        std::int32_t& of = number[sets.of(triangle[face][0])];
+        if (of == 0) of = static_cast<std::int32_t>(++count);
+        component[face] = of - 1;
+    }
+    return component;
+}
+
+} // namespace hrbfnpr::mesh

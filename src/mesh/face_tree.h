@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A tree of boxes over faces: the nearest one, and those that a ray meets.
+#pragma once
+
+#include "mesh/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::mesh {
+
+class FaceTree {
+public:
+    struct Nearest {
+        double squared = std::numeric_limits<double>::infinity(); // distance
+        std::int64_t face = -1;                                   // -1: none within the limit
+        glm::dvec3 place{0.0};
+    };
+    struct Hit {
+        double t = std::numeric_limits<double>::infinity(); // in lengths of the direction
+        std::int64_t face = -1;                             // -1: none
+    };
+
+    FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
+             const base::Progress& progress);
+
+    // On the calling thread; const, for any number of threads.  Of faces that are as near, any, but always the same.
+    // limit: squared distance beyond which nobody wants to know.
+    [[nodiscard]] Nearest nearest(const glm::dvec3& p,
+                                  double limit = std::numeric_limits<double>::infinity()) const noexcept;
+    [[nodiscard]] double distance(const glm::dvec3& p) const noexcept { return std::sqrt(nearest(p).squared); }
+    // The first face that a ray meets at t_min < t < t_max.
+    [[nodiscard]] Hit first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
+                                double t_max) const noexcept;
+    // Calls visit(face, t, sign) for all faces that a ray meets at t > 0, in the tree's order; sign: 1 where the face
+    // looks along the ray, so that the ray leaves, else -1.
+    template <class Visit>
+    void crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const;
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return box_.bytes() + face_.bytes() + corners_.bytes(); }
+
+private:
+    using Corners = std::array<glm::dvec3, 3>;
+    static constexpr std::int64_t leaf_size = 4;
+    static constexpr std::size_t stack_size = 64; // every level halves its ranges
+
+    struct Range {
+        std::int64_t node;
+        std::int64_t begin;
+        std::int64_t end;
+
+        [[nodiscard]] bool leaf() const noexcept { return end - begin <= leaf_size; }
+        [[nodiscard]] std::int64_t middle() const noexcept { return begin + (end - begin) / 2; }
+        [[nodiscard]] Range low() const noexcept { return {2 * node + 1, begin, middle()}; }
+        [[nodiscard]] Range high() const noexcept { return {2 * node + 2, middle(), end}; }
+    };
+
+    // Where a ray meets a face's plane within the face: t, or NaN.
+    [[nodiscard]] static double meet(const Corners& p, const glm::dvec3& origin, const glm::dvec3& direction) noexcept;
+    // Whether it meets the box at some t in the range.
+    [[nodiscard]] static bool meets(const geometry::Bounds& box, const glm::dvec3& origin, const glm::dvec3& inverse,
+                                    double t_min, double t_max) noexcept;
+    void split(const base::Array<glm::dvec3>& middle, const Range& range);
+    void bound(const Range& range) noexcept;
+    [[nodiscard]] double squared_distance_to_box(const glm::dvec3& p, std::int64_t node) const noexcept {
+        const geometry::Bounds& box = box_[node];
+        const glm::dvec3 outside = glm::max(glm::max(box.min - p, p - box.max), glm::dvec3(0.0));
+        return glm::dot(outside, outside);
+    }
+
+    base::Array<geometry::Bounds> box_; // of the nodes, in heap order
+    base::Array<std::int32_t> face_;    // in the tree's order, as the next
+    base::Array<Corners> corners_;
+};
+
+// Shares of the corners in a place of a face's plane, which sum up to 1.
+[[nodiscard]] glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place) noexcept;
+
+inline bool FaceTree::meets(const geometry::Bounds& box, const glm::dvec3& origin, const glm::dvec3& inverse,
+                            double t_min, double t_max) noexcept {
+    const glm::dvec3 a = (box.min - origin) * inverse;
+    const glm::dvec3 b = (box.max - origin) * inverse;
+    const glm::dvec3 low = glm::min(a, b);
+    const glm::dvec3 high = glm::max(a, b);
+    const double from = std::max({low.x, low.y, low.z, t_min});
+    const double to = std::min({high.x, high.y, high.z, t_max});
+    return from <= to * (1.0 + 1e-12) || from <= to; // flat boxes are met in one place
+}
+
+template <class Visit>
+void FaceTree::crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const {
+    const glm::dvec3 inverse = 1.0 / direction;
+    std::array<Range, stack_size> stack;
+    std::size_t depth = 0;
+    stack[depth++] = {0, 0, face_.size()};
+    while (depth > 0) {
+        const Range range = stack[--depth];
+        if (!meets(box_[range.node], origin, inverse, 0.0, std::numeric_limits<double>::infinity())) continue;
+        if (!range.leaf()) {
+            stack[depth++] = range.high();
+            stack[depth++] = range.low();
+            continue;
+        }
+        for (std::int64_t at = range.begin; at < range.end; ++at) {
+            const double t = meet(corners_[at], origin, direction);
+            if (t > 0.0) visit(face_[at], t, glm::dot(doubled_area(corners_[at]), direction) > 0.0 ? 1 : -1);
+        }
+    }
+}
+
+} // namespace hrbfnpr::mesh

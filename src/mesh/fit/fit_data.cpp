@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/fit/fit_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::mesh {
+
+fit::Samples chosen_samples(const base::Runtime& runtime, const fit::Samples& candidates,
+                            const base::Array<std::int64_t>& centres, const OffSurface& off,
+                            const base::Progress& progress) {
+    fit::Samples chosen(runtime.memory);
+    chosen.position.reserve(centres.size() + off.count());
+    chosen.normal.reserve(centres.size() + off.count());
+    for (const std::int64_t i : centres) {
+        chosen.position.push_back(candidates.position[i]);
+        chosen.normal.push_back(candidates.normal[i]);
+    }
+    fit::measure_extent(runtime, chosen, progress);
+    chosen.bounds = candidates.bounds;
+    if (off.count() == 0) return chosen;
+    chosen.value.resize(centres.size());
+    for (std::int64_t i = 0; i < off.count(); ++i) {
+        chosen.position.push_back(off.position[i]);
+        chosen.normal.push_back(off.normal[i]);
+        chosen.value.push_back(off.value[i]);
+    }
+    return chosen;
+}
+
+void describe(const base::Runtime& runtime, const fit::Samples& candidates, const base::Array<std::int64_t>& centres,
+              const OffSurface& off, const FitMeshReport& report, fit::CentreFit& fit, const base::Progress& progress) {
+    fit::FitReport& to = fit.result.report;
+    const fit::Samples chosen = chosen_samples(runtime, candidates, centres, off, progress);
+    const fit::Distances at = fit::measure_distances(runtime, fit.result.data, chosen, progress);
+    const double unit = fit.result.data.scale; // no underflow in small units
+    double values = 0.0;
+    double gradients = 0.0;
+    const std::int64_t count = chosen.position.size();
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double value = std::abs(at.value[i] - (chosen.value.empty() ? 0.0 : chosen.value[i]));
+        const double gradient = glm::distance(at.gradient[i], chosen.normal[i]);
+        to.value_residual_max = std::max(to.value_residual_max, value);
+        to.gradient_residual_max = std::max(to.gradient_residual_max, gradient);
+        values += (value / unit) * (value / unit);
+        gradients += gradient * gradient;
+    }
+    to.value_residual_rms = unit * std::sqrt(values / static_cast<double>(count));
+    to.gradient_residual_rms = std::sqrt(gradients / static_cast<double>(count));
+    to.samples = candidates.position.size();
+    to.choice_rounds = report.rounds;
+    to.input_distance_max = report.mesh.most;
+    to.input_share_within = report.mesh.share;
+    to.seconds_choose = report.seconds_sample + report.seconds_measure;
+    to.peak_bytes = runtime.memory.bytes_peak();
+    const fit::Distances all = fit::measure_distances(runtime, fit.result.data, candidates, progress);
+    double distances = 0.0;
+    for (const double d : all.distance) distances += (d / unit) * (d / unit);
+    to.input_distance_rms = unit * std::sqrt(distances / static_cast<double>(candidates.position.size()));
+}
+
+} // namespace hrbfnpr::mesh

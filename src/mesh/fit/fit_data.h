@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A fit that is under way, as an implicit, and what is said of it in the end.
+#pragma once
+
+#include "fit/distance.h"
+#include "fit/fit_centres.h"
+#include "mesh/fit/fit_mesh.h"
+#include "mesh/fit/off_surface.h"
+
+namespace hrbfnpr::mesh {
+
+// The data must outlive it.
+class FitData final : public implicit::Implicit {
+public:
+    FitData(base::InstructionSet set, const implicit::HrbfData& data) noexcept : set_(set), data_(data) {}
+
+    void evaluate(const implicit::PointBatch& points, const implicit::FieldBatch& fields) const override {
+        implicit::evaluate(set_, data_, points, fields);
+    }
+    [[nodiscard]] bool concurrent() const noexcept override { return true; }
+    [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data_.bounds; }
+
+private:
+    base::InstructionSet set_;
+    const implicit::HrbfData& data_;
+};
+
+// The chosen candidates, then the centres off the surface.
+[[nodiscard]] fit::Samples chosen_samples(const base::Runtime& runtime, const fit::Samples& candidates,
+                                          const base::Array<std::int64_t>& centres, const OffSurface& off,
+                                          const base::Progress& progress);
+
+// Fills in the fit's report.
+void describe(const base::Runtime& runtime, const fit::Samples& candidates, const base::Array<std::int64_t>& centres,
+              const OffSurface& off, const FitMeshReport& report, fit::CentreFit& fit, const base::Progress& progress);
+
+} // namespace hrbfnpr::mesh

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/fit/fit_mesh.h"
+
+#include "base/clock.h"
+#include "base/status.h"
+#include "curves/surface_mesh.h"
+#include "fit/candidates.h"
+#include "fit/fit_centres.h"
+#include "geometry/farthest_order.h"
+#include "mesh/fit/fit_data.h"
+#include "mesh/fit/off_surface.h"
+#include "mesh/fit/outer.h"
+#include "mesh/fit/surface_places.h"
+#include "mesh/sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace hrbfnpr::mesh {
+namespace {
+
+constexpr std::int64_t first_centres = 400;
+constexpr std::int64_t fewest_candidates = 20000;
+constexpr std::int64_t most_candidates = 100000;
+constexpr std::int32_t most_rounds = 40;
+// A batch is at most this share of the centres; while more of the candidates than `mostly` are outside, twice as many.
+constexpr double batch = 0.5;
+constexpr double mostly = 0.25;
+constexpr std::int64_t smallest_batch = 32;
+// Centres are added for candidates beyond this share of the tolerance, and no nearer to each other than ...
+constexpr double inner = 0.8;
+constexpr double apart = 0.5;
+// The share that is asked for is exceeded by so much of what is left of 1: other places are a little worse.
+constexpr double margin = 0.3;
+
+constexpr double side_of_rounds = 72.0; // cells a diagonal while it is fitted
+constexpr std::int64_t places_of_rounds = 10000;
+constexpr double first_look = 0.9;
+constexpr double support_limit = 3.0; // of what dense samples bear out
+
+class Fitter {
+public:
+    Fitter(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const FitMeshSettings& settings,
+           const fit::FitInput& options, const base::Progress& progress)
+        : runtime_(runtime), mesh_(mesh), tree_(tree), settings_(settings), options_(options), progress_(progress),
+          candidates_(runtime.memory), centres_(runtime.memory), off_(runtime.memory), centres_before_(runtime.memory) {
+        const double diagonal = mesh.bounds.diagonal();
+        report_.tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * diagonal;
+        report_.far = settings.far > 0.0 ? settings.far : 5.0 * report_.tolerance;
+        report_.supported = mesh.report.boundary_edges > 0;
+        share_ = settings.share + margin * (1.0 - settings.share);
+        options_.tolerance = report_.tolerance; // residuals that a distance does not show are accepted
+        search_.region = search_region(mesh);
+        search_.side = diagonal / side_of_rounds;
+        search_.count = places_of_rounds;
+        search_.limit = support_limit;
+    }
+
+    [[nodiscard]] MeshFit run() {
+        gather_candidates();
+        choose_first();
+        while (fit_round() && add_centres()) {
+        }
+        finish();
+        return {std::move(fit_->result), report_};
+    }
+
+private:
+    // Even over the area, and the middles of faces, which are small where there are details.
+    void gather_candidates() {
+        const base::Stopwatch watch;
+        const std::int64_t faces = mesh_.faces();
+        const std::int64_t wanted =
+            settings_.candidates > 0 ? settings_.candidates : std::clamp(faces, fewest_candidates, most_candidates / 2);
+        MeshSamples even = random_samples(runtime_, mesh_, wanted, settings_.seed, 1, progress_);
+        candidates_.position = std::move(even.position);
+        candidates_.normal = std::move(even.normal);
+        const std::int64_t step = (faces + most_candidates / 2 - 1) / (most_candidates / 2);
+        for (std::int64_t face = 0; face < faces && settings_.candidates == 0; face += step) {
+            const auto p = mesh_.corners(face);
+            candidates_.position.push_back((p[0] + p[1] + p[2]) / 3.0);
+            candidates_.normal.push_back(normal_at(mesh_, face, glm::dvec3(1.0 / 3.0)));
+        }
+        keep_outer(runtime_, mesh_, tree_, candidates_.position, candidates_.normal, progress_);
+        candidates_.bounds = mesh_.bounds;
+        report_.candidates = candidates_.position.size();
+        if (report_.supported) {
+            support_.emplace(runtime_, candidates_.position, candidates_.normal, progress_);
+            search_.support = &*support_;
+        }
+        report_.seconds_sample = watch.seconds();
+    }
+
+    void choose_first() {
+        const std::int64_t count = std::min(first_centres, settings_.maximum_centres);
+        const geometry::FarthestOrder first =
+            geometry::farthest_order(candidates_.position, count, progress_.part(0, 0));
+        for (const std::int64_t i : first.order) centres_.push_back(i);
+        std::sort(centres_.begin(), centres_.end());
+    }
+
+    // False where more centres do not make a better fit.
+    [[nodiscard]] bool fit_round() {
+        const base::Stopwatch watch;
+        const double from = 1.0 - std::pow(0.8, report_.rounds);
+        const double to = 1.0 - std::pow(0.8, report_.rounds + 1);
+        const fit::Samples chosen = chosen_samples(runtime_, candidates_, centres_, off_, progress_);
+        try {
+            fit_.emplace(fit::fit_centres(runtime_, options_, chosen,
+                                          {options_.regularization, options_.regularization},
+                                          progress_.part(from, to)));
+        } catch (const Error& error) {
+            const bool too_near = error.status() == Status::not_converged || error.status() == Status::singular_system;
+            if (!too_near || report_.rounds == 0) throw;
+            runtime_.log(base::LogLevel::warning, "mesh fit: with %lld centres: %s",
+                         static_cast<long long>(chosen.position.size()), error.what());
+            std::swap(centres_, centres_before_);
+            off_.shorten(off_before_);
+            return false;
+        }
+        ++report_.rounds;
+        report_.seconds_fit += watch.seconds();
+        return true;
+    }
+
+    [[nodiscard]] std::int64_t room() const noexcept {
+        return settings_.maximum_centres - centres_.size() - off_.count();
+    }
+
+    // False if there is nothing to add, or no room.
+    [[nodiscard]] bool add_centres() {
+        const base::Stopwatch watch;
+        const fit::Distances distances = fit::measure_distances(runtime_, fit_->result.data, candidates_, progress_);
+        base::Array<double> distance(runtime_.memory);
+        for (const double d : distances.distance) distance.push_back(std::abs(d));
+        report_.mesh = spread_of(distance, report_.tolerance, report_.far);
+        keep_lists();
+        const bool mesh_good = good(report_.mesh, share_);
+        bool grown = false;
+        // What the surface does elsewhere is worth a look once it is where the mesh is: most of it goes by itself.
+        const bool looked = report_.mesh.share > first_look;
+        if (looked) grown = look_at_surface();
+        if (room() > 0 && !mesh_good) grown = add_from_mesh(distances) || grown;
+        if (!looked && !grown) grown = look_at_surface();
+        report_.reached = good(report_.mesh, settings_.share) && good(report_.surface, settings_.share);
+        log_round();
+        report_.seconds_measure += watch.seconds();
+        const bool enough = mesh_good && good(report_.surface, share_);
+        return grown && !enough && report_.rounds < most_rounds;
+    }
+
+    void keep_lists() {
+        off_before_ = off_.count();
+        centres_before_.clear();
+        for (const std::int64_t i : centres_) centres_before_.push_back(i);
+    }
+
+    void log_round() const {
+        runtime_.log(
+            base::LogLevel::debug,
+            "mesh fit: round %d, %lld centres: of the mesh %.4f within, the farthest %.3g; of the surface %.4f "
+            "and %.3g; to %lld centres, %lld of them off the surface",
+            static_cast<int>(report_.rounds), static_cast<long long>(fit_->result.data.count()), report_.mesh.share,
+            report_.mesh.most, report_.surface.share, report_.surface.most,
+            static_cast<long long>(centres_.size() + off_.count()), static_cast<long long>(off_.count()));
+    }
+
+    [[nodiscard]] bool good(const Spread& spread, double share) const noexcept {
+        return spread.points > 0 && spread.share >= share && spread.most <= report_.far;
+    }
+
+    [[nodiscard]] bool add_from_mesh(const fit::Distances& distances) {
+        const auto count = static_cast<double>(centres_.size());
+        const double share = report_.mesh.share < 1.0 - mostly ? 2.0 * batch : batch;
+        const std::int64_t most = std::max(smallest_batch, static_cast<std::int64_t>(share * count));
+        const fit::CandidateOptions options{inner * report_.tolerance, apart * report_.tolerance,
+                                            std::min(most, room()), nullptr, nullptr};
+        const fit::Candidates added =
+            fit::find_candidates(runtime_, candidates_, centres_, distances, options, progress_);
+        for (const std::int64_t i : added.chosen) centres_.push_back(i);
+        std::sort(centres_.begin(), centres_.end());
+        return !added.chosen.empty();
+    }
+
+    // Holds f off the surface where that is far from the mesh; whether there is such a place.
+    [[nodiscard]] bool look_at_surface() {
+        const FitData implicit(runtime_.instruction_set, fit_->result.data);
+        const curves::SurfaceMesh surface =
+            find_surface(runtime_, implicit, positions(), search_, progress_.part(0, 0));
+        const SurfacePlaces places = places_on(runtime_, implicit, surface, search_, progress_.part(0, 0));
+        base::Array<double> distance = distances_to_mesh(places.position);
+        std::int64_t added = 0;
+        if (mesh_.report.closed) added = off_.add_from(places.position, distance, report_.tolerance, room(), tree_);
+        report_.surface = spread_of(distance, report_.tolerance, report_.far);
+        return added > 0;
+    }
+
+    // What lies beyond a border is 0 from the mesh: a drawing trims it.
+    [[nodiscard]] base::Array<double> distances_to_mesh(const geometry::VecArray& place) const {
+        base::Array<double> distance(runtime_.memory, place.size());
+        runtime_.parallel.for_chunks(distance.size(), 256, [&](std::int64_t begin, std::int64_t end) {
+            progress_.check();
+            for (std::int64_t i = begin; i < end; ++i) {
+                const FaceTree::Nearest nearest = tree_.nearest(place[i]);
+                distance[i] = on_border(mesh_, nearest.face, nearest.place) ? 0.0 : std::sqrt(nearest.squared);
+            }
+        });
+        return distance;
+    }
+
+    [[nodiscard]] geometry::VecArray positions() const {
+        geometry::VecArray result(runtime_.memory);
+        for (const std::int64_t i : centres_) result.push_back(candidates_.position[i]);
+        return result;
+    }
+
+    void finish() {
+        // What was added last is in no fit.
+        if (fit_->result.data.count() != centres_.size() + off_.count()) {
+            std::swap(centres_, centres_before_);
+            off_.shorten(off_before_);
+        }
+        report_.off_surface = off_.count();
+        describe(runtime_, candidates_, centres_, off_, report_, *fit_, progress_);
+        report_.seconds_total = watch_.seconds();
+        fit_->result.report.seconds_total = report_.seconds_total;
+        progress_.update(1.0);
+    }
+
+    const base::Runtime& runtime_;
+    const Mesh& mesh_;
+    const FaceTree& tree_;
+    const FitMeshSettings& settings_;
+    fit::FitInput options_;
+    const base::Progress& progress_;
+    const base::Stopwatch watch_;
+    fit::Samples candidates_;
+    base::Array<std::int64_t> centres_; // candidates
+    OffSurface off_;
+    base::Array<std::int64_t> centres_before_; // of the last fit
+    std::int64_t off_before_ = 0;
+    std::optional<surface::Support> support_;
+    SurfaceSearch search_;
+    double share_ = 0.99;
+    std::optional<fit::CentreFit> fit_;
+    FitMeshReport report_;
+};
+
+} // namespace
+
+MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const FitMeshSettings& settings,
+                 const fit::FitInput& options, const base::Progress& progress) {
+    return Fitter(runtime, mesh, tree, settings, options, progress).run();
+}
+
+} // namespace hrbfnpr::mesh

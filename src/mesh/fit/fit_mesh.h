@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A surface fitted to a mesh, with as many samples as that takes.
+#pragma once
+
+#include "fit/fit.h"
+#include "mesh/fit/compare.h"
+
+namespace hrbfnpr::mesh {
+
+struct FitMeshSettings {
+    double tolerance = 0.0; // 0: 0.002 diagonals
+    double share = 0.99;
+    double far = 0.0; // 0: five tolerances
+    std::int64_t maximum_centres = 20000;
+    std::int64_t candidates = 0; // 0: automatic
+    std::uint64_t seed = 1;
+};
+
+struct FitMeshReport {
+    bool reached = false;
+    bool supported = false; // the surface beyond the mesh's border does not count
+    double tolerance = 0.0;
+    double far = 0.0;
+    std::int64_t candidates = 0;
+    std::int64_t off_surface = 0; // centres
+    std::int32_t rounds = 0;
+    Spread surface;
+    Spread mesh;
+    double seconds_sample = 0.0;
+    double seconds_fit = 0.0;
+    double seconds_measure = 0.0;
+    double seconds_total = 0.0;
+};
+
+struct MeshFit {
+    fit::FitResult fit;
+    FitMeshReport report;
+};
+
+// options: kernel, solver and regularization; its views are empty, its tolerance and maximum_centres 0.
+[[nodiscard]] MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                               const FitMeshSettings& settings, const fit::FitInput& options,
+                               const base::Progress& progress);
+
+} // namespace hrbfnpr::mesh

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// A triangle mesh as it comes from a file, made usable: welded, without faces that are none, oriented, and without the
+// parts that lie inside others.
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "base/view.h"
+#include "geometry/vec_array.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace hrbfnpr::mesh {
+
+// Same numbers as HRBFNPR_PARTS_... and HRBFNPR_FACES_...
+enum class Parts : std::uint32_t { outer = 0, all = 1, largest = 2 };
+enum class Faces : std::uint32_t { turn = 0, keep = 1 };
+
+// Coordinates have squares, and areas have squares, that stay far from the ends of a double's range.
+inline constexpr double largest_coordinate = 1e60;
+inline constexpr std::int64_t most_vertices = (std::int64_t{1} << 31U) - 1;
+inline constexpr std::int64_t most_faces = std::int64_t{1} << 29U;
+
+struct MeshInput {
+    base::InView vertices;  // 3 components, float32 or float64
+    base::InView triangles; // 3 components, int32, int64 or uint32
+    Parts parts = Parts::outer;
+    Faces faces = Faces::turn;
+    double crease_angle = 60.0; // degrees
+};
+
+struct MeshReport {
+    bool closed = false;
+    std::int64_t given_vertices = 0;
+    std::int64_t given_faces = 0;
+    std::int64_t welded_vertices = 0;
+    std::int64_t degenerate_faces = 0;
+    std::int64_t repeated_faces = 0;
+    std::int64_t turned_faces = 0;
+    std::int64_t components = 0;
+    std::int64_t turned_components = 0;
+    std::int64_t nested_components = 0;
+    std::int64_t left_out_components = 0;
+    std::int64_t left_out_faces = 0;
+    std::int64_t boundary_edges = 0;
+    std::int64_t boundary_loops = 0;
+    std::int64_t nonmanifold_edges = 0;
+    std::int64_t contrary_edges = 0;
+    std::int64_t euler_characteristic = 0;
+    std::int64_t genus = -1;
+    double area = 0.0;
+    double volume = std::numeric_limits<double>::quiet_NaN();
+    double seconds = 0.0;
+};
+
+using Triangle = std::array<std::int32_t, 3>;
+
+// What is kept.
+struct Mesh {
+    explicit Mesh(base::Memory& memory) noexcept
+        : vertex(memory), triangle(memory), component(memory), given_face(memory), border(memory),
+          corner_normal(memory) {}
+
+    base::Array<glm::dvec3> vertex;
+    base::Array<Triangle> triangle;        // counter-clockwise as seen from outside
+    base::Array<std::int32_t> component;   // of each face, from 0
+    base::Array<std::int32_t> given_face;  // the number that each face was given by
+    base::Array<std::uint8_t> border;      // of each face: bit k is set if no other face is beyond corners k and k + 1
+    base::Array<glm::dvec3> corner_normal; // unit, three of each face
+    geometry::Bounds bounds;
+    MeshReport report;
+
+    [[nodiscard]] std::int64_t faces() const noexcept { return triangle.size(); }
+    [[nodiscard]] std::array<glm::dvec3, 3> corners(std::int64_t face) const noexcept {
+        const Triangle& t = triangle[face];
+        return {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
+    }
+    [[nodiscard]] std::int64_t bytes() const noexcept {
+        return vertex.bytes() + triangle.bytes() + component.bytes() + given_face.bytes() + border.bytes() +
+               corner_normal.bytes();
+    }
+};
+
+// Whether a place of a face lies on the mesh's border.
+[[nodiscard]] bool on_border(const Mesh& mesh, std::int64_t face, const glm::dvec3& place) noexcept;
+
+// Twice the area, along the normal.
+[[nodiscard]] inline glm::dvec3 doubled_area(const std::array<glm::dvec3, 3>& p) noexcept {
+    return glm::cross(p[1] - p[0], p[2] - p[0]);
+}
+
+// Throws Error{invalid_argument} that names the face and the index, or the vertex; out_of_memory, cancelled.
+[[nodiscard]] Mesh make_mesh(const base::Runtime& runtime, const MeshInput& input, const base::Progress& progress);
+
+} // namespace hrbfnpr::mesh

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The caller's arrays as vertices in different places and faces that are some.
+#pragma once
+
+#include "mesh/mesh.h"
+
+namespace hrbfnpr::mesh {
+
+struct Welded {
+    explicit Welded(base::Memory& memory) noexcept : vertex(memory), triangle(memory), given_face(memory) {}
+
+    base::Array<glm::dvec3> vertex; // those of faces, in the order in which they were given
+    base::Array<Triangle> triangle;
+    base::Array<std::int32_t> given_face;
+};
+
+// Counts what it leaves out.
+[[nodiscard]] Welded weld(const base::Runtime& runtime, const MeshInput& input, MeshReport& report,
+                          const base::Progress& progress);
+
+} // namespace hrbfnpr::mesh
