@@ -16,6 +16,7 @@ HANDLES = {
     "hrbfnpr_model": "ModelHandle",
     "hrbfnpr_point_set": "PointSetHandle",
     "hrbfnpr_line_set": "LineSetHandle",
+    "hrbfnpr_mesh": "MeshHandle",
     "hrbfnpr_renderer": "RendererHandle",
     "hrbfnpr_drawing": "DrawingHandle",
 }
@@ -28,6 +29,9 @@ BY_HAND = {
     "hrbfnpr_placement_info": "PlacementInfo",
     "hrbfnpr_line_set_info": "LineSetInfo",
     "hrbfnpr_trim_info": "TrimInfo",
+    "hrbfnpr_mesh_info": "MeshInfo",
+    "hrbfnpr_mesh_fit_info": "MeshFitInfo",
+    "hrbfnpr_comparison": "MeshComparison",
     "hrbfnpr_drawing_info": "DrawingInfo",
     "hrbfnpr_drawing_layer_info": "DrawingLayerInfo",
     "hrbfnpr_mark_identity": "MarkIdentity",

@@ -72,7 +72,7 @@ hrbfnpr_mesh_fit_info defaults() noexcept {
 
 namespace {
 
-constexpr double evaluations_of_a_comparison = 1e6;
+constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
 constexpr std::int64_t fewest_points = 100;

@@ -67,6 +67,18 @@ namespace HrbfNpr
             return Packed(array, ScalarType.Uint32);
         }
 
+        /// <summary>All numbers of an array; null is "not given".</summary>
+        public static implicit operator ArrayView(int[] array)
+        {
+            return Packed(array, ScalarType.Int32);
+        }
+
+        /// <summary>All numbers of an array; null is "not given".</summary>
+        public static implicit operator ArrayView(long[] array)
+        {
+            return Packed(array, ScalarType.Int64);
+        }
+
         /// <summary>An array of structs, each of which begins with <paramref name="components"/> numbers.</summary>
         /// <param name="array">Such as one of vectors of three <c>float</c>.</param>
         /// <param name="scalar">Type of the numbers.</param>

@@ -47,6 +47,10 @@ namespace HrbfNpr
         Uint8 = 3,
         /// <summary><see cref="uint"/>.</summary>
         Uint32 = 4,
+        /// <summary><see cref="int"/>.</summary>
+        Int32 = 5,
+        /// <summary><see cref="long"/>.</summary>
+        Int64 = 6,
     }
 
     /// <summary>Channels of pixels in the order of memory, sRGB-encoded.</summary>
@@ -380,6 +384,44 @@ namespace HrbfNpr
         StrokeOrder = 9,
         /// <summary>3 float, unit: the normal that tone goes by; absent: Normal.</summary>
         ToneNormal = 10,
+    }
+
+    /// <summary>Which components of a mesh are kept.</summary>
+    [NativeConstants("HRBFNPR_PARTS_")]
+    public enum MeshParts
+    {
+        /// <summary>All but those that lie inside a closed one (default).</summary>
+        Outer = 0,
+        /// <summary>All.</summary>
+        All = 1,
+        /// <summary>That of the largest area.</summary>
+        Largest = 2,
+    }
+
+    /// <summary>What becomes of the order of a face's corners.</summary>
+    [NativeConstants("HRBFNPR_FACES_")]
+    public enum MeshFaces
+    {
+        /// <summary>Faces are turned to agree with their component, and closed components outward (default).</summary>
+        Turn = 0,
+        /// <summary>As they are.</summary>
+        Keep = 1,
+    }
+
+    /// <summary>What a mesh keeps.</summary>
+    [NativeConstants("HRBFNPR_MESH_ATTRIBUTE_")]
+    public enum MeshAttribute
+    {
+        /// <summary>Places, 3 double.</summary>
+        Vertex = 0,
+        /// <summary>Numbers of vertices, 3 int of each face.</summary>
+        Triangle = 1,
+        /// <summary>From 0, 1 int of each face.</summary>
+        Component = 2,
+        /// <summary>The number that the face was given by, 1 int.</summary>
+        GivenFace = 3,
+        /// <summary>Unit normals of the three corners, 9 double of each face.</summary>
+        CornerNormal = 4,
     }
 
     /// <summary>What a model keeps of its samples and of its fit.</summary>

@@ -51,7 +51,7 @@ namespace HrbfNpr
 
         private int ScalarSize
         {
-            get { return Scalar == ScalarType.Float64 ? 8 : Scalar == ScalarType.Uint8 ? 1 : 4; }
+            get { return Scalar == ScalarType.Float64 || Scalar == ScalarType.Int64 ? 8 : Scalar == ScalarType.Uint8 ? 1 : 4; }
         }
 
         /// <summary>The view as an argument of a call; keep the view alive as long as the call runs.</summary>

@@ -43,6 +43,7 @@ from ._library import library_path
 from ._line_set import Lines, LineSet, LineSetInfo
 from ._line_style import LineStyle
 from ._marks import MarkLayer
+from ._mesh import Comparison, Mesh, MeshFitInfo, MeshInfo, MeshSamples, farthest_points
 from ._model import Model
 from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits
 from ._names import CLASSES, PRESETS
@@ -59,15 +60,15 @@ __version__: str = _ffi.string(_lib.hrbfnpr_version_string()).decode()
 
 __all__ = [
     "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "BufferTooSmallError", "CallbackError",
-    "Camera", "CancelledError", "Context", "ContextInfo", "CorruptDataError", "Curvature",
+    "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "Curvature",
     "Drawing", "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError",
     "InvalidArgumentError", "Item", "Layer", "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines",
     "MarkIdentity", "MarkLayer",
-    "MarkResults", "Model", "ModelInfo", "NotConvergedError", "Operation", "OutOfMemoryError",
+    "MarkResults", "Mesh", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo", "NotConvergedError", "Operation", "OutOfMemoryError",
     "OwnLayer", "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits",
     "Renderer", "SingularSystemError", "StepPatches", "StreamError", "Style", "TrimInfo",
     "UnsupportedStructError", "VersionMismatchError", "Vertices", "build_info", "default_context",
-    "library_path", "preset_layers", "set_default_context",
+    "farthest_points", "library_path", "preset_layers", "set_default_context",
 ]  # fmt: skip
 
 

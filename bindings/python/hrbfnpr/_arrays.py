@@ -20,10 +20,13 @@ _SCALARS = {
     "d": (ffi.integer_const("HRBFNPR_SCALAR_FLOAT64"), 8),
     "B": (ffi.integer_const("HRBFNPR_SCALAR_UINT8"), 1),
     "I": (ffi.integer_const("HRBFNPR_SCALAR_UINT32"), 4),
+    "i": (ffi.integer_const("HRBFNPR_SCALAR_INT32"), 4),
+    "q": (ffi.integer_const("HRBFNPR_SCALAR_INT64"), 8),
 }
 _CODES = {number: code for code, (number, _) in _SCALARS.items()}
-_NUMPY_CODES = {"f4": "f", "f8": "d", "u1": "B", "u4": "I"}
+_NUMPY_CODES = {"f4": "f", "f8": "d", "u1": "B", "u4": "I", "i4": "i", "i8": "q"}
 FLOATS = "fd"
+INDICES = "iIq"
 
 
 @dataclass(frozen=True)

@@ -172,6 +172,35 @@ namespace HrbfNpr
         }
     }
 
+    internal sealed class MeshHandle : NativeHandle
+    {
+        protected override void Free(IntPtr value)
+        {
+            NativeMethods.hrbfnpr_mesh_release(value);
+        }
+
+        /// <summary>Another reference of the same mesh.</summary>
+        internal MeshHandle Share()
+        {
+            var copy = new MeshHandle();
+            bool held = false;
+            try
+            {
+                DangerousAddRef(ref held);
+                NativeMethods.hrbfnpr_mesh_retain(handle);
+                copy.Take(handle, Anchor);
+            }
+            finally
+            {
+                if (held)
+                {
+                    DangerousRelease();
+                }
+            }
+            return copy;
+        }
+    }
+
     internal sealed class RendererHandle : NativeHandle
     {
         protected override void Free(IntPtr value)

@@ -397,6 +397,61 @@ namespace HrbfNpr
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_drawing_identify(DrawingHandle drawing, uint id, MarkIdentity* identity,
             hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_desc_init(hrbfnpr_mesh_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_create(ContextHandle context, hrbfnpr_mesh_desc* desc,
+            OperationHandle operation, out IntPtr out_mesh, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_mesh_retain(IntPtr mesh);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_mesh_release(IntPtr mesh);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_info_init(MeshInfo* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_get_info(MeshHandle mesh, MeshInfo* info, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_view(MeshHandle mesh, uint attribute, hrbfnpr_array* out_view,
+            hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_sample(MeshHandle mesh, hrbfnpr_sample_desc* desc,
+            hrbfnpr_array* points, hrbfnpr_array* normals, OperationHandle operation, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_farthest_points(ContextHandle context, hrbfnpr_array* points,
+            hrbfnpr_array* indices, hrbfnpr_array* distance, OperationHandle operation, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_compare_desc_init(hrbfnpr_compare_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_comparison_init(MeshComparison* comparison, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_compare_mesh(ModelHandle model, MeshHandle mesh,
+            hrbfnpr_compare_desc* desc, MeshComparison* comparison, OperationHandle operation, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_fit_desc_init(hrbfnpr_mesh_fit_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_fit_info_init(MeshFitInfo* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_fit_mesh(MeshHandle mesh, hrbfnpr_mesh_fit_desc* desc,
+            hrbfnpr_fit_desc* fit, MeshFitInfo* info, OperationHandle operation, out IntPtr out_model,
+            hrbfnpr_error* error);
     }
 }
 #endif

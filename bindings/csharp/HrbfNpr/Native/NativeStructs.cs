@@ -469,4 +469,51 @@ namespace HrbfNpr
         internal hrbfnpr_array radius;
         internal hrbfnpr_array opacity;
     }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mesh_desc")]
+    internal unsafe struct hrbfnpr_mesh_desc
+    {
+        internal uint struct_size;
+        internal uint parts;
+        internal hrbfnpr_array vertices;
+        internal hrbfnpr_array triangles;
+        internal double crease_angle;
+        internal uint faces;
+        internal uint reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_sample_desc")]
+    internal unsafe struct hrbfnpr_sample_desc
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal long candidates;
+        internal ulong random_seed;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_compare_desc")]
+    internal unsafe struct hrbfnpr_compare_desc
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal double tolerance;
+        internal double far;
+        internal double support;
+        internal long points;
+        internal double cell_size;
+        internal ulong random_seed;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mesh_fit_desc")]
+    internal unsafe struct hrbfnpr_mesh_fit_desc
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal double tolerance;
+        internal double share;
+        internal double far;
+        internal long maximum_centres;
+        internal long candidates;
+        internal ulong random_seed;
+    }
 }

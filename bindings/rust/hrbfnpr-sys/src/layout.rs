@@ -831,3 +831,161 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_mark_identity, stroke) == 32);
     assert!(offset_of!(hrbfnpr_mark_identity, place) == 40);
 };
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_mesh_desc>() == either(88, 88, 80));
+    assert!(align_of::<hrbfnpr_mesh_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_mesh_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_mesh_desc, parts) == 4);
+    assert!(offset_of!(hrbfnpr_mesh_desc, vertices) == 8);
+    assert!(offset_of!(hrbfnpr_mesh_desc, triangles) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_mesh_desc, crease_angle) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_mesh_desc, faces) == either(80, 80, 72));
+    assert!(offset_of!(hrbfnpr_mesh_desc, reserved) == either(84, 84, 76));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_mesh_info>() == 240);
+    assert!(align_of::<hrbfnpr_mesh_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_mesh_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_mesh_info, closed) == 4);
+    assert!(offset_of!(hrbfnpr_mesh_info, given_vertices) == 8);
+    assert!(offset_of!(hrbfnpr_mesh_info, given_faces) == 16);
+    assert!(offset_of!(hrbfnpr_mesh_info, vertices) == 24);
+    assert!(offset_of!(hrbfnpr_mesh_info, faces) == 32);
+    assert!(offset_of!(hrbfnpr_mesh_info, welded_vertices) == 40);
+    assert!(offset_of!(hrbfnpr_mesh_info, degenerate_faces) == 48);
+    assert!(offset_of!(hrbfnpr_mesh_info, repeated_faces) == 56);
+    assert!(offset_of!(hrbfnpr_mesh_info, turned_faces) == 64);
+    assert!(offset_of!(hrbfnpr_mesh_info, components) == 72);
+    assert!(offset_of!(hrbfnpr_mesh_info, turned_components) == 80);
+    assert!(offset_of!(hrbfnpr_mesh_info, nested_components) == 88);
+    assert!(offset_of!(hrbfnpr_mesh_info, left_out_components) == 96);
+    assert!(offset_of!(hrbfnpr_mesh_info, left_out_faces) == 104);
+    assert!(offset_of!(hrbfnpr_mesh_info, boundary_edges) == 112);
+    assert!(offset_of!(hrbfnpr_mesh_info, boundary_loops) == 120);
+    assert!(offset_of!(hrbfnpr_mesh_info, nonmanifold_edges) == 128);
+    assert!(offset_of!(hrbfnpr_mesh_info, contrary_edges) == 136);
+    assert!(offset_of!(hrbfnpr_mesh_info, euler_characteristic) == 144);
+    assert!(offset_of!(hrbfnpr_mesh_info, genus) == 152);
+    assert!(offset_of!(hrbfnpr_mesh_info, area) == 160);
+    assert!(offset_of!(hrbfnpr_mesh_info, volume) == 168);
+    assert!(offset_of!(hrbfnpr_mesh_info, bounds_min) == 176);
+    assert!(offset_of!(hrbfnpr_mesh_info, bounds_max) == 200);
+    assert!(offset_of!(hrbfnpr_mesh_info, seconds) == 224);
+    assert!(offset_of!(hrbfnpr_mesh_info, bytes) == 232);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_sample_desc>() == 24);
+    assert!(align_of::<hrbfnpr_sample_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_sample_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_sample_desc, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_sample_desc, candidates) == 8);
+    assert!(offset_of!(hrbfnpr_sample_desc, random_seed) == 16);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_compare_desc>() == 56);
+    assert!(align_of::<hrbfnpr_compare_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_compare_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_compare_desc, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_compare_desc, tolerance) == 8);
+    assert!(offset_of!(hrbfnpr_compare_desc, far) == 16);
+    assert!(offset_of!(hrbfnpr_compare_desc, support) == 24);
+    assert!(offset_of!(hrbfnpr_compare_desc, points) == 32);
+    assert!(offset_of!(hrbfnpr_compare_desc, cell_size) == 40);
+    assert!(offset_of!(hrbfnpr_compare_desc, random_seed) == 48);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_comparison>() == 168);
+    assert!(align_of::<hrbfnpr_comparison>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_comparison, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_comparison, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_comparison, surface_points) == 8);
+    assert!(offset_of!(hrbfnpr_comparison, surface_mean) == 16);
+    assert!(offset_of!(hrbfnpr_comparison, surface_p99) == 24);
+    assert!(offset_of!(hrbfnpr_comparison, surface_max) == 32);
+    assert!(offset_of!(hrbfnpr_comparison, surface_share) == 40);
+    assert!(offset_of!(hrbfnpr_comparison, invented_share) == 48);
+    assert!(offset_of!(hrbfnpr_comparison, left_out_share) == 56);
+    assert!(offset_of!(hrbfnpr_comparison, mesh_points) == 64);
+    assert!(offset_of!(hrbfnpr_comparison, mesh_mean) == 72);
+    assert!(offset_of!(hrbfnpr_comparison, mesh_p99) == 80);
+    assert!(offset_of!(hrbfnpr_comparison, mesh_max) == 88);
+    assert!(offset_of!(hrbfnpr_comparison, mesh_share) == 96);
+    assert!(offset_of!(hrbfnpr_comparison, missed_share) == 104);
+    assert!(offset_of!(hrbfnpr_comparison, normal_mean) == 112);
+    assert!(offset_of!(hrbfnpr_comparison, normal_p99) == 120);
+    assert!(offset_of!(hrbfnpr_comparison, components) == 128);
+    assert!(offset_of!(hrbfnpr_comparison, genus) == 136);
+    assert!(offset_of!(hrbfnpr_comparison, tolerance) == 144);
+    assert!(offset_of!(hrbfnpr_comparison, diagonal) == 152);
+    assert!(offset_of!(hrbfnpr_comparison, seconds) == 160);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_mesh_fit_desc>() == 56);
+    assert!(align_of::<hrbfnpr_mesh_fit_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, tolerance) == 8);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, share) == 16);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, far) == 24);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, maximum_centres) == 32);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, candidates) == 40);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, random_seed) == 48);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_mesh_fit_info>() == 136);
+    assert!(align_of::<hrbfnpr_mesh_fit_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, reached) == 4);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, tolerance) == 8);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, far) == 16);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, candidates) == 24);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, centres) == 32);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, off_surface_centres) == 40);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, rounds) == 48);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, supported) == 52);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, surface_share) == 56);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, surface_p99) == 64);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, surface_max) == 72);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, mesh_share) == 80);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, mesh_p99) == 88);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, mesh_max) == 96);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, seconds_sample) == 104);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, seconds_fit) == 112);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, seconds_measure) == 120);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, seconds_total) == 128);
+};

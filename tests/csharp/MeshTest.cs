@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Linq;
+using System.Threading;
+using Xunit;
+
+namespace HrbfNpr.Tests
+{
+    public unsafe class MeshTest
+    {
+        // Rings of quadrilaterals, cut in two: a torus with radii 1 and 0.4.
+        private static double[] Torus(int around, int along, out int[] triangles)
+        {
+            var vertices = new double[3 * around * along];
+            triangles = new int[6 * around * along];
+            for (int i = 0, at = 0; i < around; ++i)
+            {
+                for (int j = 0; j < along; ++j)
+                {
+                    double u = 2 * Math.PI * i / around, v = 2 * Math.PI * j / along, r = 1 + 0.4 * Math.Cos(v);
+                    int k = (i + 1) % around, l = (j + 1) % along, a = i * along + j;
+                    vertices[3 * a] = r * Math.Cos(u);
+                    vertices[3 * a + 1] = r * Math.Sin(u);
+                    vertices[3 * a + 2] = 0.4 * Math.Sin(v);
+                    foreach (int corner in new[] { a, k * along + j, k * along + l, a, k * along + l, i * along + l })
+                    {
+                        triangles[at++] = corner;
+                    }
+                }
+            }
+            return vertices;
+        }
+
+        [Fact]
+        public void AMeshSaysWhatItIs()
+        {
+            double[] vertices = Torus(40, 20, out int[] triangles);
+            using (var mesh = new Mesh(vertices, triangles))
+            {
+                MeshInfo info = mesh.Info;
+                Assert.True(info.Closed);
+                Assert.Equal(800L, info.Vertices);
+                Assert.Equal(1600L, info.Faces);
+                Assert.Equal(1L, info.Genus);
+                Assert.InRange(info.Volume, 2.9, 3.2);
+                using (NativeView view = mesh.View(MeshAttribute.Triangle))
+                {
+                    Assert.Equal(1600L, view.Count);
+                    Assert.Equal(ScalarType.Int32, view.Scalar);
+                    Assert.Equal(triangles[4], ((int*)view.Data)[4]);
+                }
+            }
+            long[] wide = Array.ConvertAll(triangles, corner => (long)corner);
+            using (var mesh = new Mesh(vertices, wide, new MeshOptions { Parts = MeshParts.Largest }))
+            {
+                Assert.Equal(1600L, mesh.Info.Faces);
+            }
+            wide[7] = 800;
+            var thrown = Assert.Throws<InvalidArgumentException>(() => new Mesh(vertices, wide));
+            Assert.Contains("triangles[2] has the index 800", thrown.Message);
+        }
+
+        [Fact]
+        public void AModelIsFittedToAMeshAndComparedWithIt()
+        {
+            double[] vertices = Torus(60, 30, out int[] triangles);
+            using (var mesh = new Mesh(vertices, triangles))
+            using (Model model = Model.FitMesh(mesh, out MeshFitInfo info, new MeshFitOptions { Tolerance = 0.01 }))
+            {
+                Assert.True(info.Reached && !info.Supported);
+                Assert.Equal(info.Centres, model.Info.Centres);
+                Assert.Equal(0.01, info.Tolerance);
+                MeshComparison compared = model.Compare(mesh, new CompareOptions { Tolerance = 0.01, Points = 2000 });
+                Assert.Equal(2000L, compared.MeshPoints);
+                Assert.InRange(compared.MeshShare, 0.98, 1.0);
+                Assert.InRange(compared.SurfaceShare, 0.98, 1.0);
+                Assert.Equal(1L, compared.Genus);
+                Assert.Throws<InvalidArgumentException>(
+                    () => Model.FitMesh(mesh, out _, new MeshFitOptions { Share = 2 }));
+                Assert.Throws<CancelledException>(
+                    () => Model.FitMesh(mesh, out _, null, null, null, new CancellationToken(true)));
+            }
+        }
+
+        [Fact]
+        public void SamplesAndFarthestPointsAreEven()
+        {
+            double[] vertices = Torus(60, 30, out int[] triangles);
+            using (var mesh = new Mesh(vertices, triangles))
+            {
+                double[] points = mesh.Sample(100, out double[] normals, 3);
+                Assert.Equal(300, points.Length);
+                for (int i = 0; i < 100; ++i)
+                {
+                    double squared = Enumerable.Range(0, 3).Sum(c => normals[3 * i + c] * normals[3 * i + c]);
+                    Assert.Equal(1.0, squared, 1e-9);
+                }
+                Assert.True(points.SequenceEqual(mesh.Sample(100, out _, 3)));
+                Assert.False(points.SequenceEqual(mesh.Sample(100, out _, 4)));
+            }
+            long[] chosen = Mesh.FarthestPoints(new double[] { 0, 0, 0, 1, 0, 0, 9, 0, 0, 5, 0, 0 }, 3);
+            Assert.True(chosen.SequenceEqual(new long[] { 3, 0, 2 }));
+        }
+    }
+}
