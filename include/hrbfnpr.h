@@ -2148,8 +2148,8 @@ typedef struct hrbfnpr_compare_desc {
     double support;       /* > 0: what the samples of the model do not bear out by this limit is left out, as a line set
                              with the same `support` does; a custom model has none; 0 = nothing is left out */
     int64_t points;       /* on each side, 100 .. 10000000; 0 = 20000 */
-    double cell_size;     /* of the cells that the surface is looked for in; 0 = 1/128 of the diagonal.  What is
-                             thinner or smaller may be missed */
+    double cell_size;     /* of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where
+                             it is thin.  What is thinner or smaller may be missed */
     uint64_t random_seed; /* any number; 1 */
 } hrbfnpr_compare_desc;
 

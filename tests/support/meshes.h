@@ -158,6 +158,17 @@ inline Triangles torus(int around, int along, double tube) {
     });
 }
 
+// A ring that is thin and thick in turn and winds up and down: smooth surfaces of few samples bulge out of it.
+inline Triangles wound_ring(int around, int along) {
+    constexpr double turn = 6.283185307179586;
+    return ring_of_rings(around, along, [&](double u, double v) {
+        const double tube = 0.1 + 0.08 * std::sin(5.0 * turn * u);
+        const double r = 1.0 + tube * std::cos(turn * v);
+        return std::array<double, 3>{r * std::cos(turn * u), r * std::sin(turn * u),
+                                     0.4 * std::sin(2.0 * turn * u) + tube * std::sin(turn * v)};
+    });
+}
+
 // From 0 to x, y, z; each face of 2 * cells^2 triangles.
 inline Triangles box(double x, double y, double z, int cells) {
     Triangles mesh;

@@ -73,7 +73,9 @@ namespace HrbfNpr
         /// <summary>On each side, 100 to 10000000; 0 = 20000.</summary>
         public long Points { get; set; }
 
-        /// <summary>Of the cells that the surface is looked for in; 0 = 1/128 of the diagonal.</summary>
+        /// <summary>
+        /// Of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where it is thin.
+        /// </summary>
         public double CellSize { get; set; }
 
         /// <summary>Any number; 1.</summary>

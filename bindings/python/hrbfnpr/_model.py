@@ -496,7 +496,7 @@ class Model(Trimming):
         points : int
             On each side; 0 = 20000.
         cell_size : float
-            Of the cells that the surface is looked for in; 0 = 1/128 of the diagonal.
+            Of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where it is thin.
         random_seed : int
         """
         desc, result = new_struct("hrbfnpr_compare_desc"), new_struct("hrbfnpr_comparison")

@@ -48,12 +48,14 @@ class Comparer {
 public:
     Comparer(const base::Runtime& runtime, const implicit::Implicit& implicit, const Mesh& mesh, const FaceTree& tree,
              const surface::Support* support, const CompareSettings& given, const base::Progress& progress)
-        : runtime_(runtime), implicit_(implicit), mesh_(mesh), tree_(tree), progress_(progress) {
+        : runtime_(runtime), implicit_(implicit), mesh_(mesh), tree_(tree), outer_(runtime, mesh, tree, progress),
+          progress_(progress) {
         result_.diagonal = mesh.bounds.diagonal();
         result_.tolerance = given.tolerance > 0.0 ? given.tolerance : default_tolerance * result_.diagonal;
         far_ = given.far > 0.0 ? given.far : default_far * result_.diagonal;
         search_.region = search_region(mesh);
         search_.side = given.cell_size > 0.0 ? given.cell_size : result_.diagonal / cells_a_diagonal;
+        search_.finer = !(given.cell_size > 0.0);
         search_.count = given.points > 0 ? given.points : default_points;
         search_.seed = given.seed;
         search_.support = given.support > 0.0 ? support : nullptr;
@@ -80,7 +82,7 @@ private:
         runtime_.parallel.for_chunks(distance.size(), grain, [&](std::int64_t begin, std::int64_t end) {
             progress_.check();
             for (std::int64_t i = begin; i < end; ++i) {
-                const FaceTree::Nearest nearest = tree_.nearest(places.position[i]);
+                const FaceTree::Nearest nearest = outer_.tree().nearest(places.position[i]);
                 distance[i] = on_border(mesh_, nearest.face, nearest.place) ? -1.0 : std::sqrt(nearest.squared);
             }
         });
@@ -126,6 +128,7 @@ private:
     const implicit::Implicit& implicit_;
     const Mesh& mesh_;
     const FaceTree& tree_;
+    const OuterFaces outer_;
     const base::Progress& progress_;
     const base::Stopwatch watch_;
     SurfaceSearch search_;

@@ -36,6 +36,7 @@ constexpr double margin = 0.3;
 
 constexpr double side_of_rounds = 72.0; // cells a diagonal while it is fitted
 constexpr std::int64_t places_of_rounds = 10000;
+constexpr double wrong_side = 2.0; // tolerances
 constexpr double first_look = 0.9;
 constexpr double support_limit = 3.0; // of what dense samples bear out
 
@@ -43,8 +44,9 @@ class Fitter {
 public:
     Fitter(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const FitMeshSettings& settings,
            const fit::FitInput& options, const base::Progress& progress)
-        : runtime_(runtime), mesh_(mesh), tree_(tree), settings_(settings), options_(options), progress_(progress),
-          candidates_(runtime.memory), centres_(runtime.memory), off_(runtime.memory), centres_before_(runtime.memory) {
+        : runtime_(runtime), mesh_(mesh), tree_(tree), outer_(runtime, mesh, tree, progress), settings_(settings),
+          options_(options), progress_(progress), candidates_(runtime.memory), centres_(runtime.memory),
+          off_(runtime.memory), centres_before_(runtime.memory) {
         const double diagonal = mesh.bounds.diagonal();
         report_.tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * diagonal;
         report_.far = settings.far > 0.0 ? settings.far : 5.0 * report_.tolerance;
@@ -133,7 +135,12 @@ private:
         const base::Stopwatch watch;
         const fit::Distances distances = fit::measure_distances(runtime_, fit_->result.data, candidates_, progress_);
         base::Array<double> distance(runtime_.memory);
-        for (const double d : distances.distance) distance.push_back(std::abs(d));
+        for (std::int64_t i = 0; i < candidates_.position.size(); ++i) {
+            // Where f grows inward the surface is another one, or none.
+            const bool against = glm::dot(distances.gradient[i], candidates_.normal[i]) < 0.0;
+            const double d = std::abs(distances.distance[i]);
+            distance.push_back(against ? std::max(d, wrong_side * report_.tolerance) : d);
+        }
         report_.mesh = spread_of(distance, report_.tolerance, report_.far);
         keep_lists();
         const bool mesh_good = good(report_.mesh, share_);
@@ -191,7 +198,7 @@ private:
         const SurfacePlaces places = places_on(runtime_, implicit, surface, search_, progress_.part(0, 0));
         base::Array<double> distance = distances_to_mesh(places.position);
         std::int64_t added = 0;
-        if (mesh_.report.closed) added = off_.add_from(places.position, distance, report_.tolerance, room(), tree_);
+        if (mesh_.report.closed) added = off_.add_from(places.position, distance, report_.tolerance, room(), outer_);
         report_.surface = spread_of(distance, report_.tolerance, report_.far);
         return added > 0;
     }
@@ -202,7 +209,7 @@ private:
         runtime_.parallel.for_chunks(distance.size(), 256, [&](std::int64_t begin, std::int64_t end) {
             progress_.check();
             for (std::int64_t i = begin; i < end; ++i) {
-                const FaceTree::Nearest nearest = tree_.nearest(place[i]);
+                const FaceTree::Nearest nearest = outer_.tree().nearest(place[i]);
                 distance[i] = on_border(mesh_, nearest.face, nearest.place) ? 0.0 : std::sqrt(nearest.squared);
             }
         });
@@ -231,6 +238,7 @@ private:
     const base::Runtime& runtime_;
     const Mesh& mesh_;
     const FaceTree& tree_;
+    const OuterFaces outer_;
     const FitMeshSettings& settings_;
     fit::FitInput options_;
     const base::Progress& progress_;

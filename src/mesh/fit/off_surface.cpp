@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/fit/off_surface.h"
 
-#include "mesh/fit/outer.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +14,7 @@ constexpr double apart = 0.7; // of the distance from the mesh
 } // namespace
 
 std::int64_t OffSurface::add_from(const geometry::VecArray& place, const base::Array<double>& distance,
-                                  double tolerance, std::int64_t most, const FaceTree& tree) {
+                                  double tolerance, std::int64_t most, const OuterFaces& faces) {
     base::Array<std::int64_t> order(distance.memory());
     for (std::int64_t i = 0; i < place.size(); ++i)
         if (distance[i] > 2.0 * tolerance) order.push_back(i);
@@ -31,8 +29,8 @@ std::int64_t OffSurface::add_from(const geometry::VecArray& place, const base::A
         for (std::int64_t j = 0; j < count() && !covered; ++j)
             covered = glm::distance(position[j], p) < apart * distance[i];
         if (covered) continue;
-        const FaceTree::Nearest nearest = tree.nearest(p);
-        const double sign = is_inside(tree, p) ? -1.0 : 1.0;
+        const FaceTree::Nearest nearest = faces.tree().nearest(p);
+        const double sign = is_inside(faces.all(), p) ? -1.0 : 1.0;
         const double length = std::sqrt(nearest.squared);
         position.push_back(p);
         normal.push_back(sign / length * (p - nearest.place));

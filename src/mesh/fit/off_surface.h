@@ -4,8 +4,7 @@
 #pragma once
 
 #include "geometry/vec_array.h"
-#include "mesh/face_tree.h"
-#include "mesh/mesh.h"
+#include "mesh/fit/outer.h"
 
 namespace hrbfnpr::mesh {
 
@@ -15,7 +14,7 @@ struct OffSurface {
     // Adds places of a surface that are farther from the mesh than the tolerance, farthest first, each as far from
     // those before as it is from the mesh; how many.  distance: theirs from the mesh.
     std::int64_t add_from(const geometry::VecArray& place, const base::Array<double>& distance, double tolerance,
-                          std::int64_t most, const FaceTree& tree);
+                          std::int64_t most, const OuterFaces& faces);
     // Only the first `count` stay.
     void shorten(std::int64_t count) {
         position.resize(count);

@@ -10,6 +10,21 @@ const std::array<glm::dvec3, 3> directions{glm::dvec3{0.5773, 0.2161, 0.7874}, g
 constexpr double beside = 1e-4; // a face, in diagonals
 constexpr std::int64_t grain = 512;
 
+[[nodiscard]] bool may_overlap(const Mesh& mesh) noexcept {
+    return mesh.report.closed && mesh.report.components - mesh.report.left_out_components > 1;
+}
+
+// Whether its middle and its corners, or places close to them, lie inside another component.
+[[nodiscard]] bool is_covered(const Mesh& mesh, const FaceTree& tree, std::int64_t face, double off) noexcept {
+    const auto p = mesh.corners(face);
+    const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+    const glm::dvec3 beyond = off * glm::normalize(doubled_area(p));
+    if (!is_inside(tree, middle + beyond)) return false;
+    for (const glm::dvec3& corner : p)
+        if (!is_inside(tree, corner + 0.01 * (middle - corner) + beyond)) return false;
+    return true;
+}
+
 } // namespace
 
 bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept {
@@ -24,8 +39,7 @@ bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept {
 
 void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
                 geometry::VecArray& normal, const base::Progress& progress) {
-    const std::int64_t components = mesh.report.components - mesh.report.left_out_components;
-    if (!mesh.report.closed || components < 2) return;
+    if (!may_overlap(mesh)) return;
     base::Array<std::uint8_t> inside(runtime.memory, position.size());
     const double off = beside * mesh.bounds.diagonal();
     runtime.parallel.for_chunks(position.size(), grain, [&](std::int64_t begin, std::int64_t end) {
@@ -41,6 +55,22 @@ void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& 
     if (kept == 0) return; // all of them: a mesh of which nobody knows what is outside
     position.resize(kept);
     normal.resize(kept);
+}
+
+OuterFaces::OuterFaces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& all,
+                       const base::Progress& progress)
+    : all_(all) {
+    if (!may_overlap(mesh)) return;
+    base::Array<std::uint8_t> covered(runtime.memory, mesh.faces());
+    const double off = beside * mesh.bounds.diagonal();
+    runtime.parallel.for_chunks(mesh.faces(), grain, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t face = begin; face < end; ++face) covered[face] = is_covered(mesh, all, face, off) ? 1 : 0;
+    });
+    base::Array<Triangle> outer(runtime.memory);
+    for (std::int64_t face = 0; face < mesh.faces(); ++face)
+        if (covered[face] == 0) outer.push_back(mesh.triangle[face]);
+    if (!outer.empty() && outer.size() < mesh.faces()) outer_.emplace(runtime, mesh.vertex, outer, progress);
 }
 
 } // namespace hrbfnpr::mesh

@@ -17,6 +17,9 @@ constexpr std::int64_t lattice = 16;
 constexpr std::int64_t grain = 4096;
 constexpr double tolerance = 1e-6; // of places, in diagonals
 constexpr int evaluations = 12;
+// As where a line set's mesh is made.
+constexpr double turned_share = 2e-4;
+constexpr std::int64_t most_triangles_of_finer = 1'200'000;
 
 void add_lattice(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::Bounds& region,
                  geometry::VecArray& seeds, const base::Progress& progress) {
@@ -86,6 +89,26 @@ void leave_out(const base::Runtime& runtime, const SurfaceSearch& search, Surfac
     places.gradient.resize(kept);
 }
 
+// Whether finer cells would show another surface, and there is room for them.
+[[nodiscard]] bool too_thin(const curves::SurfaceMesh& surface) noexcept {
+    const auto triangles = static_cast<double>(surface.triangles());
+    const bool thin = static_cast<double>(surface.turned) > turned_share * triangles || surface.missed_seeds > 0;
+    return thin && 4 * surface.triangles() <= most_triangles_of_finer;
+}
+
+[[nodiscard]] curves::SurfaceMesh of_any_size(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                              const geometry::VecArray& seeds, curves::MeshSettings& settings,
+                                              const base::Progress& progress) {
+    while (true) {
+        try {
+            return curves::triangulate(runtime, implicit, seeds, settings, progress);
+        } catch (const Error& error) { // too many triangles
+            if (error.status() != Status::invalid_argument || settings.side > implicit.diagonal()) throw;
+            settings.side *= 2.0;
+        }
+    }
+}
+
 } // namespace
 
 curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::Implicit& implicit,
@@ -96,14 +119,12 @@ curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::I
     for (std::int64_t i = 0; i < seeds.size(); ++i) all.push_back(seeds[i]);
     add_lattice(runtime, implicit, search.region, all, progress);
     curves::MeshSettings settings{search.region, search.side};
-    while (true) {
-        try {
-            return curves::triangulate(runtime, implicit, all, settings, progress);
-        } catch (const Error& error) { // too many triangles
-            if (error.status() != Status::invalid_argument || settings.side > implicit.diagonal()) throw;
-            settings.side *= 2.0;
-        }
+    curves::SurfaceMesh surface = of_any_size(runtime, implicit, all, settings, progress);
+    while (search.finer && too_thin(surface)) {
+        settings.side *= 0.5;
+        surface = curves::triangulate(runtime, implicit, all, settings, progress);
     }
+    return surface;
 }
 
 SurfacePlaces places_on(const base::Runtime& runtime, const implicit::Implicit& implicit,

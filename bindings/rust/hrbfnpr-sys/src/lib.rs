@@ -3070,8 +3070,8 @@ pub struct hrbfnpr_compare_desc {
     pub support: f64,
     /// on each side, 100 .. 10000000; 0 = 20000
     pub points: i64,
-    /// of the cells that the surface is looked for in; 0 = 1/128 of the diagonal. What is thinner
-    /// or smaller may be missed
+    /// of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where
+    /// it is thin. What is thinner or smaller may be missed
     pub cell_size: f64,
     /// any number; 1
     pub random_seed: u64,

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Distances that are known: spheres of which one is the mesh and one the surface.
+#include "mesh/fit/compare.h"
+
+#include "mesh/meshes.h"
+#include "support/analytic.h"
+#include "support/runtime.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace mesh = hrbfnpr::mesh;
+using hrbfnpr::test::box;
+using hrbfnpr::test::icosphere;
+using hrbfnpr::test::same_bits;
+using hrbfnpr::test::Sphere;
+using hrbfnpr::test::torus;
+using hrbfnpr::test::with_threads;
+using namespace mesh_test;
+
+namespace {
+
+mesh::Comparison compared(const hrbfnpr::implicit::Implicit& surface, const Triangles& with, double tolerance,
+                          double far, int threads = 2, const hrbfnpr::surface::Support* support = nullptr,
+                          double limit = 0.0) {
+    const hrbfnpr::base::Runtime runtime = with_threads(threads);
+    const mesh::Mesh made = mesh_test::made(runtime, with);
+    const mesh::FaceTree tree(runtime, made.vertex, made.triangle, {});
+    mesh::CompareSettings settings;
+    settings.tolerance = tolerance;
+    settings.far = far;
+    settings.points = 4000;
+    settings.support = limit;
+    return mesh::compare(runtime, surface, made, tree, support, settings, {});
+}
+
+// Two balls as one surface: the union's distance.
+class Two : public hrbfnpr::test::Analytic {
+public:
+    explicit Two(const glm::dvec3& centre) : Analytic(hrbfnpr::test::cube(3.0)), a_(1.0), b_(1.0, centre) {}
+    [[nodiscard]] hrbfnpr::test::Field at(const glm::dvec3& p) const override {
+        const hrbfnpr::test::Field a = a_.at(p), b = b_.at(p);
+        return a.value < b.value ? a : b;
+    }
+
+private:
+    Sphere a_, b_;
+};
+
+TEST(Compare, KnowsTheDistanceBothWays) {
+    const mesh::Comparison found = compared(Sphere(1.02), icosphere(5), 0.03, 0.05);
+    EXPECT_EQ(found.surface.points, 4000);
+    EXPECT_EQ(found.mesh.points, 4000);
+    for (const mesh::Spread& way : {found.surface, found.mesh}) {
+        EXPECT_NEAR(way.mean, 0.02, 1e-3);
+        EXPECT_NEAR(way.p99, 0.02, 2e-3);
+        EXPECT_NEAR(way.most, 0.02, 2e-3);
+        EXPECT_EQ(way.share, 1.0);
+        EXPECT_EQ(way.beyond, 0.0);
+    }
+    EXPECT_LT(found.normal_p99, 2.0);
+    EXPECT_EQ(found.components, 1);
+    EXPECT_EQ(found.genus, 0);
+    const mesh::Comparison narrow = compared(Sphere(1.02), icosphere(5), 0.01, 0.015);
+    EXPECT_EQ(narrow.surface.share + narrow.mesh.share, 0.0);
+    EXPECT_EQ(narrow.surface.beyond, 1.0);
+}
+
+TEST(Compare, HasDefaults) {
+    const mesh::Comparison found = compared(Sphere(1.0), icosphere(5), 0.0, 0.0);
+    EXPECT_NEAR(found.diagonal, std::sqrt(12.0), 0.01);
+    EXPECT_EQ(found.tolerance, 0.002 * found.diagonal);
+    EXPECT_EQ(found.surface.share, 1.0);
+}
+
+TEST(Compare, FindsWhatIsInventedAndWhatIsMissed) {
+    // The mesh has another ball in its box, so that the second surface is looked for there.
+    const Triangles both = icosphere(4).with(icosphere(4).moved(1.0, 2.6, 0.0, 0.0));
+    const mesh::Comparison missed = compared(Sphere(1.0), both, 0.01, 0.05);
+    EXPECT_NEAR(missed.mesh.beyond, 0.5, 0.03);
+    EXPECT_EQ(missed.surface.beyond, 0.0);
+    EXPECT_NEAR(missed.mesh.most, 2.6, 0.05);
+    // A box around one ball and the place of the other.
+    const Triangles one = icosphere(4).with(icosphere(0).moved(0.02, 2.6, 1.0, 0.0));
+    const mesh::Comparison invented = compared(Two({2.0, -0.3, 0.0}), one, 0.01, 0.05);
+    EXPECT_GT(invented.surface.beyond, 0.25);
+    EXPECT_LT(invented.mesh.beyond, 0.01);
+}
+
+TEST(Compare, LeavesOutWhatGoesOnBeyondABorder) {
+    const auto half = [](double, double, double z) { return z > 0.0; };
+    const mesh::Comparison found = compared(Sphere(1.0), icosphere(5).where(half), 0.01, 0.05);
+    // Of the region, which ends 0.05 diagonals below the border.
+    EXPECT_GT(found.left_out, 0.05);
+    EXPECT_LT(found.left_out, 0.25);
+    EXPECT_EQ(found.surface.share, 1.0);
+    EXPECT_EQ(found.genus, -1);
+}
+
+TEST(Compare, LeavesOutWhatIsNotSupported) {
+    const hrbfnpr::base::Runtime runtime = with_threads(2);
+    hrbfnpr::geometry::VecArray position(runtime.memory), normal(runtime.memory);
+    const Triangles ball = icosphere(4);
+    for (std::size_t i = 0; i < ball.vertices.size(); i += 3) {
+        const glm::dvec3 p{ball.vertices[i], ball.vertices[i + 1], ball.vertices[i + 2]};
+        if (p.x < 0.0) continue;
+        position.push_back(p);
+        normal.push_back(p);
+    }
+    const hrbfnpr::surface::Support support(runtime, position, normal, {});
+    const mesh::Comparison found = compared(Sphere(1.0), ball, 0.01, 0.05, 2, &support, 3.0);
+    EXPECT_NEAR(found.left_out, 0.5, 0.05);
+    EXPECT_EQ(compared(Sphere(1.0), ball, 0.01, 0.05, 2, &support, 0.0).left_out, 0.0);
+}
+
+TEST(Compare, LooksCloserWhereTheSurfaceIsThin) {
+    // A ball a cell across.
+    const double radius = 0.4 / 128.0 * std::sqrt(12.0);
+    const Triangles grains = icosphere(3).moved(radius, 0, 0, 0).with(icosphere(1).moved(0.01, 2, 2, 2));
+    const mesh::Comparison found = compared(Sphere(radius), grains, 0.1 * radius, 1.0);
+    EXPECT_EQ(found.components, 1);
+    EXPECT_EQ(found.genus, 0);
+    EXPECT_GT(found.surface.share, 0.99);
+}
+
+TEST(Compare, DoesNotCountWhatOverlaps) {
+    // Two balls that overlap: the part of each inside the other is no part of the mesh.
+    const Triangles both = icosphere(5).with(icosphere(5).moved(1.0, 1.0, 0.0, 0.0));
+    const mesh::Comparison found = compared(Two({1.0, 0.0, 0.0}), both, 0.01, 0.05);
+    EXPECT_EQ(found.mesh.share, 1.0);
+    EXPECT_LT(found.mesh.points, 3600);
+}
+
+TEST(Compare, IsTheSameForAnyNumberOfThreads) {
+    const mesh::Comparison one = compared(Sphere(1.01), torus(40, 20, 0.3), 0.01, 0.05, 1);
+    const mesh::Comparison three = compared(Sphere(1.01), torus(40, 20, 0.3), 0.01, 0.05, 3);
+    EXPECT_EQ(one.surface.mean, three.surface.mean);
+    EXPECT_EQ(one.mesh.p99, three.mesh.p99);
+    EXPECT_EQ(one.normal_mean, three.normal_mean);
+}
+
+TEST(Compare, SpreadIsThatOfASortedList) {
+    hrbfnpr::base::Memory memory;
+    std::vector<double> plain;
+    hrbfnpr::base::Array<double> numbers(memory);
+    for (int i = 0; i < 1000; ++i) {
+        plain.push_back(std::abs(std::sin(12.9898 * i)));
+        numbers.push_back(plain.back());
+    }
+    const mesh::Spread spread = mesh::spread_of(numbers, 0.5, 0.9);
+    std::sort(plain.begin(), plain.end());
+    double sum = 0.0;
+    for (const double number : plain) sum += number;
+    EXPECT_NEAR(spread.mean, sum / 1000.0, 1e-12);
+    EXPECT_EQ(spread.p99, plain[990]);
+    EXPECT_EQ(spread.most, plain[999]);
+    const auto upto = [&](double limit) { return std::upper_bound(plain.begin(), plain.end(), limit) - plain.begin(); };
+    EXPECT_EQ(spread.share, static_cast<double>(upto(0.5)) / 1000.0);
+    EXPECT_DOUBLE_EQ(spread.beyond, 1.0 - static_cast<double>(upto(0.9)) / 1000.0);
+    numbers.clear();
+    EXPECT_TRUE(std::isnan(mesh::spread_of(numbers, 0.5, 0.9).mean));
+}
+
+} // namespace

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/fit/fit_mesh.h"
+
+#include "base/status.h"
+#include "mesh/fit/fit_data.h"
+#include "mesh/fit/outer.h"
+#include "mesh/meshes.h"
+#include "mesh/sample.h"
+#include "support/runtime.h"
+#include "support/watched_operation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace mesh = hrbfnpr::mesh;
+using hrbfnpr::test::box;
+using hrbfnpr::test::icosphere;
+using hrbfnpr::test::same_bits;
+using hrbfnpr::test::torus;
+using hrbfnpr::test::with_threads;
+using hrbfnpr::test::wound_ring;
+using namespace mesh_test;
+
+namespace {
+
+struct Fitted {
+    explicit Fitted(const Triangles& from, const mesh::FitMeshSettings& settings = {}, int threads = 2)
+        : runtime(with_threads(threads)), shape(made(runtime, from)), tree(runtime, shape.vertex, shape.triangle, {}),
+          result(mesh::fit_mesh(runtime, shape, tree, settings, {}, {})) {}
+
+    [[nodiscard]] const mesh::FitMeshReport& report() const { return result.report; }
+    [[nodiscard]] const hrbfnpr::implicit::HrbfData& data() const { return result.fit.data; }
+    // By places that the fit did not go by.
+    [[nodiscard]] mesh::Comparison error(std::int64_t points = 10000) const {
+        mesh::CompareSettings settings;
+        settings.points = points;
+        return mesh::compare(runtime, mesh::FitData(runtime.instruction_set, data()), shape, tree, nullptr, settings,
+                             {});
+    }
+
+    hrbfnpr::base::Runtime runtime;
+    mesh::Mesh shape;
+    mesh::FaceTree tree;
+    mesh::MeshFit result;
+};
+
+void expect_asked(const Fitted& fitted, const mesh::Comparison& error) {
+    EXPECT_TRUE(fitted.report().reached);
+    EXPECT_GE(error.surface.share, 0.99);
+    EXPECT_GE(error.mesh.share, 0.99);
+    EXPECT_LE(error.surface.most, 0.01 * error.diagonal);
+    EXPECT_LE(error.mesh.most, 0.01 * error.diagonal);
+}
+
+TEST(FitMesh, TakesFewSamplesOfWhatIsSmooth) {
+    const Fitted ring(torus(200, 80, 0.4));
+    expect_asked(ring, ring.error());
+    EXPECT_LE(ring.data().count(), 400);
+    EXPECT_EQ(ring.report().off_surface, 0);
+    EXPECT_EQ(ring.report().rounds, 1);
+    EXPECT_EQ(ring.error().genus, 1);
+}
+
+TEST(FitMesh, TakesMoreWhereThereAreEdges) {
+    const Fitted cube(box(1.0, 0.8, 0.6, 8));
+    const mesh::Comparison error = cube.error();
+    expect_asked(cube, error);
+    EXPECT_GT(cube.data().count(), 500);
+    EXPECT_GT(cube.report().rounds, 1);
+    EXPECT_EQ(error.genus, 0);
+}
+
+TEST(FitMesh, KeepsASheetThatIsThin) {
+    const Fitted plate(box(1.0, 1.0, 0.02, 8));
+    const mesh::Comparison error = plate.error();
+    expect_asked(plate, error);
+    EXPECT_LT(error.normal_mean, 15.0);
+}
+
+TEST(FitMesh, HoldsTheSurfaceWhereItWouldGoElsewhere) {
+    const Fitted ring(wound_ring(300, 40));
+    expect_asked(ring, ring.error());
+    ASSERT_GT(ring.report().off_surface, 0) << "it tells nothing";
+    // The last centres lie off the mesh, and f is the signed distance there.
+    const hrbfnpr::implicit::HrbfData& data = ring.data();
+    const mesh::FitData surface(ring.runtime.instruction_set, data);
+    int inside = 0;
+    for (std::int64_t i = data.count() - ring.report().off_surface; i < data.count(); ++i) {
+        const double* const p = data.sample_position.data() + 3 * i;
+        const glm::dvec3 place{p[0], p[1], p[2]};
+        double value = 0.0;
+        surface.evaluate({p, p + 1, p + 2, 1}, {&value, {}, {}});
+        const double distance = ring.tree.distance(place);
+        EXPECT_GT(distance, ring.report().tolerance);
+        const bool is_inside = mesh::is_inside(ring.tree, place);
+        inside += is_inside ? 1 : 0;
+        EXPECT_NEAR(value, is_inside ? -distance : distance, 1e-5);
+    }
+    EXPECT_LT(inside, ring.report().off_surface);
+}
+
+TEST(FitMesh, LeavesOutFacesThatLieInsideAnother) {
+    const Fitted balls(icosphere(5).with(icosphere(5).moved(1.0, 1.2, 0.0, 0.0)));
+    const mesh::Comparison error = balls.error();
+    expect_asked(balls, error);
+    EXPECT_EQ(error.components, 1);
+    EXPECT_LT(balls.report().candidates, 2 * 2 * 20 * 1024);
+    // No centre within the other ball.
+    for (std::int64_t i = 0; i < balls.data().count() - balls.report().off_surface; ++i) {
+        const double* const p = balls.data().sample_position.data() + 3 * i;
+        EXPECT_GT(glm::length(glm::dvec3(p[0], p[1], p[2])), 0.99);
+        EXPECT_GT(glm::length(glm::dvec3(p[0] - 1.2, p[1], p[2])), 0.99);
+    }
+}
+
+TEST(FitMesh, DoesNotMindABorder) {
+    const auto half = [](double, double, double z) { return z > 0.0; };
+    const Fitted bowl(icosphere(5).where(half));
+    EXPECT_TRUE(bowl.report().supported);
+    expect_asked(bowl, bowl.error());
+    EXPECT_EQ(bowl.report().off_surface, 0);
+}
+
+TEST(FitMesh, ReachesATighterToleranceWithMore) {
+    mesh::FitMeshSettings tight;
+    tight.tolerance = 5e-4;
+    tight.share = 0.95;
+    const Fitted coarse(torus(60, 24, 0.4)), fine(torus(60, 24, 0.4), tight);
+    EXPECT_GT(fine.data().count(), coarse.data().count());
+    EXPECT_EQ(fine.report().tolerance, 5e-4);
+    EXPECT_EQ(fine.report().far, 25e-4);
+    EXPECT_LT(fine.error().mesh.mean, coarse.error().mesh.mean);
+}
+
+TEST(FitMesh, EndsAtTheMostCentres) {
+    mesh::FitMeshSettings few;
+    few.maximum_centres = 60;
+    const Fitted ring(wound_ring(100, 20), few);
+    EXPECT_FALSE(ring.report().reached);
+    EXPECT_LE(ring.data().count(), 60);
+    EXPECT_LT(ring.report().mesh.share, 0.99);
+}
+
+TEST(FitMesh, ReportsResidualsOfItsConditions) {
+    const Fitted ring(wound_ring(200, 30));
+    EXPECT_LT(ring.result.fit.report.value_residual_max, 1e-5);
+    EXPECT_LT(ring.result.fit.report.gradient_residual_max, 1e-4);
+    EXPECT_EQ(ring.result.fit.report.samples, ring.report().candidates);
+    EXPECT_EQ(ring.result.fit.report.choice_rounds, ring.report().rounds);
+}
+
+TEST(FitMesh, IsTheSameForAnyNumberOfThreads) {
+    const Fitted one(wound_ring(100, 20), {}, 1), three(wound_ring(100, 20), {}, 3);
+    EXPECT_TRUE(same_bits(one.data().sample_position, three.data().sample_position));
+    EXPECT_TRUE(same_bits(one.data().alpha, three.data().alpha));
+    mesh::FitMeshSettings other;
+    other.seed = 2;
+    const Fitted another(wound_ring(100, 20), other);
+    EXPECT_FALSE(same_bits(one.data().sample_position, another.data().sample_position));
+}
+
+TEST(FitMesh, CanBeCancelled) {
+    const hrbfnpr::base::Runtime runtime = with_threads(2);
+    const mesh::Mesh shape = made(runtime, wound_ring(100, 20));
+    const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
+    hrbfnpr::test::WatchedOperation operation(0.2);
+    EXPECT_THROW((void)mesh::fit_mesh(runtime, shape, tree, {}, {}, operation.progress()), hrbfnpr::Error);
+}
+
+} // namespace
