@@ -2200,7 +2200,7 @@ typedef struct hrbfnpr_mesh_fit_desc {
                                 0.002 diagonals; not below 1e-6 diagonals */
     double share;            /* of both that has to be within the tolerance, above 0, at most 1; 0.99 */
     double far;              /* what no part may be beyond; 0 = five times the tolerance */
-    int64_t maximum_centres; /* 16 .. 1000000; 20000 */
+    int64_t maximum_centres; /* 16 .. 1000000; 8000 */
     int64_t candidates;      /* places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details */
     uint64_t random_seed;    /* any number; 1 */
 } hrbfnpr_mesh_fit_desc;
@@ -2240,8 +2240,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* inf
  * last centres of the model, whose normal is the way to the mesh or from it.
  *
  * An end short of the tolerance is no error: `reached` is 0, and the log warns.
- * Edges that are sharp are rounded by some tenths of the samples' spacing: where
- * there are many, a share of 0.99 may take all maximum_centres.
+ * It comes with maximum_centres, or where more centres gain nothing.  Edges that
+ * are sharp are rounded by some tenths of the samples' spacing there, and coarse
+ * faces with smooth normals contradict these: both take many centres.
  *
  * desc may be NULL.  fit (may be NULL): kernel, solver and regularization of the
  * fits; its points and normals must be empty, its tolerance and maximum_centres

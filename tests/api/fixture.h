@@ -27,6 +27,7 @@ using hrbfnpr::test::Context;
 using hrbfnpr::test::Drawing;
 using hrbfnpr::test::Generation;
 using hrbfnpr::test::made;
+using hrbfnpr::test::Mesh;
 using hrbfnpr::test::Model;
 using hrbfnpr::test::one_layer;
 using hrbfnpr::test::Operation;
@@ -62,6 +63,10 @@ constexpr std::uint32_t scalar_of() {
         return HRBFNPR_SCALAR_FLOAT64;
     else if constexpr (std::is_same_v<T, std::uint8_t>)
         return HRBFNPR_SCALAR_UINT8;
+    else if constexpr (std::is_same_v<T, std::int32_t>)
+        return HRBFNPR_SCALAR_INT32;
+    else if constexpr (std::is_same_v<T, std::int64_t>)
+        return HRBFNPR_SCALAR_INT64;
     else {
         static_assert(std::is_same_v<T, std::uint32_t>);
         return HRBFNPR_SCALAR_UINT32;

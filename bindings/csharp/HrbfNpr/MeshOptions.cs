@@ -35,8 +35,8 @@ namespace HrbfNpr
         /// <summary>What no part may be beyond; 0 = five times the tolerance.</summary>
         public double Far { get; set; }
 
-        /// <summary>16 to 1000000; 20000.  An end there, short of the tolerance, is no error.</summary>
-        public long MaximumCentres { get; set; } = 20000;
+        /// <summary>16 to 1000000; 8000.  An end there, short of the tolerance, is no error.</summary>
+        public long MaximumCentres { get; set; } = 8000;
 
         /// <summary>Places on the mesh to choose from; 0 = by its area and its details.</summary>
         public long Candidates { get; set; }

@@ -154,7 +154,7 @@ class Model(Trimming):
         tolerance: float = 0.0,
         share: float = 0.99,
         far: float = 0.0,
-        maximum_centres: int = 20000,
+        maximum_centres: int = 8000,
         candidates: int = 0,
         random_seed: int = 1,
         kernel: str = "triharmonic",

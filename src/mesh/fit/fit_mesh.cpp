@@ -34,8 +34,11 @@ constexpr double apart = 0.5;
 // The share that is asked for is exceeded by so much of what is left of 1: other places are a little worse.
 constexpr double margin = 0.3;
 
-constexpr double side_of_rounds = 72.0; // cells a diagonal while it is fitted
-constexpr std::int64_t places_of_rounds = 10000;
+constexpr double side_of_rounds = 72.0; // cells a diagonal while it is fitted ...
+constexpr double side_of_last = 128.0;  // ... and when that is done
+// No end is in sight where so many rounds one after the other do not bring what is outside down to this share.
+constexpr double gain = 0.9;
+constexpr std::int32_t idle_rounds = 2;
 constexpr double wrong_side = 2.0; // tolerances
 constexpr double first_look = 0.9;
 constexpr double support_limit = 3.0; // of what dense samples bear out
@@ -55,7 +58,6 @@ public:
         options_.tolerance = report_.tolerance; // residuals that a distance does not show are accepted
         search_.region = search_region(mesh);
         search_.side = diagonal / side_of_rounds;
-        search_.count = places_of_rounds;
         search_.limit = support_limit;
     }
 
@@ -133,6 +135,12 @@ private:
     // False if there is nothing to add, or no room.
     [[nodiscard]] bool add_centres() {
         const base::Stopwatch watch;
+        const bool goes_on = measure_and_add();
+        report_.seconds_measure += watch.seconds();
+        return goes_on;
+    }
+
+    [[nodiscard]] bool measure_and_add() {
         const fit::Distances distances = fit::measure_distances(runtime_, fit_->result.data, candidates_, progress_);
         base::Array<double> distance(runtime_.memory);
         for (std::int64_t i = 0; i < candidates_.position.size(); ++i) {
@@ -152,9 +160,29 @@ private:
         if (!looked && !grown) grown = look_at_surface();
         report_.reached = good(report_.mesh, settings_.share) && good(report_.surface, settings_.share);
         log_round();
-        report_.seconds_measure += watch.seconds();
-        const bool enough = mesh_good && good(report_.surface, share_);
-        return grown && !enough && report_.rounds < most_rounds;
+        if (mesh_good && good(report_.surface, share_)) return look_closer();
+        return grown && (!looked || gains()) && report_.rounds < most_rounds;
+    }
+
+    // Once: whether smaller cells find what has to be mended.
+    [[nodiscard]] bool look_closer() {
+        const double side = mesh_.bounds.diagonal() / side_of_last;
+        if (search_.side <= side) return false;
+        search_.side = side;
+        const bool added = look_at_surface();
+        report_.reached = good(report_.mesh, settings_.share) && good(report_.surface, settings_.share);
+        return added && !good(report_.surface, share_);
+    }
+
+    // Whether the last rounds brought what is outside down.
+    [[nodiscard]] bool gains() noexcept {
+        const double outside = 2.0 - report_.mesh.share - report_.surface.share;
+        const double far = std::max(report_.mesh.most, report_.surface.most);
+        const bool better = outside < gain * outside_ || (far > report_.far && far < gain * far_);
+        outside_ = std::min(outside_, outside);
+        far_ = std::min(far_, far);
+        idle_ = better ? 0 : idle_ + 1;
+        return idle_ < idle_rounds;
     }
 
     void keep_lists() {
@@ -193,9 +221,12 @@ private:
     // Holds f off the surface where that is far from the mesh; whether there is such a place.
     [[nodiscard]] bool look_at_surface() {
         const FitData implicit(runtime_.instruction_set, fit_->result.data);
-        const curves::SurfaceMesh surface =
-            find_surface(runtime_, implicit, positions(), search_, progress_.part(0, 0));
-        const SurfacePlaces places = places_on(runtime_, implicit, surface, search_, progress_.part(0, 0));
+        curves::SurfaceMesh surface = find_surface(runtime_, implicit, positions(), search_, progress_.part(0, 0));
+        // Its vertices, which lie on f = 0: a part that is small has some, too.
+        SurfacePlaces places(runtime_.memory);
+        places.position = std::move(surface.position);
+        places.gradient = std::move(surface.gradient);
+        leave_out(runtime_, search_, places, progress_);
         base::Array<double> distance = distances_to_mesh(places.position);
         std::int64_t added = 0;
         if (mesh_.report.closed) added = off_.add_from(places.position, distance, report_.tolerance, room(), outer_);
@@ -248,6 +279,9 @@ private:
     OffSurface off_;
     base::Array<std::int64_t> centres_before_; // of the last fit
     std::int64_t off_before_ = 0;
+    double outside_ = 2.0; // the least so far
+    double far_ = std::numeric_limits<double>::infinity();
+    std::int32_t idle_ = 0; // rounds without a gain
     std::optional<surface::Support> support_;
     SurfaceSearch search_;
     double share_ = 0.99;

@@ -11,7 +11,7 @@ struct FitMeshSettings {
     double tolerance = 0.0; // 0: 0.002 diagonals
     double share = 0.99;
     double far = 0.0; // 0: five tolerances
-    std::int64_t maximum_centres = 20000;
+    std::int64_t maximum_centres = 8000;
     std::int64_t candidates = 0; // 0: automatic
     std::uint64_t seed = 1;
 };

@@ -17,8 +17,8 @@ constexpr std::int64_t lattice = 16;
 constexpr std::int64_t grain = 4096;
 constexpr double tolerance = 1e-6; // of places, in diagonals
 constexpr int evaluations = 12;
-// As where a line set's mesh is made.
-constexpr double turned_share = 2e-4;
+// More triangles that look away from the surface than sharp edges make.
+constexpr double turned_share = 1e-2;
 constexpr std::int64_t most_triangles_of_finer = 1'200'000;
 
 void add_lattice(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::Bounds& region,
@@ -72,23 +72,6 @@ void count_parts(const base::Runtime& runtime, const curves::SurfaceMesh& surfac
     return area;
 }
 
-// What is beyond the support's limit goes.
-void leave_out(const base::Runtime& runtime, const SurfaceSearch& search, SurfacePlaces& places,
-               const base::Progress& progress) {
-    if (search.support == nullptr) return;
-    base::Array<double> beyond(runtime.memory);
-    search.support->evaluate_all(runtime, places.position, places.gradient, beyond, progress);
-    std::int64_t kept = 0;
-    const std::int64_t count = places.position.size();
-    for (std::int64_t i = 0; i < count; ++i) {
-        if (!(beyond[i] <= search.limit)) continue;
-        places.position.set(kept, places.position[i]);
-        places.gradient.set(kept++, places.gradient[i]);
-    }
-    places.position.resize(kept);
-    places.gradient.resize(kept);
-}
-
 // Whether finer cells would show another surface, and there is room for them.
 [[nodiscard]] bool too_thin(const curves::SurfaceMesh& surface) noexcept {
     const auto triangles = static_cast<double>(surface.triangles());
@@ -125,6 +108,22 @@ curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::I
         surface = curves::triangulate(runtime, implicit, all, settings, progress);
     }
     return surface;
+}
+
+void leave_out(const base::Runtime& runtime, const SurfaceSearch& search, SurfacePlaces& places,
+               const base::Progress& progress) {
+    if (search.support == nullptr) return;
+    base::Array<double> beyond(runtime.memory);
+    search.support->evaluate_all(runtime, places.position, places.gradient, beyond, progress);
+    std::int64_t kept = 0;
+    const std::int64_t count = places.position.size();
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (!(beyond[i] <= search.limit)) continue;
+        places.position.set(kept, places.position[i]);
+        places.gradient.set(kept++, places.gradient[i]);
+    }
+    places.position.resize(kept);
+    places.gradient.resize(kept);
 }
 
 SurfacePlaces places_on(const base::Runtime& runtime, const implicit::Implicit& implicit,

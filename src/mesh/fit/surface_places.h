@@ -46,4 +46,8 @@ struct SurfacePlaces {
                                       const curves::SurfaceMesh& surface, const SurfaceSearch& search,
                                       const base::Progress& progress);
 
+// Drops places beyond the support's limit, if there is a support.
+void leave_out(const base::Runtime& runtime, const SurfaceSearch& search, SurfacePlaces& places,
+               const base::Progress& progress);
+
 } // namespace hrbfnpr::mesh

@@ -3157,7 +3157,7 @@ pub struct hrbfnpr_mesh_fit_desc {
     pub share: f64,
     /// what no part may be beyond; 0 = five times the tolerance
     pub far: f64,
-    /// 16 .. 1000000; 20000
+    /// 16 .. 1000000; 8000
     pub maximum_centres: i64,
     /// places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details
     pub candidates: i64,
@@ -3219,8 +3219,9 @@ extern "C" {
     /// last centres of the model, whose normal is the way to the mesh or from it.
     ///
     /// An end short of the tolerance is no error: `reached` is 0, and the log warns.
-    /// Edges that are sharp are rounded by some tenths of the samples' spacing: where
-    /// there are many, a share of 0.99 may take all maximum_centres.
+    /// It comes with maximum_centres, or where more centres gain nothing.  Edges that
+    /// are sharp are rounded by some tenths of the samples' spacing there, and coarse
+    /// faces with smooth normals contradict these: both take many centres.
     ///
     /// desc may be NULL.  fit (may be NULL): kernel, solver and regularization of the
     /// fits; its points and normals must be empty, its tolerance and maximum_centres

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""Meshes: made, sampled, fitted, compared."""
+import numpy as np
+import pytest
+
+import hrbfnpr
+
+TURN = 2 * np.pi
+
+
+def torus(around=60, along=24, tube=0.4):
+    """Vertices and triangles of a ring about the z axis."""
+    u, v = np.meshgrid(np.arange(around) / around, np.arange(along) / along, indexing="ij")
+    radius = 1 + tube * np.cos(TURN * v)
+    points = np.stack([radius * np.cos(TURN * u), radius * np.sin(TURN * u), tube * np.sin(TURN * v)], axis=-1)
+    i, j = np.meshgrid(np.arange(around), np.arange(along), indexing="ij")
+    k, m = (i + 1) % around, (j + 1) % along
+    a, b, c, d = i * along + j, k * along + j, k * along + m, i * along + m
+    return points.reshape(-1, 3), np.concatenate([np.stack([a, b, c], -1), np.stack([a, c, d], -1)]).reshape(-1, 3)
+
+
+@pytest.fixture(scope="module")
+def ring():
+    return hrbfnpr.Mesh(*torus())
+
+
+def test_info_and_views(ring):
+    vertices, triangles = torus()
+    info = ring.info
+    assert info.closed is True and info.genus == 1 and info.components == 1
+    assert info.faces == len(triangles) and info.vertices == len(vertices)
+    assert info.volume == pytest.approx(2 * np.pi**2 * 0.16, rel=0.02)
+    np.testing.assert_array_equal(ring.vertices, vertices)
+    np.testing.assert_array_equal(ring.triangles, triangles)
+    assert ring.triangles.dtype == np.int32 and not ring.vertices.flags.writeable
+    assert ring.components.max() == 0 and ring.given_faces[5] == 5
+    assert ring.corner_normals.shape == (len(triangles), 3, 3)
+    assert "1440 vertices, 2880 faces" in repr(ring)
+
+
+@pytest.mark.parametrize("kind", [np.int32, np.int64, np.uint32, np.int16, list])
+def test_types_of_indices(kind):
+    vertices, triangles = torus(12, 6)
+    triangles = triangles.tolist() if kind is list else triangles.astype(kind)
+    assert hrbfnpr.Mesh(vertices.astype(np.float32), triangles).info.faces == 144
+
+
+def test_inside_out_and_repeated(ring):
+    vertices, triangles = torus()
+    turned = hrbfnpr.Mesh(vertices[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)[:, ::-1])
+    assert turned.info.turned_components == 1 and turned.info.welded_vertices == 3 * len(triangles) - 1440
+    assert turned.info.volume == pytest.approx(ring.info.volume)
+    kept = hrbfnpr.Mesh(vertices, triangles[:, ::-1], faces="keep")
+    assert kept.info.volume == pytest.approx(-ring.info.volume)
+
+
+def test_parts():
+    vertices, triangles = torus()
+    both = np.concatenate([vertices, vertices * [1, 1, 0.1] * [0.98, 0.98, 1]])
+    inner = np.concatenate([vertices, 0.1 * vertices + [1, 0, 0]])
+    faces = np.concatenate([triangles, triangles + len(vertices)])
+    info = hrbfnpr.Mesh(inner, faces).info
+    assert (info.components, info.nested_components, info.left_out_components) == (2, 1, 1)
+    assert hrbfnpr.Mesh(inner, faces, parts="all").info.faces == len(faces)
+    assert hrbfnpr.Mesh(both, faces, parts="largest").info.faces == len(triangles)
+    with pytest.raises(ValueError, match="parts must be one of 'outer', 'all', 'largest'"):
+        hrbfnpr.Mesh(inner, faces, parts="some")
+
+
+def test_errors_name_the_face():
+    vertices, triangles = torus(12, 6)
+    triangles[7, 1] = 72
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match=r"triangles\[7\] has the index 72; there are 72 vertices"):
+        hrbfnpr.Mesh(vertices, triangles)
+    vertices, triangles = torus(12, 6)
+    vertices[3, 2] = np.nan
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match=r"vertices\[3\], a corner of triangles\["):
+        hrbfnpr.Mesh(vertices, triangles)
+
+
+def test_samples_are_even_and_deterministic(ring):
+    points, normals = ring.sample(200)
+    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1)
+    middle = points * [1, 1, 0]
+    middle /= np.linalg.norm(middle, axis=1)[:, None]
+    np.testing.assert_allclose(np.linalg.norm(points - middle, axis=1), 0.4, atol=0.01)
+    np.testing.assert_allclose(normals, (points - middle) / 0.4, atol=0.05)
+    np.testing.assert_array_equal(points, ring.sample(200).points)
+    np.testing.assert_array_equal(points[:50], ring.sample(50, candidates=8000).points)
+    assert not np.array_equal(points, ring.sample(200, random_seed=2).points)
+
+
+def test_farthest_points_are_the_plain_ones():
+    points = np.random.default_rng(1).random((400, 3))
+    indices, distances = hrbfnpr.farthest_points(points, 60)
+    assert indices.dtype == np.int64 and distances[0] == np.inf
+    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    nearest = np.full(len(points), np.inf)
+    place = int(np.argmin(((points - middle) ** 2).sum(axis=1)))
+    for i in range(60):
+        assert indices[i] == place
+        if i:
+            assert distances[i] == pytest.approx(np.sqrt(nearest[place]))
+        nearest = np.minimum(nearest, ((points - points[place]) ** 2).sum(axis=1))
+        place = int(np.argmax(nearest))
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="indices.count is 500"):
+        hrbfnpr.farthest_points(points, 500)
+
+
+def test_fit_and_compare(ring):
+    seen = []
+    model = hrbfnpr.Model.fit_mesh(ring, tolerance=0.01, progress=seen.append)
+    fit = model.mesh_fit
+    assert fit.reached is True and fit.supported is False
+    assert fit.tolerance == 0.01 and fit.centres == model.info.centres == len(model.points)
+    assert seen == sorted(seen) and seen[-1] == 1.0
+    compared = model.compare(ring, tolerance=0.01, points=2000)
+    assert compared.mesh_share > 0.99 and compared.surface_share > 0.99
+    assert compared.surface_max < 0.05 and compared.genus == 1 and compared.surface_points == 2000
+    other = hrbfnpr.Model.from_function(lambda p: np.linalg.norm(p, axis=1) - 1, bounds=((-1, -1, -1), (1, 1, 1)))
+    assert other.mesh_fit is None
+    assert other.compare(ring, points=500).missed_share > 0.5
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="mesh_fit_desc.share is 2"):
+        hrbfnpr.Model.fit_mesh(ring, share=2)
+
+
+def test_cancelling(ring):
+    operation = hrbfnpr.Operation()
+    operation.cancel()
+    with pytest.raises(hrbfnpr.CancelledError):
+        hrbfnpr.Model.fit_mesh(ring, operation=operation)
+
+
+def test_closing():
+    mesh = hrbfnpr.Mesh(*torus(12, 6))
+    mesh.close()
+    assert repr(mesh) == "<hrbfnpr.Mesh closed>"
