@@ -36,6 +36,7 @@ BY_HAND = {
     "hrbfnpr_drawing_layer_info": "DrawingLayerInfo",
     "hrbfnpr_mark_identity": "MarkIdentity",
 }
+DRAWN = (9, 10, 11)  # sections whose structs have a file of their own: cameras, styles, renderers, drawings
 SCALARS = {
     "int8_t": "sbyte",
     "uint8_t": "byte",
@@ -168,5 +169,6 @@ def outputs(api):
             ["[LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]"], "partial",
             PRELUDE.replace("InteropServices;", "CompilerServices;\nusing System.Runtime.InteropServices;") + "\n"),
         "NativeMethods.Constants.cs": constants(api["abi_version"]),
-        "NativeStructs.cs": struct_file(api["structs"]),
+        "NativeStructs.cs": struct_file([each for each in api["structs"] if each["section"] not in DRAWN]),
+        "NativeStructs.Drawn.cs": struct_file([each for each in api["structs"] if each["section"] in DRAWN]),
     }.items()}

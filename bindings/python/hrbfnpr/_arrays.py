@@ -268,8 +268,9 @@ def scalar(values: Array, shape: Tuple[int, ...]) -> Any:
     """A number for a single point."""
     return values[()] if np is not None and shape == () else values
 
+
 def float_code(dtype: Any) -> str:
-    """Of the names and types that stand for double and single precision."""
+    """The type code of a dtype or its name."""
     name = dtype if isinstance(dtype, str) else np.dtype(dtype).name
     codes = {"float64": "d", "float32": "f", "d": "d", "f": "f"}
     if name not in codes:

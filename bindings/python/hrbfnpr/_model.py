@@ -10,16 +10,15 @@ from ._callbacks import CallbackState, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
 from ._function import FunctionState, on_evaluate, on_release
-from ._handles import own
+from ._handles import Owner, own
 from ._library import ffi, lib
-from ._mesh import Comparison, Mesh, MeshFitInfo, read_fit_info
+from ._mesh_fit import MeshFits
 from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits, Vector
 from ._names import KERNELS, REPAIRS, SOLVER_REASONS, SOLVERS, name_of, number_of
 from ._numpy import np
 from ._operation import Operation, Progress, running
 from ._rays import HitArrays, pairs
 from ._structs import read_struct
-from ._trim import Trimming
 
 if TYPE_CHECKING:
     from ._layer import LayersToMake
@@ -32,7 +31,7 @@ def _load(data: bytes) -> Model:
     return Model.load(data)
 
 
-class Model(Trimming):
+class Model(MeshFits, Owner):
     """An implicit surface: f < 0 inside, f > 0 outside, with a gradient near 1 at the surface [NPAR 4].
 
     Immutable: any number of threads may use one model at a time.  Made by `fit`, `from_function` or
@@ -46,8 +45,6 @@ class Model(Trimming):
         super().__init__(handle)
         self._context = context._handle
         self._function = function
-        self.mesh_fit: Optional[MeshFitInfo] = None
-        """What `fit_mesh` came to; None for other models, and for a loaded one."""
 
     @classmethod
     def fit(
@@ -145,66 +142,6 @@ class Model(Trimming):
             check(lib.hrbfnpr_model_fit(context._handle, desc, handle, out, error), error, state)
         del keep
         return cls(own(out[0], lib.hrbfnpr_model_release, context), context)
-
-    @classmethod
-    def fit_mesh(
-        cls,
-        mesh: Mesh,
-        *,
-        tolerance: float = 0.0,
-        share: float = 0.99,
-        far: float = 0.0,
-        maximum_centres: int = 8000,
-        candidates: int = 0,
-        random_seed: int = 1,
-        kernel: str = "triharmonic",
-        kernel_radius: float = 0.0,
-        polynomial_degree: int = 1,
-        regularization: float = 0.0,
-        solver: str = "auto",
-        progress: Optional[Progress] = None,
-        operation: Optional[Operation] = None,
-    ) -> Model:
-        """Fit a surface to a mesh with as many samples as that takes; see `mesh_fit` for what was reached.
-
-        Parameters
-        ----------
-        mesh : Mesh
-        tolerance : float
-            How near the surface and the mesh are to be to each other, in units of the mesh; 0 = 0.002 of its
-            diagonal.
-        share : float
-            Of both that has to be within the tolerance, above 0, at most 1.
-        far : float
-            What no part may be beyond; 0 = five times the tolerance.
-        maximum_centres : int
-            An end there, short of the tolerance, is no error: `mesh_fit.reached` is False.
-        candidates : int
-            Places on the mesh to choose from; 0 = by its area and its details.
-        random_seed : int
-        kernel, kernel_radius, polynomial_degree, regularization, solver, progress, operation
-            As in `fit`.
-
-        Notes
-        -----
-        Where the surface goes on far from a closed mesh, f is held to the signed distance from the mesh at a few
-        places off it: these are the last `mesh_fit.off_surface_centres` of `points`.
-        """
-        desc, options = new_struct("hrbfnpr_mesh_fit_desc"), new_struct("hrbfnpr_fit_desc")
-        desc.tolerance, desc.share, desc.far = tolerance, share, far
-        desc.maximum_centres, desc.candidates, desc.random_seed = maximum_centres, candidates, random_seed
-        options.kernel = number_of("kernel", KERNELS, kernel)
-        options.kernel_radius, options.polynomial_degree = kernel_radius, polynomial_degree
-        options.regularization = regularization
-        options.solver = number_of("solver", SOLVERS, solver)
-        context = mesh._made_in
-        info = new_struct("hrbfnpr_mesh_fit_info")
-        out, error = ffi.new("hrbfnpr_model **"), new_error()
-        with running(operation, progress, context._handle) as (handle, state):
-            check(lib.hrbfnpr_model_fit_mesh(mesh._handle, desc, options, info, handle, out, error), error, state)
-        model = cls(own(out[0], lib.hrbfnpr_model_release, context), context)
-        model.mesh_fit = read_fit_info(info)
-        return model
 
     @classmethod
     def from_function(
@@ -469,44 +406,6 @@ class Model(Trimming):
             status = lib.hrbfnpr_model_contains(self._handle, block.view(), inside_out, ffi.NULL, handle, error)
             self._check(status, error, state)
         return scalar(inside if np is None else inside.view(bool), block.shape)
-
-    def compare(
-        self,
-        mesh: Mesh,
-        *,
-        tolerance: float = 0.0,
-        far: float = 0.0,
-        support: float = 0.0,
-        points: int = 0,
-        cell_size: float = 0.0,
-        random_seed: int = 1,
-        progress: Optional[Progress] = None,
-        operation: Optional[Operation] = None,
-    ) -> Comparison:
-        """How near the surface is to a mesh, and the mesh to the surface.
-
-        Parameters
-        ----------
-        mesh : Mesh
-            In the same coordinates.
-        tolerance, far : float
-            That shares are counted for, in units of the mesh; 0 = 0.002 and 0.01 of its diagonal.
-        support : float
-            Above 0: what the samples do not bear out by this limit is left out, as by `LineSet`.
-        points : int
-            On each side; 0 = 20000.
-        cell_size : float
-            Of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where it is thin.
-        random_seed : int
-        """
-        desc, result = new_struct("hrbfnpr_compare_desc"), new_struct("hrbfnpr_comparison")
-        desc.tolerance, desc.far, desc.support = tolerance, far, support
-        desc.points, desc.cell_size, desc.random_seed = points, cell_size, random_seed
-        error = new_error()
-        with running(operation, progress, self._context) as (handle, state):
-            status = lib.hrbfnpr_model_compare_mesh(self._handle, mesh._handle, desc, result, handle, error)
-            self._check(status, error, state)
-        return read_struct(Comparison, result)
 
     def generate(self, layers: Optional[LayersToMake] = None, **options: Any) -> PointSet:
         """Place marks on the surface: `PointSet.generate` with this model, as `model.generate(preset="full")`."""

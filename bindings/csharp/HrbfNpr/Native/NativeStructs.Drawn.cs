@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Made by make_native.py from include/hrbfnpr.h; do not edit.
+#pragma warning disable 169, 649 // some fields are only read or written by the library
+using System;
+using System.Runtime.InteropServices;
+
+namespace HrbfNpr
+{
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_camera")]
+    internal unsafe struct hrbfnpr_camera
+    {
+        internal uint struct_size;
+        internal uint depth_convention;
+        internal fixed double view[16];
+        internal fixed double projection[16];
+        internal fixed double viewport[4];
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_style")]
+    internal unsafe struct hrbfnpr_layer_style
+    {
+        internal uint struct_size;
+        internal uint kind;
+        internal IntPtr name;
+        internal uint shown;
+        internal uint contours;
+        internal uint directions;
+        internal uint shape;
+        internal float share;
+        internal float radius;
+        internal float radius_zoom;
+        internal uint reserved;
+        internal fixed float ink[4];
+        internal float hatch_tone_begin;
+        internal float hatch_tone_end;
+        internal float hatch_coverage_begin;
+        internal float hatch_coverage_end;
+        internal float hatch_spacing;
+        internal float hatch_pen;
+        internal float hatch_white;
+        internal float hatch_taper;
+        internal float hatch_shortest;
+        internal uint reserved2;
+        internal float hatch_wobble;
+        internal float hatch_overshoot;
+        internal uint hatch_seed;
+        internal uint reserved3;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_line_style")]
+    internal unsafe struct hrbfnpr_line_style
+    {
+        internal uint struct_size;
+        internal uint kind;
+        internal IntPtr name;
+        internal uint hidden;
+        internal uint cap;
+        internal float width;
+        internal float taper;
+        internal float hidden_width;
+        internal float hidden_opacity;
+        internal float dash;
+        internal float gap;
+        internal float shortest;
+        internal float fade;
+        internal double lower;
+        internal double upper;
+        internal hrbfnpr_array levels;
+        internal fixed float ink[4];
+        internal float outline_factor;
+        internal float far_factor;
+        internal float lit_factor;
+        internal float curvature_factor;
+        internal float curvature_radius;
+        internal float wobble;
+        internal float wobble_width;
+        internal float wobble_length;
+        internal uint wobble_seed;
+        internal uint reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_style")]
+    internal unsafe struct hrbfnpr_style
+    {
+        internal uint struct_size;
+        internal uint tone;
+        internal fixed float paper[4];
+        internal IntPtr layers;
+        internal long layer_count;
+        internal long layer_stride;
+        internal uint tone_rule;
+        internal uint tone_curve;
+        internal fixed double light[3];
+        internal double tone_exponent;
+        internal IntPtr tone_function;
+        internal IntPtr tone_user;
+        internal uint light_space;
+        internal float tone_fade;
+        internal uint silhouette_law;
+        internal float silhouette_width;
+        internal double silhouette_threshold;
+        internal float silhouette_radius;
+        internal float silhouette_radius_zoom;
+        internal fixed float silhouette_ink[4];
+        internal uint visibility;
+        internal uint hidden_lines;
+        internal double attenuation_front;
+        internal double attenuation_back;
+        internal float splat_radius;
+        internal float splat_overlap;
+        internal float halo_width;
+        internal uint reserved;
+        internal double depth_min;
+        internal double depth_max;
+        internal double zoom_reference;
+        internal double zoom_exponent;
+        internal IntPtr lines;
+        internal long line_count;
+        internal long line_stride;
+        internal float fill_light;
+        internal uint reserved2;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_pose")]
+    internal unsafe struct hrbfnpr_layer_pose
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal long layer;
+        internal hrbfnpr_array position;
+        internal hrbfnpr_array normal;
+        internal hrbfnpr_array direction;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_item")]
+    internal unsafe struct hrbfnpr_item
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal IntPtr point_set;
+        internal IntPtr style;
+        internal IntPtr model;
+        internal fixed double transform[16];
+        internal IntPtr poses;
+        internal long pose_count;
+        internal long pose_stride;
+        internal IntPtr line_set;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_raster_desc")]
+    internal unsafe struct hrbfnpr_raster_desc
+    {
+        internal uint struct_size;
+        internal uint flags;
+        internal hrbfnpr_array host_depth;
+        internal hrbfnpr_array depth;
+        internal hrbfnpr_array id;
+        internal hrbfnpr_array mark_class;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_vertex_attribute")]
+    internal unsafe struct hrbfnpr_vertex_attribute
+    {
+        internal uint struct_size;
+        internal uint attribute;
+        internal uint scalar;
+        internal uint offset;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_vertex_layout")]
+    internal unsafe struct hrbfnpr_vertex_layout
+    {
+        internal uint struct_size;
+        internal uint primitive;
+        internal IntPtr attributes;
+        internal long attribute_count;
+        internal long attribute_stride;
+        internal long stride;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mark_results")]
+    internal unsafe struct hrbfnpr_mark_results
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal hrbfnpr_array shown;
+        internal hrbfnpr_array radius;
+        internal hrbfnpr_array opacity;
+    }
+}

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""Models by meshes: fitted to them, and compared with them."""
+from __future__ import annotations
+
+from typing import Any, Optional, Type, TypeVar
+
+from ._callbacks import check
+from ._errors import new_error, new_struct
+from ._handles import own
+from ._library import ffi, lib
+from ._mesh import Comparison, Mesh, MeshFitInfo, read_fit_info
+from ._names import KERNELS, SOLVERS, number_of
+from ._operation import Operation, Progress, running
+from ._structs import read_struct
+
+M = TypeVar("M", bound="MeshFits")
+
+
+class MeshFits:
+    """What a `Model` does with a `Mesh`."""
+
+    _handle: Any
+    _context: Any
+    _check: Any
+
+    mesh_fit: Optional[MeshFitInfo] = None
+    """What `fit_mesh` came to; None for other models, and for a loaded one."""
+
+    @classmethod
+    def fit_mesh(
+        cls: Type[M],
+        mesh: Mesh,
+        *,
+        tolerance: float = 0.0,
+        share: float = 0.99,
+        far: float = 0.0,
+        maximum_centres: int = 8000,
+        candidates: int = 0,
+        random_seed: int = 1,
+        kernel: str = "triharmonic",
+        kernel_radius: float = 0.0,
+        polynomial_degree: int = 1,
+        regularization: float = 0.0,
+        solver: str = "auto",
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+    ) -> M:
+        """Fit a surface to a mesh with as many samples as that takes; see `mesh_fit` for what was reached.
+
+        Parameters
+        ----------
+        mesh : Mesh
+        tolerance : float
+            How near the surface and the mesh are to be to each other, in units of the mesh; 0 = 0.002 of its
+            diagonal.
+        share : float
+            Of both that has to be within the tolerance, above 0, at most 1.
+        far : float
+            What no part may be beyond; 0 = five times the tolerance.
+        maximum_centres : int
+            An end there, short of the tolerance, is no error: `mesh_fit.reached` is False.
+        candidates : int
+            Places on the mesh to choose from; 0 = by its area and its details.
+        random_seed : int
+        kernel, kernel_radius, polynomial_degree, regularization, solver, progress, operation
+            As in `fit`.
+
+        Notes
+        -----
+        Where the surface goes on far from a closed mesh, f is held to the signed distance from the mesh at a few
+        places off it: these are the last `mesh_fit.off_surface_centres` of `points`.
+        """
+        desc, options = new_struct("hrbfnpr_mesh_fit_desc"), new_struct("hrbfnpr_fit_desc")
+        desc.tolerance, desc.share, desc.far = tolerance, share, far
+        desc.maximum_centres, desc.candidates, desc.random_seed = maximum_centres, candidates, random_seed
+        options.kernel = number_of("kernel", KERNELS, kernel)
+        options.kernel_radius, options.polynomial_degree = kernel_radius, polynomial_degree
+        options.regularization = regularization
+        options.solver = number_of("solver", SOLVERS, solver)
+        context = mesh._made_in
+        info = new_struct("hrbfnpr_mesh_fit_info")
+        out, error = ffi.new("hrbfnpr_model **"), new_error()
+        with running(operation, progress, context._handle) as (handle, state):
+            check(lib.hrbfnpr_model_fit_mesh(mesh._handle, desc, options, info, handle, out, error), error, state)
+        model: Any = cls(own(out[0], lib.hrbfnpr_model_release, context), context)  # type: ignore[call-arg]
+        model.mesh_fit = read_fit_info(info)
+        made: M = model
+        return made
+
+    def compare(
+        self,
+        mesh: Mesh,
+        *,
+        tolerance: float = 0.0,
+        far: float = 0.0,
+        support: float = 0.0,
+        points: int = 0,
+        cell_size: float = 0.0,
+        random_seed: int = 1,
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+    ) -> Comparison:
+        """How near the surface is to a mesh, and the mesh to the surface.
+
+        Parameters
+        ----------
+        mesh : Mesh
+            In the same coordinates.
+        tolerance, far : float
+            That shares are counted for, in units of the mesh; 0 = 0.002 and 0.01 of its diagonal.
+        support : float
+            Above 0: what the samples do not bear out by this limit is left out, as by `LineSet`.
+        points : int
+            On each side; 0 = 20000.
+        cell_size : float
+            Of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where it is thin.
+        random_seed : int
+        """
+        desc, result = new_struct("hrbfnpr_compare_desc"), new_struct("hrbfnpr_comparison")
+        desc.tolerance, desc.far, desc.support = tolerance, far, support
+        desc.points, desc.cell_size, desc.random_seed = points, cell_size, random_seed
+        error = new_error()
+        with running(operation, progress, self._context) as (handle, state):
+            status = lib.hrbfnpr_model_compare_mesh(self._handle, mesh._handle, desc, result, handle, error)
+            self._check(status, error, state)
+        return read_struct(Comparison, result)
