@@ -43,6 +43,13 @@ INIT(vertex_attribute);
 INIT(vertex_layout);
 INIT(mark_results);
 INIT(mark_identity);
+INIT(mesh_desc);
+INIT(mesh_info);
+INIT(sample_desc);
+INIT(compare_desc);
+INIT(comparison);
+INIT(mesh_fit_desc);
+INIT(mesh_fit_info);
 #undef INIT
 
 template <class T>
@@ -54,7 +61,9 @@ using Structs =
                    hrbfnpr_layer_info, hrbfnpr_placement_info, hrbfnpr_point_set_desc, hrbfnpr_point_set_info,
                    hrbfnpr_camera, hrbfnpr_layer_style, hrbfnpr_style, hrbfnpr_layer_pose, hrbfnpr_item,
                    hrbfnpr_drawing_info, hrbfnpr_drawing_layer_info, hrbfnpr_raster_desc, hrbfnpr_vertex_attribute,
-                   hrbfnpr_vertex_layout, hrbfnpr_mark_results, hrbfnpr_mark_identity>;
+                   hrbfnpr_vertex_layout, hrbfnpr_mark_results, hrbfnpr_mark_identity, hrbfnpr_mesh_desc,
+                   hrbfnpr_mesh_info, hrbfnpr_sample_desc, hrbfnpr_compare_desc, hrbfnpr_comparison,
+                   hrbfnpr_mesh_fit_desc, hrbfnpr_mesh_fit_info>;
 TYPED_TEST_SUITE(StructTest, Structs);
 
 // A struct of the future: ours with a tail.
