@@ -2,6 +2,7 @@
 // Triangle meshes of known shape.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -19,7 +19,8 @@ constexpr std::int64_t grain = 256;
 constexpr double degrees = 57.29577951308232;
 constexpr int evaluations = 20;
 constexpr double projected_tolerance = 1e-6;
-constexpr std::uint32_t stream = 77; // other places than those that a fit is made of
+constexpr std::int64_t most_to_look_closer = 400'000; // triangles
+constexpr std::uint32_t stream = 77;                  // other places than those that a fit is made of
 
 // The triangles as faces for a tree.
 [[nodiscard]] FaceTree tree_of(const base::Runtime& runtime, const curves::SurfaceMesh& surface,
@@ -66,8 +67,14 @@ public:
         MeshSamples samples =
             random_samples(runtime_, mesh_, search_.count, search_.seed, stream, progress_.part(0.0, 0.1));
         keep_outer(runtime_, mesh_, tree_, samples.position, samples.normal, progress_);
-        const curves::SurfaceMesh surface =
-            find_surface(runtime_, implicit_, samples.position, search_, progress_.part(0.1, 0.4));
+        curves::SurfaceMesh surface =
+            find_surface(runtime_, implicit_, samples.position, search_, progress_.part(0.1, 0.3));
+        parts_ = parts_of(runtime_, surface);
+        if (search_.finer && differs_from_mesh() && surface.triangles() < most_to_look_closer) {
+            search_.side = 0.5 * surface.side;
+            surface = find_surface(runtime_, implicit_, samples.position, search_, progress_.part(0.3, 0.4));
+            parts_ = parts_of(runtime_, surface);
+        }
         from_surface(surface);
         from_mesh(surface, samples);
         result_.seconds = watch_.seconds();
@@ -76,6 +83,13 @@ public:
     }
 
 private:
+    // A closed mesh has other parts or handles: the cells may not show a wall, or a gap.
+    [[nodiscard]] bool differs_from_mesh() const noexcept {
+        const MeshReport& report = mesh_.report;
+        return report.closed &&
+               (parts_.genus != report.genus || parts_.components != report.components - report.left_out_components);
+    }
+
     void from_surface(const curves::SurfaceMesh& surface) {
         const SurfacePlaces places = places_on(runtime_, implicit_, surface, search_, progress_.part(0.4, 0.6));
         base::Array<double> distance(runtime_.memory, places.position.size());
@@ -91,8 +105,8 @@ private:
             if (d >= 0.0) distance[kept++] = d;
         distance.resize(kept);
         result_.surface = spread_of(distance, result_.tolerance, far_);
-        result_.components = places.components;
-        result_.genus = places.genus;
+        result_.components = parts_.components;
+        result_.genus = parts_.genus;
         result_.left_out =
             static_cast<double>(places.found - kept) / static_cast<double>(std::max<std::int64_t>(places.found, 1));
     }
@@ -133,6 +147,7 @@ private:
     const base::Stopwatch watch_;
     SurfaceSearch search_;
     double far_ = 0.0;
+    SurfaceParts parts_;
     Comparison result_;
 };
 

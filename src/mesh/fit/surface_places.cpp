@@ -38,27 +38,6 @@ void add_lattice(const base::Runtime& runtime, const implicit::Implicit& implici
             seeds.push_back(points.position[i]);
 }
 
-void count_parts(const base::Runtime& runtime, const curves::SurfaceMesh& surface, SurfacePlaces& places) {
-    Sets sets(runtime.memory, surface.vertices());
-    bool border = false;
-    for (std::int64_t t = 0; t < surface.triangles(); ++t) {
-        const std::int32_t* const corner = surface.corner.data() + 3 * t;
-        sets.join(corner[0], corner[1]);
-        sets.join(corner[0], corner[2]);
-        for (std::int64_t k = 0; k < 3; ++k) border = border || surface.neighbour[3 * t + k] < 0;
-    }
-    base::Array<std::uint8_t> used(runtime.memory, surface.vertices());
-    for (const std::int32_t corner : surface.corner) used[corner] = 1;
-    std::int64_t vertices = 0;
-    for (std::int64_t v = 0; v < surface.vertices(); ++v) {
-        vertices += used[v];
-        places.components += used[v] != 0 && sets.of(static_cast<std::int32_t>(v)) == v ? 1 : 0;
-    }
-    // A closed one has three edges for two triangles.
-    const std::int64_t euler = vertices - surface.triangles() / 2;
-    if (!border && surface.triangles() > 0 && euler % 2 == 0) places.genus = places.components - euler / 2;
-}
-
 [[nodiscard]] base::Array<double> running_area(const base::Runtime& runtime, const curves::SurfaceMesh& surface) {
     base::Array<double> area(runtime.memory);
     area.reserve(surface.triangles());
@@ -110,6 +89,29 @@ curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::I
     return surface;
 }
 
+SurfaceParts parts_of(const base::Runtime& runtime, const curves::SurfaceMesh& surface) {
+    SurfaceParts parts;
+    Sets sets(runtime.memory, surface.vertices());
+    bool border = false;
+    for (std::int64_t t = 0; t < surface.triangles(); ++t) {
+        const std::int32_t* const corner = surface.corner.data() + 3 * t;
+        sets.join(corner[0], corner[1]);
+        sets.join(corner[0], corner[2]);
+        for (std::int64_t k = 0; k < 3; ++k) border = border || surface.neighbour[3 * t + k] < 0;
+    }
+    base::Array<std::uint8_t> used(runtime.memory, surface.vertices());
+    for (const std::int32_t corner : surface.corner) used[corner] = 1;
+    std::int64_t vertices = 0;
+    for (std::int64_t v = 0; v < surface.vertices(); ++v) {
+        vertices += used[v];
+        parts.components += used[v] != 0 && sets.of(static_cast<std::int32_t>(v)) == v ? 1 : 0;
+    }
+    // A closed one has three edges for two triangles.
+    const std::int64_t euler = vertices - surface.triangles() / 2;
+    if (!border && surface.triangles() > 0 && euler % 2 == 0) parts.genus = parts.components - euler / 2;
+    return parts;
+}
+
 void leave_out(const base::Runtime& runtime, const SurfaceSearch& search, SurfacePlaces& places,
                const base::Progress& progress) {
     if (search.support == nullptr) return;
@@ -130,7 +132,6 @@ SurfacePlaces places_on(const base::Runtime& runtime, const implicit::Implicit& 
                         const curves::SurfaceMesh& surface, const SurfaceSearch& search,
                         const base::Progress& progress) {
     SurfacePlaces places(runtime.memory);
-    count_parts(runtime, surface, places);
     if (surface.triangles() == 0) return places;
     const base::Array<double> area = running_area(runtime, surface);
     geometry::VecArray flat(runtime.memory, search.count);

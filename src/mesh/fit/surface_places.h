@@ -32,10 +32,15 @@ struct SurfacePlaces {
 
     geometry::VecArray position;
     geometry::VecArray gradient; // of f
+    std::int64_t found = 0;      // places, before some were left out
+};
+
+struct SurfaceParts {
     std::int64_t components = 0;
     std::int64_t genus = -1; // sum over the components; -1: there is a border
-    std::int64_t found = 0;  // places, before some were left out
 };
+
+[[nodiscard]] SurfaceParts parts_of(const base::Runtime& runtime, const curves::SurfaceMesh& surface);
 
 // The surface that seeds are near to, or places of a coarse lattice lead to, as triangles.
 [[nodiscard]] curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::Implicit& implicit,
