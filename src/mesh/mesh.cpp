@@ -97,6 +97,10 @@ void measure_edges(const base::Runtime& runtime, Mesh& mesh) {
         rims.join(a, b);
         ++joined;
     });
+    for (std::int64_t face = 0; face < mesh.faces(); ++face)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (at_border[mesh.triangle[face][k]] != 0)
+                mesh.border[face] = static_cast<std::uint8_t>(mesh.border[face] | 1U << (k + 3));
     report.boundary_loops = -joined;
     for (const std::uint8_t is : at_border) report.boundary_loops += is;
     report.closed = report.boundary_edges == 0 && report.nonmanifold_edges == 0 && report.contrary_edges == 0;
@@ -132,8 +136,10 @@ bool on_border(const Mesh& mesh, std::int64_t face, const glm::dvec3& place) noe
     constexpr double at_the_side = 1e-9; // share of the corner across
     if (mesh.border[face] == 0) return false;
     const glm::dvec3 shares = shares_of(mesh.corners(face), place);
-    for (glm::length_t k = 0; k < 3; ++k)
+    for (glm::length_t k = 0; k < 3; ++k) {
         if ((mesh.border[face] >> k & 1U) != 0 && shares[(k + 2) % 3] <= at_the_side) return true;
+        if ((mesh.border[face] >> (k + 3) & 1U) != 0 && shares[k] >= 1.0 - at_the_side) return true;
+    }
     return false;
 }
 

@@ -67,7 +67,8 @@ struct Mesh {
     base::Array<Triangle> triangle;        // counter-clockwise as seen from outside
     base::Array<std::int32_t> component;   // of each face, from 0
     base::Array<std::int32_t> given_face;  // the number that each face was given by
-    base::Array<std::uint8_t> border;      // of each face: bit k is set if no other face is beyond corners k and k + 1
+    base::Array<std::uint8_t> border;      // of each face: bit k is set if no other face is beyond corners k and k + 1,
+                                           // bit k + 3 if corner k is an end of such a side, of any face
     base::Array<glm::dvec3> corner_normal; // unit, three of each face
     geometry::Bounds bounds;
     MeshReport report;

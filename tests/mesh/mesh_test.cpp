@@ -204,6 +204,27 @@ TEST(MakeMesh, HasNormalsThatKeepCreases) {
                   0.01);
 }
 
+TEST(MakeMesh, KnowsPlacesOnItsBorder) {
+    Triangles sheet;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) static_cast<void>(sheet.add(i, j, 0));
+    for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) {
+            const int a = 3 * i + j;
+            sheet.face(a, a + 3, a + 4);
+            sheet.face(a, a + 4, a + 1);
+        }
+    const Mesh made = mesh_test::made(runtime(), sheet);
+    for (std::int64_t face = 0; face < made.faces(); ++face)
+        for (int i = 0; i <= 4; ++i)
+            for (int j = 0; i + j <= 4; ++j) {
+                const auto p = made.corners(face);
+                const glm::dvec3 place = p[0] + 0.25 * i * (p[1] - p[0]) + 0.25 * j * (p[2] - p[0]);
+                const double in = std::min({place.x, 2.0 - place.x, place.y, 2.0 - place.y});
+                EXPECT_EQ(mesh::on_border(made, face, place), in < 1e-12) << place.x << " " << place.y;
+            }
+}
+
 std::string message_of(const mesh::MeshInput& desc) {
     try {
         static_cast<void>(mesh::make_mesh(runtime(), desc, {}));

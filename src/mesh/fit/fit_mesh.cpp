@@ -153,8 +153,10 @@ private:
         keep_lists();
         const bool mesh_good = good(report_.mesh, share_);
         bool grown = false;
-        // What the surface does elsewhere is worth a look once it is where the mesh is: most of it goes by itself.
-        const bool looked = report_.mesh.share > first_look;
+        // What the surface does elsewhere is worth a look once it is where the mesh is, as most of it goes by itself;
+        // and again while it is far, and in the end.
+        const bool far = !(report_.surface.most <= report_.far);
+        const bool looked = mesh_good || (report_.mesh.share > first_look && far);
         if (looked) grown = look_at_surface();
         if (room() > 0 && !mesh_good) grown = add_from_mesh(distances) || grown;
         if (!looked && !grown) grown = look_at_surface();
