@@ -90,6 +90,10 @@
  *   stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
  *   two need 512 KiB, on the thread that calls it and, with a `run_tasks` hook, on those
  *   that run its tasks.  Neither depends on the number of samples or marks.
+ * Stacks.  Every call but hrbfnpr_model_fit and hrbfnpr_orient does with a thread's
+ *   stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
+ *   two need 512 KiB, on the thread that calls them and, with a `run_tasks` hook,
+ *   on those that run their tasks.  No stack depends on the number of samples or marks.
  *
  * Callbacks.  A callback must return normally: it must not throw, longjmp, or
  *   call back into the library with the same non-const handle.  It runs in the
@@ -427,6 +431,16 @@ enum {
     HRBFNPR_REGULARIZATION_AUTO = 1   /* from the noise of the samples */
 };
 
+/* What is known of given normals, for a fit and for hrbfnpr_orient. */
+enum {
+    HRBFNPR_NORMALS_GIVEN = 0,      /* they are right, and point outward */
+    HRBFNPR_NORMALS_NONE = 1,       /* there are none, or none to go by */
+    HRBFNPR_NORMALS_UNORIENTED = 2, /* directions are right, signs are not */
+    HRBFNPR_NORMALS_MIXED = 3,      /* most signs are right, too; some patches are turned */
+    HRBFNPR_NORMALS_INWARD = 4,     /* right, but for all pointing inward */
+    HRBFNPR_NORMALS_AUTO = 5        /* find out which of these it is, and do what that calls for */
+};
+
 /* What to fit: N points with N outward normals.
  *
  * The fit is in double precision, in normalised coordinates (centred, mean
@@ -467,12 +481,17 @@ enum {
  * is the noise's variance over that of the function, which maximum likelihood
  * gives (Rasmussen and Williams, "Gaussian Processes for Machine Learning",
  * 2006, 5.4), with a value of its own for the normals.  Samples without noise
- * are interpolated. */
+ * are interpolated.
+ *
+ * Normals.  With a normal_mode other than GIVEN the normals are first made by
+ * hrbfnpr_orient with its defaults; hrbfnpr_model_info says what was found.
+ * Normals as given that all point into a closed surface are fitted as they
+ * are, but the log warns, and hrbfnpr_model_info.normals_inward is 1. */
 typedef struct hrbfnpr_fit_desc {
     uint32_t struct_size;
     uint32_t kernel;         /* HRBFNPR_KERNEL_...; TRIHARMONIC */
     hrbfnpr_array points;    /* N x 3, FLOAT32 or FLOAT64 */
-    hrbfnpr_array normals;   /* N x 3, FLOAT32 or FLOAT64, outward */
+    hrbfnpr_array normals;   /* N x 3, FLOAT32 or FLOAT64, outward; normal_mode says otherwise */
     double kernel_radius;    /* sigma or rho, in units of the points; 0 = from the sample spacing */
     int32_t polynomial_degree; /* -1 (none) .. 3; 1.  TRIHARMONIC is well-posed from 1 on
                                   (Duchon 1977); below that a pivoted LU is tried. */
@@ -492,6 +511,8 @@ typedef struct hrbfnpr_fit_desc {
     int32_t iteration_limit;  /* most iterations of ITERATIVE, 1 .. 1000000; 200 */
     uint32_t preconditioner_neighbours; /* of ITERATIVE, 1 .. 48: more are fewer iterations and more setup;
                                            0 = by kernel and number of samples */
+    uint32_t normal_mode;     /* HRBFNPR_NORMALS_...; GIVEN.  NONE, and AUTO, need no normals */
+    uint32_t reserved;
 } hrbfnpr_fit_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
@@ -505,6 +526,80 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc,
                                              hrbfnpr_operation* operation, hrbfnpr_model** out_model,
                                              hrbfnpr_error* error);
+
+/* Points that want normals, or whose normals may be wrong: N of them.
+ *
+ * Normals are the unit vectors that need the least energy of a Hermite fit
+ * (kernel r^3) with f = 0 at all points (VIPSS: Huang, Carr, Ju, "Variational
+ * implicit point set surfaces", 2019), found from several starts: planes
+ * through neighbours, whose signs are chosen by the same energy, cluster by
+ * cluster.  The energy is a sparse sum of squares (docs/fitting.md), so that
+ * time and memory grow with N.  Noise is measured first, and allowed for.
+ *
+ * Outward is, of a closed surface, where its winding number is 0; of an open
+ * one the side on which it is the smaller, which is the convex one; and where
+ * that tells nothing, as of terrain, the side that `up` or, if given, the
+ * viewpoint is on for most points.  Of closed surfaces in one another the
+ * inner ones bound holes: their normals point into these.
+ *
+ * Points that coincide (within 1/100 of the spacing) get the same normal.
+ * INVALID_ARGUMENT that names the argument: fewer than 4 different points, or
+ * all on one line; NaN or infinity; with a mode that goes by given normals,
+ * none of them.  A normal that is zero is one that is not known: it is made. */
+typedef struct hrbfnpr_orient_desc {
+    uint32_t struct_size;
+    uint32_t mode;         /* HRBFNPR_NORMALS_...; AUTO.  GIVEN only looks: no normal is changed */
+    hrbfnpr_array points;  /* N x 3, FLOAT32 or FLOAT64 */
+    hrbfnpr_array normals; /* N x 3, FLOAT32 or FLOAT64, of any length; or none, with NONE and AUTO */
+    double up[3];          /* of any length; (0, 0, 1) */
+    double viewpoint[3];   /* where the points were seen from, with has_viewpoint; 0 */
+    uint32_t has_viewpoint; /* 1: open surfaces are turned to it; 0 */
+    uint32_t reserved;
+} hrbfnpr_orient_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_orient_desc_init(hrbfnpr_orient_desc* desc, uint32_t struct_size);
+
+/* How it was decided which side is outward. */
+enum {
+    HRBFNPR_OUTWARD_INSIDE = 0,    /* the other side is inside */
+    HRBFNPR_OUTWARD_UP = 1,        /* the side that `up` points to */
+    HRBFNPR_OUTWARD_VIEWPOINT = 2, /* the side that is seen */
+    HRBFNPR_OUTWARD_AS_GIVEN = 3   /* most given normals say so */
+};
+
+typedef struct hrbfnpr_orient_info {
+    uint32_t struct_size;
+    uint32_t found;         /* HRBFNPR_NORMALS_...: what the given normals turned out to be; NONE also if they
+                               have nothing to do with the points, as colours have not */
+    int64_t turned;         /* normals that were given and have been turned round */
+    int64_t made;           /* normals that were not given, or zero, or not to go by */
+    int64_t merged;         /* points that coincide with another */
+    double direction_change; /* mean angle between the lines of given and resulting normals, in degrees; NaN if
+                                there are none */
+    double noise;           /* standard deviation of the points off their surface, in their unit; 0 if none is seen */
+    double spacing;         /* median distance of a point to its nearest neighbour */
+    double energy;          /* of the result, over its degrees of freedom, in spacings: below 0.006 for surfaces that
+                               the points resolve; 0.026 is that of points without any order */
+    double confidence;      /* 0 .. 1: how far starts with energies as low agree, and how low that is.  Above 0.9
+                               results were right, below 0.5 mostly not */
+    uint32_t closed;        /* 1: the points are all around a solid, or several */
+    uint32_t outward_by;    /* HRBFNPR_OUTWARD_... */
+    int64_t components;     /* pieces that lie apart by more than their spacing */
+    double seconds;
+} hrbfnpr_orient_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_orient_info_init(hrbfnpr_orient_info* info, uint32_t struct_size);
+
+/* Finds the outward unit normals of points, or repairs given ones.
+ * out_normals: N x 3, FLOAT32 or FLOAT64; may be the given normals themselves.
+ *   Given normals that stay are written as they were, bit for bit where the
+ *   scalars are the same; turned ones are only that.
+ * info:        may be NULL.  operation: may be NULL.
+ * A confidence that is low is no error: the log warns.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_orient(hrbfnpr_context* context, const hrbfnpr_orient_desc* desc,
+                                          hrbfnpr_operation* operation, const hrbfnpr_array_out* out_normals,
+                                          hrbfnpr_orient_info* info, hrbfnpr_error* error);
 
 /* Evaluates the caller's implicit at `count` points (packed x,y,z doubles).
  * Fills `value` (count), and, where the pointer is not NULL, `gradient`
@@ -589,6 +684,11 @@ typedef struct hrbfnpr_model_info {
     double seconds_total;
     int64_t bytes;      /* kept by the model */
     int64_t peak_bytes; /* most that the context's allocator had given out at a time, up to the fit's end */
+    uint32_t normals_found;    /* of a fit with a normal_mode: hrbfnpr_orient_info.found; GIVEN otherwise */
+    uint32_t normals_inward;   /* 1: normals as given (normal_mode GIVEN) that all point into a closed surface */
+    int64_t normals_turned;    /* hrbfnpr_orient_info.turned */
+    double normals_confidence; /* hrbfnpr_orient_info.confidence; NaN without a normal_mode */
+    double seconds_orient;
 } hrbfnpr_model_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);

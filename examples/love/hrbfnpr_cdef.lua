@@ -73,14 +73,27 @@ enum { HRBFNPR_SOLVER_REASON_REQUESTED = 0, HRBFNPR_SOLVER_REASON_SMALL = 1, HRB
     HRBFNPR_SOLVER_REASON_NOT_CONVERGED = 3, HRBFNPR_SOLVER_REASON_NOT_DEFINITE = 4 };
 enum { HRBFNPR_REPAIR_KEEP = 0, HRBFNPR_REPAIR_DROP = 1, HRBFNPR_REPAIR_REORIENT = 2 };
 enum { HRBFNPR_REGULARIZATION_GIVEN = 0, HRBFNPR_REGULARIZATION_AUTO = 1 };
+enum { HRBFNPR_NORMALS_GIVEN = 0, HRBFNPR_NORMALS_NONE = 1, HRBFNPR_NORMALS_UNORIENTED = 2, HRBFNPR_NORMALS_MIXED = 3,
+    HRBFNPR_NORMALS_INWARD = 4, HRBFNPR_NORMALS_AUTO = 5 };
 typedef struct hrbfnpr_fit_desc { uint32_t struct_size; uint32_t kernel; hrbfnpr_array points; hrbfnpr_array normals;
     double kernel_radius; int32_t polynomial_degree; uint32_t regularization_mode; double regularization;
     uint32_t outliers; uint32_t flipped_normals; double tolerance; int64_t maximum_centres; uint32_t solver;
     int32_t refinement_steps; double solver_tolerance; int32_t iteration_limit; uint32_t preconditioner_neighbours;
-    } hrbfnpr_fit_desc;
+    uint32_t normal_mode; uint32_t reserved; } hrbfnpr_fit_desc;
 hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc, hrbfnpr_operation* operation,
     hrbfnpr_model** out_model, hrbfnpr_error* error);
+typedef struct hrbfnpr_orient_desc { uint32_t struct_size; uint32_t mode; hrbfnpr_array points; hrbfnpr_array normals;
+    double up[3]; double viewpoint[3]; uint32_t has_viewpoint; uint32_t reserved; } hrbfnpr_orient_desc;
+hrbfnpr_status hrbfnpr_orient_desc_init(hrbfnpr_orient_desc* desc, uint32_t struct_size);
+enum { HRBFNPR_OUTWARD_INSIDE = 0, HRBFNPR_OUTWARD_UP = 1, HRBFNPR_OUTWARD_VIEWPOINT = 2,
+    HRBFNPR_OUTWARD_AS_GIVEN = 3 };
+typedef struct hrbfnpr_orient_info { uint32_t struct_size; uint32_t found; int64_t turned; int64_t made; int64_t merged;
+    double direction_change; double noise; double spacing; double energy; double confidence; uint32_t closed;
+    uint32_t outward_by; int64_t components; double seconds; } hrbfnpr_orient_info;
+hrbfnpr_status hrbfnpr_orient_info_init(hrbfnpr_orient_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_orient(hrbfnpr_context* context, const hrbfnpr_orient_desc* desc, hrbfnpr_operation* operation,
+    const hrbfnpr_array_out* out_normals, hrbfnpr_orient_info* info, hrbfnpr_error* error);
 typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* points, double* value, double* gradient,
     double* hessian);
 enum { HRBFNPR_CUSTOM_HAS_GRADIENT = 1, HRBFNPR_CUSTOM_HAS_HESSIAN = 2, HRBFNPR_CUSTOM_THREAD_SAFE = 4 };
@@ -101,7 +114,8 @@ typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32
     double input_share_within; uint32_t solver; uint32_t solver_reason; int32_t iterations; uint32_t fallback;
     double solver_residual; double condition_estimate; double seconds_clean; double seconds_choose;
     double seconds_assemble; double seconds_precondition; double seconds_solve; double seconds_total; int64_t bytes;
-    int64_t peak_bytes; } hrbfnpr_model_info;
+    int64_t peak_bytes; uint32_t normals_found; uint32_t normals_inward; int64_t normals_turned;
+    double normals_confidence; double seconds_orient; } hrbfnpr_model_info;
 hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info, hrbfnpr_error* error);
 enum { HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,

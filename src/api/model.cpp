@@ -6,6 +6,7 @@
 #include "api/fields.h"
 #include "api/fit_options.h"
 #include "api/operation.h"
+#include "api/orient.h"
 #include "api/views.h"
 #include "fit/local_factors.h"
 
@@ -90,7 +91,9 @@ constexpr auto fit_fields() noexcept {
         field("solver_tolerance", &Fit::solver_tolerance, &FitInput::solver_tolerance, rule::Between{0.0, 0.1}),
         field("iteration_limit", &Fit::iteration_limit, &FitInput::iteration_limit, rule::Between{1.0, 1000000.0}),
         field("preconditioner_neighbours", &Fit::preconditioner_neighbours, &FitInput::preconditioner_neighbours,
-              rule::Between{0.0, fit::LocalSystems::largest_set - 1})};
+              rule::Between{0.0, fit::LocalSystems::largest_set - 1}),
+        field("normal_mode", &Fit::normal_mode, rule::OneOf{HRBFNPR_NORMALS_AUTO, "HRBFNPR_NORMALS_..."}),
+        reserved("reserved", &Fit::reserved)};
 }
 static_assert(fit_fields().covers<Fit>());
 
@@ -137,12 +140,13 @@ fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
     input.points = in_view(desc.points, "fit_desc.points", points_type);
     if (input.points.empty()) fail(Status::invalid_argument, "fit_desc.points is empty; give at least one sample");
     input.normals = in_view(desc.normals, "fit_desc.normals", points_type);
-    if (input.normals.count != input.points.count)
-        fail(Status::invalid_argument,
-             "fit_desc.normals has %lld elements and fit_desc.points has %lld; give one "
-             "normal for each point",
-             static_cast<long long>(input.normals.count), static_cast<long long>(input.points.count));
     fit_fields().check("fit_desc", desc);
+    const bool none = input.normals.empty() && may_lack_normals(desc.normal_mode);
+    if (input.normals.count != input.points.count && !none)
+        fail(Status::invalid_argument,
+             "fit_desc.normals has %lld elements and fit_desc.points has %lld; give one normal for each point, or "
+             "none with normal_mode HRBFNPR_NORMALS_NONE",
+             static_cast<long long>(input.normals.count), static_cast<long long>(input.points.count));
     if (desc.regularization_mode == HRBFNPR_REGULARIZATION_AUTO && desc.regularization != 0.0)
         fail(Status::invalid_argument, "fit_desc.regularization is %g with regularization_mode AUTO; leave it 0",
              desc.regularization);
@@ -184,9 +188,11 @@ void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
 }
 
 hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc, hrbfnpr_operation* operation) {
-    const fit::FitInput input = checked(desc);
+    fit::FitInput input = checked(desc);
     const OperationUse use(operation);
-    fit::FitResult result = fit::fit(context.runtime, input, use.progress());
+    const NormalsOfFit normals(context.runtime, desc.normal_mode, input, use.progress());
+    fit::FitResult result = fit::fit(context.runtime, input, normals.rest(use.progress()));
+    normals.report(result.report);
     use.finish();
     log_fit(context.runtime, result.report);
     log_choice(context.runtime, input, result.report, result.data.count());
@@ -255,6 +261,11 @@ void describe_fit(hrbfnpr_model_info& info, const fit::FitReport& report) noexce
     info.seconds_solve = report.seconds_solve;
     info.seconds_total = report.seconds_total;
     info.peak_bytes = report.peak_bytes;
+    info.normals_found = report.normals_found;
+    info.normals_inward = report.normals_inward ? 1 : 0;
+    info.normals_turned = report.normals_turned;
+    info.normals_confidence = report.normals_confidence;
+    info.seconds_orient = report.seconds_orient;
 }
 
 hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {

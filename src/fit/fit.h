@@ -69,6 +69,12 @@ struct FitReport {
     double seconds_choose = 0.0;
     double seconds_precondition = 0.0;
     std::int64_t peak_bytes = 0;
+    // What was done about the normals before the fit, by whoever called it.
+    std::uint32_t normals_found = 0;
+    bool normals_inward = false;
+    std::int64_t normals_turned = 0;
+    double normals_confidence = std::numeric_limits<double>::quiet_NaN();
+    double seconds_orient = 0.0;
 };
 
 struct FitResult {

@@ -22,6 +22,26 @@ public:
     // z = L L^T r
     void apply(const double* r, double* z);
 
+    // The factor itself: column block i has set_size blocks of 4 x 4, row-major, rows set[i * set_size + k]; -1 first:
+    // none, since the sample is one of the dense block's.
+    struct Blocks {
+        std::int64_t set_size;
+        const std::int32_t* set;
+        const float* factor;
+        const std::int64_t* coarse; // the samples of the dense block
+        std::int64_t coarse_count;
+        const double* coarse_factor; // 4 coarse_count x coarse_columns, column-major
+        std::int64_t coarse_columns;
+        const std::int64_t*
+            use_begin; // of each sample: where it is in set, use[use_begin[j]] ... use[use_begin[j + 1] - 1]
+        const std::int64_t* use;
+    };
+    [[nodiscard]] Blocks blocks() const noexcept {
+        return {set_size_,       set_.data(),       factor_.data(),
+                coarse_.data(),  coarse_.size(),    coarse_factor_.data(),
+                coarse_columns_, use_begin_.data(), use_.data()};
+    }
+
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:

@@ -39,6 +39,7 @@ FLOORS = {
     "visibility": 6,
     "curves": 5,
     "marks": 5,
+    "orient": 5,
     "fit": 4,
     "surface": 4,
     "implicit": 3,

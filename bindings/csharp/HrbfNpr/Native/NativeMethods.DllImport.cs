@@ -80,6 +80,16 @@ namespace HrbfNpr
             OperationHandle operation, out IntPtr out_model, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_orient_desc_init(hrbfnpr_orient_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_orient_info_init(hrbfnpr_orient_info* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_orient(ContextHandle context, hrbfnpr_orient_desc* desc,
+            OperationHandle operation, hrbfnpr_array* out_normals, hrbfnpr_orient_info* info, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]

@@ -85,6 +85,40 @@ namespace HrbfNpr
         internal double solver_tolerance;
         internal int iteration_limit;
         internal uint preconditioner_neighbours;
+        internal uint normal_mode;
+        internal uint reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_orient_desc")]
+    internal unsafe struct hrbfnpr_orient_desc
+    {
+        internal uint struct_size;
+        internal uint mode;
+        internal hrbfnpr_array points;
+        internal hrbfnpr_array normals;
+        internal fixed double up[3];
+        internal fixed double viewpoint[3];
+        internal uint has_viewpoint;
+        internal uint reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_orient_info")]
+    internal unsafe struct hrbfnpr_orient_info
+    {
+        internal uint struct_size;
+        internal uint found;
+        internal long turned;
+        internal long made;
+        internal long merged;
+        internal double direction_change;
+        internal double noise;
+        internal double spacing;
+        internal double energy;
+        internal double confidence;
+        internal uint closed;
+        internal uint outward_by;
+        internal long components;
+        internal double seconds;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_custom_desc")]

@@ -111,7 +111,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_fit_desc>() == either(144, 144, 136));
+    assert!(size_of::<hrbfnpr_fit_desc>() == either(152, 152, 144));
     assert!(align_of::<hrbfnpr_fit_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -134,6 +134,48 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_fit_desc, solver_tolerance) == either(128, 128, 120));
     assert!(offset_of!(hrbfnpr_fit_desc, iteration_limit) == either(136, 136, 128));
     assert!(offset_of!(hrbfnpr_fit_desc, preconditioner_neighbours) == either(140, 140, 132));
+    assert!(offset_of!(hrbfnpr_fit_desc, normal_mode) == either(144, 144, 136));
+    assert!(offset_of!(hrbfnpr_fit_desc, reserved) == either(148, 148, 140));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_orient_desc>() == either(128, 128, 120));
+    assert!(align_of::<hrbfnpr_orient_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_orient_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_orient_desc, mode) == 4);
+    assert!(offset_of!(hrbfnpr_orient_desc, points) == 8);
+    assert!(offset_of!(hrbfnpr_orient_desc, normals) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_orient_desc, up) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_orient_desc, viewpoint) == either(96, 96, 88));
+    assert!(offset_of!(hrbfnpr_orient_desc, has_viewpoint) == either(120, 120, 112));
+    assert!(offset_of!(hrbfnpr_orient_desc, reserved) == either(124, 124, 116));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_orient_info>() == 96);
+    assert!(align_of::<hrbfnpr_orient_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_orient_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_orient_info, found) == 4);
+    assert!(offset_of!(hrbfnpr_orient_info, turned) == 8);
+    assert!(offset_of!(hrbfnpr_orient_info, made) == 16);
+    assert!(offset_of!(hrbfnpr_orient_info, merged) == 24);
+    assert!(offset_of!(hrbfnpr_orient_info, direction_change) == 32);
+    assert!(offset_of!(hrbfnpr_orient_info, noise) == 40);
+    assert!(offset_of!(hrbfnpr_orient_info, spacing) == 48);
+    assert!(offset_of!(hrbfnpr_orient_info, energy) == 56);
+    assert!(offset_of!(hrbfnpr_orient_info, confidence) == 64);
+    assert!(offset_of!(hrbfnpr_orient_info, closed) == 72);
+    assert!(offset_of!(hrbfnpr_orient_info, outward_by) == 76);
+    assert!(offset_of!(hrbfnpr_orient_info, components) == 80);
+    assert!(offset_of!(hrbfnpr_orient_info, seconds) == 88);
 };
 
 const _: () = {
@@ -154,7 +196,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_model_info>() == 320);
+    assert!(size_of::<hrbfnpr_model_info>() == 352);
     assert!(align_of::<hrbfnpr_model_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -200,6 +242,11 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_model_info, seconds_total) == 296);
     assert!(offset_of!(hrbfnpr_model_info, bytes) == 304);
     assert!(offset_of!(hrbfnpr_model_info, peak_bytes) == 312);
+    assert!(offset_of!(hrbfnpr_model_info, normals_found) == 320);
+    assert!(offset_of!(hrbfnpr_model_info, normals_inward) == 324);
+    assert!(offset_of!(hrbfnpr_model_info, normals_turned) == 328);
+    assert!(offset_of!(hrbfnpr_model_info, normals_confidence) == 336);
+    assert!(offset_of!(hrbfnpr_model_info, seconds_orient) == 344);
 };
 
 const _: () = {

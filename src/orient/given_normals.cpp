@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "orient/given_normals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::orient {
+namespace {
+
+using geometry::VecArray;
+
+// Half of normals that are some have a cosine above it with those of least energy; of colours half are above 0.5.
+constexpr double meaningful = 0.75;
+// Shares of signs that agree: what is between is mixed.
+constexpr double all_alike = 0.99;
+// Of neighbours, where signs are no more than a toss.
+constexpr double tossed = 0.75;
+constexpr std::size_t beside = 8; // neighbours
+// What is turned has a direction of its own, whichever way it points.
+constexpr double distinct = 0.5;
+
+} // namespace
+
+GivenNormals::GivenNormals(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud,
+                           const Near& near, bool used, const base::Progress& progress)
+    : runtime_(runtime), given_(normals), cloud_(cloud), near_(near), normal_(runtime.memory), known_(runtime.memory) {
+    if (!used) return;
+    known_.resize(cloud.size());
+    normal_ = plane_normals(runtime, *cloud.tree, near, 16, progress);
+    for (std::int64_t i = 0; i < normals.count; ++i) {
+        const glm::dvec3 n = of(i);
+        if (!std::isfinite(n.x + n.y + n.z))
+            fail(Status::invalid_argument, "normals[%lld] is NaN or infinite; remove that point, or make it 0 0 0",
+                 static_cast<long long>(i));
+        const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+        const std::int64_t at = cloud.place[i];
+        if (largest == 0.0 || known_[at] != 0) continue;
+        known_[at] = 1;
+        ++known_count_;
+        normal_.set(at, glm::normalize(n / largest));
+    }
+}
+
+glm::dvec3 GivenNormals::of(std::int64_t point) const noexcept {
+    return {given_.get(point, 0), given_.get(point, 1), given_.get(point, 2)};
+}
+
+Judgement GivenNormals::judge(const VecArray& least, NormalMode mode, bool open, const fit::HermiteEnergy* form,
+                              const base::Progress& progress) const {
+    Judgement judgement(runtime_.memory);
+    judgement.found = NormalMode::none;
+    if (known_count_ == 0) return judgement;
+    base::Array<double> cosine(runtime_.memory);
+    double alike = 0.0;
+    for (std::int64_t at = 0; at < least.size(); ++at) {
+        if (known_[at] == 0) continue;
+        const double c = glm::dot(least[at], normal_[at]);
+        cosine.push_back(std::abs(c));
+        alike += c > 0.0 ? 1.0 : 0.0;
+    }
+    progress.check();
+    alike /= static_cast<double>(known_count_);
+    double* middle = cosine.data() + cosine.size() / 2;
+    std::nth_element(cosine.begin(), middle, cosine.end());
+    const bool looks = mode == NormalMode::automatic || mode == NormalMode::given;
+    if (looks && *middle < meaningful) return judgement;
+
+    judgement.signs.resize(least.size());
+    std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{1});
+    if (mode == NormalMode::inward) {
+        std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{-1});
+        judgement.found = NormalMode::inward;
+        return judgement;
+    }
+    // Of open surfaces most given normals say which side is meant.
+    if (open && alike < 0.5 && mode != NormalMode::unoriented) judgement.made_sign = -1.0;
+    judgement.follows_given = open && mode != NormalMode::unoriented;
+    const double side = judgement.made_sign;
+    const bool inward = side > 0.0 && alike < 0.5;
+    std::int64_t pairs = 0;
+    std::int64_t consistent = 0;
+    for (std::int64_t at = 0; at < least.size(); ++at) {
+        if (known_[at] == 0) continue;
+        for (const std::int32_t other : near_.of(at).first(std::min(beside, near_.of(at).size()))) {
+            if (known_[other] == 0) continue;
+            const bool one = glm::dot(least[at], normal_[at]) > 0.0;
+            const bool two = glm::dot(least[other], normal_[other]) > 0.0;
+            ++pairs;
+            consistent += one == two ? 1 : 0;
+        }
+    }
+    const double share = std::max(alike, 1.0 - alike);
+    const bool toss = static_cast<double>(consistent) < tossed * static_cast<double>(pairs);
+    if (mode == NormalMode::unoriented || (looks && toss)) {
+        judgement.found = NormalMode::unoriented;
+        judgement.by_place = true;
+        for (std::int64_t at = 0; at < least.size(); ++at)
+            if (side * glm::dot(least[at], normal_[at]) < 0.0) judgement.signs[at] = -1;
+    } else {
+        // What most of them say, and then the patches that are against it.
+        if (inward) std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{-1});
+        judgement.found = inward ? NormalMode::inward : NormalMode::given;
+        if (share < all_alike || mode == NormalMode::mixed) {
+            std::int64_t before = 0;
+            for (const std::int8_t s : judgement.signs) before += s;
+            repair(least, form, judgement.signs);
+            std::int64_t after = 0;
+            for (const std::int8_t s : judgement.signs) after += s;
+            if (after != before || mode == NormalMode::mixed) judgement.found = NormalMode::mixed;
+        }
+    }
+    if (mode == NormalMode::given) std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{1});
+    return judgement;
+}
+
+// Turns patches of normals that are against the least energy's, where their directions agree, and where the given
+// directions, too, have less energy then.
+void GivenNormals::repair(const VecArray& least, const fit::HermiteEnergy* form, Signs& signs) const {
+    double side = 0.0;
+    for (std::int64_t at = 0; at < least.size(); ++at)
+        side += signs[at] * glm::dot(least[at], normal_[at]) > 0.0 ? 1.0 : -1.0;
+    const auto against = [&](std::int64_t at) {
+        return (side >= 0.0 ? 1.0 : -1.0) * signs[at] * glm::dot(least[at], normal_[at]) < 0.0;
+    };
+    std::vector<std::vector<std::int32_t>> patches;
+    base::Array<std::uint8_t> seen(runtime_.memory, least.size());
+    for (std::int64_t start = 0; start < least.size(); ++start) {
+        if (seen[start] != 0 || !against(start)) continue;
+        std::vector<std::int32_t> patch{static_cast<std::int32_t>(start)};
+        seen[start] = 1;
+        double cosines = 0.0;
+        for (std::size_t k = 0; k < patch.size(); ++k) {
+            const std::int32_t at = patch[k];
+            cosines += std::abs(glm::dot(least[at], normal_[at]));
+            for (const std::int32_t other : near_.of(at).first(std::min(beside, near_.of(at).size()))) {
+                if (seen[other] != 0 || !against(other)) continue;
+                seen[other] = 1;
+                patch.push_back(other);
+            }
+        }
+        if (cosines > distinct * static_cast<double>(patch.size())) patches.push_back(std::move(patch));
+    }
+    if (form == nullptr) {
+        for (const auto& patch : patches)
+            for (const std::int32_t at : patch) signs[at] = static_cast<std::int8_t>(-signs[at]);
+        return;
+    }
+    (void)SignEnergy(runtime_, *form, normal_).turn(patches, 0.0, signs);
+}
+
+} // namespace hrbfnpr::orient

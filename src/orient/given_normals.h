@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What given normals are worth, held against those of least energy.
+#pragma once
+
+#include "orient/cloud.h"
+#include "orient/orient.h"
+
+namespace hrbfnpr::orient {
+
+struct Judgement {
+    explicit Judgement(base::Memory& memory) noexcept : signs(memory) {}
+
+    NormalMode found = NormalMode::given;
+    Signs signs;                // -1: the given normals of this place are to be turned
+    double made_sign = 1.0;     // of those that are made in place of missing ones
+    bool follows_given = false; // which side is outward
+    bool by_place = false;      // a place's given normals are turned to agree with its first
+};
+
+class GivenNormals {
+public:
+    // Throws Error{invalid_argument} naming "normals" and the index.
+    GivenNormals(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud, const Near& near,
+                 bool used, const base::Progress& progress);
+
+    // Of each place: the first that is given there, made unit; where none is, some direction.
+    [[nodiscard]] const geometry::VecArray& normal() const noexcept { return normal_; }
+    // As given.
+    [[nodiscard]] glm::dvec3 of(std::int64_t point) const noexcept;
+
+    // least: normals of least energy, outward.  open: outward is by a rule only.  form: their energy, or null.
+    [[nodiscard]] Judgement judge(const geometry::VecArray& least, NormalMode mode, bool open,
+                                  const fit::HermiteEnergy* form, const base::Progress& progress) const;
+
+private:
+    void repair(const geometry::VecArray& least, const fit::HermiteEnergy* form, Signs& signs) const;
+
+    const base::Runtime& runtime_;
+    base::InView given_;
+    const Cloud& cloud_;
+    const Near& near_;
+    geometry::VecArray normal_;
+    base::Array<std::uint8_t> known_;
+    std::int64_t known_count_ = 0;
+};
+
+} // namespace hrbfnpr::orient

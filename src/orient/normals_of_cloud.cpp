@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "orient/normals_of_cloud.h"
+
+#include "geometry/farthest_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::orient {
+namespace {
+
+using geometry::VecArray;
+
+constexpr std::int64_t neighbours = 32;
+// Clouds with more noise, in spacings, are replaced by means of so many points that it is less.
+constexpr double noisiest = 0.8;
+constexpr double aim = 0.4;
+constexpr std::int64_t fewest_means = 500;
+constexpr int most_reductions = 3;
+constexpr std::size_t blended = 4; // means that a point's normal is made of
+
+// Fewer starts of more places.
+constexpr std::int64_t few = 6000;
+constexpr std::int64_t many = 150000;
+
+// Energies: see noise.cpp.
+constexpr double sure_below = 0.012;
+constexpr double no_order = 0.03;
+
+[[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
+    if (count <= few) return {6, true, true};
+    return {count <= many ? 3 : 1, false, count <= many};
+}
+
+[[nodiscard]] double confidence_of(const LeastEnergy& fitted, double noise) noexcept {
+    const double order = std::clamp((no_order - fitted.energy) / (no_order - sure_below), 0.0, 1.0);
+    const double agreement = std::clamp(fitted.agreement, 0.0, 1.0);
+    return agreement * agreement * order * std::exp(-1.5 * noise * noise);
+}
+
+// The points nearest to each of the first places of the farthest-first order become their mean.
+[[nodiscard]] Cloud means_of(const base::Runtime& runtime, const Cloud& cloud, std::int64_t count,
+                             const base::Progress& progress) {
+    geometry::VecArray first(runtime.memory, count);
+    for (std::int64_t at = 0; at < cloud.size(); ++at)
+        if (cloud.rank[at] < count) first.set(cloud.rank[at], cloud.point(at));
+    const geometry::PointTree centres(first, progress);
+    base::Array<std::int64_t> nearest(runtime.memory, cloud.size());
+    runtime.parallel.for_chunks(cloud.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t at = begin; at < end; ++at)
+            centres.nearest(
+                cloud.point(at), 1, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, &nearest[at]);
+    });
+    VecArray mean(runtime.memory, count);
+    base::Array<double> share(runtime.memory, count);
+    for (std::int64_t at = 0; at < cloud.size(); ++at) {
+        mean.set(nearest[at], mean[nearest[at]] + cloud.point(at));
+        share[nearest[at]] += 1.0;
+    }
+    base::Array<double> packed(runtime.memory, 3 * count);
+    for (std::int64_t k = 0; k < count; ++k)
+        for (glm::length_t c = 0; c < 3; ++c) packed[3 * k + c] = mean[k][c] / share[k];
+    return read_cloud(runtime, {reinterpret_cast<const std::byte*>(packed.data()), count, 24, base::Scalar::float64, 3},
+                      progress);
+}
+
+// Of each place of the cloud, from the means nearest to it.
+[[nodiscard]] VecArray spread(const base::Runtime& runtime, const Cloud& cloud, const Cloud& means,
+                              const VecArray& normal) {
+    VecArray result(runtime.memory, cloud.size());
+    runtime.parallel.for_chunks(cloud.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
+        std::array<std::int64_t, blended> found;
+        for (std::int64_t at = begin; at < end; ++at) {
+            const glm::dvec3 p = (cloud.point(at) - means.centre) / means.spacing;
+            const std::int64_t there = means.tree->nearest(
+                p, blended, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, found.data());
+            const glm::dvec3 own = normal[found[0]];
+            glm::dvec3 sum = own;
+            for (std::int64_t k = 1; k < there; ++k) {
+                const glm::dvec3 other = normal[found[static_cast<std::size_t>(k)]];
+                if (glm::dot(own, other) > 0.5) sum += other;
+            }
+            result.set(at, glm::normalize(sum));
+        }
+    });
+    return result;
+}
+
+} // namespace
+
+CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const VecArray* given,
+                              const base::Progress& progress) {
+    CloudNormals result(runtime.memory);
+    Noise noise = measure_noise(runtime, cloud, progress.part(0.0, 0.1));
+    progress.update(0.1);
+    result.noise = noise.deviation;
+    if (noise.deviation <= noisiest || cloud.size() <= fewest_means) {
+        result.fitted = least_energy(runtime, *cloud.tree, cloud.rank, near, noise.ridge, given,
+                                     effort_for(cloud.size()), progress.part(0.1, 1.0));
+        result.confidence = confidence_of(result.fitted, noise.deviation);
+        return result;
+    }
+    Cloud means(runtime.memory);
+    const Cloud* last = &cloud;
+    for (int k = 0; k < most_reductions && noise.deviation > noisiest && last->size() > fewest_means; ++k) {
+        const auto count = static_cast<std::int64_t>(static_cast<double>(last->size()) * aim / noise.deviation);
+        // In the coordinates of the cloud that all began with.
+        const glm::dvec3 centre = k == 0 ? glm::dvec3(0.0) : last->centre;
+        const double spacing = k == 0 ? 1.0 : last->spacing;
+        means = means_of(runtime, *last, std::max(fewest_means, count), progress);
+        means.centre = centre + spacing * means.centre;
+        means.spacing *= spacing;
+        last = &means;
+        noise = measure_noise(runtime, means, progress.part(0.1, 0.2));
+        runtime.log(base::LogLevel::debug, "orient: %lld means have a noise of %.2f spacings",
+                    static_cast<long long>(means.size()), noise.deviation);
+    }
+    const Near near_means(runtime, *means.tree, neighbours, progress);
+    LeastEnergy fitted = least_energy(runtime, *means.tree, means.rank, near_means, noise.ridge, nullptr,
+                                      effort_for(means.size()), progress.part(0.2, 0.95));
+    result.confidence = confidence_of(fitted, noise.deviation);
+    result.fitted.normal = spread(runtime, cloud, means, fitted.normal);
+    result.fitted.energy = fitted.energy;
+    result.fitted.agreement = fitted.agreement;
+    progress.update(1.0);
+    return result;
+}
+
+} // namespace hrbfnpr::orient

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Normals for points, and repairs of given ones.
+#pragma once
+
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "base/view.h"
+#include "geometry/vec_array.h"
+#include "orient/whole.h"
+
+#include <limits>
+
+namespace hrbfnpr::orient {
+
+// Same numbers as HRBFNPR_NORMALS_...
+enum class NormalMode : std::uint32_t { given = 0, none = 1, unoriented = 2, mixed = 3, inward = 4, automatic = 5 };
+
+// As hrbfnpr_orient_desc.  Views have 3 components; the normals are as many as the points, or empty (the boundary
+// checks).
+struct OrientInput {
+    base::InView points;
+    base::InView normals;
+    NormalMode mode = NormalMode::automatic;
+    glm::dvec3 up{0.0, 0.0, 1.0};
+    glm::dvec3 viewpoint{0.0};
+    bool has_viewpoint = false;
+};
+
+struct OrientReport {
+    NormalMode found = NormalMode::given;
+    std::int64_t turned = 0;
+    std::int64_t made = 0;
+    std::int64_t merged = 0;
+    double direction_change = std::numeric_limits<double>::quiet_NaN(); // degrees
+    double noise = 0.0;                                                 // caller's unit
+    double spacing = 0.0;                                               // caller's unit
+    double energy = 0.0;
+    double confidence = 0.0;
+    bool closed = false;
+    OutwardBy outward_by = OutwardBy::inside;
+    std::int64_t components = 0;
+    double seconds = 0.0;
+};
+
+struct Orientation {
+    explicit Orientation(base::Memory& memory) noexcept : normal(memory) {}
+
+    geometry::VecArray normal; // of each given point; given ones that stay are as they were
+    OrientReport report;
+};
+
+// Throws Error{invalid_argument, out_of_memory, cancelled}.
+[[nodiscard]] Orientation orient(const base::Runtime& runtime, const OrientInput& input,
+                                 const base::Progress& progress);
+
+// Whether given normals plainly all point into a closed surface: of some thousand points, in no time.
+[[nodiscard]] bool plainly_inward(const base::Runtime& runtime, const base::InView& points, const base::InView& normals,
+                                  const base::Progress& progress);
+
+} // namespace hrbfnpr::orient
