@@ -10,7 +10,7 @@ from ._callbacks import CallbackState, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
 from ._function import FunctionState, on_evaluate, on_release
-from ._handles import Owner, own
+from ._handles import own
 from ._library import ffi, lib
 from ._mesh_fit import MeshFits
 from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits, Vector
@@ -19,6 +19,7 @@ from ._numpy import np
 from ._operation import Operation, Progress, running
 from ._rays import HitArrays, pairs
 from ._structs import read_struct
+from ._trim import Trimming
 
 if TYPE_CHECKING:
     from ._layer import LayersToMake
@@ -31,7 +32,7 @@ def _load(data: bytes) -> Model:
     return Model.load(data)
 
 
-class Model(MeshFits, Owner):
+class Model(MeshFits, Trimming):
     """An implicit surface: f < 0 inside, f > 0 outside, with a gradient near 1 at the surface [NPAR 4].
 
     Immutable: any number of threads may use one model at a time.  Made by `fit`, `from_function` or

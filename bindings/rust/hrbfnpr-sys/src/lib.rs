@@ -79,6 +79,10 @@
 //!   the library, unless flagged thread-safe.  No call changes the caller's
 //!   floating-point state, locale or OpenMP settings.
 //!
+//! Stacks.  Every call but hrbfnpr_model_fit and _fit_mesh does with a thread's
+//!   stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
+//!   two need 512 KiB, on the thread that calls it and, with a `run_tasks` hook, on those
+//!   that run its tasks.  Neither depends on the number of samples or marks.
 //! Stacks.  Every call but hrbfnpr_model_fit and hrbfnpr_orient does with a thread's
 //!   stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
 //!   two need 512 KiB, on the thread that calls them and, with a `run_tasks` hook,
@@ -96,6 +100,22 @@
 //! call that it is passed to return CANCELLED at once.
 //!
 //! Streams, for saving and loading.  Both run on the thread that entered.
+//!
+//! # MODEL: an implicit surface f = 0, immutable [NPAR 4]
+//!
+//! --------------------------------------------------------------------------
+//! Where a surface ends.  A fitted surface goes on where its samples end: that of
+//! one view of a scan, or of a terrain, to the end of the search box; and it may
+//! grow sheets where no sample ever was.  Trimming leaves these out:
+//!
+//!     s(x) = -ln sum_j exp(-(2 d_j / h_j)^2) ((1 + n_j . m) / 2)^2
+//!
+//! tells how well the samples bear out a place x of the surface; j: the 24 samples
+//! nearest to x, d_j away, with normals n_j and the spacing h_j around them (as far
+//! as the sixth neighbour), m: the surface's normal at x.  A connected part of the
+//! surface where s exceeds `limit` is left out if it reaches the end of the search
+//! box, or if it is too far from all samples to be a hole between them (`hole`).
+//! Other parts stay: a hole that is closed so is no error.
 //!
 //! # POINT SET: layers of marks on a surface, immutable [NPAR 4.2, 5]
 //!
@@ -133,6 +153,13 @@
 //! ---- As numbers for the marks of a set -------------------------------------
 //!
 //! ---- Picking ---------------------------------------------------------------
+//!
+//! # MESH: triangles as they come, made usable; samples, fits and errors by it
+//!
+//! A mesh is immutable.  Making one repairs what can be repaired, and counts it:
+//! vertices in exactly the same place are joined, triangles without area and
+//! repeated ones left out, unused vertices dropped; of each component the faces
+//! are turned to agree, and a closed one that is inside out is turned whole.
 #![no_std]
 #![allow(non_camel_case_types)]
 #![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is none
@@ -239,6 +266,8 @@ pub const HRBFNPR_SCALAR_FLOAT32: u32 = 1;
 pub const HRBFNPR_SCALAR_FLOAT64: u32 = 2;
 pub const HRBFNPR_SCALAR_UINT8: u32 = 3;
 pub const HRBFNPR_SCALAR_UINT32: u32 = 4;
+pub const HRBFNPR_SCALAR_INT32: u32 = 5;
+pub const HRBFNPR_SCALAR_INT64: u32 = 6;
 
 /// `count` elements of `components` scalars each, `stride` bytes apart.
 /// An array with data NULL and count 0 is "not given".  Never owns.
@@ -1198,6 +1227,78 @@ extern "C" {
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_trim_desc {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// of s, > 0; 1.5. The surface ends some 0.7 spacings beyond its last samples, with 3 some 0.9
+    pub limit: f64,
+    /// >= 0, diagonals; 0.05: holes that nowhere are farther from the samples stay closed
+    pub hole: f64,
+    /// >= 0, diagonals; 0: no spacing h_j is taken to be less. For samples that are much denser
+    /// than the surface is accurate, such as many points of a mesh: 0.01 leaves out what is more
+    /// than about 0.01 diagonals off them
+    pub closest: f64,
+    /// FLOAT32 or FLOAT64, 3, finite: the samples; not given = the model's centres. All points of
+    /// a scan tell better than the centres chosen from them where it ends
+    pub points: hrbfnpr_array,
+    /// FLOAT32 or FLOAT64, 3: of `points`, as many, not 0, of any length; not given = the
+    /// surface's own there
+    pub normals: hrbfnpr_array,
+}
+
+extern "C" {
+    pub fn hrbfnpr_trim_desc_init(desc: *mut hrbfnpr_trim_desc, struct_size: u32) -> hrbfnpr_status;
+    /// The same model with a surface that ends where its samples do: marks, line sets
+    /// and rays of the new model do.  f, projections, curvatures and _contains are
+    /// those of `model`, which it keeps.  Trimming a trimmed model begins with the
+    /// whole one again.  A surface of which nothing is to be left out stays whole, and
+    /// what is made from it is bit for bit that of `model`.
+    /// desc NULL = defaults.  operation may be NULL.
+    /// Files of models hold where they end.
+    /// Errors: INVALID_ARGUMENT (a custom model without points), NOT_CONVERGED (no
+    /// part of the surface is near the samples; one sample has no spacing),
+    /// OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    pub fn hrbfnpr_model_trim(
+        model: *const hrbfnpr_model,
+        desc: *const hrbfnpr_trim_desc,
+        operation: *mut hrbfnpr_operation,
+        out_model: *mut *mut hrbfnpr_model,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_trim_info {
+    pub struct_size: u32,
+    /// 1: the surface ends somewhere; 0: it is whole, and all else is 0 but samples, spacing
+    pub is_trimmed: u32,
+    /// that tell where; 0: the model was never trimmed
+    pub samples: i64,
+    /// of the surface, connected, that are left out
+    pub parts: i64,
+    /// of these, those that reach the end of the search box: the samples are open there
+    pub parts_to_end: i64,
+    /// of the surface's area in the box that is left out, 0 to 1, within some percent
+    pub share: f64,
+    /// place left out from the samples, units of the model
+    pub farthest: f64,
+    /// of the samples, the median of h_j
+    pub spacing: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_trim_info_init(info: *mut hrbfnpr_trim_info, struct_size: u32) -> hrbfnpr_status;
+    pub fn hrbfnpr_model_get_trim_info(
+        model: *const hrbfnpr_model,
+        info: *mut hrbfnpr_trim_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
     /// Saving and loading.  The stream is little-endian, versioned and checksummed;
     /// a loaded model evaluates to the same bits.  A custom model cannot be saved
     /// (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
@@ -1720,8 +1821,8 @@ pub struct hrbfnpr_placement_info {
     pub placed: i64,
     /// projection ended short of the tolerance
     pub dropped_not_converged: i64,
-    /// landed farther away than a cell diagonal or the step; or cut off the rest of its stroke by
-    /// one that was dropped
+    /// landed farther away than a cell diagonal or the step, or beyond the end of a trimmed
+    /// model; or cut off the rest of its stroke by one that was dropped
     pub dropped_strayed: i64,
     /// zero gradient or not finite
     pub dropped_degenerate: i64,
@@ -2900,6 +3001,385 @@ extern "C" {
         drawing: *const hrbfnpr_drawing,
         id: u32,
         identity: *mut hrbfnpr_mark_identity,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// 12  MESH: triangles as they come, made usable; samples, fits and errors by it
+
+#[repr(C)]
+pub struct hrbfnpr_mesh {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+// Which components are kept.  A component is what hangs together by shared
+// vertices.
+/// all but those that lie inside a closed one: eyes in a head, inner shells
+pub const HRBFNPR_PARTS_OUTER: u32 = 0;
+/// all; one that lies inside an odd number of closed ones is a cavity if its faces say so,
+/// and is not turned
+pub const HRBFNPR_PARTS_ALL: u32 = 1;
+/// that of the largest area
+pub const HRBFNPR_PARTS_LARGEST: u32 = 2;
+
+// What becomes of the order of a face's corners.
+/// faces are turned to agree with their component, and closed components outward
+pub const HRBFNPR_FACES_TURN: u32 = 0;
+/// as they are
+pub const HRBFNPR_FACES_KEEP: u32 = 1;
+
+/// Triangles; quadrilaterals and polygons are cut into them by the caller.
+/// A corner that is no number of a vertex, or that a vertex which is not finite
+/// belongs to, is INVALID_ARGUMENT, and the message names the face and the
+/// index; so are coordinates beyond 1e60, a mesh less than 1e-60 across, and one that has no
+/// face left.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_mesh_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_PARTS_...; OUTER
+    pub parts: u32,
+    /// n x 3, FLOAT32 or FLOAT64; n < 2^31
+    pub vertices: hrbfnpr_array,
+    /// m x 3, INT32, INT64 or UINT32: numbers of vertices, from 0, counter-clockwise as seen from
+    /// outside; m < 2^29
+    pub triangles: hrbfnpr_array,
+    /// degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; 60
+    pub crease_angle: f64,
+    /// HRBFNPR_FACES_...; TURN
+    pub faces: u32,
+    pub reserved: u32,
+}
+
+extern "C" {
+    pub fn hrbfnpr_mesh_desc_init(desc: *mut hrbfnpr_mesh_desc, struct_size: u32) -> hrbfnpr_status;
+    /// operation may be NULL.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+    pub fn hrbfnpr_mesh_create(
+        context: *mut hrbfnpr_context,
+        desc: *const hrbfnpr_mesh_desc,
+        operation: *mut hrbfnpr_operation,
+        out_mesh: *mut *mut hrbfnpr_mesh,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_mesh_retain(mesh: *const hrbfnpr_mesh);
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_mesh_release(mesh: *const hrbfnpr_mesh);
+}
+
+/// Of what is kept, but for the numbers of what was found on the way.  An edge is
+/// at the boundary if one face has it, and not manifold if more than two have.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_mesh_info {
+    pub struct_size: u32,
+    /// 1: no edge is at the boundary or not manifold, and all faces agree
+    pub closed: u32,
+    pub given_vertices: i64,
+    pub given_faces: i64,
+    /// kept
+    pub vertices: i64,
+    pub faces: i64,
+    /// in the place of another, and joined with it
+    pub welded_vertices: i64,
+    /// without area, left out
+    pub degenerate_faces: i64,
+    /// with the corners of another, left out
+    pub repeated_faces: i64,
+    /// against those beside them, turned
+    pub turned_faces: i64,
+    /// of the given faces
+    pub components: i64,
+    /// closed and inside out, turned
+    pub turned_components: i64,
+    /// inside a closed one
+    pub nested_components: i64,
+    pub left_out_components: i64,
+    /// of these
+    pub left_out_faces: i64,
+    pub boundary_edges: i64,
+    pub boundary_loops: i64,
+    pub nonmanifold_edges: i64,
+    /// whose two faces do not agree: the mesh cannot be oriented, or was not to be
+    pub contrary_edges: i64,
+    /// vertices - edges + faces
+    pub euler_characteristic: i64,
+    /// sum of the handles of all components; -1 where the mesh is not closed
+    pub genus: i64,
+    pub area: f64,
+    /// enclosed; NaN where the mesh is not closed
+    pub volume: f64,
+    pub bounds_min: [f64; 3],
+    pub bounds_max: [f64; 3],
+    /// that making it took
+    pub seconds: f64,
+    /// kept by the mesh
+    pub bytes: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_mesh_info_init(info: *mut hrbfnpr_mesh_info, struct_size: u32) -> hrbfnpr_status;
+    pub fn hrbfnpr_mesh_get_info(
+        mesh: *const hrbfnpr_mesh,
+        info: *mut hrbfnpr_mesh_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// places, FLOAT64 x 3
+pub const HRBFNPR_MESH_ATTRIBUTE_VERTEX: u32 = 0;
+/// numbers of vertices, INT32 x 3, of each face
+pub const HRBFNPR_MESH_ATTRIBUTE_TRIANGLE: u32 = 1;
+/// from 0, INT32 x 1, of each face
+pub const HRBFNPR_MESH_ATTRIBUTE_COMPONENT: u32 = 2;
+/// the number that the face was given by, INT32 x 1
+pub const HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE: u32 = 3;
+/// unit normals of the three corners, FLOAT64 x 9, of each face
+pub const HRBFNPR_MESH_ATTRIBUTE_CORNER_NORMAL: u32 = 4;
+
+extern "C" {
+    /// A zero-copy view of what is kept, valid while the mesh lives.
+    pub fn hrbfnpr_mesh_view(
+        mesh: *const hrbfnpr_mesh,
+        attribute: u32,
+        out_view: *mut hrbfnpr_array,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_sample_desc {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// random places to choose from, 0 = 40 for each sample, 1000000 at most; never fewer than
+    /// samples; as many as samples: all of them, in random order
+    pub candidates: i64,
+    /// any number; 1
+    pub random_seed: u64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_sample_desc_init(
+        desc: *mut hrbfnpr_sample_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// As many samples of the mesh as `points` has elements (at least 1, 10000000 at
+    /// most): random places, even over its area, of which each next one that is
+    /// taken is the farthest from those before, so that every prefix is even.
+    /// points, normals: n x 3, FLOAT32 or FLOAT64; normals (may be NULL) are unit,
+    /// interpolated between those of the corners, which take in the faces about
+    /// their vertex within the crease angle, by their angles there.
+    /// desc may be NULL; operation too.
+    pub fn hrbfnpr_mesh_sample(
+        mesh: *const hrbfnpr_mesh,
+        desc: *const hrbfnpr_sample_desc,
+        points: *const hrbfnpr_array_out,
+        normals: *const hrbfnpr_array_out,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Farthest-point order: each is the point farthest from those before it, the
+    /// first the one nearest to the middle of the bounding box; of equals the one of
+    /// lower number.  Every prefix is an even choice [Gonzalez 1985].
+    /// points:   n x 3, FLOAT32 or FLOAT64, finite, below 1e100.
+    /// indices:  k x 1, INT64, INT32 or UINT32, k <= n: numbers of points.
+    /// distance: k x 1, FLOAT32 or FLOAT64, or NULL: from those before; infinite for
+    ///           the first.
+    /// 20 000 of a million take half a second.  operation may be NULL.
+    pub fn hrbfnpr_farthest_points(
+        context: *mut hrbfnpr_context,
+        points: *const hrbfnpr_array,
+        indices: *const hrbfnpr_array_out,
+        distance: *const hrbfnpr_array_out,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// How near a surface is to a mesh.  "Surface": of the model, within the box of
+/// the mesh, grown by 0.05 diagonals; "diagonal" is the mesh's.  What of it is
+/// nearest to the mesh's border goes on beyond that, and is left out.  Where
+/// closed components overlap, what lies inside is no part of the mesh.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_compare_desc {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// that shares are counted for, in units of the mesh; 0 = 0.002 diagonals
+    pub tolerance: f64,
+    /// beyond it a part of the surface is an invention, and a part of the mesh missed; 0 = 0.01 diagonals
+    pub far: f64,
+    /// > 0: what the samples of the model do not bear out by this limit is left out, as a line
+    /// set with the same `support` does; a custom model has none; 0 = nothing is left out
+    pub support: f64,
+    /// on each side, 100 .. 10000000; 0 = 20000
+    pub points: i64,
+    /// of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where
+    /// it is thin. What is thinner or smaller may be missed
+    pub cell_size: f64,
+    /// any number; 1
+    pub random_seed: u64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_compare_desc_init(
+        desc: *mut hrbfnpr_compare_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+/// Distances in units of the mesh.  p99: 99 % are not farther.  Of no points: NaN.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_comparison {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// places on the surface, even over its area
+    pub surface_points: i64,
+    /// of their distances from the mesh
+    pub surface_mean: f64,
+    pub surface_p99: f64,
+    pub surface_max: f64,
+    /// within the tolerance
+    pub surface_share: f64,
+    /// of the surface, beyond `far`
+    pub invented_share: f64,
+    /// of the surface: beyond the mesh's border, or by `support`; in none of the above
+    pub left_out_share: f64,
+    /// places on the mesh, even over its area
+    pub mesh_points: i64,
+    /// of their distances from the surface
+    pub mesh_mean: f64,
+    pub mesh_p99: f64,
+    pub mesh_max: f64,
+    /// within the tolerance
+    pub mesh_share: f64,
+    /// of the mesh, beyond `far`
+    pub missed_share: f64,
+    /// degrees between the mesh's normals and the surface's beside them
+    pub normal_mean: f64,
+    pub normal_p99: f64,
+    /// of the surface
+    pub components: i64,
+    /// of the surface, sum over its components; -1 if it has a border in the box
+    pub genus: i64,
+    /// as used
+    pub tolerance: f64,
+    pub diagonal: f64,
+    pub seconds: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_comparison_init(
+        comparison: *mut hrbfnpr_comparison,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Measures both ways, for any model, in the same coordinates as the mesh.  The
+    /// surface is found from places on the mesh and from 16^3 places of the box: a
+    /// small part of it that neither leads to is missed.
+    /// desc may be NULL; operation too.
+    pub fn hrbfnpr_model_compare_mesh(
+        model: *const hrbfnpr_model,
+        mesh: *const hrbfnpr_mesh,
+        desc: *const hrbfnpr_compare_desc,
+        comparison: *mut hrbfnpr_comparison,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// How a mesh is fitted.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_mesh_fit_desc {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// how near the surface and the mesh are to be to each other, in units of the mesh; 0 = 0.002
+    /// diagonals; not below 1e-6 diagonals
+    pub tolerance: f64,
+    /// of both that has to be within the tolerance, above 0, at most 1; 0.99
+    pub share: f64,
+    /// what no part may be beyond; 0 = five times the tolerance
+    pub far: f64,
+    /// 16 .. 1000000; 8000
+    pub maximum_centres: i64,
+    /// places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details
+    pub candidates: i64,
+    /// any number; 1
+    pub random_seed: u64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_mesh_fit_desc_init(
+        desc: *mut hrbfnpr_mesh_fit_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+/// What a fit to a mesh came to: the last of the measurements that it went by,
+/// at places of their own.  hrbfnpr_model_compare_mesh measures again, and more.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_mesh_fit_info {
+    pub struct_size: u32,
+    /// 1: tolerance, share and far are kept, both ways
+    pub reached: u32,
+    /// as used
+    pub tolerance: f64,
+    pub far: f64,
+    pub candidates: i64,
+    /// all
+    pub centres: i64,
+    /// of these, the last ones: where f is held to the distance from the mesh
+    pub off_surface_centres: i64,
+    /// fits
+    pub rounds: i32,
+    /// 1: the mesh has a border, and the surface beyond it was not counted
+    pub supported: u32,
+    /// of the surface, within the tolerance of the mesh
+    pub surface_share: f64,
+    pub surface_p99: f64,
+    pub surface_max: f64,
+    /// of the mesh, within the tolerance of the surface
+    pub mesh_share: f64,
+    pub mesh_p99: f64,
+    pub mesh_max: f64,
+    pub seconds_sample: f64,
+    /// of all rounds
+    pub seconds_fit: f64,
+    pub seconds_measure: f64,
+    pub seconds_total: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_mesh_fit_info_init(
+        info: *mut hrbfnpr_mesh_fit_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Fits a surface to a mesh with as many samples as that takes: some hundred
+    /// even ones, then, in rounds, more where the surface is off the mesh or the mesh
+    /// off the surface.  Where the surface goes on far from a closed mesh, f is held
+    /// to the signed distance from the mesh at a few places off it: these are the
+    /// last centres of the model, whose normal is the way to the mesh or from it.
+    ///
+    /// An end short of the tolerance is no error: `reached` is 0, and the log warns.
+    /// It comes with maximum_centres, or where more centres gain nothing.  Edges that
+    /// are sharp are rounded by some tenths of the samples' spacing there, and coarse
+    /// faces with smooth normals contradict these: both take many centres.
+    ///
+    /// desc may be NULL.  fit (may be NULL): kernel, solver and regularization of the
+    /// fits; its points and normals must be empty, its tolerance and maximum_centres
+    /// 0.  info and operation may be NULL.  Errors as of hrbfnpr_model_fit, whose
+    /// stack it needs as well.
+    pub fn hrbfnpr_model_fit_mesh(
+        mesh: *const hrbfnpr_mesh,
+        desc: *const hrbfnpr_mesh_fit_desc,
+        fit: *const hrbfnpr_fit_desc,
+        info: *mut hrbfnpr_mesh_fit_info,
+        operation: *mut hrbfnpr_operation,
+        out_model: *mut *mut hrbfnpr_model,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
 }
