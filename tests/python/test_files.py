@@ -36,6 +36,7 @@ TABLES = {
     "paraview.csv": '"Normals:0","Normals:1","Normals:2","Points:0","Points:1","Points:2"\n'
     + lines(NORMALS, POINTS, mark=","),
     "units.csv": "x [mm];y [mm];z [mm];nx;ny;nz\n" + lines(POINTS, NORMALS, mark=";"),
+    "comment_with_names.xyz": "# x y z\n" + lines(POINTS, NORMALS),
     "comment.xyz": "# made by a test\n; and another\n" + lines(POINTS, NORMALS),
     "decimal_commas.txt": lines(POINTS, NORMALS, mark="\t").replace(".", ","),
     "decimal_commas.csv": lines(POINTS, NORMALS, mark=";").replace(".", ","),

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What a command works on: a saved model or point set, or a model fitted to what a file holds.
 
-The stages of the latter are read, sample, orient, fit and compare.
+The stages of the latter are read, sample, orient, fit and compare: `_read`, `_samples`, `_normals`, `Model.fit` and
+`_nearness.tell`.  Points without normals are refused by `require_normals`, which is where normals would be made.
 """
 from __future__ import annotations
 

@@ -21,6 +21,7 @@ class _Head(NamedTuple):
     """What comes before the numbers."""
 
     columns: Optional[Columns]
+    sure: bool  # whether the names are a line of their own and not a comment
     count: Optional[int]
     at: int  # where the numbers begin, in bytes
     line: int  # and their line's number
@@ -36,6 +37,8 @@ def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
     text = plain(data)
     head = _head(text)
     separator, decimal_comma = _separator(head.first)
+    if head.columns and not head.sure and len(_words(head.first, separator)) != len(head.columns.names):
+        head = head._replace(columns=None)  # a comment that happens to name x, y and z
     body = without_comments(text[head.at :], _COMMENTS)
     notes: Tuple[str, ...] = ()
     if decimal_comma:
@@ -64,6 +67,7 @@ def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
 
 def _head(text: bytes) -> _Head:
     columns: Optional[Columns] = None
+    sure = False
     count: Optional[int] = None
     start, number = 0, 0
     while start < len(text):
@@ -73,14 +77,14 @@ def _head(text: bytes) -> _Head:
         bare = line.lstrip(b"#/;%! ")
         heading = by_heading(_headings(bare)) if columns is None and count is None or bare != line else None
         if heading is not None:
-            columns = heading
+            columns, sure = heading, bare == line
         elif line and bare == line:
             words = line.replace(b";", b" ").split()
             if len(words) == 1 and words[0].isdigit() and count is None:
                 count = int(words[0])
             else:
                 _check_first(line, number, columns is not None)
-                return _Head(columns, count, start, number, line)
+                return _Head(columns, sure, count, start, number, line)
         start = end + 1
     if count is not None:
         raise at(number, 0, f"{count} points are announced, and none follow")
@@ -112,6 +116,14 @@ def _separator(line: bytes) -> Tuple[bytes, bool]:
     if apart is None and b"," in line:
         apart = b","
     return apart or b"", False
+
+
+def _words(line: bytes, separator: bytes) -> List[bytes]:
+    """Of a line of numbers; a separator at its end makes none."""
+    if not separator:
+        return line.split()
+    words = [word.strip() for word in line.split(separator)]
+    return words if words[-1] else words[:-1]
 
 
 def _has_gaps(body: bytes, separator: bytes) -> bool:
