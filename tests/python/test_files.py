@@ -36,6 +36,7 @@ TABLES = {
     "paraview.csv": '"Normals:0","Normals:1","Normals:2","Points:0","Points:1","Points:2"\n'
     + lines(NORMALS, POINTS, mark=","),
     "units.csv": "x [mm];y [mm];z [mm];nx;ny;nz\n" + lines(POINTS, NORMALS, mark=";"),
+    "two_scans.pts": "20\n" + lines(POINTS, GREY, NORMALS).replace("\n", "\n40\n", 20).replace("\n40\n", "\n", 19),
     "comment_with_names.xyz": "# x y z\n" + lines(POINTS, NORMALS),
     "comment.xyz": "# made by a test\n; and another\n" + lines(POINTS, NORMALS),
     "decimal_commas.txt": lines(POINTS, NORMALS, mark="\t").replace(".", ","),

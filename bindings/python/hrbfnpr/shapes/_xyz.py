@@ -48,7 +48,7 @@ def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
         names = head.columns.names if head.columns else None
         table, names = _split(body, head.line, separator, names)
     else:
-        rows = numbers(body.translate(_TO_SPACES), head.line, _HINT)
+        rows, head = _joined_blocks(numbers(body.translate(_TO_SPACES), head.line, _HINT), head)
         twice = _points_then_normals(rows, head.count)
         if twice is not None:
             return twice
@@ -160,6 +160,20 @@ def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple
             row[i] = number_at(words[i], number, i + 1, _HINT) if words[i] else float("nan")
         result.append(row)
     return np.array(result, dtype=np.float64).reshape(len(result), width), names
+
+
+def _joined_blocks(rows: Rows, head: _Head) -> Tuple[Rows, _Head]:
+    """Of scans behind each other, each with its count before it, one table and the count of all."""
+    if head.count is None or len(rows.counts) == 0 or int(rows.counts[0]) == 1:
+        return rows, head
+    alone = rows.counts == 1
+    announced = rows.values[rows.starts[alone]]
+    if not alone.any() or head.count + announced.sum() != (~alone).sum():
+        return rows, head
+    keep = np.ones(len(rows.values), dtype=bool)
+    keep[rows.starts[alone]] = False
+    rest = Rows(rows.values[keep], rows.counts[~alone], rows.lines[~alone])
+    return rest, head._replace(count=len(rest.counts))
 
 
 def _even(rows: Rows) -> Floats:
