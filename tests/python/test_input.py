@@ -18,7 +18,7 @@ from hrbfnpr.cli import main
 Image = pytest.importorskip("PIL.Image")
 
 DOCUMENT = (ROOT / "docs" / "input.md").read_text(encoding="utf-8")
-QUICK = ["--size", "100", "--marks", "600"]
+QUICK = ["--size", "100", "--marks", "600", "--lines", "none"]
 
 
 def ball(scale=1.0):

@@ -22,7 +22,7 @@ from ._values import words_of
 FINE, WARNINGS, UNUSABLE = 0, 1, 2  # exit status
 _METRES = ("GLB", "glTF", "LAS", "LAZ", "E57")
 _FAR = 1e5  # distance of the origin over the size from which floats lose the shape
-_SAMPLES = 1500  # of a mesh, to see which way it looks
+_SAMPLES = 1000  # of a mesh, to see which way it looks
 
 
 class Findings:
