@@ -58,6 +58,13 @@ def waves():
     return "ncols 12\nnrows 10\ncellsize 30\n" + rows(500 + 20 * np.sin(across / 2) * np.cos(down / 3))
 
 
+def hanging():
+    across, down = np.meshgrid(np.arange(12), np.arange(10))
+    vertices = np.column_stack([across.ravel(), down.ravel(), np.sin(across.ravel() / 2)])
+    corners = [i for i in range(108) if i % 12 < 11]
+    return obj(vertices, [[i, i + 12, i + 13, i + 1] for i in corners])
+
+
 def mixed():
     points, normals = ball()
     signs = np.where(np.random.default_rng(3).random(200) < 0.3, -1, 1)
@@ -140,6 +147,7 @@ ROWS = {
     "mesh with thin parts, too few samples": ("a.obj", thin, ["--samples", "60"], 0),
     "mesh, some corners not finite": ("a.obj", not_finite, [], 0),
     "height map": ("a.asc", waves, [], 0),
+    "terrain whose normals look down": ("a.obj", hanging, [], 0),
     "STL": ("a.stl", lambda: stl(True), ["--samples", "200"], 0),
     "file whose ending lies": ("a.xyz", lambda: stl(True), ["--samples", "200"], 0),
     "text that is no table": ("a.xyz", lambda: "Dear Sir,\nI send you my scan.\n", [], 1),
@@ -306,6 +314,8 @@ def test_check_of_meshes(tmp_path, capsys):
     assert mesh["non_manifold_edges"] >= 2 and mesh["degenerate_triangles"] == 1 and mesh["duplicate_triangles"] == 1
     mesh = checked(write(tmp_path, "g.obj", not_finite()), capsys)["mesh"]
     assert mesh["faces_not_finite"] == 1 and mesh["closed"]
+    facts = checked(write(tmp_path, "j.obj", hanging()), capsys)
+    assert "the surface is a terrain that looks down along z" in facts["warnings"] and facts["up"] == "z"
     facts = checked(write(tmp_path, "h.stl", stl(True)), capsys)
     assert facts["mesh"]["joined_vertices"] == 8 and facts["mesh"]["closed"] and facts["up"] == "z"
     facts = checked(write(tmp_path, "i.glb", glb(*gltf())), capsys)

@@ -166,6 +166,18 @@ def test_up_by_the_shape():
         assert up_of(shapes.Shape(CUBE - corner, None, shapes._shape.fans(QUADS))) == up  # all ends are flat
 
 
+def test_which_terrains_hang():
+    ground = terrain(0.6)
+    assert _up.hangs(ground.points, ground.normals) is None
+    assert _up.hangs(ground.points, -ground.normals) == "z"
+    lying = [0, 2, 1]
+    assert _up.hangs(ground.points[:, lying], -ground.normals[:, lying]) == "y"
+    steep = terrain(4.0)
+    assert _up.hangs(steep.points, -steep.normals) is None
+    for points, normals in (ball(), torus(24, 12), knot()):
+        assert _up.hangs(points, -normals) is None
+
+
 def test_up_by_the_format(tmp_path, capsys):
     path = write(tmp_path, "a.stl", stl(True))
     more = ["--samples", "200"]
@@ -217,9 +229,10 @@ def test_a_sheet_seen_from_behind(tmp_path, capsys):
     grid = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 9)]), axis=-1).reshape(-1, 2)
     points = np.column_stack([grid, 0.1 * grid[:, 0] ** 2])
     path = write(tmp_path, "a.xyz", table(points, np.tile([0.0, 0, -1], (81, 1))))
-    assert draw(path, tmp_path / "a.png", "--up", "y", "--lines", "none") == 3
+    options = ["--up", "y", "--lines", "none", "--normals", "keep"]
+    assert draw(path, tmp_path / "a.png", *options) == 3
     assert "looks away from the eye: another --azimuth shows its front, or --flip" in capsys.readouterr().err
-    assert draw(path, tmp_path / "a.png", "--up", "y", "--azimuth", "210") == 0
+    assert draw(path, tmp_path / "a.png", *options, "--azimuth", "210") == 0
 
 
 def test_a_sheet_warns_of_blank_drawings(tmp_path, capsys):

@@ -170,6 +170,12 @@ def _orientation(points: Floats, normals: Floats, mesh: bool, findings: Findings
     if found.inward:
         findings.repairs.append("all normals turned, as they look inward")
         findings.warn("all normals look inward", "nothing: they are turned; --normals keep leaves them")
+    axis = _up.hangs(points, normals)
+    if axis is not None:
+        findings.repairs.append("all normals turned, as a terrain looks up")
+        findings.warn(
+            f"the surface is a terrain that looks down along {axis}", "nothing: it is turned; --normals keep leaves it"
+        )
     for doubt in _orient.doubts(found, len(points), mesh):
         what, _, advice = doubt.rpartition(": ")
         findings.warn(what, advice)

@@ -145,6 +145,11 @@ def _normals(shape: Shape, points: Floats, normals: Floats, arguments: Any, repo
         if shape.is_mesh:
             _faces(shape, points, normals, report)
         normals, stage.says = _orient.settle(points, normals, arguments.normals or "auto", shape.is_mesh, report)
+        axis = _up.hangs(points, normals) if arguments.normals != "keep" else None
+        if axis is not None:
+            normals, stage.says = -normals, "a terrain looked down: its normals are turned"
+            what = f"the surface is a terrain that looked down along {axis}"
+            report.note(f"{what}: its normals are turned (--normals keep leaves them)")
     return points, normals
 
 

@@ -39,6 +39,15 @@ def choose(shape: Optional[Shape], points: Floats, normals: Floats) -> Tuple[Vec
     return Y, _NOTHING
 
 
+def hangs(points: Floats, normals: Floats) -> Optional[str]:
+    """The axis along which a terrain looks down; None if it does not, or is none."""
+    extent = np.ptp(points, axis=0)
+    for axis in (2, 1):
+        if (extent > 0).all() and _is_terrain(extent, normals, axis) and normals[:, axis].mean() < 0:
+            return "xyz"[axis]
+    return None
+
+
 def _is_terrain(extent: Floats, normals: Floats, axis: int) -> bool:
     upward = normals[:, axis]
     upward = upward * np.sign(upward.mean())
