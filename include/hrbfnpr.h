@@ -86,13 +86,9 @@
  *   the library, unless flagged thread-safe.  No call changes the caller's
  *   floating-point state, locale or OpenMP settings.
  *
- * Stacks.  Every call but hrbfnpr_model_fit and _fit_mesh does with a thread's
- *   stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
- *   two need 512 KiB, on the thread that calls it and, with a `run_tasks` hook, on those
- *   that run its tasks.  Neither depends on the number of samples or marks.
- * Stacks.  Every call but hrbfnpr_model_fit and hrbfnpr_orient does with a thread's
- *   stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
- *   two need 512 KiB, on the thread that calls them and, with a `run_tasks` hook,
+ * Stacks.  Every call but hrbfnpr_model_fit, _fit_mesh and hrbfnpr_orient does with a
+ *   thread's stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
+ *   three need 512 KiB, on the thread that calls them and, with a `run_tasks` hook,
  *   on those that run their tasks.  No stack depends on the number of samples or marks.
  *
  * Callbacks.  A callback must return normally: it must not throw, longjmp, or

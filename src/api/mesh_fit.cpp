@@ -104,7 +104,7 @@ std::unique_ptr<surface::Support> support_of(const hrbfnpr_model& model, double 
         position.push_back({p[i], p[i + 1], p[i + 2]});
         normal.push_back({n[i], n[i + 1], n[i + 2]});
     }
-    return std::make_unique<surface::Support>(model.runtime(), position, normal, progress);
+    return std::make_unique<surface::Support>(model.runtime(), position, normal, 0.0, progress);
 }
 
 hrbfnpr_comparison described(const mesh::Comparison& result) noexcept {

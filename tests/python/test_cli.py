@@ -111,7 +111,7 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
     assert re.fullmatch(r"a\.png: 100 x 80 pixels, 500 marks, \d+\.\d s", lines[-1]) and err == ""
     stages = [re.fullmatch(STAGE, line) for line in lines[:-1]]
     assert all(stages), lines
-    names = ["start", "read", "sample", "orient", "fit", "place marks", "trace lines", "frame", "write", "total"]
+    names = ["start", "read", "sample", "orient", "fit", "end", "place marks", "trace lines", "frame", "write", "total"]
     assert [stage.group(1).strip() for stage in stages] == names
     seconds = [float(stage.group(2)) for stage in stages]
     assert abs(seconds[-1] - sum(seconds[:-1])) < 0.1 + 0.2 * seconds[-1]

@@ -90,7 +90,7 @@ private:
         candidates_.bounds = mesh_.bounds;
         report_.candidates = candidates_.position.size();
         if (report_.supported) {
-            support_.emplace(runtime_, candidates_.position, candidates_.normal, progress_);
+            support_.emplace(runtime_, candidates_.position, candidates_.normal, 0.0, progress_);
             search_.support = &*support_;
         }
         report_.seconds_sample = watch.seconds();

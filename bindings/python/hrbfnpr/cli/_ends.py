@@ -10,12 +10,11 @@ from .._errors import NotConvergedError
 from .._model import Model
 from ..shapes import Shape
 from ..shapes._shape import Floats
-from . import _nearness
+from . import _mesh, _nearness
 from ._progress import Reporter
 
 MOST_POINTS = 500_000  # that are asked where the surface ends
 ON_MESH = 60_000  # places on a mesh, some 0.005 diagonals from each other
-OFF_MESH = 0.01  # diagonals: what is farther from a mesh is none of it
 DOUBTED = 0.002  # share of a closed surface left out that is warned of
 
 
@@ -25,7 +24,8 @@ def end(model: Model, shape: Shape, close: bool, report: Reporter) -> Model:
         return model
     with report.stage("end", "looking for the end of the surface") as stage:
         places = _places(shape)
-        mesh = {"hole": OFF_MESH, "closest": OFF_MESH} if shape.is_mesh else {}
+        off = _mesh.off(model) if shape.is_mesh else 0.0
+        mesh = {"hole": off, "closest": off} if shape.is_mesh else {}
         try:
             ended = model.trim(places, progress=stage.bar, **mesh)
         except NotConvergedError as error:
@@ -36,17 +36,15 @@ def end(model: Model, shape: Shape, close: bool, report: Reporter) -> Model:
         if not info.is_trimmed:
             return ended
         of = "mesh" if shape.is_mesh else "points"
-        low, high = model.bounds
-        diagonal = float(np.linalg.norm(np.subtract(high, low))) or 1.0
         parts = "1 part" if info.parts == 1 else f"{info.parts} parts"
         stage.says = (
-            f"{info.share:.1%} of the surface, {parts}, is beyond the {of} (up to {info.farthest / diagonal:.1%} of the "
+            f"{info.share:.1%} of the surface, {parts}, is beyond the {of} (up to {info.farthest / _mesh.diagonal(model):.1%} of the "
             "diagonal) and left out; --close keeps it"
         )
     if info.parts > info.parts_to_end and shape.is_mesh and info.share > DOUBTED:
         report.warn(
             f"the fit made {parts} of surface that the mesh does not have, left out: more samples may do without, "
-            f"--samples {4 * model.info.samples} for example"
+            f"--maximum-centres or --samples {4 * model.info.samples} for example"
         )
     return ended
 

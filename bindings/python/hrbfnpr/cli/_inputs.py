@@ -19,7 +19,7 @@ from .._model import Model
 from .._point_set import PointSet
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats, Vector
-from . import _automatic, _ends, _nearness, _orient, _up
+from . import _automatic, _ends, _mesh, _nearness, _orient, _up
 from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
@@ -190,9 +190,29 @@ def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Load
     if saved is not None:
         return Loaded(saved, None, _up_of_saved(saved, arguments, context, report))
     assert shape is not None
+    if shape.is_mesh and not arguments.flip:
+        return _load_mesh(shape, arguments, context, report)
     points, normals = _samples(shape, arguments, report)
     points, normals = _normals(shape, points, normals, arguments, report)
     up = _up_of(shape, points, normals, arguments, report)
+    model = _fit(shape, points, normals, arguments, context, report)
+    return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
+
+
+def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Loaded:
+    read = _mesh.read(shape, arguments, context, report)
+    up = _up_of(shape, read.points, read.normals, arguments, report)
+    if _mesh.chooses(arguments):
+        model = _mesh.fit(read, arguments, report)
+    else:
+        model = _fit(shape, read.points, read.normals, arguments, context, report)
+    return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
+
+
+def _fit(
+    shape: Shape, points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter
+) -> Model:
+    """A model of these samples, and what there is to say of it."""
     with report.stage("fit", "fitting") as stage:
         model = Model.fit(points, normals, progress=stage.bar, context=context, **given(arguments, FIT))
         info = model.info
@@ -203,7 +223,7 @@ def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Load
     for doubt in [*_nearness.doubts(model), *_thin_evidence(points)]:
         report.warn(doubt)
     _nearness.tell(shape, model, arguments.samples is not None, context, report)
-    return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
+    return model
 
 
 def _saved_in_words(saved: Union[Model, PointSet, None]) -> str:

@@ -81,10 +81,12 @@ def _add_common(parser: Parser) -> None:
 
 def _add_input(parser: Parser) -> None:
     group = parser.add_argument_group("samples")
-    _add(group, "--samples", "samples", values.count(1), "N", "how many samples: of a mesh (1000 by default), "
-         "or chosen from a point set (all up to 4096 by default)")  # fmt: skip
+    _add(group, "--samples", "samples", values.count(1), "N", "how many samples: of a mesh (by default as many as "
+         "its shape needs), or chosen from a point set (all up to 4096 by default)")  # fmt: skip
     _add(group, "--crease", "crease", values.number, "DEGREES", "faces of a mesh that meet at a sharper angle do "
          "not share their normals; 60")  # fmt: skip
+    _add_choice(group, "--parts", "parts", ("outer", "all", "largest"), "which parts of a mesh: all but those inside "
+                "others (default), all, or that of the largest area")  # fmt: skip
     _add_choice(group, "--normals", "normals", ("auto", "keep"), "whether those that all look inward are turned; auto")
     group.add_argument("--flip", action="store_true", help="turn all normals, whatever they look like")
     group.add_argument("--close", action="store_true", help="let the surface go on beyond open data, as the fit has it")

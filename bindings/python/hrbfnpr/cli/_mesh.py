@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+"""A model of a mesh: with as many samples as its shape needs, or with as many as were asked for."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .._context import Context
+from .._mesh import Mesh, MeshFitInfo, MeshInfo
+from .._model import Model
+from ..shapes import Shape
+from ..shapes._shape import Floats
+from ._nearness import of
+from ._progress import Reporter
+
+LOOKED_AT = 2000  # samples that tell which way is up
+SAMPLES = 1000  # where the fit is not to choose them
+_CHOOSES = ("tolerance", "maximum_centres", "kernel", "kernel_radius", "polynomial_degree", "solver")
+_NOT_WITH_CHOICE = ("samples", "outliers", "flipped_normals", "refinement_steps", "flip")
+
+
+@dataclass(frozen=True)
+class Read:
+    """A mesh that was looked at, and even samples of it."""
+
+    mesh: Mesh
+    points: Floats
+    normals: Floats
+
+
+def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Read:
+    """Weld it, turn its faces outward, leave out what lies inside; and say so."""
+    with report.stage("mesh", "looking at the mesh") as stage:
+        turned = "keep" if arguments.normals == "keep" else "turn"
+        mesh = Mesh(
+            shape.points, shape.triangles, parts=arguments.parts or "outer", faces=turned, progress=stage.bar,
+            context=context, crease_angle=60.0 if arguments.crease is None else arguments.crease,
+        )  # fmt: skip
+        info = mesh.info
+        stage.says = _in_words(info)
+    _tell(info, report)
+    with report.stage("sample", "sampling") as stage:
+        count = LOOKED_AT if chooses(arguments) else arguments.samples or SAMPLES
+        points, normals = mesh.sample(count, random_seed=_seed(arguments), progress=stage.bar)
+        stage.says = f"{count} samples" + (", to look at" if chooses(arguments) else "")
+    return Read(mesh, np.asarray(points), np.asarray(normals))
+
+
+def chooses(arguments: Any) -> bool:
+    """Whether the fit takes as many samples as it needs: unless they, or what only such a fit does, are asked for."""
+    return not any(getattr(arguments, name, None) for name in _NOT_WITH_CHOICE) and arguments.regularization != "auto"
+
+
+def fit(read_mesh: Read, arguments: Any, report: Reporter) -> Model:
+    """Within a tolerance both ways; what falls short is warned of."""
+    options = {name: value for name in _CHOOSES if (value := getattr(arguments, name, None)) is not None}
+    if arguments.regularization is not None:
+        options["regularization"] = arguments.regularization
+    with report.stage("fit", "fitting") as stage:
+        model = Model.fit_mesh(read_mesh.mesh, random_seed=_seed(arguments), progress=stage.bar, **options)
+        done = model.mesh_fit
+        assert done is not None
+        stage.says = f"{done.centres} centres in {of(done.rounds, 'round')}; {_nearness(done, model)}"
+    if not done.reached:
+        report.warn(_shortfall(done, model, arguments))
+    return model
+
+
+def _seed(arguments: Any) -> int:
+    return 1 if arguments.random_seed is None else int(arguments.random_seed)
+
+
+def _in_words(info: MeshInfo) -> str:
+    parts = "1 part" if info.components == 1 else f"{info.components} parts"
+    if info.closed:
+        return f"{parts}, closed"
+    return f"{parts}, {of(info.boundary_loops, 'border')}" if info.boundary_edges else f"{parts}, not closed"
+
+
+def _tell(info: MeshInfo, report: Reporter) -> None:
+    """What was repaired, and what cannot be."""
+    if info.turned_faces:
+        report.note(f"{of(info.turned_faces, 'face')} looked to the other side than those beside: turned")
+    if info.turned_components:
+        inside_out = "the mesh was" if info.components == 1 else f"{of(info.turned_components, 'part')} of the mesh were"
+        report.note(f"{inside_out} inside out: its faces are turned")
+    if info.degenerate_faces or info.repeated_faces:
+        report.note(f"{of(info.degenerate_faces + info.repeated_faces, 'face')} without area, or twice there, left out")
+    if info.left_out_components:
+        report.note(
+            f"{of(info.left_out_components, 'part')} inside others left out ({info.left_out_faces} faces); --parts all "
+            "keeps them"
+        )
+    if info.contrary_edges:
+        report.warn(
+            f"{of(info.contrary_edges, 'edge')} between faces that look to opposite sides, which cannot be turned: a "
+            "surface of one side, or one that crosses itself"
+        )
+
+
+def _nearness(done: MeshFitInfo, model: Model) -> str:
+    d = diagonal(model)
+    return (
+        f"surface to mesh: 99 % within {done.surface_p99 / d:.2%} of the diagonal, all within {done.surface_max / d:.2%}; "
+        f"mesh to surface: {done.mesh_p99 / d:.2%}, {done.mesh_max / d:.2%}"
+    )
+
+
+def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:
+    d = diagonal(model)
+    text = (
+        f"the surface is not within {done.tolerance / d:.2%} of the diagonal everywhere: {1 - done.mesh_share:.1%} of the "
+        f"mesh and {1 - done.surface_share:.1%} of the surface are farther, at most {max(done.mesh_max, done.surface_max) / d:.1%}"
+    )
+    most = arguments.maximum_centres or 8000
+    if done.centres >= 0.9 * most:
+        return text + f"; --maximum-centres {2 * most} allows more samples"
+    return text + "; sharp edges and very thin parts are rounded"
+
+
+def diagonal(model: Model) -> float:
+    low, high = model.bounds
+    return float(np.linalg.norm(np.subtract(high, low))) or 1.0
+
+
+def off(model: Model) -> float:
+    """How far from the mesh what is none of it lies, in diagonals: few samples round what is sharp."""
+    return 0.01 if model.mesh_fit is not None else max(0.01, 0.6 * model.info.spacing / diagonal(model))
