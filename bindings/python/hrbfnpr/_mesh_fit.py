@@ -67,7 +67,7 @@ class MeshFits:
 
         Notes
         -----
-        Where the surface goes on far from a closed mesh, f is held to the signed distance from the mesh at a few
+        Where the surface goes on far from a mesh with an inside, f is held to the signed distance from the mesh at a few
         places off it: these are the last `mesh_fit.off_surface_centres` of `points`.
         """
         desc, options = new_struct("hrbfnpr_mesh_fit_desc"), new_struct("hrbfnpr_fit_desc")

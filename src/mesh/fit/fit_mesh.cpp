@@ -220,7 +220,8 @@ private:
         return !added.chosen.empty();
     }
 
-    // Holds f off the surface where that is far from the mesh; whether there is such a place.
+    // Holds f off the surface where that is far from the mesh, and it is sure which side that is; whether there is such
+    // a place.
     [[nodiscard]] bool look_at_surface() {
         const FitData implicit(runtime_.instruction_set, fit_->result.data);
         curves::SurfaceMesh surface = find_surface(runtime_, implicit, positions(), search_, progress_.part(0, 0));
@@ -228,10 +229,12 @@ private:
         SurfacePlaces places(runtime_.memory);
         places.position = std::move(surface.position);
         places.gradient = std::move(surface.gradient);
-        leave_out(runtime_, search_, places, progress_);
         base::Array<double> distance = distances_to_mesh(places.position);
-        std::int64_t added = 0;
-        if (mesh_.report.closed) added = off_.add_from(places.position, distance, report_.tolerance, room(), outer_);
+        const std::int64_t added = off_.add_from(places.position, distance, report_.tolerance, room(), outer_);
+        if (report_.supported) {
+            leave_out(runtime_, search_, places, progress_);
+            distance = distances_to_mesh(places.position);
+        }
         report_.surface = spread_of(distance, report_.tolerance, report_.far);
         return added > 0;
     }

@@ -29,8 +29,10 @@ std::int64_t OffSurface::add_from(const geometry::VecArray& place, const base::A
         for (std::int64_t j = 0; j < count() && !covered; ++j)
             covered = glm::distance(position[j], p) < apart * distance[i];
         if (covered) continue;
+        const Where side = where(faces.all(), p);
+        if (side == Where::unsure) continue;
         const FaceTree::Nearest nearest = faces.tree().nearest(p);
-        const double sign = is_inside(faces.all(), p) ? -1.0 : 1.0;
+        const double sign = side == Where::inside ? -1.0 : 1.0;
         const double length = std::sqrt(nearest.squared);
         position.push_back(p);
         normal.push_back(sign / length * (p - nearest.place));

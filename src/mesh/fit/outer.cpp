@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/fit/outer.h"
 
+#include <cmath>
+
 namespace hrbfnpr::mesh {
 namespace {
 
 // In no direction that edges of meshes have.
 const std::array<glm::dvec3, 3> directions{glm::dvec3{0.5773, 0.2161, 0.7874}, glm::dvec3{-0.6431, 0.7321, 0.2247},
                                            glm::dvec3{0.1713, -0.5119, -0.8418}};
+constexpr std::size_t rays = 16;
+constexpr std::size_t dissenters = 2;
 constexpr double beside = 1e-4; // a face, in diagonals
 constexpr std::int64_t grain = 512;
 
@@ -35,6 +39,23 @@ bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept {
         votes += winding > 0 ? 1 : 0;
     }
     return votes >= 2;
+}
+
+Where where(const FaceTree& tree, const glm::dvec3& place) noexcept {
+    std::size_t votes = 0;
+    for (std::size_t k = 0; k < rays; ++k) {
+        // Evenly over the sphere [Vogel 1979], and turned.
+        const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(rays);
+        const double angle = 0.6 + 2.399963229728653 * static_cast<double>(k);
+        const double r = std::sqrt(1.0 - z * z);
+        const glm::dvec3 direction = r * std::cos(angle) * directions[0] + r * std::sin(angle) * directions[1] +
+                                     z * glm::cross(directions[0], directions[1]);
+        int winding = 0;
+        tree.crossings(place, direction, [&](std::int64_t, double, int sign) { winding += sign; });
+        votes += winding > 0 ? 1 : 0;
+    }
+    if (votes >= rays - dissenters) return Where::inside;
+    return votes <= dissenters ? Where::outside : Where::unsure;
 }
 
 void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,

@@ -12,6 +12,12 @@ namespace hrbfnpr::mesh {
 // Whether a place lies inside a closed mesh, by the windings that most of some rays count.
 [[nodiscard]] bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept;
 
+enum class Where : std::uint8_t { outside, inside, unsure };
+
+// The same of a mesh that may have holes, by more rays: unsure where too many disagree, as near a hole, or beside a
+// sheet.
+[[nodiscard]] Where where(const FaceTree& tree, const glm::dvec3& place) noexcept;
+
 // Drops samples of closed components that lie inside others, where components overlap.
 void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
                 geometry::VecArray& normal, const base::Progress& progress);

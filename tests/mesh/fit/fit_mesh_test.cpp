@@ -100,6 +100,26 @@ TEST(FitMesh, HoldsTheSurfaceWhereItWouldGoElsewhere) {
     EXPECT_LT(inside, ring.report().off_surface);
 }
 
+TEST(FitMesh, HoldsTheSurfaceOfAMeshWithHoles) {
+    const auto holed = [](double x, double y, double) { return x * x + (y - 1.0) * (y - 1.0) > 0.02; };
+    const Fitted ring(wound_ring(300, 40).where(holed));
+    EXPECT_TRUE(ring.report().supported);
+    EXPECT_GT(ring.report().off_surface, 0);
+    expect_asked(ring, ring.error());
+}
+
+TEST(FitMesh, KnowsOnWhichSideAPlaceIs) {
+    const hrbfnpr::base::Runtime runtime = with_threads(2);
+    const auto most = [](double, double, double z) { return z < 0.9; };
+    const auto half = [](double, double, double z) { return z < 0.0; };
+    const mesh::Mesh ball = made(runtime, icosphere(4).where(most)), bowl = made(runtime, icosphere(4).where(half));
+    const mesh::FaceTree in_ball(runtime, ball.vertex, ball.triangle, {});
+    const mesh::FaceTree in_bowl(runtime, bowl.vertex, bowl.triangle, {});
+    EXPECT_EQ(mesh::where(in_ball, {0.1, 0.2, -0.3}), mesh::Where::inside);
+    EXPECT_EQ(mesh::where(in_ball, {1.5, 0.2, -0.3}), mesh::Where::outside);
+    EXPECT_EQ(mesh::where(in_bowl, {0.1, 0.2, -0.1}), mesh::Where::unsure);
+}
+
 TEST(FitMesh, LeavesOutFacesThatLieInsideAnother) {
     const Fitted balls(icosphere(5).with(icosphere(5).moved(1.0, 1.2, 0.0, 0.0)));
     const mesh::Comparison error = balls.error();

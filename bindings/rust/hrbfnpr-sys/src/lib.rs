@@ -3356,8 +3356,9 @@ extern "C" {
     ) -> hrbfnpr_status;
     /// Fits a surface to a mesh with as many samples as that takes: some hundred
     /// even ones, then, in rounds, more where the surface is off the mesh or the mesh
-    /// off the surface.  Where the surface goes on far from a closed mesh, f is held
-    /// to the signed distance from the mesh at a few places off it: these are the
+    /// off the surface.  Where the surface goes on far from the mesh, f is held to
+    /// the signed distance from the mesh at a few places off it, if it is clear on
+    /// which side of the mesh they lie, whatever small holes it has: these are the
     /// last centres of the model, whose normal is the way to the mesh or from it.
     ///
     /// An end short of the tolerance is no error: `reached` is 0, and the log warns.
