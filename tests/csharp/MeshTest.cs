@@ -35,7 +35,7 @@ namespace HrbfNpr.Tests
         public void AMeshSaysWhatItIs()
         {
             double[] vertices = Torus(40, 20, out int[] triangles);
-            using (var mesh = new Mesh(vertices, triangles))
+            using (var mesh = new TriangleMesh(vertices, triangles))
             {
                 MeshInfo info = mesh.Info;
                 Assert.True(info.Closed);
@@ -51,12 +51,12 @@ namespace HrbfNpr.Tests
                 }
             }
             long[] wide = Array.ConvertAll(triangles, corner => (long)corner);
-            using (var mesh = new Mesh(vertices, wide, new MeshOptions { Parts = MeshParts.Largest }))
+            using (var mesh = new TriangleMesh(vertices, wide, new MeshOptions { Parts = MeshParts.Largest }))
             {
                 Assert.Equal(1600L, mesh.Info.Faces);
             }
             wide[7] = 800;
-            var thrown = Assert.Throws<InvalidArgumentException>(() => new Mesh(vertices, wide));
+            var thrown = Assert.Throws<InvalidArgumentException>(() => new TriangleMesh(vertices, wide));
             Assert.Contains("triangles[2] has the index 800", thrown.Message);
         }
 
@@ -64,7 +64,7 @@ namespace HrbfNpr.Tests
         public void AModelIsFittedToAMeshAndComparedWithIt()
         {
             double[] vertices = Torus(60, 30, out int[] triangles);
-            using (var mesh = new Mesh(vertices, triangles))
+            using (var mesh = new TriangleMesh(vertices, triangles))
             using (Model model = Model.FitMesh(mesh, out MeshFitInfo info, new MeshFitOptions { Tolerance = 0.01 }))
             {
                 Assert.True(info.Reached && !info.Supported);
@@ -86,7 +86,7 @@ namespace HrbfNpr.Tests
         public void SamplesAndFarthestPointsAreEven()
         {
             double[] vertices = Torus(60, 30, out int[] triangles);
-            using (var mesh = new Mesh(vertices, triangles))
+            using (var mesh = new TriangleMesh(vertices, triangles))
             {
                 double[] points = mesh.Sample(100, out double[] normals, 3);
                 Assert.Equal(300, points.Length);
@@ -98,7 +98,7 @@ namespace HrbfNpr.Tests
                 Assert.True(points.SequenceEqual(mesh.Sample(100, out _, 3)));
                 Assert.False(points.SequenceEqual(mesh.Sample(100, out _, 4)));
             }
-            long[] chosen = Mesh.FarthestPoints(new double[] { 0, 0, 0, 1, 0, 0, 9, 0, 0, 5, 0, 0 }, 3);
+            long[] chosen = TriangleMesh.FarthestPoints(new double[] { 0, 0, 0, 1, 0, 0, 9, 0, 0, 5, 0, 0 }, 3);
             Assert.True(chosen.SequenceEqual(new long[] { 3, 0, 2 }));
         }
     }

@@ -17,7 +17,7 @@ namespace HrbfNpr
         /// <exception cref="SingularSystemException">There is no (numerically) unique solution.</exception>
         /// <exception cref="NotConvergedException">The message gives the residual reached.</exception>
         public static Model FitMesh(
-            Mesh mesh, out MeshFitInfo info, MeshFitOptions options = null, FitOptions fit = null,
+            TriangleMesh mesh, out MeshFitInfo info, MeshFitOptions options = null, FitOptions fit = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
             if (mesh == null)
@@ -51,7 +51,7 @@ namespace HrbfNpr
         /// <param name="cancellationToken">Cancels the call.</param>
         /// <exception cref="InvalidArgumentException">An option is out of its range.</exception>
         public MeshComparison Compare(
-            Mesh mesh, CompareOptions options = null, IProgress<double> progress = null,
+            TriangleMesh mesh, CompareOptions options = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
         {
             if (mesh == null)

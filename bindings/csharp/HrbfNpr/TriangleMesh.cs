@@ -10,14 +10,14 @@ namespace HrbfNpr
     /// </summary>
     /// <example>
     /// <code>
-    /// using (var mesh = new Mesh(vertices, triangles)) // double[] or float[], int[]
+    /// using (var mesh = new TriangleMesh(vertices, triangles)) // double[] or float[], int[]
     /// using (Model model = Model.FitMesh(mesh, out MeshFitInfo info))
     /// {
     ///     MeshComparison error = model.Compare(mesh);
     /// }
     /// </code>
     /// </example>
-    public sealed unsafe class Mesh : IDisposable
+    public sealed unsafe class TriangleMesh : IDisposable
     {
         private readonly MeshHandle handle;
 
@@ -31,7 +31,7 @@ namespace HrbfNpr
         /// <exception cref="InvalidArgumentException">An index is no vertex's (the message names the face and the
         /// index), a corner is not finite, or no face has an area.</exception>
         /// <exception cref="CancelledException">The call was cancelled.</exception>
-        public Mesh(
+        public TriangleMesh(
             ArrayView vertices, ArrayView triangles, MeshOptions options = null, Context context = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
