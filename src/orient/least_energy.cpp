@@ -18,7 +18,8 @@ constexpr double same = 0.03;
 // Energies so many times the least say nothing about it.
 constexpr double unlikely = 0.15;
 constexpr double others = 0.95; // share of equal signs
-constexpr int rounds = 3;       // of signs and directions
+constexpr std::int64_t patches_from = 100000;
+constexpr int rounds = 3; // of signs and directions
 
 void turn(const Signs& signs, VecArray& normal) noexcept {
     for (std::int64_t at = 0; at < normal.size(); ++at)
@@ -57,7 +58,8 @@ public:
           stiffness_(energy_->stiffness()) {}
 
     // Signs by the energy, then directions, and both again while that lowers it.
-    Result settle(VecArray normal, bool keep_signs, int most_rounds = rounds) {
+    Result settle(VecArray normal, bool keep_signs) {
+        const int most_rounds = tree_.size() > patches_from ? rounds - 1 : rounds;
         const Energy energy = [this](const VecArray& n, VecArray& beta) { return energy_->sparse(n, beta); };
         if (!keep_signs) find_signs(normal);
         Result best{std::move(normal), 0.0};
@@ -131,12 +133,14 @@ private:
     // Whether any was turned relative to the others.
     bool find_signs(VecArray& normal) {
         const SignEnergy signs(runtime_, *energy_, normal);
+        if (tree_.size() > patches_from && !levels_.cluster.empty()) return improve_signs(signs, normal);
         Signs as_it_is(runtime_.memory, tree_.size());
         std::fill(as_it_is.begin(), as_it_is.end(), std::int8_t{1});
         Patches patches =
             tree_.size() > patches_from ? find_patches(runtime_, tree_, near_, normal) : Patches(runtime_.memory);
         const bool has_patches = patches.cluster.size() == tree_.size();
-        Levels levels;
+        Levels& levels = levels_;
+        levels.cluster.clear();
         if (has_patches) levels.cluster.push_back(copy_of(patches.cluster));
         Signs best = signs.agglomerate(has_patches ? &patches.cluster : nullptr, has_patches ? &patches.signs : nullptr,
                                        levels, progress_);
@@ -145,13 +149,19 @@ private:
         turn(best, normal);
         return true;
     }
+    // The clusters of the first time will do.
+    bool improve_signs(const SignEnergy& energy, VecArray& normal) {
+        Signs signs(runtime_.memory, tree_.size());
+        std::fill(signs.begin(), signs.end(), std::int8_t{1});
+        if (energy.improve(levels_, signs, progress_) == 0) return false;
+        turn(signs, normal);
+        return true;
+    }
     [[nodiscard]] base::Array<std::int32_t> copy_of(const base::Array<std::int32_t>& from) const {
         base::Array<std::int32_t> to(runtime_.memory, from.size());
         std::copy(from.begin(), from.end(), to.begin());
         return to;
     }
-
-    static constexpr std::int64_t patches_from = 100000;
 
     const base::Runtime& runtime_;
     const geometry::PointTree& tree_;
@@ -160,6 +170,7 @@ private:
     base::Progress progress_;
     std::unique_ptr<fit::HermiteEnergy> energy_;
     base::Array<double> stiffness_;
+    Levels levels_; // of the signs found last
 };
 
 } // namespace

@@ -10,6 +10,10 @@ namespace hrbfnpr::orient {
 namespace {
 
 constexpr std::int64_t grain = 256;
+// A coupling so strong, of at most 1, cancels most of what two clusters have for being apart.
+constexpr double sure_strength = 0.5;
+constexpr std::int64_t large = 4;       // times as many members
+constexpr std::int64_t careful = 10000; // places: fewer wait
 constexpr int most_sweeps = 4;
 // Levels that are kept have at most this share of the clusters of the one before.
 constexpr double kept_share = 0.3;
@@ -27,8 +31,9 @@ public:
           next_(energy.runtime_.memory, size_), last_(energy.runtime_.memory, size_),
           signs_(energy.runtime_.memory, size_), self_(energy.runtime_.memory, size_),
           partner_(energy.runtime_.memory, size_), coupling_(energy.runtime_.memory, size_),
-          over_(energy.runtime_.memory, size_), coarse_of_(energy.runtime_.memory, size_),
-          names_(energy.runtime_.memory) {
+          strength_(energy.runtime_.memory, size_), count_(energy.runtime_.memory, size_),
+          joined_(energy.runtime_.memory, size_), over_(energy.runtime_.memory, size_),
+          coarse_of_(energy.runtime_.memory, size_), names_(energy.runtime_.memory) {
         for (std::int64_t k = 0; k < blocks_.coarse_count; ++k) coarse_of_[blocks_.coarse[k]] = k + 1;
         for (std::int64_t at = 0; at < size_; ++at) {
             signs_[at] = signs != nullptr ? (*signs)[at] : std::int8_t{1};
@@ -36,6 +41,7 @@ public:
             cluster_[at] = name;
             next_[at] = -1;
             last_[at] = static_cast<std::int32_t>(at);
+            ++count_[name];
             if (name == at)
                 names_.push_back(name);
             else // names are of the first member, so that it has been seen
@@ -169,28 +175,57 @@ private:
             best = strength;
             partner_[name] = other;
             coupling_[name] = coupling;
+            strength_[name] = strength;
         });
     }
 
+    // Those that are each other's nearest, and of those that are not the ones whose coupling leaves little doubt, and
+    // small ones beside a large one, which would have to wait for their turn.
     void join_partners() {
+        for (const std::int32_t name : names_) joined_[name] = {name, false};
+        for (const bool mutual_ones : {true, false})
+            for (const std::int32_t name : names_) {
+                const std::int32_t other = partner_[name];
+                if (other < 0) continue;
+                const bool mutual = partner_[other] == name;
+                if (mutual != mutual_ones || (mutual && other < name)) continue;
+                const bool small = size_ > careful && large * count_[name] < count_[other];
+                if (mutual || small || strength_[name] > sure_strength) join(name, other);
+            }
         base::Array<std::int32_t> left(energy_.runtime_.memory);
-        for (const std::int32_t name : names_) {
-            const std::int32_t other = partner_[name];
-            const bool mutual = other >= 0 && partner_[other] == name;
-            if (!mutual || other > name) left.push_back(name);
-            if (mutual && other > name) join(name, other);
-        }
+        for (const std::int32_t name : names_)
+            if (joined_[name].to == name) left.push_back(name);
         names_ = std::move(left);
     }
 
-    void join(std::int32_t name, std::int32_t other) noexcept {
-        const bool turn = coupling_[name] > 0.0;
-        self_[name] = std::max(self_[name] + self_[other] - 2.0 * std::abs(coupling_[name]), 1e-300);
-        for (std::int32_t at = other; at >= 0; at = next_[at]) {
-            cluster_[at] = name;
+    struct Joined {
+        std::int32_t to; // in this round; a root is joined to itself
+        bool turned;     // against it
+    };
+    [[nodiscard]] Joined root_of(std::int32_t name) const noexcept {
+        Joined result{name, false};
+        while (joined_[result.to].to != result.to) {
+            result.turned ^= joined_[result.to].turned;
+            result.to = joined_[result.to].to;
+        }
+        return result;
+    }
+
+    // The coupling is that of the signs at the round's beginning.
+    void join(std::int32_t one, std::int32_t two) noexcept {
+        Joined a = root_of(one);
+        Joined b = root_of(two);
+        if (a.to == b.to) return;
+        if (a.to > b.to) std::swap(a, b);
+        const bool turn = (coupling_[one] > 0.0) != (a.turned != b.turned);
+        self_[a.to] = std::max(self_[a.to] + self_[b.to] - 2.0 * std::abs(coupling_[one]), 1e-300);
+        for (std::int32_t at = b.to; at >= 0; at = next_[at]) {
+            cluster_[at] = a.to;
             if (turn) signs_[at] = static_cast<std::int8_t>(-signs_[at]);
         }
-        append(name, other);
+        append(a.to, b.to);
+        count_[a.to] += count_[b.to];
+        joined_[b.to] = {a.to, turn};
     }
 
     const SignEnergy& energy_;
@@ -203,6 +238,9 @@ private:
     base::Array<double> self_; // energy of the members alone, by name, as are the next two
     base::Array<std::int32_t> partner_;
     base::Array<double> coupling_;
+    base::Array<double> strength_;
+    base::Array<std::int64_t> count_; // of members
+    base::Array<Joined> joined_;
     base::Array<std::uint8_t> over_;      // of each term
     base::Array<std::int64_t> coarse_of_; // 1 + number in the dense term; 0: none
     base::Array<std::int32_t> names_;

@@ -45,6 +45,35 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void NormalsAreFoundAndTurned()
+        {
+            double[] inward = Points.Select(x => -x).ToArray();
+            double[] found = Orientation.Find(Points, default(ArrayView), out OrientationInfo info);
+            double[] turned = Orientation.Find(Points, inward, out OrientationInfo repair);
+            Assert.Equal(Normals.None, info.Found);
+            Assert.Equal(60L, info.Made);
+            Assert.True(info.Closed && info.Confidence > 0.9);
+            Assert.Equal(Normals.Inward, repair.Found);
+            Assert.Equal(60L, repair.Turned);
+            Assert.Equal(Points, turned);
+            for (int i = 0; i < 180; ++i)
+            {
+                Assert.Equal(Points[i], found[i], 0.1);
+            }
+            using (Model model = Model.Fit(Points, default(ArrayView), new FitOptions { NormalMode = Normals.None }))
+            {
+                Assert.Equal(Normals.None, model.Info.NormalsFound);
+                Assert.True(model.Info.NormalsConfidence > 0.9);
+            }
+            using (Model model = Model.Fit((ArrayView)Points, (ArrayView)inward))
+            {
+                Assert.True(model.Info.NormalsInward);
+            }
+            Assert.Throws<InvalidArgumentException>(
+                () => Orientation.Find(new double[9], default(ArrayView), out OrientationInfo none));
+        }
+
+        [Fact]
         public void FloatsStructsAndNativeMemoryGiveTheSameBits()
         {
             float[] floats = Shapes.ToFloats(Points);

@@ -171,6 +171,38 @@ namespace HrbfNpr
         Reorient = 2,
     }
 
+    /// <summary>What is known of given normals.</summary>
+    [NativeConstants("HRBFNPR_NORMALS_")]
+    public enum Normals
+    {
+        /// <summary>They are right, and point outward.</summary>
+        Given = 0,
+        /// <summary>There are none, or none to go by.</summary>
+        None = 1,
+        /// <summary>Directions are right, signs are not.</summary>
+        Unoriented = 2,
+        /// <summary>Most signs are right, too; some patches are turned.</summary>
+        Mixed = 3,
+        /// <summary>Right, but for all pointing inward.</summary>
+        Inward = 4,
+        /// <summary>Find out which of these it is, and do what that calls for.</summary>
+        Auto = 5,
+    }
+
+    /// <summary>How it was decided which side is outward.</summary>
+    [NativeConstants("HRBFNPR_OUTWARD_")]
+    public enum OutwardBy
+    {
+        /// <summary>The other side is inside.</summary>
+        Inside = 0,
+        /// <summary>The side that up points to.</summary>
+        Up = 1,
+        /// <summary>The side that is seen.</summary>
+        Viewpoint = 2,
+        /// <summary>Most given normals say so.</summary>
+        AsGiven = 3,
+    }
+
     /// <summary>Where the regularization of a fit comes from.</summary>
     [NativeConstants("HRBFNPR_REGULARIZATION_")]
     public enum RegularizationMode

@@ -49,8 +49,13 @@ namespace HrbfNpr
         /// <summary>Of the iterative solver, 1 to 48; 0 = automatic (default).</summary>
         public int PreconditionerNeighbours { get; set; }
 
+        /// <summary>What is known of the normals; Given by default.  With all others they are first made by
+        /// <see cref="Orientation.Find"/>; None, and Auto, need no normals: pass default(ArrayView).</summary>
+        public Normals NormalMode { get; set; }
+
         internal void Write(ref hrbfnpr_fit_desc desc)
         {
+            desc.normal_mode = (uint)NormalMode;
             desc.kernel = (uint)Kernel;
             desc.kernel_radius = KernelRadius;
             desc.polynomial_degree = PolynomialDegree;

@@ -121,6 +121,31 @@ namespace HrbfNpr
         /// <summary>Most bytes that the context had given out at a time, up to the fit's end.</summary>
         public readonly long PeakBytes;
 
+        private readonly uint normalsFound;
+
+        private readonly uint normalsInward;
+
+        /// <summary>Normals that a fit with a normal mode turned round.</summary>
+        public readonly long NormalsTurned;
+
+        /// <summary><see cref="OrientationInfo.Confidence"/> of such a fit; NaN of others.</summary>
+        public readonly double NormalsConfidence;
+
+        /// <summary>Seconds to find or repair the normals.</summary>
+        public readonly double SecondsOrient;
+
+        /// <summary>What the normals turned out to be, of a fit with a normal mode.</summary>
+        public Normals NormalsFound
+        {
+            get { return (Normals)normalsFound; }
+        }
+
+        /// <summary>Whether normals as given all point into a closed surface.</summary>
+        public bool NormalsInward
+        {
+            get { return normalsInward != 0; }
+        }
+
         /// <summary>The radial function.</summary>
         public Kernel Kernel
         {

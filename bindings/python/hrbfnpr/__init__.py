@@ -50,6 +50,7 @@ from ._names import CLASSES, PRESETS
 from ._names import PROJECTION as PROJECTION_STATUS
 from ._names import RAY as RAY_STATUS
 from ._operation import Operation
+from ._orient import Oriented, OrientInfo, orient
 from ._point_set import PointSet, StepPatches
 from ._point_set_info import LayerInfo, PlacementInfo, PointSetInfo
 from ._renderer import Item, Renderer
@@ -69,6 +70,11 @@ __all__ = [
     "Renderer", "SingularSystemError", "StepPatches", "StreamError", "Style", "TrimInfo",
     "UnsupportedStructError", "VersionMismatchError", "Vertices", "build_info", "default_context",
     "farthest_points", "library_path", "preset_layers", "set_default_context",
+    "MarkResults", "Model", "ModelInfo", "NotConvergedError", "Operation", "OrientInfo", "Oriented",
+    "OutOfMemoryError", "OwnLayer", "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits",
+    "Renderer", "SingularSystemError", "StepPatches", "StreamError", "Style",
+    "UnsupportedStructError", "VersionMismatchError", "Vertices", "build_info", "default_context",
+    "library_path", "orient", "preset_layers", "set_default_context",
 ]  # fmt: skip
 
 

@@ -9,12 +9,13 @@ from ._arrays import Array, block_in, float_code, output, output_field, scalar, 
 from ._callbacks import CallbackState, check
 from ._context import Context, resolve
 from ._errors import new_error, new_struct
+from ._fit_desc import fit_desc
 from ._function import FunctionState, on_evaluate, on_release
 from ._handles import own
 from ._library import ffi, lib
 from ._mesh_fit import MeshFits
 from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits, Vector
-from ._names import KERNELS, REPAIRS, SOLVER_REASONS, SOLVERS, name_of, number_of
+from ._names import KERNELS, NORMALS, SOLVER_REASONS, SOLVERS, name_of
 from ._numpy import np
 from ._operation import Operation, Progress, running
 from ._rays import HitArrays, pairs
@@ -51,8 +52,9 @@ class Model(MeshFits, Trimming):
     def fit(
         cls,
         points: Array,
-        normals: Array,
+        normals: Optional[Array] = None,
         *,
+        normal_mode: Optional[str] = None,
         kernel: str = "triharmonic",
         kernel_radius: float = 0.0,
         polynomial_degree: int = 1,
@@ -77,6 +79,9 @@ class Model(MeshFits, Trimming):
         points, normals : array of float, shape (N, 3)
             Samples and their outward normals, in any unit.  Normals that are not of unit length are
             normalised; samples that coincide and agree are merged.  One sample is a plane.
+            Without normals they are found first: see `orient`, as with every mode but "given".
+        normal_mode : {"given", "none", "unoriented", "mixed", "inward", "auto"}, optional
+            What is known of the normals; "given", or "none" without any.
         kernel : {"triharmonic", "gaussian", "wendland_c2"}
             r^3 (default), exp(-r^2 / 2 radius^2), or (1 - r/radius)^4 (4 r/radius + 1).
         kernel_radius : float
@@ -120,24 +125,12 @@ class Model(MeshFits, Trimming):
         OutOfMemoryError, CancelledError
         """
         context = resolve(context)
-        desc = new_struct("hrbfnpr_fit_desc")
-        desc.kernel = number_of("kernel", KERNELS, kernel)
-        keep = [block_in("points", points).fill(desc.points), block_in("normals", normals).fill(desc.normals)]
-        desc.kernel_radius = kernel_radius
-        desc.polynomial_degree = polynomial_degree
-        if regularization == "auto":
-            desc.regularization_mode = ffi.integer_const("HRBFNPR_REGULARIZATION_AUTO")
-        else:
-            desc.regularization = regularization
-        desc.outliers = number_of("outliers", REPAIRS, outliers)
-        desc.flipped_normals = number_of("flipped_normals", REPAIRS, flipped_normals)
-        desc.tolerance = tolerance
-        desc.maximum_centres = maximum_centres
-        desc.solver = number_of("solver", SOLVERS, solver)
-        desc.refinement_steps = refinement_steps
-        desc.solver_tolerance = solver_tolerance
-        desc.iteration_limit = iteration_limit
-        desc.preconditioner_neighbours = preconditioner_neighbours
+        desc, keep = fit_desc(
+            points, normals, normal_mode, kernel, regularization, outliers, flipped_normals, solver,
+            kernel_radius=kernel_radius, polynomial_degree=polynomial_degree, tolerance=tolerance,
+            maximum_centres=maximum_centres, refinement_steps=refinement_steps, solver_tolerance=solver_tolerance,
+            iteration_limit=iteration_limit, preconditioner_neighbours=preconditioner_neighbours,
+        )  # fmt: skip
         out, error = ffi.new("hrbfnpr_model **"), new_error()
         with running(operation, progress, context._handle) as (handle, state):
             check(lib.hrbfnpr_model_fit(context._handle, desc, handle, out, error), error, state)
@@ -419,9 +412,10 @@ class Model(MeshFits, Trimming):
         """What the fit did."""
         info, error = new_struct("hrbfnpr_model_info"), new_error()
         check(lib.hrbfnpr_model_get_info(self._handle, info, error), error)
-        names = {"kernel": KERNELS, "solver": SOLVERS, "solver_reason": SOLVER_REASONS}
+        names = {"kernel": KERNELS, "solver": SOLVERS, "solver_reason": SOLVER_REASONS,
+                 "normals_found": NORMALS}  # fmt: skip
         convert = {key: (lambda number, table=table: name_of(table, number)) for key, table in names.items()}
-        return read_struct(ModelInfo, info, {**convert, "fallback": bool})
+        return read_struct(ModelInfo, info, {**convert, "fallback": bool, "normals_inward": bool})
 
     @property
     def bounds(self) -> Tuple[Vector, Vector]:

@@ -62,6 +62,11 @@ class ModelInfo:
         Memory kept by the model.
     peak_bytes : int
         The most that the context had allocated at a time, up to the fit's end.
+    normals_found, normals_turned, normals_confidence
+        Of a fit with a `normal_mode` but "given": see `OrientInfo`.
+    normals_inward : bool
+        Whether normals as given all point into a closed surface.
+    seconds_orient : float
     """
 
     kernel: str
@@ -103,6 +108,11 @@ class ModelInfo:
     seconds_total: float
     bytes: int
     peak_bytes: int
+    normals_found: str
+    normals_inward: bool
+    normals_turned: int
+    normals_confidence: Optional[float]
+    seconds_orient: float
 
 
 class Evaluation(NamedTuple):

@@ -83,11 +83,11 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_orient_desc_init(hrbfnpr_orient_desc* desc, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_orient_info_init(hrbfnpr_orient_info* info, uint struct_size);
+        internal static extern int hrbfnpr_orient_info_init(OrientationInfo* info, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_orient(ContextHandle context, hrbfnpr_orient_desc* desc,
-            OperationHandle operation, hrbfnpr_array* out_normals, hrbfnpr_orient_info* info, hrbfnpr_error* error);
+            OperationHandle operation, hrbfnpr_array* out_normals, OrientationInfo* info, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint struct_size);

@@ -84,11 +84,11 @@ namespace HrbfNpr
         internal static partial int hrbfnpr_orient_desc_init(hrbfnpr_orient_desc* desc, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_orient_info_init(hrbfnpr_orient_info* info, uint struct_size);
+        internal static partial int hrbfnpr_orient_info_init(OrientationInfo* info, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_orient(ContextHandle context, hrbfnpr_orient_desc* desc,
-            OperationHandle operation, hrbfnpr_array* out_normals, hrbfnpr_orient_info* info, hrbfnpr_error* error);
+            OperationHandle operation, hrbfnpr_array* out_normals, OrientationInfo* info, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint struct_size);

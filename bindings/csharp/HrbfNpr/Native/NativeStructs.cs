@@ -102,25 +102,6 @@ namespace HrbfNpr
         internal uint reserved;
     }
 
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_orient_info")]
-    internal unsafe struct hrbfnpr_orient_info
-    {
-        internal uint struct_size;
-        internal uint found;
-        internal long turned;
-        internal long made;
-        internal long merged;
-        internal double direction_change;
-        internal double noise;
-        internal double spacing;
-        internal double energy;
-        internal double confidence;
-        internal uint closed;
-        internal uint outward_by;
-        internal long components;
-        internal double seconds;
-    }
-
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_custom_desc")]
     internal unsafe struct hrbfnpr_custom_desc
     {

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Given normals, told apart and repaired.
+#include "shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace hrbfnpr;
+using namespace orient_test;
+using orient::NormalMode;
+
+const Samples& shape() {
+    static const Samples samples = test::torus(1200);
+    return samples;
+}
+
+orient::Orientation with(const std::vector<double>& normals, NormalMode mode = NormalMode::automatic,
+                         const Samples& samples = shape()) {
+    static const base::Runtime runtime; // outlives what it made
+    orient::OrientInput wanted = input(samples);
+    wanted.normals = view(normals);
+    wanted.mode = mode;
+    return orient::orient(runtime, wanted, base::Progress());
+}
+
+// turned(i): whether the i-th normal points the other way.
+template <class Turned>
+std::vector<double> turned(const Samples& samples, const Turned& is_turned) {
+    std::vector<double> result = samples.normals;
+    for (std::size_t i = 0; i < result.size(); ++i)
+        if (is_turned(static_cast<std::int64_t>(i / 3))) result[i] = -result[i];
+    return result;
+}
+
+void expect_the_truth(const orient::Orientation& result, const Samples& samples = shape()) {
+    for (std::int64_t i = 0; i < samples.count(); ++i) ASSERT_EQ(result.normal[i], at(samples.normals, i)) << i;
+}
+
+TEST(GivenNormals, ThatAreRightStayBitForBit) {
+    const orient::Orientation result = with(shape().normals);
+    EXPECT_EQ(result.report.found, NormalMode::given);
+    EXPECT_EQ(result.report.turned, 0);
+    EXPECT_EQ(result.report.made, 0);
+    expect_the_truth(result);
+}
+
+TEST(GivenNormals, ThatPointInwardAreTurned) {
+    const std::vector<double> inward = turned(shape(), [](std::int64_t) { return true; });
+    for (const NormalMode mode : {NormalMode::automatic, NormalMode::inward, NormalMode::unoriented}) {
+        const orient::Orientation result = with(inward, mode);
+        EXPECT_EQ(result.report.turned, shape().count());
+        expect_the_truth(result);
+    }
+    EXPECT_EQ(with(inward).report.found, NormalMode::inward);
+}
+
+TEST(GivenNormals, PatchesThatAreTurnedAreTurnedBack) {
+    const auto patch = [](std::int64_t i) { return at(shape().points, i).x > 0.9; };
+    const std::vector<double> mixed = turned(shape(), patch);
+    for (const NormalMode mode : {NormalMode::automatic, NormalMode::mixed}) {
+        const orient::Orientation result = with(mixed, mode);
+        EXPECT_EQ(result.report.found, NormalMode::mixed);
+        EXPECT_GT(result.report.turned, 100);
+        EXPECT_LT(result.report.turned, 500);
+        expect_the_truth(result);
+    }
+}
+
+TEST(GivenNormals, OfRandomSignsKeepTheirDirections) {
+    const std::vector<double> tossed =
+        turned(shape(), [](std::int64_t i) { return std::fmod(static_cast<double>(i * i) * 0.3819660113, 1.0) < 0.5; });
+    const orient::Orientation result = with(tossed);
+    EXPECT_EQ(result.report.found, NormalMode::unoriented);
+    expect_the_truth(result);
+}
+
+TEST(GivenNormals, ThatAreColoursAreMadeAnew) {
+    std::vector<double> colours;
+    for (std::int64_t i = 0; i < 3 * shape().count(); ++i)
+        colours.push_back(std::fmod(static_cast<double>(i) * 0.618033988, 1.0));
+    std::vector<double> constant;
+    for (std::int64_t i = 0; i < shape().count(); ++i) constant.insert(constant.end(), {0.0, 0.0, 1.0});
+    for (const std::vector<double>& wrong : {colours, constant}) {
+        const orient::Orientation result = with(wrong);
+        EXPECT_EQ(result.report.found, NormalMode::none);
+        EXPECT_EQ(result.report.made, shape().count());
+        EXPECT_GT(result.report.direction_change, 20.0);
+        EXPECT_EQ(score(shape(), result.normal).right, 1.0);
+    }
+}
+
+TEST(GivenNormals, ThatAreZeroAreMade) {
+    std::vector<double> some = shape().normals;
+    std::fill_n(some.begin() + 30, 60, 0.0);
+    const orient::Orientation result = with(some);
+    EXPECT_EQ(result.report.made, 20);
+    EXPECT_EQ(result.report.found, NormalMode::given);
+    EXPECT_EQ(score(shape(), result.normal).right, 1.0);
+    const orient::Orientation none = with(std::vector<double>(some.size(), 0.0));
+    EXPECT_EQ(none.report.made, shape().count());
+    EXPECT_EQ(score(shape(), none.normal).right, 1.0);
+}
+
+TEST(GivenNormals, OfOpenSheetsSayWhichSideIsMeant) {
+    const Samples sheet = terrain(20);
+    const std::vector<double> down = turned(sheet, [](std::int64_t) { return true; });
+    const orient::Orientation result = with(down, NormalMode::automatic, sheet);
+    EXPECT_EQ(result.report.found, NormalMode::given);
+    EXPECT_EQ(result.report.turned, 0);
+    EXPECT_EQ(result.report.outward_by, orient::OutwardBy::as_given);
+    EXPECT_EQ(score(sheet, result.normal).right, 0.0);
+}
+
+TEST(GivenNormals, AreOnlyLookedAtWhereThatIsAsked) {
+    const std::vector<double> inward = turned(shape(), [](std::int64_t) { return true; });
+    const orient::Orientation result = with(inward, NormalMode::given);
+    EXPECT_EQ(result.report.found, NormalMode::inward);
+    EXPECT_EQ(result.report.turned, 0);
+    for (std::int64_t i = 0; i < shape().count(); ++i) ASSERT_EQ(result.normal[i], at(inward, i));
+}
+
+TEST(GivenNormals, OfAClosedSurfaceAreSeenToPointInward) {
+    const base::Runtime runtime;
+    const Samples sheet = terrain(20);
+    const auto inward = [&](const Samples& samples, bool turn) {
+        const std::vector<double> normals = turned(samples, [&](std::int64_t) { return turn; });
+        return orient::plainly_inward(runtime, view(samples.points), view(normals), base::Progress());
+    };
+    EXPECT_TRUE(inward(shape(), true));
+    EXPECT_FALSE(inward(shape(), false));
+    EXPECT_TRUE(inward(test::bumpy(20000), true));
+    EXPECT_FALSE(inward(test::bumpy(20000), false));
+    EXPECT_FALSE(inward(sheet, true));
+    EXPECT_FALSE(inward(sheet, false));
+}
+
+} // namespace
