@@ -18,9 +18,10 @@ constexpr std::int64_t grain = 64;
 // Of the limit: s where the surface goes on whatever the samples say.
 constexpr double borne_out = 0.9;
 
+// Of a few samples the one in the middle: the last may be all across.
 double distance_to_sixth(const geometry::VecArray& position, const geometry::Neighbours& neighbours, std::int64_t i) {
-    const std::int64_t last = std::min(sixth, neighbours.each()) - 1;
-    return glm::distance(position[i], position[neighbours.of(i)[static_cast<std::size_t>(last)]]);
+    const std::int64_t place = neighbours.each() >= sixth ? sixth - 1 : (neighbours.each() - 1) / 2;
+    return glm::distance(position[i], position[neighbours.of(i)[static_cast<std::size_t>(place)]]);
 }
 
 // The geometric mean of a sample's own and the median of its neighbours': serves even samples and uneven ones.

@@ -60,21 +60,15 @@ from ._trim import TrimInfo
 __version__: str = _ffi.string(_lib.hrbfnpr_version_string()).decode()
 
 __all__ = [
-    "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "BufferTooSmallError", "CallbackError",
-    "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "Curvature",
-    "Drawing", "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError",
-    "InvalidArgumentError", "Item", "Layer", "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines",
-    "MarkIdentity", "MarkLayer",
-    "MarkResults", "Mesh", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo", "NotConvergedError", "Operation", "OutOfMemoryError",
-    "OwnLayer", "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits",
-    "Renderer", "SingularSystemError", "StepPatches", "StreamError", "Style", "TrimInfo",
-    "UnsupportedStructError", "VersionMismatchError", "Vertices", "build_info", "default_context",
-    "farthest_points", "library_path", "preset_layers", "set_default_context",
-    "MarkResults", "Model", "ModelInfo", "NotConvergedError", "Operation", "OrientInfo", "Oriented",
-    "OutOfMemoryError", "OwnLayer", "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits",
-    "Renderer", "SingularSystemError", "StepPatches", "StreamError", "Style",
-    "UnsupportedStructError", "VersionMismatchError", "Vertices", "build_info", "default_context",
-    "library_path", "orient", "preset_layers", "set_default_context",
+    "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "BufferTooSmallError", "CallbackError", "Camera",
+    "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "Curvature", "Drawing",
+    "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError", "InvalidArgumentError", "Item",
+    "Layer", "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines", "MarkIdentity", "MarkLayer",
+    "MarkResults", "Mesh", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo", "NotConvergedError",
+    "Operation", "OrientInfo", "Oriented", "OutOfMemoryError", "OwnLayer", "PlacementInfo", "PointSet",
+    "PointSetInfo", "Projection", "Raster", "RayHits", "Renderer", "SingularSystemError", "StepPatches",
+    "StreamError", "Style", "TrimInfo", "UnsupportedStructError", "VersionMismatchError", "Vertices", "build_info",
+    "default_context", "farthest_points", "library_path", "orient", "preset_layers", "set_default_context",
 ]  # fmt: skip
 
 

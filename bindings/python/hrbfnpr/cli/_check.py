@@ -130,7 +130,11 @@ def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Fl
     findings.facts["duplicates"] = repeated
     if repeated:
         findings.repairs.append(f"{of(repeated, 'point')} at the place of another merged, where their normals agree")
-    _inputs.require_normals(shape)
+    if not _inputs.has_normals(shape):
+        why = "there are none" if shape.normals is None else "all are zero"
+        findings.repairs.append(f"normals made, as {why}")
+        findings.warn("the points have no normals", "nothing: they are made; those of the scanner are surer")
+        return points, np.zeros_like(points)
     assert shape.normals is not None
     length = np.linalg.norm(shape.normals, axis=1)
     bad = int((~np.isfinite(length)).sum())

@@ -18,8 +18,11 @@ ON_MESH = 60_000  # places on a mesh, some 0.005 diagonals from each other
 DOUBTED = 0.002  # share of a closed surface left out that is warned of
 
 
-def end(model: Model, shape: Shape, close: bool, report: Reporter) -> Model:
-    """The model with what lies beyond the input left out, unless it shall be closed; says what that is."""
+def end(model: Model, shape: Shape, closed: bool, close: bool, report: Reporter) -> Model:
+    """The model with what lies beyond the input left out, unless it shall be closed; says what that is.
+
+    closed: of a mesh; what the surface has beyond that is none of it.
+    """
     if close:
         return model
     with report.stage("end", "looking for the end of the surface") as stage:
@@ -36,15 +39,16 @@ def end(model: Model, shape: Shape, close: bool, report: Reporter) -> Model:
         if not info.is_trimmed:
             return ended
         of = "mesh" if shape.is_mesh else "points"
+        farthest = info.farthest / _mesh.diagonal(model)
         parts = "1 part" if info.parts == 1 else f"{info.parts} parts"
         stage.says = (
-            f"{info.share:.1%} of the surface, {parts}, is beyond the {of} (up to {info.farthest / _mesh.diagonal(model):.1%} of the "
-            "diagonal) and left out; --close keeps it"
+            f"{info.share:.1%} of the surface, {parts}, is beyond the {of} (up to {farthest:.1%} of the diagonal) and "
+            "left out; --close keeps it"
         )
-    if info.parts > info.parts_to_end and shape.is_mesh and info.share > DOUBTED:
+    if closed and info.share > DOUBTED:
         report.warn(
             f"the fit made {parts} of surface that the mesh does not have, left out: more samples may do without, "
-            f"--maximum-centres or --samples {4 * model.info.samples} for example"
+            f"--samples {4 * model.info.centres} for example"
         )
     return ended
 

@@ -2,7 +2,7 @@
 """What a command works on: a saved model or point set, or a model fitted to what a file holds.
 
 The stages of the latter are read, sample, orient, fit and compare: `_read`, `_samples`, `_normals`, `Model.fit` and
-`_nearness.tell`.  Points without normals are refused by `require_normals`, which is where normals would be made.
+`_nearness.tell`.  Points without normals get some from `_orient.make`.
 """
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ import numpy as np
 from .. import shapes
 from .._context import Context
 from .._errors import CorruptDataError
+from .._mesh import farthest_points
 from .._model import Model
 from .._point_set import PointSet
 from ..shapes import Shape, ShapeError
@@ -24,13 +25,10 @@ from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
 MOST_SAMPLES = 4096  # a direct fit of more takes minutes and gigabytes
+MOST_ORIENTED = 20_000  # points that get normals, within some ten seconds
 MOST_LOOKED_AT = 200_000  # triangles, for about a second
 THIN = 1e-4  # of the longest extent, what is none
 FEW = 10  # samples with which a surface is a guess
-_MAKE_NORMALS = (
-    "CloudCompare (Edit > Normals > Compute) and MeshLab (Compute normals for point sets) make them; save as PLY with "
-    "normals"
-)
 
 FIT = (
     "kernel", "kernel_radius", "polynomial_degree", "regularization", "solver", "tolerance", "maximum_centres",
@@ -98,15 +96,24 @@ def finite_faces(shape: Shape) -> Tuple[Shape, int]:
     return (shape, 0) if finite.all() else (replace(shape, triangles=shape.triangles[finite]), int((~finite).sum()))
 
 
-def require_normals(shape: Shape) -> None:
-    """An error for points that have none, or none but zeros."""
-    if shape.normals is not None and np.any(np.nan_to_num(shape.normals)):
-        return
-    if shape.normals is not None:
-        raise ShapeError(f"all normals are zero: {_MAKE_NORMALS}")
-    others = [name for name in shape.columns if name not in ("x", "y", "z")]
-    has = f" (what it has besides x, y and z: {', '.join(others)})" if others else ""
-    raise ShapeError(f"the points have no normals, and there are no faces to compute them from{has}: {_MAKE_NORMALS}")
+def has_normals(shape: Shape) -> bool:
+    """Whether points have normals, others than zeros."""
+    return shape.normals is not None and bool(np.any(np.nan_to_num(shape.normals)))
+
+
+def _with_normals(shape: Shape, context: Context, report: Reporter) -> Shape:
+    """Points that have none, with those that the library finds."""
+    points = shape.points[np.isfinite(shape.points).all(axis=1)]
+    if len(points) > MOST_ORIENTED:
+        chosen, _ = farthest_points(points, MOST_ORIENTED, context=context)
+        points = points[np.asarray(chosen)]
+        report.note(f"{len(shape.points)} points, of which {MOST_ORIENTED} get normals")
+    with report.stage("orient", "looking for normals") as stage:
+        made = _orient.make(points, "none", None, stage.bar, context)
+        stage.says = _orient.in_words_of(made, len(points))
+    for doubt in _orient.doubts_of(made):
+        report.warn(doubt)
+    return replace(shape, points=points, normals=np.asarray(made.normals, dtype=float))
 
 
 def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
@@ -115,8 +122,6 @@ def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Fl
     if count is None and not shape.is_mesh and not chosen and len(shape.points) > MOST_SAMPLES:
         count = MOST_SAMPLES
         report.note(f"{len(shape.points)} points, of which {count} are used; --samples N sets another number")
-    if not shape.is_mesh:
-        require_normals(shape)
     options = given(arguments, ("crease", "random_seed"))
     with report.stage("sample", "sampling") as stage:
         bar = stage.bar
@@ -129,7 +134,9 @@ def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Fl
     return points, normals
 
 
-def _normals(shape: Shape, points: Floats, normals: Floats, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
+def _normals(
+    shape: Shape, points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter
+) -> Tuple[Floats, Floats]:
     """Those that look outward; --flip is the user's own word on it."""
     if not shape.is_mesh:
         points, normals, joined, opposite = _orient.agreed(points, normals)
@@ -144,7 +151,8 @@ def _normals(shape: Shape, points: Floats, normals: Floats, arguments: Any, repo
     with report.stage("orient", "orienting") as stage:
         if shape.is_mesh:
             _faces(shape, points, normals, report)
-        normals, stage.says = _orient.settle(points, normals, arguments.normals or "auto", shape.is_mesh, report)
+        mode = arguments.normals or "auto"
+        normals, stage.says = _orient.settle(points, normals, mode, shape.is_mesh, report, stage.bar, context)
         axis = _up.hangs(points, normals) if arguments.normals != "keep" else None
         if axis is not None:
             normals, stage.says = -normals, "a terrain looked down: its normals are turned"
@@ -192,11 +200,17 @@ def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Load
     assert shape is not None
     if shape.is_mesh and not arguments.flip:
         return _load_mesh(shape, arguments, context, report)
+    made = not shape.is_mesh and (arguments.normals == "none" or not has_normals(shape))
+    if made:
+        shape = _with_normals(shape, context, report)
     points, normals = _samples(shape, arguments, report)
-    points, normals = _normals(shape, points, normals, arguments, report)
+    if not made:
+        points, normals = _normals(shape, points, normals, arguments, context, report)
+    elif arguments.flip:
+        normals = -normals
     up = _up_of(shape, points, normals, arguments, report)
     model = _fit(shape, points, normals, arguments, context, report)
-    return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
+    return Loaded(_ends.end(model, shape, False, arguments.close, report), shape, up)
 
 
 def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Loaded:
@@ -206,7 +220,7 @@ def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter)
         model = _mesh.fit(read, arguments, report)
     else:
         model = _fit(shape, read.points, read.normals, arguments, context, report)
-    return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
+    return Loaded(_ends.end(model, shape, read.mesh.info.closed, arguments.close, report), shape, up)
 
 
 def _fit(

@@ -84,7 +84,8 @@ def _tell(info: MeshInfo, report: Reporter) -> None:
     if info.turned_faces:
         report.note(f"{of(info.turned_faces, 'face')} looked to the other side than those beside: turned")
     if info.turned_components:
-        inside_out = "the mesh was" if info.components == 1 else f"{of(info.turned_components, 'part')} of the mesh were"
+        some = f"{of(info.turned_components, 'part')} of the mesh were"
+        inside_out = "the mesh was" if info.components == 1 else some
         report.note(f"{inside_out} inside out: its faces are turned")
     if info.degenerate_faces or info.repeated_faces:
         report.note(f"{of(info.degenerate_faces + info.repeated_faces, 'face')} without area, or twice there, left out")
@@ -103,16 +104,17 @@ def _tell(info: MeshInfo, report: Reporter) -> None:
 def _nearness(done: MeshFitInfo, model: Model) -> str:
     d = diagonal(model)
     return (
-        f"surface to mesh: 99 % within {done.surface_p99 / d:.2%} of the diagonal, all within {done.surface_max / d:.2%}; "
-        f"mesh to surface: {done.mesh_p99 / d:.2%}, {done.mesh_max / d:.2%}"
+        f"surface to mesh: 99 % within {done.surface_p99 / d:.2%} of the diagonal, all within "
+        f"{done.surface_max / d:.2%}; mesh to surface: {done.mesh_p99 / d:.2%}, {done.mesh_max / d:.2%}"
     )
 
 
 def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:
     d = diagonal(model)
     text = (
-        f"the surface is not within {done.tolerance / d:.2%} of the diagonal everywhere: {1 - done.mesh_share:.1%} of the "
-        f"mesh and {1 - done.surface_share:.1%} of the surface are farther, at most {max(done.mesh_max, done.surface_max) / d:.1%}"
+        f"the surface is not within {done.tolerance / d:.2%} of the diagonal everywhere: {1 - done.mesh_share:.1%} of "
+        f"the mesh and {1 - done.surface_share:.1%} of the surface are farther, at most "
+        f"{max(done.mesh_max, done.surface_max) / d:.1%}"
     )
     most = arguments.maximum_centres or 8000
     if done.centres >= 0.9 * most:

@@ -87,7 +87,9 @@ def _add_input(parser: Parser) -> None:
          "not share their normals; 60")  # fmt: skip
     _add_choice(group, "--parts", "parts", ("outer", "all", "largest"), "which parts of a mesh: all but those inside "
                 "others (default), all, or that of the largest area")  # fmt: skip
-    _add_choice(group, "--normals", "normals", ("auto", "keep"), "whether those that all look inward are turned; auto")
+    _add_choice(group, "--normals", "normals", ("auto", "keep", "none", "unoriented", "mixed", "inward"), "what is "
+                "known of those of points: auto (default) finds it out and repairs them, keep leaves them, none makes "
+                "new ones, unoriented and mixed turn some, inward turns all")  # fmt: skip
     group.add_argument("--flip", action="store_true", help="turn all normals, whatever they look like")
     group.add_argument("--close", action="store_true", help="let the surface go on beyond open data, as the fit has it")
     _add(group, "--random-seed", "random_seed", values.count(0, 2**64 - 1), "N", "of all that is random; 1")

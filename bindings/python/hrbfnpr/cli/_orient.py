@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Which way the normals of samples look: outward, inward, or some this way and some that.
 
-What repairs normals, or makes them where there are none, belongs in `settle`.
+`make` finds them where there are none, `settle` repairs them.
 """
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Tuple
+from typing import Any, NamedTuple, Optional, Tuple
 
 import numpy as np
 
+from .._context import Context
+from .._orient import Oriented, orient
 from ..shapes._shape import Floats
 from ._progress import Reporter
 
@@ -22,6 +24,12 @@ INWARD = -0.5  # sum of the winding numbers on both sides: 1 of a closed surface
 DOUBTFUL = -0.25
 MIXED = 0.02  # share of normals against their neighbours that is warned of ...
 UNSURE = 0.1  # ... and up to which all others may be trusted
+UNSURE_BELOW = 0.5  # confidence of normals that the library made
+LEAST = 10  # points with normals to repair
+FOUND = {
+    "given": "right", "none": "none of these points'", "unoriented": "of any sign", "mixed": "turned here and there",
+    "inward": "inward",
+}  # fmt: skip
 
 
 class Normals(NamedTuple):
@@ -138,17 +146,70 @@ def agreed(points: Floats, normals: Floats) -> Tuple[Floats, Floats, int, int]:
     return points[keep], new[keep], int(joined.sum()), int((differs & ~joined).sum())
 
 
-def settle(points: Floats, normals: Floats, mode: str, mesh: bool, report: Reporter) -> Tuple[Floats, str]:
+def make(points: Floats, mode: str, normals: Optional[Floats], bar: Any, context: Context) -> Oriented:
+    """Outward normals by the library."""
+    return orient(points, normals, mode, progress=bar, context=context)
+
+
+def in_words_of(oriented: Oriented, count: int) -> str:
+    """What `make` did."""
+    info = oriented.info
+    kind = "closed" if info.closed else "open"
+    if info.made >= count:
+        done = "normals are made"
+    elif info.turned or info.made:
+        done = f"{info.turned} normals turned, {info.made} made anew"
+    else:
+        done = "normals stay as they are"
+    return f"{done}; the surface is {kind}, confidence {info.confidence:.2f}"
+
+
+def doubts_of(oriented: Oriented) -> Tuple[str, ...]:
+    """What is not sure of it."""
+    info = oriented.info
+    sure = []
+    if info.confidence < UNSURE_BELOW:
+        sure.append(
+            f"normals of the points are not sure (confidence {info.confidence:.2f}): look at the picture; more points, "
+            "or normals of the scanner, help"
+        )
+    if info.outward_by == "up":
+        sure.append("the surface is open, and which side is its front cannot be told: --flip takes the other one")
+    return tuple(sure)
+
+
+def settle(
+    points: Floats, normals: Floats, mode: str, mesh: bool, report: Reporter, bar: Any, context: Context
+) -> Tuple[Floats, str]:
     """The normals of samples, turned outward as far as that can be told, and what was done in words."""
     if mode == "keep":
         return normals, "normals as they are"
+    if mode != "auto":
+        return repaired(points, normals, mode, report, bar, context)
     found = look(points, normals, mesh)
+    if found.mixed and not mesh and len(points) >= LEAST:
+        return repaired(points, normals, "auto", report, bar, context)
     if found.inward:
         report.note("all normals looked inward: they are turned (--normals keep leaves them)")
         return -normals, "normals looked inward: all are turned"
     for doubt in doubts(found, len(points), mesh):
         report.warn(doubt)
     return normals, in_words(found)
+
+
+def repaired(
+    points: Floats, normals: Floats, mode: str, report: Reporter, bar: Any, context: Context
+) -> Tuple[Floats, str]:
+    """The same by the library, said."""
+    made = make(points, mode, normals, bar, context)
+    for doubt in doubts_of(made):
+        report.warn(doubt)
+    if made.info.turned or made.info.made:
+        report.note(
+            f"the normals were {FOUND[made.info.found]}: {made.info.turned} are turned, {made.info.made} are made anew "
+            "(--normals keep leaves them)"
+        )
+    return np.asarray(made.normals, dtype=float), in_words_of(made, len(points))
 
 
 def in_words(found: Normals) -> str:
