@@ -14,8 +14,8 @@ constexpr double coordinate_limit = 1e100; // as a fit's
 // In spacings: nearer points are one.
 constexpr double near = 0.01;
 constexpr std::int64_t grain = 512;
-// Second moment over the first of points that are on a line.
-constexpr double thinnest = 1e-18;
+// Variance across over that along of points that are on a line, but for rounding.
+constexpr double thinnest = 1e-12;
 
 [[nodiscard]] geometry::VecArray checked(const base::Runtime& runtime, const base::InView& points) {
     geometry::VecArray position(runtime.memory, points.count);

@@ -122,14 +122,16 @@ void GivenNormals::repair(const VecArray& least, const fit::HermiteEnergy* form,
     const auto against = [&](std::int64_t at) {
         return (side >= 0.0 ? 1.0 : -1.0) * signs[at] * glm::dot(least[at], normal_[at]) < 0.0;
     };
-    std::vector<std::vector<std::int32_t>> patches;
+    Groups patches(runtime_.memory);
+    base::Array<std::int32_t>& patch = patches.member; // the last one's are still being found
     base::Array<std::uint8_t> seen(runtime_.memory, least.size());
     for (std::int64_t start = 0; start < least.size(); ++start) {
         if (seen[start] != 0 || !against(start)) continue;
-        std::vector<std::int32_t> patch{static_cast<std::int32_t>(start)};
+        const std::int64_t begin = patch.size();
+        patch.push_back(static_cast<std::int32_t>(start));
         seen[start] = 1;
         double cosines = 0.0;
-        for (std::size_t k = 0; k < patch.size(); ++k) {
+        for (std::int64_t k = begin; k < patch.size(); ++k) {
             const std::int32_t at = patch[k];
             cosines += std::abs(glm::dot(least[at], normal_[at]));
             for (const std::int32_t other : near_.of(at).first(std::min(beside, near_.of(at).size()))) {
@@ -138,11 +140,13 @@ void GivenNormals::repair(const VecArray& least, const fit::HermiteEnergy* form,
                 patch.push_back(other);
             }
         }
-        if (cosines > distinct * static_cast<double>(patch.size())) patches.push_back(std::move(patch));
+        if (cosines > distinct * static_cast<double>(patch.size() - begin))
+            patches.close();
+        else
+            patch.resize(begin);
     }
     if (form == nullptr) {
-        for (const auto& patch : patches)
-            for (const std::int32_t at : patch) signs[at] = static_cast<std::int8_t>(-signs[at]);
+        for (const std::int32_t at : patches.member) signs[at] = static_cast<std::int8_t>(-signs[at]);
         return;
     }
     (void)SignEnergy(runtime_, *form, normal_).turn(patches, 0.0, signs);

@@ -31,7 +31,7 @@ public:
         CloudNormals found =
             normals_of_cloud(runtime_, cloud_, near_, use_given ? &given.normal() : nullptr, progress.part(0.1, 0.9));
         normal_ = std::move(found.fitted.normal);
-        const auto pieces = find_pieces(runtime_, *cloud_.tree, near_);
+        const Groups pieces = find_pieces(runtime_, *cloud_.tree, near_);
         const Outward outward{input_.up, (input_.viewpoint - cloud_.centre) / cloud_.spacing, input_.has_viewpoint};
         const Whole whole = turn_outward(runtime_, cloud_, near_, pieces, outward, found.fitted.form.get(), normal_,
                                          progress.part(0.9, 0.95));
@@ -44,7 +44,7 @@ public:
         report.confidence = found.confidence;
         report.closed = whole.closed;
         report.outward_by = whole.by;
-        report.components = static_cast<std::int64_t>(pieces.size());
+        report.components = pieces.size();
         report.found = NormalMode::none;
         if (use_given) {
             const Judgement judgement =

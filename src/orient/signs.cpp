@@ -12,8 +12,8 @@ namespace {
 constexpr std::int64_t grain = 256;
 // A coupling so strong, of at most 1, cancels most of what two clusters have for being apart.
 constexpr double sure_strength = 0.5;
-constexpr std::int64_t large = 4;       // times as many members
-constexpr std::int64_t careful = 10000; // places: fewer wait
+constexpr std::int64_t large = 4;      // times as many members
+constexpr std::int64_t careful = 2000; // places: fewer wait
 constexpr int most_sweeps = 4;
 // Levels that are kept have at most this share of the clusters of the one before.
 constexpr double kept_share = 0.3;
@@ -354,11 +354,10 @@ Signs SignEnergy::agglomerate(const base::Array<std::int32_t>* first, const Sign
     return Agglomeration(*this, first, signs).run(levels, progress);
 }
 
-std::vector<bool> SignEnergy::turn(const std::vector<std::vector<std::int32_t>>& sets, double most,
-                                   Signs& signs) const {
+base::Array<std::uint8_t> SignEnergy::turn(const Groups& groups, double most, Signs& signs) const {
     Turning turning(*this, signs);
-    std::vector<bool> turned;
-    for (const std::vector<std::int32_t>& set : sets) turned.push_back(turning.turn(set, -most));
+    base::Array<std::uint8_t> turned(runtime_.memory);
+    for (std::int64_t k = 0; k < groups.size(); ++k) turned.push_back(turning.turn(groups.of(k), -most) ? 1 : 0);
     return turned;
 }
 

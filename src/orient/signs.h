@@ -8,6 +8,7 @@
 #include "fit/hermite_energy.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace hrbfnpr::orient {
@@ -17,6 +18,22 @@ using Signs = base::Array<std::int8_t>; // 1 or -1 of each place
 // Clusters of places, from fine to coarse.
 struct Levels {
     std::vector<base::Array<std::int32_t>> cluster; // of each place: the place it is named for
+};
+
+// Sets of places, one after the other.
+struct Groups {
+    explicit Groups(base::Memory& memory) : member(memory), begin(memory) { begin.push_back(0); }
+
+    [[nodiscard]] std::int64_t size() const noexcept { return begin.size() - 1; }
+    [[nodiscard]] std::span<const std::int32_t> of(std::int64_t k) const noexcept {
+        return member.span().subspan(static_cast<std::size_t>(begin[k]),
+                                     static_cast<std::size_t>(begin[k + 1] - begin[k]));
+    }
+    // Ends a group that members have been added for.
+    void close() { begin.push_back(member.size()); }
+
+    base::Array<std::int32_t> member;
+    base::Array<std::int64_t> begin;
 };
 
 class SignEnergy {
@@ -36,10 +53,9 @@ public:
     // were turned.
     std::int64_t improve(const Levels& levels, Signs& signs, const base::Progress& progress) const;
 
-    // Turns each of these sets of places if that raises the energy by less than `most` of what the set has alone.
-    // Returns whether each was turned.
-    [[nodiscard]] std::vector<bool> turn(const std::vector<std::vector<std::int32_t>>& sets, double most,
-                                         Signs& signs) const;
+    // Turns each of these groups if that raises the energy by less than `most` of what the group has alone.
+    // Returns 1 for each that was turned.
+    [[nodiscard]] base::Array<std::uint8_t> turn(const Groups& groups, double most, Signs& signs) const;
 
 private:
     class Agglomeration;

@@ -5,8 +5,6 @@
 #include "orient/least_energy.h"
 #include "orient/sides.h"
 
-#include <vector>
-
 namespace hrbfnpr::orient {
 
 // Same numbers as HRBFNPR_OUTWARD_...
@@ -24,13 +22,11 @@ struct Whole {
 };
 
 // Places that neighbours lead from one to the other, largest pieces first.
-[[nodiscard]] std::vector<std::vector<std::int32_t>> find_pieces(const base::Runtime& runtime,
-                                                                 const geometry::PointTree& tree, const Near& near);
+[[nodiscard]] Groups find_pieces(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near);
 
 // Turns closed pieces that the energy is indifferent to, and then everything, outward.
 [[nodiscard]] Whole turn_outward(const base::Runtime& runtime, const Cloud& cloud, const Near& near,
-                                 const std::vector<std::vector<std::int32_t>>& pieces, const Outward& outward,
-                                 const fit::HermiteEnergy* form, geometry::VecArray& normal,
-                                 const base::Progress& progress);
+                                 const Groups& pieces, const Outward& outward, const fit::HermiteEnergy* form,
+                                 geometry::VecArray& normal, const base::Progress& progress);
 
 } // namespace hrbfnpr::orient

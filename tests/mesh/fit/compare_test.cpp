@@ -110,7 +110,7 @@ TEST(Compare, LeavesOutWhatIsNotSupported) {
         position.push_back(p);
         normal.push_back(p);
     }
-    const hrbfnpr::surface::Support support(runtime, position, normal, {});
+    const hrbfnpr::surface::Support support(runtime, position, normal, 0.0, {});
     const mesh::Comparison found = compared(Sphere(1.0), ball, 0.01, 0.05, 2, &support, 3.0);
     EXPECT_NEAR(found.left_out, 0.5, 0.05);
     EXPECT_EQ(compared(Sphere(1.0), ball, 0.01, 0.05, 2, &support, 0.0).left_out, 0.0);

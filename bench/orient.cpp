@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Normals of points without any: how many are right, how far their directions are off, and how long it takes.
+//
+//   bench_orient [--models=DIR] [--named=TEXT] [--only=clean,noisy,times] [--large]
+//
+// Clouds are those of orient_shapes.h and, with --models, the PLY files of a folder that have normals, which are
+// dropped.  Of open sheets the sign of the whole is a rule's, not the surface's: where it is, the better sign counts.
+// --large: a million points, too.
+
+#include "orient_shapes.h"
+#include "read_models.h"
+
+#include <hrbfnpr.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+namespace {
+
+using bench::NamedCloud;
+using bench::Samples;
+
+struct Options {
+    std::string models;
+    std::string named;
+    std::string only = "clean,noisy,times";
+    bool large = false;
+};
+
+Options options_of(int count, char** words) {
+    Options options;
+    for (int i = 1; i < count; ++i) {
+        const std::string word = words[i];
+        const auto value = [&](const char* name) { return word.substr(std::string(name).size()); };
+        if (word.rfind("--models=", 0) == 0)
+            options.models = value("--models=");
+        else if (word.rfind("--named=", 0) == 0)
+            options.named = value("--named=");
+        else if (word.rfind("--only=", 0) == 0)
+            options.only = value("--only=");
+        else if (word == "--large")
+            options.large = true;
+        else
+            throw std::runtime_error("unknown option " + word);
+    }
+    return options;
+}
+
+struct Score {
+    double right = 0.0;
+    double angle = 0.0; // mean, in degrees
+    hrbfnpr_orient_info info{};
+};
+
+Score orient(hrbfnpr_context* context, const Samples& samples) {
+    hrbfnpr_orient_desc desc;
+    hrbfnpr_orient_desc_init(&desc, sizeof desc);
+    desc.mode = HRBFNPR_NORMALS_NONE;
+    desc.points = {samples.points.data(), samples.count(), 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    std::vector<double> normals(samples.points.size());
+    const hrbfnpr_array_out out{normals.data(), samples.count(), 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    Score score;
+    hrbfnpr_orient_info_init(&score.info, sizeof score.info);
+    hrbfnpr_error error;
+    hrbfnpr_error_init(&error, sizeof error);
+    if (hrbfnpr_orient(context, &desc, nullptr, &out, &score.info, &error) != HRBFNPR_STATUS_OK)
+        throw std::runtime_error(error.message);
+    const auto count = static_cast<std::size_t>(samples.count());
+    for (std::size_t i = 0; i < count; ++i) {
+        double cosine = 0.0;
+        for (std::size_t c = 0; c < 3; ++c) cosine += normals[3 * i + c] * samples.normals[3 * i + c];
+        score.right += cosine > 0.0 ? 1.0 : 0.0;
+        score.angle += std::acos(std::min(1.0, std::abs(cosine))) * 360.0 / bench::tau;
+    }
+    score.right /= static_cast<double>(count);
+    score.angle /= static_cast<double>(count);
+    if (score.info.outward_by != HRBFNPR_OUTWARD_INSIDE) score.right = std::max(score.right, 1.0 - score.right);
+    return score;
+}
+
+std::vector<NamedCloud> clouds_of(const Options& options) {
+    std::vector<NamedCloud> clouds = bench::analytic_clouds();
+    if (!options.models.empty()) {
+        std::vector<std::filesystem::path> files;
+        for (const auto& entry : std::filesystem::directory_iterator(options.models))
+            if (entry.path().extension() == ".ply") files.push_back(entry.path());
+        std::sort(files.begin(), files.end());
+        for (const auto& file : files) {
+            const bool scan = file.stem().string().find("raw") != std::string::npos; // noisy as it is
+            if (!scan) clouds.push_back({file.stem().string(), bench::read_ply(file.string()), false});
+        }
+    }
+    clouds.erase(std::remove_if(clouds.begin(), clouds.end(),
+                                [&](const NamedCloud& cloud) {
+                                    return cloud.samples.count() > 60000 ||
+                                           cloud.name.find(options.named) == std::string::npos;
+                                }),
+                 clouds.end());
+    return clouds;
+}
+
+// Prints a line a cloud, and the worst of all.
+void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, double noise) {
+    const char* kind = noise > 0.0 ? "noisy" : "clean";
+    double right = 1.0;
+    double others = 1.0;
+    double angle = 0.0;
+    int failed = 0;
+    double sure_of_failed = 0.0;
+    for (const NamedCloud& cloud : clouds) {
+        const Score score = orient(context, noise > 0.0 ? bench::noisy(cloud.samples, noise) : cloud.samples);
+        std::printf("%-22s %s  right %.4f  angle %5.1f  confidence %.2f  %s  %.2f s\n", cloud.name.c_str(), kind,
+                    score.right, score.angle, score.info.confidence, score.info.closed != 0 ? "closed" : "open  ",
+                    score.info.seconds);
+        std::fflush(stdout);
+        right = std::min(right, score.right);
+        if (cloud.name != "heart_1024") others = std::min(others, score.right);
+        if (cloud.smooth) angle = std::max(angle, score.angle);
+        if (score.right >= 0.97) continue;
+        ++failed;
+        sure_of_failed = std::max(sure_of_failed, score.info.confidence);
+    }
+    std::printf("orient.%s.right_min %.4f\n", kind, right);
+    std::printf("orient.%s.right_min_but_heart %.4f\n", kind, others);
+    std::printf("orient.%s.smooth_angle_max %.2f\n", kind, angle);
+    std::printf("orient.%s.below_0.97 %d\n", kind, failed);
+    if (failed > 0) std::printf("orient.%s.confidence_below_0.97 %.2f\n", kind, sure_of_failed);
+    if (noise == 0.0) std::printf("orient.right_min %.4f\n", right);
+}
+
+void measure_time(hrbfnpr_context* context, const char* name, std::int64_t count) {
+    const Score score = orient(context, bench::sampled(bench::knot_patch(), count));
+    std::printf("orient.%s_right %.4f\n", name, score.right);
+    std::printf("orient.%s_seconds %.2f\n", name, score.info.seconds);
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int count, char** words) {
+    const Options options = options_of(count, words);
+    const auto wants = [&](const char* part) { return options.only.find(part) != std::string::npos; };
+    hrbfnpr_context* context = nullptr;
+    hrbfnpr_error error;
+    hrbfnpr_error_init(&error, sizeof error);
+    if (hrbfnpr_context_create(nullptr, &context, &error) != HRBFNPR_STATUS_OK) {
+        std::fprintf(stderr, "%s\n", error.message);
+        return 1;
+    }
+    const std::vector<NamedCloud> clouds = clouds_of(options);
+    if (wants("clean")) measure(context, clouds, 0.0);
+    if (wants("noisy")) measure(context, clouds, 0.01);
+    if (wants("times")) measure_time(context, "50k", 50000);
+    if (wants("times") && options.large) measure_time(context, "1m", 1000000);
+    hrbfnpr_context_release(context);
+    return 0;
+}
