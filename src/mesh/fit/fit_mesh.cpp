@@ -12,6 +12,7 @@
 #include "mesh/fit/outer.h"
 #include "mesh/fit/surface_places.h"
 #include "mesh/sample.h"
+#include "surface/project.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,7 @@ constexpr double gain = 0.9;
 constexpr std::int32_t idle_rounds = 2;
 constexpr double wrong_side = 2.0; // tolerances
 constexpr double first_look = 0.9;
+constexpr std::int64_t verified_places = 10000;
 constexpr double support_limit = 3.0; // of what dense samples bear out
 
 class Fitter {
@@ -258,6 +260,26 @@ private:
         return result;
     }
 
+    // The mesh's distance at other places, and to the surface itself: at the candidates it is of first order.
+    void verify() {
+        MeshSamples samples = random_samples(runtime_, mesh_, verified_places, settings_.seed, 2, progress_.part(0, 0));
+        keep_outer(runtime_, mesh_, tree_, samples.position, samples.normal, progress_);
+        surface::Projection on(runtime_.memory);
+        for (std::int64_t i = 0; i < samples.position.size(); ++i) on.position.push_back(samples.position[i]);
+        const FitData implicit(runtime_.instruction_set, fit_->result.data);
+        surface::ProjectionSettings steps;
+        steps.tolerance = 1e-6;
+        surface::project(runtime_, implicit, steps, on, progress_.part(0, 0));
+        base::Array<double> distance(runtime_.memory);
+        for (std::int64_t i = 0; i < samples.position.size(); ++i) {
+            const bool found = on.status[i] == surface::ProjectionStatus::converged;
+            distance.push_back(found ? glm::distance(on.position[i], samples.position[i])
+                                     : std::numeric_limits<double>::infinity());
+        }
+        report_.mesh = spread_of(distance, report_.tolerance, report_.far);
+        report_.reached = good(report_.mesh, settings_.share) && good(report_.surface, settings_.share);
+    }
+
     void finish() {
         // What was added last is in no fit.
         if (fit_->result.data.count() != centres_.size() + off_.count()) {
@@ -265,6 +287,7 @@ private:
             off_.shorten(off_before_);
         }
         report_.off_surface = off_.count();
+        verify();
         describe(runtime_, candidates_, centres_, off_, report_, *fit_, progress_);
         report_.seconds_total = watch_.seconds();
         fit_->result.report.seconds_total = report_.seconds_total;
