@@ -20,6 +20,8 @@ INIT(fit_desc);
 INIT(orient_desc);
 INIT(orient_info);
 INIT(custom_desc);
+INIT(trim_desc);
+INIT(trim_info);
 INIT(model_info);
 INIT(project_desc);
 INIT(cast_desc);

@@ -103,6 +103,13 @@ def two_parts():
     return obj(np.vstack([vertices, vertices + [3, 0, 0]]), [*faces, *beside])
 
 
+def nested_parts():
+    vertices, faces = tube()
+    middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2
+    inside = [[i + len(vertices) for i in face] for face in faces]
+    return obj(np.vstack([vertices, middle + 0.3 * (vertices - middle)]), [*faces, *inside])
+
+
 def spiked():
     vertices, faces = tube()
     vertices[0] = [9, 0, 0]
@@ -130,9 +137,9 @@ def thin():
 ROWS = {
     "points, all normals inward": ("a.xyz", lambda: table(ball()[0], -ball()[1]), [], 0),
     "points, some normals inward": ("a.xyz", mixed, [], 0),
-    "points without normals": ("a.xyz", lambda: table(ball()[0]), [], 1),
+    "points without normals": ("a.xyz", lambda: table(ball()[0]), [], 0),
     "points with colours, without normals": (
-        "a.xyz", lambda: "".join(f"{x} {y} {z} 9 200 31\n" for x, y, z in ball()[0].tolist()), [], 1),
+        "a.xyz", lambda: "".join(f"{x} {y} {z} 9 200 31\n" for x, y, z in ball()[0].tolist()), [], 0),
     "points without a usable place or normal among others": ("a.xyz", with_zeros, [], 0),
     "points at one place": ("a.xyz", lambda: 2 * table(*ball()), [], 0),
     "points at one place, with several normals, as on a sharp edge": ("a.xyz", edged, [], 0),
@@ -143,8 +150,8 @@ ROWS = {
     "closed mesh, inside out": ("a.obj", lambda: obj(tube()[0], [face[::-1] for face in tube()[1]]), [], 0),
     "mesh with holes, inside out": ("a.obj", holed, [], 0),
     "mesh, some faces turned over": ("a.obj", lambda: obj(*tube(turned=range(0, 60, 7))), [], 0),
-    "mesh of several parts": ("a.obj", two_parts, [], 0),
-    "mesh with thin parts, too few samples": ("a.obj", thin, ["--samples", "60"], 0),
+    "mesh with parts inside others": ("a.obj", nested_parts, [], 0),
+    "mesh with thin parts, `--samples` too few": ("a.obj", thin, ["--samples", "60"], 0),
     "mesh, some corners not finite": ("a.obj", not_finite, [], 0),
     "height map": ("a.asc", waves, [], 0),
     "terrain whose normals look down": ("a.obj", hanging, [], 0),
@@ -280,15 +287,20 @@ def test_several_normals_at_one_place(tmp_path, capsys):
     assert "all points are in pairs with opposite normals" in capsys.readouterr().err
 
 
+def test_check_of_points_without_normals(tmp_path, capsys):
+    points, normals = ball()
+    for name, data, why in (("a.xyz", table(points), "there are none"), ("b.xyzn", table(points, 0 * normals), "zero")):
+        facts = checked(write(tmp_path, name, data), capsys)
+        assert facts["status"] == "warnings" and "no normals" in facts["warnings"][0] and why in facts["repairs"][0]
+
+
 def test_check_of_what_cannot_be_used(tmp_path, capsys):
     for name, data, words in (
-        ("a.xyz", table(ball()[0]), "no normals"),
         ("b.xyz", "Dear\n", "^line 1, column 1"),
         ("c.xyz", "", "empty"),
         ("d.docx", "", "no points"),
         ("missing", None, "No such file"),
-        ("e.xyz", "x y z nx ny nz\n0 0 0 0 0 0\n", "all normals are zero: CloudCompare"),
-        ("f.obj", "v 0 0 0\nf 1 1 1\n", "degenerate"),
+        ("f.obj", "v 0 0 0\nf 1 1 1\n", "none has an area|degenerate"),
     ):
         path = tmp_path / name if data is None else write(tmp_path, name, data)
         facts = checked(path, capsys)

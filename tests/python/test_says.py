@@ -285,9 +285,8 @@ def run(code, *arguments):
 
 
 def test_the_total_is_that_of_the_process(tmp_path):
-    points, normals = ball()
-    signs = np.where(np.arange(200) % 4 == 0, -1, 1)[:, None]
-    path = write(tmp_path, "a.xyz", table(points, signs * normals))
+    few = fibonacci_sphere(8)
+    path = write(tmp_path, "a.xyz", table(few, few))
     result = run("import time; time.sleep(0.8)", "draw", str(path), str(tmp_path / "a.png"), *QUICK, "--lines", "none")
     assert result.returncode == 0, result.stdout
     lines = result.stdout.splitlines()
@@ -299,7 +298,7 @@ def test_the_total_is_that_of_the_process(tmp_path):
     assert float(lines[summary].split()[-2]) == pytest.approx(seconds["total"], abs=0.11)
     # Warnings come last, and are in words.
     assert lines[summary + 1 :] and all(line.startswith("hrbfnpr: warning: ") for line in lines[summary + 1 :])
-    assert "normals look against those around them" in lines[summary + 1]
+    assert "there are 8 points only" in lines[summary + 1]
 
 
 def test_bars_show_percent():

@@ -111,6 +111,7 @@ def _with_normals(shape: Shape, context: Context, report: Reporter) -> Shape:
     with report.stage("orient", "looking for normals") as stage:
         made = _orient.make(points, "none", None, stage.bar, context)
         stage.says = _orient.in_words_of(made, len(points))
+    report.note(f"the points have no normals: {len(points)} are made")
     for doubt in _orient.doubts_of(made):
         report.warn(doubt)
     return replace(shape, points=points, normals=np.asarray(made.normals, dtype=float))
@@ -215,6 +216,8 @@ def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Load
 
 def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Loaded:
     read = _mesh.read(shape, arguments, context, report)
+    for doubt in _thin_evidence(read.points):
+        report.warn(doubt)
     up = _up_of(shape, read.points, read.normals, arguments, report)
     if _mesh.chooses(arguments):
         model = _mesh.fit(read, arguments, report)
@@ -257,10 +260,7 @@ def _thin_evidence(points: Floats) -> Tuple[str, ...]:
     if extent[1] < THIN * extent[0]:
         return ("all points are on a line: the surface beside it is a guess",)
     if extent[2] < THIN * extent[0]:
-        return (
-            "all points lie in a plane, and the surface goes on beyond them: --lines contour,border --support 3 ends "
-            "lines where they end",
-        )
+        return ("all points lie in a plane: the surface is flat, and ends where they do",)
     return ()
 
 

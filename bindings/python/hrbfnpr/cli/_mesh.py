@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Optional, Tuple
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from .._mesh import Mesh, MeshFitInfo, MeshInfo
 from .._model import Model
 from ..shapes import Shape
 from ..shapes._shape import Floats
+from . import _orient, _up
 from ._nearness import of
 from ._progress import Reporter
 
@@ -33,19 +34,44 @@ class Read:
 def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Read:
     """Weld it, turn its faces outward, leave out what lies inside; and say so."""
     with report.stage("mesh", "looking at the mesh") as stage:
-        turned = "keep" if arguments.normals == "keep" else "turn"
-        mesh = Mesh(
-            shape.points, shape.triangles, parts=arguments.parts or "outer", faces=turned, progress=stage.bar,
-            context=context, crease_angle=60.0 if arguments.crease is None else arguments.crease,
-        )  # fmt: skip
-        info = mesh.info
-        stage.says = _in_words(info)
-    _tell(info, report)
+        mesh = _welded(shape, shape.triangles, arguments, stage.bar, context)
+        stage.says = _in_words(mesh.info)
+    _tell(mesh.info, report)
+    count = LOOKED_AT if chooses(arguments) else arguments.samples or SAMPLES
     with report.stage("sample", "sampling") as stage:
-        count = LOOKED_AT if chooses(arguments) else arguments.samples or SAMPLES
-        points, normals = mesh.sample(count, random_seed=_seed(arguments), progress=stage.bar)
+        points, normals = _sampled(mesh, count, arguments, stage.bar)
         stage.says = f"{count} samples" + (", to look at" if chooses(arguments) else "")
-    return Read(mesh, np.asarray(points), np.asarray(normals))
+        why = None if mesh.info.closed or arguments.normals == "keep" else _looks_wrong(points, normals)
+        if why is not None:
+            assert shape.triangles is not None
+            mesh = _welded(shape, np.ascontiguousarray(shape.triangles[:, ::-1]), arguments, None, context)
+            points, normals = _sampled(mesh, count, arguments, None)
+    if why is not None:
+        report.note(f"{why} (--normals keep leaves them)")
+    return Read(mesh, points, normals)
+
+
+def _welded(shape: Shape, triangles: Any, arguments: Any, bar: Any, context: Context) -> Mesh:
+    return Mesh(
+        shape.points, triangles, parts=arguments.parts or "outer", progress=bar, context=context,
+        faces="keep" if arguments.normals == "keep" else "turn",
+        crease_angle=60.0 if arguments.crease is None else arguments.crease,
+    )  # fmt: skip
+
+
+def _sampled(mesh: Mesh, count: int, arguments: Any, bar: Any) -> Tuple[Floats, Floats]:
+    points, normals = mesh.sample(count, random_seed=_seed(arguments), progress=bar)
+    return np.asarray(points), np.asarray(normals)
+
+
+def _looks_wrong(points: Floats, normals: Floats) -> Optional[str]:
+    """Why the faces of an open mesh are to be turned; None if they are not."""
+    axis = _up.hangs(points, normals)
+    if axis is not None:
+        return f"the surface is a terrain that looked down along {axis}: its normals are turned"
+    if _orient.look(points, normals, True).inward:
+        return "all normals looked inward: they are turned"
+    return None
 
 
 def chooses(arguments: Any) -> bool:
