@@ -110,7 +110,13 @@ void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, do
     double angle = 0.0;
     int failed = 0;
     double sure_of_failed = 0.0;
+    int thin = 0;
     for (const NamedCloud& cloud : clouds) {
+        // Both sheets of a wall that is thinner than that are one band of noise.
+        if (cloud.wall < 4.0 * noise * bench::diagonal_of(cloud.samples)) {
+            ++thin;
+            continue;
+        }
         const Score score = orient(context, noise > 0.0 ? bench::noisy(cloud.samples, noise) : cloud.samples);
         std::printf("%-22s %s  right %.4f  angle %5.1f  confidence %.2f  %s  %.2f s\n", cloud.name.c_str(), kind,
                     score.right, score.angle, score.info.confidence, score.info.closed != 0 ? "closed" : "open  ",
@@ -128,6 +134,7 @@ void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, do
     std::printf("orient.%s.smooth_angle_max %.2f\n", kind, angle);
     std::printf("orient.%s.below_0.97 %d\n", kind, failed);
     if (failed > 0) std::printf("orient.%s.confidence_below_0.97 %.2f\n", kind, sure_of_failed);
+    if (thin > 0) std::printf("orient.%s.walls_below_4_deviations %d\n", kind, thin);
     if (noise == 0.0) std::printf("orient.right_min %.4f\n", right);
 }
 

@@ -222,15 +222,19 @@ inline double lattice_spacing(double area, std::int64_t count) {
     return std::sqrt(1.1547 * area / static_cast<double>(count));
 }
 
-// Noise of the normal distribution, `deviation` diagonals, in all directions.
-inline Samples noisy(Samples samples, double deviation) {
+inline double diagonal_of(const Samples& samples) {
     Point low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
     Point high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
         low[i % 3] = std::min(low[i % 3], samples.points[i]);
         high[i % 3] = std::max(high[i % 3], samples.points[i]);
     }
-    const double sigma = deviation * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+// Noise of the normal distribution, `deviation` diagonals, in all directions.
+inline Samples noisy(Samples samples, double deviation) {
+    const double sigma = deviation * diagonal_of(samples);
     std::uint64_t state = 12345;
     const auto uniform = [&] { // splitmix64
         std::uint64_t x = state += 0x9E3779B97F4A7C15U;
@@ -245,14 +249,15 @@ inline Samples noisy(Samples samples, double deviation) {
 struct NamedCloud {
     std::string name;
     Samples samples;
-    bool smooth; // the mean angle is judged, too
+    bool smooth;            // the mean angle is judged, too
+    double wall = HUGE_VAL; // thickness of the thinnest
 };
 
 inline std::vector<NamedCloud> analytic_clouds() {
     std::vector<NamedCloud> clouds;
-    const auto add = [&](const std::string& name, Samples samples) {
+    const auto add = [&](const std::string& name, Samples samples, double thickness = HUGE_VAL) {
         const bool smooth = samples.count() >= 2000;
-        clouds.push_back({name + "_" + std::to_string(samples.count()), std::move(samples), smooth});
+        clouds.push_back({name + "_" + std::to_string(samples.count()), std::move(samples), smooth, thickness});
     };
     for (const int n : {25, 100, 1000, 20000}) add("sphere", sampled(sphere_patch(1.0), n));
     for (const int n : {100, 500, 2000, 10000}) add("torus", sampled(torus_patch(1.0, 0.4), n));
@@ -260,13 +265,17 @@ inline std::vector<NamedCloud> analytic_clouds() {
     for (const double walls : {1.0, 1.5}) {
         const std::string wall = walls == 1.0 ? "_1" : "_1.5";
         for (const int n : {1000, 4000, 30000}) {
-            add("plate" + wall, sampled(plate_patch(1.0, walls * lattice_spacing(tau, n)), n));
-            add("bowl" + wall, sampled(bowl_patch(1.0, walls * lattice_spacing(2.0 * tau, n)), n));
+            const double plate = walls * lattice_spacing(tau, n);
+            const double bowl = walls * lattice_spacing(2.0 * tau, n);
+            add("plate" + wall, sampled(plate_patch(1.0, plate), n), plate);
+            add("bowl" + wall, sampled(bowl_patch(1.0, bowl), n), bowl);
         }
         for (const int n : {2000, 20000}) {
             const double gap = walls * lattice_spacing(35.0, n);
-            add("sheets" + wall, together(sampled(terrain_patch(0.15, 0.5 * gap), n / 2),
-                                          sampled(terrain_patch(0.15, -0.5 * gap, -1.0), n / 2)));
+            add("sheets" + wall,
+                together(sampled(terrain_patch(0.15, 0.5 * gap), n / 2),
+                         sampled(terrain_patch(0.15, -0.5 * gap, -1.0), n / 2)),
+                gap);
         }
     }
     add("sphere_lines", lines_of(sphere_patch(1.0), 8, 6, 40));

@@ -123,9 +123,10 @@ Cloud read_cloud(const base::Runtime& runtime, const base::InView& points, const
     cloud.place.resize(points.count);
     for (std::int64_t at = 0; at < all.size(); ++at) cloud.place[all.index(at)] = at_of[kept[first[at]]];
     progress.update(0.5);
-    const geometry::FarthestOrder order = geometry::farthest_order(cloud.tree->points(), 0, progress.part(0.5, 1.0));
+    geometry::FarthestOrder order = geometry::farthest_order(cloud.tree->points(), 0, progress.part(0.5, 1.0));
     cloud.rank.resize(cloud.size());
     for (std::int64_t k = 0; k < order.order.size(); ++k) cloud.rank[order.order[k]] = k;
+    cloud.apart = std::move(order.distance);
     return cloud;
 }
 

@@ -13,11 +13,12 @@ namespace hrbfnpr::orient {
 
 // Every index below is a place in the tree's order.
 struct Cloud {
-    explicit Cloud(base::Memory& memory) noexcept : place(memory), rank(memory) {}
+    explicit Cloud(base::Memory& memory) noexcept : place(memory), rank(memory), apart(memory) {}
 
     std::unique_ptr<geometry::PointTree> tree; // spacing 1, centred
     base::Array<std::int64_t> place;           // of each given point
     base::Array<std::int64_t> rank;            // of each place in the farthest-first order
+    base::Array<double> apart;                 // of each rank, how far from those before
     glm::dvec3 centre{0.0};
     double spacing = 1.0; // median distance to the nearest other point, in the caller's unit
     std::int64_t merged = 0;

@@ -39,14 +39,6 @@ struct Result {
     double energy;
 };
 
-// Share of places whose signs are the same, or all the others: 0.5 .. 1.
-[[nodiscard]] double share_alike(const VecArray& a, const VecArray& b) noexcept {
-    std::int64_t alike = 0;
-    for (std::int64_t at = 0; at < a.size(); ++at) alike += glm::dot(a[at], b[at]) > 0.0 ? 1 : 0;
-    const double share = static_cast<double>(alike) / static_cast<double>(a.size());
-    return std::max(share, 1.0 - share);
-}
-
 class Search {
 public:
     Search(const base::Runtime& runtime, const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
@@ -174,6 +166,13 @@ private:
 };
 
 } // namespace
+
+double share_alike(const VecArray& a, const VecArray& b) noexcept {
+    std::int64_t alike = 0;
+    for (std::int64_t at = 0; at < a.size(); ++at) alike += glm::dot(a[at], b[at]) > 0.0 ? 1 : 0;
+    const double share = static_cast<double>(alike) / static_cast<double>(a.size());
+    return std::max(share, 1.0 - share);
+}
 
 LeastEnergy least_energy(const base::Runtime& runtime, const geometry::PointTree& tree,
                          const base::Array<std::int64_t>& rank, const Near& near, double ridge, const VecArray* given,

@@ -34,6 +34,9 @@ struct LeastEnergy {
                                        const geometry::VecArray* given, const Effort& effort,
                                        const base::Progress& progress);
 
+// Share of places whose signs are the same, or of those whose are not: 0.5 .. 1.
+[[nodiscard]] double share_alike(const geometry::VecArray& a, const geometry::VecArray& b) noexcept;
+
 // How noisy a cloud is: the ridge that its noise calls for, 0 for a clean one.
 struct Noise {
     double deviation = 0.0; // over the spacing

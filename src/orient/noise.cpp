@@ -16,6 +16,7 @@ constexpr double clean_below = 0.012;
 // where the noise decides.
 constexpr double no_order_above = 0.02;
 constexpr double noisy_rival = 1.05;
+constexpr double same_signs = 0.9;
 // The ridge is the least of 10, 10^1.5, ... with less.
 constexpr double settled_below = 0.0025;
 constexpr double first_ridge = 10.0;
@@ -47,15 +48,19 @@ struct Patch {
                              const base::Array<std::int64_t>& rank, const base::Progress& progress) {
     const base::Progress unseen = progress.part(0.0, 0.0);
     const Near near(runtime, tree, 32, progress);
-    LeastEnergy fitted = least_energy(runtime, tree, rank, near, 0.0, nullptr, {2, true, true}, unseen);
-    if (fitted.energy < clean_below || (fitted.energy > no_order_above && fitted.rival > noisy_rival)) return {};
+    const LeastEnergy clean = least_energy(runtime, tree, rank, near, 0.0, nullptr, {2, true, true}, unseen);
+    const bool clear = clean.rival > noisy_rival;
+    if (clean.energy < clean_below || (clean.energy > no_order_above && clear)) return {};
+    LeastEnergy fitted(runtime.memory);
     Noise noise;
     noise.ridge = first_ridge;
     for (int k = 1; k < most_ridges; ++k, noise.ridge *= factor) {
-        fitted = least_energy(runtime, tree, rank, near, noise.ridge, nullptr, {1, true}, unseen);
+        fitted = least_energy(runtime, tree, rank, near, noise.ridge, nullptr, {1, true, false}, unseen);
         runtime.log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f", noise.ridge, fitted.energy);
         if (fitted.energy < settled_below) break;
     }
+    // Few points of thin tubes, whose signs were clear, and are lost by a ridge.
+    if (clear && share_alike(clean.normal, fitted.normal) < same_signs) return {};
     noise.deviation = std::sqrt(noise.ridge * fitted.energy);
     return noise;
 }

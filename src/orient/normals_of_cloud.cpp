@@ -14,8 +14,10 @@ using geometry::VecArray;
 
 constexpr std::int64_t neighbours = 32;
 // Clouds with more noise, in spacings, are replaced by means of so many points that it is less.
-constexpr double noisiest = 0.8;
-constexpr double aim = 0.4;
+constexpr double noisiest = 0.55;
+// ... which are so many deviations apart: nearer, they would be layers of the noise.
+constexpr double means_apart = 2.0;
+constexpr std::int64_t fewest_to_reduce = 6000;
 constexpr std::int64_t fewest_means = 500;
 constexpr int most_reductions = 3;
 constexpr std::size_t blended = 4; // means that a point's normal is made of
@@ -31,6 +33,17 @@ constexpr double no_order = 0.03;
 [[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
     if (count <= few) return {6, true, true};
     return {count <= many ? 3 : 1, false, count <= many};
+}
+
+// With less of a ridge the signs should be the same: they are not where walls are as thin as the noise.
+constexpr double softer = 0.125;
+
+[[nodiscard]] double sign_stability(const base::Runtime& runtime, const Cloud& cloud, const Near& near,
+                                    const LeastEnergy& fitted, double ridge, const base::Progress& progress) {
+    if (ridge == 0.0 || cloud.size() > few) return 1.0;
+    const LeastEnergy other = least_energy(runtime, *cloud.tree, cloud.rank, near, softer * ridge, nullptr,
+                                           {1, false, false}, progress.part(0.0, 0.0));
+    return 2.0 * share_alike(fitted.normal, other.normal) - 1.0;
 }
 
 [[nodiscard]] double confidence_of(const LeastEnergy& fitted, double noise) noexcept {
@@ -96,16 +109,20 @@ CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, 
     Noise noise = measure_noise(runtime, cloud, progress.part(0.0, 0.1));
     progress.update(0.1);
     result.noise = noise.deviation;
-    if (noise.deviation <= noisiest || cloud.size() <= fewest_means) {
+    if (noise.deviation <= noisiest || cloud.size() <= fewest_to_reduce) {
         result.fitted = least_energy(runtime, *cloud.tree, cloud.rank, near, noise.ridge, given,
                                      effort_for(cloud.size()), progress.part(0.1, 1.0));
-        result.confidence = confidence_of(result.fitted, noise.deviation);
+        result.confidence = confidence_of(result.fitted, noise.deviation) *
+                            sign_stability(runtime, cloud, near, result.fitted, noise.ridge, progress);
         return result;
     }
     Cloud means(runtime.memory);
     const Cloud* last = &cloud;
-    for (int k = 0; k < most_reductions && noise.deviation > noisiest && last->size() > fewest_means; ++k) {
-        const auto count = static_cast<std::int64_t>(static_cast<double>(last->size()) * aim / noise.deviation);
+    for (int k = 0; k < most_reductions && noise.deviation > noisiest && last->size() > fewest_to_reduce; ++k) {
+        const std::int64_t count =
+            std::partition_point(last->apart.begin(), last->apart.end(),
+                                 [&](double distance) { return distance > means_apart * noise.deviation; }) -
+            last->apart.begin();
         // In the coordinates of the cloud that all began with.
         const glm::dvec3 centre = k == 0 ? glm::dvec3(0.0) : last->centre;
         const double spacing = k == 0 ? 1.0 : last->spacing;
@@ -120,7 +137,8 @@ CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, 
     const Near near_means(runtime, *means.tree, neighbours, progress);
     LeastEnergy fitted = least_energy(runtime, *means.tree, means.rank, near_means, noise.ridge, nullptr,
                                       effort_for(means.size()), progress.part(0.2, 0.95));
-    result.confidence = confidence_of(fitted, noise.deviation);
+    result.confidence = confidence_of(fitted, noise.deviation) *
+                        sign_stability(runtime, means, near_means, fitted, noise.ridge, progress);
     result.fitted.normal = spread(runtime, cloud, means, fitted.normal);
     result.fitted.energy = fitted.energy;
     result.fitted.agreement = fitted.agreement;
