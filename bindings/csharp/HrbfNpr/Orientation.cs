@@ -76,17 +76,17 @@ namespace HrbfNpr
         /// <summary>Where the points were seen from: open surfaces are turned to it; null by default.</summary>
         public Vector3d? Viewpoint { get; set; }
 
-        internal unsafe void Write(ref hrbfnpr_orient_desc desc)
+        internal unsafe void Write(hrbfnpr_orient_desc* desc)
         {
-            desc.mode = (uint)Mode;
-            desc.up[0] = Up.X;
-            desc.up[1] = Up.Y;
-            desc.up[2] = Up.Z;
+            desc->mode = (uint)Mode;
+            desc->up[0] = Up.X;
+            desc->up[1] = Up.Y;
+            desc->up[2] = Up.Z;
             if (!Viewpoint.HasValue) return;
-            desc.has_viewpoint = 1;
-            desc.viewpoint[0] = Viewpoint.Value.X;
-            desc.viewpoint[1] = Viewpoint.Value.Y;
-            desc.viewpoint[2] = Viewpoint.Value.Z;
+            desc->has_viewpoint = 1;
+            desc->viewpoint[0] = Viewpoint.Value.X;
+            desc->viewpoint[1] = Viewpoint.Value.Y;
+            desc->viewpoint[2] = Viewpoint.Value.Z;
         }
     }
 
@@ -113,7 +113,7 @@ namespace HrbfNpr
             context = Context.Resolve(context);
             hrbfnpr_orient_desc desc;
             Errors.Check(NativeMethods.hrbfnpr_orient_desc_init(&desc, (uint)sizeof(hrbfnpr_orient_desc)));
-            (options ?? new OrientationOptions()).Write(ref desc);
+            (options ?? new OrientationOptions()).Write(&desc);
             OrientationInfo found;
             Errors.Check(NativeMethods.hrbfnpr_orient_info_init(&found, (uint)sizeof(OrientationInfo)));
             using (var pins = new Pins())
