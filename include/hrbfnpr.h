@@ -576,8 +576,8 @@ typedef struct hrbfnpr_orient_info {
     double spacing;         /* median distance of a point to its nearest neighbour */
     double energy;          /* of the result, over its degrees of freedom, in spacings: below 0.006 for surfaces that
                                the points resolve; 0.026 is that of points without any order */
-    double confidence;      /* 0 .. 1: how far starts with energies as low agree, and how low that is.  Above 0.9
-                               results were right, below 0.5 mostly not */
+    double confidence;      /* 0 .. 1: how far starts with energies as low agree, and how low that is, less for
+                               noise.  A heuristic: above 0.9 results were right (docs/fitting.md), below look */
     uint32_t closed;        /* 1: the points are all around a solid, or several */
     uint32_t outward_by;    /* HRBFNPR_OUTWARD_... */
     int64_t components;     /* pieces that lie apart by more than their spacing */

@@ -763,8 +763,8 @@ pub struct hrbfnpr_orient_info {
     /// of the result, over its degrees of freedom, in spacings: below 0.006 for surfaces that the
     /// points resolve; 0.026 is that of points without any order
     pub energy: f64,
-    /// 0 .. 1: how far starts with energies as low agree, and how low that is. Above 0.9 results
-    /// were right, below 0.5 mostly not
+    /// 0 .. 1: how far starts with energies as low agree, and how low that is, less for noise. A
+    /// heuristic: above 0.9 results were right (docs/fitting.md), below look
     pub confidence: f64,
     /// 1: the points are all around a solid, or several
     pub closed: u32,
