@@ -120,8 +120,10 @@ void Search::look_at(std::int64_t cell, Part& part) const noexcept {
     ++part.cells;
 }
 
+// Between samples that are denser than the surface is accurate there are no holes.
 void Search::judge(Part& part) const noexcept {
-    part.left_out = part.to_end || (part.highest >= doubtless && part.farthest > settings_.hole * diagonal_);
+    const bool sure = settings_.closest > 0.0 || part.highest >= doubtless;
+    part.left_out = part.to_end || (sure && part.farthest > settings_.hole * diagonal_);
 }
 
 void Search::collect(std::int64_t from, base::Array<std::int64_t>& front) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Calls that take a const handle run at the same time on several threads with the same handle, and give what each
 // gives alone.  The names come from the header: one that has no call here fails the test.
+#include "const_handles.h"
 #include "const_names.h"
-#include "host/session.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,6 @@ namespace {
 
 constexpr int threads = 4;
 constexpr std::int64_t point_count = 200;
-constexpr std::int32_t picture_size = 48;
 
 // What a call gave: bytes, one after the other.
 class Result {
@@ -58,41 +57,13 @@ std::int32_t append(void* user, const void* data, std::uint64_t size) {
     return 0;
 }
 
-Drawing drawing_of(const Context& context, const PointSet& marks) {
-    scenes::Check check;
-    hrbfnpr_renderer* raw = nullptr;
-    check(hrbfnpr_renderer_create(context.get(), &raw, check.error()));
-    const Renderer renderer(raw);
-    auto layer = made(hrbfnpr_layer_style_init);
-    layer.shape = HRBFNPR_SHAPE_STROKES;
-    auto style = made(hrbfnpr_style_init);
-    style.layers = &layer;
-    style.layer_count = 1;
-    auto item = made(hrbfnpr_item_init);
-    item.point_set = marks.get();
-    item.style = &style;
-    auto camera = made(hrbfnpr_camera_init);
-    const double low[3] = {-1.5, -1.5, -0.5}, high[3] = {1.5, 1.5, 0.5}, direction[3] = {0, 1, -1}, up[3] = {0, 0, 1};
-    check(hrbfnpr_camera_fit_bounds(&camera, low, high, direction, up, 0.5, picture_size, picture_size, 0.02,
-                                    check.error()));
-    hrbfnpr_drawing* drawing = nullptr;
-    check(hrbfnpr_renderer_draw(raw, &item, 1, 0, &camera, &drawing, check.error()));
-    return Drawing(drawing);
-}
-
-LineSet line_set_of(const Context& context, const Model& model) {
-    scenes::Check check;
-    hrbfnpr_line_set* lines = nullptr;
-    check(hrbfnpr_line_set_create(context.get(), model.get(), nullptr, nullptr, &lines, check.error()));
-    return LineSet(lines);
-}
-
 // What the calls share, and the calls by their names.
 struct Shared {
     Context context = make_context(2);
     Model model = fit(context, 60);
     PointSet marks = generate(context, model, three_layers(200));
     LineSet lines = line_set_of(context, model);
+    hrbfnpr::test::Mesh mesh = mesh_of(context);
     Drawing drawing = drawing_of(context, marks);
     hrbfnpr_operation* operation = nullptr;
     std::vector<double> point;
@@ -115,6 +86,51 @@ void add(std::map<std::string, Call>& calls, const char* name, Call call) { call
 
 #define CALL(name) add(calls, #name, [](const Shared& s, hrbfnpr_error* error, Result& result, hrbfnpr_status& status)
 #define UNUSED() static_cast<void>(s), static_cast<void>(error), static_cast<void>(result), static_cast<void>(status)
+
+void add_meshes(std::map<std::string, Call>& calls) {
+    CALL(hrbfnpr_mesh_retain) {
+        UNUSED();
+        hrbfnpr_mesh_retain(s.mesh.get());
+        hrbfnpr_mesh_release(s.mesh.get());
+    });
+    CALL(hrbfnpr_mesh_release) {
+        UNUSED();
+        hrbfnpr_mesh_retain(s.mesh.get());
+        hrbfnpr_mesh_release(s.mesh.get());
+    });
+    CALL(hrbfnpr_mesh_get_info) {
+        auto info = made(hrbfnpr_mesh_info_init);
+        status = hrbfnpr_mesh_get_info(s.mesh.get(), &info, error);
+        result.add(info);
+    });
+    CALL(hrbfnpr_mesh_view) {
+        hrbfnpr_array view{};
+        status = hrbfnpr_mesh_view(s.mesh.get(), HRBFNPR_MESH_ATTRIBUTE_TRIANGLE, &view, error);
+        result.add(view.count);
+    });
+    CALL(hrbfnpr_mesh_sample) {
+        std::vector<double> place(3 * point_count);
+        const auto places = out(place, 3);
+        status = hrbfnpr_mesh_sample(s.mesh.get(), nullptr, &places, nullptr, nullptr, error);
+        result.add(place);
+    });
+    CALL(hrbfnpr_model_compare_mesh) {
+        auto desc = made(hrbfnpr_compare_desc_init);
+        desc.points = point_count;
+        auto found = made(hrbfnpr_comparison_init);
+        status = hrbfnpr_model_compare_mesh(s.model.get(), s.mesh.get(), &desc, &found, nullptr, error);
+        result.add(found.surface_max);
+        result.add(found.mesh_max);
+    });
+    CALL(hrbfnpr_model_fit_mesh) {
+        auto info = made(hrbfnpr_mesh_fit_info_init);
+        hrbfnpr_model* fitted = nullptr;
+        status = hrbfnpr_model_fit_mesh(s.mesh.get(), nullptr, nullptr, &info, nullptr, &fitted, error);
+        const Model owned(fitted);
+        result.add(info.centres);
+        result.add(info.mesh_max);
+    });
+}
 
 void add_models(std::map<std::string, Call>& calls) {
     CALL(hrbfnpr_model_retain) {
@@ -383,6 +399,7 @@ std::map<std::string, Call> all_calls() {
         result.add(hrbfnpr_operation_progress(s.operation));
     });
     add_models(calls);
+    add_meshes(calls);
     add_point_sets(calls);
     add_drawings(calls);
     return calls;
