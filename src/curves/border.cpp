@@ -15,6 +15,8 @@ constexpr double farthest = 0.2;
 constexpr double turn = 0.995;
 constexpr double longest = 0.5; // in sides
 constexpr int most_rounds = 6;
+// The cosine between a tangent and the ways along the border: others are of a kink.
+constexpr double least_along = 0.5;
 
 // A point of the border, where it was cut or where the region ends.
 struct BorderPoint {
@@ -49,6 +51,7 @@ private:
     [[nodiscard]] BorderPoint point_of(std::int32_t vertex) const;
     void add_chain(const base::Array<std::int32_t>& vertices, bool closed, Chains& chains) const;
     [[nodiscard]] Chains refined(const Chains& chains, bool& changed, const base::Progress& progress) const;
+    [[nodiscard]] bool fits(const Chains& chains, std::int64_t c, std::int64_t i) const;
     [[nodiscard]] SurfaceLines lines(const Chains& chains) const;
 
     const base::Runtime& runtime_;
@@ -147,13 +150,29 @@ Chains Borders::refined(const Chains& chains, bool& changed, const base::Progres
     return finer;
 }
 
+// Whether a tangent fits to the ways from the point before and to the one behind.  Where the nearest samples change, s
+// has a kink, and tangents of both sides meet there.
+bool Borders::fits(const Chains& chains, std::int64_t c, std::int64_t i) const {
+    const std::int64_t first = chains.first[c];
+    const std::int64_t count = chains.first[c + 1] - first;
+    const CurvePoint& p = chains.point[i].at;
+    const glm::dvec3 tangent = glm::normalize(p.direction());
+    const auto along = [&](std::int64_t from, std::int64_t to) {
+        if (chains.closed[c] == 0 && (from < first || to >= first + count)) return true;
+        const glm::dvec3 way = chains.point[first + (to - first + count) % count].at.position -
+                               chains.point[first + (from - first + count) % count].at.position;
+        return glm::dot(way, tangent) >= least_along * glm::length(way);
+    };
+    return along(i - 1, i) && along(i, i + 1);
+}
+
 SurfaceLines Borders::lines(const Chains& chains) const {
     SurfaceLines found(runtime_.memory);
     LineBuilder builder(found);
     for (std::int64_t c = 0; c < chains.count(); ++c) {
         for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {
             const CurvePoint& p = chains.point[i].at;
-            if (chains.point[i].exact)
+            if (chains.point[i].exact && fits(chains, c, i))
                 builder.add(p.position, p.gradient, 1.0, p.direction());
             else
                 builder.add(p.position, p.gradient, 1.0);

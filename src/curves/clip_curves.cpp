@@ -33,6 +33,7 @@ public:
 private:
     void find_held();
     void find_cuts();
+    [[nodiscard]] double farthest_of(const Cut& cut) const noexcept;
     void refine(const base::Progress& progress);
     void add_curve(std::int64_t curve);
     void put_end(std::int64_t piece);
@@ -83,6 +84,12 @@ void Clipper::find_cuts() {
         }
 }
 
+// Squared: half of the piece.  Where the curve bends away a step may lead anywhere.
+double Clipper::farthest_of(const Cut& cut) const noexcept {
+    const glm::dvec3 way = curves_.point[cut.held].position - curves_.point[cut.lost].position;
+    return 0.25 * glm::dot(way, way);
+}
+
 // By halving the piece's cubic, whose points two of Newton's steps bring onto the curve.
 void Clipper::refine(const base::Progress& progress) {
     base::Array<CurvePoint> points(runtime_.memory, cuts_.size());
@@ -97,8 +104,10 @@ void Clipper::refine(const base::Progress& progress) {
         }
         for (int correction = 0; correction < 2; ++correction) {
             evaluate(runtime_, level_, points, progress);
-            for (CurvePoint& p : points)
-                if (const glm::dvec3 way = p.newton_step(); std::isfinite(glm::dot(way, way))) p.position += way;
+            for (std::int64_t i = 0; i < cuts_.size(); ++i) {
+                const glm::dvec3 way = points[i].newton_step();
+                if (glm::dot(way, way) <= farthest_of(cuts_[i])) points[i].position += way;
+            }
         }
         bool all = true;
         for (std::int64_t i = 0; i < cuts_.size(); ++i) {

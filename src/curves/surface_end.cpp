@@ -17,6 +17,7 @@ SurfaceEnd::SurfaceEnd(const surface::Support& support, double limit, const geom
     : support_(support), limit_(limit), grid_(border, reach * side) {}
 
 bool SurfaceEnd::near_border(const glm::dvec3& place) const {
+    if (support_.has_kept()) return true;
     bool near = false;
     grid_.around(place, [&](std::int64_t) { near = true; });
     return near;

@@ -17,11 +17,11 @@ public:
 
     [[nodiscard]] const surface::Support& support() const noexcept { return support_; }
     [[nodiscard]] double limit() const noexcept { return limit_; }
-    // Whether the border is nearer than `reach` sides, or little more.
+    // Whether the border is nearer than `reach` sides, or little more; or the support itself knows where it is not.
     [[nodiscard]] bool near_border(const glm::dvec3& place) const;
     // s - limit.  <= 0: the surface is there.
     [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
-        return support_.value(place, gradient) - limit_;
+        return support_.may_end_at(place) ? support_.value(place, gradient) - limit_ : -limit_;
     }
     // Right for places within two sides of the surface that is left.
     [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const {

@@ -35,6 +35,8 @@ public:
     TrimReport run(const geometry::VecArray& samples, const base::Progress& progress);
     // Those that are left out, and the cells around them.
     [[nodiscard]] geometry::CellSet cells_left_out() const;
+    // All others that the surface passes.
+    [[nodiscard]] geometry::CellSet cells_kept(const geometry::CellSet& left_out) const;
     [[nodiscard]] const CellGrid& grid() const noexcept { return cells_.grid; }
     [[nodiscard]] bool all_is_left_out() const noexcept { return left_out_ > 0 && left_out_ == cells_.cell.size(); }
 
@@ -175,6 +177,14 @@ geometry::CellSet Search::cells_left_out() const {
     return cells;
 }
 
+geometry::CellSet Search::cells_kept(const geometry::CellSet& left_out) const {
+    geometry::CellSet cells(runtime_.memory);
+    for (const stipples::SurfaceCell& cell : cells_.cell)
+        if (const std::uint64_t packed = CellGrid::pack(geometry::morton_cell(cell.code)); !left_out.contains(packed))
+            cells.insert(packed);
+    return cells;
+}
+
 } // namespace
 
 FoundTrim find_trim(const base::Runtime& runtime, const implicit::Implicit& implicit,
@@ -189,7 +199,9 @@ FoundTrim find_trim(const base::Runtime& runtime, const implicit::Implicit& impl
     if (search.all_is_left_out())
         fail(Status::not_converged, "no part of the surface is near its samples: give more of them, or a larger limit");
     if (found.report.parts == 0) return found;
-    support.end_only_in(search.grid(), search.cells_left_out(), settings.limit);
+    geometry::CellSet left_out = search.cells_left_out();
+    geometry::CellSet kept = search.cells_kept(left_out);
+    support.keep(search.grid(), std::move(kept), std::move(left_out), settings.limit);
     found.trim = std::make_unique<surface::Trim>(std::move(support), settings.limit, closest);
     progress.update(1.0);
     return found;

@@ -13,12 +13,12 @@ namespace hrbfnpr::io {
 // Where the surface of a trimmed model ends (surface/trim.h).
 struct TrimFile {
     explicit TrimFile(base::Memory& memory) noexcept
-        : report(memory), position(memory), normal(memory), cells(memory) {}
+        : report(memory), position(memory), normal(memory), kept(memory), ends(memory) {}
     double limit = 0.0, closest = 0.0;
     geometry::CellGrid grid;
     base::Array<double> report; // opaque, as that of a model
     base::Array<double> position, normal;
-    base::Array<std::int64_t> cells; // packed
+    base::Array<std::int64_t> kept, ends; // cells, packed
 };
 
 struct ModelFile {

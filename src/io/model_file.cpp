@@ -21,7 +21,8 @@ constexpr std::uint32_t tag_trim = tag("TRIM");
 constexpr std::uint32_t tag_trim_report = tag("TRRP");
 constexpr std::uint32_t tag_trim_position = tag("TPOS");
 constexpr std::uint32_t tag_trim_normal = tag("TNRM");
-constexpr std::uint32_t tag_trim_cells = tag("TCEL");
+constexpr std::uint32_t tag_trim_kept = tag("TKEP");
+constexpr std::uint32_t tag_trim_ends = tag("TEND");
 
 constexpr std::int32_t highest_degree = 3;
 constexpr std::int64_t longest_report = 1024;
@@ -90,7 +91,8 @@ void encode(Encoder& encoder, const TrimFile& trim) {
     encoder.section(tag_trim_report, trim.report.span());
     encoder.section(tag_trim_position, trim.position.span());
     encoder.section(tag_trim_normal, trim.normal.span());
-    encoder.section(tag_trim_cells, trim.cells.span());
+    encoder.section(tag_trim_kept, trim.kept.span());
+    encoder.section(tag_trim_ends, trim.ends.span());
 }
 
 void decode(Decoder& decoder, TrimFile& trim) {
@@ -102,7 +104,8 @@ void decode(Decoder& decoder, TrimFile& trim) {
     decoder.section(tag_trim_report, trim.report);
     decoder.section(tag_trim_position, trim.position);
     decoder.section(tag_trim_normal, trim.normal, trim.position.size());
-    decoder.section(tag_trim_cells, trim.cells);
+    decoder.section(tag_trim_kept, trim.kept);
+    decoder.section(tag_trim_ends, trim.ends);
 }
 
 void decode_kind(Decoder& decoder, implicit::HrbfData& data) {
@@ -214,8 +217,9 @@ void check(const Decoder& decoder, const TrimFile& trim) {
     for (const double x : trim.position)
         if (std::abs(x) > coordinate_limit) decoder.damaged("its trim has a sample beyond 1e100");
     check_unit(decoder, "trim.normal", trim.normal.span());
-    for (const std::int64_t cell : trim.cells)
-        if (cell < 0) decoder.damaged("its trim has a cell that is none");
+    for (const auto* cells : {&trim.kept, &trim.ends})
+        for (const std::int64_t cell : *cells)
+            if (cell < 0) decoder.damaged("its trim has a cell that is none");
 }
 
 } // namespace

@@ -51,14 +51,15 @@ struct Support::Near {
 Support::Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
                  double closest, const base::Progress& progress)
     : tree_(position, progress), normal_(position.memory(), position.size()),
-      sharpness_(position.memory(), position.size()), ends_(position.memory()) {
+      sharpness_(position.memory(), position.size()), kept_(position.memory()), ends_(position.memory()) {
     for (std::int64_t at = 0; at < tree_.size(); ++at) normal_.set(at, normal[tree_.index(at)]);
     measure_spacing(runtime, closest, progress);
 }
 
-void Support::end_only_in(const geometry::CellGrid& grid, geometry::CellSet cells, double limit) {
+void Support::keep(const geometry::CellGrid& grid, geometry::CellSet kept, geometry::CellSet ends, double limit) {
     grid_ = grid;
-    ends_ = std::move(cells);
+    kept_ = std::move(kept);
+    ends_ = std::move(ends);
     limit_ = limit;
 }
 
@@ -165,7 +166,7 @@ void Support::evaluate_all(const base::Runtime& runtime, const geometry::VecArra
 }
 
 std::int64_t Support::bytes() const noexcept {
-    return tree_.points().bytes() + normal_.bytes() + sharpness_.bytes() + ends_.bytes() +
+    return tree_.points().bytes() + normal_.bytes() + sharpness_.bytes() + kept_.bytes() + ends_.bytes() +
            tree_.nodes() * static_cast<std::int64_t>(sizeof(geometry::Bounds) + sizeof(std::int64_t));
 }
 

@@ -34,11 +34,13 @@ public:
     Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
             double closest, const base::Progress& progress);
 
-    // From here on s is below `limit` but in these cells: holes that shall stay closed are.
-    void end_only_in(const geometry::CellGrid& grid, geometry::CellSet cells, double limit);
+    // From here on s is below `limit` in the cells that are kept: holes that shall stay closed are.  ends: those that
+    // the surface may end in, of all that it is known to pass.
+    void keep(const geometry::CellGrid& grid, geometry::CellSet kept, geometry::CellSet ends, double limit);
     [[nodiscard]] bool may_end_at(const glm::dvec3& place) const noexcept {
-        return !(limit_ > 0.0) || ends_.contains(geometry::CellGrid::pack(grid_.cell_of(place)));
+        return !(limit_ > 0.0) || !kept_.contains(geometry::CellGrid::pack(grid_.cell_of(place)));
     }
+    [[nodiscard]] bool has_kept() const noexcept { return limit_ > 0.0; }
     // Whether it may end in a cube around the place.
     [[nodiscard]] bool may_end_near(const glm::dvec3& place, double half) const noexcept;
 
@@ -60,6 +62,7 @@ public:
     [[nodiscard]] const geometry::VecArray& positions() const noexcept { return tree_.points(); }
     [[nodiscard]] const geometry::VecArray& normals() const noexcept { return normal_; }
     [[nodiscard]] const geometry::CellGrid& grid() const noexcept { return grid_; }
+    [[nodiscard]] const geometry::CellSet& kept() const noexcept { return kept_; }
     [[nodiscard]] const geometry::CellSet& ends() const noexcept { return ends_; }
     [[nodiscard]] std::int64_t samples() const noexcept { return tree_.size(); }
     [[nodiscard]] std::int64_t bytes() const noexcept;
@@ -74,7 +77,7 @@ private:
     geometry::VecArray normal_;     // in the tree's order, as the next
     base::Array<double> sharpness_; // (2 / h)^2
     geometry::CellGrid grid_;
-    geometry::CellSet ends_; // where the surface may end, if there is a limit
+    geometry::CellSet kept_, ends_; // where it goes on, and where it may end, if there is a limit
     double limit_ = 0.0;
 };
 

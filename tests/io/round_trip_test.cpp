@@ -53,7 +53,8 @@ TEST(ModelFile, HoldsWhereATrimmedModelEnds) {
     for (const double number : {4.0, 5.0}) file.trim.report.push_back(number);
     for (const double number : {0.0, 1.0, 2.0}) file.trim.position.push_back(number);
     for (const double number : {0.0, 0.0, 1.0}) file.trim.normal.push_back(number);
-    for (const std::int64_t cell : {std::int64_t{7}, std::int64_t{1} << 60}) file.trim.cells.push_back(cell);
+    for (const std::int64_t cell : {std::int64_t{7}, std::int64_t{1} << 60}) file.trim.ends.push_back(cell);
+    file.trim.kept.push_back(3);
     const auto bytes_with = [&](const TrimFile& trim) {
         BytesWriter writer;
         save_model(file.data, report(), &trim, writer);
@@ -67,7 +68,8 @@ TEST(ModelFile, HoldsWhereATrimmedModelEnds) {
     EXPECT_EQ(loaded.trim.closest, 0.25);
     EXPECT_EQ(loaded.trim.grid.origin, glm::dvec3(1.0, 2.0, 3.0));
     EXPECT_EQ(loaded.trim.grid.side, 0.5);
-    EXPECT_EQ(loaded.trim.cells.size(), 2);
+    EXPECT_EQ(loaded.trim.ends.size(), 2);
+    EXPECT_EQ(loaded.trim.kept.size(), 1);
 
     const auto is_refused = [&](double& number, double wrong) {
         const double right = std::exchange(number, wrong);
