@@ -155,4 +155,4 @@ def diagonal(model: Model) -> float:
 
 def off(model: Model) -> float:
     """How far from the mesh what is none of it lies, in diagonals: few samples round what is sharp."""
-    return 0.009 if model.mesh_fit is not None else max(0.009, 0.6 * model.info.spacing / diagonal(model))
+    return 0.009 if model.mesh_fit is not None else max(0.009, 1.5 * model.info.spacing / diagonal(model))
