@@ -84,7 +84,7 @@ void Clipper::find_cuts() {
         }
 }
 
-// Squared: half of the piece.  Where the curve bends away a step may lead anywhere.
+// The square of half the piece's chord: a longer step of Newton's leads to another curve.
 double Clipper::farthest_of(const Cut& cut) const noexcept {
     const glm::dvec3 way = curves_.point[cut.held].position - curves_.point[cut.lost].position;
     return 0.25 * glm::dot(way, way);

@@ -22,7 +22,14 @@ constexpr double near_curve = 2e-4;
 // In lengths of the piece: where a cusp is known so well, the search for it ends; nearer to an end of the piece than
 // the second, that end is replaced.
 constexpr double known = 1e-8;
+// In lengths of the piece, too: a point that is led farther off it belongs to another curve.
+constexpr double astray = 0.3;
 constexpr double at_end = 1e-2;
+
+// A point of a piece, that was brought closer; where its level has a kink, a step may lead anywhere.
+void keep_beside(CurvePoint& p, const glm::dvec3& place, double length) noexcept {
+    if (!(glm::distance(p.position, place) <= astray * length)) p.position = place;
+}
 
 // v^T H v = v . grad g on the contour: the radial curvature but for a positive factor.
 double radial(const CurvePoint& p, const View& view) noexcept {
@@ -97,7 +104,8 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
 Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
                         std::int64_t& evaluations, const base::Progress& progress) {
     base::Array<CurvePoint> added(runtime.memory);
-    base::Array<double> enough(runtime.memory);
+    geometry::VecArray place(runtime.memory); // of these on their pieces
+    base::Array<double> length(runtime.memory), enough(runtime.memory);
     base::Array<std::int64_t> after(runtime.memory); // which point
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         for (std::int64_t k = 0; k < curves.pieces_of(c); ++k) {
@@ -110,12 +118,15 @@ Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, cons
                 CurvePoint p;
                 p.position = cubic.at(u);
                 added.push_back(p);
+                place.push_back(p.position);
+                length.push_back(cubic.length());
                 enough.push_back(near_curve * cubic.length());
             }
             after.push_back(at);
         }
     }
     bring_closer(runtime, contour, enough, added, evaluations, progress);
+    for (std::int64_t i = 0; i < added.size(); ++i) keep_beside(added[i], place[i], length[i]);
     Curves result(runtime.memory);
     result.first.push_back(0);
     std::int64_t next = 0;
@@ -190,20 +201,24 @@ void search(const base::Runtime& runtime, const Level& contour, const View& view
     base::Array<std::int64_t> active(runtime.memory);
     for (std::int64_t i = 0; i < searches.size(); ++i) active.push_back(i);
     base::Array<CurvePoint> points(runtime.memory);
+    geometry::VecArray place(runtime.memory);
     base::Array<double> enough(runtime.memory);
     for (int step = 0; step < most_steps && !active.empty(); ++step) {
         points.resize(active.size());
+        place.resize(active.size());
         enough.resize(active.size());
         for (std::int64_t i = 0; i < active.size(); ++i) {
             const Search& s = searches[active[i]];
             const CubicPiece cubic(s.a, s.b);
             points[i].position = cubic.at((s.share - s.low) / (s.high - s.low));
+            place.set(i, points[i].position);
             enough[i] = step == 0 ? near_curve * cubic.length() : std::numeric_limits<double>::infinity();
         }
         bring_closer(runtime, contour, enough, points, evaluations, progress);
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < active.size(); ++i) {
             Search& s = searches[active[i]];
+            keep_beside(points[i], place[i], glm::distance(s.a.position, s.b.position));
             s.found = points[i];
             narrow(s, radial(points[i], view), view);
             if (!s.done) active[left++] = active[i];

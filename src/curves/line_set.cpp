@@ -134,8 +134,7 @@ void LineSet::clip_mesh(const base::Runtime& runtime, double limit, const base::
     border_level_.emplace(surface_, *support_, limit);
     ClippedMesh clipped = clip(runtime, *border_level_, *mesh_, progress);
     border_ = exact_border(runtime, *border_level_, clipped, progress);
-    // Where a fit is no surface any more the border has kinks that nothing can be led along.
-    border_exact_ = own_support_ && is_all_cut(clipped);
+    border_exact_ = is_all_cut(clipped);
     geometry::VecArray places(runtime.memory);
     for (const CurvePoint& p : clipped.cut) places.push_back(p.position);
     end_.emplace(*support_, limit, places, mesh_->side);
