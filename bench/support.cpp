@@ -3,7 +3,7 @@
 // --models=DIR: a folder of OBJ and PLY meshes in place of generated ones; --named=TEXT: only those with it in the
 // name.
 #include "calls.h"
-#include "nearest_place.h"
+#include "near_points.h"
 #include "read_meshes.h"
 #include "timing.h"
 
@@ -119,7 +119,7 @@ void run_mesh(hrbfnpr_context* context, const Named& named, Totals& totals) {
     for (std::size_t c = 0; c < 3; ++c) size[c] = info.bounds_max[c] - info.bounds_min[c];
     const double diagonal = bench::length(size);
     const Samples around = sampled(raw, dense, dense);
-    const bench::NearestPlace nearest(sampled(raw, truth, truth).points, 0.5 * off * diagonal);
+    const bench::NearPoints nearest(sampled(raw, truth, truth).points, 0.5 * off * diagonal);
     for (const std::int64_t count : {500, 1000, 4096}) {
         const Samples samples = sampled(raw, count, 0);
         const scenes::Model model = bench::fit(context, samples.points, samples.normals);

@@ -58,6 +58,16 @@ geometry::VecArray points_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc
     return vectors(memory, data->sample_position.span());
 }
 
+[[noreturn]] void refuse_normal(std::int64_t i, bool given) {
+    if (given)
+        fail(Status::invalid_argument, "trim_desc.normals[%lld] is 0; normals must have a direction",
+             static_cast<long long>(i));
+    fail(Status::invalid_argument,
+         "the surface has no normal at trim_desc.points[%lld]: its gradient there is 0 or not finite; give "
+         "trim_desc.normals",
+         static_cast<long long>(i));
+}
+
 // Normals that nobody gave are the samples', or the surface's own.
 geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc& desc,
                               const geometry::VecArray& points, const base::Progress& progress) {
@@ -74,9 +84,7 @@ geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_des
                                points, {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}}, progress);
     }
     for (std::int64_t i = 0; i < normals.size(); ++i) {
-        if (!(glm::length(normals[i]) > 0.0))
-            fail(Status::invalid_argument, "trim_desc.normals[%lld] is 0; normals must have a direction",
-                 static_cast<long long>(i));
+        if (!(glm::length(normals[i]) > 0.0)) refuse_normal(i, !given.empty());
         normals.set(i, glm::normalize(normals[i]));
     }
     return normals;

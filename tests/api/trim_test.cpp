@@ -128,6 +128,20 @@ TEST(Trim, KeepsSmallHolesClosed) {
     EXPECT_NEAR(info_of(open).share, 0.05, 0.03);
 }
 
+// The hole of 0.45 is none where spacings count as 0.2 diagonals.
+TEST(Trim, TakesNoSpacingToBeLessThanClosest) {
+    const Context context = make_context();
+    const Model model = fit(context, zone(-1.0, 0.9));
+    auto desc = made(hrbfnpr_trim_desc_init);
+    desc.closest = 0.01; // of 3.5: less than the samples' own spacing of 0.11
+    const hrbfnpr_trim_info own = info_of(trimmed(model, &desc));
+    EXPECT_EQ(own.is_trimmed, 1U);
+    desc.closest = 0.2;
+    const hrbfnpr_trim_info wide = info_of(trimmed(model, &desc));
+    EXPECT_EQ(wide.is_trimmed, 0U);
+    EXPECT_GT(wide.spacing, 5.0 * own.spacing);
+}
+
 // A sphere and a tube that leaves it: no sample knows of that.
 int tube_function(void* /*user*/, int64_t count, const double* points, double* value, double* gradient,
                   double* /*hessian*/) {

@@ -41,6 +41,26 @@ def test_it_is_closed_on_request(scan, capsys):
     assert "beyond" not in capsys.readouterr().out
 
 
+def test_a_saved_model_ends_as_it_was_saved(scan, tmp_path, capsys):
+    for options, ended in (((), True), (("--close",), False)):
+        saved, copy = scan.with_suffix(".hrb"), tmp_path / "copy.hrb"
+        assert fitted(scan, *options).trim_info.is_trimmed == ended
+        capsys.readouterr()
+        assert main(["points", str(saved), str(copy), "--budget", "500"]) == 0
+        assert "\nend " not in capsys.readouterr().out
+
+
+def test_the_sides_of_a_mesh_are_turned_on_request(tmp_path):
+    vertices = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
+    quads = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
+    path = tmp_path / "cube.obj"
+    rows = [f"v {x} {y} {z}\n" for x, y, z in vertices] + [f"f {a} {b} {c} {d}\n" for a, b, c, d in quads]
+    path.write_text("".join(rows))
+    middle = np.array([[0.5, 0.5, 0.5]])
+    inside = fitted(path, "--samples", "100").evaluate(middle).value[0]
+    assert inside < 0 < fitted(path, "--samples", "100", "--flip").evaluate(middle).value[0]
+
+
 def test_a_closed_surface_stays_whole(tmp_path, capsys):
     path = tmp_path / "ball.xyz"
     np.savetxt(path, np.column_stack([fibonacci_sphere(300), fibonacci_sphere(300)]))

@@ -323,10 +323,11 @@ def test_how_near_the_surface_is(tmp_path, capsys):
     for samples in ("80", "2000"):
         assert draw(path, tmp_path / "a.png", "--samples", samples) == 0
         out, err = capsys.readouterr()
-        figures = r"(?m)^compare .*99 % within ([\d.]+)% of the diagonal, all within ([\d.]+)%"
-        share, most = re.search(figures, out).groups()
-        assert float(share) <= float(most)
-        found.append(float(share))
+        to_mesh = r"surface to mesh: 99 % within ([\d.]+)% of the diagonal, all within ([\d.]+)%"
+        figures = re.search(rf"(?m)^compare .*{to_mesh}; mesh to surface: ([\d.]+)%, ([\d.]+)%", out)
+        surface, surface_most, mesh, mesh_most = (float(figure) for figure in figures.groups())
+        assert surface <= surface_most and mesh <= mesh_most
+        found.append(mesh)
         assert ("the surface is off the mesh" in err) == (samples == "80")
     assert found[0] > 1 > found[1] > 0
     assert draw(write(tmp_path, "a.xyz", table(*ball())), tmp_path / "a.png") == 0

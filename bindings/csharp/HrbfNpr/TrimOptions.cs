@@ -17,8 +17,10 @@ namespace HrbfNpr
         public double Hole { get; set; } = 0.05;
 
         /// <summary>
-        /// Diagonals, 0 to 1: spacings are taken to be at least this; 0.  For many points of a mesh, of which 0.01
-        /// leaves out what is more than about 0.01 diagonals off them.
+        /// Diagonals, 0 to 1: spacings are taken to be at least this, and no part that is farther than
+        /// <see cref="Hole"/> from all samples stays.  For many points of a mesh, of which 0.01 leaves out what is
+        /// more than about 0.01 diagonals off them.  0, the default: the spacing is the samples' own, and only what
+        /// they surely do not bear out (s at least 6 somewhere) goes by <see cref="Hole"/>.
         /// </summary>
         public double Closest { get; set; }
 

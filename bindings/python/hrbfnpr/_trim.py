@@ -83,8 +83,10 @@ class Trimming(Owner):
         hole : float
             Holes that nowhere are farther from the samples than so many diagonals stay closed.
         closest : float
-            In diagonals: spacings are taken to be at least this.  For many points of a mesh, of which 0.01 leaves out
-            what is more than about 0.01 diagonals off them.
+            In diagonals: spacings are taken to be at least this, and no part that is farther than `hole` from all
+            samples stays.  For many points of a mesh, of which 0.01 leaves out what is more than about 0.01
+            diagonals off them.  0: the spacing is the samples' own, and only what they surely do not bear out
+            (s >= 6 somewhere) goes by `hole`.
         progress, operation
             See `Operation`.
 

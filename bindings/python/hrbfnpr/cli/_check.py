@@ -211,7 +211,7 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
     if facts.boundary_edges:
         findings.warn(
             f"it is open: {of(facts.holes, 'border')} of {of(facts.boundary_edges, 'edge')}",
-            "the surface closes holes, and goes on beyond borders: --lines contour,border --support 3 ends lines there",
+            "nothing: what is drawn ends at wide borders, with a line, and closes small holes; --close closes all",
         )
     if facts.non_manifold_edges:
         what = f"{of(facts.non_manifold_edges, 'edge')} of more than two triangles"
@@ -223,8 +223,8 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
         )
     if facts.components > 1:
         findings.warn(
-            f"it has {facts.components} parts: those within others, or that cut others, make lumps",
-            "keep the outer surface only, if parts are inside others",
+            f"it has {facts.components} parts: those that cut others make lumps",
+            "nothing: parts inside others are left out; --parts all keeps them",
         )
     good = _inputs.finite_faces(shape)[0]
     points, normals = shapes.samples(good, _SAMPLES)

@@ -2,72 +2,65 @@
 """Where the surface of a fitted model ends: where what was read does."""
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any
 
 import numpy as np
 
 from .._errors import NotConvergedError
+from .._mesh import Mesh
 from .._model import Model
 from ..shapes import Shape
-from ..shapes._shape import Floats
-from . import _mesh, _nearness
+from . import _mesh
 from ._progress import Reporter
 
-MOST_POINTS = 500_000  # that are asked where the surface ends
 ON_MESH = 60_000  # places on a mesh, some 0.005 diagonals from each other
 DOUBTED = 0.002  # share of a closed surface left out that is warned of
 
 
-def end(model: Model, shape: Shape, closed: bool, close: bool, report: Reporter) -> Model:
-    """The model with what lies beyond the input left out, unless it shall be closed; says what that is.
-
-    closed: of a mesh; what the surface has beyond that is none of it.
-    """
+def end(model: Model, shape: Shape, close: bool, report: Reporter) -> Model:
+    """The model with what lies beyond the points left out, unless it shall be closed; says what that is."""
     if close:
         return model
-    with report.stage("end", "looking for the end of the surface") as stage:
-        places = _places(shape)
-        off = _mesh.off(model) if shape.is_mesh else 0.0
-        mesh = {"hole": off, "closest": off} if shape.is_mesh else {}
-        try:
-            ended = model.trim(places, progress=stage.bar, **mesh)
-        except NotConvergedError as error:
-            report.warn(f"where the surface ends was not found ({error}); it goes on to the end of its box")
-            return model
-        info = ended.trim_info
-        stage.says = "the surface is whole"
-        if not info.is_trimmed:
-            return ended
-        of = "mesh" if shape.is_mesh else "points"
-        farthest = info.farthest / _mesh.diagonal(model)
-        parts = "1 part" if info.parts == 1 else f"{info.parts} parts"
-        stage.says = (
-            f"{info.share:.1%} of the surface, {parts}, is beyond the {of} (up to {farthest:.1%} of the diagonal) and "
-            "left out; --close keeps it"
-        )
-    if closed and info.share > DOUBTED:
+    return _ended(model, shape.points[np.isfinite(shape.points).all(axis=1)], "points", {}, report)
+
+
+def end_of_mesh(model: Model, mesh: Mesh, close: bool, report: Reporter) -> Model:
+    """The same beyond a mesh; what the surface has that a closed one does not was made by the fit."""
+    if close:
+        return model
+    off = _mesh.off(model)
+    places = mesh.sample(ON_MESH, candidates=ON_MESH).points
+    ended = _ended(model, places, "mesh", {"hole": off, "closest": off}, report)
+    info = ended.trim_info
+    if mesh.info.closed and info.share > DOUBTED:
         report.warn(
-            f"the fit made {parts} of surface that the mesh does not have, left out: more samples may do without, "
-            f"--samples {4 * model.info.centres} for example"
+            f"the fit made {_parts(info.parts)} of surface that the mesh does not have, left out: more samples may do "
+            f"without, --samples {4 * model.info.centres} for example"
         )
     return ended
 
 
-def end_of_saved(model: Model, close: bool) -> Model:
-    """The same of a saved model, which knows its centres only."""
-    if close or model.trim_info.is_trimmed or model.info.centres == 0:
-        return model
-    try:
-        return model.trim()
-    except NotConvergedError:
-        return model
+def _ended(model: Model, places: Any, of: str, options: "dict[str, float]", report: Reporter) -> Model:
+    with report.stage("end", "looking for the end of the surface") as stage:
+        try:
+            ended = model.trim(places, progress=stage.bar, **options)
+        except NotConvergedError as error:
+            report.warn(f"where the surface ends was not found ({error}); it goes on to the end of its box")
+            return model
+        stage.says = _in_words(ended, of)
+    return ended
 
 
-def _places(shape: Shape) -> Optional[Floats]:
-    """On what was read."""
-    if shape.is_mesh:
-        return _nearness.places(shape, 1, ON_MESH)
-    points = shape.points[np.isfinite(shape.points).all(axis=1)]
-    if len(points) > MOST_POINTS:
-        points = points[np.random.default_rng(1).choice(len(points), MOST_POINTS, replace=False)]
-    return points
+def _in_words(ended: Model, of: str) -> str:
+    info = ended.trim_info
+    if not info.is_trimmed:
+        return "the surface is whole"
+    farthest = info.farthest / _mesh.diagonal(ended)
+    return (
+        f"{info.share:.1%} of the surface, {_parts(info.parts)}, is beyond the {of} (up to {farthest:.1%} of the "
+        "diagonal) and left out; --close keeps it"
+    )
+
+
+def _parts(count: int) -> str:
+    return "1 part" if count == 1 else f"{count} parts"

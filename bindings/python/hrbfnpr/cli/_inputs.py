@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What a command works on: a saved model or point set, or a model fitted to what a file holds.
 
-The stages of the latter are read, sample, orient, fit and compare: `_read`, `_samples`, `_normals`, `Model.fit` and
-`_nearness.tell`.  Points without normals get some from `_orient.make`.
+The stages of points are read, sample, orient, fit and end: `_read`, `_samples`, `_normals`, `Model.fit` and `_ends.end`.
+Points without normals get some from `_orient.make`.  A mesh is looked at by `_mesh.read`; the rest is the same.
 """
 from __future__ import annotations
 
@@ -26,7 +26,6 @@ from ._progress import Reporter
 _MAGIC = b"\x89HRB\r\n\x1a\n"
 MOST_SAMPLES = 4096  # a direct fit of more takes minutes and gigabytes
 MOST_ORIENTED = 20_000  # points that get normals, within some ten seconds
-MOST_LOOKED_AT = 200_000  # triangles, for about a second
 THIN = 1e-4  # of the longest extent, what is none
 FEW = 10  # samples with which a surface is a guess
 
@@ -120,40 +119,35 @@ def _with_normals(shape: Shape, context: Context, report: Reporter) -> Shape:
 def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
     count = arguments.samples
     chosen = arguments.tolerance or arguments.maximum_centres  # the fit itself chooses, from all of them
-    if count is None and not shape.is_mesh and not chosen and len(shape.points) > MOST_SAMPLES:
+    if count is None and not chosen and len(shape.points) > MOST_SAMPLES:
         count = MOST_SAMPLES
         report.note(f"{len(shape.points)} points, of which {count} are used; --samples N sets another number")
-    options = given(arguments, ("crease", "random_seed"))
     with report.stage("sample", "sampling") as stage:
         bar = stage.bar
         progress = None if bar is None else lambda fraction: bar.update(fraction - bar.n)
-        points, normals = shapes.samples(shape, count, report=progress, **options)
+        points, normals = shapes.samples(shape, count, report=progress, **given(arguments, ("random_seed",)))
         stage.says = f"{len(points)} samples"
-    if not shape.is_mesh and count is None and len(points) < len(shape.points):
+    if count is None and len(points) < len(shape.points):
         left_out = len(shape.points) - len(points)
         report.note(f"{left_out} points without a usable position or normal are left out")
     return points, normals
 
 
 def _normals(
-    shape: Shape, points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter
+    points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter
 ) -> Tuple[Floats, Floats]:
     """Those that look outward; --flip is the user's own word on it."""
-    if not shape.is_mesh:
-        points, normals, joined, opposite = _orient.agreed(points, normals)
-        if joined:
-            report.note(f"{_nearness.of(joined, 'place')} with several normals, as on a sharp edge: their mean is used")
-        if opposite:
-            report.warn(f"{_nearness.of(opposite, 'place')} with opposite normals left out")
-        if len(points) == 0:
-            raise ShapeError("all points are in pairs with opposite normals")
+    points, normals, joined, opposite = _orient.agreed(points, normals)
+    if joined:
+        report.note(f"{_nearness.of(joined, 'place')} with several normals, as on a sharp edge: their mean is used")
+    if opposite:
+        report.warn(f"{_nearness.of(opposite, 'place')} with opposite normals left out")
+    if len(points) == 0:
+        raise ShapeError("all points are in pairs with opposite normals")
     if arguments.flip:
         return points, -normals
     with report.stage("orient", "orienting") as stage:
-        if shape.is_mesh:
-            _faces(shape, points, normals, report)
-        mode = arguments.normals or "auto"
-        normals, stage.says = _orient.settle(points, normals, mode, shape.is_mesh, report, stage.bar, context)
+        normals, stage.says = _orient.settle(points, normals, arguments.normals or "auto", report, stage.bar, context)
         axis = _up.hangs(points, normals) if arguments.normals != "keep" else None
         if axis is not None:
             normals, stage.says = -normals, "a terrain looked down: its normals are turned"
@@ -162,56 +156,28 @@ def _normals(
     return points, normals
 
 
-def _faces(shape: Shape, points: Floats, normals: Floats, report: Reporter) -> None:
-    """What there is to say of a mesh and its normals."""
-    assert shape.triangles is not None
-    if _was_turned(shape, points, normals):
-        report.note("the mesh was inside out: its faces are turned")
-    if len(shape.triangles) > MOST_LOOKED_AT:
-        return
-    facts = shapes.mesh_facts(shape)
-    if facts.inconsistent_edges:
-        report.warn(
-            f"{_nearness.of(facts.inconsistent_edges, 'edge')} between faces that look to opposite sides: turn faces "
-            "in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)"
-        )
-    if facts.components > 1:
-        report.note(f"the mesh has {facts.components} parts: those within others, or that cut others, make lumps")
-
-
-def _was_turned(shape: Shape, points: Floats, normals: Floats) -> bool:
-    """Whether sampling has turned the faces, as it does with closed meshes that are inside out."""
-    assert shape.triangles is not None
-    start = shape.points[shape.triangles[0, 0]]
-    a, b, c = (shape.points[shape.triangles[:, i]] - start for i in range(3))
-    volume = np.einsum("ij,ij->", a, np.cross(b, c))
-    return bool(volume < 0 and np.einsum("ij,ij->", points - start, normals) > 0)
-
-
 def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Loaded:
     """The saved model or point set, or a model fitted to the samples in the file."""
     with report.stage("read", "reading") as stage:
         saved = load_saved(path, context)
         shape = None if saved is not None else _read(path, report)
         stage.says = in_words(shape) if shape is not None else _saved_in_words(saved)
-    if isinstance(saved, Model):
-        saved = _ends.end_of_saved(saved, arguments.close)
     if saved is not None:
         return Loaded(saved, None, _up_of_saved(saved, arguments, context, report))
     assert shape is not None
-    if shape.is_mesh and not arguments.flip:
+    if shape.is_mesh:
         return _load_mesh(shape, arguments, context, report)
-    made = not shape.is_mesh and (arguments.normals == "none" or not has_normals(shape))
+    made = arguments.normals == "none" or not has_normals(shape)
     if made:
         shape = _with_normals(shape, context, report)
     points, normals = _samples(shape, arguments, report)
     if not made:
-        points, normals = _normals(shape, points, normals, arguments, context, report)
+        points, normals = _normals(points, normals, arguments, context, report)
     elif arguments.flip:
         normals = -normals
     up = _up_of(shape, points, normals, arguments, report)
-    model = _fit(shape, points, normals, arguments, context, report)
-    return Loaded(_ends.end(model, shape, False, arguments.close, report), shape, up)
+    model = _fit(points, normals, arguments, context, report)
+    return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
 
 
 def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Loaded:
@@ -222,13 +188,12 @@ def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter)
     if _mesh.chooses(arguments):
         model = _mesh.fit(read, arguments, report)
     else:
-        model = _fit(shape, read.points, read.normals, arguments, context, report)
-    return Loaded(_ends.end(model, shape, read.mesh.info.closed, arguments.close, report), shape, up)
+        model = _fit(read.points, read.normals, arguments, context, report)
+        _nearness.tell(read.mesh, model, report)
+    return Loaded(_ends.end_of_mesh(model, read.mesh, arguments.close, report), shape, up)
 
 
-def _fit(
-    shape: Shape, points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter
-) -> Model:
+def _fit(points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter) -> Model:
     """A model of these samples, and what there is to say of it."""
     with report.stage("fit", "fitting") as stage:
         model = Model.fit(points, normals, progress=stage.bar, context=context, **given(arguments, FIT))
@@ -239,7 +204,6 @@ def _fit(
         report.note(repair)
     for doubt in [*_nearness.doubts(model), *_thin_evidence(points)]:
         report.warn(doubt)
-    _nearness.tell(shape, model, arguments.samples is not None, context, report)
     return model
 
 

@@ -13,7 +13,7 @@ from .._model import Model
 from ..shapes import Shape
 from ..shapes._shape import Floats
 from . import _orient, _up
-from ._nearness import of
+from ._nearness import in_words, of
 from ._progress import Reporter
 
 LOOKED_AT = 2000  # samples that tell which way is up
@@ -41,14 +41,15 @@ def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Re
     with report.stage("sample", "sampling") as stage:
         points, normals = _sampled(mesh, count, arguments, stage.bar)
         stage.says = f"{count} samples" + (", to look at" if chooses(arguments) else "")
-        why = None if mesh.info.closed or arguments.normals == "keep" else _looks_wrong(points, normals)
+        settled = mesh.info.closed or arguments.normals == "keep" or arguments.flip
+        why = None if settled else _looks_wrong(points, normals)
         if why is not None:
             assert shape.triangles is not None
             mesh = _welded(shape, np.ascontiguousarray(shape.triangles[:, ::-1]), arguments, None, context)
             points, normals = _sampled(mesh, count, arguments, None)
     if why is not None:
         report.note(f"{why} (--normals keep leaves them)")
-    return Read(mesh, points, normals)
+    return Read(mesh, points, -normals if arguments.flip else normals)
 
 
 def _welded(shape: Shape, triangles: Any, arguments: Any, bar: Any, context: Context) -> Mesh:
@@ -88,7 +89,7 @@ def fit(read_mesh: Read, arguments: Any, report: Reporter) -> Model:
         model = Model.fit_mesh(read_mesh.mesh, random_seed=_seed(arguments), progress=stage.bar, **options)
         done = model.mesh_fit
         assert done is not None
-        stage.says = f"{done.centres} centres in {of(done.rounds, 'round')}; {_nearness(done, model)}"
+        stage.says = f"{done.centres} centres in {of(done.rounds, 'round')}; {in_words(done, diagonal(model))}"
     if not done.reached:
         report.warn(_shortfall(done, model, arguments))
     return model
@@ -125,14 +126,6 @@ def _tell(info: MeshInfo, report: Reporter) -> None:
             f"{of(info.contrary_edges, 'edge')} between faces that look to opposite sides, which cannot be turned: a "
             "surface of one side, or one that crosses itself"
         )
-
-
-def _nearness(done: MeshFitInfo, model: Model) -> str:
-    d = diagonal(model)
-    return (
-        f"surface to mesh: 99 % within {done.surface_p99 / d:.2%} of the diagonal, all within "
-        f"{done.surface_max / d:.2%}; mesh to surface: {done.mesh_p99 / d:.2%}, {done.mesh_max / d:.2%}"
-    )
 
 
 def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:

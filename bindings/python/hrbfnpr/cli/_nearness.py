@@ -1,77 +1,39 @@
 # SPDX-License-Identifier: MIT
-"""How near a fitted surface is to what it was fitted to.
-
-A measurement from the surface to the mesh, too, belongs in `of_mesh`.
-"""
+"""How near a fitted surface is to what it was fitted to."""
 from __future__ import annotations
 
-from typing import Any, List, NamedTuple
+from typing import List, Union
 
 import numpy as np
 
-from .._context import Context
+from .._mesh import Comparison, Mesh, MeshFitInfo
 from .._model import Model
-from ..shapes import Shape
-from ..shapes._shape import Floats
 from ._progress import Reporter
 
-PLACES = 3000  # on the mesh
-FAR = 0.01  # of the diagonal
+FAR = 0.01  # of the diagonal, as Model.compare has it
 DOUBTED = 0.005  # share of samples that look wrong and is warned of
 SHARE = 0.01  # of the mesh that may be as far without a warning
 
 
-class Nearness(NamedTuple):
-    """Distances from places on a mesh to the surface, as shares of the diagonal; `lost`: where none was found."""
-
-    usual: float  # 99 of 100 are nearer
-    most: float
-    far: float  # share of the places that is farther than FAR
-
-
-def of_mesh(shape: Shape, model: Model, context: Context, seed: int = 1) -> Nearness:
-    """Measured at random places, even over the mesh."""
-    measured = places(shape, seed, PLACES)
-    found = model.project(measured)
-    distance = np.linalg.norm(np.asarray(found.position) - measured, axis=1)
-    diagonal = float(np.linalg.norm(np.ptp(measured, axis=0)))
-    # Where projecting does not converge, the value over its gradient's length is near enough to tell.
-    lost = np.asarray(found.status) != 0
-    if lost.any():
-        there: Any = model.evaluate(measured[lost], gradient=True)
-        slope = np.maximum(np.linalg.norm(np.asarray(there.gradient), axis=1), 1e-12)
-        distance[lost] = np.minimum(np.abs(np.asarray(there.value)) / slope, diagonal)
-    share = distance / diagonal
-    return Nearness(float(np.quantile(share, 0.99)), float(share.max()), float((share > FAR).mean()))
+def in_words(found: Union[Comparison, MeshFitInfo], diagonal: float) -> str:
+    """Distances both ways, as shares of the diagonal."""
+    return (
+        f"surface to mesh: 99 % within {found.surface_p99 / diagonal:.2%} of the diagonal, all within "
+        f"{found.surface_max / diagonal:.2%}; mesh to surface: {found.mesh_p99 / diagonal:.2%}, "
+        f"{found.mesh_max / diagonal:.2%}"
+    )
 
 
-def places(shape: Shape, seed: int, count: int) -> Floats:
-    """Random ones on the faces, even over their area."""
-    assert shape.triangles is not None
-    random = np.random.default_rng(seed)
-    a, b, c = (shape.points[shape.triangles[:, i]] for i in range(3))
-    total = np.cumsum(np.linalg.norm(np.cross(b - a, c - a), axis=1))
-    chosen = np.minimum(np.searchsorted(total, random.random(count) * total[-1], side="right"), len(total) - 1)
-    root, turn = np.sqrt(random.random((count, 1))), random.random((count, 1))
-    result: Floats = (1 - root) * a[chosen] + root * (1 - turn) * b[chosen] + root * turn * c[chosen]
-    return result
-
-
-def tell(shape: Shape, model: Model, samples_given: bool, context: Context, report: Reporter) -> None:
-    """Print how near the surface is; warn if it is not."""
-    if not shape.is_mesh:
-        return
+def tell(mesh: Mesh, model: Model, report: Reporter) -> None:
+    """Print how near the surface is; warn if the mesh is far from it."""
     with report.stage("compare", "comparing") as stage:
-        near = of_mesh(shape, model, context)
-        stage.says = (
-            f"mesh to surface: 99 % within {near.usual:.2%} of the diagonal, all within {near.most:.2%} "
-            f"({PLACES} places)"
-        )
-    if near.far > SHARE:
+        found = model.compare(mesh, progress=stage.bar)
+        stage.says = in_words(found, found.diagonal)
+    if found.missed_share > SHARE:
         more = 4 * model.info.samples
         report.warn(
-            f"the surface is off the mesh by more than {FAR:.0%} of the diagonal at {near.far:.1%} of it (at most "
-            f"{near.most:.1%}): thin parts need more samples, --samples {more} for example"
+            f"the surface is off the mesh by more than {FAR:.0%} of the diagonal at {found.missed_share:.1%} of it (at "
+            f"most {found.mesh_max / found.diagonal:.1%}): thin parts need more samples, --samples {more} for example"
         )
 
 

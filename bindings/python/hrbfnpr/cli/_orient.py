@@ -179,20 +179,20 @@ def doubts_of(oriented: Oriented) -> Tuple[str, ...]:
 
 
 def settle(
-    points: Floats, normals: Floats, mode: str, mesh: bool, report: Reporter, bar: Any, context: Context
+    points: Floats, normals: Floats, mode: str, report: Reporter, bar: Any, context: Context
 ) -> Tuple[Floats, str]:
-    """The normals of samples, turned outward as far as that can be told, and what was done in words."""
+    """The normals of points, turned outward as far as that can be told, and what was done in words."""
     if mode == "keep":
         return normals, "normals as they are"
     if mode != "auto":
         return repaired(points, normals, mode, report, bar, context)
-    found = look(points, normals, mesh)
-    if found.mixed and not mesh and len(points) >= LEAST:
+    found = look(points, normals, False)
+    if found.mixed and len(points) >= LEAST:
         return repaired(points, normals, "auto", report, bar, context)
     if found.inward:
         report.note("all normals looked inward: they are turned (--normals keep leaves them)")
         return -normals, "normals looked inward: all are turned"
-    for doubt in doubts(found, len(points), mesh):
+    for doubt in doubts(found, len(points), False):
         report.warn(doubt)
     return normals, in_words(found)
 

@@ -10,10 +10,10 @@
 
 namespace bench {
 
-class NearestPlace {
+class NearPoints {
 public:
     // points: packed.
-    NearestPlace(std::vector<double> points, double side) : points_(std::move(points)), side_(side) {
+    NearPoints(std::vector<double> points, double side) : points_(std::move(points)), side_(side) {
         for (std::size_t i = 0; i < points_.size(); i += 3) cells_[cell(points_.data() + i, 0, 0, 0)].push_back(i);
     }
 
