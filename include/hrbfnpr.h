@@ -897,9 +897,10 @@ typedef struct hrbfnpr_trim_desc {
     double limit;          /* of s, > 0; 1.5.  The surface ends some 0.7 spacings beyond its last samples, with 3
                               some 0.9 */
     double hole;           /* >= 0, diagonals; 0.05: holes that nowhere are farther from the samples stay closed */
-    double closest;        /* >= 0, diagonals; 0: no spacing h_j is taken to be less.  For samples that are much denser
+    double closest;        /* 0 to 1, diagonals; 0: no spacing h_j is taken to be less.  For samples that are much denser
                               than the surface is accurate, such as many points of a mesh: 0.01 leaves out what is more
-                              than about 0.01 diagonals off them */
+                              than about 0.01 diagonals off them, and every part that is farther than `hole` from all of
+                              them; with 0 such a part also needs a place where s is 6 and more */
     hrbfnpr_array points;  /* FLOAT32 or FLOAT64, 3, finite: the samples; not given = the model's centres.  All points
                               of a scan tell better than the centres chosen from them where it ends */
     hrbfnpr_array normals; /* FLOAT32 or FLOAT64, 3: of `points`, as many, not 0, of any length; not given = the
@@ -2349,6 +2350,181 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
                                                   const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info,
                                                   hrbfnpr_operation* operation, hrbfnpr_model** out_model,
                                                   hrbfnpr_error* error);
+
+/*
+ * ==========================================================================
+ * 13  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
+ * ==========================================================================
+ *
+ * A page holds drawings, each at its place and scale, and texts and lines beside
+ * them.  Its unit is the millimetre, from the top-left corner, y down.  Strokes are
+ * cubic Bezier curves within a tolerance of the drawing's [Schneider 1990], or for
+ * plotters straight lines within it.
+ *
+ * Ink stands in named groups, the layers of a file: of marks the layer's name in
+ * its point set, such as "stipples" or "hatch-2"; of lines "contour", "suggestive",
+ * "ridge", "valley", "apparent ridge", "parabolic", "isophote", "section", "border",
+ * "own".  What is behind n layers of surface has " hidden n" at its end, a second
+ * layer of the same name " 2".  Groups follow the layers of the drawing, hidden ones
+ * before the others; in a group strokes stand far to near.  Where inks differ, and
+ * lie upon each other, that order is not the raster's, which paints far to near.
+ * The bytes are the same for every thread count and locale.
+ */
+
+enum {
+    HRBFNPR_PAGE_FORMAT_SVG = 0,  /* 1.1; groups are layers of Inkscape */
+    HRBFNPR_PAGE_FORMAT_PDF = 1,  /* 1.5; groups are optional content, which viewers list as layers */
+    HRBFNPR_PAGE_FORMAT_HPGL = 2, /* for plotters: absolute, 40 units a millimetre, y up from the lower left corner */
+    HRBFNPR_PAGE_FORMAT_GCODE = 3 /* for plotters: G0 and G1, millimetres, y up from the lower left corner */
+};
+
+/* How strokes are written whose width varies. */
+enum {
+    HRBFNPR_WIDTHS_OUTLINES = 0, /* filled outlines; SVG and PDF */
+    HRBFNPR_WIDTHS_CLASSES = 1   /* lines of even widths, `width_step` apart */
+};
+
+/* How dots are written. */
+enum {
+    HRBFNPR_DOT_SHAPE_CIRCLES = 0, /* circles; plotters draw round them */
+    HRBFNPR_DOT_SHAPE_LINES = 1,   /* lines of no length with round ends; plotters touch the paper */
+    HRBFNPR_DOT_SHAPE_SPIRALS = 2  /* spirals that a pen fills the disc with, if it is wider than the pen */
+};
+
+enum {
+    HRBFNPR_PAGE_IN_PLOT_ORDER = 1, /* groups are sorted so that a pen travels little, as HPGL and GCODE always are:
+                                       greedily, then by 2-opt and Or-opt; lines may be turned round, closed ones begin
+                                       elsewhere, and lines whose ends are nearer than `join` become one */
+    HRBFNPR_PAGE_WITHOUT_PAPER = 2  /* no rectangles of the styles' paper; plotters draw none */
+};
+
+/* Kinds of lines by the numbers of ISO 128-2.  In line widths a dot is 0.5, the three kinds of dashes 6, 12 and 24,
+ * a gap 3, a space 18; a little more or less, so that lines begin and end with a dash. */
+enum {
+    HRBFNPR_LINE_TYPE_AS_DRAWN = 0,
+    HRBFNPR_LINE_TYPE_CONTINUOUS = 1,
+    HRBFNPR_LINE_TYPE_DASHED = 2, /* hidden edges */
+    HRBFNPR_LINE_TYPE_DASHED_SPACED = 3,
+    HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED = 4, /* axes */
+    HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_DOTTED = 5,
+    HRBFNPR_LINE_TYPE_LONG_DASHED_TRIPLE_DOTTED = 6,
+    HRBFNPR_LINE_TYPE_DOTTED = 7,
+    HRBFNPR_LINE_TYPE_LONG_DASHED_SHORT_DASHED = 8,
+    HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_SHORT_DASHED = 9,
+    HRBFNPR_LINE_TYPE_DASHED_DOTTED = 10,
+    HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOTTED = 11,
+    HRBFNPR_LINE_TYPE_DASHED_DOUBLE_DOTTED = 12,
+    HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOUBLE_DOTTED = 13,
+    HRBFNPR_LINE_TYPE_DASHED_TRIPLE_DOTTED = 14,
+    HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED = 15
+};
+
+/* A drawing on a page. */
+typedef struct hrbfnpr_page_item {
+    uint32_t struct_size;
+    uint32_t reserved;              /* 0 */
+    const hrbfnpr_drawing* drawing; /* what lies beyond its viewport is cut off */
+    double x;                       /* mm: the viewport's left edge; 0 */
+    double y;                       /* mm: its top edge; 0 */
+    double scale;                   /* mm of a pixel, > 0; 25.4 / 96 */
+    const char* name;               /* UTF-8, of the group around it; NULL = none */
+} hrbfnpr_page_item;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_page_item_init(hrbfnpr_page_item* item, uint32_t struct_size);
+
+/* What some groups are drawn with. */
+typedef struct hrbfnpr_pen {
+    uint32_t struct_size;
+    uint32_t line_type; /* HRBFNPR_LINE_TYPE_...; AS_DRAWN */
+    const char* groups; /* a group's name, or the beginning of names and a '*'; NULL = all.  Of pens that fit a group
+                           the last one is taken */
+    double width;       /* mm, >= 0; 0 = as drawn.  Plotters: of the pen; 0 = 0.3 */
+    float ink[4];       /* straight RGBA; alpha 0 = as drawn, the default */
+    uint32_t number;    /* 1 to 255, of a plotter's; 1 */
+    uint32_t reserved;  /* 0 */
+} hrbfnpr_pen;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_pen_init(hrbfnpr_pen* pen, uint32_t struct_size);
+
+/* A line, a filled shape or a text beside the drawings. */
+typedef struct hrbfnpr_annotation {
+    uint32_t struct_size;
+    uint32_t line_type;   /* HRBFNPR_LINE_TYPE_...; CONTINUOUS */
+    const char* group;    /* UTF-8, of 1 to 95 bytes; "annotations".  Those of one group that follow each other share
+                             its layer and pen; their inks and types are those of its first */
+    const char* text;     /* UTF-8; NULL = the points are a line.  Plotters: HPGL writes labels, GCODE none */
+    hrbfnpr_array points; /* FLOAT32 or FLOAT64, 2, mm: the line, or where the text's baseline begins */
+    double width;         /* mm, > 0: of the line, or the height of the text's capitals; 0.35 */
+    float ink[4];         /* straight RGBA; black */
+} hrbfnpr_annotation;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_annotation_init(hrbfnpr_annotation* annotation, uint32_t struct_size);
+
+typedef struct hrbfnpr_page_desc {
+    uint32_t struct_size;
+    uint32_t format; /* HRBFNPR_PAGE_FORMAT_...; SVG */
+    uint32_t flags;  /* HRBFNPR_PAGE_IN_PLOT_ORDER and others; 0 */
+    uint32_t widths; /* HRBFNPR_WIDTHS_...; OUTLINES */
+    uint32_t dots;   /* HRBFNPR_DOT_SHAPE_...; CIRCLES */
+    uint32_t reserved;
+    double width;              /* mm, >= 0; 0 = as far as the drawings reach */
+    double height;             /* mm, >= 0; 0 = as far as the drawings reach */
+    double tolerance;          /* mm, 0.001 to 10: between what is drawn and what is written; 0.05 */
+    double width_step;         /* 1.01 to 4: ratio of neighbouring classes of widths; 1.25 */
+    double join;               /* mm, >= 0: in plot order, see there; 0 = the pen's width */
+    double shortest;           /* mm, >= 0: in plot order shorter lines are dropped; 0 = half the pen's width */
+    double dot_distance;       /* mm, >= 0: in plot order dots nearer to one that stays are dropped; 0 = half the pen's
+                                  width */
+    double draw_speed;         /* mm/s, > 0; 30 */
+    double travel_speed;       /* mm/s, > 0; 80 */
+    double pen_seconds;        /* >= 0: to lower or to raise the pen; 0.15 */
+    const char* pen_down;      /* GCODE: lines that lower it; NULL = "G1 Z0" */
+    const char* pen_up;        /* GCODE: lines that raise it; NULL = "G0 Z5" */
+    const char* title;         /* UTF-8, or NULL */
+    const char* description;   /* UTF-8, or NULL */
+    const char* metadata;      /* UTF-8, or NULL: text on the model, the camera, the style; the version is added */
+    const hrbfnpr_page_item* items; /* a list */
+    int64_t item_count;
+    int64_t item_stride;
+    const hrbfnpr_pen* pens; /* a list; NULL and 0 */
+    int64_t pen_count;
+    int64_t pen_stride;
+    const hrbfnpr_annotation* annotations; /* a list; NULL and 0 */
+    int64_t annotation_count;
+    int64_t annotation_stride;
+} hrbfnpr_page_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size);
+
+/* What was written. */
+typedef struct hrbfnpr_page_info {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t bytes;
+    int64_t groups;
+    int64_t paths;          /* lines and outlines */
+    int64_t segments;       /* curves or straight lines of all paths */
+    int64_t dots;
+    int64_t joined;         /* in plot order: pairs of ends that became one line */
+    int64_t dropped_paths;  /* too short for the pen */
+    int64_t dropped_dots;   /* too near to others for the pen */
+    double width;           /* mm, of the page */
+    double height;          /* mm, of the page */
+    double drawn;           /* mm that a pen draws; in plot order, else 0, as are the next two */
+    double travelled;       /* mm between */
+    double seconds;         /* that a plotter takes at the given speeds */
+} hrbfnpr_page_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
+
+/* Writes a page, a buffer at a time; memory grows with the drawing's largest stroke,
+ * in plot order with its largest group.  info and operation may be NULL.
+ * Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; text that
+ * is not UTF-8; discs of paper, which PUBLISHED frames have, for plotters or in plot
+ * order), IO (write failed), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc,
+                                              hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info,
+                                              hrbfnpr_operation* operation, hrbfnpr_error* error);
 
 #ifdef __cplusplus
 }

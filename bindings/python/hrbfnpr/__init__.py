@@ -51,6 +51,7 @@ from ._names import PROJECTION as PROJECTION_STATUS
 from ._names import RAY as RAY_STATUS
 from ._operation import Operation
 from ._orient import Oriented, OrientInfo, orient
+from ._page import Annotation, PageInfo, PageItem, Pen, write_page
 from ._point_set import PointSet, StepPatches
 from ._point_set_info import LayerInfo, PlacementInfo, PointSetInfo
 from ._renderer import Item, Renderer
@@ -60,15 +61,16 @@ from ._trim import TrimInfo
 __version__: str = _ffi.string(_lib.hrbfnpr_version_string()).decode()
 
 __all__ = [
-    "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "BufferTooSmallError", "CallbackError", "Camera",
-    "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "Curvature", "Drawing",
-    "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError", "InvalidArgumentError", "Item",
-    "Layer", "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines", "MarkIdentity", "MarkLayer",
+    "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "Annotation", "BufferTooSmallError", "CallbackError",
+    "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "Curvature", "Drawing",
+    "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError", "InvalidArgumentError", "Item", "Layer",
+    "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines", "MarkIdentity", "MarkLayer",
     "MarkResults", "Mesh", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo", "NotConvergedError",
-    "Operation", "OrientInfo", "Oriented", "OutOfMemoryError", "OwnLayer", "PlacementInfo", "PointSet",
-    "PointSetInfo", "Projection", "Raster", "RayHits", "Renderer", "SingularSystemError", "StepPatches",
-    "StreamError", "Style", "TrimInfo", "UnsupportedStructError", "VersionMismatchError", "Vertices", "build_info",
-    "default_context", "farthest_points", "library_path", "orient", "preset_layers", "set_default_context",
+    "Operation", "OrientInfo", "Oriented", "OutOfMemoryError", "OwnLayer", "PageInfo", "PageItem", "Pen",
+    "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits", "Renderer", "SingularSystemError",
+    "StepPatches", "StreamError", "Style", "TrimInfo", "UnsupportedStructError", "VersionMismatchError", "Vertices",
+    "build_info", "default_context", "farthest_points", "library_path", "orient", "preset_layers",
+    "set_default_context", "write_page",
 ]  # fmt: skip
 
 

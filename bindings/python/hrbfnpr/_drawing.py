@@ -6,7 +6,7 @@ import io
 import os
 from typing import Any, BinaryIO, List, NamedTuple, Optional, Sequence, Tuple, Union
 
-from . import _images, _pictures
+from . import _images, _page, _pictures
 from ._arrays import Array, block_in, new_array, output, output_field
 from ._callbacks import check
 from ._drawing_info import DrawingInfo, DrawingLayerInfo, MarkIdentity, read_drawing_layer
@@ -14,10 +14,13 @@ from ._errors import new_error, new_struct
 from ._handles import Owner
 from ._library import ffi, lib
 from ._marks import MarkLayer
-from ._names import CLASSES, PRIMITIVES, number_of
+from ._names import CLASSES, PAGE_FORMATS, PRIMITIVES, number_of
 from ._numpy import np
+from ._page import PageInfo
 from ._structs import read_struct
 from ._vertices import layout_of, vertex_array
+
+_MOST_IN_NOTEBOOK = 20_000  # dots and strokes
 
 
 class Raster(NamedTuple):
@@ -322,16 +325,39 @@ class Drawing(Owner):
         """A PIL.Image.  Needs Pillow."""
         return _pictures.to_pil(self.image())
 
-    def save(self, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str] = None) -> None:
-        """Write a picture to a path (atomically) or a binary file object.  Needs Pillow.
+    def save(
+        self, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str] = None, **options: Any
+    ) -> Optional[PageInfo]:
+        """Write a picture, or vectors, to a path (atomically) or a binary file object.  Pictures need Pillow.
 
         Parameters
         ----------
         target : path or file object
         format : str, optional
-            One of Pillow's, such as "PNG"; by default as the path's ending says, or PNG.
+            "svg", "pdf", "hpgl", "gcode", or one of Pillow's, such as "PNG"; by default as the path's ending says, or
+            PNG.
+        **options
+            Of vectors: `scale`, millimetres of a pixel, and those of `write_page`.
+
+        Returns
+        -------
+        PageInfo, optional
+            Of vectors.
         """
+        as_page = format.lower() if format is not None else _page.format_of(target)
+        if as_page in PAGE_FORMATS:
+            item = _page.PageItem(self, scale=options.pop("scale", _page.PIXEL))
+            return _page.write_page(target, item, format=as_page, **options)
+        if options:
+            raise TypeError(f"a picture has no option {', '.join(options)}: those are of vectors, as .svg and .pdf")
         _pictures.save(self.to_pil(), target, format)
+        return None
+
+    def to_svg(self, **options: Any) -> str:
+        """The text of an SVG file; options are those of `save`."""
+        buffer = io.BytesIO()
+        self.save(buffer, "svg", **options)
+        return buffer.getvalue().decode()
 
     def to_png(self) -> bytes:
         """The bytes of a PNG file.  Needs Pillow."""
@@ -341,6 +367,10 @@ class Drawing(Owner):
 
     def _repr_png_(self) -> bytes:
         return self.to_png()
+
+    def _repr_svg_(self) -> Optional[str]:
+        info = self.info  # a browser takes long for more
+        return self.to_svg() if info.dots + info.strokes <= _MOST_IN_NOTEBOOK else None
 
     def __repr__(self) -> str:
         if self.closed:

@@ -52,6 +52,15 @@ LINE_KINDS = _numbers(
 )  # fmt: skip
 HIDDEN_PARTS = _numbers("HIDDEN_PARTS", "none", "attenuated", "dashed", "shown")
 CAPS = _numbers("CAP", "round", "flat", "pointed")
+PAGE_FORMATS = _numbers("PAGE_FORMAT", "svg", "pdf", "hpgl", "gcode")
+WIDTHS = _numbers("WIDTHS", "outlines", "classes")
+DOT_SHAPES = _numbers("DOT_SHAPE", "circles", "lines", "spirals")
+LINE_TYPES = _numbers(
+    "LINE_TYPE", "as_drawn", "continuous", "dashed", "dashed_spaced", "long_dashed_dotted",
+    "long_dashed_double_dotted", "long_dashed_triple_dotted", "dotted", "long_dashed_short_dashed",
+    "long_dashed_double_short_dashed", "dashed_dotted", "double_dashed_dotted", "dashed_double_dotted",
+    "double_dashed_double_dotted", "dashed_triple_dotted", "double_dashed_triple_dotted",
+)  # fmt: skip
 CLASSES = _numbers("CLASS", "none", "front", "back", "silhouette")
 
 

@@ -463,6 +463,25 @@ namespace HrbfNpr
         internal static partial int hrbfnpr_model_fit_mesh(MeshHandle mesh, hrbfnpr_mesh_fit_desc* desc,
             hrbfnpr_fit_desc* fit, MeshFitInfo* info, OperationHandle operation, out IntPtr out_model,
             hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_page_item_init(hrbfnpr_page_item* item, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_pen_init(hrbfnpr_pen* pen, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_annotation_init(hrbfnpr_annotation* annotation, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_page_write(ContextHandle context, hrbfnpr_page_desc* desc, IntPtr write,
+            IntPtr user, hrbfnpr_page_info* info, OperationHandle operation, hrbfnpr_error* error);
     }
 }
 #endif

@@ -349,4 +349,95 @@ namespace HrbfNpr
         internal long candidates;
         internal ulong random_seed;
     }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_page_item")]
+    internal unsafe struct hrbfnpr_page_item
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal IntPtr drawing;
+        internal double x;
+        internal double y;
+        internal double scale;
+        internal IntPtr name;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_pen")]
+    internal unsafe struct hrbfnpr_pen
+    {
+        internal uint struct_size;
+        internal uint line_type;
+        internal IntPtr groups;
+        internal double width;
+        internal fixed float ink[4];
+        internal uint number;
+        internal uint reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_annotation")]
+    internal unsafe struct hrbfnpr_annotation
+    {
+        internal uint struct_size;
+        internal uint line_type;
+        internal IntPtr group;
+        internal IntPtr text;
+        internal hrbfnpr_array points;
+        internal double width;
+        internal fixed float ink[4];
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_page_desc")]
+    internal unsafe struct hrbfnpr_page_desc
+    {
+        internal uint struct_size;
+        internal uint format;
+        internal uint flags;
+        internal uint widths;
+        internal uint dots;
+        internal uint reserved;
+        internal double width;
+        internal double height;
+        internal double tolerance;
+        internal double width_step;
+        internal double join;
+        internal double shortest;
+        internal double dot_distance;
+        internal double draw_speed;
+        internal double travel_speed;
+        internal double pen_seconds;
+        internal IntPtr pen_down;
+        internal IntPtr pen_up;
+        internal IntPtr title;
+        internal IntPtr description;
+        internal IntPtr metadata;
+        internal IntPtr items;
+        internal long item_count;
+        internal long item_stride;
+        internal IntPtr pens;
+        internal long pen_count;
+        internal long pen_stride;
+        internal IntPtr annotations;
+        internal long annotation_count;
+        internal long annotation_stride;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_page_info")]
+    internal unsafe struct hrbfnpr_page_info
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal long bytes;
+        internal long groups;
+        internal long paths;
+        internal long segments;
+        internal long dots;
+        internal long joined;
+        internal long dropped_paths;
+        internal long dropped_dots;
+        internal double width;
+        internal double height;
+        internal double drawn;
+        internal double travelled;
+        internal double seconds;
+    }
 }

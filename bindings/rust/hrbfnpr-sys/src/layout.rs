@@ -1036,3 +1036,114 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_mesh_fit_info, seconds_measure) == 120);
     assert!(offset_of!(hrbfnpr_mesh_fit_info, seconds_total) == 128);
 };
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_page_item>() == either(48, 48, 40));
+    assert!(align_of::<hrbfnpr_page_item>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_page_item, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_page_item, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_page_item, drawing) == 8);
+    assert!(offset_of!(hrbfnpr_page_item, x) == either(16, 16, 12));
+    assert!(offset_of!(hrbfnpr_page_item, y) == either(24, 24, 20));
+    assert!(offset_of!(hrbfnpr_page_item, scale) == either(32, 32, 28));
+    assert!(offset_of!(hrbfnpr_page_item, name) == either(40, 40, 36));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_pen>() == either(48, 48, 44));
+    assert!(align_of::<hrbfnpr_pen>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_pen, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_pen, line_type) == 4);
+    assert!(offset_of!(hrbfnpr_pen, groups) == 8);
+    assert!(offset_of!(hrbfnpr_pen, width) == either(16, 16, 12));
+    assert!(offset_of!(hrbfnpr_pen, ink) == either(24, 24, 20));
+    assert!(offset_of!(hrbfnpr_pen, number) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_pen, reserved) == either(44, 44, 40));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_annotation>() == either(80, 72, 68));
+    assert!(align_of::<hrbfnpr_annotation>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_annotation, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_annotation, line_type) == 4);
+    assert!(offset_of!(hrbfnpr_annotation, group) == 8);
+    assert!(offset_of!(hrbfnpr_annotation, text) == either(16, 12, 12));
+    assert!(offset_of!(hrbfnpr_annotation, points) == either(24, 16, 16));
+    assert!(offset_of!(hrbfnpr_annotation, width) == either(56, 48, 44));
+    assert!(offset_of!(hrbfnpr_annotation, ink) == either(64, 56, 52));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_page_desc>() == either(216, 192, 184));
+    assert!(align_of::<hrbfnpr_page_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_page_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_page_desc, format) == 4);
+    assert!(offset_of!(hrbfnpr_page_desc, flags) == 8);
+    assert!(offset_of!(hrbfnpr_page_desc, widths) == 12);
+    assert!(offset_of!(hrbfnpr_page_desc, dots) == 16);
+    assert!(offset_of!(hrbfnpr_page_desc, reserved) == 20);
+    assert!(offset_of!(hrbfnpr_page_desc, width) == 24);
+    assert!(offset_of!(hrbfnpr_page_desc, height) == 32);
+    assert!(offset_of!(hrbfnpr_page_desc, tolerance) == 40);
+    assert!(offset_of!(hrbfnpr_page_desc, width_step) == 48);
+    assert!(offset_of!(hrbfnpr_page_desc, join) == 56);
+    assert!(offset_of!(hrbfnpr_page_desc, shortest) == 64);
+    assert!(offset_of!(hrbfnpr_page_desc, dot_distance) == 72);
+    assert!(offset_of!(hrbfnpr_page_desc, draw_speed) == 80);
+    assert!(offset_of!(hrbfnpr_page_desc, travel_speed) == 88);
+    assert!(offset_of!(hrbfnpr_page_desc, pen_seconds) == 96);
+    assert!(offset_of!(hrbfnpr_page_desc, pen_down) == 104);
+    assert!(offset_of!(hrbfnpr_page_desc, pen_up) == either(112, 108, 108));
+    assert!(offset_of!(hrbfnpr_page_desc, title) == either(120, 112, 112));
+    assert!(offset_of!(hrbfnpr_page_desc, description) == either(128, 116, 116));
+    assert!(offset_of!(hrbfnpr_page_desc, metadata) == either(136, 120, 120));
+    assert!(offset_of!(hrbfnpr_page_desc, items) == either(144, 124, 124));
+    assert!(offset_of!(hrbfnpr_page_desc, item_count) == either(152, 128, 128));
+    assert!(offset_of!(hrbfnpr_page_desc, item_stride) == either(160, 136, 136));
+    assert!(offset_of!(hrbfnpr_page_desc, pens) == either(168, 144, 144));
+    assert!(offset_of!(hrbfnpr_page_desc, pen_count) == either(176, 152, 148));
+    assert!(offset_of!(hrbfnpr_page_desc, pen_stride) == either(184, 160, 156));
+    assert!(offset_of!(hrbfnpr_page_desc, annotations) == either(192, 168, 164));
+    assert!(offset_of!(hrbfnpr_page_desc, annotation_count) == either(200, 176, 168));
+    assert!(offset_of!(hrbfnpr_page_desc, annotation_stride) == either(208, 184, 176));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_page_info>() == 112);
+    assert!(align_of::<hrbfnpr_page_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_page_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_page_info, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_page_info, bytes) == 8);
+    assert!(offset_of!(hrbfnpr_page_info, groups) == 16);
+    assert!(offset_of!(hrbfnpr_page_info, paths) == 24);
+    assert!(offset_of!(hrbfnpr_page_info, segments) == 32);
+    assert!(offset_of!(hrbfnpr_page_info, dots) == 40);
+    assert!(offset_of!(hrbfnpr_page_info, joined) == 48);
+    assert!(offset_of!(hrbfnpr_page_info, dropped_paths) == 56);
+    assert!(offset_of!(hrbfnpr_page_info, dropped_dots) == 64);
+    assert!(offset_of!(hrbfnpr_page_info, width) == 72);
+    assert!(offset_of!(hrbfnpr_page_info, height) == 80);
+    assert!(offset_of!(hrbfnpr_page_info, drawn) == 88);
+    assert!(offset_of!(hrbfnpr_page_info, travelled) == 96);
+    assert!(offset_of!(hrbfnpr_page_info, seconds) == 104);
+};

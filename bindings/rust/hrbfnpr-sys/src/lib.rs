@@ -156,6 +156,22 @@
 //! vertices in exactly the same place are joined, triangles without area and
 //! repeated ones left out, unused vertices dropped; of each component the faces
 //! are turned to agree, and a closed one that is inside out is turned whole.
+//!
+//! # PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
+//!
+//! A page holds drawings, each at its place and scale, and texts and lines beside
+//! them.  Its unit is the millimetre, from the top-left corner, y down.  Strokes are
+//! cubic Bezier curves within a tolerance of the drawing's [Schneider 1990], or for
+//! plotters straight lines within it.
+//!
+//! Ink stands in named groups, the layers of a file: of marks the layer's name in
+//! its point set, such as "stipples" or "hatch-2"; of lines "contour", "suggestive",
+//! "ridge", "valley", "apparent ridge", "parabolic", "isophote", "section", "border",
+//! "own".  What is behind n layers of surface has " hidden n" at its end, a second
+//! layer of the same name " 2".  Groups follow the layers of the drawing, hidden ones
+//! before the others; in a group strokes stand far to near.  Where inks differ, and
+//! lie upon each other, that order is not the raster's, which paints far to near.
+//! The bytes are the same for every thread count and locale.
 #![no_std]
 #![allow(non_camel_case_types)]
 #![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is none
@@ -1235,9 +1251,10 @@ pub struct hrbfnpr_trim_desc {
     pub limit: f64,
     /// >= 0, diagonals; 0.05: holes that nowhere are farther from the samples stay closed
     pub hole: f64,
-    /// >= 0, diagonals; 0: no spacing h_j is taken to be less. For samples that are much denser
+    /// 0 to 1, diagonals; 0: no spacing h_j is taken to be less. For samples that are much denser
     /// than the surface is accurate, such as many points of a mesh: 0.01 leaves out what is more
-    /// than about 0.01 diagonals off them
+    /// than about 0.01 diagonals off them, and every part that is farther than `hole` from all of
+    /// them; with 0 such a part also needs a place where s is 6 and more
     pub closest: f64,
     /// FLOAT32 or FLOAT64, 3, finite: the samples; not given = the model's centres. All points of
     /// a scan tell better than the centres chosen from them where it ends
@@ -3377,6 +3394,244 @@ extern "C" {
         info: *mut hrbfnpr_mesh_fit_info,
         operation: *mut hrbfnpr_operation,
         out_model: *mut *mut hrbfnpr_model,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// 13  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
+
+/// 1.1; groups are layers of Inkscape
+pub const HRBFNPR_PAGE_FORMAT_SVG: u32 = 0;
+/// 1.5; groups are optional content, which viewers list as layers
+pub const HRBFNPR_PAGE_FORMAT_PDF: u32 = 1;
+/// for plotters: absolute, 40 units a millimetre, y up from the lower left corner
+pub const HRBFNPR_PAGE_FORMAT_HPGL: u32 = 2;
+/// for plotters: G0 and G1, millimetres, y up from the lower left corner
+pub const HRBFNPR_PAGE_FORMAT_GCODE: u32 = 3;
+
+// How strokes are written whose width varies.
+/// filled outlines; SVG and PDF
+pub const HRBFNPR_WIDTHS_OUTLINES: u32 = 0;
+/// lines of even widths, `width_step` apart
+pub const HRBFNPR_WIDTHS_CLASSES: u32 = 1;
+
+// How dots are written.
+/// circles; plotters draw round them
+pub const HRBFNPR_DOT_SHAPE_CIRCLES: u32 = 0;
+/// lines of no length with round ends; plotters touch the paper
+pub const HRBFNPR_DOT_SHAPE_LINES: u32 = 1;
+/// spirals that a pen fills the disc with, if it is wider than the pen
+pub const HRBFNPR_DOT_SHAPE_SPIRALS: u32 = 2;
+
+/// groups are sorted so that a pen travels little, as HPGL and GCODE always are: greedily,
+/// then by 2-opt and Or-opt; lines may be turned round, closed ones begin elsewhere, and
+/// lines whose ends are nearer than `join` become one
+pub const HRBFNPR_PAGE_IN_PLOT_ORDER: u32 = 1;
+/// no rectangles of the styles' paper; plotters draw none
+pub const HRBFNPR_PAGE_WITHOUT_PAPER: u32 = 2;
+
+// Kinds of lines by the numbers of ISO 128-2.  In line widths a dot is 0.5, the three kinds
+// of dashes 6, 12 and 24,
+// a gap 3, a space 18; a little more or less, so that lines begin and end with a dash.
+pub const HRBFNPR_LINE_TYPE_AS_DRAWN: u32 = 0;
+pub const HRBFNPR_LINE_TYPE_CONTINUOUS: u32 = 1;
+/// hidden edges
+pub const HRBFNPR_LINE_TYPE_DASHED: u32 = 2;
+pub const HRBFNPR_LINE_TYPE_DASHED_SPACED: u32 = 3;
+/// axes
+pub const HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED: u32 = 4;
+pub const HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_DOTTED: u32 = 5;
+pub const HRBFNPR_LINE_TYPE_LONG_DASHED_TRIPLE_DOTTED: u32 = 6;
+pub const HRBFNPR_LINE_TYPE_DOTTED: u32 = 7;
+pub const HRBFNPR_LINE_TYPE_LONG_DASHED_SHORT_DASHED: u32 = 8;
+pub const HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_SHORT_DASHED: u32 = 9;
+pub const HRBFNPR_LINE_TYPE_DASHED_DOTTED: u32 = 10;
+pub const HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOTTED: u32 = 11;
+pub const HRBFNPR_LINE_TYPE_DASHED_DOUBLE_DOTTED: u32 = 12;
+pub const HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOUBLE_DOTTED: u32 = 13;
+pub const HRBFNPR_LINE_TYPE_DASHED_TRIPLE_DOTTED: u32 = 14;
+pub const HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED: u32 = 15;
+
+/// A drawing on a page.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_page_item {
+    pub struct_size: u32,
+    /// 0
+    pub reserved: u32,
+    /// what lies beyond its viewport is cut off
+    pub drawing: *const hrbfnpr_drawing,
+    /// mm: the viewport's left edge; 0
+    pub x: f64,
+    /// mm: its top edge; 0
+    pub y: f64,
+    /// mm of a pixel, > 0; 25.4 / 96
+    pub scale: f64,
+    /// UTF-8, of the group around it; NULL = none
+    pub name: *const c_char,
+}
+
+extern "C" {
+    pub fn hrbfnpr_page_item_init(item: *mut hrbfnpr_page_item, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// What some groups are drawn with.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_pen {
+    pub struct_size: u32,
+    /// HRBFNPR_LINE_TYPE_...; AS_DRAWN
+    pub line_type: u32,
+    /// a group's name, or the beginning of names and a '*'; NULL = all. Of pens that fit a group
+    /// the last one is taken
+    pub groups: *const c_char,
+    /// mm, >= 0; 0 = as drawn. Plotters: of the pen; 0 = 0.3
+    pub width: f64,
+    /// straight RGBA; alpha 0 = as drawn, the default
+    pub ink: [f32; 4],
+    /// 1 to 255, of a plotter's; 1
+    pub number: u32,
+    /// 0
+    pub reserved: u32,
+}
+
+extern "C" {
+    pub fn hrbfnpr_pen_init(pen: *mut hrbfnpr_pen, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// A line, a filled shape or a text beside the drawings.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_annotation {
+    pub struct_size: u32,
+    /// HRBFNPR_LINE_TYPE_...; CONTINUOUS
+    pub line_type: u32,
+    /// UTF-8, of 1 to 95 bytes; "annotations". Those of one group that follow each other share
+    /// its layer and pen; their inks and types are those of its first
+    pub group: *const c_char,
+    /// UTF-8; NULL = the points are a line. Plotters: HPGL writes labels, GCODE none
+    pub text: *const c_char,
+    /// FLOAT32 or FLOAT64, 2, mm: the line, or where the text's baseline begins
+    pub points: hrbfnpr_array,
+    /// mm, > 0: of the line, or the height of the text's capitals; 0.35
+    pub width: f64,
+    /// straight RGBA; black
+    pub ink: [f32; 4],
+}
+
+extern "C" {
+    pub fn hrbfnpr_annotation_init(
+        annotation: *mut hrbfnpr_annotation,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_page_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_PAGE_FORMAT_...; SVG
+    pub format: u32,
+    /// HRBFNPR_PAGE_IN_PLOT_ORDER and others; 0
+    pub flags: u32,
+    /// HRBFNPR_WIDTHS_...; OUTLINES
+    pub widths: u32,
+    /// HRBFNPR_DOT_SHAPE_...; CIRCLES
+    pub dots: u32,
+    pub reserved: u32,
+    /// mm, >= 0; 0 = as far as the drawings reach
+    pub width: f64,
+    /// mm, >= 0; 0 = as far as the drawings reach
+    pub height: f64,
+    /// mm, 0.001 to 10: between what is drawn and what is written; 0.05
+    pub tolerance: f64,
+    /// 1.01 to 4: ratio of neighbouring classes of widths; 1.25
+    pub width_step: f64,
+    /// mm, >= 0: in plot order, see there; 0 = the pen's width
+    pub join: f64,
+    /// mm, >= 0: in plot order shorter lines are dropped; 0 = half the pen's width
+    pub shortest: f64,
+    /// mm, >= 0: in plot order dots nearer to one that stays are dropped; 0 = half the pen's width
+    pub dot_distance: f64,
+    /// mm/s, > 0; 30
+    pub draw_speed: f64,
+    /// mm/s, > 0; 80
+    pub travel_speed: f64,
+    /// >= 0: to lower or to raise the pen; 0.15
+    pub pen_seconds: f64,
+    /// GCODE: lines that lower it; NULL = "G1 Z0"
+    pub pen_down: *const c_char,
+    /// GCODE: lines that raise it; NULL = "G0 Z5"
+    pub pen_up: *const c_char,
+    /// UTF-8, or NULL
+    pub title: *const c_char,
+    /// UTF-8, or NULL
+    pub description: *const c_char,
+    /// UTF-8, or NULL: text on the model, the camera, the style; the version is added
+    pub metadata: *const c_char,
+    /// a list
+    pub items: *const hrbfnpr_page_item,
+    pub item_count: i64,
+    pub item_stride: i64,
+    /// a list; NULL and 0
+    pub pens: *const hrbfnpr_pen,
+    pub pen_count: i64,
+    pub pen_stride: i64,
+    /// a list; NULL and 0
+    pub annotations: *const hrbfnpr_annotation,
+    pub annotation_count: i64,
+    pub annotation_stride: i64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_page_desc_init(desc: *mut hrbfnpr_page_desc, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// What was written.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_page_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub bytes: i64,
+    pub groups: i64,
+    /// lines and outlines
+    pub paths: i64,
+    /// curves or straight lines of all paths
+    pub segments: i64,
+    pub dots: i64,
+    /// in plot order: pairs of ends that became one line
+    pub joined: i64,
+    /// too short for the pen
+    pub dropped_paths: i64,
+    /// too near to others for the pen
+    pub dropped_dots: i64,
+    /// mm, of the page
+    pub width: f64,
+    /// mm, of the page
+    pub height: f64,
+    /// mm that a pen draws; in plot order, else 0, as are the next two
+    pub drawn: f64,
+    /// mm between
+    pub travelled: f64,
+    /// that a plotter takes at the given speeds
+    pub seconds: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_page_info_init(info: *mut hrbfnpr_page_info, struct_size: u32) -> hrbfnpr_status;
+    /// Writes a page, a buffer at a time; memory grows with the drawing's largest stroke,
+    /// in plot order with its largest group.  info and operation may be NULL.
+    /// Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; text that
+    /// is not UTF-8; discs of paper, which PUBLISHED frames have, for plotters or in plot
+    /// order), IO (write failed), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    pub fn hrbfnpr_page_write(
+        context: *mut hrbfnpr_context,
+        desc: *const hrbfnpr_page_desc,
+        write: hrbfnpr_write_fn,
+        user: *mut c_void,
+        info: *mut hrbfnpr_page_info,
+        operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
 }

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: MIT
+// Pages of drawings, written as vectors.
+#include "api/barrier.h"
+#include "api/drawing.h"
+#include "api/fields.h"
+#include "api/lists.h"
+#include "api/operation.h"
+#include "api/streams.h"
+#include "api/views.h"
+#include "base/utf8.h"
+#include "output/vector/write_page.h"
+
+#include <cstdio>
+
+using namespace hrbfnpr;
+
+static_assert(static_cast<int>(output::PageFormat::svg) == HRBFNPR_PAGE_FORMAT_SVG);
+static_assert(static_cast<int>(output::PageFormat::pdf) == HRBFNPR_PAGE_FORMAT_PDF);
+static_assert(static_cast<int>(output::PageFormat::hpgl) == HRBFNPR_PAGE_FORMAT_HPGL);
+static_assert(static_cast<int>(output::PageFormat::gcode) == HRBFNPR_PAGE_FORMAT_GCODE);
+static_assert(static_cast<int>(output::Widths::outlines) == HRBFNPR_WIDTHS_OUTLINES);
+static_assert(static_cast<int>(output::Widths::classes) == HRBFNPR_WIDTHS_CLASSES);
+static_assert(static_cast<int>(output::DotShapes::circles) == HRBFNPR_DOT_SHAPE_CIRCLES);
+static_assert(static_cast<int>(output::DotShapes::lines) == HRBFNPR_DOT_SHAPE_LINES);
+static_assert(static_cast<int>(output::DotShapes::spirals) == HRBFNPR_DOT_SHAPE_SPIRALS);
+static_assert(static_cast<int>(output::LineType::continuous) == HRBFNPR_LINE_TYPE_CONTINUOUS);
+static_assert(static_cast<int>(output::LineType::last) == HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED);
+
+namespace hrbfnpr::api {
+namespace {
+
+using Desc = hrbfnpr_page_desc;
+using output::PageSettings;
+using output::PlotSettings;
+using output::ShapeSettings;
+
+constexpr std::int64_t most_items = 4096;
+constexpr std::int64_t most_pens = 4096;
+constexpr std::int64_t most_annotations = 10000000;
+constexpr double far_away = 1e6; // mm
+constexpr std::uint32_t known_flags = HRBFNPR_PAGE_IN_PLOT_ORDER | HRBFNPR_PAGE_WITHOUT_PAPER;
+constexpr std::uint32_t last_line_type = HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED;
+
+constexpr auto page_fields() noexcept {
+    using rule::Between;
+    return FieldTable{field("format", &Desc::format, rule::OneOf{HRBFNPR_PAGE_FORMAT_GCODE, "HRBFNPR_PAGE_FORMAT_..."}),
+                      field("flags", &Desc::flags, rule::Flags{known_flags}),
+                      field("widths", &Desc::widths, rule::OneOf{HRBFNPR_WIDTHS_CLASSES, "HRBFNPR_WIDTHS_..."}),
+                      field("dots", &Desc::dots, rule::OneOf{HRBFNPR_DOT_SHAPE_SPIRALS, "HRBFNPR_DOT_SHAPE_..."}),
+                      reserved("reserved", &Desc::reserved),
+                      field("width", &Desc::width, &PageSettings::width, Between{0.0, far_away}),
+                      field("height", &Desc::height, &PageSettings::height, Between{0.0, far_away}),
+                      field("tolerance", &Desc::tolerance, Between{0.001, 10.0}),
+                      field("width_step", &Desc::width_step, Between{1.01, 4.0}),
+                      field("join", &Desc::join, Between{0.0, far_away}),
+                      field("shortest", &Desc::shortest, Between{0.0, far_away}),
+                      field("dot_distance", &Desc::dot_distance, Between{0.0, far_away}),
+                      field("draw_speed", &Desc::draw_speed, rule::PositiveUpTo{far_away}),
+                      field("travel_speed", &Desc::travel_speed, rule::PositiveUpTo{far_away}),
+                      field("pen_seconds", &Desc::pen_seconds, Between{0.0, 3600.0}),
+                      field("pen_down", &Desc::pen_down, rule::Any{}),
+                      field("pen_up", &Desc::pen_up, rule::Any{}),
+                      field("title", &Desc::title, rule::Any{}),
+                      field("description", &Desc::description, rule::Any{}),
+                      field("metadata", &Desc::metadata, rule::Any{}),
+                      field("items", &Desc::items, rule::Any{}),
+                      field("item_count", &Desc::item_count, rule::Any{}),
+                      field("item_stride", &Desc::item_stride, rule::Any{}),
+                      field("pens", &Desc::pens, rule::Any{}),
+                      field("pen_count", &Desc::pen_count, rule::Any{}),
+                      field("pen_stride", &Desc::pen_stride, rule::Any{}),
+                      field("annotations", &Desc::annotations, rule::Any{}),
+                      field("annotation_count", &Desc::annotation_count, rule::Any{}),
+                      field("annotation_stride", &Desc::annotation_stride, rule::Any{})};
+}
+static_assert(page_fields().covers<Desc>());
+
+constexpr auto placement_fields() noexcept {
+    using From = hrbfnpr_page_item;
+    using To = output::Placement;
+    return FieldTable{reserved("reserved", &From::reserved),
+                      field("drawing", &From::drawing, rule::Given{}),
+                      field("x", &From::x, &To::x, rule::Between{-far_away, far_away}),
+                      field("y", &From::y, &To::y, rule::Between{-far_away, far_away}),
+                      field("scale", &From::scale, &To::scale, rule::PositiveUpTo{far_away}),
+                      field("name", &From::name, rule::Any{})};
+}
+static_assert(placement_fields().covers<hrbfnpr_page_item>());
+
+constexpr auto pen_fields() noexcept {
+    using From = hrbfnpr_pen;
+    using To = output::Pen;
+    return FieldTable{
+        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_..."}),
+        field("groups", &From::groups, rule::Any{}),
+        field("width", &From::width, &To::width, rule::Between{0.0, far_away}),
+        field("ink", &From::ink, &To::ink, rule::Each{rule::Between{0.0, 1.0}}),
+        field("number", &From::number, &To::number, rule::Between{1.0, 255.0}),
+        reserved("reserved", &From::reserved)};
+}
+static_assert(pen_fields().covers<hrbfnpr_pen>());
+
+constexpr auto annotation_fields() noexcept {
+    using From = hrbfnpr_annotation;
+    using To = output::Annotation;
+    return FieldTable{
+        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_..."}),
+        field("group", &From::group, rule::Given{}),
+        field("text", &From::text, rule::Any{}),
+        field("points", &From::points, rule::Any{}),
+        field("width", &From::width, &To::width, rule::PositiveUpTo{far_away}),
+        field("ink", &From::ink, &To::ink, rule::Each{rule::Between{0.0, 1.0}})};
+}
+static_assert(annotation_fields().covers<hrbfnpr_annotation>());
+
+} // namespace
+
+template <>
+hrbfnpr_page_desc defaults() noexcept {
+    const PageSettings settings;
+    hrbfnpr_page_desc desc{};
+    page_fields().set_defaults(settings, desc);
+    desc.tolerance = settings.shapes.tolerance;
+    desc.width_step = settings.shapes.width_step;
+    desc.draw_speed = settings.plot.draw_speed;
+    desc.travel_speed = settings.plot.travel_speed;
+    desc.pen_seconds = settings.plot.pen_seconds;
+    return desc;
+}
+
+template <>
+hrbfnpr_page_item defaults() noexcept {
+    hrbfnpr_page_item placement{};
+    placement_fields().set_defaults(output::Placement{}, placement);
+    return placement;
+}
+
+template <>
+hrbfnpr_pen defaults() noexcept {
+    hrbfnpr_pen pen{};
+    pen_fields().set_defaults(output::Pen{}, pen);
+    return pen;
+}
+
+template <>
+hrbfnpr_annotation defaults() noexcept {
+    hrbfnpr_annotation annotation{};
+    annotation_fields().set_defaults(output::Annotation{}, annotation);
+    annotation.group = "annotations";
+    return annotation;
+}
+
+template <>
+hrbfnpr_page_info defaults() noexcept {
+    return {};
+}
+
+namespace {
+
+const char* checked_text(const char* text, const char* owner, const char* name) {
+    if (text != nullptr && !base::is_utf8(text))
+        fail(Status::invalid_argument, "%s.%s is not UTF-8; encode it so", owner, name);
+    return text;
+}
+
+std::string_view text_or_empty(const char* text) noexcept { return text != nullptr ? text : std::string_view{}; }
+
+PageSettings settings_of(const Desc& desc) noexcept {
+    PageSettings settings;
+    page_fields().copy(desc, settings);
+    settings.format = static_cast<output::PageFormat>(desc.format);
+    settings.in_plot_order = (desc.flags & HRBFNPR_PAGE_IN_PLOT_ORDER) != 0;
+    settings.shapes = {static_cast<output::Widths>(desc.widths), static_cast<output::DotShapes>(desc.dots),
+                       desc.tolerance, desc.width_step};
+    settings.plot = {desc.join,         desc.shortest,    desc.dot_distance, desc.draw_speed,
+                     desc.travel_speed, desc.pen_seconds, desc.pen_down,     desc.pen_up};
+    return settings;
+}
+
+// What a page is made of, read and checked before a byte is written.
+class PageReader {
+public:
+    PageReader(base::Memory& memory, const Desc& desc)
+        : placements_(memory), pens_(memory), annotations_(memory), numbers_(memory) {
+        read_placements(desc);
+        read_pens(desc);
+        read_annotations(memory, desc);
+        page_.info.title = checked_text(desc.title, "page_desc", "title");
+        page_.info.description = checked_text(desc.description, "page_desc", "description");
+        page_.info.metadata = checked_text(desc.metadata, "page_desc", "metadata");
+        page_.info.program = hrbfnpr_version_string();
+        page_.placements = placements_.span();
+        page_.pens = pens_.span();
+        page_.annotations = annotations_.span();
+        if (placements_.empty() && annotations_.empty())
+            fail(Status::invalid_argument, "page_desc has no items and no annotations; there is nothing to write");
+    }
+
+    [[nodiscard]] const output::Page& page() const noexcept { return page_; }
+
+    [[nodiscard]] bool has_discs_of_paper() const noexcept {
+        for (const output::Placement& placement : placements_)
+            if (placement.drawing->painting == drawing::Painting::published) return true;
+        return false;
+    }
+
+private:
+    void read_placements(const Desc& desc) {
+        const List<hrbfnpr_page_item> list(desc.items, desc.item_count, desc.item_stride, most_items,
+                                           "page_desc.items");
+        for (std::int64_t i = 0; i < list.count(); ++i) {
+            const hrbfnpr_page_item given = list[i];
+            const ElementName name = list.name(i);
+            placement_fields().check(name.text, given);
+            output::Placement placement;
+            placement_fields().copy(given, placement);
+            placement.drawing = &given.drawing->drawing;
+            placement.name = text_or_empty(checked_text(given.name, name.text, "name"));
+            placement.with_paper = (desc.flags & HRBFNPR_PAGE_WITHOUT_PAPER) == 0;
+            placements_.push_back(placement);
+        }
+    }
+
+    void read_pens(const Desc& desc) {
+        const List<hrbfnpr_pen> list(desc.pens, desc.pen_count, desc.pen_stride, most_pens, "page_desc.pens");
+        for (std::int64_t i = 0; i < list.count(); ++i) {
+            const hrbfnpr_pen given = list[i];
+            const ElementName name = list.name(i);
+            pen_fields().check(name.text, given);
+            output::Pen pen;
+            pen_fields().copy(given, pen);
+            pen.groups = text_or_empty(checked_text(given.groups, name.text, "groups"));
+            pens_.push_back(pen);
+        }
+    }
+
+    void read_annotations(base::Memory& memory, const Desc& desc) {
+        const List<hrbfnpr_annotation> list(desc.annotations, desc.annotation_count, desc.annotation_stride,
+                                            most_annotations, "page_desc.annotations");
+        base::Array<std::int64_t> first(memory);
+        for (std::int64_t i = 0; i < list.count(); ++i) {
+            const hrbfnpr_annotation given = list[i];
+            first.push_back(numbers_.size());
+            annotations_.push_back(read(memory, given, list.name(i).text));
+        }
+        first.push_back(numbers_.size());
+        for (std::int64_t i = 0; i < annotations_.size(); ++i)
+            annotations_[i].points = std::as_const(numbers_).span().subspan(
+                static_cast<std::size_t>(first[i]), static_cast<std::size_t>(first[i + 1] - first[i]));
+    }
+
+    output::Annotation read(base::Memory& memory, const hrbfnpr_annotation& given, const char* name) {
+        annotation_fields().check(name, given);
+        output::Annotation annotation;
+        annotation_fields().copy(given, annotation);
+        annotation.group = checked_text(given.group, name, "group");
+        if (annotation.group.empty() || annotation.group.size() >= output::PageGroup::most)
+            fail(Status::invalid_argument, "%s.group has %lld bytes; it must have from 1 to 95", name,
+                 static_cast<long long>(annotation.group.size()));
+        annotation.text = checked_text(given.text, name, "text");
+        char part[128];
+        std::snprintf(part, sizeof part, "%.95s.points", name);
+        const base::Array<double> points = finite_numbers(memory, given.points, part, {2, float_types});
+        const std::int64_t least = given.text != nullptr ? 1 : 2;
+        if (points.size() < 2 * least)
+            fail(Status::invalid_argument, "%s has %lld elements; it must have %lld at least", part,
+                 static_cast<long long>(points.size() / 2), static_cast<long long>(least));
+        for (const double number : points) numbers_.push_back(number);
+        return annotation;
+    }
+
+    output::Page page_;
+    base::Array<output::Placement> placements_;
+    base::Array<output::Pen> pens_;
+    base::Array<output::Annotation> annotations_;
+    base::Array<double> numbers_; // the annotations' points
+};
+
+hrbfnpr_page_info describe(const output::PageCounts& counts, const glm::dvec2& size) noexcept {
+    hrbfnpr_page_info info{};
+    info.bytes = counts.bytes;
+    info.groups = counts.groups;
+    info.paths = counts.paths;
+    info.segments = counts.segments;
+    info.dots = counts.dots;
+    info.joined = counts.joined;
+    info.dropped_paths = counts.dropped_paths;
+    info.dropped_dots = counts.dropped_dots;
+    info.width = size.x;
+    info.height = size.y;
+    info.drawn = counts.drawn;
+    info.travelled = counts.travelled;
+    info.seconds = counts.seconds;
+    return info;
+}
+
+hrbfnpr_page_info write(const base::Runtime& runtime, const Desc& desc, io::Writer& writer,
+                        hrbfnpr_operation* operation) {
+    page_fields().check("page_desc", desc);
+    const PageReader reader(runtime.memory, desc);
+    const PageSettings settings = settings_of(desc);
+    const glm::dvec2 size = output::page_size(reader.page(), settings);
+    if (!(size.x > 0.0 && size.y > 0.0 && size.x <= far_away && size.y <= far_away))
+        fail(Status::invalid_argument,
+             "the page is %g by %g mm; give page_desc.width and height, above 0 and up to %g, or place drawings on it",
+             size.x, size.y, far_away);
+    const bool plotted = settings.in_plot_order || settings.format >= output::PageFormat::hpgl;
+    if (plotted && reader.has_discs_of_paper())
+        fail(
+            Status::invalid_argument,
+            "a drawing of PUBLISHED visibility has discs of paper over ink, which cannot be plotted or sorted; draw it "
+            "with DEPTH_LAYERS");
+    const OperationUse use(operation);
+    const output::PageCounts counts = output::write_page(runtime, reader.page(), settings, writer, use.progress());
+    use.finish();
+    return describe(counts, size);
+}
+
+} // namespace
+} // namespace hrbfnpr::api
+
+extern "C" {
+
+hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size) {
+    return api::init_struct(desc, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_page_item_init(hrbfnpr_page_item* placement, uint32_t struct_size) {
+    return api::init_struct(placement, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_pen_init(hrbfnpr_pen* pen, uint32_t struct_size) { return api::init_struct(pen, struct_size); }
+
+hrbfnpr_status hrbfnpr_annotation_init(hrbfnpr_annotation* annotation, uint32_t struct_size) {
+    return api::init_struct(annotation, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size) {
+    return api::init_struct(info, struct_size);
+}
+
+hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc, hrbfnpr_write_fn write,
+                                  void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation,
+                                  hrbfnpr_error* error) {
+    return api::guarded(error, [&] {
+        auto& parent = api::deref(context, "context");
+        api::require_pointer(desc, "desc");
+        if (write == nullptr) fail(Status::invalid_argument, "write is NULL");
+        if (info != nullptr) api::check_output_struct(info, "page_info");
+        api::CallbackWriter writer(write, user);
+        const hrbfnpr_page_info done =
+            api::write(parent.runtime, api::read_struct(desc, "page_desc"), writer, operation);
+        if (info != nullptr) api::write_struct(info, done);
+    });
+}
+
+} // extern "C"

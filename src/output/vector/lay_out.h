@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// From a drawing in pixels to groups on a page: one for each layer of ink, and for each count of layers that hide it.
+#pragma once
+
+#include "base/operation.h"
+#include "drawing/drawing.h"
+#include "output/vector/page.h"
+
+namespace hrbfnpr::output {
+
+struct Placement {
+    const drawing::Drawing* drawing = nullptr;
+    std::string_view name;
+    double x = 0.0, y = 0.0;    // of the viewport's top-left corner, mm
+    double scale = 25.4 / 96.0; // mm per pixel
+    bool with_paper = true;
+};
+
+// A pen for the groups whose name it has.
+struct Pen {
+    std::string_view groups; // a name, the beginning of one before a '*', or nothing: all
+    double width = 0.0;      // mm; 0: as drawn
+    glm::vec4 ink{0.0F};     // alpha 0: as drawn
+    std::uint32_t number = 1;
+    LineType line_type{};
+};
+
+// The size of a placement's viewport on the page.
+[[nodiscard]] Frame frame_of(const Placement& placement) noexcept;
+
+// Hands a drawing's ink on, group by group, strokes far to near.  Strokes whose opacity changes are cut into parts of
+// an even one.  Of pens the last that fits is taken.
+void lay_out(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
+             const base::Progress& progress);
+
+// The group with its pen.
+[[nodiscard]] PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept;
+
+} // namespace hrbfnpr::output

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "output/vector/write_page.h"
+
+#include "output/vector/svg.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace hrbfnpr::output {
+namespace {
+
+std::unique_ptr<PageSink> writer_of(base::Memory& memory, const PageInfo& info, const PageSettings& settings,
+                                    io::Writer& writer, PageCounts& counts) {
+    return std::make_unique<SvgWriter>(memory, writer, info, settings.shapes, counts);
+}
+
+void add_annotation(const Annotation& annotation, PageSink& sink, base::Array<PagePoint>& points) {
+    points.clear();
+    for (std::size_t i = 0; i + 1 < annotation.points.size(); i += 2)
+        points.push_back({annotation.points[i], annotation.points[i + 1], 0.5 * annotation.width});
+    if (points.empty()) return;
+    if (annotation.text != nullptr) {
+        sink.text({points[0].x, points[0].y, annotation.width, annotation.text});
+        return;
+    }
+    const PagePoint& first = points[0];
+    const PagePoint& last = points[points.size() - 1];
+    PagePath path;
+    path.points = points.span();
+    path.closed = points.size() > 3 && first.x == last.x && first.y == last.y;
+    if (points.size() > 1) sink.path(path);
+}
+
+void add_annotations(base::Memory& memory, const Page& page, PageSink& sink) {
+    base::Array<PagePoint> points(memory);
+    const Annotation* open = nullptr;
+    for (const Annotation& annotation : page.annotations) {
+        if (open == nullptr || open->group != annotation.group) {
+            if (open != nullptr) sink.end_group();
+            PageGroup group;
+            group.name[annotation.group.copy(group.name, PageGroup::most - 1)] = '\0';
+            group.ink = annotation.ink;
+            group.line_type = annotation.line_type;
+            sink.begin_group(with_pen(group, page.pens));
+            open = &annotation;
+        }
+        add_annotation(annotation, sink, points);
+    }
+    if (open != nullptr) sink.end_group();
+}
+
+} // namespace
+
+glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept {
+    glm::dvec2 reach(0.0);
+    for (const Placement& placement : page.placements) {
+        const Frame frame = frame_of(placement);
+        reach = {std::max(reach.x, frame.right), std::max(reach.y, frame.bottom)};
+    }
+    return {settings.width > 0.0 ? settings.width : reach.x, settings.height > 0.0 ? settings.height : reach.y};
+}
+
+PageCounts write_page(const base::Runtime& runtime, const Page& page, const PageSettings& settings, io::Writer& writer,
+                      const base::Progress& progress) {
+    PageCounts counts;
+    PageInfo info = page.info;
+    const glm::dvec2 size = page_size(page, settings);
+    info.width = size.x;
+    info.height = size.y;
+    const std::unique_ptr<PageSink> file = writer_of(runtime.memory, info, settings, writer, counts);
+    LineTypes dashed(runtime.memory, *file);
+    const auto parts = static_cast<double>(page.placements.size() + 1);
+    double done = 0.0;
+    for (const Placement& placement : page.placements) {
+        lay_out(runtime.memory, placement, page.pens, dashed, progress.part(done / parts, (done + 1.0) / parts));
+        done += 1.0;
+        progress.update(done / parts);
+    }
+    add_annotations(runtime.memory, page, dashed);
+    dashed.finish();
+    return counts;
+}
+
+} // namespace hrbfnpr::output
