@@ -51,6 +51,13 @@ TextOut& TextOut::thousandths(std::int64_t number) {
 
 TextOut& TextOut::operator<<(double number) { return thousandths(in_thousandths(number)); }
 
+TextOut& TextOut::precise(double number) {
+    char digits[64];
+    const double known = std::clamp(number, -largest, largest);
+    return *this << std::string_view(
+               digits, std::to_chars(digits, digits + sizeof digits, known, std::chars_format::fixed, 9).ptr);
+}
+
 TextOut& TextOut::escaped(std::string_view text) {
     for (const char c : text) {
         switch (c) {

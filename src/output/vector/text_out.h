@@ -20,6 +20,8 @@ public:
     TextOut& thousandths(std::int64_t number);
     // Rounded to thousandths.
     TextOut& operator<<(double number);
+    // With nine decimals: of a matrix.
+    TextOut& precise(double number);
     // With the five characters that XML reserves, and controls, written otherwise.
     TextOut& escaped(std::string_view text);
 

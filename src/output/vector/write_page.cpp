@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/vector/write_page.h"
 
+#include "output/vector/pdf.h"
 #include "output/vector/svg.h"
 
 #include <algorithm>
@@ -11,6 +12,8 @@ namespace {
 
 std::unique_ptr<PageSink> writer_of(base::Memory& memory, const PageInfo& info, const PageSettings& settings,
                                     io::Writer& writer, PageCounts& counts) {
+    if (settings.format == PageFormat::pdf)
+        return std::make_unique<PdfWriter>(memory, writer, info, settings.shapes, counts);
     return std::make_unique<SvgWriter>(memory, writer, info, settings.shapes, counts);
 }
 
