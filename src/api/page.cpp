@@ -169,6 +169,7 @@ PageSettings settings_of(const Desc& desc) noexcept {
     PageSettings settings;
     page_fields().copy(desc, settings);
     settings.format = static_cast<output::PageFormat>(desc.format);
+    settings.without_paper = (desc.flags & HRBFNPR_PAGE_WITHOUT_PAPER) != 0;
     settings.in_plot_order = (desc.flags & HRBFNPR_PAGE_IN_PLOT_ORDER) != 0;
     settings.shapes = {static_cast<output::Widths>(desc.widths), static_cast<output::DotShapes>(desc.dots),
                        desc.tolerance, desc.width_step};
@@ -216,7 +217,6 @@ private:
             placement_fields().copy(given, placement);
             placement.drawing = &given.drawing->drawing;
             placement.name = text_or_empty(checked_text(given.name, name.text, "name"));
-            placement.with_paper = (desc.flags & HRBFNPR_PAGE_WITHOUT_PAPER) == 0;
             placements_.push_back(placement);
         }
     }

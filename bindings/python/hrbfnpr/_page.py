@@ -229,7 +229,7 @@ def write_page(
     plot_order : bool
         Sort each group so that a pen travels little, and leave out what it cannot resolve; plotters' formats do.
     paper : bool
-        Fill the viewports with the style's paper.
+        Fill the page with the paper of the first drawing's style, and viewports with another.
     **options
         width, height (mm of the page; 0 = as far as the drawings reach), tolerance (mm, 0.05), width_step (1.25),
         join, shortest, dot_distance (mm; 0 = by the pen's width), draw_speed, travel_speed (mm/s), pen_seconds,

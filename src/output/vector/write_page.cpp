@@ -31,6 +31,7 @@ void add_annotation(const Annotation& annotation, PageSink& sink, base::Array<Pa
     PagePath path;
     path.points = points.span();
     path.closed = points.size() > 3 && first.x == last.x && first.y == last.y;
+    path.begin = path.end = drawing::Cap::flat;
     if (points.size() > 1) sink.path(path);
 }
 
@@ -50,6 +51,16 @@ void add_annotations(base::Memory& memory, const Page& page, PageSink& sink) {
         add_annotation(annotation, sink, points);
     }
     if (open != nullptr) sink.end_group();
+}
+
+} // namespace
+
+namespace {
+
+// The whole page has the paper of its first drawing.
+void add_paper(const glm::vec4& paper, const PageInfo& info, PageSink& sink) {
+    sink.begin_view({{}, {0.0, 0.0, info.width, info.height}, paper, true});
+    sink.end_view();
 }
 
 } // namespace
@@ -74,7 +85,11 @@ PageCounts write_page(const base::Runtime& runtime, const Page& page, const Page
     LineTypes dashed(runtime.memory, *file);
     const auto parts = static_cast<double>(page.placements.size() + 1);
     double done = 0.0;
-    for (const Placement& placement : page.placements) {
+    const bool filled = !settings.without_paper && !page.placements.empty();
+    const glm::vec4 paper = filled ? page.placements[0].drawing->paper : glm::vec4(0.0F);
+    if (filled) add_paper(paper, info, dashed);
+    for (Placement placement : page.placements) {
+        placement.with_paper = filled && placement.drawing->paper != paper;
         lay_out(runtime.memory, placement, page.pens, dashed, progress.part(done / parts, (done + 1.0) / parts));
         done += 1.0;
         progress.update(done / parts);

@@ -2,10 +2,11 @@
 """From a model to a picture."""
 from __future__ import annotations
 
+import json
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -17,11 +18,12 @@ from .._layer import Layer, preset_layers
 from .._line_set import Lines, LineSet
 from .._model import Model
 from .._names import MADE_KINDS
+from .._page import PageItem
 from .._pictures import save as save_picture
 from .._point_set import PointSet
 from .._renderer import Item, Renderer
 from .._style import Style
-from . import _automatic, _blank, _lines, _plate
+from . import _automatic, _blank, _lines, _plate, _vectors
 from . import _values as values
 from ._inputs import Loaded, given
 from ._progress import Reporter
@@ -207,14 +209,15 @@ def plate(
     return _plate.compose(drawing.to_pil(), model, marks, section, camera, style, unit, context)
 
 
-def output_of(arguments: Any) -> Path:
-    """Where the picture goes."""
-    return Path(arguments.output_option or arguments.output or Path(arguments.input).stem + ".png")
+def outputs_of(arguments: Any) -> List[Path]:
+    """Where the drawing goes, in one format or several."""
+    return [Path(arguments.output_option or arguments.output or Path(arguments.input).stem + ".png"),
+            *(Path(path) for path in arguments.also)]  # fmt: skip
 
 
 def draw(arguments: Any, loaded: Loaded, context: Context, report: Reporter) -> None:
     """Draw a model or a point set and write the picture."""
-    source, output = loaded.content, output_of(arguments)
+    source, output = loaded.content, outputs_of(arguments)[0]
     arguments.up, arguments.input_shape = loaded.up, loaded.shape
     arguments.has_end = isinstance(source, Model) and source.trim_info.is_trimmed
     known = _automatic.probe(source, context) if isinstance(source, Model) else source
@@ -234,24 +237,70 @@ def draw(arguments: Any, loaded: Loaded, context: Context, report: Reporter) -> 
         stage.says = f"{drawing.info.shown} of {len(marks)} marks shown, {drawing.info.line_curves} curves"
         if not arguments.allow_blank:
             _blank.check(drawing, source, camera, style, arguments.flip)
-    _write(arguments, source, marks, line_set, drawing, camera, style, output, context, report)
+    write = _Writer(arguments, source, marks, line_set, drawing, camera, style, context, report)
+    with report.stage("write", "writing") as stage:
+        stage.says = ", ".join(write(path) for path in outputs_of(arguments)) + write.saved()
     for doubt in _lines.doubts(drawing.info):
         report.warn(doubt)
     width, height = camera.size
     report.summary(f"{output}: {width} x {height} pixels, {len(marks)} marks")
 
 
-def _write(
-    arguments: Any, source: Any, marks: PointSet, line_set: Optional[LineSet], drawing: Drawing, camera: Camera,
-    style: Style, output: Path, context: Context, report: Reporter,
-) -> None:  # fmt: skip
-    with report.stage("write", "writing") as stage:
-        if isinstance(source, Model) and arguments.save_model:
-            source.save(arguments.save_model)
-        if arguments.save_points:
-            marks.save(arguments.save_points)
-        if isinstance(source, Model) and is_plate(arguments):
-            save_picture(plate(arguments, drawing, source, marks, line_set, camera, style, context), output, None)
+@dataclass
+class _Writer:
+    """Writes a drawing, and what belongs to it, in any format."""
+
+    arguments: Any
+    source: Union[Model, PointSet]
+    marks: PointSet
+    line_set: Optional[LineSet]
+    drawing: Drawing
+    camera: Camera
+    style: Style
+    context: Context
+    report: Reporter
+
+    def __call__(self, path: Path) -> str:
+        if _vectors.is_vector(path):
+            self._vectors(path)
+        elif isinstance(self.source, Model) and is_plate(self.arguments):
+            picture = plate(
+                self.arguments, self.drawing, self.source, self.marks, self.line_set, self.camera, self.style,
+                self.context,
+            )  # fmt: skip
+            save_picture(picture, path, None)
         else:
-            drawing.save(output)
-        stage.says = ", ".join(filter(None, (str(output), arguments.save_model, arguments.save_points)))
+            self.drawing.save(path)
+        return str(path)
+
+    def saved(self) -> str:
+        """The other files that are wanted."""
+        model, points = self.arguments.save_model, self.arguments.save_points
+        if isinstance(self.source, Model) and model:
+            self.source.save(model)
+        if points:
+            self.marks.save(points)
+        return "".join(f", {path}" for path in (model, points) if path)
+
+    def _vectors(self, path: Path) -> None:
+        items, notes, size = [PageItem(self.drawing)], [], self.drawing.size
+        if isinstance(self.source, Model) and is_plate(self.arguments):
+            section = self.line_set if _has_section(self.arguments) else None
+            items, notes, size = _plate.vectors(
+                self.drawing, self.source, self.marks, section, self.camera, self.style, _unit_of_bar(self.arguments),
+                self.context,
+            )  # fmt: skip
+        _vectors.write(self.arguments, items, size, path, notes, self._metadata(), self.report)
+
+    def _metadata(self) -> str:
+        """What the drawing is of, as JSON."""
+        facts: Dict[str, Any] = {"input": Path(self.arguments.input).name, "style": self.arguments.style}
+        if isinstance(self.source, Model):
+            info = self.source.info
+            facts["model"] = {"centres": info.centres, "kernel": info.kernel, "samples": info.samples}
+        facts["marks"] = len(self.marks)
+        facts["camera"] = {
+            "view": np.asarray(self.camera.view).tolist(), "projection": np.asarray(self.camera.projection).tolist(),
+            "viewport": list(self.camera.viewport),
+        }  # fmt: skip
+        return json.dumps(facts)

@@ -21,7 +21,7 @@ from ._blank import BlankError
 from ._clock import process_start
 from ._inputs import Loaded, load, load_saved
 from ._options import build
-from ._outputs import check_all, check_saved
+from ._outputs import check_all, check_picture, check_saved
 from ._progress import Reporter
 from ._values import words_of
 
@@ -88,9 +88,14 @@ def _load(arguments: Any, context: Context, report: Reporter) -> Loaded:
 
 
 def _draw(arguments: Any, context: Context, report: Reporter) -> None:
-    from ._draw import draw, output_of
+    from ._draw import draw, outputs_of
+    from ._vectors import given, is_vector
 
-    check_all(arguments, output_of(arguments))
+    outputs = outputs_of(arguments)
+    check_all(arguments, outputs)
+    if not any(is_vector(path) for path in outputs) and (unused := given(arguments)):
+        raise UsageError(f"{', '.join(unused)} is of vectors, and no file is: name one that ends in .svg, .pdf, .hpgl or "
+                         ".gcode")  # fmt: skip
     draw(arguments, _load(arguments, context, report), context, report)
 
 
@@ -98,7 +103,7 @@ def _sheet(arguments: Any, context: Context, report: Reporter) -> None:
     from ._sheet import draw_sheet, output_of
 
     output = output_of(arguments)
-    check_all(arguments, output)
+    check_picture(output)
     loaded = _load(arguments, context, report)
     if not isinstance(loaded.content, Model):
         raise UsageError(f"{arguments.input} holds a point set; a sheet is drawn of samples or of a model")

@@ -34,7 +34,7 @@ from .._names import (
     VISIBILITIES,
 )
 from ..shapes._read import READ
-from . import _lines
+from . import _lines, _vectors
 from . import _values as values
 
 
@@ -150,7 +150,8 @@ def _add_marks(parser: Parser) -> None:
 
 
 def _add_output(parser: Parser, ending: str) -> None:
-    parser.add_argument("output", metavar="OUTPUT", nargs="?", help=f"picture; INPUT's name with {ending} by default")
+    parser.add_argument("output", metavar="OUTPUT", nargs="?", help=f"picture, or vectors where the command draws them (.svg, "
+                        f".pdf, .hpgl, .gcode); INPUT's name with {ending} by default")
     parser.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the same as an option")
 
 
@@ -254,10 +255,13 @@ def build() -> Parser:
     draw = commands.add_parser("draw", help="draw a picture", description="Draw a picture.")
     draw.add_argument("input", metavar="INPUT", help=f"{source} or point set")
     _add_output(draw, ".png")
+    draw.add_argument("--also", action="append", default=[], metavar="FILE", help="the same drawing in another format; "
+                      "may be repeated")  # fmt: skip
     draw.add_argument("--save-model", metavar="FILE", help="save the fitted model too")
     draw.add_argument("--save-points", metavar="FILE", help="save the marks too")
     draw.add_argument("--allow-blank", action="store_true", help="write the picture even if hardly anything is seen")
-    for add in (_add_name, _add_size, _add_style, _add_camera, _add_marks, _add_fit, _add_input, _add_common):
+    for add in (_add_name, _add_size, _add_style, _add_camera, _add_marks, _add_fit, _add_input, _vectors.add_options,
+                _add_common):  # fmt: skip
         add(draw)
 
     sheet = commands.add_parser("sheet", help="draw a model in all styles, on one picture", description="Draw a model "

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Optional, Union
+from typing import Any, Optional, Sequence, Union
 
-from .. import _pictures
+from .. import _page, _pictures
 from ..shapes._read import ENDINGS
 
 _SAVED = {"model": ".hrbf", "point set": ".hrbm"}
@@ -30,6 +30,13 @@ def check_picture(path: Union[str, Path]) -> None:
     check(path)
 
 
+def check_drawing(path: Union[str, Path]) -> None:
+    """The same of a picture or of vectors."""
+    if _page.format_of(path) is None:
+        _pictures.format_of(path)
+    check(path)
+
+
 def check_saved(path: Optional[str], kind: str, also: str = "") -> None:
     """The same of a model or a point set; an ending of another format is refused, but for `also`."""
     if path is None:
@@ -41,9 +48,9 @@ def check_saved(path: Optional[str], kind: str, also: str = "") -> None:
     check(path)
 
 
-def check_all(arguments: Any, picture: Optional[Path]) -> None:
+def check_all(arguments: Any, drawings: Sequence[Path]) -> None:
     """Everything that a command will write."""
-    if picture is not None:
-        check_picture(picture)
+    for path in drawings:
+        check_drawing(path)
     check_saved(getattr(arguments, "save_model", None), "model")
     check_saved(getattr(arguments, "save_points", None), "point set")

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Optional, Tuple
+from typing import Any, List, Optional, Tuple
 
 import numpy as np
 
 from .._camera import Camera
 from .._context import Context
+from .._drawing import Drawing
 from .._line_set import Lines, LineSet
 from .._line_style import LineStyle
 from .._model import Model
+from .._page import Annotation, PageItem
 from .._pictures import to_pil
 from .._point_set import PointSet
 from .._renderer import Item, Renderer
 from .._style import LayerStyle, Style
-from . import _automatic
+from . import _automatic, _cut_faces
 
 NAME = "middle"  # of the section among the lines of a line set
 _STRIP = 0.09  # of the picture's longer side, for the bar ...
@@ -52,7 +54,10 @@ def compose(
     pen = max(1.0, max(camera.size) / 800)
     ink = tuple(round(255 * part) for part in style.silhouette_ink[:3])
     paper = tuple(round(255 * part) for part in style.paper)
-    beside = None if lines is None else _profile(model, marks, lines, camera, scale, style, pen, context)
+    beside = None
+    if lines is not None:
+        profile = _profile(model, marks, lines, camera, scale, style, pen, context)
+        beside = _filled(to_pil(profile.image()), style, pen)
     width, height = picture.size
     strip = round(max(_STRIP * max(width, height), _LEAST_STRIP * pen)) if unit else 0
     plate = Image.new("RGBA", (width + (beside.size[0] if beside else 0), height + strip), paper)
@@ -64,11 +69,57 @@ def compose(
     return plate
 
 
+def vectors(
+    drawing: Drawing, model: Model, marks: PointSet, lines: Optional[LineSet], camera: Camera, style: Style, unit: str,
+    context: Context,
+) -> Tuple[List[PageItem], List[Annotation], Tuple[float, float]]:  # fmt: skip
+    """The same as drawings and annotations, in pixels, and how large it is."""
+    scale = _automatic.pixels_per_unit(camera, _middle(model))
+    pen = max(1.0, max(camera.size) / 800)
+    width, height = drawing.size
+    items, notes, full = [PageItem(drawing, name="view")], [], float(width)
+    if lines is not None:
+        profile = _profile(model, marks, lines, camera, scale, style, pen, context)
+        items.append(PageItem(profile, full, name="profile"))
+        notes += hatching(profile, (full, 0.0), pen, style)
+        full += profile.size[0]
+    strip = max(_STRIP * max(width, height), _LEAST_STRIP * pen) if unit else 0.0
+    if unit:
+        notes += bar((width / 2, height + strip / 3), width, scale, unit, style.silhouette_ink, pen)
+    return items, notes, (full, height + strip)
+
+
+def hatching(profile: Drawing, corner: Tuple[float, float], pen: float, style: Style) -> List[Annotation]:
+    """Lines at 45 degrees inside the closed outlines of a drawing, whose corner is there."""
+    outlines = [np.stack((s["window"][:, 0], s["window"][:, 1]), axis=1).astype(float) for s in profile.polylines()]
+    lines = _cut_faces.hatched(_cut_faces.closed(outlines), 9.0 * pen)
+    return [Annotation(line + corner, None, "section hatching", 0.7 * pen, style.silhouette_ink) for line in lines]
+
+
+def bar(
+    place: Tuple[float, float], width: float, scale: float, unit: str, ink: Tuple[float, ...], pen: float
+) -> List[Annotation]:
+    """A scale bar around a place, at most that much of the width; lengths are in pixels."""
+    length = bar_length(_BAR * width / scale)
+    thick, line, whole = 5.0 * pen, 0.8 * pen, length * scale
+    left, top = place[0] - whole / 2, place[1]
+    box = np.array(((0, 0), (whole, 0), (whole, thick), (0, thick), (0, 0))) + (left, top)
+    notes = [Annotation(box, None, "scale bar", line, ink)]
+    for i in (0, 2, 4):
+        field = np.array(((i * whole / 5, thick / 2), ((i + 1) * whole / 5, thick / 2))) + (left, top)
+        notes.append(Annotation(field, None, "scale bar", thick, ink))
+    height = 11.0 * pen
+    for at, text in ((left, "0"), (left + whole, f"{length:g} {unit}")):
+        begin = at - 0.78 * height * len(text.split()[0]) / 2  # of digits of Helvetica
+        notes.append(Annotation([[begin, top + 2.0 * thick + height]], text, "scale", height, ink))
+    return notes
+
+
 def _profile(
     model: Model, marks: PointSet, lines: LineSet, camera: Camera, scale: float, style: Style, pen: float,
     context: Context,
-) -> Any:  # fmt: skip
-    """The section from its right side, at the scale and the height of the picture, with 45-degree lines inside."""
+) -> Drawing:  # fmt: skip
+    """A drawing of the section from its right side, at the scale and the height of the picture."""
     right, up, back = _axes(camera)
     middle = _middle(model)
     points = _automatic.positions(marks) - middle
@@ -86,8 +137,7 @@ def _profile(
     # Whole: contours, which are not drawn here, would leave gaps by their halo, and ends by a taper, in it.
     outline = LineStyle("section", NAME, width=2.6 * pen, hidden="shown", taper=0.0, ink=style.silhouette_ink)
     blank = Style(layers=[LayerStyle(shown=False, contours=False)], lines=[outline], paper=style.paper, halo_width=0.0)
-    image = to_pil(Renderer(context=context).draw(Item(marks, blank, line_set=lines), side).image())
-    return _filled(image, style, pen)
+    return Renderer(context=context).draw(Item(marks, blank, line_set=lines), side)
 
 
 def _filled(image: Any, style: Style, pen: float) -> Any:
