@@ -139,7 +139,7 @@ TEST(Trim, TakesNoSpacingToBeLessThanClosest) {
     desc.closest = 0.2;
     const hrbfnpr_trim_info wide = info_of(trimmed(model, &desc));
     EXPECT_EQ(wide.is_trimmed, 0U);
-    EXPECT_GT(wide.spacing, 5.0 * own.spacing);
+    EXPECT_GT(wide.spacing, 4.0 * own.spacing);
 }
 
 // A sphere and a tube that leaves it: no sample knows of that.

@@ -13,7 +13,7 @@ constexpr double corner_cosine = 0.766;         // of 40 degrees
 constexpr double near_enough_to_improve = 16.0; // times the tolerance's square
 constexpr int improvements = 4;
 constexpr int deep = 24; // from here on runs are halved in the middle, so that the depth is bounded
-constexpr std::int64_t most_between = 8;
+constexpr std::int64_t most_between = 64;
 
 dvec2 at(const dvec2& start, const Cubic& c, double t) noexcept {
     const double s = 1.0 - t;
@@ -57,6 +57,17 @@ dvec2 CurveFit::direction(std::int64_t from, std::int64_t to) const noexcept {
     return unit_or_zero(points_[to] - points_[from]);
 }
 
+// Of the parabola through an end and the next two points that are not between points, at the end.
+dvec2 CurveFit::direction_from(std::int64_t end, std::int64_t other) const noexcept {
+    const std::int64_t step = other > end ? 2 : -2;
+    if (std::abs(other - end) < 4) return direction(end, other > end ? end + 1 : end - 1);
+    const dvec2 a = points_[end + step] - points_[end];
+    const dvec2 b = points_[end + 2 * step] - points_[end + step];
+    const double la = std::sqrt(square(a)), lb = std::sqrt(square(b));
+    if (!(la > 0.0) || !(lb > 0.0)) return unit_or_zero(a + b);
+    return unit_or_zero((1.0 / la) * a + (la / (la + lb)) * ((1.0 / la) * a - (1.0 / lb) * b));
+}
+
 // Of the parabola through three points, at the middle one.
 dvec2 CurveFit::direction_at(std::int64_t i, std::int64_t first, std::int64_t last) const noexcept {
     const dvec2 a = points_[i] - points_[std::max(i - 1, first)];
@@ -91,8 +102,8 @@ std::span<const Cubic> CurveFit::fit(std::span<const dvec2> points, double toler
     for (std::int64_t begin = 0; begin < last;) {
         std::int64_t end = begin + 1;
         while (end < last && !is_corner(end - 1, end, end + 1)) ++end;
-        const dvec2 from = goes_round && begin == 0 ? round : direction(begin, begin + 1);
-        const dvec2 to = goes_round && end == last ? -round : direction(end, end - 1);
+        const dvec2 from = goes_round && begin == 0 ? round : direction_from(begin, end);
+        const dvec2 to = goes_round && end == last ? -round : direction_from(end, begin);
         fit_run(begin, end, from, to, 0);
         begin = end;
     }

@@ -37,6 +37,7 @@ private:
     void set_places(std::int64_t first, std::int64_t last) noexcept;
     void improve_places(std::int64_t first, std::int64_t last, const Cubic& cubic) noexcept;
     [[nodiscard]] glm::dvec2 direction(std::int64_t from, std::int64_t to) const noexcept;
+    [[nodiscard]] glm::dvec2 direction_from(std::int64_t end, std::int64_t other) const noexcept;
     [[nodiscard]] glm::dvec2 direction_at(std::int64_t i, std::int64_t first, std::int64_t last) const noexcept;
     [[nodiscard]] bool is_corner(std::int64_t before, std::int64_t i, std::int64_t after) const noexcept;
 

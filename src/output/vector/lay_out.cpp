@@ -2,6 +2,7 @@
 #include "output/vector/lay_out.h"
 
 #include "marks/point_set.h"
+#include "output/vector/line_types.h"
 
 #include <algorithm>
 #include <array>
@@ -210,12 +211,14 @@ Frame frame_of(const Placement& placement) noexcept {
 }
 
 PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept {
-    for (const Pen& pen : pens) {
+    for (std::size_t i = pens.size(); i-- > 0;) {
+        const Pen& pen = pens[i];
         if (!fits(pen.groups, group.name)) continue;
         group.pen_width = pen.width;
         if (pen.ink.w > 0.0F) group.ink = pen.ink;
         group.pen = pen.number;
-        group.line_type = pen.line_type;
+        if (pen.line_type != LineType::as_drawn) group.line_type = pen.line_type;
+        break;
     }
     return group;
 }

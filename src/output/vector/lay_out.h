@@ -13,7 +13,7 @@ struct Placement {
     std::string_view name;
     double x = 0.0, y = 0.0;    // of the viewport's top-left corner, mm
     double scale = 25.4 / 96.0; // mm per pixel
-    bool with_paper = true; // or the page has the same
+    bool with_paper = true;     // or the page has the same
 };
 
 // A pen for the groups whose name it has.

@@ -55,7 +55,8 @@ Shapes::Shapes(base::Memory& memory, const ShapeSettings& settings) noexcept
 
 void Shapes::shape(const PagePath& path, const PageGroup& group, ShapeSink& sink) {
     if (group.pen_width > 0.0) {
-        add_line(path.points, group.pen_width, Cap::round, path, sink);
+        const bool flat = path.begin == Cap::flat && path.end == Cap::flat;
+        add_line(path.points, group.pen_width, flat ? Cap::flat : Cap::round, path, sink);
     } else if (is_even(path)) {
         add_line(path.points, mean_width(path), path.closed ? Cap::round : path.begin, path, sink);
     } else if (settings_.widths == Widths::classes) {

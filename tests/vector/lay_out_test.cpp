@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// From a drawing to groups on a page, and lines cut into dashes.
+#include "output/vector/lay_out.h"
+
+#include "output/vector/line_types.h"
+#include "recorder.h"
+
+#include <gtest/gtest.h>
+
+#include "base/runtime.h"
+
+namespace hrbfnpr::testing {
+namespace {
+
+using drawing::Cap;
+using drawing::MarkClass;
+using output::LineType;
+using output::PagePath;
+using output::PagePoint;
+
+class LayOut : public ::testing::Test {
+protected:
+    LayOut() {
+        picture.window.viewport = {100.0, 50.0, 200.0, 100.0};
+        for (const std::uint32_t kind : {1U, 3U, 1U}) {
+            drawing::Layer layer{0, -1, MarkClass::silhouette, true, {0.1F, 0.2F, 0.3F, 0.5F}};
+            layer.line_kind = kind;
+            picture.layers.push_back(layer);
+        }
+    }
+    void add(std::uint32_t layer, std::int32_t hidden, const std::vector<float>& opacity) {
+        drawing::Stroke stroke;
+        stroke.first = picture.points.size();
+        stroke.count = static_cast<std::int32_t>(opacity.size());
+        stroke.layer = layer;
+        stroke.hidden_layers = hidden;
+        stroke.cap_begin = Cap::pointed;
+        for (std::size_t i = 0; i < opacity.size(); ++i)
+            picture.points.push_back(
+                {110.0F + 10.0F * static_cast<float>(i), 70.0F, 2.0F, opacity[i], 0.0F, 0.0F, 1.0F, 0.0F, 0});
+        picture.strokes.push_back(stroke);
+    }
+    void lay_out(std::span<const output::Pen> pens = {}) {
+        output::Placement placement{&picture, "front", 5.0, 7.0, 0.5};
+        output::lay_out(memory, placement, pens, page, {});
+    }
+
+    base::Memory memory;
+    drawing::Drawing picture{memory};
+    Recorder page;
+};
+
+TEST_F(LayOut, PutsLayersIntoGroupsHiddenOnesFirst) {
+    add(0, 0, {1, 1, 1});
+    add(0, 2, {1, 1});
+    add(2, 0, {1, 1});
+    lay_out();
+    ASSERT_EQ(page.groups.size(), 3U);
+    EXPECT_STREQ(page.groups[0].group.name, "contour hidden 2");
+    EXPECT_STREQ(page.groups[1].group.name, "contour");
+    EXPECT_STREQ(page.groups[2].group.name, "contour 2");
+    ASSERT_EQ(page.groups[1].paths.size(), 1U);
+    const KeptPath& path = page.groups[1].paths[0];
+    EXPECT_EQ(path.points.size(), 3U);
+    EXPECT_DOUBLE_EQ(path.points[0].x, 10.0); // 5 + (110 - 100) / 2
+    EXPECT_DOUBLE_EQ(path.points[0].y, 17.0);
+    EXPECT_DOUBLE_EQ(path.points[0].radius, 1.0);
+    EXPECT_EQ(path.begin, Cap::pointed);
+    EXPECT_EQ(path.end, Cap::round);
+    EXPECT_DOUBLE_EQ(page.views[0].frame.right, 105.0);
+    EXPECT_EQ(page.views[0].name, "front");
+}
+
+TEST_F(LayOut, CutsStrokesWhereTheirOpacityChanges) {
+    add(0, 0, {1.0F, 1.0F, 0.99F, 0.5F, 0.5F, 0.0F, 0.0F, 0.0F});
+    lay_out();
+    const std::vector<KeptPath>& paths = page.groups[0].paths;
+    ASSERT_EQ(paths.size(), 4U); // what cannot be seen is left out
+    EXPECT_EQ(paths[0].points.size(), 3U);
+    EXPECT_EQ(paths[0].begin, Cap::pointed);
+    EXPECT_EQ(paths[0].end, Cap::flat);
+    EXPECT_EQ(paths[1].begin, Cap::flat);
+    EXPECT_NEAR(paths[1].opacity, 0.745, 1e-3);
+    EXPECT_DOUBLE_EQ(paths[1].points[0].x, paths[0].points[2].x);
+    EXPECT_NEAR(paths[3].opacity, 0.25, 1e-3);
+}
+
+TEST_F(LayOut, TakesTheLastPenThatFits) {
+    add(0, 0, {1, 1});
+    add(0, 1, {1, 1});
+    add(1, 0, {1, 1});
+    const std::vector<output::Pen> pens{{"", 0.7, {}, 3, {}},
+                                        {"contour*", 0.5, {1.0F, 0.0F, 0.0F, 1.0F}, 1, {}},
+                                        {"contour hidden*", 0.25, {}, 2, static_cast<LineType>(2)},
+                                        {"conto", 9.0, {}, 9, {}}};
+    lay_out(pens);
+    EXPECT_EQ(page.groups[0].group.pen, 2U);
+    EXPECT_EQ(page.groups[0].group.line_type, static_cast<LineType>(2));
+    EXPECT_EQ(page.groups[0].group.ink, glm::vec4(0.1F, 0.2F, 0.3F, 0.5F));
+    EXPECT_EQ(page.groups[1].group.pen, 1U);
+    EXPECT_EQ(page.groups[1].group.ink, glm::vec4(1.0F, 0.0F, 0.0F, 1.0F));
+    EXPECT_DOUBLE_EQ(page.groups[2].group.pen_width, 0.7);
+}
+
+std::vector<KeptPath> dashed(std::uint32_t type, const std::vector<PagePoint>& line, bool closed = false) {
+    base::Memory memory;
+    Recorder found;
+    output::LineTypes types(memory, found);
+    output::PageGroup group;
+    group.pen_width = 0.5;
+    group.line_type = static_cast<LineType>(type);
+    types.begin_group(group);
+    PagePath path;
+    path.points = line;
+    path.closed = closed;
+    types.path(path);
+    types.end_group();
+    return found.groups[0].paths;
+}
+
+TEST(LineTypes, BeginAndEndWithADash) {
+    const std::vector<PagePoint> line{{0, 0, 0.25}, {30, 0, 0.25}, {30, 73, 0.25}};
+    const std::vector<KeptPath> dashes = dashed(2, line); // of 6 mm, gaps of 1.5 mm
+    ASSERT_EQ(dashes.size(), 14U);
+    EXPECT_DOUBLE_EQ(dashes.front().points.front().x, 0.0);
+    EXPECT_NEAR(dashes.back().points.back().y, 73.0, 1e-9);
+    for (const KeptPath& dash : dashes) {
+        EXPECT_NEAR(dash.length(), dashes.front().length(), 1e-9);
+        EXPECT_NEAR(dash.length(), 6.0, 0.2);
+        EXPECT_EQ(dash.begin, Cap::flat);
+    }
+}
+
+TEST(LineTypes, HaveDotsAndGoRound) {
+    const std::vector<PagePoint> square{{0, 0, 1}, {50, 0, 1}, {50, 50, 1}, {0, 50, 1}, {0, 0, 1}};
+    const std::vector<KeptPath> found = dashed(4, square, true); // 12, 0.25 by turns
+    ASSERT_EQ(found.size() % 2, 0U);
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i].length(), i % 2 == 0 ? 12.0 : 0.25, 0.5) << i;
+    EXPECT_EQ(dashed(1, square, true).size(), 1U);
+    EXPECT_TRUE(dashed(0, square, true)[0].closed);
+    const std::vector<PagePoint> shorter{{0, 0, 1}, {2, 0, 1}};
+    EXPECT_EQ(dashed(2, shorter).size(), 1U);
+}
+
+} // namespace
+} // namespace hrbfnpr::testing
