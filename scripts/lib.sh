@@ -16,7 +16,7 @@ package_set() {
   case $1 in
     build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev libhwy-dev ;;
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
-    test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev binutils ;;
+    test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev binutils librsvg2-bin ;;
     csharp) echo mono-mcs mono-runtime ;;
     love) echo love luajit xvfb xauth ;;
     godot) echo godot3-server godot3-runner xvfb xauth ;;
