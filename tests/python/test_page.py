@@ -73,6 +73,17 @@ def test_groups_are_layers(model):
     assert b"A &amp; B" in drawing.to_svg(title="A & B").encode()
 
 
+def test_layers_have_polylines(model):
+    drawing = drawn(model, "etching", 300)
+    for number, layer in enumerate(drawing.layers):
+        lines = layer.polylines
+        assert len(lines) == layer.strokes == len(drawing.polylines(number))
+        assert all(line.shape[1] == 2 and line.dtype == np.float32 for line in lines)
+        assert all(-50 < line.min() and line.max() < 350 for line in lines)
+    assert sum(layer.strokes for layer in drawing.layers) > 100
+    assert "polylines" not in repr(drawing.layers[0])
+
+
 def test_files_by_their_endings(model, tmp_path):
     drawing = drawn(model, "hatch", 300)
     for name, begin in (("a.svg", b"<?xml"), ("a.pdf", b"%PDF-1.5")):

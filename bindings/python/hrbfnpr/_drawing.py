@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+from functools import partial
 from typing import Any, BinaryIO, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _images, _page, _pictures
@@ -77,7 +78,9 @@ class Drawing(Owner):
         info, error = new_struct("hrbfnpr_drawing_layer_info"), new_error()
         for number in range(self.info.layers):
             check(lib.hrbfnpr_drawing_get_layer_info(handle, number, info, error), error)
-            result.append(read_drawing_layer(info))
+            layer = read_drawing_layer(info)
+            object.__setattr__(layer, "_lines", partial(self.polylines, number))
+            result.append(layer)
         return tuple(result)
 
     def image(

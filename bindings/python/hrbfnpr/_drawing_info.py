@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Tuple
+from typing import Any, Callable, ClassVar, List, Tuple
 
+from ._arrays import Array
 from ._names import CLASSES, LINE_KINDS, SHAPES, name_of
+from ._numpy import np
 from ._point_set_info import kind_name, text
 from ._structs import read_struct
 
@@ -109,6 +111,12 @@ class DrawingLayerInfo:
     ink: Tuple[float, float, float, float]
     dots: int
     strokes: int
+    _lines: ClassVar[Callable[[], List[Array]]]
+
+    @property
+    def polylines(self) -> List[Array]:
+        """Its strokes, far to near: float32 (n, 2) each, pixel x and y; with more of them by `Drawing.polylines`."""
+        return [np.array(line["window"][:, :2]) for line in self._lines()]
 
 
 @dataclass(frozen=True)
