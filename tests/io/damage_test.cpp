@@ -9,12 +9,11 @@ namespace {
 
 using namespace samples;
 
-class Damage : public testing::TestWithParam<bool> {
+class Damage : public testing::TestWithParam<Sample> {
 protected:
-    [[nodiscard]] Bytes bytes(std::int64_t count = 2) const {
-        return GetParam() ? model_bytes(count) : point_set_bytes(count);
-    }
-    Outcome load(const Bytes& bytes) { return samples::load(memory, bytes, GetParam()); }
+    [[nodiscard]] Bytes bytes(std::int64_t count = 2) const { return bytes_of(GetParam(), count); }
+    Outcome load(const Bytes& bytes) { return samples::load(memory, bytes, is_model()); }
+    static bool is_model() { return GetParam() != Sample::point_set; }
 
     // Where the n-th section's header starts.
     static std::size_t section(const Bytes& bytes, int n) {
@@ -54,7 +53,7 @@ TEST_P(Damage, EverySingleBitFlip) {
 
 TEST_P(Damage, NewerVersionsAreNamed) {
     Bytes newer = bytes();
-    const std::uint32_t newest = GetParam() ? model_version : point_set_version;
+    const std::uint32_t newest = is_model() ? model_version : point_set_version;
     store(&newer[12], newest + 1);
     sign(newer);
     const Outcome outcome = load(newer);
@@ -79,10 +78,10 @@ TEST_P(Damage, HeaderFieldsAreChecked) {
 }
 
 TEST_P(Damage, TheOtherKindIsNamed) {
-    const Bytes other = GetParam() ? point_set_bytes() : model_bytes();
+    const Bytes other = is_model() ? point_set_bytes() : model_bytes();
     const Outcome outcome = load(other);
     EXPECT_EQ(outcome.status, Status::corrupt_data);
-    EXPECT_NE(outcome.message.find(GetParam() ? "'PSET'" : "'MODL'"), std::string::npos) << outcome.message;
+    EXPECT_NE(outcome.message.find(is_model() ? "'PSET'" : "'MODL'"), std::string::npos) << outcome.message;
 }
 
 TEST_P(Damage, HostileLengthsAllocateNothing) {
@@ -128,8 +127,8 @@ TEST_P(Damage, NumbersAreChecked) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Damage, testing::Bool(),
-                         [](const auto& kind) { return kind.param ? "Model" : "PointSet"; });
+INSTANTIATE_TEST_SUITE_P(Files, Damage, testing::ValuesIn(all_samples),
+                         [](const auto& kind) { return name_of(kind.param); });
 
 // Damage with right checksums: made by changing the data before they are saved.
 template <class Change>

@@ -35,10 +35,10 @@ void mutate(Bytes& bytes, std::uint64_t round) {
     }
 }
 
-class Fuzz : public testing::TestWithParam<bool> {};
+class Fuzz : public testing::TestWithParam<Sample> {};
 
 TEST_P(Fuzz, EveryFileLoadsOrIsRefused) {
-    const Bytes original = GetParam() ? model_bytes() : point_set_bytes();
+    const Bytes original = bytes_of(GetParam());
     int loaded = 0;
     int refused = 0;
     for (std::uint64_t round = 0; round < rounds; ++round) {
@@ -47,7 +47,7 @@ TEST_P(Fuzz, EveryFileLoadsOrIsRefused) {
         // Half of the files get right checksums, or nothing behind them would ever be reached.
         if (round % 2 == 0 && bytes.size() >= header_size) sign(bytes);
         base::Memory memory;
-        const Outcome outcome = load(memory, bytes, GetParam());
+        const Outcome outcome = load(memory, bytes, GetParam() != Sample::point_set);
         ASSERT_TRUE(outcome.status == Status::ok || outcome.status == Status::corrupt_data ||
                     outcome.status == Status::version_mismatch)
             << round << ": " << outcome.message;
@@ -59,8 +59,8 @@ TEST_P(Fuzz, EveryFileLoadsOrIsRefused) {
     EXPECT_GT(refused, static_cast<int>(rounds / 2));
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Fuzz, testing::Bool(),
-                         [](const auto& kind) { return kind.param ? "Model" : "PointSet"; });
+INSTANTIATE_TEST_SUITE_P(Files, Fuzz, testing::ValuesIn(all_samples),
+                         [](const auto& kind) { return name_of(kind.param); });
 
 } // namespace
 } // namespace hrbfnpr::io

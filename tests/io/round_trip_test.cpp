@@ -47,14 +47,7 @@ TEST(ModelFile, HoldsWhereATrimmedModelEnds) {
     base::Memory memory;
     ModelFile file(memory);
     file.data = model(memory, 3);
-    file.trim.limit = 1.5;
-    file.trim.closest = 0.25;
-    file.trim.grid = {{1.0, 2.0, 3.0}, 0.5};
-    for (const double number : {4.0, 5.0}) file.trim.report.push_back(number);
-    for (const double number : {0.0, 1.0, 2.0}) file.trim.position.push_back(number);
-    for (const double number : {0.0, 0.0, 1.0}) file.trim.normal.push_back(number);
-    for (const std::int64_t cell : {std::int64_t{7}, std::int64_t{1} << 60}) file.trim.ends.push_back(cell);
-    file.trim.kept.push_back(3);
+    fill(file.trim);
     const auto bytes_with = [&](const TrimFile& trim) {
         BytesWriter writer;
         save_model(file.data, report(), &trim, writer);

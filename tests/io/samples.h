@@ -133,9 +133,42 @@ inline Bytes model_bytes(std::int64_t count = 2) {
     return bytes_of(model(memory, count));
 }
 
+inline TrimFile& fill(TrimFile& trim) {
+    trim.limit = 1.5;
+    trim.closest = 0.25;
+    trim.grid = {{1.0, 2.0, 3.0}, 0.5};
+    for (const double number : {4.0, 5.0}) trim.report.push_back(number);
+    for (const double number : {0.0, 1.0, 2.0}) trim.position.push_back(number);
+    for (const double number : {0.0, 0.0, 1.0}) trim.normal.push_back(number);
+    for (const std::int64_t cell : {std::int64_t{7}, std::int64_t{1} << 60}) trim.ends.push_back(cell);
+    trim.kept.push_back(3);
+    return trim;
+}
+
+inline Bytes trimmed_model_bytes(std::int64_t count = 2) {
+    base::Memory memory;
+    ModelFile file(memory);
+    file.data = model(memory, count);
+    BytesWriter writer;
+    save_model(file.data, report(), &fill(file.trim), writer);
+    return writer.bytes;
+}
+
+// What the tests of damage are tried on.
+enum class Sample : std::uint8_t { point_set, model, trimmed_model };
+inline constexpr Sample all_samples[] = {Sample::point_set, Sample::model, Sample::trimmed_model};
+inline const char* name_of(Sample sample) {
+    return sample == Sample::model ? "Model" : sample == Sample::point_set ? "PointSet" : "TrimmedModel";
+}
+
 inline Bytes point_set_bytes(std::int64_t count = 2) {
     base::Memory memory;
     return bytes_of(point_set(memory, count));
+}
+
+inline Bytes bytes_of(Sample sample, std::int64_t count = 2) {
+    if (sample == Sample::point_set) return point_set_bytes(count);
+    return sample == Sample::model ? model_bytes(count) : trimmed_model_bytes(count);
 }
 
 inline std::uint32_t crc_of(std::span<const std::uint8_t> bytes) {
