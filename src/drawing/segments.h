@@ -28,8 +28,8 @@ struct Footprint {
     const bool pointed = ends.begin == Cap::pointed || ends.end == Cap::pointed;
     const float widest = std::max({a.radius, b.radius, smallest_radius});
     return {0.5F * (a.x + b.x), 0.5F * (a.y + b.y),
-            0.5F * std::hypot(b.x - a.x, b.y - a.y) + widest * (pointed ? std::max(1.0F, 2.0F * point_length) : 1.0F) +
-                soft_rim};
+            0.5F * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) +
+                widest * (pointed ? std::max(1.0F, 2.0F * point_length) : 1.0F) + soft_rim};
 }
 
 // Whether a segment covers a place, and then how far along it that is, 0 to 1.  Thin ones are taken as a pixel wide.

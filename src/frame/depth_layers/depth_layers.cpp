@@ -89,7 +89,7 @@ void DepthLayers::lay_tile(LayerPlanes& planes, const drawing::Drawing& drawing,
     });
 }
 
-std::int64_t DepthLayers::attenuate(drawing::Drawing& drawing) {
+std::int64_t DepthLayers::attenuate(const HatchTiles& hatching, drawing::Drawing& drawing) {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     const glm::vec2 origin(drawing.first_pixel);
     drawing.splat_tiles.build(
@@ -106,7 +106,7 @@ std::int64_t DepthLayers::attenuate(drawing::Drawing& drawing) {
     runtime_.parallel.for_each(workers, [&](std::int64_t worker) {
         LayerPlanes planes = planes_of(worker);
         for (std::int64_t tile = next++; tile < tiles.tiles(); tile = next++)
-            seen_[tile] = dim_tile(planes, drawing, tile);
+            seen_[tile] = dim_tile(planes, hatching, drawing, tile);
     });
     std::int64_t seen = 0;
     for (const std::int64_t count : seen_) seen += count;
@@ -115,7 +115,8 @@ std::int64_t DepthLayers::attenuate(drawing::Drawing& drawing) {
 
 // The inks whose centres lie in the tile: first through the nearest layers, then, if any ink is still seen behind
 // those, through the next.
-std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, drawing::Drawing& drawing, std::int64_t tile) const noexcept {
+std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const HatchTiles& hatching, drawing::Drawing& drawing,
+                                   std::int64_t tile) const noexcept {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     const glm::vec2 origin(drawing.first_pixel);
     const std::int64_t column = tile % tiles.columns();
@@ -128,6 +129,7 @@ std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, drawing::Drawing& drawin
             Dot& ink = drawing.dots[i];
             if (own.holds(ink.x - origin.x, ink.y - origin.y)) f(ink);
         });
+        hatching.for_tile(tile, [&](std::int64_t i) { f(drawing.dots[i]); });
     };
     std::int64_t seen = 0;
     bool laid = false;

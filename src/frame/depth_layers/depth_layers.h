@@ -8,6 +8,7 @@
 
 #include "base/runtime.h"
 #include "frame/depth_layers/gather.h"
+#include "frame/depth_layers/hatch_tiles.h"
 #include "frame/depth_layers/layer_loops.h"
 
 namespace hrbfnpr::frame {
@@ -19,8 +20,9 @@ public:
           seen_(runtime.memory) {}
 
     // Bins the drawing's splats, and sets the opacity of each of its dots by what the depth layers that they stand for
-    // let through.  The dots stand in tiles already.  Returns how many are drawn.
-    std::int64_t attenuate(drawing::Drawing& drawing);
+    // let through.  The dots stand in tiles already, and those of hatching in tiles of their own.  Returns how many are
+    // drawn.
+    std::int64_t attenuate(const HatchTiles& hatching, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return planes_.bytes() + seen_.bytes(); }
 
@@ -35,7 +37,7 @@ private:
     [[nodiscard]] LayerPlanes planes_of(std::int64_t worker) noexcept;
     void lay_tile(LayerPlanes& planes, const drawing::Drawing& drawing, std::int64_t tile,
                   const glm::vec2& corner) const noexcept;
-    [[nodiscard]] std::int64_t dim_tile(LayerPlanes& planes, drawing::Drawing& drawing,
+    [[nodiscard]] std::int64_t dim_tile(LayerPlanes& planes, const HatchTiles& hatching, drawing::Drawing& drawing,
                                         std::int64_t tile) const noexcept;
 
     const base::Runtime& runtime_;

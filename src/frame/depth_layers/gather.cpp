@@ -22,6 +22,9 @@ constexpr std::int64_t marks_of_work = 8192;
     return table;
 }
 
+// Hatching sees its marks itself: neither dots nor splats come from them.
+[[nodiscard]] bool is_unused(const Run& run) noexcept { return run.as_hatch && !run.splats && !run.draws_silhouettes; }
+
 [[nodiscard]] bool same_layers(const Style& a, const Style& b) noexcept {
     return a.hidden_lines == b.hidden_lines && a.attenuation_front == b.attenuation_front &&
            a.attenuation_back == b.attenuation_back && a.splat_overlap == b.splat_overlap;
@@ -96,8 +99,13 @@ void Gather::set_up(const Scene& scene) {
 
 void Gather::add_pieces(const Scene& scene) {
     work_.clear();
+    unused_ = 0;
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
         const Run& run = scene.runs[r];
+        if (is_unused(run)) {
+            unused_ += run.count;
+            continue;
+        }
         const base::Array<marks::Cluster>& clusters = run.clusters->cluster;
         Work work{static_cast<std::int32_t>(r), 0, 0, run.first_place};
         std::int64_t marks = 0;
@@ -170,6 +178,7 @@ void Gather::ask_cluster(const Scene& scene, const Run& run, const marks::Cluste
 
 Counts Gather::info() const noexcept {
     Counts info;
+    info.marks = info.culled = unused_;
     for (const Counts& work : counts_) info += work;
     return info;
 }

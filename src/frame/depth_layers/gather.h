@@ -123,7 +123,8 @@ private:
     base::Array<std::int32_t> transmittance_of_; // each item's
     base::Array<Work> work_;
     base::Array<Counts> counts_;
-    base::Array<float> tau_; // of the marks whose tone is a callback's, by place
+    std::int64_t unused_ = 0; // marks that are in no work
+    base::Array<float> tau_;  // of the marks whose tone is a callback's, by place
     ToneCalls tone_calls_;
 };
 

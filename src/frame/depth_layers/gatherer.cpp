@@ -36,8 +36,7 @@ Gatherer::Gatherer(Gather& all, const Scene& scene, const Run& run, std::int32_t
     : all_(all), scene_(scene), run_(run), item_(scene.item_of(run)), style_(item_.style),
       sight_(all.sights_[run.item]), item_ink_(all.item_inks_[run.item]),
       transmittance_(all.transmittances_[all.transmittance_of_[run.item]]), marks_(*run.clusters),
-      layer_(2U * static_cast<std::uint32_t>(run_number)), selection_(common_selection()),
-      is_unused_(run.as_hatch && !run.splats && !run.draws_silhouettes), ink_(inks), splat_(splats) {}
+      layer_(2U * static_cast<std::uint32_t>(run_number)), selection_(common_selection()), ink_(inks), splat_(splats) {}
 
 Selection Gatherer::common_selection() const noexcept {
     Selection selection{};
@@ -109,10 +108,6 @@ void Gatherer::set_contour(Local& local) const noexcept {
 void Gatherer::operator()(const marks::Cluster& cluster) noexcept {
     const std::int64_t marks = cluster.count;
     info_.marks += marks;
-    if (is_unused_) {
-        info_.culled += marks;
-        return;
-    }
     Local local = local_of(cluster);
     if (local.view.outside) {
         info_.outside += marks;
@@ -145,7 +140,7 @@ void Gatherer::operator()(const marks::Cluster& cluster) noexcept {
 }
 
 void Gatherer::expect(std::int64_t cluster) const noexcept {
-    if (is_unused_ || cluster >= marks_.cluster.size()) return;
+    if (cluster >= marks_.cluster.size()) return;
     base::prefetch(&marks_.block[marks_.cluster[cluster].block], 1);
 }
 

@@ -64,7 +64,6 @@ private:
     const marks::MarkClusters& marks_;
     std::uint32_t layer_;
     Selection selection_; // what is the same for all clusters
-    bool is_unused_;      // of hatching, which sees its marks itself: neither dots nor splats come from them
     Counts info_;
     Dot* ink_;
     Splat* splat_;

@@ -61,6 +61,16 @@ constexpr float farthest = 1e6F;
     return stretch;
 }
 
+// Four sums, so that none waits for the one before.
+[[nodiscard]] float sum(const float* terms, std::int64_t count) noexcept {
+    std::array<float, 4> sums{};
+    std::int64_t at = 0;
+    for (; at + 4 <= count; at += 4)
+        for (std::size_t k = 0; k < 4; ++k) sums[k] += terms[at + static_cast<std::int64_t>(k)];
+    for (; at < count; ++at) sums[0] += terms[at];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 // Of at least `count` marks.
 [[nodiscard]] HatchRows rows_of(std::int64_t count, base::Array<float>& memory) {
     const std::int64_t stride = count + 2 * HatchRows::slack;
@@ -234,11 +244,19 @@ void HatchMarks::load(std::int64_t begin, std::int64_t count, std::uint32_t* num
         std::iota(numbers, numbers + count, static_cast<std::uint32_t>(begin));
     else
         std::copy_n(layer.stroke_order.data() + begin, count, numbers);
-    for (std::int64_t i = 0; i < count; ++i)
-        rows[HatchRow::level][i] = static_cast<float>(layer.level[ordered ? begin + i : std::int64_t{numbers[i]}]);
+    const auto put_one = [&](HatchRow to, const auto* all) {
+        float* const row = rows[to];
+        if (ordered)
+            std::copy_n(all + begin, count, row);
+        else
+            for (std::int64_t i = 0; i < count; ++i) row[i] = static_cast<float>(all[numbers[i]]);
+    };
+    put_one(HatchRow::level, layer.level.data());
     const base::Array<float>& gap = layer.clusters.gap;
-    for (std::int64_t i = 0; i < count; ++i)
-        rows[HatchRow::gap][i] = gap.empty() ? 1.0F : gap[std::int64_t{numbers[i]}];
+    if (gap.empty())
+        std::fill_n(rows[HatchRow::gap], count, 1.0F);
+    else
+        put_one(HatchRow::gap, gap.data());
     const auto put = [&](HatchRow x, const float* all, float factor, float other) {
         const HatchRows row{rows[x], rows.stride};
         float* const y = row.first + row.stride;
@@ -360,21 +378,36 @@ void HatchMarks::set_widths_alone(std::span<const std::uint32_t> numbers, const 
     }
 }
 
-HatchMark HatchMarks::mark(const HatchRows& rows, std::int64_t at, std::uint32_t number) const noexcept {
-    const auto row = [&](HatchRow which) { return rows[which][at]; };
-    return {row(HatchRow::left),
-            row(HatchRow::top),
-            row(HatchRow::window),
-            row(HatchRow::depth),
-            row(HatchRow::pixels_per_unit),
-            row(HatchRow::side_x),
-            row(HatchRow::side_y),
-            row(HatchRow::width),
-            0.0F,
-            {row(HatchRow::tone_margin), row(HatchRow::level_margin), row(HatchRow::rim_margin),
-             row(HatchRow::picture_margin)},
-            run_.first_id + number,
-            row(HatchRow::picture_margin) > hatch_nowhere};
+// One after the other, each with its leg.
+void HatchMarks::put_marks(const HatchRows& rows, const std::uint32_t* numbers, std::int64_t count,
+                           HatchMark* to) const noexcept {
+    const auto row = [&](HatchRow which) { return static_cast<const float*>(rows[which]); };
+    const float* const left = row(HatchRow::left);
+    const float* const top = row(HatchRow::top);
+    const float* const window = row(HatchRow::window);
+    const float* const depth = row(HatchRow::depth);
+    const float* const scale = row(HatchRow::pixels_per_unit);
+    const float* const side_x = row(HatchRow::side_x);
+    const float* const side_y = row(HatchRow::side_y);
+    const float* const width = row(HatchRow::width);
+    const float* const leg = row(HatchRow::leg);
+    const float* const tone = row(HatchRow::tone_margin);
+    const float* const level = row(HatchRow::level_margin);
+    const float* const rim = row(HatchRow::rim_margin);
+    const float* const picture = row(HatchRow::picture_margin);
+    for (std::int64_t i = 0; i < count; ++i)
+        to[i] = {left[i],
+                 top[i],
+                 window[i],
+                 depth[i],
+                 scale[i],
+                 side_x[i],
+                 side_y[i],
+                 width[i],
+                 leg[i],
+                 {tone[i], level[i], rim[i], picture[i]},
+                 run_.first_id + numbers[i],
+                 picture[i] > hatch_nowhere};
 }
 
 // Those that are drawn and the two on either side, if any are.
@@ -382,19 +415,25 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
     const std::int64_t count = seen.number.size();
     const float* const near = rows[HatchRow::near];
     const float* const leg = rows[HatchRow::leg];
-    const auto is_near = [](float margin) { return margin >= 0.0F; };
-    const auto near_ones = static_cast<std::int64_t>(std::count_if(near, near + count, is_near));
+    const auto near_ones =
+        static_cast<std::int64_t>(std::count_if(near, near + count, [](float margin) { return margin >= 0.0F; }));
     seen.mark.clear();
     if (near_ones == 0) return;
     const bool all = has_hand();
     base::resize_scratch(seen.mark, (all ? count : near_ones) + (seen.closed ? 1 : 0));
     HatchMark* to = seen.mark.data();
     float way = 0.0F;
-    for (std::int64_t i = 0; i < count; ++i) {
-        way += leg[i];
-        if (!is_near(near[i]) && !all) continue;
-        *to = mark(rows, i, seen.number[i]);
-        to++->way = std::exchange(way, 0.0F);
+    const auto is_kept = [&](std::int64_t i) { return all || near[i] >= 0.0F; };
+    for (std::int64_t i = 0; i < count;) {
+        std::int64_t first = i;
+        while (i < count && !is_kept(i)) ++i;
+        way += sum(leg + first, i - first);
+        first = i;
+        while (i < count && is_kept(i)) ++i;
+        if (first == i) continue;
+        put_marks(rows.from(first), seen.number.data() + first, i - first, to);
+        to->way += std::exchange(way, 0.0F);
+        to += i - first;
     }
     if (!seen.closed) return;
     seen.mark[0].way += way;

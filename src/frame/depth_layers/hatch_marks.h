@@ -93,7 +93,8 @@ private:
     void borrow_darkness(std::int64_t count, float* darkness, const HatchRows& rows) const noexcept;
     void set_widths_alone(std::span<const std::uint32_t> numbers, const HatchRows& rows) const noexcept;
     void keep(const HatchRows& rows, HatchStroke& seen) const;
-    [[nodiscard]] HatchMark mark(const HatchRows& rows, std::int64_t at, std::uint32_t number) const noexcept;
+    void put_marks(const HatchRows& rows, const std::uint32_t* numbers, std::int64_t count,
+                   HatchMark* to) const noexcept;
     [[nodiscard]] bool has_hand() const noexcept { return style_.hatch_wobble > 0.0F || style_.hatch_overshoot > 0.0F; }
     [[nodiscard]] glm::vec3 place(std::int64_t at) const noexcept {
         return glm::vec3(glm::dvec3(run_.position_of(run_.marks->mark_of(at))) * per_unit_);

@@ -83,23 +83,27 @@ void HatchSpans::add(const LayerStyle& style, std::int64_t stroke, std::span<Hat
     for (std::int64_t i = 0; i < drawn_.size(); i += drawn_[i].joined) put(style, marks, i, part);
 }
 
-// Lengths of chords, and the tangents of a Catmull-Rom curve.
+// Lengths of chords.
 void HatchSpans::measure(std::span<const HatchMark> marks) {
     const auto count = static_cast<std::int64_t>(marks.size());
     base::resize_scratch(length_, count);
-    base::resize_scratch(tangent_, count);
-    const auto m = [&](std::int64_t i) -> const HatchMark& { return marks[static_cast<std::size_t>(i)]; };
     length_[0] = 0.0F;
-    for (std::int64_t i = 1; i < count; ++i) length_[i] = length_[i - 1] + m(i).way;
-    const bool closed = m(0).valid && m(count - 1).valid && place(m(0)) == place(m(count - 1));
-    for (std::int64_t i = 0; i < count; ++i) {
-        std::int64_t before = i > 0 ? i - 1 : closed ? count - 2 : 0;
-        std::int64_t after = i + 1 < count ? i + 1 : closed ? 1 : i;
-        if (!m(before).valid) before = i;
-        if (!m(after).valid) after = i;
-        const float way = (before != i ? m(i).way : 0.0F) + (after != i ? m(after).way : 0.0F);
-        tangent_[i] = way > 0.0F ? (place(m(after)) - place(m(before))) / way : glm::vec2(0.0F);
-    }
+    for (std::int64_t i = 1; i < count; ++i) length_[i] = length_[i - 1] + marks[static_cast<std::size_t>(i)].way;
+    const HatchMark& first = marks.front();
+    const HatchMark& last = marks.back();
+    goes_round_ = first.valid && last.valid && place(first) == place(last);
+}
+
+// That of a Catmull-Rom curve at a mark, of unit length where marks lie evenly.
+glm::vec2 HatchSpans::tangent(std::span<const HatchMark> marks, std::int64_t i) const noexcept {
+    const auto count = static_cast<std::int64_t>(marks.size());
+    const auto m = [&](std::int64_t k) -> const HatchMark& { return marks[static_cast<std::size_t>(k)]; };
+    std::int64_t before = i > 0 ? i - 1 : goes_round_ ? count - 2 : 0;
+    std::int64_t after = i + 1 < count ? i + 1 : goes_round_ ? 1 : i;
+    if (!m(before).valid) before = i;
+    if (!m(after).valid) after = i;
+    const float way = (before != i ? m(i).way : 0.0F) + (after != i ? m(after).way : 0.0F);
+    return way > 0.0F ? (place(m(after)) - place(m(before))) / way : glm::vec2(0.0F);
 }
 
 void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
@@ -286,7 +290,7 @@ void HatchSpans::add_points(std::span<const HatchMark> marks, std::int64_t numbe
     const auto put = [&](const Place& place, float length) {
         points.push_back(point(marks, place));
         if (drawn.joined > 1) points.back().width *= joined_fade(number, part, length);
-        stray(points.back(), place);
+        stray(marks, points.back(), place);
     };
     Place place = drawn.begin;
     for (std::int32_t i = 0; i + 1 < count; ++i) {
@@ -300,10 +304,10 @@ void HatchSpans::add_points(std::span<const HatchMark> marks, std::int64_t numbe
 }
 
 // Across the line, as the hand has it there.
-void HatchSpans::stray(HatchPoint& point, const Place& place) const noexcept {
+void HatchSpans::stray(std::span<const HatchMark> marks, HatchPoint& point, const Place& place) const noexcept {
     if (!hand_.wobbles()) return;
     const std::int64_t next = std::min(place.mark + 1, length_.size() - 1);
-    const glm::vec2 along = (1.0F - place.share) * tangent_[place.mark] + place.share * tangent_[next];
+    const glm::vec2 along = (1.0F - place.share) * tangent(marks, place.mark) + place.share * tangent(marks, next);
     const float length = glm::length(along);
     if (!(length > 0.0F)) return;
     const double mark = static_cast<double>(place.mark + turned_) + static_cast<double>(place.share);
@@ -322,7 +326,7 @@ HatchPoint HatchSpans::point(std::span<const HatchMark> marks, const Place& at_p
     const float way = length_[at_place.mark + 1] - length_[at_place.mark];
     const float u = 1.0F - t;
     const glm::vec2 p = u * u * (1.0F + 2.0F * t) * place(a) + t * t * (3.0F - 2.0F * t) * place(b) +
-                        t * u * way * (u * tangent_[at_place.mark] - t * tangent_[at_place.mark + 1]);
+                        t * u * way * (u * tangent(marks, at_place.mark) - t * tangent(marks, at_place.mark + 1));
     const auto mixed = [t](float from, float to) { return from + t * (to - from); };
     return {p.x,
             p.y,

@@ -35,12 +35,12 @@ struct HatchPart {
 // Of one stroke after the other.
 class HatchSpans {
 public:
-    explicit HatchSpans(base::Memory& memory) noexcept : length_(memory), tangent_(memory), drawn_(memory) {}
+    explicit HatchSpans(base::Memory& memory) noexcept : length_(memory), drawn_(memory) {}
 
     // Adds what is drawn of the stroke of that number; one that is closed ends with its first mark, and may be turned.
     void add(const LayerStyle& style, std::int64_t stroke, std::span<HatchMark> marks, bool closed, HatchPart& part);
 
-    [[nodiscard]] std::int64_t bytes() const noexcept { return length_.bytes() + tangent_.bytes() + drawn_.bytes(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return length_.bytes() + drawn_.bytes(); }
 
 private:
     // A place between a mark and the next one.
@@ -67,7 +67,8 @@ private:
     [[nodiscard]] Place place_at(float length) const noexcept;
     [[nodiscard]] Place run_on(std::span<const HatchMark> marks, const Place& from, int way,
                                HatchEnd& end) const noexcept;
-    void stray(HatchPoint& point, const Place& place) const noexcept;
+    void stray(std::span<const HatchMark> marks, HatchPoint& point, const Place& place) const noexcept;
+    [[nodiscard]] glm::vec2 tangent(std::span<const HatchMark> marks, std::int64_t i) const noexcept;
     [[nodiscard]] float at(const Place& place) const noexcept;
     void put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part);
     void add_points(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
@@ -78,11 +79,11 @@ private:
                                   std::int64_t inward) const noexcept;
     [[nodiscard]] HatchPoint point(std::span<const HatchMark> marks, const Place& place) const noexcept;
 
-    base::Array<float> length_;      // of each mark from the first one, pixels
-    base::Array<glm::vec2> tangent_; // of each mark, of unit length where marks lie evenly
+    base::Array<float> length_; // of each mark from the first one, pixels
     base::Array<Drawn> drawn_;
     HatchHand hand_;          // of the stroke at hand
     std::int64_t turned_ = 0; // by so many marks, if it is closed
+    bool goes_round_ = false; // its last mark is its first one
 };
 
 } // namespace hrbfnpr::frame

@@ -148,7 +148,7 @@ private:
         const float low = begin_ + (tip && tips ? reach : 0.5F);
         const float high = end_ - (end_tip && tips ? reach : 0.5F);
         for (std::int64_t i = first_; i <= last_; ++i)
-            if (part_.length[i] > low && part_.length[i] < high) add(part_.length[i]);
+            if (part_.length[i] > low && part_.length[i] < high) add_dot(i);
         if (end_tip && tips)
             for (std::size_t k = tip_points.size(); k-- > 0;) add(end_ - tip_points[k]);
         add(end_);
@@ -190,6 +190,16 @@ private:
         p.length = at - start_;
         p.id = t < 0.5F ? a.id : b.id;
         part_.made.points.push_back(p);
+    }
+
+    // The point of a dot, which is none of the first.
+    void add_dot(std::int64_t i) {
+        const Dot& own = dot(i);
+        const float at = part_.length[i];
+        float opacity = seen(i) ? own.opacity : dot(i - 1).opacity;
+        if (!(opacity > 0.0F)) opacity = part_.made.points.back().opacity;
+        part_.made.points.push_back({own.x, own.y, shown_radius(i) * fade_ * profile(at), opacity, own.depth,
+                                     own.window, own.pixels_per_unit, at - start_, own.id});
     }
 
     // What is not seen is a gap at an end, or one that the line goes on over.
@@ -241,19 +251,20 @@ void make_strokes(const LayerStyle& style, float halo, const HatchPart& from, st
 // The strokes of all parts, in their order.
 void HatchStrokes::append(std::int64_t parts) {
     std::int64_t count = 0;
-    for (std::int64_t i = 0; i < parts; ++i) count += parts_[i].made.points.size();
-    base::resize_scratch(strokes_.points, count);
     strokes_.strokes.clear();
-    std::int64_t first = 0;
     for (std::int64_t i = 0; i < parts; ++i) {
-        const LineStrokes& made = parts_[i].made;
-        std::copy(made.points.begin(), made.points.end(), strokes_.points.data() + first);
-        for (Stroke stroke : made.strokes) {
-            stroke.first += first;
+        parts_[i].first_point = count;
+        for (Stroke stroke : parts_[i].made.strokes) {
+            stroke.first += count;
             strokes_.strokes.push_back(stroke);
         }
-        first += made.points.size();
+        count += parts_[i].made.points.size();
     }
+    base::resize_scratch(strokes_.points, count);
+    runtime_.parallel.for_each(parts, [&](std::int64_t i) {
+        const base::Array<StrokePoint>& points = parts_[i].made.points;
+        std::copy(points.begin(), points.end(), strokes_.points.data() + parts_[i].first_point);
+    });
 }
 
 const LineStrokes& HatchStrokes::run(const Scene& scene, const HatchPoints& points, drawing::Drawing& drawing) {

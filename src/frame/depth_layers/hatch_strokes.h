@@ -13,6 +13,7 @@ struct HatchStrokePart {
 
     LineStrokes made;
     base::Array<float> length;          // of each point of a span from its first one, pixels
+    std::int64_t first_point = 0;       // among those of all batches
     std::int64_t seen = 0;              // dots
     std::int64_t shown = 0, hidden = 0; // marks
 

@@ -14,10 +14,13 @@ using drawing::StrokePoint;
 
 namespace {
 
-constexpr std::int32_t of_lines = -1;
-constexpr std::int32_t of_hatching = -2;
+constexpr std::int64_t strokes_of_work = 256;
 
 } // namespace
+
+const LineStrokes& StrokeJoiner::Ready::of(std::int32_t run) const noexcept {
+    return run == of_lines ? lines : hatching;
+}
 
 void StrokeJoiner::run(const Scene& scene, const Ready& ready, drawing::Drawing& drawing) {
     found_.clear();
@@ -29,13 +32,15 @@ void StrokeJoiner::run(const Scene& scene, const Ready& ready, drawing::Drawing&
     for (std::int64_t i = 0; i < found_.size(); ++i)
         keys_.push_back(drawing::far_first_key(found_[i].depth, static_cast<std::uint32_t>(i)));
     order_.sort(runtime_.parallel, keys_);
+    make_room(ready, drawing);
     for (const std::uint64_t key : keys_) {
         const Found& found = found_[static_cast<std::uint32_t>(key)];
         if (found.run < 0)
-            put(found.run == of_lines ? ready.lines : ready.hatching, found.begin, drawing);
+            put_stroke(ready.of(found.run), found.begin, drawing);
         else
             put(scene, found, drawing);
     }
+    put_points(ready, drawing);
     drawing::bin_segments(runtime_.parallel, drawing);
 }
 
@@ -43,12 +48,34 @@ void StrokeJoiner::find_ready(const LineStrokes& strokes, std::int32_t run) {
     for (std::int64_t i = 0; i < strokes.strokes.size(); ++i) found_.push_back({run, strokes.strokes[i].depth, i, 0});
 }
 
-void StrokeJoiner::put(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing) {
+void StrokeJoiner::make_room(const Ready& ready, drawing::Drawing& drawing) const {
+    std::int64_t points = 0;
+    for (const Found& found : found_)
+        points += found.run < 0 ? ready.of(found.run).strokes[found.begin].count : found.end - found.begin;
+    base::resize_scratch(drawing.points, points);
+    drawing.points.clear();
+}
+
+// Its points follow later.
+void StrokeJoiner::put_stroke(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing) {
     Stroke stroke = lines.strokes[number];
-    const std::int64_t first = stroke.first;
     stroke.first = drawing.points.size();
-    for (std::int64_t i = 0; i < stroke.count; ++i) drawing.points.push_back(lines.points[first + i]);
+    drawing.points.resize_for_overwrite(stroke.first + stroke.count);
     drawing.strokes.push_back(stroke);
+}
+
+// Of the strokes that were ready.
+void StrokeJoiner::put_points(const Ready& ready, drawing::Drawing& drawing) const {
+    runtime_.parallel.for_chunks(keys_.size(), strokes_of_work, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const Found& found = found_[static_cast<std::uint32_t>(keys_[i])];
+            if (found.run >= 0) continue;
+            const LineStrokes& own = ready.of(found.run);
+            const Stroke& stroke = drawing.strokes[i];
+            std::copy_n(own.points.data() + own.strokes[found.begin].first, stroke.count,
+                        drawing.points.data() + stroke.first);
+        }
+    });
 }
 
 void StrokeJoiner::find_joined(const Scene& scene, const drawing::Drawing& drawing) {

@@ -21,6 +21,7 @@ public:
     struct Ready {
         const LineStrokes& lines;
         const LineStrokes& hatching;
+        [[nodiscard]] const LineStrokes& of(std::int32_t run) const noexcept;
     };
 
     // And those that are ready, into the same order.
@@ -31,9 +32,11 @@ public:
     }
 
 private:
+    static constexpr std::int32_t of_lines = -1;
+    static constexpr std::int32_t of_hatching = -2;
     // A line before it is sorted: places in the order of its layer's marks along strokes.
     struct Found {
-        std::int32_t run; // -1: of lines, -2: of hatching, and `begin` is the stroke's number
+        std::int32_t run; // of_lines or of_hatching: `begin` is the stroke's number
         float depth;
         std::int64_t begin, end;
     };
@@ -41,7 +44,9 @@ private:
     void note_dots(const Run& run, std::uint32_t layer, const drawing::Drawing& drawing);
     void find_lines(const Run& run, std::int32_t number, const drawing::Drawing& drawing);
     void put(const Scene& scene, const Found& line, drawing::Drawing& drawing);
-    static void put(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing);
+    void make_room(const Ready& ready, drawing::Drawing& drawing) const;
+    static void put_stroke(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing);
+    void put_points(const Ready& ready, drawing::Drawing& drawing) const;
     void find_ready(const LineStrokes& strokes, std::int32_t run);
     void find_joined(const Scene& scene, const drawing::Drawing& drawing);
 

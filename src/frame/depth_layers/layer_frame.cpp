@@ -33,8 +33,8 @@ void find_color(const Scene& scene, drawing::Drawing& drawing) {
 } // namespace
 
 LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
-    : runtime_(runtime), gather_(runtime), hatch_points_(runtime), hatch_strokes_(runtime), layers_(runtime),
-      exact_(runtime.memory), joiner_(runtime) {}
+    : runtime_(runtime), gather_(runtime), hatch_points_(runtime), hatch_tiles_(runtime), hatch_strokes_(runtime),
+      layers_(runtime), exact_(runtime.memory), joiner_(runtime) {}
 
 void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing) {
     drawing.painting = drawing::Painting::transmittance;
@@ -42,11 +42,13 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& d
     base::Stopwatch watch;
     gather_.run(scene, drawing);
     drawing.counts = gather_.info();
+    const std::int64_t gathered = drawing.dot_pieces.size();
     hatch_points_.run(scene, gather_, drawing);
     drawing.counts.nanoseconds_classify = watch.nanoseconds();
 
     watch.restart();
-    bin_dots(scene, drawing);
+    bin_dots(scene, drawing.dot_pieces.span().first(static_cast<std::size_t>(gathered)), drawing);
+    hatch_tiles_.build(hatch_points_.batches(), drawing);
     drawing.counts.nanoseconds_sort = watch.nanoseconds();
 
     watch.restart();
@@ -59,14 +61,14 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& d
     drawing.counts.nanoseconds_sort += watch.nanoseconds();
 }
 
-void LayerFrame::bin_dots(const Scene& scene, drawing::Drawing& drawing) const {
+void LayerFrame::bin_dots(const Scene& scene, std::span<const Piece> pieces, drawing::Drawing& drawing) const {
     const glm::vec4& v = scene.lens.viewport;
     drawing.first_pixel = glm::ivec2(std::floor(v.x), std::floor(v.y));
     const auto left = static_cast<float>(drawing.first_pixel.x);
     const auto top = static_cast<float>(drawing.first_pixel.y);
     const auto width = static_cast<std::int32_t>(std::ceil(v.x + v.z - left));
     const auto height = static_cast<std::int32_t>(std::ceil(v.y + v.w - top));
-    drawing.dot_tiles.build(runtime_.parallel, width, height, drawing.dot_pieces.span(),
+    drawing.dot_tiles.build(runtime_.parallel, width, height, pieces,
                             [&](std::int64_t i, drawing::Tiles::Footprint& print) {
                                 const Dot& ink = drawing.dots[i];
                                 // One that just misses the picture belongs to the nearest tile, too.
@@ -84,7 +86,7 @@ void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
     std::int64_t inks = 0;
     for (const Piece& piece : drawing.dot_pieces) inks += piece.end - piece.begin;
     drawing.has_splats = std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& run) { return run.splats; });
-    drawing.dot_count = drawing.has_splats ? layers_.attenuate(drawing) : inks;
+    drawing.dot_count = drawing.has_splats ? layers_.attenuate(hatch_tiles_, drawing) : inks;
     if (std::any_of(scene.items.begin(), scene.items.end(), [](const ItemView& i) { return i.model != nullptr; }))
         drawing.dot_count -= exact_.attenuate(runtime_, scene, drawing.dots.span(), drawing.dot_pieces.span());
     drawing.counts.shown = drawing.dot_count;
@@ -92,8 +94,8 @@ void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
 }
 
 std::int64_t LayerFrame::bytes() const noexcept {
-    return gather_.bytes() + hatch_points_.bytes() + hatch_strokes_.bytes() + layers_.bytes() + exact_.bytes() +
-           joiner_.bytes();
+    return gather_.bytes() + hatch_points_.bytes() + hatch_tiles_.bytes() + hatch_strokes_.bytes() + layers_.bytes() +
+           exact_.bytes() + joiner_.bytes();
 }
 
 } // namespace hrbfnpr::frame

@@ -20,12 +20,14 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    void bin_dots(const Scene& scene, drawing::Drawing& drawing) const;
+    // All but those of hatching.
+    void bin_dots(const Scene& scene, std::span<const Piece> pieces, drawing::Drawing& drawing) const;
     void dim(const Scene& scene, drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;
     Gather gather_;
     HatchPoints hatch_points_;
+    HatchTiles hatch_tiles_;
     HatchStrokes hatch_strokes_;
     DepthLayers layers_;
     ExactVisibility exact_;

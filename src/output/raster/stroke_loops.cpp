@@ -221,8 +221,10 @@ void lay_outline(const Target& t, const Outline& outline, const Shade& shade, co
     if (outline.count == 0) return;
     Edges edges;
     find_edges(outline, t.tile.height, edges);
-    t.spans.top = edges.top < t.spans.top ? edges.top : t.spans.top;
-    t.spans.bottom = edges.bottom > t.spans.bottom ? edges.bottom : t.spans.bottom;
+    if (!t.at_once) {
+        t.spans.top = edges.top < t.spans.top ? edges.top : t.spans.top;
+        t.spans.bottom = edges.bottom > t.spans.bottom ? edges.bottom : t.spans.bottom;
+    }
     Row row;
     row.edge_count = 0;
     for (std::int32_t y = edges.top; y < edges.bottom; ++y) {
@@ -249,8 +251,6 @@ HWY_INLINE Shade shade_of(const SegmentList& list, const drawing::StrokePoint& a
 }
 
 HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
-    spans.top = t.height;
-    spans.bottom = 0;
     for (std::int32_t y = 0; y < t.height; ++y) {
         spans.left[y] = t.width;
         spans.right[y] = 0;
@@ -269,6 +269,7 @@ HWY_INLINE bool lay_segments(Target& t, const SegmentList& list) {
         Shade shade = shade_of(list, p[0], p[1]);
         if (segments > 1) shade.more_opacity = 0.0F;
         t.at_once = t.even && !single && segments == list.count;
+        if (i == 0 && !t.at_once) clear_spans(t.tile, t.spans);
         lay_outline(t, outline, shade, list.color);
         i += segments;
     }
@@ -358,7 +359,8 @@ HWY_INLINE bool has_one_opacity(const SegmentList& list) {
 void lay(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes) {
     if (list.count == 0) return;
     Spans spans;
-    clear_spans(tile, spans);
+    spans.top = tile.height;
+    spans.bottom = 0;
     const float opacity = list.points[list.numbers[0]].opacity;
     Target target{tile, planes, spans, has_one_opacity(list), opacity * list.color[3], false};
     const bool apart = !may_overlap(list);

@@ -83,43 +83,45 @@ private:
         for_dots(tile, [&](std::span<const std::uint32_t> numbers) { lay_dots(numbers, target, first); });
     }
 
-    // Strokes among the dots, far to near.
+    // Strokes among the dots, far to near; where all ink has one colour the order does not matter.
     void draw_all(std::int64_t tile, const DiscTile& target, const glm::ivec2& first) {
         numbers_.clear();
-        for_dots(tile, [&](std::span<const std::uint32_t> numbers) {
-            for (const std::uint32_t number : numbers) numbers_.push_back(number);
-        });
+        if (!drawing_.one_color)
+            for_dots(tile, [&](std::span<const std::uint32_t> numbers) {
+                for (const std::uint32_t number : numbers) numbers_.push_back(number);
+            });
         const std::int64_t dots = numbers_.size();
         drawing_.segment_tiles.for_tile(tile, [&](std::uint32_t segment) { numbers_.push_back(segment); });
         std::int64_t laid = 0; // of the dots
+        const Stroke* stroke = drawing_.strokes.begin();
         for (std::int64_t i = dots; i < numbers_.size();) {
-            const Stroke& stroke = stroke_of(numbers_[i]);
+            stroke = stroke_of(numbers_[i], stroke);
             std::int64_t end = i;
-            while (end < numbers_.size() && numbers_[end] < stroke.first + stroke.count) ++end;
+            while (end < numbers_.size() && numbers_[end] < stroke->first + stroke->count) ++end;
             std::int64_t before = laid;
-            while (!drawing_.one_color && before < dots && drawing_.dots[numbers_[before]].depth > stroke.depth)
-                ++before;
+            while (before < dots && drawing_.dots[numbers_[before]].depth > stroke->depth) ++before;
             lay_dots(part(laid, before), target, first);
             laid = before;
             stroke_loops_.lay(target,
-                              {drawing_.points.data(), &stroke, numbers_.data() + i, end - i,
+                              {drawing_.points.data(), stroke, numbers_.data() + i, end - i,
                                static_cast<float>(first.x), static_cast<float>(first.y),
-                               colors_ + 4 * std::int64_t{stroke.layer}, toward()},
+                               colors_ + 4 * std::int64_t{stroke->layer}, toward()},
                               stroke_planes_);
             i = end;
         }
         lay_dots(part(laid, dots), target, first);
+        if (drawing_.one_color) draw_dots(tile, target, first);
     }
 
     [[nodiscard]] std::span<const std::uint32_t> part(std::int64_t begin, std::int64_t end) const noexcept {
         return numbers_.span().subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
     }
 
-    // That of a segment.
-    [[nodiscard]] const Stroke& stroke_of(std::uint32_t segment) const noexcept {
-        return *(std::upper_bound(drawing_.strokes.begin(), drawing_.strokes.end(), std::int64_t{segment},
-                                  [](std::int64_t at, const Stroke& s) { return at < s.first; }) -
-                 1);
+    // That of a segment; it is none before `from`.
+    [[nodiscard]] const Stroke* stroke_of(std::uint32_t segment, const Stroke* from) const noexcept {
+        return std::upper_bound(from, drawing_.strokes.end(), std::int64_t{segment},
+                                [](std::int64_t at, const Stroke& s) { return at < s.first; }) -
+               1;
     }
 
     // Where column 0 of the image's row y is, or would be, in a plane of the tile.
@@ -256,7 +258,7 @@ private:
     void note_strokes(std::int64_t tile, const Note& note) const {
         if (drawing_.strokes.empty()) return;
         drawing_.segment_tiles.for_tile(tile, [&](std::uint32_t i) {
-            const Stroke& stroke = stroke_of(i);
+            const Stroke& stroke = *stroke_of(i, drawing_.strokes.begin());
             const StrokePoint& a = drawing_.points[i];
             const StrokePoint& b = drawing_.points[std::int64_t{i} + 1];
             const drawing::SegmentEnds ends = drawing::ends_of(stroke, i);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Which points of hatching lie in each tile of a picture.  They follow each other along lines, so that many of them are
+// one entry.
+#pragma once
+
+#include "frame/depth_layers/hatch_points.h"
+
+namespace hrbfnpr::frame {
+
+class HatchTiles {
+public:
+    explicit HatchTiles(const base::Runtime& runtime) noexcept
+        : runtime_(runtime), parts_(runtime.memory), offsets_(runtime.memory), runs_(runtime.memory) {}
+
+    // Each point belongs to one tile, that which Tiles::own_extent() of the drawing's dots says.
+    void build(std::span<const HatchPoints::Batch> batches, const drawing::Drawing& drawing);
+
+    // Calls f(number) for the tile's dots, in ascending order.
+    template <class F>
+    void for_tile(std::int64_t tile, const F& f) const {
+        for (std::int64_t i = offsets_[tile]; i < offsets_[tile + 1]; ++i)
+            for (std::int64_t dot = runs_[i].begin; dot < runs_[i].end; ++dot) f(dot);
+    }
+
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+
+private:
+    // Dots that follow each other.
+    struct DotRun {
+        std::int64_t tile, begin, end;
+    };
+
+    static void cut(const HatchPoints::Batch& batch, const drawing::Drawing& drawing, base::Array<DotRun>& runs);
+
+    const base::Runtime& runtime_;
+    base::List<base::Array<DotRun>> parts_; // of each batch
+    base::Array<std::int64_t> offsets_;     // of each tile's runs, and the end
+    base::Array<DotRun> runs_;
+};
+
+} // namespace hrbfnpr::frame
