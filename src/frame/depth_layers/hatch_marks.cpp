@@ -219,6 +219,8 @@ void HatchMarks::expect(const marks::StrokePiece& piece) const noexcept {
     base::prefetch(run_.normal + first, count);
     if (run_.has_tone_normals() && run_.normal == layer.normal.data())
         base::prefetch(layer.tone_normal.data() + first, count);
+    base::prefetch(layer.level.data() + piece.first, piece.count);
+    if (!layer.clusters.gap.empty()) base::prefetch(layer.clusters.gap.data() + piece.first, piece.count);
 }
 
 HatchRows HatchMarks::load(HatchStroke& seen) const {
@@ -415,15 +417,14 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
     const std::int64_t count = seen.number.size();
     const float* const near = rows[HatchRow::near];
     const float* const leg = rows[HatchRow::leg];
-    const auto near_ones =
-        static_cast<std::int64_t>(std::count_if(near, near + count, [](float margin) { return margin >= 0.0F; }));
+    const auto is_near = [](float margin) { return margin >= 0.0F; };
     seen.mark.clear();
-    if (near_ones == 0) return;
+    if (std::none_of(near, near + count, is_near)) return;
     const bool all = has_hand();
-    base::resize_scratch(seen.mark, (all ? count : near_ones) + (seen.closed ? 1 : 0));
+    base::resize_scratch(seen.mark, count + 1); // room for all of them
     HatchMark* to = seen.mark.data();
     float way = 0.0F;
-    const auto is_kept = [&](std::int64_t i) { return all || near[i] >= 0.0F; };
+    const auto is_kept = [&](std::int64_t i) { return all || is_near(near[i]); };
     for (std::int64_t i = 0; i < count;) {
         std::int64_t first = i;
         while (i < count && !is_kept(i)) ++i;
@@ -435,9 +436,11 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
         to->way += std::exchange(way, 0.0F);
         to += i - first;
     }
-    if (!seen.closed) return;
-    seen.mark[0].way += way;
-    *to = seen.mark[0];
+    if (seen.closed) {
+        seen.mark[0].way += way;
+        *to++ = seen.mark[0];
+    }
+    seen.mark.resize(to - seen.mark.data());
 }
 
 } // namespace hrbfnpr::frame

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame/depth_layers/hatch_strokes.h"
 
-#include "base/scratch.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -248,26 +246,8 @@ void make_strokes(const LayerStyle& style, float halo, const HatchPart& from, st
 
 } // namespace
 
-// The strokes of all parts, in their order.
-void HatchStrokes::append(std::int64_t parts) {
-    std::int64_t count = 0;
-    strokes_.strokes.clear();
-    for (std::int64_t i = 0; i < parts; ++i) {
-        parts_[i].first_point = count;
-        for (Stroke stroke : parts_[i].made.strokes) {
-            stroke.first += count;
-            strokes_.strokes.push_back(stroke);
-        }
-        count += parts_[i].made.points.size();
-    }
-    base::resize_scratch(strokes_.points, count);
-    runtime_.parallel.for_each(parts, [&](std::int64_t i) {
-        const base::Array<StrokePoint>& points = parts_[i].made.points;
-        std::copy(points.begin(), points.end(), strokes_.points.data() + parts_[i].first_point);
-    });
-}
-
-const LineStrokes& HatchStrokes::run(const Scene& scene, const HatchPoints& points, drawing::Drawing& drawing) {
+std::span<const HatchStrokePart> HatchStrokes::run(const Scene& scene, const HatchPoints& points,
+                                                   drawing::Drawing& drawing) {
     const std::span<const HatchPoints::Batch> batches = points.batches();
     const auto count = static_cast<std::int64_t>(batches.size());
     while (parts_.size() < count) parts_.add(runtime_.memory);
@@ -285,12 +265,11 @@ const LineStrokes& HatchStrokes::run(const Scene& scene, const HatchPoints& poin
         drawing.counts.shown += part.shown - part.seen;
         drawing.counts.dropped_hidden += part.hidden - (dots - part.seen);
     }
-    append(count);
-    return strokes_;
+    return {parts_.begin(), batches.size()};
 }
 
 std::int64_t HatchStrokes::bytes() const noexcept {
-    std::int64_t sum = parts_.bytes() + strokes_.strokes.bytes() + strokes_.points.bytes();
+    std::int64_t sum = parts_.bytes();
     for (const HatchStrokePart& part : parts_) sum += part.bytes();
     return sum;
 }

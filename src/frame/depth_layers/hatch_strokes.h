@@ -13,7 +13,6 @@ struct HatchStrokePart {
 
     LineStrokes made;
     base::Array<float> length;          // of each point of a span from its first one, pixels
-    std::int64_t first_point = 0;       // among those of all batches
     std::int64_t seen = 0;              // dots
     std::int64_t shown = 0, hidden = 0; // marks
 
@@ -24,20 +23,17 @@ struct HatchStrokePart {
 
 class HatchStrokes {
 public:
-    explicit HatchStrokes(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), parts_(runtime.memory), strokes_(runtime.memory) {}
+    explicit HatchStrokes(const base::Runtime& runtime) noexcept : runtime_(runtime), parts_(runtime.memory) {}
 
-    // The dots are not drawn any more.  Corrects the drawing's counts, where they were taken for marks.
-    const LineStrokes& run(const Scene& scene, const HatchPoints& points, drawing::Drawing& drawing);
+    // Strokes of each batch.  The dots are not drawn any more.  Corrects the drawing's counts, where they were taken
+    // for marks.
+    std::span<const HatchStrokePart> run(const Scene& scene, const HatchPoints& points, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    void append(std::int64_t parts);
-
     const base::Runtime& runtime_;
     base::List<HatchStrokePart> parts_;
-    LineStrokes strokes_; // of all batches
 };
 
 } // namespace hrbfnpr::frame

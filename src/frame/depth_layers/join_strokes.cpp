@@ -18,15 +18,16 @@ constexpr std::int64_t strokes_of_work = 256;
 
 } // namespace
 
-const LineStrokes& StrokeJoiner::Ready::of(std::int32_t run) const noexcept {
-    return run == of_lines ? lines : hatching;
+const LineStrokes& StrokeJoiner::list_of(const Ready& ready, const Found& found) noexcept {
+    return found.run == of_lines ? ready.lines : ready.hatching[static_cast<std::size_t>(found.end)].made;
 }
 
 void StrokeJoiner::run(const Scene& scene, const Ready& ready, drawing::Drawing& drawing) {
     found_.clear();
     find_joined(scene, drawing);
-    find_ready(ready.lines, of_lines);
-    find_ready(ready.hatching, of_hatching);
+    find_ready(ready.lines, of_lines, 0);
+    for (std::size_t part = 0; part < ready.hatching.size(); ++part)
+        find_ready(ready.hatching[part].made, of_hatching, static_cast<std::int64_t>(part));
     if (found_.empty()) return;
     keys_.clear();
     for (std::int64_t i = 0; i < found_.size(); ++i)
@@ -36,7 +37,7 @@ void StrokeJoiner::run(const Scene& scene, const Ready& ready, drawing::Drawing&
     for (const std::uint64_t key : keys_) {
         const Found& found = found_[static_cast<std::uint32_t>(key)];
         if (found.run < 0)
-            put_stroke(ready.of(found.run), found.begin, drawing);
+            put_stroke(list_of(ready, found).strokes[found.begin], drawing);
         else
             put(scene, found, drawing);
     }
@@ -44,21 +45,21 @@ void StrokeJoiner::run(const Scene& scene, const Ready& ready, drawing::Drawing&
     drawing::bin_segments(runtime_.parallel, drawing);
 }
 
-void StrokeJoiner::find_ready(const LineStrokes& strokes, std::int32_t run) {
-    for (std::int64_t i = 0; i < strokes.strokes.size(); ++i) found_.push_back({run, strokes.strokes[i].depth, i, 0});
+void StrokeJoiner::find_ready(const LineStrokes& strokes, std::int32_t run, std::int64_t part) {
+    for (std::int64_t i = 0; i < strokes.strokes.size(); ++i)
+        found_.push_back({run, strokes.strokes[i].depth, i, part});
 }
 
 void StrokeJoiner::make_room(const Ready& ready, drawing::Drawing& drawing) const {
     std::int64_t points = 0;
     for (const Found& found : found_)
-        points += found.run < 0 ? ready.of(found.run).strokes[found.begin].count : found.end - found.begin;
+        points += found.run < 0 ? list_of(ready, found).strokes[found.begin].count : found.end - found.begin;
     base::resize_scratch(drawing.points, points);
     drawing.points.clear();
 }
 
 // Its points follow later.
-void StrokeJoiner::put_stroke(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing) {
-    Stroke stroke = lines.strokes[number];
+void StrokeJoiner::put_stroke(Stroke stroke, drawing::Drawing& drawing) {
     stroke.first = drawing.points.size();
     drawing.points.resize_for_overwrite(stroke.first + stroke.count);
     drawing.strokes.push_back(stroke);
@@ -70,7 +71,7 @@ void StrokeJoiner::put_points(const Ready& ready, drawing::Drawing& drawing) con
         for (std::int64_t i = begin; i < end; ++i) {
             const Found& found = found_[static_cast<std::uint32_t>(keys_[i])];
             if (found.run >= 0) continue;
-            const LineStrokes& own = ready.of(found.run);
+            const LineStrokes& own = list_of(ready, found);
             const Stroke& stroke = drawing.strokes[i];
             std::copy_n(own.points.data() + own.strokes[found.begin].first, stroke.count,
                         drawing.points.data() + stroke.first);

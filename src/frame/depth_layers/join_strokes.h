@@ -4,7 +4,7 @@
 
 #include "base/runtime.h"
 #include "drawing/far_to_near.h"
-#include "frame/scene/line_strokes.h"
+#include "frame/depth_layers/hatch_strokes.h"
 #include "frame/scene/scene.h"
 
 namespace hrbfnpr::frame {
@@ -17,11 +17,10 @@ public:
         : runtime_(runtime), dot_of_(runtime.memory), found_(runtime.memory), keys_(runtime.memory),
           order_(runtime.memory) {}
 
-    // Strokes that are ready, in two lists.
+    // Strokes that are ready.
     struct Ready {
         const LineStrokes& lines;
-        const LineStrokes& hatching;
-        [[nodiscard]] const LineStrokes& of(std::int32_t run) const noexcept;
+        std::span<const HatchStrokePart> hatching;
     };
 
     // And those that are ready, into the same order.
@@ -36,7 +35,7 @@ private:
     static constexpr std::int32_t of_hatching = -2;
     // A line before it is sorted: places in the order of its layer's marks along strokes.
     struct Found {
-        std::int32_t run; // of_lines or of_hatching: `begin` is the stroke's number
+        std::int32_t run; // of_lines or of_hatching: `begin` is the stroke's number, and `end` that of its part
         float depth;
         std::int64_t begin, end;
     };
@@ -45,9 +44,10 @@ private:
     void find_lines(const Run& run, std::int32_t number, const drawing::Drawing& drawing);
     void put(const Scene& scene, const Found& line, drawing::Drawing& drawing);
     void make_room(const Ready& ready, drawing::Drawing& drawing) const;
-    static void put_stroke(const LineStrokes& lines, std::int64_t number, drawing::Drawing& drawing);
+    [[nodiscard]] static const LineStrokes& list_of(const Ready& ready, const Found& found) noexcept;
+    static void put_stroke(drawing::Stroke stroke, drawing::Drawing& drawing);
     void put_points(const Ready& ready, drawing::Drawing& drawing) const;
-    void find_ready(const LineStrokes& strokes, std::int32_t run);
+    void find_ready(const LineStrokes& strokes, std::int32_t run, std::int64_t part);
     void find_joined(const Scene& scene, const drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;

@@ -56,7 +56,7 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& d
     drawing.counts.nanoseconds_visibility = watch.nanoseconds();
 
     watch.restart();
-    const LineStrokes& hatching = hatch_strokes_.run(scene, hatch_points_, drawing);
+    const std::span<const HatchStrokePart> hatching = hatch_strokes_.run(scene, hatch_points_, drawing);
     joiner_.run(scene, {lines, hatching}, drawing);
     drawing.counts.nanoseconds_sort += watch.nanoseconds();
 }

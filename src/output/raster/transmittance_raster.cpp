@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/raster/transmittance_raster.h"
 
+#include "base/prefetch.h"
 #include "drawing/segments.h"
 #include "output/raster/pixels.h"
 #include "output/raster/rects.h"
@@ -22,6 +23,7 @@ using drawing::StrokePoint;
 constexpr std::int32_t side = drawing::tile_size;
 constexpr std::int32_t stride = side + 16; // vectors may run over a row's end
 constexpr std::int64_t plane = std::int64_t{stride} * side;
+constexpr std::int64_t points_ahead = 10; // of the next stroke in a tile
 enum Plane : std::int64_t { transmittance, red, green, blue, host, cover, ink, planes };
 
 // What a worker writes to.
@@ -98,6 +100,7 @@ private:
             stroke = stroke_of(numbers_[i], stroke);
             std::int64_t end = i;
             while (end < numbers_.size() && numbers_[end] < stroke->first + stroke->count) ++end;
+            if (end < numbers_.size()) base::prefetch(drawing_.points.data() + numbers_[end], points_ahead);
             std::int64_t before = laid;
             while (before < dots && drawing_.dots[numbers_[before]].depth > stroke->depth) ++before;
             lay_dots(part(laid, before), target, first);
