@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Normals of points without any: how many are right, how far their directions are off, and how long it takes.
 //
-//   bench_orient [--models=DIR] [--named=TEXT] [--only=clean,noisy,times] [--large]
+//   bench_orient [--models=DIR] [--named=TEXT] [--only=clean,noisy,times] [--noise=0.01] [--large]
 //
 // Clouds are those of orient_shapes.h and, with --models, the PLY files of a folder that have normals, which are
 // dropped.  Of open sheets the sign of the whole is a rule's, not the surface's: where it is, the better sign counts.
@@ -27,6 +27,7 @@ struct Options {
     std::string models;
     std::string named;
     std::string only = "clean,noisy,times";
+    double noise = 0.01; // diagonals
     bool large = false;
 };
 
@@ -41,6 +42,8 @@ Options options_of(int count, char** words) {
             options.named = value("--named=");
         else if (word.rfind("--only=", 0) == 0)
             options.only = value("--only=");
+        else if (word.rfind("--noise=", 0) == 0)
+            options.noise = std::stod(value("--noise="));
         else if (word == "--large")
             options.large = true;
         else
@@ -159,7 +162,7 @@ int main(int count, char** words) {
     }
     const std::vector<NamedCloud> clouds = clouds_of(options);
     if (wants("clean")) measure(context, clouds, 0.0);
-    if (wants("noisy")) measure(context, clouds, 0.01);
+    if (wants("noisy")) measure(context, clouds, options.noise);
     if (wants("times")) measure_time(context, "50k", 50000);
     if (wants("times") && options.large) measure_time(context, "1m", 1000000);
     hrbfnpr_context_release(context);

@@ -23,6 +23,8 @@ constexpr double first_ridge = 10.0;
 constexpr double factor = 3.1622776601683795;
 constexpr int most_ridges = 11;
 
+// Fewer places get more starts: by three of them rivals may be missed.
+constexpr std::int64_t few = 1500;
 constexpr std::int64_t fewest_to_measure = 48;
 constexpr std::int64_t patch_size = 2048;
 constexpr int patches = 3;
@@ -48,7 +50,9 @@ struct Patch {
                              const base::Array<std::int64_t>& rank, const base::Progress& progress) {
     const base::Progress unseen = progress.part(0.0, 0.0);
     const Near near(runtime, tree, 32, progress);
-    const LeastEnergy clean = least_energy(runtime, tree, rank, near, 0.0, nullptr, {2, true, true}, unseen);
+    LeastEnergy clean = least_energy(runtime, tree, rank, near, 0.0, nullptr, {2, true, true}, unseen);
+    if (clean.energy < clean_below) return {};
+    if (tree.size() < few) clean = least_energy(runtime, tree, rank, near, 0.0, nullptr, {6, true, true}, unseen);
     const bool clear = clean.rival > noisy_rival;
     if (clean.energy < clean_below || (clean.energy > no_order_above && clear)) return {};
     LeastEnergy fitted(runtime.memory);

@@ -2,6 +2,7 @@
 #include "orient/normals_of_cloud.h"
 
 #include "geometry/farthest_order.h"
+#include "orient/ridge_path.h"
 
 #include <algorithm>
 #include <array>
@@ -24,11 +25,17 @@ constexpr std::size_t blended = 4; // means that a point's normal is made of
 
 // Fewer starts of more places.
 constexpr std::int64_t few = 6000;
+// Noisy ones with no more are fitted with several ridges.
+constexpr std::int64_t few_for_path = 2000;
 constexpr std::int64_t many = 150000;
+
+constexpr Effort path_effort{3, false, true};
 
 // Energies: see noise.cpp.
 constexpr double sure_below = 0.012;
 constexpr double no_order = 0.03;
+// Share of signs that change with the ridge: with more there is no confidence.
+constexpr double unsteady = 0.06;
 
 [[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
     if (count <= few) return {6, true, true};
@@ -46,10 +53,27 @@ constexpr double softer = 0.125;
     return 2.0 * share_alike(fitted.normal, other.normal) - 1.0;
 }
 
-[[nodiscard]] double confidence_of(const LeastEnergy& fitted, double noise) noexcept {
-    const double order = std::clamp((no_order - fitted.energy) / (no_order - sure_below), 0.0, 1.0);
+[[nodiscard]] double confidence_of(const LeastEnergy& fitted, double energy, double noise) noexcept {
+    const double order = std::clamp((no_order - energy) / (no_order - sure_below), 0.0, 1.0);
     const double agreement = std::clamp(fitted.agreement, 0.0, 1.0);
     return agreement * agreement * order * std::exp(-1.5 * noise * noise);
+}
+
+// Fits the cloud as its noise calls for.
+void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
+         CloudNormals& result, const base::Progress& progress) {
+    if (noise.ridge == 0.0 || cloud.size() > few_for_path) {
+        result.fitted = least_energy(runtime, *cloud.tree, cloud.rank, near, noise.ridge, given,
+                                     effort_for(cloud.size()), progress);
+        result.confidence = confidence_of(result.fitted, result.fitted.energy, noise.deviation) *
+                            sign_stability(runtime, cloud, near, result.fitted, noise.ridge, progress);
+        return;
+    }
+    RidgeFit found = follow_ridges(runtime, cloud, near, noise.ridge, given, path_effort, progress);
+    result.confidence = confidence_of(found.fitted, found.roughest, noise.deviation) *
+                        std::max(0.0, 1.0 - (1.0 - found.steadiness) / unsteady);
+    smooth_directions(runtime, *cloud.tree, near, found.fitted.normal);
+    result.fitted = std::move(found.fitted);
 }
 
 // The points nearest to each of the first places of the farthest-first order become their mean.
@@ -110,10 +134,7 @@ CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, 
     progress.update(0.1);
     result.noise = noise.deviation;
     if (noise.deviation <= noisiest || cloud.size() <= fewest_to_reduce) {
-        result.fitted = least_energy(runtime, *cloud.tree, cloud.rank, near, noise.ridge, given,
-                                     effort_for(cloud.size()), progress.part(0.1, 1.0));
-        result.confidence = confidence_of(result.fitted, noise.deviation) *
-                            sign_stability(runtime, cloud, near, result.fitted, noise.ridge, progress);
+        fit(runtime, cloud, near, noise, given, result, progress.part(0.1, 1.0));
         return result;
     }
     Cloud means(runtime.memory);
@@ -135,13 +156,9 @@ CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, 
                     static_cast<long long>(means.size()), noise.deviation);
     }
     const Near near_means(runtime, *means.tree, neighbours, progress);
-    LeastEnergy fitted = least_energy(runtime, *means.tree, means.rank, near_means, noise.ridge, nullptr,
-                                      effort_for(means.size()), progress.part(0.2, 0.95));
-    result.confidence = confidence_of(fitted, noise.deviation) *
-                        sign_stability(runtime, means, near_means, fitted, noise.ridge, progress);
-    result.fitted.normal = spread(runtime, cloud, means, fitted.normal);
-    result.fitted.energy = fitted.energy;
-    result.fitted.agreement = fitted.agreement;
+    fit(runtime, means, near_means, noise, nullptr, result, progress.part(0.2, 0.95));
+    result.fitted.normal = spread(runtime, cloud, means, result.fitted.normal);
+    result.fitted.form.reset(); // it is the means'
     progress.update(1.0);
     return result;
 }

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "orient/ridge_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::orient {
+namespace {
+
+using geometry::VecArray;
+
+constexpr double first_ridge = 1.0;
+constexpr double factor = 3.1622776601683795;
+// With less energy per degree of freedom the ridge is high enough for the signs.
+constexpr double trusted_below = 0.0095;
+// ... and the directions are smooth.
+constexpr double settled_below = 0.004;
+// Share of equal signs.
+constexpr double same_signs = 0.97;
+constexpr double reach = 1.5; // spacings
+
+} // namespace
+
+RidgeFit follow_ridges(const base::Runtime& runtime, const Cloud& cloud, const Near& near, double most,
+                       const VecArray* given, const Effort& effort, const base::Progress& progress) {
+    const base::Progress unseen = progress.part(0.0, 0.0);
+    RidgeFit best{least_energy(runtime, *cloud.tree, cloud.rank, near, first_ridge, given, effort, unseen)};
+    best.roughest = best.fitted.energy;
+    double ridge = first_ridge;
+    const auto next_fit = [&](const LeastEnergy& last) {
+        progress.update(std::log(ridge) / std::log(factor * most));
+        ridge *= factor;
+        return least_energy(runtime, *cloud.tree, cloud.rank, near, ridge, &last.normal, {2, false, false}, unseen);
+    };
+    const auto ends = [&](const LeastEnergy& last) {
+        return last.energy < settled_below || ridge * factor > 1.01 * most;
+    };
+    while (best.fitted.energy > trusted_below && !ends(best.fitted)) best.fitted = next_fit(best.fitted);
+    LeastEnergy last(runtime.memory);
+    for (const LeastEnergy* before = &best.fitted; !ends(*before); before = &last) {
+        last = next_fit(*before);
+        const double alike = share_alike(last.normal, best.fitted.normal);
+        best.steadiness = std::min(best.steadiness, alike);
+        runtime.log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f, signs alike %.3f", ridge, last.energy,
+                    alike);
+        if (alike < same_signs) return best;
+    }
+    if (last.form != nullptr) best.fitted = std::move(last);
+    progress.update(1.0);
+    return best;
+}
+
+void smooth_directions(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
+                       VecArray& normal) {
+    VecArray smooth(runtime.memory, tree.size());
+    runtime.parallel.for_chunks(tree.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t at = begin; at < end; ++at) {
+            const glm::dvec3 own = normal[at];
+            glm::dvec3 sum = own;
+            for (const std::int32_t other : near.of(at)) {
+                const glm::dvec3 between = tree.points()[other] - tree.points()[at];
+                const double alike = glm::dot(own, normal[other]);
+                if (alike > 0.0)
+                    sum += alike * std::exp(-0.5 * glm::dot(between, between) / (reach * reach)) * normal[other];
+            }
+            smooth.set(at, glm::normalize(sum));
+        }
+    });
+    normal = std::move(smooth);
+}
+
+} // namespace hrbfnpr::orient
