@@ -123,9 +123,18 @@ private:
         sink_.end_group();
     }
 
+    // The radius of a disc with as much ink as the raster's dot, whose rim falls off over a pixel: it covers
+    // pi (r^2 + 1 / 12) pixels, and tone goes by that.  Less than half a pixel is drawn that large, and paler.
+    [[nodiscard]] static double radius_of(const Dot& dot) noexcept {
+        constexpr double smallest = static_cast<double>(drawing::smallest_radius);
+        const double radius = std::max(static_cast<double>(dot.radius), smallest);
+        const double paler = std::min(static_cast<double>(dot.radius) / smallest, 1.0);
+        return paler * std::sqrt(radius * radius + 1.0 / 12.0);
+    }
+
     void add_dot(const Dot& dot) {
-        sink_.dot({x_of(dot.x), y_of(dot.y), placement_.scale * static_cast<double>(dot.radius),
-                   static_cast<double>(dot.opacity), (dot.flags & drawing::dot_is_paper) != 0});
+        sink_.dot({x_of(dot.x), y_of(dot.y), placement_.scale * radius_of(dot), static_cast<double>(dot.opacity),
+                   (dot.flags & drawing::dot_is_paper) != 0});
     }
 
     // In the order in which they cover each other.                                              [NPAR 6.1]
