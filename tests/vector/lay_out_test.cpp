@@ -3,9 +3,12 @@
 #include "output/vector/lay_out.h"
 
 #include "output/vector/line_types.h"
-#include "recorder.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "base/runtime.h"
 
@@ -17,6 +20,47 @@ using drawing::MarkClass;
 using output::LineType;
 using output::PagePath;
 using output::PagePoint;
+
+// Keeps what it is given.
+struct Part {
+    std::vector<output::PagePoint> points;
+    drawing::Cap begin, end;
+    bool closed;
+    double opacity;
+
+    [[nodiscard]] double length() const {
+        double sum = 0.0;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            sum += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
+        return sum;
+    }
+};
+
+struct KeptGroup {
+    output::PageGroup group;
+    std::vector<Part> paths;
+    std::vector<output::PageDot> dots;
+    std::vector<std::string> texts;
+};
+
+class Groups final : public output::PageSink {
+public:
+    void begin_view(const output::PageView& view) override { views.push_back(view); }
+    void begin_group(const output::PageGroup& group) override { groups.push_back({group, {}, {}, {}}); }
+    void path(const output::PagePath& path) override {
+        groups.back().paths.push_back(
+            {{path.points.begin(), path.points.end()}, path.begin, path.end, path.closed, path.opacity});
+    }
+    void dot(const output::PageDot& dot) override { groups.back().dots.push_back(dot); }
+    void text(const output::PageText& text) override { groups.back().texts.emplace_back(text.text); }
+    void end_group() override {}
+    void end_view() override {}
+    void finish() override { finished = true; }
+
+    std::vector<output::PageView> views;
+    std::vector<KeptGroup> groups;
+    bool finished = false;
+};
 
 class LayOut : public ::testing::Test {
 protected:
@@ -47,7 +91,7 @@ protected:
 
     base::Memory memory;
     drawing::Drawing picture{memory};
-    Recorder page;
+    Groups page;
 };
 
 TEST_F(LayOut, PutsLayersIntoGroupsHiddenOnesFirst) {
@@ -60,7 +104,7 @@ TEST_F(LayOut, PutsLayersIntoGroupsHiddenOnesFirst) {
     EXPECT_STREQ(page.groups[1].group.name, "contour");
     EXPECT_STREQ(page.groups[2].group.name, "contour 2");
     ASSERT_EQ(page.groups[1].paths.size(), 1U);
-    const KeptPath& path = page.groups[1].paths[0];
+    const Part& path = page.groups[1].paths[0];
     EXPECT_EQ(path.points.size(), 3U);
     EXPECT_DOUBLE_EQ(path.points[0].x, 10.0); // 5 + (110 - 100) / 2
     EXPECT_DOUBLE_EQ(path.points[0].y, 17.0);
@@ -74,7 +118,7 @@ TEST_F(LayOut, PutsLayersIntoGroupsHiddenOnesFirst) {
 TEST_F(LayOut, CutsStrokesWhereTheirOpacityChanges) {
     add(0, 0, {1.0F, 1.0F, 0.99F, 0.5F, 0.5F, 0.0F, 0.0F, 0.0F});
     lay_out();
-    const std::vector<KeptPath>& paths = page.groups[0].paths;
+    const std::vector<Part>& paths = page.groups[0].paths;
     ASSERT_EQ(paths.size(), 4U); // what cannot be seen is left out
     EXPECT_EQ(paths[0].points.size(), 3U);
     EXPECT_EQ(paths[0].begin, Cap::pointed);
@@ -102,9 +146,9 @@ TEST_F(LayOut, TakesTheLastPenThatFits) {
     EXPECT_DOUBLE_EQ(page.groups[2].group.pen_width, 0.7);
 }
 
-std::vector<KeptPath> dashed(std::uint32_t type, const std::vector<PagePoint>& line, bool closed = false) {
+std::vector<Part> dashed(std::uint32_t type, const std::vector<PagePoint>& line, bool closed = false) {
     base::Memory memory;
-    Recorder found;
+    Groups found;
     output::LineTypes types(memory, found);
     output::PageGroup group;
     group.pen_width = 0.5;
@@ -120,11 +164,11 @@ std::vector<KeptPath> dashed(std::uint32_t type, const std::vector<PagePoint>& l
 
 TEST(LineTypes, BeginAndEndWithADash) {
     const std::vector<PagePoint> line{{0, 0, 0.25}, {30, 0, 0.25}, {30, 73, 0.25}};
-    const std::vector<KeptPath> dashes = dashed(2, line); // of 6 mm, gaps of 1.5 mm
+    const std::vector<Part> dashes = dashed(2, line); // of 6 mm, gaps of 1.5 mm
     ASSERT_EQ(dashes.size(), 14U);
     EXPECT_DOUBLE_EQ(dashes.front().points.front().x, 0.0);
     EXPECT_NEAR(dashes.back().points.back().y, 73.0, 1e-9);
-    for (const KeptPath& dash : dashes) {
+    for (const Part& dash : dashes) {
         EXPECT_NEAR(dash.length(), dashes.front().length(), 1e-9);
         EXPECT_NEAR(dash.length(), 6.0, 0.2);
         EXPECT_EQ(dash.begin, Cap::flat);
@@ -133,7 +177,7 @@ TEST(LineTypes, BeginAndEndWithADash) {
 
 TEST(LineTypes, HaveDotsAndGoRound) {
     const std::vector<PagePoint> square{{0, 0, 1}, {50, 0, 1}, {50, 50, 1}, {0, 50, 1}, {0, 0, 1}};
-    const std::vector<KeptPath> found = dashed(4, square, true); // 12, 0.25 by turns
+    const std::vector<Part> found = dashed(4, square, true); // 12, 0.25 by turns
     ASSERT_EQ(found.size() % 2, 0U);
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i].length(), i % 2 == 0 ? 12.0 : 0.25, 0.5) << i;
     EXPECT_EQ(dashed(1, square, true).size(), 1U);
