@@ -1,19 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "output/vector/write_page.h"
 
+#include "output/vector/gcode.h"
+#include "output/vector/hpgl.h"
 #include "output/vector/pdf.h"
+#include "output/vector/plot_order.h"
 #include "output/vector/svg.h"
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace hrbfnpr::output {
 namespace {
+
+bool is_plotter(PageFormat format) noexcept { return format == PageFormat::hpgl || format == PageFormat::gcode; }
 
 std::unique_ptr<PageSink> writer_of(base::Memory& memory, const PageInfo& info, const PageSettings& settings,
                                     io::Writer& writer, PageCounts& counts) {
     if (settings.format == PageFormat::pdf)
         return std::make_unique<PdfWriter>(memory, writer, info, settings.shapes, counts);
+    const PlotSettings& plot = settings.plot;
+    const PlotFormat format{
+        settings.shapes, {plot.draw_speed, plot.travel_speed, plot.pen_seconds}, plot.pen_down, plot.pen_up};
+    if (settings.format == PageFormat::hpgl) return std::make_unique<HpglWriter>(memory, writer, info, format, counts);
+    if (settings.format == PageFormat::gcode)
+        return std::make_unique<GcodeWriter>(memory, writer, info, format, counts);
     return std::make_unique<SvgWriter>(memory, writer, info, settings.shapes, counts);
 }
 
@@ -82,7 +94,17 @@ PageCounts write_page(const base::Runtime& runtime, const Page& page, const Page
     info.width = size.x;
     info.height = size.y;
     const std::unique_ptr<PageSink> file = writer_of(runtime.memory, info, settings, writer, counts);
-    LineTypes dashed(runtime.memory, *file);
+    const PlotSettings& plot = settings.plot;
+    PenTrack track(counts, {plot.draw_speed, plot.travel_speed, plot.pen_seconds}, {0.0, size.y});
+    std::optional<PlotOrder> sorted;
+    if (settings.in_plot_order || is_plotter(settings.format)) {
+        const PlotOrderSettings order{
+            plot.join,      plot.shortest, plot.dot_distance, is_plotter(settings.format), {0.0, 0.0, size.x, size.y},
+            settings.shapes};
+        // Plotters' writers track the pen themselves, by what they have rounded.
+        sorted.emplace(runtime.memory, *file, order, counts, order.for_plotter ? nullptr : &track, progress);
+    }
+    LineTypes dashed(runtime.memory, sorted ? static_cast<PageSink&>(*sorted) : *file);
     const auto parts = static_cast<double>(page.placements.size() + 1);
     double done = 0.0;
     const bool filled = !settings.without_paper && !page.placements.empty();
