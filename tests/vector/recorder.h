@@ -133,7 +133,9 @@ inline GroupInput random_lines(std::uint64_t seed, int count, double length, int
     return input;
 }
 
-inline double between(const output::PagePoint& a, const output::PagePoint& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+inline double between(const output::PagePoint& a, const output::PagePoint& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
 
 inline double length_of(const Line& line) {
     double sum = 0.0;
