@@ -121,7 +121,7 @@ inline GroupInput random_lines(std::uint64_t seed, int count, double length, int
     GroupInput input;
     for (int i = 0; i < count; ++i) {
         double x = 10.0 + 180.0 * random(), y = 10.0 + 80.0 * random(), angle = 6.283185307179586 * random();
-        const double bend = 0.5 * (random() - 0.5);
+        const double bend = 4.0 / points * (random() - 0.5);
         Line line;
         for (int k = 0; k < points; ++k, angle += bend) {
             line.push_back({x, y, 0.1});

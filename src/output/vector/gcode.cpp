@@ -27,7 +27,9 @@ void GcodeWriter::write_pen(const PageGroup& group, bool is_first, bool is_other
     if (is_other && !is_first) out_ << "M0 ";
     out_ << "(pen " << std::int64_t{group.pen} << ": ";
     ascii(group.name, true);
-    out_ << ", " << group.pen_width << " mm)\n";
+    out_ << ", ";
+    number(group.pen_width);
+    out_ << " mm)\n";
 }
 
 void GcodeWriter::write_travel(const Place& to, bool is_down) {
@@ -48,7 +50,7 @@ void GcodeWriter::write_draw(const Place& to) {
     out_ << '\n';
 }
 
-void GcodeWriter::write_text(const PageText& text) {
+void GcodeWriter::text(const PageText& text) {
     out_ << "(text left out: ";
     ascii(text.text, true);
     out_ << ")\n";
@@ -60,8 +62,10 @@ void GcodeWriter::lines(std::string_view text) {
 }
 
 void GcodeWriter::place(const char* command, const Place& to) {
-    (out_ << command << " X").thousandths(to.x) << " Y";
-    out_.thousandths(to.y);
+    out_ << command << " X";
+    thousandths(to.x);
+    out_ << " Y";
+    thousandths(to.y);
 }
 
 } // namespace hrbfnpr::output

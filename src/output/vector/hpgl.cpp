@@ -44,9 +44,14 @@ void HpglWriter::write_draw(const Place& to) {
     pair(to);
 }
 
-// Centimetres: width and height of capitals.
-void HpglWriter::write_text(const PageText& text) {
-    out_ << "SI" << 0.1 * width_of_height * text.height << ',' << 0.1 * text.height << ";LB";
+// Width and height of capitals in centimetres.
+void HpglWriter::text(const PageText& text) {
+    go_to(text.x, text.y);
+    out_ << "SI";
+    number(0.1 * width_of_height * text.height);
+    out_ << ',';
+    number(0.1 * text.height);
+    out_ << ";LB";
     ascii(text.text, false);
     out_ << end_of_label << '\n';
 }

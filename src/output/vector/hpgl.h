@@ -11,13 +11,14 @@ public:
     HpglWriter(base::Memory& memory, io::Writer& writer, const PageInfo& page, const PlotFormat& format,
                PageCounts& counts);
 
+    void text(const PageText& text) override;
+
 private:
     void write_pen(const PageGroup& group, bool is_first, bool is_other) override;
     void write_raise() override;
     void write_travel(const Place& to, bool is_down) override;
     void write_lower() override;
     void write_draw(const Place& to) override;
-    void write_text(const PageText& text) override;
     void write_end() override;
     void pair(const Place& place);
 

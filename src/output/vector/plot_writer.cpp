@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace hrbfnpr::output {
 namespace {
@@ -49,11 +50,16 @@ void PlotWriter::dot(const PageDot& dot) {
     draw(lines_.line(dot, group_.pen_width, format_.shapes, track_.place()));
 }
 
-void PlotWriter::text(const PageText& text) {
+void PlotWriter::go_to(double x, double y) {
     raise();
-    travel(on_grid({text.x, text.y}));
-    write_text(text);
-    is_known_ = false; // a label moves the pen
+    travel(on_grid({x, y}));
+    is_known_ = false;
+}
+
+void PlotWriter::thousandths(std::int64_t value) {
+    if (value < 0) out_ << '-';
+    if (value != 0 && std::abs(value) < 1000) out_ << '0';
+    out_.thousandths(std::abs(value));
 }
 
 void PlotWriter::raise() {

@@ -21,7 +21,6 @@ public:
     void begin_group(const PageGroup& group) override;
     void path(const PagePath& path) override;
     void dot(const PageDot& dot) override;
-    void text(const PageText& text) override;
     void end_group() override {}
     void end_view() override {}
     void finish() override;
@@ -38,8 +37,12 @@ protected:
     virtual void write_travel(const Place& to, bool is_down) = 0;                     // raises it first
     virtual void write_lower() = 0;
     virtual void write_draw(const Place& to) = 0;
-    virtual void write_text(const PageText& text) = 0; // the pen is raised and stands where the text begins
-    virtual void write_end() = 0;                      // it is raised
+    virtual void write_end() = 0; // it is raised
+    // Raises the pen and takes it to where it then goes elsewhere, for a label.
+    void go_to(double x, double y);
+    // Rounded to thousandths, with a zero before the point, which old plotters want.
+    void number(double value) { thousandths(in_thousandths(value)); }
+    void thousandths(std::int64_t value);
     // For each character that is not ASCII, or a control, '?'.
     void ascii(std::string_view text, bool in_parentheses);
 

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+// HPGL and G-code, read back as a plotter reads them.
+#include "output/vector/gcode.h"
+#include "output/vector/hpgl.h"
+#include "recorder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using output::PagePoint;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Millimetres, y up.
+struct Plotted {
+    std::vector<Line> lines; // one point: a touch
+    std::vector<int> pens;   // of each line
+    double drawn = 0.0, travelled = 0.0;
+    int lifts = 0;
+    double x = 0.0, y = 0.0;
+    bool down = false;
+    int pen = 0;
+    std::string rest; // what is neither
+
+    void raise() { down = false; }
+    void lower() {
+        if (down) return;
+        down = true;
+        ++lifts;
+        lines.push_back({{x, y, 0.0}});
+        pens.push_back(pen);
+    }
+    void move(double to_x, double to_y) {
+        (down ? drawn : travelled) += std::hypot(to_x - x, to_y - y);
+        x = to_x;
+        y = to_y;
+        if (down) lines.back().push_back({x, y, 0.0});
+    }
+};
+
+Plotted read_hpgl(const std::string& text) {
+    Plotted plotted;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        if (text[at] == '\n') {
+            ++at;
+            continue;
+        }
+        const std::string command = text.substr(at, 2);
+        const std::size_t end = text.find(command == "LB" ? '\x03' : ';', at);
+        if (end == std::string::npos) {
+            ADD_FAILURE() << "no end of " << command;
+            break;
+        }
+        std::string numbers = text.substr(at + 2, end - at - 2);
+        at = end + 1;
+        if (command == "PU") plotted.raise();
+        if (command == "PD") plotted.lower();
+        if (command == "SP") plotted.pen = std::stoi(numbers);
+        if (command != "PU" && command != "PD") {
+            plotted.rest += command + numbers + ";";
+            EXPECT_FALSE(plotted.down) << command;
+            continue;
+        }
+        std::replace(numbers.begin(), numbers.end(), ',', ' ');
+        std::istringstream stream(numbers);
+        for (int x = 0, y = 0; stream >> x >> y;) plotted.move(x / 40.0, y / 40.0);
+    }
+    return plotted;
+}
+
+Plotted read_gcode(const std::string& text) {
+    Plotted plotted;
+    std::istringstream stream(text);
+    double feed = 0.0;
+    for (std::string line; std::getline(stream, line);) {
+        double x = 0.0, y = 0.0;
+        char command[3] = "";
+        if (const std::size_t f = line.find(" F"); f != std::string::npos && line[0] == 'G')
+            feed = std::stod(line.substr(f + 2));
+        if (std::sscanf(line.c_str(), "%2s X%lf Y%lf", command, &x, &y) == 3) {
+            EXPECT_EQ(std::string(command), plotted.down ? "G1" : "G0") << line;
+            EXPECT_EQ(plotted.down ? feed : 1800.0, 1800.0);
+            plotted.move(x, y);
+        } else if (line == "G1 Z0" || line == "down") {
+            EXPECT_FALSE(plotted.down);
+            plotted.lower();
+        } else if (line == "G0 Z5" || line == "up") {
+            plotted.raise();
+        } else {
+            int pen = 0;
+            if (std::sscanf(line.c_str(), "(pen %d:", &pen) == 1 || std::sscanf(line.c_str(), "M0 (pen %d:", &pen) == 1)
+                plotted.pen = pen;
+            EXPECT_FALSE(plotted.down) << line;
+            plotted.rest += line + "\n";
+        }
+    }
+    return plotted;
+}
+
+class StringWriter final : public io::Writer {
+public:
+    void write(const void* data, std::uint64_t size) override {
+        text.append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+    }
+    std::string text;
+};
+
+struct Written {
+    std::string text;
+    output::PageCounts counts;
+    Plotted plotted;
+};
+
+// Pages of 200 by 100 mm.
+template <class Format>
+Written written(const std::vector<GroupInput>& groups, const output::PlotFormat& format = {},
+                const std::vector<output::PageText>& texts = {}) {
+    base::Memory memory;
+    StringWriter out;
+    Written result;
+    output::PageInfo info;
+    info.width = 200.0;
+    info.height = 100.0;
+    info.title = "A (title)\nof two lines, gr\xC3\xBCn";
+    info.program = "0";
+    const base::Progress progress;
+    {
+        Format file(memory, out, info, format, result.counts);
+        output::PlotOrderSettings settings = plotter_settings();
+        settings.shapes = format.shapes;
+        output::PlotOrder order(memory, file, settings, result.counts, nullptr, progress);
+        order.begin_view({"", {0.0, 0.0, 200.0, 100.0}, {}, false});
+        for (const GroupInput& group : groups) group.hand_to(order);
+        order.end_view();
+        if (!texts.empty()) {
+            order.begin_group({});
+            for (const output::PageText& text : texts) order.text(text);
+            order.end_group();
+        }
+        order.finish();
+    }
+    result.text = out.text;
+    EXPECT_EQ(result.counts.bytes, static_cast<std::int64_t>(out.text.size()));
+    if constexpr (std::is_same_v<Format, output::HpglWriter>)
+        result.plotted = read_hpgl(out.text);
+    else
+        result.plotted = read_gcode(out.text);
+    return result;
+}
+
+double distance(const PagePoint& p, const std::vector<Line>& lines) {
+    double least = 1e9;
+    for (const Line& line : lines)
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const PagePoint &a = line[i == 0 ? 0 : i - 1], &b = line[i];
+            const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+            const double t = square > 0.0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
+            least = std::min(least, std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy));
+        }
+    return least;
+}
+
+// The farthest of places all along some lines from others.
+double farthest(const std::vector<Line>& from, const std::vector<Line>& to) {
+    double most = 0.0;
+    for (const Line& line : from)
+        for (std::size_t i = 0; i + 1 < line.size(); ++i)
+            for (const double t : {0.0, 0.3, 0.7, 1.0}) {
+                const PagePoint &a = line[i], &b = line[i + 1];
+                most = std::max(most, distance({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 0.0}, to));
+            }
+    return most;
+}
+
+// With y up.
+std::vector<Line> lines_of(const GroupInput& input) {
+    std::vector<Line> lines;
+    for (const KeptPath& path : input.paths) {
+        lines.push_back(path.points);
+        for (PagePoint& p : lines.back()) p.y = 100.0 - p.y;
+    }
+    return lines;
+}
+
+void expect_estimate(const Written& result, const output::PenSpeeds& speeds = {}) {
+    const Plotted& p = result.plotted;
+    EXPECT_NEAR(result.counts.drawn, p.drawn, 1e-6);
+    EXPECT_NEAR(result.counts.travelled, p.travelled, 1e-6);
+    EXPECT_NEAR(result.counts.seconds,
+                p.drawn / speeds.draw + p.travelled / speeds.travel + 2.0 * speeds.seconds * p.lifts, 1e-6);
+}
+
+template <class Format>
+class Plotter : public ::testing::Test {};
+using Formats = ::testing::Types<output::HpglWriter, output::GcodeWriter>;
+TYPED_TEST_SUITE(Plotter, Formats);
+
+TYPED_TEST(Plotter, DrawsAllLinesWithinTheTolerance) {
+    const GroupInput input = random_lines(1, 150, 9.0, 40);
+    for (const double tolerance : {0.05, 0.3}) {
+        output::PlotFormat format;
+        format.shapes.tolerance = tolerance;
+        const Written result = written<TypeParam>({input}, format);
+        const double reach = tolerance + 0.02; // and half of a unit each way
+        EXPECT_LE(farthest(lines_of(input), result.plotted.lines), reach);
+        // Joined ends are nearer than the pen's width to each other.
+        EXPECT_LE(farthest(result.plotted.lines, lines_of(input)), reach + 0.5 * output::plotter_pen);
+        EXPECT_EQ(result.counts.paths, 150 - result.counts.joined);
+        expect_estimate(result);
+        std::int64_t segments = 0;
+        for (const Line& line : result.plotted.lines) segments += static_cast<std::int64_t>(line.size()) - 1;
+        EXPECT_EQ(result.counts.segments, segments);
+        EXPECT_LT(segments, tolerance > 0.1 ? 800 : 2000); // of 5850
+    }
+}
+
+TYPED_TEST(Plotter, SaysHowLongItTakes) {
+    output::PlotFormat format;
+    format.speeds = {30.0, 200.0, 0.5};
+    const Written result = written<TypeParam>({random_lines(3, 300, 8.0)}, format);
+    EXPECT_GT(result.plotted.lifts, 200);
+    expect_estimate(result, format.speeds);
+}
+
+TYPED_TEST(Plotter, DoesNotLiftWhereALineGoesOn) {
+    GroupInput square; // corners are not joined, but drawn in one go
+    square.add({{50.0, 50.0, 0.1}, {60.0, 50.0, 0.1}});
+    square.add({{60.0, 60.0, 0.1}, {60.0, 50.0, 0.1}});
+    square.add({{50.0, 60.0, 0.1}, {50.0, 50.0, 0.1}});
+    square.add({{50.0, 60.0, 0.1}, {60.0, 60.0, 0.1}});
+    const Written result = written<TypeParam>({square});
+    EXPECT_EQ(result.counts.joined, 0);
+    EXPECT_EQ(result.plotted.lifts, 1);
+    EXPECT_NEAR(result.plotted.drawn, 40.0, 1e-9);
+    EXPECT_EQ(result.plotted.lines.size(), 1U);
+    expect_estimate(result);
+}
+
+TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
+    GroupInput input;
+    input.dots = {{50.0, 50.0, 2.0, 1.0, false}, {60.0, 50.0, 0.1, 1.0, false}}; // the second no wider than the pen
+    output::PlotFormat format;
+    const Written circles = written<TypeParam>({input}, format);
+    EXPECT_EQ(circles.counts.dots, 2);
+    ASSERT_EQ(circles.plotted.lines.size(), 2U);
+    for (const PagePoint& p : circles.plotted.lines[0]) EXPECT_NEAR(std::hypot(p.x - 50.0, p.y - 50.0), 1.85, 0.02);
+    EXPECT_NEAR(circles.plotted.drawn, 2.0 * 3.14159265 * 1.85, 0.3);
+    EXPECT_EQ(circles.plotted.lines[1].size(), 1U);
+    EXPECT_NEAR(circles.plotted.lines[1][0].x, 60.0, 0.02);
+    // It begins where the pen comes from.
+    EXPECT_NEAR(
+        circles.plotted.travelled,
+        std::hypot(50.0, 50.0) - 1.85 + std::hypot(60.0 - (50.0 - 1.85 * std::sqrt(0.5)), 1.85 * std::sqrt(0.5)), 0.1);
+    expect_estimate(circles);
+
+    format.shapes.dots = output::DotShapes::lines;
+    const Written touches = written<TypeParam>({input}, format);
+    EXPECT_EQ(touches.plotted.lines.size(), 2U);
+    EXPECT_EQ(touches.plotted.drawn, 0.0);
+    EXPECT_EQ(touches.plotted.lifts, 2);
+    expect_estimate(touches);
+
+    format.shapes.dots = output::DotShapes::spirals;
+    const Written spirals = written<TypeParam>({input}, format);
+    ASSERT_EQ(spirals.plotted.lines.size(), 2U);
+    // All of the disc is as near to the line as half of the pen.
+    Random random(1);
+    for (int i = 0; i < 2000; ++i) {
+        const double angle = 6.283185307 * random(), radius = 2.0 * std::sqrt(random());
+        const PagePoint p{50.0 + radius * std::cos(angle), 50.0 + radius * std::sin(angle), 0.0};
+        EXPECT_LE(distance(p, {spirals.plotted.lines[0]}), 0.15 + format.shapes.tolerance + 0.02);
+    }
+    expect_estimate(spirals);
+}
+
+TYPED_TEST(Plotter, ChangesPensBetweenGroups) {
+    GroupInput one, two, three;
+    one.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}});
+    two.add({{20.0, 90.0, 0.1}, {30.0, 90.0, 0.1}}); // it goes on, with another pen
+    three.add({{30.0, 90.0, 0.1}, {40.0, 90.0, 0.1}});
+    two.group.pen = three.group.pen = 7;
+    std::snprintf(two.group.name, sizeof two.group.name, "hatch (2) gr%s", "\xC3\xBCn");
+    const Written result = written<TypeParam>({one, two, three});
+    EXPECT_EQ(result.plotted.pens, (std::vector<int>{1, 7, 7}));
+    EXPECT_EQ(result.counts.groups, 3);
+    expect_estimate(result);
+}
+
+TEST(Hpgl, IsWhatPlottersRead) {
+    GroupInput input, other;
+    input.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}, {20.0, 70.0, 0.1}});
+    input.dots = {{20.0, 50.0, 0.1, 1.0, false}};
+    other.add({{1.0, 99.0, 0.1}, {2.0, 99.0, 0.1}});
+    other.group.pen = 2;
+    const Written result = written<output::HpglWriter>({input, other}, {}, {{10.0, 20.0, 5.0, "\xC3\x84; a\n(b)"}});
+    EXPECT_EQ(result.text,
+              "IN;\nSP1;\nPU400,400;\nPD800,400,800,1200;\nPU800,2000;\nPD;\nPU;\nSP2;\nPU80,40;\nPD40,40;\nPU;\n"
+              "SP1;\nPU400,3200;\nSI0.35,0.5;LB?; a?(b)\x03\nPU;SP0;\n");
+}
+
+TEST(Gcode, IsWhatPlottersRead) {
+    GroupInput input, other;
+    input.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}, {20.0, 70.5, 0.1}});
+    std::snprintf(input.group.name, sizeof input.group.name, "hatch (2) gr%s", "\xC3\xBCn");
+    other.add({{1.0, 99.0, 0.1}, {0.5, 99.0, 0.1}});
+    other.group.pen = 2;
+    output::PlotFormat format;
+    format.pen_down = "down";
+    format.pen_up = "up\n";
+    const Written result = written<output::GcodeWriter>({input, other}, format, {{10.0, 20.0, 5.0, "a\n(b)"}});
+    EXPECT_EQ(result.text,
+              "(A ?title??of two lines, gr?n)\n(hrbfnpr 0)\n"
+              "(200 x 100 mm, y up from the lower left corner; texts are left out)\n"
+              "G21\nG90\nG1 F1800\nup\n(pen 1: hatch ?2? gr?n, 0.3 mm)\nG0 X10 Y10\ndown\n"
+              "G1 X20 Y10 F1800\nG1 X20 Y29.5\nup\nM0 (pen 2: , 0.3 mm)\nG0 X1 Y1\ndown\nG1 X0.5 Y1 F1800\nup\n"
+              "M0 (pen 1: , 0.3 mm)\n(text left out: a??b?)\nM2\n");
+}
+
+TEST(Gcode, HasItsOwnLinesForThePen) {
+    GroupInput input;
+    input.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}});
+    const std::string text = written<output::GcodeWriter>({input}).text;
+    EXPECT_THAT(text, HasSubstr("G90\nG1 F1800\nG0 Z5\n"));
+    EXPECT_THAT(text, HasSubstr("G0 X10 Y10\nG1 Z0\nG1 X20 Y10 F1800\nG0 Z5\nM2\n"));
+    EXPECT_THAT(text, Not(HasSubstr("nan")));
+}
+
+TEST(Hpgl, CutsLongInstructions) {
+    GroupInput input;
+    Line zigzag;
+    for (int i = 0; i < 300; ++i) zigzag.push_back({10.0 + 0.5 * i, i % 2 == 0 ? 40.0 : 60.0, 0.1});
+    input.add(zigzag);
+    const Written result = written<output::HpglWriter>({input});
+    EXPECT_EQ(result.plotted.lifts, 1);
+    std::istringstream stream(result.text);
+    for (std::string line; std::getline(stream, line);) EXPECT_LE(line.size(), 1000U);
+    EXPECT_LE(farthest(lines_of(input), result.plotted.lines), 0.02);
+}
+
+} // namespace
+} // namespace hrbfnpr::testing
