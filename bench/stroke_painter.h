@@ -31,6 +31,7 @@ public:
         check_(hrbfnpr_renderer_draw(renderer_.get(), &item_, 1, 0, &camera, &drawing, check_.error()));
         drawing_.reset(drawing);
     }
+    [[nodiscard]] const hrbfnpr_drawing* drawing() const { return drawing_.get(); }
     // Of the last drawing; those of line sets have no marks.
     [[nodiscard]] std::vector<DrawnStroke> strokes() {
         constexpr std::uint32_t primitive = HRBFNPR_PRIMITIVE_LINE_STRIPS;
