@@ -158,6 +158,19 @@ TEST(PlotOrder, JoinsTheBestPairWhereMoreMeet) {
         EXPECT_DOUBLE_EQ(between(path.points.front(), path.points.back()), 20.0);
 }
 
+TEST(PlotOrder, GoesOnStraightRatherThanAtTheVeryPlace) {
+    GroupInput input;
+    input.add(straight(40.0, 50.0, 50.0, 50.0));
+    input.add(straight(50.0, 50.0, 57.0, 57.0));  // by 45 degrees
+    input.add(straight(50.05, 50.0, 60.0, 50.0)); // a little farther
+    const Sorted result = sorted(input);
+    EXPECT_EQ(result.counts.joined, 1);
+    double longest = 0.0;
+    for (const KeptPath& path : result.out.paths)
+        longest = std::max(longest, between(path.points.front(), path.points.back()));
+    EXPECT_DOUBLE_EQ(longest, 20.0);
+}
+
 TEST(PlotOrder, LeavesRowsOfHatchingApart) {
     GroupInput input;
     for (int row = 0; row < 50; ++row) input.add(straight(20.0, 40.0 + 0.25 * row, 60.0, 40.0 + 0.25 * row));
@@ -304,9 +317,10 @@ TEST(PlotOrder, IsCancelled) {
     Recorder out;
     output::PageCounts counts;
     output::PlotOrder order(memory, out, plotter_settings(), counts, nullptr, progress);
-    const GroupInput few = random_lines(1, 100, 6.0);
+    order.begin_group({});
+    const Line line = straight(10.0, 10.0, 20.0, 10.0);
     try {
-        few.hand_to(order);
+        for (int i = 0; i < 300; ++i) order.path(path_of(line)); // before the group ends
         FAIL() << "not cancelled";
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), Status::cancelled);

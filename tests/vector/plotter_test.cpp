@@ -246,7 +246,7 @@ TYPED_TEST(Plotter, DoesNotLiftWhereALineGoesOn) {
 
 TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
     GroupInput input;
-    input.dots = {{50.0, 50.0, 2.0, 1.0, false}, {60.0, 50.0, 0.1, 1.0, false}}; // the second no wider than the pen
+    input.dots = {{50.0, 50.0, 2.0, 1.0, false}, {50.0, 20.0, 0.1, 1.0, false}}; // the second no wider than the pen
     output::PlotFormat format;
     const Written circles = written<TypeParam>({input}, format);
     EXPECT_EQ(circles.counts.dots, 2);
@@ -254,11 +254,10 @@ TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
     for (const PagePoint& p : circles.plotted.lines[0]) EXPECT_NEAR(std::hypot(p.x - 50.0, p.y - 50.0), 1.85, 0.02);
     EXPECT_NEAR(circles.plotted.drawn, 2.0 * 3.14159265 * 1.85, 0.3);
     EXPECT_EQ(circles.plotted.lines[1].size(), 1U);
-    EXPECT_NEAR(circles.plotted.lines[1][0].x, 60.0, 0.02);
+    EXPECT_NEAR(circles.plotted.lines[1][0].y, 80.0, 0.02);
     // It begins where the pen comes from.
-    EXPECT_NEAR(
-        circles.plotted.travelled,
-        std::hypot(50.0, 50.0) - 1.85 + std::hypot(60.0 - (50.0 - 1.85 * std::sqrt(0.5)), 1.85 * std::sqrt(0.5)), 0.1);
+    const double begin = 50.0 - 1.85 * std::sqrt(0.5);
+    EXPECT_NEAR(circles.plotted.travelled, std::hypot(begin, begin) + std::hypot(50.0 - begin, 80.0 - begin), 0.1);
     expect_estimate(circles);
 
     format.shapes.dots = output::DotShapes::lines;
@@ -304,6 +303,23 @@ TEST(Hpgl, IsWhatPlottersRead) {
     EXPECT_EQ(result.text,
               "IN;\nSP1;\nPU400,400;\nPD800,400,800,1200;\nPU800,2000;\nPD;\nPU;\nSP2;\nPU80,40;\nPD40,40;\nPU;\n"
               "SP1;\nPU400,3200;\nSI0.35,0.5;LB?; a?(b)\x03\nPU;SP0;\n");
+}
+
+// A label takes the pen along.
+TEST(Hpgl, GoesBackAfterALabel) {
+    base::Memory memory;
+    StringWriter out;
+    output::PageCounts counts;
+    output::PageInfo info;
+    info.height = 100.0;
+    output::HpglWriter file(memory, out, info, {}, counts);
+    file.begin_group({});
+    file.text({10.0, 90.0, 4.0, "a"});
+    const Line line{{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}};
+    file.path(path_of(line));
+    file.end_group();
+    file.finish();
+    EXPECT_EQ(out.text, "IN;\nSP1;\nPU400,400;\nSI0.28,0.4;LBa\x03\nPU400,400;\nPD800,400;\nPU;\nPU;SP0;\n");
 }
 
 TEST(Gcode, IsWhatPlottersRead) {
