@@ -18,7 +18,8 @@ constexpr std::int32_t longest_moved = 3;   // stops that an Or-opt move takes e
 constexpr std::int64_t most_doors = 32;     // of a closed line, before the best of its points is looked for
 constexpr std::int64_t work_of_stop = 8000; // steps of moves, at most
 constexpr std::int64_t work_of_kicks = 2000;
-constexpr std::int64_t least_work = 200000;      // of both, for short tours
+constexpr std::int64_t work_of_few = 10000;      // where there are so few stops that they take no more than
+constexpr std::int64_t least_work = 200000;      // this together
 constexpr std::int64_t longest_swapped = 30;     // stops of each part that a kick exchanges
 constexpr std::int64_t longest_reversed = 50000; // stops that a move may turn round or pass by
 constexpr std::int64_t longest_kicked = 1000;    // the same after a kick
@@ -150,7 +151,7 @@ void Tour::wake(Node node) {
 }
 
 void Tour::improve(const base::Progress& progress) {
-    work_ = checked_ = std::max(work_of_stop * count_, least_work);
+    work_ = checked_ = work_of_stop * count_;
     longest_ = longest_reversed;
     for (std::int32_t p = 0; p < count_; ++p) wake(order_[p]);
     settle(progress);
@@ -177,7 +178,7 @@ void Tour::settle(const base::Progress& progress) {
 void Tour::kick(const base::Progress& progress) {
     const std::int64_t most = std::min<std::int64_t>(longest_swapped, (count_ - 1) / 2);
     if (most < 1) return;
-    work_ = checked_ = std::max(work_of_kicks * count_, least_work);
+    work_ = checked_ = std::max(work_of_kicks * count_, std::min(work_of_few * count_, least_work));
     longest_ = longest_kicked;
     keeps_log_ = true;
     for (std::uint64_t number = 0; work_ > 0; ++number) {
