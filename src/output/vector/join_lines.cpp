@@ -148,7 +148,7 @@ std::int32_t JoinLines::chain_of(std::int32_t line) noexcept {
 
 std::int64_t JoinLines::choose_pairs(const PlotLines& from) {
     const auto lines = static_cast<std::int32_t>(from.lines.size());
-    partner_.resize_for_overwrite(2 * lines);
+    partner_.resize_for_overwrite(2 * from.lines.size());
     std::fill(partner_.begin(), partner_.end(), -1);
     chain_.resize_for_overwrite(lines);
     length_.resize_for_overwrite(lines);

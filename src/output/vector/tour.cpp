@@ -54,13 +54,12 @@ std::span<const Leg> Tour::find(std::span<const Stop> stops, const dvec2& from, 
 void Tour::set_up(std::span<const Stop> stops, const dvec2& from) {
     stops_ = static_cast<std::int32_t>(stops.size());
     count_ = stops_ + 1;
-    place_.resize_for_overwrite(2 * count_);
-    place_[free_end()] = place_[free_end() + 1] = from;
+    place_.resize_for_overwrite(2 * std::int64_t{count_});
+    set_places(stops_, from, from);
     for (std::int32_t i = 0; i < stops_; ++i) {
         const PagePoint& first = stops[static_cast<std::size_t>(i)].points.front();
         const PagePoint& last = stops[static_cast<std::size_t>(i)].points.back();
-        place_[2 * i] = {first.x, first.y};
-        place_[2 * i + 1] = {last.x, last.y};
+        set_places(i, {first.x, first.y}, {last.x, last.y});
     }
     start_.clear();
     start_.resize(stops_);
@@ -101,7 +100,7 @@ void Tour::go_greedily(std::span<const Stop> stops, const base::Progress& progre
         const std::int32_t stop = door_stop_[door];
         if (stops[static_cast<std::size_t>(stop)].closed) {
             start_[stop] = door_point_[door];
-            place_[2 * stop] = place_[2 * stop + 1] = doors_[door];
+            set_places(stop, doors_[door], doors_[door]);
         }
         put(next, 2 * stop + (stops[static_cast<std::size_t>(stop)].closed || door_point_[door] == 0 ? 0 : 1));
         pen = place_[exit(next)];
@@ -340,13 +339,13 @@ bool Tour::turn_closed(std::span<const Stop> stops, const base::Progress& progre
             return (before == free_end() ? 0.0 : glm::distance(place_[before], place)) +
                    (after == free_end() ? 0.0 : glm::distance(place, place_[after]));
         };
-        double least = way(place_[2 * i]) - least_gain;
+        double least = way(place_[entry(p)]) - least_gain;
         for (std::size_t k = 0; k + 1 < stop.points.size(); ++k) {
             const dvec2 place(stop.points[k].x, stop.points[k].y);
             if (const double length = way(place); length < least) {
                 least = length;
                 start_[i] = static_cast<std::int32_t>(k);
-                place_[2 * i] = place_[2 * i + 1] = place;
+                set_places(i, place, place);
                 turned = true;
             }
         }

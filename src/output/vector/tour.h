@@ -49,6 +49,11 @@ private:
         return is_exit(node) ? entry(p + 1) : exit(p - 1);
     }
 
+    void set_places(std::int32_t stop, const glm::dvec2& first, const glm::dvec2& last) noexcept {
+        const Node node = 2 * stop;
+        place_[node] = first;
+        place_[node + 1] = last;
+    }
     void set_up(std::span<const Stop> stops, const glm::dvec2& from);
     void go_greedily(std::span<const Stop> stops, const base::Progress& progress);
     void find_neighbours(const base::Progress& progress);
