@@ -5,6 +5,8 @@
 #include "base/memory.h"
 #include "output/vector/page.h"
 
+#include <utility>
+
 namespace hrbfnpr::output {
 
 class Clip {
