@@ -195,3 +195,32 @@ def test_hatching_of_cut_faces():
         for t in np.linspace(0.01, 0.99, 9):
             x, y = a + t * (b - a)
             assert 0 <= x <= 10 and 0 <= y <= 10 and not (4.01 < x < 5.99 and 4.01 < y < 5.99)
+
+
+def test_plotters(points, tmp_path, capsys):
+    for name, begin in (("a.hpgl", "IN;\nSP1;"), ("a.plt", "IN;\nSP1;"), ("a.gcode", "(ball.xyz)"), ("a.nc", "(ball.xyz)")):
+        path = tmp_path / name
+        assert main(["draw", str(points), str(path), "--style", "hatch", "--page", "a6", *QUICK]) == 0
+        assert path.read_text().startswith(begin)
+        said = "".join(capsys.readouterr())
+        assert re.search(r"the pen draws \d\.\d\d m and travels \d\.\d\d m, in about \d+ min \d+ s", said)
+    moves = re.findall(r"P[UD]([-\d,]+);", (tmp_path / "a.hpgl").read_text())
+    places = np.array([pair for move in moves for pair in np.array(move.split(","), dtype=float).reshape(-1, 2)]) / 40
+    assert (places >= 10 - 1e-9).all() and (places <= (105 - 10, 148 - 10)).all()  # within the margin
+    up = ["--pen-up", "M5", "--pen-down", "M3 S90"]
+    assert main(["draw", str(points), str(tmp_path / "b.gcode"), *up, *QUICK]) == 0
+    assert "\nM5\n" in (tmp_path / "b.gcode").read_text() and "\nM3 S90\n" in (tmp_path / "b.gcode").read_text()
+
+
+def test_plot_order_travels_less(model):
+    drawing = drawn(model, "etching", 400)
+    as_drawn, sorted_lines = io.BytesIO(), io.BytesIO()
+    assert drawing.save(as_drawn, "svg").travelled == 0
+    info = drawing.save(sorted_lines, "svg", plot_order=True)
+    assert info.drawn > info.travelled > 0 and info.seconds > info.drawn / 30
+    names = [set(groups_of(file.getvalue())) for file in (as_drawn, sorted_lines)]
+    assert names[0] == names[1]
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="PUBLISHED"):
+        style = hrbfnpr.Style("stipple", visibility="published")
+        marks = hrbfnpr.PointSet.generate(model, [hrbfnpr.Layer("stipples", budget=500)])
+        hrbfnpr.Renderer().draw((marks, style), hrbfnpr.Camera.fit(model, (0, 0, -1))).save(io.BytesIO(), "hpgl")

@@ -111,7 +111,6 @@ private:
         if (const int others = namesakes(layer, group.name); others > 0) append(group.name, "", others + 1);
         if (hidden > 0) append(group.name, " hidden", hidden);
         group.ink = drawing_.layers[layer].ink;
-        group.pixel = placement_.scale;
         sink_.begin_group(with_pen(group, pens_));
     }
 
@@ -141,7 +140,6 @@ private:
     void add_published() {
         PageGroup group;
         std::snprintf(group.name, sizeof group.name, "marks");
-        group.pixel = placement_.scale;
         if (!drawing_.layers.empty()) group.ink = drawing_.layers[0].ink;
         sink_.begin_group(with_pen(group, pens_));
         for_dots([&](const Dot& dot) { add_dot(dot); });

@@ -65,7 +65,6 @@ struct PageGroup {
     double pen_width = 0.0; // of all lines; 0: as they are
     std::uint32_t pen = 1;  // of a plotter
     LineType line_type{};
-    double pixel = 0.0; // the size of the drawing's
 };
 
 // Calls are nested: page { view { group { path, dot } } group { path, text } }.
