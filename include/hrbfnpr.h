@@ -1933,7 +1933,7 @@ typedef struct hrbfnpr_drawing_layer_info {
     int64_t layer;       /* of the item's point set; -1: of lines */
     uint32_t kind;       /* HRBFNPR_LAYER_KIND_...; of lines HRBFNPR_LINE_KIND_... */
     uint32_t shape;      /* HRBFNPR_SHAPE_... */
-    char name[64];
+    char name[64];       /* of that layer; of lines the style's, or empty */
     float ink[4];        /* straight RGBA */
     int64_t dots;
     int64_t strokes;
@@ -2364,7 +2364,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
  * Ink stands in named groups, the layers of a file: of marks the layer's name in
  * its point set, such as "stipples" or "hatch-2"; of lines "contour", "suggestive",
  * "ridge", "valley", "apparent ridge", "parabolic", "isophote", "section", "border",
- * "own".  What is behind n layers of surface has " hidden n" at its end, a second
+ * or the name of own ones.  What is behind n layers of surface has " hidden n" at its end, a second
  * layer of the same name " 2".  Groups follow the layers of the drawing, hidden ones
  * before the others; in a group strokes stand far to near.  Where inks differ, and
  * lie upon each other, that order is not the raster's, which paints far to near.

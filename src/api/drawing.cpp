@@ -131,6 +131,7 @@ hrbfnpr_drawing_layer_info describe_layer(const drawing::Drawing& from, std::int
         std::memcpy(info.name, source.name.data(), sizeof info.name);
     } else {
         info.kind = layer.line_kind;
+        std::memcpy(info.name, layer.line_name.data(), sizeof info.name);
     }
     for (int i = 0; i < 4; ++i) info.ink[i] = layer.ink[i];
     const auto is_own = [&](std::uint32_t other) { return other == static_cast<std::uint32_t>(number); };

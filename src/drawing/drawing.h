@@ -30,9 +30,10 @@ struct Layer {
     std::int32_t layer = 0; // of the item's point set; -1: of lines
     MarkClass mark_class = MarkClass::front;
     bool as_strokes = false;
-    glm::vec4 ink{0.0F};         // straight RGBA
-    std::uint32_t line_kind = 0; // HRBFNPR_LINE_KIND_..., where `layer` is -1
-    bool as_hatch = false;       // and these strokes are hatching
+    glm::vec4 ink{0.0F};          // straight RGBA
+    std::uint32_t line_kind = 0;  // HRBFNPR_LINE_KIND_..., where `layer` is -1
+    bool as_hatch = false;        // and these strokes are hatching
+    marks::LayerName line_name{}; // of lines: their style's; may be empty
 };
 
 // Counted while the drawing was made; hrbfnpr_drawing_info says what each is.

@@ -115,6 +115,20 @@ TEST_F(LayOut, PutsLayersIntoGroupsHiddenOnesFirst) {
     EXPECT_EQ(page.views[0].name, "front");
 }
 
+TEST_F(LayOut, CallsOwnLinesByTheirName) {
+    picture.layers[0].line_kind = picture.layers[1].line_kind = 10;
+    std::string_view("crease").copy(picture.layers[0].line_name.data(), 63);
+    std::string_view("outer").copy(picture.layers[2].line_name.data(), 63);
+    add(0, 1, {1, 1});
+    add(1, 0, {1, 1});
+    add(2, 0, {1, 1});
+    lay_out();
+    ASSERT_EQ(page.groups.size(), 3U);
+    EXPECT_STREQ(page.groups[0].group.name, "crease hidden 1");
+    EXPECT_STREQ(page.groups[1].group.name, "own");
+    EXPECT_STREQ(page.groups[2].group.name, "contour");
+}
+
 TEST_F(LayOut, CutsStrokesWhereTheirOpacityChanges) {
     add(0, 0, {1.0F, 1.0F, 0.99F, 0.5F, 0.5F, 0.0F, 0.0F, 0.0F});
     lay_out();

@@ -95,7 +95,7 @@ class DrawingLayerInfo:
     item, layer : int
         Number of the item, and of the layer of its point set; -1: of lines.
     kind, name : str
-        Of that layer, or the kind of lines.
+        Of that layer, or the kind of lines and the name in their style.
     shape : {"dots", "strokes", "hatch"}
     ink : tuple of float
         Straight RGBA.

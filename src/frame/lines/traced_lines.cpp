@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -68,6 +69,8 @@ TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::
             layer.as_strokes = true;
             layer.ink = glm::vec4(style.ink[0], style.ink[1], style.ink[2], style.ink[3]);
             layer.line_kind = static_cast<std::uint32_t>(style.kind);
+            if (style.name != nullptr)
+                std::string_view(style.name).copy(layer.line_name.data(), layer.line_name.size() - 1);
             add_style(source, style, static_cast<std::uint32_t>(drawing.layers.size()));
             drawing.layers.push_back(layer);
         }

@@ -27,6 +27,8 @@ constexpr std::array<const char*, 11> line_names{"lines",   "contour",        "s
                                                  "valley",  "apparent ridge", "parabolic",  "isophote",
                                                  "section", "border",         "own"};
 
+constexpr std::size_t own_lines = 10;
+
 class LayOut {
 public:
     LayOut(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
@@ -91,8 +93,9 @@ private:
     void name_layer(std::int64_t number, char (&name)[PageGroup::most]) const {
         const drawing::Layer& layer = drawing_.layers[number];
         if (layer.layer < 0) {
-            std::snprintf(name, sizeof name, "%s",
-                          line_names[std::min<std::size_t>(layer.line_kind, line_names.size() - 1)]);
+            const std::size_t kind = std::min<std::size_t>(layer.line_kind, line_names.size() - 1);
+            const bool is_own = kind == own_lines && layer.line_name[0] != '\0';
+            std::snprintf(name, sizeof name, "%s", is_own ? layer.line_name.data() : line_names[kind]);
             return;
         }
         const marks::Layer& source = drawing_.items[layer.item].set->layers[layer.layer];

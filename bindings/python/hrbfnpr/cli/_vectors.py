@@ -135,7 +135,8 @@ def nearest_pens(drawing: Drawing, scale: float, widths: Sequence[float]) -> Lis
             continue
         drawn = 2 * scale * float(np.median(np.concatenate([stroke["radius"] for stroke in strokes])))
         best = min(range(len(widths)), key=lambda k: abs(widths[k] - drawn))
-        name = layer.name or layer.kind.replace("_contour", "").replace("_", " ")
+        named = layer.name and (layer.layer >= 0 or layer.kind == "own")
+        name = layer.name if named else layer.kind.replace("_contour", "").replace("_", " ")
         found.append(Pen(f"{name}*", widths[best], None, best + 1))
     return found
 

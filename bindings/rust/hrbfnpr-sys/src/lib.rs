@@ -167,7 +167,7 @@
 //! Ink stands in named groups, the layers of a file: of marks the layer's name in
 //! its point set, such as "stipples" or "hatch-2"; of lines "contour", "suggestive",
 //! "ridge", "valley", "apparent ridge", "parabolic", "isophote", "section", "border",
-//! "own".  What is behind n layers of surface has " hidden n" at its end, a second
+//! or the name of own ones.  What is behind n layers of surface has " hidden n" at its end, a second
 //! layer of the same name " 2".  Groups follow the layers of the drawing, hidden ones
 //! before the others; in a group strokes stand far to near.  Where inks differ, and
 //! lie upon each other, that order is not the raster's, which paints far to near.
@@ -2763,6 +2763,7 @@ pub struct hrbfnpr_drawing_layer_info {
     pub kind: u32,
     /// HRBFNPR_SHAPE_...
     pub shape: u32,
+    /// of that layer; of lines the style's, or empty
     pub name: [c_char; 64],
     /// straight RGBA
     pub ink: [f32; 4],
