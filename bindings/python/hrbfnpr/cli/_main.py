@@ -21,7 +21,7 @@ from ._blank import BlankError
 from ._clock import process_start
 from ._inputs import Loaded, load, load_saved
 from ._options import build
-from ._outputs import check_all, check_picture, check_saved
+from ._outputs import check_all, check_drawing, check_picture, check_saved
 from ._progress import Reporter
 from ._values import words_of
 
@@ -72,7 +72,8 @@ def _fail(message: str, code: int) -> int:
 
 def _run(arguments: Any, report: Reporter) -> int:
     context = Context(arguments.threads or 0)
-    commands = {"draw": _draw, "sheet": _sheet, "fit": _fit, "points": _points, "info": _info, "check": _check}
+    commands = {"draw": _draw, "sheet": _sheet, "sheet-views": _sheet_views, "fit": _fit, "points": _points,
+                "info": _info, "check": _check}  # fmt: skip
     with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
         return commands[arguments.command](arguments, context, report) or 0
 
@@ -110,6 +111,17 @@ def _sheet(arguments: Any, context: Context, report: Reporter) -> None:
     arguments.up, arguments.input_shape = loaded.up, loaded.shape
     arguments.has_end = isinstance(loaded.content, Model) and loaded.content.trim_info.is_trimmed
     draw_sheet(arguments, output, loaded.content, context, report)
+
+
+def _sheet_views(arguments: Any, context: Context, report: Reporter) -> None:
+    from ._sheet_views import draw_views, output_of
+
+    output = output_of(arguments)
+    check_drawing(output)
+    loaded = _load(arguments, context, report)
+    if not isinstance(loaded.content, Model):
+        raise UsageError(f"{arguments.input} holds a point set; views are drawn of samples or of a model")
+    draw_views(arguments, output, loaded, loaded.content, context, report)
 
 
 def _fit(arguments: Any, context: Context, report: Reporter) -> None:

@@ -34,7 +34,7 @@ from .._names import (
     VISIBILITIES,
 )
 from ..shapes._read import READ
-from . import _lines, _vectors
+from . import _lines, _sheet_views, _vectors
 from . import _values as values
 
 
@@ -49,7 +49,7 @@ class Parser(argparse.ArgumentParser):
         # argparse takes "-1,0,0" for an option; glued to the option before, it is a value.
         given: List[str] = []
         for word in sys.argv[1:] if args is None else args:
-            if given and given[-1].startswith("--") and "=" not in given[-1] and re.match(r"-[\d.]|-[xyz]$", word):
+            if given and given[-1].startswith("--") and "=" not in given[-1] and re.match(r"-[\d.]|-[xyz](:|$)", word):
                 given[-1] += "=" + word
             else:
                 given.append(word)
@@ -270,6 +270,16 @@ def build() -> Parser:
     _add_output(sheet, "-sheet.png")
     for add in (_add_cells, _add_style, _add_camera, _add_marks, _add_fit, _add_input, _add_common):
         add(sheet)
+
+    views = commands.add_parser("sheet-views", help="draw views and sections on a sheet, to scale", description="Draw "
+                                "views and sections of a model on a sheet, to scale, by the conventions of technical "
+                                "drawing.")  # fmt: skip
+    views.add_argument("input", metavar="INPUT", help=source)
+    views.add_argument("output", metavar="OUTPUT", nargs="?", help="vectors (.svg, .pdf, .hpgl, .gcode); INPUT's name with "
+                       "-views.svg by default")  # fmt: skip
+    views.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the same as an option")
+    for add in (_sheet_views.add_options, _add_fit, _add_input, _add_common):
+        add(views)
 
     fit = commands.add_parser("fit", help="fit a model and save it", description="Fit a model and save it.")
     fit.add_argument("input", metavar="INPUT", help="a mesh or points with normals")

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+"""Lines of a view that coincide: one of them is drawn, visible ones before hidden ones before thin ones [ISO 128-2].
+
+Views along planes of symmetry and flat faces have a line behind nearly every line.
+"""
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Dict, Iterator, List, NamedTuple, Sequence, Tuple
+
+import numpy as np
+
+from ..shapes._shape import Floats
+
+VISIBLE, HIDDEN, SMOOTH = "outlines", "hidden", "smooth"
+STEP = 0.15  # mm, of places that are compared
+_SHORTEST_REST = 0.5  # mm of what is left between other lines
+_ALIKE = math.sin(math.radians(25.0))  # of directions that count as one
+_FLICKER = 2.0  # mm: parts that are hidden, or not, for less than this are as what is before and behind them
+_ONWARD = 0.7  # of the length: how far such a part gets
+_SHORTEST = {VISIBLE: 0.8, HIDDEN: 1.2, SMOOTH: 3.0}  # mm of what is drawn, at least what the curve says
+
+
+@dataclass
+class Curve:
+    """A line on the paper, (n, 2) in mm from the view's centre.
+
+    Attributes
+    ----------
+    hidden : array of bool, shape (n - 1,)
+        Of each piece.
+    rank : int
+        Curves of lower rank come first.
+    reach : float
+        Others of the same kind that are nearer than this, and as good as parallel, are left out.
+    shortest : float
+        Parts that are shorter are not drawn.
+    """
+
+    points: Floats
+    hidden: Any
+    rank: int = 1
+    reach: float = 0.35
+    shortest: float = 0.0
+    is_smooth: bool = False
+
+    @property
+    def along(self) -> Floats:
+        steps = np.linalg.norm(np.diff(self.points, axis=0), axis=1)
+        return np.concatenate(((0.0,), np.cumsum(steps)))
+
+
+class _Place(NamedTuple):
+    x: float
+    y: float
+    dx: float
+    dy: float
+    along: float
+    curve: int
+    around: float  # length of a closed curve, else 0
+    reach: float
+
+
+def _apart(a: float, b: float, around: float) -> float:
+    """Along a curve."""
+    return min(abs(a - b), around - abs(a - b)) if around > 0 else abs(a - b)
+
+
+class _Drawn:
+    """Places of lines that are drawn, by cells of the paper."""
+
+    def __init__(self, cell: float) -> None:
+        self._cell = cell
+        self._places: Dict[Tuple[int, int], List[_Place]] = {}
+
+    def _near(self, x: float, y: float) -> Iterator[_Place]:
+        column, row = math.floor(x / self._cell), math.floor(y / self._cell)
+        for i in (column - 1, column, column + 1):
+            for j in (row - 1, row, row + 1):
+                yield from self._places.get((i, j), ())
+
+    def has(self, new: _Place) -> bool:
+        """Whether a line is there, other than what the curve itself has just drawn."""
+        for old in self._near(new.x, new.y):
+            reach = max(old.reach, new.reach)
+            if (old.x - new.x) ** 2 + (old.y - new.y) ** 2 >= reach * reach:
+                continue
+            if old.curve == new.curve and _apart(old.along, new.along, new.around) < 4 * reach:
+                continue
+            if abs(old.dx * new.dy - old.dy * new.dx) < _ALIKE:
+                return True
+        return False
+
+    def add(self, place: _Place) -> None:
+        key = math.floor(place.x / self._cell), math.floor(place.y / self._cell)
+        self._places.setdefault(key, []).append(place)
+
+
+def _runs(flags: Any) -> List[Tuple[int, int, bool]]:
+    """Begin, end and value of equal ones that follow each other."""
+    flags = np.asarray(flags, dtype=bool)
+    ends = [*(np.flatnonzero(flags[1:] != flags[:-1]) + 1), len(flags)]
+    return [(begin, end, bool(flags[begin])) for begin, end in zip([0, *ends[:-1]], ends)]
+
+
+def steady(curve: Curve) -> Any:
+    """`hidden` without parts that are too short to be seen."""
+    hidden, along = np.array(curve.hidden, dtype=bool), curve.along
+    for begin, end, value in _runs(hidden)[1:-1]:
+        length = along[end] - along[begin]
+        # What turns back, at a cusp, goes on as another line does.
+        if length < _FLICKER and np.linalg.norm(curve.points[end] - curve.points[begin]) > _ONWARD * length:
+            hidden[begin:end] = not value
+    return hidden
+
+
+def _part(curve: Curve, along: Floats, begin: float, end: float) -> Floats:
+    """Of the curve, from one length to another."""
+    inside = (along > begin + 1e-9) & (along < end - 1e-9)
+    ends = [[np.interp(at, along, curve.points[:, axis]) for axis in (0, 1)] for at in (begin, end)]
+    return np.concatenate((ends[:1], curve.points[inside], ends[1:]))
+
+
+def _kept(curve: Curve, number: int, begin: float, end: float, drawn: _Drawn) -> Iterator[Tuple[float, float]]:
+    """Lengths between which nothing is drawn yet; they are then."""
+    along = curve.along
+    at = np.linspace(begin, end, max(2, math.ceil((end - begin) / STEP) + 1))
+    x, y = (np.interp(at, along, curve.points[:, axis]) for axis in (0, 1))
+    piece = np.clip(np.searchsorted(along, at, side="right") - 1, 0, len(along) - 2)
+    way = np.diff(curve.points, axis=0)[piece] / np.maximum(np.diff(along)[piece], 1e-12)[:, None]
+    around = float(along[-1]) if np.array_equal(curve.points[0], curve.points[-1]) else 0.0
+    free = np.zeros(len(at), dtype=bool)
+    for i, (s, px, py, (dx, dy)) in enumerate(zip(at.tolist(), x.tolist(), y.tolist(), way.tolist())):
+        place = _Place(px, py, dx, dy, s, number, around, curve.reach)
+        free[i] = not drawn.has(place)
+        if free[i]:
+            drawn.add(place)
+    if free.any():  # or two lines that go on as one have a gap between them
+        for first, last, value in _runs(free):
+            if not value and at[last - 1] - at[first] < 2 * curve.reach:
+                free[first:last] = True
+    for first, last, value in _runs(free):
+        if value and last > first + 1:
+            yield float(at[first]), float(at[last - 1])
+
+
+def _class_of(curve: Curve, hidden: bool) -> str:
+    if curve.is_smooth:
+        return "" if hidden else SMOOTH  # hidden ones are not drawn
+    return HIDDEN if hidden else VISIBLE
+
+
+def in_order(curves: Sequence[Curve], wanted: Sequence[str] = (VISIBLE, HIDDEN, SMOOTH)) -> Dict[str, List[Floats]]:
+    """What is drawn of each kind."""
+    curves = sorted((one for one in curves if len(one.points) > 1), key=lambda one: (one.rank, -one.along[-1]))
+    drawn = _Drawn(max([one.reach for one in curves], default=1.0))
+    found: Dict[str, List[Floats]] = {kind: [] for kind in wanted}
+    flags = [_runs(steady(curve)) for curve in curves]
+    for kind in wanted:
+        for number, (curve, runs) in enumerate(zip(curves, flags)):
+            along = curve.along
+            for begin, end, hidden in runs:
+                shortest = max(_SHORTEST[kind], curve.shortest)
+                if _class_of(curve, hidden) != kind or along[end] - along[begin] < shortest:
+                    continue
+                for first, last in _kept(curve, number, along[begin], along[end], drawn):
+                    if last - first >= _SHORTEST_REST:
+                        found[kind].append(_part(curve, along, first, last))
+    return found

@@ -1,0 +1,310 @@
+# SPDX-License-Identifier: MIT
+"""Sheets of views and sections: sizes, places, line conventions, and what cannot be drawn."""
+import re
+
+import numpy as np
+import pytest
+from conftest import fibonacci_sphere, torus
+
+from hrbfnpr.cli import _view_axes, _view_layout, _view_order, main
+
+NUMBER = r"-?(?:\d+\.?\d*|\.\d+)"
+
+
+def paths_of(path):
+    """By layer, points along each path, in mm."""
+    found = {}
+    layer = None
+    for tag in re.finditer(r'<g [^>]*inkscape:label="([^"]*)"|<path [^>]*d="([^"]*)"', path.read_text()):
+        if tag.group(1) is not None:
+            layer = tag.group(1)
+        else:
+            found.setdefault(layer, []).append(absolute(tag.group(2)))
+    return found
+
+
+def absolute(d):
+    """Points along a path of M, L, H, V and C, absolute or not."""
+    points, at = [], np.zeros(2)
+    t = np.linspace(0.1, 1, 10)[:, None]
+    for command, numbers in re.findall(rf"([a-zA-Z])((?:[\s,]*{NUMBER})*)", d):
+        values = np.array([float(x) for x in re.findall(NUMBER, numbers)])
+        origin = 1 if command.islower() else 0
+        if command in "hHvV":
+            steps = [np.eye(2)["hv".index(command.lower())] * value for value in values]
+            assert command.islower()
+            for step in steps:
+                at = at + step
+                points.append(at)
+        elif command in "cC":
+            for a, b, c in values.reshape(-1, 3, 2) + 0.0:
+                a, b, c = (origin * at + x for x in (a, b, c))
+                points += list((1 - t) ** 3 * at + 3 * t * (1 - t) ** 2 * a + 3 * t**2 * (1 - t) * b + t**3 * c)
+                at = c
+        elif command in "mMlL":
+            for pair in values.reshape(-1, 2):
+                at = origin * at + pair
+                points.append(at)
+        else:
+            assert command in "zZ", command
+    return np.array(points)
+
+
+def box_of(paths, prefix):
+    points = np.concatenate([p for name, of_one in paths.items() if name.startswith(prefix) for p in of_one])
+    return points.min(axis=0), points.max(axis=0)
+
+
+@pytest.fixture(scope="module")
+def egg(tmp_path_factory):
+    """An ellipsoid, 40 wide, 24 high and 16 deep."""
+    axes = np.array((20.0, 12.0, 8.0))
+    n = fibonacci_sphere(600)
+    path = tmp_path_factory.mktemp("views") / "egg.xyz"
+    np.savetxt(path, np.hstack((n * axes, n / axes / np.linalg.norm(n / axes, axis=1, keepdims=True))))
+    return path
+
+
+@pytest.fixture(scope="module")
+def ring(tmp_path_factory):
+    """A torus about z, 28 wide, its tube 8 thick."""
+    path = tmp_path_factory.mktemp("views") / "ring.xyz"
+    points, normals = torus(36, 16)
+    np.savetxt(path, np.hstack((10 * points, normals)))
+    return path
+
+
+@pytest.fixture(scope="module")
+def cube(tmp_path_factory):
+    """Of side 10, as a mesh."""
+    corners = np.array([(x, y, z) for x in (0, 10) for y in (0, 10) for z in (0, 10)], dtype=float)
+    quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+    path = tmp_path_factory.mktemp("views") / "cube.off"
+    faces = "\n".join(f"4 {a} {b} {c} {d}" for a, b, c, d in quads)
+    path.write_text("OFF\n8 6 0\n" + "\n".join("{} {} {}".format(*c) for c in corners) + "\n" + faces + "\n")
+    return path
+
+
+def drawn(model, tmp_path, *options, name="sheet.svg"):
+    output = tmp_path / name
+    assert main(["sheet-views", str(model), str(output), "--quiet", "--up", "y", *options]) == 0
+    return paths_of(output)
+
+
+@pytest.mark.parametrize("scale, factor", [("1:2", 0.5), ("2:1", 2.0), ("1:1", 1.0)])
+def test_sizes_are_those_of_the_scale(egg, tmp_path, scale, factor):
+    paths = drawn(egg, tmp_path, "--scale", scale, "--views", "front,left,top")
+    for name, size in (("front", (40, 24)), ("left", (16, 24)), ("top", (40, 16))):
+        low, high = box_of(paths, f"outlines {name}")
+        assert high - low == pytest.approx(factor * np.array(size), abs=0.05 + 0.002 * factor * 40)
+
+
+def test_a_unit_may_be_another_than_a_millimetre(egg, tmp_path):
+    paths = drawn(egg, tmp_path, "--scale", "1:5", "--unit-mm", "10", "--views", "front")
+    low, high = box_of(paths, "outlines front")
+    assert high - low == pytest.approx((80, 48), abs=0.2)
+
+
+def test_the_page_has_its_size(egg, tmp_path):
+    drawn(egg, tmp_path, "--page", "a3")
+    head = (tmp_path / "sheet.svg").read_text()[:600]
+    assert 'width="420mm"' in head and 'height="297mm"' in head
+
+
+def test_views_are_aligned(egg, tmp_path):
+    paths = drawn(egg, tmp_path, "--views", "front,left,top,bottom,right,back", "--scale", "1:1", "--page", "a3")
+    middle = {name: sum(box_of(paths, f"outlines {name}")) / 2 for name in _view_axes.NAMES if name != "iso"}
+    for name in ("left", "right", "back"):
+        assert middle[name][1] == pytest.approx(middle["front"][1], abs=0.05)
+    for name in ("top", "bottom"):
+        assert middle[name][0] == pytest.approx(middle["front"][0], abs=0.05)
+
+
+@pytest.mark.parametrize("projection, side", [("first", 1), ("third", -1)])
+def test_first_and_third_angle(egg, tmp_path, projection, side):
+    paths = drawn(egg, tmp_path, "--views", "front,left,top", "--projection", projection, "--scale", "1:1")
+    front, left, top = (box_of(paths, f"outlines {name}") for name in ("front", "left", "top"))
+    assert side * (left[0][0] - front[0][0]) > 0  # the left view at the right, the top view below, or the other way
+    assert side * (top[0][1] - front[0][1]) > 0
+    cone, circles = [p for p in paths["projection"] if len(p) < 8], [p for p in paths["projection"] if len(p) > 8]
+    assert len(cone) == 1 and len(circles) == 2
+    assert side * (circles[0].mean(axis=0)[0] - cone[0].mean(axis=0)[0]) > 0
+    # The smaller end is at the left: seen from there, both circles are.
+    at_left = cone[0][cone[0][:, 0] < cone[0][:, 0].mean()]
+    assert np.ptp(at_left[:, 1]) < np.ptp(cone[0][:, 1])
+
+
+def test_views_look_the_right_way(tmp_path):
+    """A cone whose tip is at x = +: in the front view it points to the right, in the back view to the left."""
+    t, a = np.meshgrid(np.linspace(0, 1, 30), np.linspace(0, 2 * np.pi, 24, endpoint=False))
+    r = 5.0 * np.sqrt(1 - t**2) + 1e-3
+    points = np.stack((20 * t, r * np.cos(a), r * np.sin(a)), axis=-1).reshape(-1, 3)
+    normals = np.stack((t / 20, r * np.cos(a) / 25, r * np.sin(a) / 25), axis=-1).reshape(-1, 3)
+    tail = points * (-0.2, 1, 1), normals / (-0.2, 1, 1)
+    path = tmp_path / "drop.xyz"
+    np.savetxt(path, np.hstack((np.concatenate((points, tail[0])), np.concatenate((normals, tail[1])))))
+    paths = drawn(path, tmp_path, "--views", "front,back,top", "--scale", "1:1")
+    for name, sign in (("front", 1), ("back", -1), ("top", 1)):
+        points = np.concatenate(paths[f"outlines {name}"])
+        middle = sum(box_of(paths, f"outlines {name}")) / 2
+        thick = points[np.abs(points[:, 1] - middle[1]).argmax()]
+        assert sign * (middle[0] - thick[0]) > 3
+
+
+def test_hidden_edges_are_dashed_and_thin(ring, tmp_path):
+    """The inner side of a torus is behind its outer side."""
+    paths = drawn(ring, tmp_path, "--up", "z", "--views", "front,top", "--scale", "2:1")
+    assert len(paths["hidden front"]) > 8  # dashes
+    lengths = [np.linalg.norm(np.diff(dash, axis=0), axis=1).sum() for dash in paths["hidden front"]]
+    assert max(lengths) < 6.0  # 12 widths of 0.25 mm, and some
+    low, high = box_of(paths, "hidden front")
+    outer = box_of(paths, "outlines front")
+    assert (low > outer[0] - 0.1).all() and (high < outer[1] + 0.1).all()
+    assert "hidden top" not in paths  # from above all is seen
+    text = (tmp_path / "sheet.svg").read_text()
+    group = re.search(r'inkscape:label="hidden front"[^>]*>\s*<path[^>]*stroke-width="([\d.]+)"', text)
+    whole = re.search(r'inkscape:label="outlines front"[^>]*>\s*<path[^>]*stroke-width="([\d.]+)"', text)
+    widths = [float(found.group(1)) for found in (group, whole)] if group and whole else [0.25, 0.5]
+    assert widths == [0.25, 0.5]
+
+
+def test_hidden_edges_as_asked(ring, tmp_path):
+    assert "hidden front" not in drawn(ring, tmp_path, "--up", "z", "--hidden", "none", "--views", "front")
+    shown = drawn(ring, tmp_path, "--up", "z", "--hidden", "shown", "--views", "front", "--scale", "2:1")
+    assert max(np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in shown["hidden front"]) > 10
+
+
+def test_lines_behind_each_other_are_drawn_once(ring, tmp_path):
+    """From the side, the back of the torus is behind its front everywhere."""
+    paths = drawn(ring, tmp_path, "--up", "z", "--views", "front", "--scale", "2:1")
+    length = sum(np.linalg.norm(np.diff(p, axis=0), axis=1).sum() for p in paths["outlines front"])
+    assert length == pytest.approx(2 * (2 * 20 + np.pi * 8), rel=0.05)
+
+
+def inside(points, centres, radius):
+    return (np.linalg.norm(points[:, None] - centres, axis=2) < radius).any(axis=1)
+
+
+def test_a_section_is_hatched_inside_the_cut_alone(ring, tmp_path):
+    paths = drawn(ring, tmp_path, "--up", "z", "--views", "front,top", "--section", "y", "--scale", "2:1")
+    low, high = box_of(paths, "outlines A-A")
+    assert high - low == pytest.approx((56, 16), abs=0.2)
+    middle = (low + high) / 2
+    centres = middle + np.array(((-20.0, 0.0), (20.0, 0.0)))
+    hatching = paths["hatching A-A"]
+    ends = np.concatenate(hatching)
+    assert len(hatching) >= 8 and inside(ends, centres, 8.1).all()
+    for line in hatching:
+        step = line[-1] - line[0]
+        assert abs(step[0]) == pytest.approx(abs(step[1]), abs=0.02) and step[0] * step[1] < 0  # 45 degrees, rising
+    # Behind the plane half of the torus is seen: straight lines between the circles, nothing hidden.
+    lines = [line - middle for line in paths["outlines A-A"]]
+    straight = [line for line in lines if line[:, 0].min() < -15 and line[:, 0].max() > 15]
+    assert sorted(round(line[:, 1].mean()) for line in straight) == [-8, 8]
+    assert all(np.ptp(line[:, 1]) < 0.5 for line in straight)
+    assert "hidden A-A" not in paths
+    assert {"cutting planes top", "cutting ends top"} <= set(paths)
+
+
+def test_what_is_before_the_plane_is_cut_away(egg, tmp_path):
+    paths = drawn(egg, tmp_path, "--views", "front", "--section", "x:10", "--scale", "1:1")
+    low, high = box_of(paths, "outlines A-A")
+    # Seen from the right, the larger half: its widest place is behind the cut, which is smaller by sqrt(3/4).
+    assert high - low == pytest.approx((16, 24), abs=0.2)
+    ends = np.concatenate(paths["hatching A-A"])
+    away = (ends - (low + high) / 2) / (8, 12)
+    assert np.linalg.norm(away, axis=1) == pytest.approx(np.sqrt(0.75), abs=0.02)
+    paths = drawn(egg, tmp_path, "--views", "front", "--section", "-x:10", "--scale", "1:1")
+    low, high = box_of(paths, "outlines A-A")
+    assert high - low == pytest.approx(np.sqrt(0.75) * np.array((16, 24)), abs=0.2)
+
+
+def test_oblique_sections_are_seen_as_they_are(egg, tmp_path):
+    paths = drawn(egg, tmp_path, "--views", "front,top", "--section", "1:0:1:0", "--scale", "1:1")
+    ends = np.concatenate(paths["hatching A-A"])
+    # x = -z: the half axis along (1, 0, -1) / sqrt(2) is that of 1 / 800 + 1 / 128.
+    width = 2 / np.sqrt(1 / 800 + 1 / 128)
+    assert np.ptp(ends[:, 0]) == pytest.approx(width, rel=0.1) and np.ptp(ends[:, 0]) < width + 0.1
+
+
+def test_edges_of_a_mesh_are_as_they_are(cube, tmp_path):
+    paths = drawn(cube, tmp_path, "--views", "front,iso", "--scale", "2:1")
+    low, high = box_of(paths, "outlines front")
+    assert high - low == pytest.approx((20, 20), abs=0.3)
+    # An isometric view has edges as long as the scale says [ISO 5456-3], and three hidden ones.
+    low, high = box_of(paths, "outlines iso")
+    assert high[1] - low[1] == pytest.approx(40, abs=0.5)
+    assert high[0] - low[0] == pytest.approx(40 * np.cos(np.pi / 6), abs=0.5)
+    hidden = np.concatenate(paths["hidden iso"])
+    assert np.linalg.norm(hidden - (low + high) / 2, axis=1).min() < 1.5  # they meet in the middle
+
+
+def test_centre_lines_are_of_symmetric_models(egg, tmp_path):
+    paths = drawn(egg, tmp_path, "--views", "front", "--centre-lines", "--scale", "1:1")
+    low, high = box_of(paths, "centre lines front")
+    assert high - low == pytest.approx((46, 30), abs=0.5)
+    assert "centre lines front" not in drawn(egg, tmp_path, "--views", "front")
+
+
+def test_the_same_bytes_again(ring, tmp_path):
+    for name in ("a.svg", "b.svg"):
+        drawn(ring, tmp_path, "--section", "z", "--labels", name=name)
+    assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
+
+
+def test_pdf(egg, tmp_path):
+    assert main(["sheet-views", str(egg), str(tmp_path / "egg.pdf"), "--quiet"]) == 0
+    assert (tmp_path / "egg.pdf").read_bytes()[:5] == b"%PDF-"
+
+
+def test_says_what_it_did(egg, tmp_path, capsys):
+    assert main(["sheet-views", str(egg), str(tmp_path / "egg.svg"), "--scale", "1:2"]) == 0
+    said = capsys.readouterr().out
+    assert "4 views at 1:2 on a4, 297 x 210 mm, first angle" in said
+    assert main(["sheet-views", str(egg), str(tmp_path / "egg.svg"), "--page", "a4"]) == 0
+    assert "at 2:1 on a4" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("options, status, words", [
+    (["--scale", "10:1", "--page", "a4"], 1, ["--scale 10:1", "a4", "--scale 2:1", "--page a0"]),
+    (["--scale", "1:0"], 2, ["--scale", "1:2"]),
+    (["--views", "front,side"], 2, ["side", "front, back"]),
+    (["--section", "w:3"], 2, ["AXIS:PLACE"]),
+    (["--section", "x:50"], 1, ["--section", "misses", "-19.9", "19.9"]),
+    (["--smooth", "hills"], 2, ["hills", "ridges"]),
+    (["--unit-mm", "0"], 2, ["--unit-mm", "above 0"]),
+    (["--page", "a99"], 2, ["--page", "a4"]),
+])  # fmt: skip
+def test_what_cannot_be_drawn_is_said(egg, tmp_path, capsys, options, status, words):
+    assert main(["sheet-views", str(egg), str(tmp_path / "egg.svg"), "--quiet", *options]) == status
+    said = capsys.readouterr().err
+    assert all(word in said for word in words), said
+    assert not (tmp_path / "egg.svg").exists()
+
+
+def test_pictures_are_refused(egg, tmp_path, capsys):
+    assert main(["sheet-views", str(egg), str(tmp_path / "egg.png")]) == 1
+    assert ".svg" in capsys.readouterr().err
+
+
+def test_scales_are_those_of_the_standard():
+    texts = [one.text for one in _view_layout.iso_scales()]
+    at = texts.index("1:1")
+    assert texts[at - 4 : at + 5] == ["20:1", "10:1", "5:1", "2:1", "1:1", "1:2", "1:5", "1:10", "1:20"]
+
+
+def test_of_coincident_lines_the_visible_one_is_drawn():
+    line = np.column_stack((np.linspace(0, 30, 31), np.zeros(31)))
+    seen, hidden = np.zeros(30, dtype=bool), np.ones(30, dtype=bool)
+    across = _view_order.Curve(np.array(((15.0, -10.0), (15.0, 10.0))), hidden[:1])
+    drawn_ = _view_order.in_order([_view_order.Curve(line + (0, 0.1), hidden), _view_order.Curve(line, seen), across])
+    assert len(drawn_["outlines"]) == 1 and len(drawn_["hidden"]) == 1
+    assert np.ptp(drawn_["outlines"][0][:, 0]) == pytest.approx(30)
+    assert np.ptp(drawn_["hidden"][0][:, 1]) == pytest.approx(20)
+
+
+def test_a_line_that_goes_on_as_another_has_no_gap():
+    first, second = (np.array(((x, 0.0), (x + 10, 0.0))) for x in (0.0, 10.0))
+    flags = np.zeros(1, dtype=bool)
+    pieces = _view_order.in_order([_view_order.Curve(first, flags), _view_order.Curve(second, flags)])["outlines"]
+    assert sorted((p[0][0], p[-1][0]) for p in pieces) == [(0, 10), (10, 20)]
