@@ -85,6 +85,26 @@ def cube(tmp_path_factory):
     return path
 
 
+@pytest.fixture(scope="module")
+def bush(tmp_path_factory):
+    """A mesh, turned about z: a flange 50 wide and 8 high, a shaft 30 wide, a bore of 16 and, above 22, of 22."""
+    corners = [(8, 0), (25, 0), (25, 8), (15, 8), (15, 36), (11, 36), (11, 22), (8, 22)]
+    profile = []
+    for a, b in zip(corners, corners[1:] + corners[:1]):
+        parts = round(np.hypot(b[0] - a[0], b[1] - a[1]) / 2)
+        profile += [np.add(a, np.subtract(b, a) * i / parts) for i in range(parts)]
+    r, z = np.array(profile).T
+    turn, count = 2 * np.pi * np.arange(72)[:, None] / 72, len(r)
+    points = np.stack((r * np.cos(turn), r * np.sin(turn), np.broadcast_to(z, (72, count))), axis=-1).reshape(-1, 3)
+    at = np.arange(72 * count).reshape(72, count)
+    beside = np.roll(at, -1, 0)
+    quads = np.stack((at, beside, np.roll(beside, -1, 1), np.roll(at, -1, 1)), axis=-1).reshape(-1, 4)
+    path = tmp_path_factory.mktemp("views") / "bush.off"
+    lines = ["OFF", f"{len(points)} {len(quads)} 0", *("{:g} {:g} {:g}".format(*p) for p in points)]
+    path.write_text("\n".join([*lines, *("4 {} {} {} {}".format(*q) for q in quads)]) + "\n")
+    return path
+
+
 def drawn(model, tmp_path, *options, name="sheet.svg"):
     output = tmp_path / name
     assert main(["sheet-views", str(model), str(output), "--quiet", "--up", "y", *options]) == 0
@@ -239,11 +259,41 @@ def test_edges_of_a_mesh_are_as_they_are(cube, tmp_path):
     assert np.linalg.norm(hidden - (low + high) / 2, axis=1).min() < 1.5  # they meet in the middle
 
 
+def test_holes_stay_empty(bush, tmp_path):
+    cuts = ("--section", "y", "--section", "z:15")
+    paths = drawn(bush, tmp_path, "--up", "z", "--views", "front", *cuts, "--scale", "1:1")
+    low, high = box_of(paths, "outlines A-A")
+    assert high - low == pytest.approx((50, 36), abs=0.4)  # the fit's 0.5 % of the diagonal
+    ends = np.concatenate(paths["hatching A-A"]) - (low[0] / 2 + high[0] / 2, high[1])
+    x, height = np.abs(ends[:, 0]), -ends[:, 1]
+    bore, wall = np.where(height > 22.3, 11, 8), np.where(height > 8.3, 15, 25)
+    assert (x > bore - 0.4).all() and (x < wall + 0.4).all()
+    round_hatching = np.concatenate(paths["hatching B-B"])
+    away = np.linalg.norm(round_hatching - sum(box_of(paths, "hatching B-B")) / 2, axis=1)
+    assert np.minimum(np.abs(away - 8), np.abs(away - 15)).max() < 0.4
+    # The bore is hidden from the front: both of its sides, and their step.
+    hidden = np.concatenate(paths["hidden front"]) - sum(box_of(paths, "outlines front")) / 2
+    for x in (-11, -8, 8, 11):
+        assert (np.abs(hidden[:, 0] - x) < 0.3).sum() > 8
+
+
 def test_centre_lines_are_of_symmetric_models(egg, tmp_path):
     paths = drawn(egg, tmp_path, "--views", "front", "--centre-lines", "--scale", "1:1")
     low, high = box_of(paths, "centre lines front")
     assert high - low == pytest.approx((46, 30), abs=0.5)
     assert "centre lines front" not in drawn(egg, tmp_path, "--views", "front")
+
+
+def test_metres_of_gltf_are_told(capsys):
+    from types import SimpleNamespace
+
+    from hrbfnpr.cli._progress import Reporter
+    from hrbfnpr.cli._sheet_views import _unit
+
+    for format, given, unit in (("GLB", None, 1000), ("glTF", None, 1000), ("GLB", 2.0, 2), ("OFF", None, 1)):
+        loaded = SimpleNamespace(shape=SimpleNamespace(format=format))
+        assert _unit(SimpleNamespace(unit_mm=given), loaded, Reporter(False)) == unit
+        assert ("--unit-mm" in capsys.readouterr().err) == (unit == 1000)
 
 
 def test_the_same_bytes_again(ring, tmp_path):

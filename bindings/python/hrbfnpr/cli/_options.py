@@ -275,8 +275,8 @@ def build() -> Parser:
                                 "views and sections of a model on a sheet, to scale, by the conventions of technical "
                                 "drawing.")  # fmt: skip
     views.add_argument("input", metavar="INPUT", help=source)
-    views.add_argument("output", metavar="OUTPUT", nargs="?", help="vectors (.svg, .pdf, .hpgl, .gcode); INPUT's name with "
-                       "-views.svg by default")  # fmt: skip
+    views.add_argument("output", metavar="OUTPUT", nargs="?", help="vectors (.svg, .pdf, .hpgl, .gcode); INPUT's name "
+                       "with -views.svg by default")  # fmt: skip
     views.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the same as an option")
     for add in (_sheet_views.add_options, _add_fit, _add_input, _add_common):
         add(views)

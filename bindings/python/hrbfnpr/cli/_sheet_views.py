@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, List, Tuple
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from ._view_axes import Plane, View
 
 _SMOOTH = {"ridges": "ridge", "valleys": "valley", "suggestive": "suggestive_contour"}
 _METRE = 1000.0
-_SYMMETRIC = 0.004  # of the diagonal: how far mirrored samples may be from the surface
+_SYMMETRIC = 0.004  # of the diagonal: how far nine of ten mirrored samples may be from the surface, at most
 
 
 def smooth_of(text: str) -> Tuple[str, ...]:
@@ -53,9 +53,10 @@ def add_options(parser: Any) -> None:
     group = parser.add_argument_group("sheet")
     add = group.add_argument
     add("--views", type=_view_axes.views, metavar="NAMES", help="with commas between: "
-        f"{', '.join(_view_axes.NAMES)}; front, top, iso and the view that belongs on the right by default")  # fmt: skip
-    add("--section", type=_view_axes.cut, action="append", default=[], metavar="AXIS:PLACE", help="a section by the "
-        "plane, such as z:20; -z:20 is seen from below, z is through the middle, 1:1:0:5 is x + y = 5; may be repeated")  # fmt: skip
+        f"{', '.join(_view_axes.NAMES)}; front, top, iso and the side that is on the right by default")  # fmt: skip
+    add("--section", type=_view_axes.cut, action="append", default=[], metavar="AXIS:PLACE", help="a section by "
+        "the plane, such as z:20; -z:20 is seen from below, z is through the middle, 1:1:0:5 is x + y = 5; may be "
+        "repeated")  # fmt: skip
     add("--projection", choices=("first", "third"), default="first", metavar="NAME", help="where views are: first "
         "angle (default), the left view at the right, or third angle")  # fmt: skip
     add("--page", type=_view_layout.page_of, metavar="PAPER", help="a4, a3, ... lying, WIDTHxHEIGHT in mm, or auto "
@@ -75,8 +76,8 @@ def add_options(parser: Any) -> None:
     add("--centre-lines", action="store_true", help="of planes of symmetry")
     add("--labels", action="store_true", help="write the views' names above them; sections have theirs always")
     add("--title", metavar="TEXT", help="in the title block; the file's name without its ending by default")
-    add("--up", type=up, metavar="AXIS", help="x, y, z, -y, ... or X,Y,Z; auto (default): by the kind of file and the shape, "
-        "y where neither tells")  # fmt: skip
+    add("--up", type=up, metavar="AXIS", help="x, y, z, -y, ... or X,Y,Z; auto (default): by the kind of file "
+        "and the shape, y where neither tells")  # fmt: skip
 
 
 def output_of(arguments: Any) -> Path:
@@ -103,7 +104,7 @@ class _Sheet:
 def _unit(arguments: Any, loaded: Loaded, report: Reporter) -> float:
     if arguments.unit_mm is not None:
         return float(arguments.unit_mm)
-    if loaded.shape is not None and "gltf" in loaded.shape.format.lower():
+    if loaded.shape is not None and loaded.shape.format.startswith(("glTF", "GLB")):
         report.note("glTF is in metres: a unit is 1000 mm; --unit-mm sets another")
         return _METRE
     return 1.0
@@ -111,7 +112,8 @@ def _unit(arguments: Any, loaded: Loaded, report: Reporter) -> float:
 
 def _names(arguments: Any) -> Tuple[str, ...]:
     side = "left" if arguments.projection == "first" else "right"
-    return arguments.views or ("front", side, "top", "iso")
+    names: Tuple[str, ...] = arguments.views or ("front", side, "top", "iso")
+    return names
 
 
 def _plan(arguments: Any, loaded: Loaded, points: Floats, unit: float) -> _Sheet:
@@ -175,8 +177,9 @@ def _draw_view(
             lines.add(kind, piece + centre, view.name)
     closed = [outline for outline in outlines if np.array_equal(outline[0], outline[-1])]
     if len(closed) < len(outlines):
-        report.warn(f"section {view.name}: {_nearness.of(len(outlines) - len(closed), 'outline')} of the cut not closed, "
-                    "and not hatched: the model is open there, or the plane lies in a face")  # fmt: skip
+        count = _nearness.of(len(outlines) - len(closed), "outline")
+        report.warn(f"section {view.name}: {count} of the cut not closed, and not hatched: the model is open there, or "
+                    "the plane lies in a face")  # fmt: skip
     for segment in _cut_faces.hatched(closed, arguments.hatch_spacing):
         lines.add("hatching", segment + centre, view.name)
 
@@ -188,7 +191,8 @@ def _mark_view(
     scale, box = sheet.layout.scale, cell.seen(sheet.layout.scale).moved(*centre)
     for plane in cell.cuts:
         _view_marks.cutting_plane(lines, cell.view, plane, sheet.middle, scale, centre, box)
-    cut = [plane.normal for plane in cell.cuts if abs(plane.place - plane.normal @ sheet.middle) < 1e-6 * sheet.diagonal]
+    near = 1e-6 * sheet.diagonal
+    cut = [plane.normal for plane in cell.cuts if abs(plane.place - plane.normal @ sheet.middle) < near]
     for normal in symmetric:
         if cell.view.edge_on(normal) and not any(abs(normal @ one) > 1 - 1e-6 for one in cut):
             _view_marks.centre_line(lines, cell.view, normal, scale, centre, box)
@@ -205,7 +209,7 @@ def _symmetric(model: Model, sheet: _Sheet) -> List[Floats]:
         mirrored = points - 2 * np.outer((points - sheet.middle) @ normal, normal)
         there = model.evaluate(mirrored, gradient=True)
         away = np.abs(there.value) / np.maximum(np.linalg.norm(np.asarray(there.gradient), axis=1), 1e-300)
-        if np.percentile(away, 95) < _SYMMETRIC * sheet.diagonal:
+        if np.percentile(away, 90) < _SYMMETRIC * sheet.diagonal:
             found.append(normal)
     return found
 

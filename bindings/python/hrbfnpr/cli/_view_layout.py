@@ -24,8 +24,12 @@ CUTTING = 17.0  # of arrows and letters around a view
 _DECADES = [10.0**k for k in range(9, -10, -1)]
 
 # Columns and rows of the views around the front one [ISO 5456-2].
-_FIRST = {"right": (0, 1), "front": (1, 1), "left": (2, 1), "back": (3, 1), "bottom": (1, 0), "top": (1, 2), "iso": (2, 2)}
-_THIRD = {"left": (0, 1), "front": (1, 1), "right": (2, 1), "back": (3, 1), "top": (1, 0), "bottom": (1, 2), "iso": (2, 0)}
+_FIRST = {
+    "right": (0, 1), "front": (1, 1), "left": (2, 1), "back": (3, 1), "bottom": (1, 0), "top": (1, 2), "iso": (2, 2),
+}  # fmt: skip
+_THIRD = {
+    "left": (0, 1), "front": (1, 1), "right": (2, 1), "back": (3, 1), "top": (1, 0), "bottom": (1, 2), "iso": (2, 0),
+}  # fmt: skip
 PLACES = {"first": _FIRST, "third": _THIRD}
 
 
@@ -45,7 +49,8 @@ class Page(NamedTuple):
     def reserved(self) -> List["Box"]:
         """For the title block and the scale bar."""
         left, _, right, bottom = self.frame
-        return [Box(right - BLOCK[0], bottom - BLOCK[1], right, bottom), Box(left, bottom - BAR[1], left + BAR[0], bottom)]
+        block = Box(right - BLOCK[0], bottom - BLOCK[1], right, bottom)
+        return [block, Box(left, bottom - BAR[1], left + BAR[0], bottom)]
 
 
 class Box(NamedTuple):
@@ -166,7 +171,9 @@ def is_aligned(cell: Cell, upward: Floats) -> bool:
     return cell.view.name != "iso" and (cell.view.plane is None or cell.row != 1 or abs(cell.view.eye @ upward) < 1e-6)
 
 
-def _spans(boxes: Sequence[Tuple[int, float, float]], gap: float) -> Tuple[Dict[int, Tuple[float, float, float]], float]:
+def _spans(
+    boxes: Sequence[Tuple[int, float, float]], gap: float
+) -> Tuple[Dict[int, Tuple[float, float, float]], float]:
     """For columns or rows by number: where they begin, and how far they reach before and behind their centre line."""
     reach: Dict[int, List[float]] = {}
     for number, before, behind in boxes:
@@ -180,7 +187,9 @@ def _spans(boxes: Sequence[Tuple[int, float, float]], gap: float) -> Tuple[Dict[
     return spans, at - gap
 
 
-def table(drawn: Sequence[Cell], scale: float, gap: float, upward: Floats) -> Tuple[List[Tuple[float, float]], float, float]:
+def table(
+    drawn: Sequence[Cell], scale: float, gap: float, upward: Floats
+) -> Tuple[List[Tuple[float, float]], float, float]:
     """Centres of the views from the table's upper left corner, and its size."""
     boxes = [cell.box(scale) for cell in drawn]
     shifts = []

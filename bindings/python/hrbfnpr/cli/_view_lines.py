@@ -31,9 +31,10 @@ _ASKED = 0.5  # mm: between places of a line that rays are cast from ...
 _HALVINGS = 4  # ... and where two of them differ
 _OFF = 0.006  # of the diagonal: the fitted surface may be this far from an edge of the mesh
 _OFF_CONTOUR = 5e-4  # the same of lines on the surface itself
-_SHORTEST_CONTOUR = 2.0  # mm: shorter ones are ripples of a face that is seen edge-on
+# Beside sharp edges, mm: shorter or smaller contours are ripples of the fit.
+_SHORTEST_CONTOUR, _SMALLEST_CONTOUR = 2.0, 4.0
 _SHORTEST_EDGE = 0.06  # of the diagonal, of edges with a free end
-_NEAR_CREASE = 0.0025  # of the diagonal: contours beside a crease are its rounding by the fit
+_NEAR_CREASE = 0.005  # of the diagonal: contours beside a crease are its rounding by the fit
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ class Solid:
 
 @dataclass
 class _Line:
-    """A line with places in the model, (n, 3), and in the view, (n, 2) in mm, and for each piece whether it is hidden."""
+    """A line: places in the model, (n, 3), and in the view, (n, 2) in mm, and of each piece whether it is hidden."""
 
     places: Floats
     points: Floats
@@ -279,7 +280,9 @@ def curves(view: View, solid: Solid, scale: float, renderer: Renderer) -> Tuple[
     creases = _asked(creases, sight, _OFF)
     beside = max(0.35, _NEAR_CREASE * solid.diagonal * unit)
     made = [_curve(line, rank=1, reach=beside) for line in creases]
-    made += [_curve(line, rank=2, shortest=_SHORTEST_CONTOUR) for line in contours]
+    if len(solid.creases):
+        contours = [line for line in contours if np.linalg.norm(np.ptp(line.points, axis=0)) > _SMALLEST_CONTOUR]
+    made += [_curve(line, rank=2, shortest=_SHORTEST_CONTOUR if len(solid.creases) else 0.0) for line in contours]
     made += [_curve(line, rank=3, is_smooth=True, reach=0.8) for line in smooth]
     made += [Curve(line, np.zeros(len(line) - 1, dtype=bool), rank=0) for line in outlines]
     return made, outlines

@@ -16,6 +16,7 @@ from ..shapes._shape import Floats
 VISIBLE, HIDDEN, SMOOTH = "outlines", "hidden", "smooth"
 STEP = 0.15  # mm, of places that are compared
 _SHORTEST_REST = 0.5  # mm of what is left between other lines
+_JOINING = 5.0  # mm beside another line before they meet, at most
 _ALIKE = math.sin(math.radians(25.0))  # of directions that count as one
 _FLICKER = 2.0  # mm: parts that are hidden, or not, for less than this are as what is before and behind them
 _ONWARD = 0.7  # of the length: how far such a part gets
@@ -136,13 +137,20 @@ def _kept(curve: Curve, number: int, begin: float, end: float, drawn: _Drawn) ->
         free[i] = not drawn.has(place)
         if free[i]:
             drawn.add(place)
-    if free.any():  # or two lines that go on as one have a gap between them
-        for first, last, value in _runs(free):
-            if not value and at[last - 1] - at[first] < 2 * curve.reach:
-                free[first:last] = True
+    _go_on(free, at, curve.reach)
     for first, last, value in _runs(free):
         if value and last > first + 1:
             yield float(at[first]), float(at[last - 1])
+
+
+def _go_on(free: Any, at: Floats, reach: float) -> None:
+    """Draw lines as far as those that they join: they are near to them before they meet, or go on as one of them."""
+    runs = _runs(free)
+    lengths = [float(at[last - 1] - at[first]) for first, last, _ in runs]
+    for i, (first, last, value) in enumerate(runs):
+        beside = [lengths[j] for j in (i - 1, i + 1) if 0 <= j < len(runs)]
+        if not value and beside and lengths[i] < max(2 * reach, min(_JOINING, *beside)):
+            free[first:last] = True
 
 
 def _class_of(curve: Curve, hidden: bool) -> str:

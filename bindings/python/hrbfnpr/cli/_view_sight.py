@@ -21,8 +21,8 @@ _BEHIND = 1e-3  # of the diagonal: what lies farther behind a cut face than this
 class Sight:
     """Rays to the eye, which f is looked up along: many at a time that costs less than following each one.
 
-    Walls thinner than 1 / (_STEPS _FINER) of the diagonal may be missed, of open surfaces sheets that are nearer to each
-    other than 1 / (2 _STEPS).
+    Walls thinner than 1 / (_STEPS _FINER) of the diagonal may be missed, of open surfaces sheets that are nearer to
+    each other than 1 / (2 _STEPS).
     """
 
     def __init__(
