@@ -357,4 +357,12 @@ def test_a_line_that_goes_on_as_another_has_no_gap():
     first, second = (np.array(((x, 0.0), (x + 10, 0.0))) for x in (0.0, 10.0))
     flags = np.zeros(1, dtype=bool)
     pieces = _view_order.in_order([_view_order.Curve(first, flags), _view_order.Curve(second, flags)])["outlines"]
-    assert sorted((p[0][0], p[-1][0]) for p in pieces) == [(0, 10), (10, 20)]
+    assert sorted((min(p[:, 0]), max(p[:, 0])) for p in pieces) == [(0, 10), (10, 20)]
+
+
+def test_short_gaps_are_bridged():
+    flags = np.zeros(1, dtype=bool)
+    at = ((0, 10), (11, 20), (24, 30))
+    curves = [_view_order.Curve(np.array(((a, 0.0), (b, 0.0))), flags) for a, b in at]
+    pieces = _view_order.in_order(curves)["outlines"]
+    assert sorted((min(p[:, 0]), max(p[:, 0])) for p in pieces) == [(0, 20), (24, 30)]

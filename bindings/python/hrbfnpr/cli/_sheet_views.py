@@ -26,6 +26,7 @@ from ._view_axes import Plane, View
 
 _SMOOTH = {"ridges": "ridge", "valleys": "valley", "suggestive": "suggestive_contour"}
 _METRE = 1000.0
+_LEAST_OUTLINE = 2.0  # mm
 _SYMMETRIC = 0.004  # of the diagonal: how far nine of ten mirrored samples may be from the surface, at most
 
 
@@ -160,7 +161,12 @@ def _solid(
         lines = LineSet(model, once, with_curvature="suggestive_contour" in smooth, progress=stage.bar, context=context)
         stage.says = f"on {lines.info.triangles} triangles; {len(creases)} sharp edges of the mesh"
     marks = PointSet.generate(model, budget=20, context=context)  # none is drawn
-    return _view_lines.Solid(model, lines, creases, smooth, sheet.middle, sheet.diagonal, context, marks)
+    return _view_lines.Solid(model, lines, creases, smooth, sheet.middle, sheet.diagonal, marks)
+
+
+def _is_long(line: Floats) -> bool:
+    """More than a ripple that the tracing of a section has left."""
+    return bool(np.linalg.norm(np.diff(line, axis=0), axis=1).sum() > _LEAST_OUTLINE)
 
 
 def _draw_view(
@@ -176,10 +182,10 @@ def _draw_view(
         for piece in pieces:
             lines.add(kind, piece + centre, view.name)
     closed = [outline for outline in outlines if np.array_equal(outline[0], outline[-1])]
-    if len(closed) < len(outlines):
-        count = _nearness.of(len(outlines) - len(closed), "outline")
-        report.warn(f"section {view.name}: {count} of the cut not closed, and not hatched: the model is open there, or "
-                    "the plane lies in a face")  # fmt: skip
+    count = sum(1 for outline in outlines if not np.array_equal(outline[0], outline[-1]) and _is_long(outline))
+    if count:
+        report.warn(f"section {view.name}: {_nearness.of(count, 'outline')} of the cut not closed, and not hatched: "
+                    "the model is open there, or the plane lies in a face")  # fmt: skip
     for segment in _cut_faces.hatched(closed, arguments.hatch_spacing):
         lines.add("hatching", segment + centre, view.name)
 

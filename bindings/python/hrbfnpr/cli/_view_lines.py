@@ -13,7 +13,6 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple
 import numpy as np
 
 from .._camera import Camera
-from .._context import Context
 from .._line_set import LineSet
 from .._line_style import LineStyle
 from .._model import Model
@@ -47,7 +46,6 @@ class Solid:
     smooth: Sequence[str]
     middle: Floats
     diagonal: float
-    context: Context
     marks: PointSet
 
 
@@ -224,14 +222,14 @@ def _cut_at(line: _Line, cuts: Floats, hidden: bool) -> _Line:
     return made
 
 
-def _behind(line: _Line, plane: Plane, margin: float) -> List[_Line]:
-    """The parts behind a plane, or less than a margin before it."""
-    away = line.places @ plane.normal - plane.place - margin
+def _behind(line: _Line, plane: Plane) -> List[_Line]:
+    """The parts behind a plane."""
+    away = line.places @ plane.normal - plane.place
     inside = away <= 0
     cross = np.flatnonzero(inside[1:] != inside[:-1])
     at = cross + away[cross] / (away[cross] - away[cross + 1])
     whole = _at(line, np.unique(np.concatenate((np.arange(len(away)), at))))
-    kept = whole.places @ plane.normal - plane.place - margin <= 1e-9 * max(1.0, abs(plane.place))
+    kept = whole.places @ plane.normal - plane.place <= 1e-9 * max(1.0, abs(plane.place))
     both = kept[1:] & kept[:-1]
     changes = np.flatnonzero(np.diff(np.concatenate(([0], both.astype(int), [0]))))
     return [whole.part(begin, end) for begin, end in zip(changes[0::2], changes[1::2])]
@@ -274,7 +272,7 @@ def curves(view: View, solid: Solid, scale: float, renderer: Renderer) -> Tuple[
     if plane is not None:
         outlines = [line.points for line in found.get("section", [])]
         contours, creases, smooth = (
-            [part for line in lines for part in _behind(line, plane, 0.0)] for lines in (contours, creases, smooth)
+            [part for line in lines for part in _behind(line, plane)] for lines in (contours, creases, smooth)
         )
         contours, smooth = _asked(contours, sight, _OFF_CONTOUR), _asked(smooth, sight, _OFF_CONTOUR)
     creases = _asked(creases, sight, _OFF)

@@ -195,7 +195,7 @@ def cutting_plane(
         for side in (-1, 1):
             back = tip - 3.0 * sight + side * 0.8 * inward
             lines.add("cutting ends", (back, tip), view.name)
-        letter = tail - 3.5 * sight
+        letter = tip - 4.5 * inward - 0.5 * _ARROW * sight
         lines.text((letter[0], letter[1] + 2.5), plane.name, 5.0, centred=True)
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Dict, Iterator, List, NamedTuple, Sequence, Tuple
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -17,6 +17,7 @@ VISIBLE, HIDDEN, SMOOTH = "outlines", "hidden", "smooth"
 STEP = 0.15  # mm, of places that are compared
 _SHORTEST_REST = 0.5  # mm of what is left between other lines
 _JOINING = 5.0  # mm beside another line before they meet, at most
+_BRIDGED, _STRAIGHT = 2.0, 0.99  # mm of a gap, and cosine of directions, that are as of one line
 _ALIKE = math.sin(math.radians(25.0))  # of directions that count as one
 _FLICKER = 2.0  # mm: parts that are hidden, or not, for less than this are as what is before and behind them
 _ONWARD = 0.7  # of the length: how far such a part gets
@@ -175,4 +176,41 @@ def in_order(curves: Sequence[Curve], wanted: Sequence[str] = (VISIBLE, HIDDEN, 
                 for first, last in _kept(curve, number, along[begin], along[end], drawn):
                     if last - first >= _SHORTEST_REST:
                         found[kind].append(_part(curve, along, first, last))
+    return {kind: _bridged(pieces) for kind, pieces in found.items()}
+
+
+def _bridged(pieces: Sequence[Floats]) -> List[Floats]:
+    """Pieces that go on as one behind a short gap, as one."""
+    rest = list(pieces)
+    found = []
+    while rest:
+        line = rest.pop(0)
+        for _ in range(2):  # onward, then from the other end
+            line = line[::-1]
+            while (i := _next_of(line, rest)) is not None:
+                part = rest.pop(abs(i) - 1)
+                line = np.concatenate((line, part if i > 0 else part[::-1]))
+        found.append(line)
     return found
+
+
+def _next_of(line: Floats, rest: Sequence[Floats]) -> Optional[int]:
+    """1 and the number of a piece that goes on where the line ends; negative if its own end is there."""
+    way = _direction(line)
+    if not rest or np.array_equal(line[0], line[-1]):
+        return None
+    ends = np.array([(part[0], part[-1]) for part in rest]) - line[-1]
+    away = np.linalg.norm(ends, axis=2)
+    for number, at_end in np.argwhere((away > 0) & (away < _BRIDGED) & (ends @ way > _STRAIGHT * away)):
+        part = rest[number][::-1] if at_end else rest[number]
+        if -_direction(part[::-1]) @ way > _STRAIGHT:
+            return -int(number) - 1 if at_end else int(number) + 1
+    return None
+
+
+def _direction(line: Floats) -> Floats:
+    """In which the last millimetre of a line goes."""
+    along = np.concatenate(((0.0,), np.cumsum(np.linalg.norm(np.diff(line[::-1], axis=0), axis=1))))
+    begin = [np.interp(1.0, along, line[::-1, axis]) for axis in (0, 1)]
+    step = line[-1] - begin
+    return np.asarray(step / max(float(np.linalg.norm(step)), 1e-12))
