@@ -30,8 +30,7 @@ _ASKED = 0.5  # mm: between places of a line that rays are cast from ...
 _HALVINGS = 4  # ... and where two of them differ
 _OFF = 0.006  # of the diagonal: the fitted surface may be this far from an edge of the mesh
 _OFF_CONTOUR = 5e-4  # the same of lines on the surface itself
-# Beside sharp edges, mm: shorter or smaller contours are ripples of the fit.
-_SHORTEST_CONTOUR, _SMALLEST_CONTOUR = 2.0, 4.0
+_SMALLEST_CONTOUR = 4.0  # mm across: of models with sharp edges smaller ones are ripples of the fit
 _SHORTEST_EDGE = 0.06  # of the diagonal, of edges with a free end
 _NEAR_CREASE = 0.005  # of the diagonal: contours beside a crease are its rounding by the fit
 
@@ -280,7 +279,7 @@ def curves(view: View, solid: Solid, scale: float, renderer: Renderer) -> Tuple[
     made = [_curve(line, rank=1, reach=beside) for line in creases]
     if len(solid.creases):
         contours = [line for line in contours if np.linalg.norm(np.ptp(line.points, axis=0)) > _SMALLEST_CONTOUR]
-    made += [_curve(line, rank=2, shortest=_SHORTEST_CONTOUR if len(solid.creases) else 0.0) for line in contours]
+    made += [_curve(line, rank=2) for line in contours]
     made += [_curve(line, rank=3, is_smooth=True, reach=0.8) for line in smooth]
     made += [Curve(line, np.zeros(len(line) - 1, dtype=bool), rank=0) for line in outlines]
     return made, outlines

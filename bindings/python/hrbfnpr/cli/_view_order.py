@@ -21,7 +21,7 @@ _BRIDGED, _STRAIGHT = 2.0, 0.99  # mm of a gap, and cosine of directions, that a
 _ALIKE = math.sin(math.radians(25.0))  # of directions that count as one
 _FLICKER = 2.0  # mm: parts that are hidden, or not, for less than this are as what is before and behind them
 _ONWARD = 0.7  # of the length: how far such a part gets
-_SHORTEST = {VISIBLE: 0.8, HIDDEN: 1.2, SMOOTH: 3.0}  # mm of what is drawn, at least what the curve says
+_SHORTEST = {VISIBLE: 0.8, HIDDEN: 1.2, SMOOTH: 3.0}  # mm of what is drawn
 
 
 @dataclass
@@ -36,15 +36,12 @@ class Curve:
         Curves of lower rank come first.
     reach : float
         Others of the same kind that are nearer than this, and as good as parallel, are left out.
-    shortest : float
-        Parts that are shorter are not drawn.
     """
 
     points: Floats
     hidden: Any
     rank: int = 1
     reach: float = 0.35
-    shortest: float = 0.0
     is_smooth: bool = False
 
     @property
@@ -170,8 +167,7 @@ def in_order(curves: Sequence[Curve], wanted: Sequence[str] = (VISIBLE, HIDDEN, 
         for number, (curve, runs) in enumerate(zip(curves, flags)):
             along = curve.along
             for begin, end, hidden in runs:
-                shortest = max(_SHORTEST[kind], curve.shortest)
-                if _class_of(curve, hidden) != kind or along[end] - along[begin] < shortest:
+                if _class_of(curve, hidden) != kind or along[end] - along[begin] < _SHORTEST[kind]:
                     continue
                 for first, last in _kept(curve, number, along[begin], along[end], drawn):
                     if last - first >= _SHORTEST_REST:
