@@ -2395,8 +2395,8 @@ enum {
     HRBFNPR_PAGE_IN_PLOT_ORDER = 1, /* groups are sorted so that a pen travels little, as HPGL and GCODE always are:
                                        greedily, then by 2-opt and Or-opt; lines may be turned round, closed ones begin
                                        elsewhere, and lines whose ends are nearer than `join` become one */
-    HRBFNPR_PAGE_WITHOUT_PAPER = 2  /* else the page has the paper of its first drawing, and other drawings with another
-                                       paper theirs; plotters draw none */
+    HRBFNPR_PAGE_WITHOUT_PAPER = 2  /* else the page has the paper of its first drawing, white without one, and other
+                                       drawings with another paper theirs; plotters draw none */
 };
 
 /* Kinds of lines by the numbers of ISO 128-2.  In line widths a dot is 0.5, the three kinds of dashes 6, 12 and 24,

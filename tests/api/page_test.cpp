@@ -121,7 +121,9 @@ TEST_F(PageTest, HasAnnotationsPensAndPlaces) {
     EXPECT_NE(svg.find("stroke-width=\".7\" stroke-linecap=\"butt\" d=\"M10 10l50 0"), std::string::npos);
     EXPECT_NE(svg.find(">Fig. 1</text>"), std::string::npos);
     desc.item_count = 0;
-    EXPECT_EQ(count_of(written(), "<path"), 1U);
+    const std::string alone = written();
+    EXPECT_EQ(count_of(alone, "<path"), 1U);
+    EXPECT_EQ(count_of(alone, "fill=\"#ffffff\""), 1U); // white paper
 }
 
 TEST_F(PageTest, RefusesWhatIsWrong) {

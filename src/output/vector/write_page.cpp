@@ -69,7 +69,7 @@ void add_annotations(base::Memory& memory, const Page& page, PageSink& sink) {
 
 namespace {
 
-// The whole page has the paper of its first drawing.
+// The whole page has the paper of its first drawing; white if there is none.
 void add_paper(const glm::vec4& paper, const PageInfo& info, PageSink& sink) {
     sink.begin_view({{}, {0.0, 0.0, info.width, info.height}, paper, true});
     sink.end_view();
@@ -107,8 +107,8 @@ PageCounts write_page(const base::Runtime& runtime, const Page& page, const Page
     LineTypes dashed(runtime.memory, sorted ? static_cast<PageSink&>(*sorted) : *file);
     const auto parts = static_cast<double>(page.placements.size() + 1);
     double done = 0.0;
-    const bool filled = !settings.without_paper && !page.placements.empty();
-    const glm::vec4 paper = filled ? page.placements[0].drawing->paper : glm::vec4(0.0F);
+    const bool filled = !settings.without_paper;
+    const glm::vec4 paper = page.placements.empty() ? glm::vec4(1.0F) : page.placements[0].drawing->paper;
     if (filled) add_paper(paper, info, dashed);
     for (Placement placement : page.placements) {
         placement.with_paper = filled && placement.drawing->paper != paper;

@@ -3428,8 +3428,8 @@ pub const HRBFNPR_DOT_SHAPE_SPIRALS: u32 = 2;
 /// then by 2-opt and Or-opt; lines may be turned round, closed ones begin elsewhere, and
 /// lines whose ends are nearer than `join` become one
 pub const HRBFNPR_PAGE_IN_PLOT_ORDER: u32 = 1;
-/// else the page has the paper of its first drawing, and other drawings with another paper
-/// theirs; plotters draw none
+/// else the page has the paper of its first drawing, white without one, and other drawings
+/// with another paper theirs; plotters draw none
 pub const HRBFNPR_PAGE_WITHOUT_PAPER: u32 = 2;
 
 // Kinds of lines by the numbers of ISO 128-2.  In line widths a dot is 0.5, the three kinds
