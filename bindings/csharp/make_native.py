@@ -36,6 +36,7 @@ BY_HAND = {
     "hrbfnpr_drawing_info": "DrawingInfo",
     "hrbfnpr_drawing_layer_info": "DrawingLayerInfo",
     "hrbfnpr_mark_identity": "MarkIdentity",
+    "hrbfnpr_page_info": "PageInfo",
 }
 DRAWN = (9, 10, 11)  # sections whose structs have a file of their own: cameras, styles, renderers, drawings
 SCALARS = {

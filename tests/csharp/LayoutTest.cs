@@ -79,6 +79,7 @@ namespace HrbfNpr.Tests
                 bool elsewhere = name.Contains("VERSION_") || name.EndsWith("ABI_VERSION")
                     || name.StartsWith("HRBFNPR_CUSTOM_") || name.StartsWith("HRBFNPR_LAYER_WITH_")
                     || name.StartsWith("HRBFNPR_LINE_SET_WITH_") || name.StartsWith("HRBFNPR_RASTER_")
+                    || name == "HRBFNPR_PAGE_IN_PLOT_ORDER" || name == "HRBFNPR_PAGE_WITHOUT_PAPER"
                     || name == "HRBFNPR_INDEX_RESTART";
                 if (!elsewhere && !seen.Contains(name))
                 {

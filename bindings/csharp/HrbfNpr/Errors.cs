@@ -98,7 +98,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>A stream failed while a model or point set was saved or loaded; its own exception is inside.</summary>
+    /// <summary>A stream failed while something was saved or loaded; its own exception is inside.</summary>
     public sealed class StreamException : HrbfNprException
     {
         /// <summary>Makes one.</summary>

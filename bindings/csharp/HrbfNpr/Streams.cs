@@ -29,12 +29,18 @@ namespace HrbfNpr
         /// <summary>Throws what the stream threw, or what the call says.</summary>
         internal void Check(int status, hrbfnpr_error* error)
         {
+            CheckStream();
+            Errors.Check(status, error);
+        }
+
+        /// <summary>Throws what the stream threw.</summary>
+        internal void CheckStream()
+        {
             Exception thrown = TakeException();
             if (thrown != null)
             {
                 throw new StreamException("the stream failed: " + thrown.Message, thrown);
             }
-            Errors.Check(status, error);
         }
 
         [MonoPInvokeCallback(typeof(NativeCallbacks.Write))]

@@ -476,11 +476,11 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint struct_size);
+        internal static extern int hrbfnpr_page_info_init(PageInfo* info, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_page_write(ContextHandle context, hrbfnpr_page_desc* desc, IntPtr write,
-            IntPtr user, hrbfnpr_page_info* info, OperationHandle operation, hrbfnpr_error* error);
+            IntPtr user, PageInfo* info, OperationHandle operation, hrbfnpr_error* error);
     }
 }
 #endif

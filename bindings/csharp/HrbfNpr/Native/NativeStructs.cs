@@ -420,24 +420,4 @@ namespace HrbfNpr
         internal long annotation_count;
         internal long annotation_stride;
     }
-
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_page_info")]
-    internal unsafe struct hrbfnpr_page_info
-    {
-        internal uint struct_size;
-        internal uint reserved;
-        internal long bytes;
-        internal long groups;
-        internal long paths;
-        internal long segments;
-        internal long dots;
-        internal long joined;
-        internal long dropped_paths;
-        internal long dropped_dots;
-        internal double width;
-        internal double height;
-        internal double drawn;
-        internal double travelled;
-        internal double seconds;
-    }
 }
