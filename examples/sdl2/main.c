@@ -1,19 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /* hrbfnpr in a window.
  *
- *     sdl2 [--screenshot FILE] [SAMPLES.xyzn]
+ *     sdl2 [--strokes] [--screenshot FILE] [SAMPLES.xyzn]
  *
  * SAMPLES has a line `x y z nx ny nz` for each sample.  They are fitted on a worker thread; Escape cancels that.
  * Then: drag to turn, wheel to zoom, space for a turntable, Tab for the next style, Escape to end.
+ * S, or --strokes from the start: the strokes alone, as triangles with the texture of a brush, in place of the image.
  * --screenshot writes the first picture to FILE, *.bmp or raw RGBA rows, and ends. */
 #include <SDL.h>
 #include <hrbfnpr.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { VALUES = 6 }; /* of a sample */
+enum { VALUES = 6, /* of a sample */ BRUSH_LENGTH = 1024, BRUSH_WIDTH = 16 /* pixels */ };
+
+/* Half of the brush's width to where its ink is half as strong: what is drawn of a stroke as wide as it should be. */
+static const float SOLID = 0.75f;
 
 /* What the worker makes.  Main leaves it alone while the worker is busy, but for the operation. */
 typedef struct Drawing {
@@ -46,7 +51,8 @@ typedef struct App {
     Drawing drawing;
     SDL_Thread* worker; /* NULL: there is a drawing to show */
     View view;
-    SDL_bool is_stale, quits;
+    SDL_Texture* brush;
+    SDL_bool shows_strokes, is_stale, quits;
 } App;
 
 static void fail(const char* what, const char* why) {
@@ -133,6 +139,7 @@ static void end_work(App* app) {
 
 static void press_key(App* app, SDL_Keycode key) {
     if (key == SDLK_ESCAPE) app->quits = SDL_TRUE;
+    if (key == SDLK_s) app->shows_strokes = !app->shows_strokes;
     if (key == SDLK_SPACE) app->view.turntable = !app->view.turntable;
     if (key == SDLK_TAB && app->worker == NULL) {
         if (hrbfnpr_preset_name(++app->drawing.preset) == NULL) app->drawing.preset = 0;
@@ -207,17 +214,10 @@ static hrbfnpr_camera camera_of(App* app) {
 }
 
 /* Straight into the texture's memory, whose rows may be longer than the picture's. */
-static void draw(App* app) {
+static void draw_image(App* app, const hrbfnpr_drawing* drawing) {
     Drawing* const d = &app->drawing;
-    const hrbfnpr_camera camera = camera_of(app);
-    hrbfnpr_item item;
     hrbfnpr_image image;
-    hrbfnpr_drawing* drawing;
     int pitch;
-    hrbfnpr_item_init(&item, sizeof item);
-    item.point_set = d->marks;
-    item.style = &d->style;
-    check(hrbfnpr_renderer_draw(app->pen, &item, 1, 0, &camera, &drawing, &d->error), &d->error);
     hrbfnpr_image_init(&image, sizeof image);
     image.format = HRBFNPR_FORMAT_RGBA8;
     image.width = app->width;
@@ -225,9 +225,138 @@ static void draw(App* app) {
     check_sdl(SDL_LockTexture(app->texture, NULL, &image.pixels, &pitch) == 0);
     image.row_stride = pitch;
     check(hrbfnpr_drawing_rasterize(drawing, &image, NULL, &d->error), &d->error);
-    hrbfnpr_drawing_release(drawing);
     SDL_UnlockTexture(app->texture);
     SDL_RenderCopy(app->screen, app->texture, NULL, NULL);
+}
+
+/* White, with the brush's ink as its alpha: soft edges, and some dry hairs, whose gaps run along the stroke. */
+static SDL_Texture* new_brush(SDL_Renderer* screen) {
+    static Uint8 pixels[BRUSH_WIDTH][BRUSH_LENGTH][4];
+    for (int y = 0; y < BRUSH_WIDTH; ++y) {
+        const double across = (y + 0.5) / BRUSH_WIDTH, edge = fmin(1, 4 * fmin(across, 1 - across));
+        for (int x = 0; x < BRUSH_LENGTH; ++x) {
+            const double dry = 0.5 + 0.5 * sin(0.031 * x + 5 * across) * sin(0.017 * x + 1.7 * y);
+            memset(pixels[y][x], 255, 3);
+            pixels[y][x][3] = (Uint8)(255 * edge * (1 - 0.35 * dry));
+        }
+    }
+    SDL_Texture* const brush =
+        SDL_CreateTexture(screen, SDL_PIXELFORMAT_RGBA32, SDL_TEXTUREACCESS_STATIC, BRUSH_LENGTH, BRUSH_WIDTH);
+    check_sdl(brush != NULL);
+    check_sdl(SDL_UpdateTexture(brush, NULL, pixels, (int)sizeof pixels[0]) == 0);
+    check_sdl(SDL_SetTextureBlendMode(brush, SDL_BLENDMODE_BLEND) == 0);
+    check_sdl(SDL_SetTextureScaleMode(brush, SDL_ScaleModeLinear) == 0);
+    return brush;
+}
+
+/* A vertex as the library writes it. */
+typedef struct StrokeVertex {
+    float x, y, depth, length;
+    SDL_Color color;
+} StrokeVertex;
+
+static hrbfnpr_vertex_attribute attribute_of(uint32_t attribute, uint32_t scalar, size_t offset) {
+    hrbfnpr_vertex_attribute result;
+    hrbfnpr_vertex_attribute_init(&result, sizeof result);
+    result.attribute = attribute;
+    result.scalar = scalar;
+    result.offset = (uint32_t)offset;
+    return result;
+}
+
+static void write_strips(App* app, const hrbfnpr_drawing* drawing, StrokeVertex* vertices, int64_t vertex_count,
+                         uint32_t* indices, int64_t index_count) {
+    const hrbfnpr_vertex_attribute attributes[3] = {
+        attribute_of(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, 0),
+        attribute_of(HRBFNPR_VERTEX_ATTRIBUTE_LENGTH, HRBFNPR_SCALAR_FLOAT32, offsetof(StrokeVertex, length)),
+        attribute_of(HRBFNPR_VERTEX_ATTRIBUTE_COLOR, HRBFNPR_SCALAR_UINT8, offsetof(StrokeVertex, color))};
+    hrbfnpr_error* const error = &app->drawing.error;
+    hrbfnpr_vertex_layout layout;
+    hrbfnpr_vertex_layout_init(&layout, sizeof layout);
+    layout.primitive = HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS;
+    layout.attributes = attributes;
+    layout.attribute_count = 3;
+    layout.stride = sizeof(StrokeVertex);
+    check(hrbfnpr_drawing_write_vertices(drawing, &layout, vertices, vertex_count, NULL, indices, index_count, NULL,
+                                         error),
+          error);
+}
+
+/* The left and the right vertex of a stroke's point, moved apart by what the brush's soft edges take.  SDL fills pixels
+ * whose centres a triangle holds: a finer line would be broken, and is as wide as two pixels but paler. */
+static void widen(SDL_Vertex* left, SDL_Vertex* right) {
+    const float x = 0.5f * (right->position.x - left->position.x), y = 0.5f * (right->position.y - left->position.y);
+    const float half = hypotf(x, y), wanted = half / SOLID;
+    const float more = half > 0 ? fmaxf(wanted, 1) / half - 1 : 0; /* 0: the tip of a pointed end */
+    left->position.x -= more * x;
+    left->position.y -= more * y;
+    right->position.x += more * x;
+    right->position.y += more * y;
+    left->color.a = right->color.a = (Uint8)((float)left->color.a * fminf(wanted, 1));
+}
+
+/* SDL's textures do not repeat, so that the brush is as long as any stroke is likely to be. */
+static SDL_Vertex vertex_of(const StrokeVertex* v, float side) {
+    return (SDL_Vertex){{v->x, v->y}, v->color, {fminf(v->length / BRUSH_LENGTH, 1), side}};
+}
+
+/* Left and right alternate along a strip.  SDL has lists of triangles only: each index after the first two of a strip
+ * makes one. */
+static void paint_strips(App* app, const StrokeVertex* from, SDL_Vertex* vertices, int64_t vertex_count,
+                         const uint32_t* strips, int* triangles, int64_t index_count) {
+    int count = 0;
+    int64_t begin = 0;
+    for (int64_t i = 0; i < index_count; ++i) {
+        if (strips[i] == (uint32_t)HRBFNPR_INDEX_RESTART) {
+            begin = i + 1;
+            continue;
+        }
+        const int is_right = (int)((i - begin) % 2);
+        vertices[strips[i]] = vertex_of(from + strips[i], (float)is_right);
+        if (is_right) widen(vertices + strips[i - 1], vertices + strips[i]);
+        for (int64_t k = i - 2; i >= begin + 2 && k <= i; ++k) triangles[count++] = (int)strips[k];
+    }
+    if (count == 0) return;
+    check_sdl(SDL_RenderGeometry(app->screen, app->brush, vertices, (int)vertex_count, triangles, count) == 0);
+}
+
+static Uint8 byte_of(float channel) { return (Uint8)(255 * channel + 0.5f); }
+
+static void draw_strokes(App* app, const hrbfnpr_drawing* drawing) {
+    hrbfnpr_error* const error = &app->drawing.error;
+    const float* const paper = app->drawing.style.paper;
+    int64_t vertex_count, index_count;
+    check(hrbfnpr_drawing_vertex_bound(drawing, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS, &vertex_count, &index_count, error),
+          error);
+    StrokeVertex* const strokes = malloc((size_t)(vertex_count + 1) * sizeof *strokes);
+    SDL_Vertex* const vertices = malloc((size_t)(vertex_count + 1) * sizeof *vertices);
+    uint32_t* const strips = malloc((size_t)(index_count + 1) * sizeof *strips);
+    int* const triangles = malloc(3 * (size_t)(index_count + 1) * sizeof *triangles);
+    if (strokes == NULL || vertices == NULL || strips == NULL || triangles == NULL) fail("strokes", "no memory");
+    write_strips(app, drawing, strokes, vertex_count, strips, index_count);
+    SDL_SetRenderDrawColor(app->screen, byte_of(paper[0]), byte_of(paper[1]), byte_of(paper[2]), 255);
+    SDL_RenderClear(app->screen);
+    paint_strips(app, strokes, vertices, vertex_count, strips, triangles, index_count);
+    free(triangles);
+    free(strips);
+    free(vertices);
+    free(strokes);
+}
+
+static void draw(App* app) {
+    Drawing* const d = &app->drawing;
+    const hrbfnpr_camera camera = camera_of(app);
+    hrbfnpr_item item;
+    hrbfnpr_drawing* drawing;
+    hrbfnpr_item_init(&item, sizeof item);
+    item.point_set = d->marks;
+    item.style = &d->style;
+    check(hrbfnpr_renderer_draw(app->pen, &item, 1, 0, &camera, &drawing, &d->error), &d->error);
+    if (app->shows_strokes)
+        draw_strokes(app, drawing);
+    else
+        draw_image(app, drawing);
+    hrbfnpr_drawing_release(drawing);
 }
 
 static void save_screen(App* app, const char* path) {
@@ -277,7 +406,7 @@ static void run(App* app, const char* screenshot) {
 
 static void set_up(App* app) {
     Drawing* const d = &app->drawing;
-    d->preset = HRBFNPR_PRESET_CONTOUR_AND_STIPPLE;
+    d->preset = app->shows_strokes ? HRBFNPR_PRESET_CROSS_HATCH : HRBFNPR_PRESET_CONTOUR_AND_STIPPLE;
     app->view.height = app->view.zoom = 1;
     hrbfnpr_error_init(&d->error, sizeof d->error);
     check(hrbfnpr_context_create(NULL, &d->context, &d->error), &d->error);
@@ -290,10 +419,12 @@ static void set_up(App* app) {
     check_sdl(app->window != NULL);
     app->screen = SDL_CreateRenderer(app->window, -1, 0);
     check_sdl(app->screen != NULL);
+    app->brush = new_brush(app->screen);
 }
 
 static void tear_down(App* app) {
     Drawing* const d = &app->drawing;
+    SDL_DestroyTexture(app->brush);
     SDL_DestroyTexture(app->texture);
     SDL_DestroyRenderer(app->screen);
     SDL_DestroyWindow(app->window);
@@ -313,10 +444,12 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (strcmp(argv[i], "--screenshot") == 0 && i + 1 < argc)
             screenshot = argv[++i];
+        else if (strcmp(argv[i], "--strokes") == 0)
+            app.shows_strokes = SDL_TRUE;
         else if (argv[i][0] != '-')
             samples = argv[i];
         else
-            fail("usage", "sdl2 [--screenshot FILE] [SAMPLES.xyzn]");
+            fail("usage", "sdl2 [--strokes] [--screenshot FILE] [SAMPLES.xyzn]");
     }
     read_samples(samples, &app.drawing);
     set_up(&app);

@@ -23,4 +23,17 @@ def draw(work, library, examples):
         raise run.Missing("the examples were built without SDL2 (Debian: libsdl2-dev)")
     picture = work / "picture.rgba"
     run.on_a_screen([program, "--screenshot", picture])
+    check_strokes(program, work / "strokes.rgba")
     return picture
+
+
+def check_strokes(program, path):
+    """Hatching as triangles with a brush: ink on white paper, with soft edges."""
+    run.on_a_screen([program, "--strokes", "--screenshot", path])
+    grey = path.read_bytes()[::4]
+    if len(grey) != run.WIDTH * run.HEIGHT or set(grey[: run.WIDTH]) != {255}:
+        raise run.Failed("the strokes are not on white paper")
+    ink = sum(255 - value for value in grey) / 255 / len(grey)
+    soft = sum(40 < value < 215 for value in grey) / len(grey)
+    if not (0.01 < ink < 0.2 and soft > 0.08):
+        raise run.Failed(f"the strokes cover {ink:.3f} of the picture, {soft:.3f} of it softly")
