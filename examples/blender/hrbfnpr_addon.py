@@ -102,10 +102,11 @@ def image_of(pixels):
     return image
 
 
-def units_per_pixel(camera, place):
-    """Length across the view, at a place, that one pixel shows."""
-    depth = (camera.projection @ camera.view @ np.append(place, 1.0))[3]
-    return 2 * abs(depth) / (camera.projection[1, 1] * camera.size[1])
+def units_per_pixel(camera, places):
+    """Length across the view, at a place or at each of several, that one pixel shows."""
+    row = (camera.projection @ camera.view)[3]
+    depth = np.asarray(places, float) @ row[:3] + row[3]
+    return 2 * np.abs(depth) / (camera.projection[1, 1] * camera.size[1])
 
 
 def attributes_of(marks, style, pixel):
@@ -163,6 +164,32 @@ def points_object(name, marks, attributes):
     result.location = marks.origin
     result.modifiers.new("Points", "NODES").node_group = mesh_to_points()
     return result
+
+
+def places_of(line, camera):
+    """Where in the world a stroke is drawn: its "position" is that of marks, which smooth hatching passes by."""
+    x, y, depth = line["window"].astype(float).T
+    width, height = camera.size
+    clip = np.stack([2 * x / width - 1, 1 - 2 * y / height, 2 * depth - 1, np.ones_like(x)], axis=1)
+    places = clip @ np.linalg.inv(camera.projection @ camera.view).T
+    return places[:, :3] / places[:, 3:]
+
+
+def strokes_object(name, drawing, camera):
+    """The visible strokes as curves in the world, round ones, as thick at each point as they are drawn."""
+    curve = bpy.data.curves.new(name, "CURVE")
+    curve.dimensions, curve.bevel_depth, curve.use_fill_caps = "3D", 1, True  # a point's radius is its own
+    for line in drawing.polylines():
+        if line["hidden_layers"][0] > 0:
+            continue
+        spline = curve.splines.new("POLY")
+        spline.points.add(len(line) - 1)  # it has one
+        places = places_of(line, camera)
+        radii = line["radius"] * units_per_pixel(camera, places)
+        rows = np.append(places, np.ones((len(places), 1)), axis=1)
+        spline.points.foreach_set("co", rows.astype(np.float32).ravel())
+        spline.points.foreach_set("radius", radii.astype(np.float32))
+    return bpy.data.objects.new(name, curve)
 
 
 class OfActiveObject:
@@ -228,6 +255,19 @@ class HRBFNPR_OT_marks(OfActiveObject, bpy.types.Operator):
         self.report({"INFO"}, f"{len(marks)} marks in {result.name}")
 
 
+class HRBFNPR_OT_strokes(OfActiveObject, bpy.types.Operator):
+    bl_idname = "hrbfnpr.strokes"
+    bl_label = "Strokes as Curves"
+    bl_description = "Make curves of the strokes that the camera sees, with a radius for each point"
+
+    def make(self, hrbfnpr, context):
+        marks, style, camera = self.marked(hrbfnpr, context)
+        drawing = hrbfnpr.Renderer().draw((marks, style), camera)
+        result = strokes_object(f"{context.object.name} strokes", drawing, camera)
+        context.collection.objects.link(result)
+        self.report({"INFO"}, f"{len(result.data.splines)} strokes in {result.name}")
+
+
 class HRBFNPR_PT_panel(bpy.types.Panel):
     bl_label = "Pen and Ink"
     bl_category = "Pen and Ink"
@@ -241,11 +281,12 @@ class HRBFNPR_PT_panel(bpy.types.Panel):
             layout.prop(settings, name)
         layout.operator(HRBFNPR_OT_draw.bl_idname)
         layout.operator(HRBFNPR_OT_marks.bl_idname)
+        layout.operator(HRBFNPR_OT_strokes.bl_idname)
         if IMAGE in bpy.data.images:
             layout.label(text=f'See the image "{IMAGE}" in an image editor', icon="IMAGE_DATA")
 
 
-CLASSES = (Settings, HRBFNPR_OT_draw, HRBFNPR_OT_marks, HRBFNPR_PT_panel)
+CLASSES = (Settings, HRBFNPR_OT_draw, HRBFNPR_OT_marks, HRBFNPR_OT_strokes, HRBFNPR_PT_panel)
 
 
 def register():

@@ -82,6 +82,24 @@ check("a point cloud", len(cloud.points) == len(marks))
 check("its radii", np.array_equal([point.radius for point in cloud.points], radii[:, 0]))
 check("its ranks", np.array_equal(values(cloud, "rank", "value", 1)[:, 0], joined("ranks")))
 
+# Strokes: curves where the library has them, as wide in the picture as they are drawn.
+settings.style = "cross-hatch"
+bpy.context.view_layer.objects.active = bpy.data.objects["samples"]
+bpy.ops.hrbfnpr.strokes()
+curve = bpy.data.objects["samples strokes"].data
+camera = hrbfnpr_addon.camera_for(hrbfnpr, bpy.context, model)
+drawing = hrbfnpr.Renderer().draw(
+    (model.generate(preset="cross-hatch", budget=3000), hrbfnpr.Style("cross-hatch")), camera)
+lines = drawing.polylines()
+check("as many strokes", len(curve.splines) == len(lines) > 10)
+for spline, line in zip(curve.splines, lines):
+    points = np.array([point.co[:3] for point in spline.points])
+    clip = np.append(points, np.ones((len(points), 1)), axis=1) @ (camera.projection @ camera.view).T
+    seen = (clip[:, :2] / clip[:, 3:] * (1, -1) + 1) / 2 * camera.size
+    assert np.allclose(seen, line["window"][:, :2], atol=0.05), "positions of strokes"
+    pixels = [point.radius for point in spline.points] / hrbfnpr_addon.units_per_pixel(camera, points)
+    assert np.allclose(pixels, line["radius"], rtol=1e-4), "widths of strokes"
+
 # The camera of the scene sees a place where Blender says.
 settings.style, settings.budget, settings.scene_camera = "contour-and-stipple", 0, True
 scene = bpy.context.scene
