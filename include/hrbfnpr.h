@@ -1985,7 +1985,9 @@ enum { HRBFNPR_INDEX_RESTART = -1 };
 
 /* What a vertex can carry, and the types it can have. */
 enum {
-    HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0,  /* world, FLOAT32 x 3; of lines as exact as their window depth */
+    HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0,  /* world, FLOAT32 x 3.  Of marks and their line strips that of the mark; of
+                                               lines, of hatching and of triangles what is drawn, as exact as the
+                                               window depth */
     HRBFNPR_VERTEX_ATTRIBUTE_WINDOW = 1,    /* pixel x, pixel y, depth; FLOAT32 x 3 */
     HRBFNPR_VERTEX_ATTRIBUTE_RADIUS = 2,    /* pixels; FLOAT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_COLOR = 3,     /* straight RGBA; FLOAT32 x 4, or UINT8 x 4 */

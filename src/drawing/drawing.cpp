@@ -81,9 +81,9 @@ Identity Drawing::identify(std::uint32_t id) const noexcept {
     return {run.item, run.layer, mark, layer.stroke_of(mark), layer.has_strokes() ? layer.stroke[2 * mark + 1] : 0};
 }
 
-MarkSource Drawing::source_at(const glm::vec3& seen) const noexcept {
-    const glm::dvec4 world = from_window * glm::dvec4(glm::dvec3(seen), 1.0);
-    return {glm::vec3(glm::dvec3(world) / world.w), glm::vec3(0.0F), glm::vec3(0.0F)};
+glm::vec3 Drawing::world(const glm::vec3& seen) const noexcept {
+    const glm::dvec4 found = from_window * glm::dvec4(glm::dvec3(seen), 1.0);
+    return glm::vec3(glm::dvec3(found) / found.w);
 }
 
 MarkSource Drawing::source(std::uint32_t id) const noexcept {

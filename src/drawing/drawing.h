@@ -113,7 +113,7 @@ struct Drawing {
     Tiles splat_tiles;
     Tiles segment_tiles; // a segment's number is that of its first point
 
-    // From (x, y, window depth, 1) to the world, homogeneous: where points of lines are, which have no mark.
+    // From (x, y, window depth, 1) to the world, homogeneous.
     glm::dmat4 from_window{1.0};
 
     base::Array<ItemSource> items;
@@ -133,8 +133,8 @@ struct Drawing {
     // Of an id that is a mark's.
     [[nodiscard]] Identity identify(std::uint32_t id) const noexcept;
     [[nodiscard]] MarkSource source(std::uint32_t id) const noexcept;
-    // Of a line's point: its place, and neither normal nor direction.
-    [[nodiscard]] MarkSource source_at(const glm::vec3& window) const noexcept;
+    // The place of what is seen there.
+    [[nodiscard]] glm::vec3 world(const glm::vec3& window) const noexcept;
 
 private:
     // The last run that begins no later than the id.

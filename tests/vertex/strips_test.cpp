@@ -2,6 +2,7 @@
 // Strokes as line strips and as triangle strips.
 #include "output/vertex/vertices.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -53,6 +54,7 @@ protected:
             for (const float c : {1.0F, 0.0F, 0.0F}) layer.direction.push_back(c);
             layer.rank.push_back(0.0F);
         }
+        drawing.from_window = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0));
         drawing.items.push_back({&set, 1.0, glm::dmat4(1.0), glm::mat3(1.0F)});
         drawing.runs.push_back({0, 0, 20, 1});
     }
@@ -104,7 +106,6 @@ protected:
         EXPECT_EQ(v.id, p.id);
         EXPECT_EQ(v.layer, layer);
         EXPECT_EQ(v.line, line_number);
-        EXPECT_EQ(v.position, glm::vec3(static_cast<float>(p.id - 1), 1.0F, 2.0F));
         EXPECT_EQ(v.mark_class, static_cast<std::uint8_t>(drawing::MarkClass::front));
         EXPECT_EQ(v.is_paper, 0);
     }
@@ -127,7 +128,12 @@ TEST_F(Strips, LinesGoThroughThePoints) {
         const drawing::StrokePoint& p = drawing.points[static_cast<std::int64_t>(i)];
         EXPECT_EQ(place_of(i), glm::vec2(p.x, p.y));
         expect_point(vertices[i], static_cast<std::int64_t>(i), i < 3 ? 2 : 0);
+        EXPECT_EQ(vertices[i].position, glm::vec3(static_cast<float>(p.id - 1), 1.0F, 2.0F)) << "its mark";
     }
+    drawing.layers[0].as_hatch = true;
+    write(Primitive::line_strips);
+    EXPECT_EQ(vertices[2].position, glm::vec3(17.0F, 1.0F, 2.0F));
+    EXPECT_EQ(vertices[3].position, 2.0F * glm::vec3(50.0F, 50.0F, vertices[3].window)) << "what is drawn";
     EXPECT_EQ(vertices[2].length, 15.0F);
     EXPECT_EQ(vertices[3].length, 0.0F);
     EXPECT_EQ(indices, (std::vector<std::uint32_t>{0, 1, 2, restart, 3, 4, restart}));
@@ -144,6 +150,7 @@ TEST_F(Strips, TrianglesAreAsWideAsTheStroke) {
         const glm::vec2 side = place_of(2 * i) - glm::vec2(p.x, p.y);
         EXPECT_EQ(place_of(2 * i + 1) - glm::vec2(p.x, p.y), -side);
         EXPECT_NEAR(glm::length(side), p.radius, 1e-5F);
+        EXPECT_EQ(vertices[2 * i].position, 2.0F * glm::vec3(place_of(2 * i), p.window));
         EXPECT_NEAR(i < 3 ? side.x : side.y, 0.0F, 1e-5F) << "across the stroke";
     }
     // All on the same side.

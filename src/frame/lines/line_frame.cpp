@@ -48,8 +48,6 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     strokes_.points.clear();
     if (std::none_of(items.begin(), items.end(), draws_lines)) return strokes_;
     const base::Stopwatch watch;
-    const Optics optics = make_optics(scene.camera);
-    drawing.from_window = glm::inverse(optics.window * scene.camera.view);
     contours_.begin_frame();
     const std::int64_t layers = drawing.layers.size();
     Found all = find(scene, items, drawing);

@@ -302,6 +302,7 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
     scene.joined = 0;
     drawing.clear();
     drawing.window = {given.viewport, given.depth};
+    drawing.from_window = glm::inverse(make_optics(camera).window * camera.view);
     drawing.paper = items.empty() ? Style{}.paper : items[0].style.paper;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const auto index = static_cast<std::int64_t>(i);

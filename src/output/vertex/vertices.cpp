@@ -52,6 +52,7 @@ struct Vertex {
     drawing::MarkClass mark_class;
     bool is_paper;
     drawing::MarkSource source;
+    bool off_mark = false; // it is where the picture has it, which is not where its mark is
     std::uint32_t hidden_layers = 0;
     std::uint32_t hidden_by = index_restart; // none
 };
@@ -114,12 +115,17 @@ public:
         vertex.color.w *= p.opacity;
         vertex.hidden_layers = static_cast<std::uint32_t>(stroke.hidden_layers);
         if (stroke.hidden_by >= 0) vertex.hidden_by = static_cast<std::uint32_t>(stroke.hidden_by);
+        vertex.off_mark = layer.as_hatch || side != glm::vec2(0.0F);
         store(number, vertex);
     }
 
 private:
     void store(std::int64_t number, Vertex& vertex) const noexcept {
-        if (sources_) vertex.source = vertex.id != 0 ? drawing_.source(vertex.id) : drawing_.source_at(vertex.window);
+        if (sources_) {
+            const bool has_mark = vertex.id != 0;
+            if (has_mark) vertex.source = drawing_.source(vertex.id);
+            if (!has_mark || vertex.off_mark) vertex.source.position = drawing_.world(vertex.window);
+        }
         for (const VertexField& field : layout_.fields)
             put_field(vertices_ + number * layout_.stride + field.offset, field, vertex);
     }

@@ -2836,7 +2836,8 @@ pub const HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS: u32 = 3;
 pub const HRBFNPR_INDEX_RESTART: i32 = -1;
 
 // What a vertex can carry, and the types it can have.
-/// world, FLOAT32 x 3; of lines as exact as their window depth
+/// world, FLOAT32 x 3. Of marks and their line strips that of the mark; of lines, of hatching
+/// and of triangles what is drawn, as exact as the window depth
 pub const HRBFNPR_VERTEX_ATTRIBUTE_POSITION: u32 = 0;
 /// pixel x, pixel y, depth; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_WINDOW: u32 = 1;
