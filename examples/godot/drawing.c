@@ -8,6 +8,8 @@
  *   pixels() -> PoolByteArray                         the frame, RGBA8
  *   points() -> Array                                 the same frame for ArrayMesh.add_surface_from_arrays, far to
  *                                                     near: position, colour, and in UV.x the radius in pixels
+ *   strokes() -> Array                                its strokes as triangles, far to near: position, colour, in UV.x
+ *                                                     how far along the stroke, in pixels, and indices
  *
  * What fails prints the library's message as an error of the engine, and returns false or null. */
 #include "gdnative_few.h"
@@ -224,7 +226,8 @@ static gd_variant pixels(drawing* self, gd_variant** arguments) {
 }
 
 /* One attribute of all vertices as an array of the engine's; nil after a failure. */
-static gd_variant attribute(drawing* self, const gd_pool_kind* kind, int64_t count, uint32_t which, int64_t stride) {
+static gd_variant attribute(drawing* self, uint32_t primitive, const gd_pool_kind* kind, int64_t count, uint32_t which,
+                            int64_t stride) {
     hrbfnpr_vertex_attribute part;
     hrbfnpr_vertex_layout layout;
     gd_pool pool;
@@ -233,6 +236,7 @@ static gd_variant attribute(drawing* self, const gd_pool_kind* kind, int64_t cou
     part.attribute = which;
     part.scalar = HRBFNPR_SCALAR_FLOAT32;
     hrbfnpr_vertex_layout_init(&layout, sizeof layout);
+    layout.primitive = primitive;
     layout.attributes = &part;
     layout.attribute_count = 1;
     layout.stride = stride;
@@ -241,33 +245,87 @@ static gd_variant attribute(drawing* self, const gd_pool_kind* kind, int64_t cou
     const hrbfnpr_status status =
         hrbfnpr_drawing_write_vertices(self->frame, &layout, data, count, NULL, NULL, 0, NULL, &self->error);
     gd_variant result = pool_written(kind, &pool, access);
-    if (succeeded(self, status, "points")) return result;
+    if (succeeded(self, status, "vertices")) return result;
     GD_CALL(core, GD_VARIANT_DESTROY, void (*)(gd_variant*))(&result);
     return nil();
 }
 
-static gd_variant points(drawing* self, gd_variant** arguments) {
-    enum { ARRAY_VERTEX = 0, ARRAY_COLOR = 3, ARRAY_TEX_UV = 4, ARRAY_MAX = 9 }; /* of ArrayMesh */
-    int64_t count;
+/* Strips of vertices as triangles: their vertices' numbers, three of each. */
+static gd_variant triangles_of(const uint32_t* strips, int64_t count) {
+    gd_pool pool;
+    void* data;
+    int64_t triangles = 0;
+    for (int pass = 0; pass < 2; ++pass) { /* the second one writes */
+        void* access = pass == 0 ? NULL : pool_new(&GD_INTS, 3 * triangles, &pool, &data);
+        int32_t* to = pass == 0 ? NULL : data;
+        int64_t length = 0; /* of the strip so far */
+        triangles = 0;
+        for (int64_t i = 0; i < count; ++i) {
+            length = strips[i] == (uint32_t)HRBFNPR_INDEX_RESTART ? 0 : length + 1;
+            if (length < 3) continue;
+            for (int64_t k = 0; to != NULL && k < 3; ++k) *to++ = (int32_t)strips[i - 2 + k];
+            ++triangles;
+        }
+        if (pass == 1) return pool_written(&GD_INTS, &pool, access);
+    }
+    return nil();
+}
+
+/* The indices of all strokes' triangles; nil after a failure. */
+static gd_variant indices(drawing* self, int64_t vertices, int64_t count) {
+    hrbfnpr_vertex_attribute part;
+    hrbfnpr_vertex_layout layout;
+    hrbfnpr_vertex_attribute_init(&part, sizeof part);
+    part.attribute = HRBFNPR_VERTEX_ATTRIBUTE_RADIUS; /* a layout has one at least */
+    hrbfnpr_vertex_layout_init(&layout, sizeof layout);
+    layout.primitive = HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS;
+    layout.attributes = &part;
+    layout.attribute_count = 1;
+    float* radius = malloc((size_t)(vertices + 1) * sizeof *radius);
+    uint32_t* strips = malloc((size_t)(count + 1) * sizeof *strips);
+    if (radius == NULL || strips == NULL) abort();
+    const hrbfnpr_status status = hrbfnpr_drawing_write_vertices(self->frame, &layout, radius, vertices, NULL, strips,
+                                                                 count, NULL, &self->error);
+    gd_variant result = succeeded(self, status, "strokes") ? triangles_of(strips, count) : nil();
+    free(radius);
+    free(strips);
+    return result;
+}
+
+/* Arrays for ArrayMesh; in UV.x what `in_uv` says. */
+static gd_variant mesh(drawing* self, uint32_t primitive, uint32_t in_uv) {
+    enum { ARRAY_VERTEX = 0, ARRAY_COLOR = 3, ARRAY_TEX_UV = 4, ARRAY_INDEX = 8, ARRAY_MAX = 9 }; /* of ArrayMesh */
+    int64_t count, index_count;
     gd_array arrays;
     gd_variant result;
-    (void)arguments;
     const hrbfnpr_status status =
-        hrbfnpr_drawing_vertex_bound(self->frame, HRBFNPR_PRIMITIVE_POINTS, &count, NULL, &self->error);
-    if (!succeeded(self, status, "points")) return nil();
-    const int place[3] = {ARRAY_VERTEX, ARRAY_COLOR, ARRAY_TEX_UV};
-    gd_variant part[3] = {attribute(self, &GD_VECTORS3, count, HRBFNPR_VERTEX_ATTRIBUTE_POSITION, 3 * sizeof(float)),
-                          attribute(self, &GD_COLORS, count, HRBFNPR_VERTEX_ATTRIBUTE_COLOR, 4 * sizeof(float)),
-                          attribute(self, &GD_VECTORS2, count, HRBFNPR_VERTEX_ATTRIBUTE_RADIUS, 2 * sizeof(float))};
+        hrbfnpr_drawing_vertex_bound(self->frame, primitive, &count, &index_count, &self->error);
+    if (!succeeded(self, status, "vertices")) return nil();
+    const int place[4] = {ARRAY_VERTEX, ARRAY_COLOR, ARRAY_TEX_UV, ARRAY_INDEX};
+    gd_variant part[4] = {
+        attribute(self, primitive, &GD_VECTORS3, count, HRBFNPR_VERTEX_ATTRIBUTE_POSITION, 3 * sizeof(float)),
+        attribute(self, primitive, &GD_COLORS, count, HRBFNPR_VERTEX_ATTRIBUTE_COLOR, 4 * sizeof(float)),
+        attribute(self, primitive, &GD_VECTORS2, count, in_uv, 2 * sizeof(float)),
+        primitive == HRBFNPR_PRIMITIVE_POINTS ? nil() : indices(self, count, index_count)};
     GD_CALL(core, GD_ARRAY_NEW, void (*)(gd_array*))(&arrays);
     GD_CALL(core, GD_ARRAY_RESIZE, void (*)(gd_array*, int))(&arrays, ARRAY_MAX);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 4; ++i) {
         GD_CALL(core, GD_ARRAY_SET, void (*)(gd_array*, int, const gd_variant*))(&arrays, place[i], &part[i]);
         GD_CALL(core, GD_VARIANT_DESTROY, void (*)(gd_variant*))(&part[i]);
     }
     GD_CALL(core, GD_VARIANT_NEW_ARRAY, void (*)(gd_variant*, const gd_array*))(&result, &arrays);
     GD_CALL(core, GD_ARRAY_DESTROY, void (*)(gd_array*))(&arrays);
     return result;
+}
+
+static gd_variant points(drawing* self, gd_variant** arguments) {
+    (void)arguments;
+    return mesh(self, HRBFNPR_PRIMITIVE_POINTS, HRBFNPR_VERTEX_ATTRIBUTE_RADIUS);
+}
+
+static gd_variant strokes(drawing* self, gd_variant** arguments) {
+    (void)arguments;
+    return mesh(self, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS, HRBFNPR_VERTEX_ATTRIBUTE_LENGTH);
 }
 
 /* ---- the class ---- */
@@ -279,7 +337,8 @@ typedef struct method {
 } method;
 
 static const method METHODS[] = {{"fit", 2, fit},     {"mark", 2, mark},     {"look", 5, look},    {"eye", 0, eye},
-                                 {"angle", 0, angle}, {"pixels", 0, pixels}, {"points", 0, points}};
+                                 {"angle", 0, angle}, {"pixels", 0, pixels}, {"points", 0, points},
+                                 {"strokes", 0, strokes}};
 
 static gd_variant call(gd_object* instance, void* data, void* self, int count, gd_variant** arguments) {
     const method* m = data;

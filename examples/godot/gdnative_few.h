@@ -110,6 +110,7 @@ typedef struct gd_pool_kind {
 } gd_pool_kind;
 
 static const gd_pool_kind GD_BYTES = {155, 164, 169, 165, 166, 170, 268, 270, 296, 298, 530};
+static const gd_pool_kind GD_INTS = {171, 180, 185, 181, 182, 186, 272, 274, 300, 302, 531};
 static const gd_pool_kind GD_VECTORS2 = {219, 228, 233, 229, 230, 234, 284, 286, 312, 314, 534};
 static const gd_pool_kind GD_VECTORS3 = {235, 244, 249, 245, 246, 250, 288, 290, 316, 318, 535};
 static const gd_pool_kind GD_COLORS = {251, 260, 265, 261, 262, 266, 292, 294, 320, 322, 536};

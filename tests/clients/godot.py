@@ -26,6 +26,7 @@ points = hrbfnpr.Renderer().draw((marks, style), camera).vertices("points", ["po
 print(len(points), *points.min(axis=0), *np.ptp(points, axis=0))
 """
 MOST_OFF = 0.2  # mean difference of the mesh's picture from the drawing's, of 255; measured 0.05
+MOST_OFF_STROKES = 8.5  # the same of strokes, whose pixels are of one triangle or of none; measured 7.6
 
 
 def program():
@@ -76,6 +77,29 @@ def check_mesh(work, library, project, reference):
         raise run.Failed(f"the picture of the mesh is off the drawing by {off:.2f} of 255 (at most {MOST_OFF})")
 
 
+def ink_of(picture):
+    """How much darker than paper a picture is, of 255."""
+    return 255 - sum(picture[i] for i in range(0, len(picture), 4)) / (len(picture) / 4)
+
+
+def check_strokes(work, project):
+    """Triangles of strokes under the engine's camera look like the library's picture of them, but for soft edges."""
+    reference, shot = work / "strokes.rgba", work / "strokes_mesh.rgba"
+    engine(work, project, "--strokes", f"--picture={reference}")
+    printed = engine(work, project, "--strokes", f"--screenshot={shot}")
+    found = re.search(r"(\d+) triangles", printed)
+    if not found or int(found[1]) < 1000:
+        raise run.Failed(f"it does not say how many triangles its strokes have:\n{printed}")
+    wanted, picture = reference.read_bytes(), shot.read_bytes()
+    if len(picture) != len(wanted):
+        raise run.Failed(f"the strokes' picture has {len(picture)} bytes in place of {len(wanted)}")
+    off = sum(abs(a - b) for a, b in zip(picture, wanted)) / len(wanted)
+    ink, asked = ink_of(picture), ink_of(wanted)
+    if off > MOST_OFF_STROKES or not 0.8 < ink / asked < 1.2:
+        raise run.Failed(f"the strokes are off the drawing by {off:.2f} of 255 (at most {MOST_OFF_STROKES}), and have an "
+                         f"ink of {ink:.2f} in place of {asked:.2f}")
+
+
 def check_errors(work, project):
     """The library's message reaches the engine's log, and the project ends with a failure."""
     samples = work / "wrong.xyzn"
@@ -103,5 +127,6 @@ def draw(work, library, examples):
         if picture.exists() and picture.read_bytes() != reference:
             raise run.Failed("godot3-server's picture differs: " + run.difference(picture.read_bytes(), reference))
         check_mesh(work, library, project, reference)
+        check_strokes(work, project)
         return shot
     return picture

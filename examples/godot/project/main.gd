@@ -4,6 +4,7 @@
 #
 #   --samples=FILE     lines "x y z nx ny nz" in place of the torus
 #   --marks            start with the mesh
+#   --strokes          draw strokes, in the style etching, and start with their mesh
 #   --picture=FILE     save the library's picture and quit (also without a screen: godot3-server)
 #   --screenshot=FILE  save the window and quit
 #
@@ -20,16 +21,21 @@ var azimuth = 0.0
 var elevation = PI / 4
 var zoom = 1.0
 var turning = false
+var strokes = false # the mesh is of triangles of strokes
 var drawn_for = [] # what the frame on the screen shows
 
 
 func _ready():
 	var options = read_options()
+	strokes = options.has("strokes")
 	if not start(options.get("samples", "res://torus.xyzn")):
 		get_tree().quit(1)
 		return
 	$Drawing.texture = texture
-	if options.has("marks"):
+	if strokes:
+		$Marks.material_override = ShaderMaterial.new()
+		$Marks.material_override.shader = preload("res://strokes.shader")
+	if (options.has("marks") or strokes) and not options.has("picture"):
 		show_marks(true)
 	update_frame()
 	if options.has("picture"):
@@ -42,7 +48,10 @@ func _ready():
 		image.convert(Image.FORMAT_RGBA8)
 		save(image, options.screenshot)
 		if $Marks.visible:
-			print("mesh of %d points in %s" % [$Marks.mesh.surface_get_array_len(0), $Marks.get_aabb()])
+			var count = $Marks.mesh.surface_get_array_len(0)
+			print("mesh of %d points in %s" % [count, $Marks.get_aabb()])
+			if strokes:
+				print("%d triangles" % ($Marks.mesh.surface_get_array_index_len(0) / 3))
 		get_tree().quit()
 
 
@@ -66,7 +75,7 @@ func start(path):
 		if n.size() == 6:
 			points.append(Vector3(n[0], n[1], n[2]))
 			normals.append(Vector3(n[3], n[4], n[5]))
-	return drawing.fit(points, normals) and drawing.mark("contour-and-stipple", 0)
+	return drawing.fit(points, normals) and drawing.mark("etching" if strokes else "contour-and-stipple", 0)
 
 
 func _process(delta):
@@ -124,9 +133,10 @@ func update_texture(size):
 
 # The marks under Godot's own camera: other things of the scene can stand between them.
 func update_mesh(direction):
-	var arrays = drawing.points()
 	var mesh = ArrayMesh.new()
-	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_POINTS, arrays, [], 0) # 0: positions and colours as they are
+	var arrays = drawing.strokes() if strokes else drawing.points()
+	# 0: positions and colours as they are.
+	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES if strokes else Mesh.PRIMITIVE_POINTS, arrays, [], 0)
 	$Marks.mesh = mesh
 	var box = mesh.get_aabb()
 	var eye = drawing.eye()
