@@ -284,8 +284,8 @@ static gd_variant indices(drawing* self, int64_t vertices, int64_t count) {
     float* radius = malloc((size_t)(vertices + 1) * sizeof *radius);
     uint32_t* strips = malloc((size_t)(count + 1) * sizeof *strips);
     if (radius == NULL || strips == NULL) abort();
-    const hrbfnpr_status status = hrbfnpr_drawing_write_vertices(self->frame, &layout, radius, vertices, NULL, strips,
-                                                                 count, NULL, &self->error);
+    const hrbfnpr_status status =
+        hrbfnpr_drawing_write_vertices(self->frame, &layout, radius, vertices, NULL, strips, count, NULL, &self->error);
     gd_variant result = succeeded(self, status, "strokes") ? triangles_of(strips, count) : nil();
     free(radius);
     free(strips);
@@ -336,9 +336,9 @@ typedef struct method {
     gd_variant (*call)(drawing* self, gd_variant** arguments);
 } method;
 
-static const method METHODS[] = {{"fit", 2, fit},     {"mark", 2, mark},     {"look", 5, look},    {"eye", 0, eye},
-                                 {"angle", 0, angle}, {"pixels", 0, pixels}, {"points", 0, points},
-                                 {"strokes", 0, strokes}};
+static const method METHODS[] = {{"fit", 2, fit},       {"mark", 2, mark},      {"look", 5, look},
+                                 {"eye", 0, eye},       {"angle", 0, angle},    {"pixels", 0, pixels},
+                                 {"points", 0, points}, {"strokes", 0, strokes}};
 
 static gd_variant call(gd_object* instance, void* data, void* self, int count, gd_variant** arguments) {
     const method* m = data;
