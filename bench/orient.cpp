@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Normals of points without any: how many are right, how far their directions are off, and how long it takes.
 //
-//   bench_orient [--models=DIR] [--named=TEXT] [--only=clean,noisy,times] [--noise=0.01] [--large]
+//   bench_orient [--models=DIR] [--named=TEXT] [--only=clean,noisy,times] [--noise=0.01] [--seed=N]
+//                [--large]
 //
 // Clouds are those of orient_shapes.h and, with --models, the PLY files of a folder that have normals, which are
 // dropped.  Of open sheets the sign of the whole is a rule's, not the surface's: where it is, the better sign counts.
@@ -28,6 +29,7 @@ struct Options {
     std::string named;
     std::string only = "clean,noisy,times";
     double noise = 0.01; // diagonals
+    std::uint64_t seed = 12345;
     bool large = false;
 };
 
@@ -44,6 +46,8 @@ Options options_of(int count, char** words) {
             options.only = value("--only=");
         else if (word.rfind("--noise=", 0) == 0)
             options.noise = std::stod(value("--noise="));
+        else if (word.rfind("--seed=", 0) == 0)
+            options.seed = std::stoull(value("--seed="));
         else if (word == "--large")
             options.large = true;
         else
@@ -106,7 +110,7 @@ std::vector<NamedCloud> clouds_of(const Options& options) {
 }
 
 // Prints a line a cloud, and the worst of all.
-void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, double noise) {
+void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, double noise, std::uint64_t seed) {
     const char* kind = noise > 0.0 ? "noisy" : "clean";
     double right = 1.0;
     double others = 1.0;
@@ -120,7 +124,7 @@ void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, do
             ++thin;
             continue;
         }
-        const Score score = orient(context, noise > 0.0 ? bench::noisy(cloud.samples, noise) : cloud.samples);
+        const Score score = orient(context, noise > 0.0 ? bench::noisy(cloud.samples, noise, seed) : cloud.samples);
         std::printf("%-22s %s  right %.4f  angle %5.1f  confidence %.2f  %s  %.2f s\n", cloud.name.c_str(), kind,
                     score.right, score.angle, score.info.confidence, score.info.closed != 0 ? "closed" : "open  ",
                     score.info.seconds);
@@ -161,8 +165,8 @@ int main(int count, char** words) {
         return 1;
     }
     const std::vector<NamedCloud> clouds = clouds_of(options);
-    if (wants("clean")) measure(context, clouds, 0.0);
-    if (wants("noisy")) measure(context, clouds, options.noise);
+    if (wants("clean")) measure(context, clouds, 0.0, 0);
+    if (wants("noisy")) measure(context, clouds, options.noise, options.seed);
     if (wants("times")) measure_time(context, "50k", 50000);
     if (wants("times") && options.large) measure_time(context, "1m", 1000000);
     hrbfnpr_context_release(context);

@@ -233,9 +233,9 @@ inline double diagonal_of(const Samples& samples) {
 }
 
 // Noise of the normal distribution, `deviation` diagonals, in all directions.
-inline Samples noisy(Samples samples, double deviation) {
+inline Samples noisy(Samples samples, double deviation, std::uint64_t seed) {
     const double sigma = deviation * diagonal_of(samples);
-    std::uint64_t state = 12345;
+    std::uint64_t state = seed;
     const auto uniform = [&] { // splitmix64
         std::uint64_t x = state += 0x9E3779B97F4A7C15U;
         x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
