@@ -34,8 +34,8 @@ constexpr Effort path_effort{3, false, true};
 // Energies: see noise.cpp.
 constexpr double sure_below = 0.012;
 constexpr double no_order = 0.03;
-// Share of signs that change with the ridge: with more there is no confidence.
-constexpr double unsteady = 0.06;
+// Share of signs that change with the ridge: confidence falls by e with every so many.
+constexpr double unsteady = 0.03;
 
 [[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
     if (count <= few) return {6, true, true};
@@ -59,6 +59,13 @@ constexpr double softer = 0.125;
     return agreement * agreement * order * std::exp(-1.5 * noise * noise);
 }
 
+// Starts that disagree, and signs that change with the ridge, were wrong signs more often than not.
+[[nodiscard]] double confidence_of(const RidgeFit& found, double noise) noexcept {
+    const double agreement = std::clamp(found.fitted.agreement, 0.0, 1.0);
+    return confidence_of(found.fitted, found.roughest, noise) * agreement * agreement *
+           std::exp(-(1.0 - found.steadiness) / unsteady);
+}
+
 // Fits the cloud as its noise calls for.
 void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
          CloudNormals& result, const base::Progress& progress) {
@@ -70,8 +77,9 @@ void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, con
         return;
     }
     RidgeFit found = follow_ridges(runtime, cloud, near, noise.ridge, given, path_effort, progress);
-    result.confidence = confidence_of(found.fitted, found.roughest, noise.deviation) *
-                        std::max(0.0, 1.0 - (1.0 - found.steadiness) / unsteady);
+    result.confidence = confidence_of(found, noise.deviation);
+    runtime.log(base::LogLevel::debug, "orient: energy %.4f, agreement %.3f, steadiness %.3f, noise %.3f, ridge %.0f",
+                found.roughest, found.fitted.agreement, found.steadiness, noise.deviation, noise.ridge);
     smooth_directions(runtime, *cloud.tree, near, found.fitted.normal);
     result.fitted = std::move(found.fitted);
 }

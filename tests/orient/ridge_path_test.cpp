@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Normals of noisy points over a rising ridge.
+#include "orient/ridge_path.h"
+#include "shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace {
+
+using namespace hrbfnpr;
+using namespace orient_test;
+
+// Of about the normal distribution, in the unit of the points.
+Samples noisy(Samples samples, double deviation) {
+    std::uint64_t state = 1;
+    for (double& x : samples.points) {
+        double sum = -6.0;
+        for (int k = 0; k < 12; ++k) {
+            state = state * 6364136223846793005U + 1442695040888963407U;
+            sum += static_cast<double>(state >> 11U) / 9007199254740992.0;
+        }
+        x += deviation * sum;
+    }
+    return samples;
+}
+
+// A wall 1.5 spacings thick, with a deviation of a fifth of that.
+Samples noisy_wall() { return noisy(sheets(14, 1.5), 0.3); }
+
+struct NoisyCloud {
+    NoisyCloud(const base::Runtime& runtime, const Samples& samples)
+        : cloud(orient::read_cloud(runtime, view(samples.points), base::Progress())),
+          near(runtime, *cloud.tree, 32, base::Progress()) {}
+
+    // Of the places, or of all with the other sign.
+    [[nodiscard]] double right(const Samples& samples, const geometry::VecArray& normal) const {
+        double share = 0.0;
+        for (std::int64_t i = 0; i < samples.count(); ++i)
+            share += glm::dot(at(samples.normals, i), normal[cloud.place[i]]) > 0.0 ? 1.0 : 0.0;
+        share /= static_cast<double>(samples.count());
+        return std::max(share, 1.0 - share);
+    }
+
+    orient::Cloud cloud;
+    orient::Near near;
+};
+
+constexpr double high = 3162.0;
+constexpr orient::Effort effort{3, false, true};
+
+TEST(RidgePath, KeepsTheSheetsApartThatAHighRidgeMerges) {
+    const base::Runtime runtime;
+    const Samples wall = noisy_wall();
+    const NoisyCloud noisy(runtime, wall);
+    const orient::LeastEnergy merged = orient::least_energy(runtime, *noisy.cloud.tree, noisy.cloud.rank, noisy.near,
+                                                            high, nullptr, effort, base::Progress());
+    EXPECT_LT(noisy.right(wall, merged.normal), 0.7);
+    const orient::RidgeFit found =
+        orient::follow_ridges(runtime, noisy.cloud, noisy.near, high, nullptr, effort, base::Progress());
+    EXPECT_GE(noisy.right(wall, found.fitted.normal), 0.97);
+}
+
+TEST(RidgePath, IsSteadyOnRoundShapesOnly) {
+    const base::Runtime runtime;
+    const NoisyCloud ball(runtime, noisy(test::sphere(300), 0.02));
+    const NoisyCloud wall(runtime, noisy_wall());
+    const auto steadiness = [&](const NoisyCloud& noisy) {
+        return orient::follow_ridges(runtime, noisy.cloud, noisy.near, high, nullptr, effort, base::Progress())
+            .steadiness;
+    };
+    EXPECT_EQ(steadiness(ball), 1.0);
+    EXPECT_LT(steadiness(wall), 0.97);
+}
+
+TEST(RidgePath, SmoothsDirectionsButNotOverToTheOtherSide) {
+    const base::Runtime runtime;
+    const Samples wall = sheets(14, 1.5);
+    const NoisyCloud clean(runtime, wall);
+    geometry::VecArray normal(runtime.memory, clean.cloud.size());
+    for (std::int64_t i = 0; i < wall.count(); ++i) {
+        const auto k = static_cast<double>(i);
+        const glm::dvec3 askew(0.3 * std::sin(7.0 * k), 0.3 * std::cos(5.0 * k), 0.0);
+        normal.set(clean.cloud.place[i], glm::normalize(at(wall.normals, i) + askew));
+    }
+    const auto angle = [&] {
+        geometry::VecArray of_points(runtime.memory, wall.count());
+        for (std::int64_t i = 0; i < wall.count(); ++i) of_points.set(i, normal[clean.cloud.place[i]]);
+        return score(wall, of_points).angle;
+    };
+    const double before = angle();
+    orient::smooth_directions(runtime, *clean.cloud.tree, clean.near, normal);
+    EXPECT_LT(angle(), 0.6 * before);
+    EXPECT_EQ(clean.right(wall, normal), 1.0);
+}
+
+TEST(RidgePath, GivesTheSameBitsForAnyNumberOfThreads) {
+    const Samples wall = noisy_wall();
+    const auto with = [&](int threads) {
+        const base::Runtime runtime(
+            [](void*, std::uint64_t size, std::uint64_t alignment) {
+                return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+            },
+            [](void*, void* memory, std::uint64_t, std::uint64_t) { std::free(memory); }, nullptr,
+            base::Parallel(threads, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
+        const orient::Orientation result = orient::orient(runtime, input(wall), base::Progress());
+        std::vector<double> numbers(result.normal.x.begin(), result.normal.x.end());
+        numbers.insert(numbers.end(), result.normal.z.begin(), result.normal.z.end());
+        numbers.push_back(result.report.confidence);
+        return numbers;
+    };
+    const std::vector<double> alone = with(1);
+    EXPECT_EQ(alone, with(2));
+    EXPECT_EQ(alone, with(3));
+}
+
+TEST(RidgePath, IsDoubtfulOfNoisyWallsAndMoreOfNoiseWithoutOrder) {
+    const base::Runtime runtime;
+    const auto confidence = [&](double deviation) {
+        return orient::orient(runtime, input(noisy(sheets(14, 1.5), deviation)), base::Progress()).report.confidence;
+    };
+    EXPECT_GT(confidence(0.0), 0.9);
+    EXPECT_LT(confidence(0.3), 0.5);
+    EXPECT_LT(confidence(0.5), 0.5);
+    EXPECT_LT(confidence(0.9), 0.01);
+}
+
+} // namespace
