@@ -59,11 +59,12 @@ constexpr double softer = 0.125;
     return agreement * agreement * order * std::exp(-1.5 * noise * noise);
 }
 
-// Starts that disagree, and signs that change with the ridge, were wrong signs more often than not.
+// Starts that disagree, and signs that change with the ridge, were wrong signs more often than not; and a sheet as
+// noisy may be a wall of three deviations.
 [[nodiscard]] double confidence_of(const RidgeFit& found, double noise) noexcept {
     const double agreement = std::clamp(found.fitted.agreement, 0.0, 1.0);
     return confidence_of(found.fitted, found.roughest, noise) * agreement * agreement *
-           std::exp(-(1.0 - found.steadiness) / unsteady);
+           std::exp(-(1.0 - found.steadiness) / unsteady - 0.5 * noise * noise);
 }
 
 // Fits the cloud as its noise calls for.
