@@ -40,8 +40,15 @@ def folded(text):
 
 
 def c_text(api):
-    """All declarations in the header's order."""
-    return "".join(folded(text_of(kind, entry)) for kind, entry in declarations(api))
+    """All declarations in the header's order; short ones that follow each other share a line."""
+    lines = []
+    for kind, entry in declarations(api):
+        text = folded(text_of(kind, entry)).rstrip("\n")
+        if lines and "\n" not in lines[-1] + text and len(lines[-1]) + 1 + len(text) <= WIDTH:
+            lines[-1] += " " + text
+        else:
+            lines.append(text)
+    return "".join(line + "\n" for line in lines)
 
 
 def outputs(api):

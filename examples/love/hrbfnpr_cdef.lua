@@ -2,9 +2,7 @@
 -- Made by bindings/cdef/make_cdef.py from include/hrbfnpr.h; do not edit.
 require("ffi").cdef[[
 enum { HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0, HRBFNPR_ABI_VERSION = 1 };
-uint32_t hrbfnpr_version(void);
-uint32_t hrbfnpr_abi_version(void);
-const char* hrbfnpr_version_string(void);
+uint32_t hrbfnpr_version(void); uint32_t hrbfnpr_abi_version(void); const char* hrbfnpr_version_string(void);
 typedef int32_t hrbfnpr_status;
 enum { HRBFNPR_STATUS_OK = 0, HRBFNPR_STATUS_INVALID_ARGUMENT = -1, HRBFNPR_STATUS_OUT_OF_MEMORY = -2,
     HRBFNPR_STATUS_BUFFER_TOO_SMALL = -3, HRBFNPR_STATUS_UNSUPPORTED_STRUCT = -4, HRBFNPR_STATUS_SINGULAR_SYSTEM = -5,
@@ -45,15 +43,13 @@ typedef struct hrbfnpr_context_desc { uint32_t struct_size; uint32_t abi_version
 hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_context** out_context,
     hrbfnpr_error* error);
-void hrbfnpr_context_retain(hrbfnpr_context* context);
-void hrbfnpr_context_release(hrbfnpr_context* context);
+void hrbfnpr_context_retain(hrbfnpr_context* context); void hrbfnpr_context_release(hrbfnpr_context* context);
 typedef struct hrbfnpr_context_info { uint32_t struct_size; int32_t thread_count; uint32_t instruction_set;
     uint32_t thread_backend; int64_t bytes_now; int64_t bytes_peak; } hrbfnpr_context_info;
 hrbfnpr_status hrbfnpr_context_info_init(hrbfnpr_context_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context, hrbfnpr_context_info* info,
     hrbfnpr_error* error);
-typedef struct hrbfnpr_operation hrbfnpr_operation;
-typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
+typedef struct hrbfnpr_operation hrbfnpr_operation; typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
 hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context, hrbfnpr_operation** out_operation,
     hrbfnpr_error* error);
 void hrbfnpr_operation_retain(hrbfnpr_operation* operation);
@@ -64,8 +60,7 @@ double hrbfnpr_operation_progress(const hrbfnpr_operation* operation);
 hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation, hrbfnpr_progress_fn callback, void* user,
     hrbfnpr_error* error);
 typedef int32_t (*hrbfnpr_write_fn)(void* user, const void* data, uint64_t size);
-typedef int64_t (*hrbfnpr_read_fn)(void* user, void* data, uint64_t size);
-typedef struct hrbfnpr_model hrbfnpr_model;
+typedef int64_t (*hrbfnpr_read_fn)(void* user, void* data, uint64_t size); typedef struct hrbfnpr_model hrbfnpr_model;
 enum { HRBFNPR_KERNEL_TRIHARMONIC = 0, HRBFNPR_KERNEL_GAUSSIAN = 1, HRBFNPR_KERNEL_WENDLAND_C2 = 2,
     HRBFNPR_KERNEL_CUSTOM = 3 };
 enum { HRBFNPR_SOLVER_AUTO = 0, HRBFNPR_SOLVER_DIRECT = 1, HRBFNPR_SOLVER_ITERATIVE = 2 };
@@ -103,8 +98,7 @@ typedef struct hrbfnpr_custom_desc { uint32_t struct_size; uint32_t flags; hrbfn
 hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context, const hrbfnpr_custom_desc* desc,
     hrbfnpr_model** out_model, hrbfnpr_error* error);
-void hrbfnpr_model_retain(const hrbfnpr_model* model);
-void hrbfnpr_model_release(const hrbfnpr_model* model);
+void hrbfnpr_model_retain(const hrbfnpr_model* model); void hrbfnpr_model_release(const hrbfnpr_model* model);
 typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32_t polynomial_degree;
     int32_t choice_rounds; int64_t samples; int64_t centres; int64_t merged_samples; int64_t near_duplicates;
     int64_t rescaled_normals; int64_t outliers_found; int64_t outliers_dropped; int64_t flipped_found;
@@ -189,8 +183,7 @@ typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* p
     double* density);
 typedef int32_t (*hrbfnpr_direction_fn)(void* user, int64_t count, const double* positions, const double* normals,
     double* directions);
-enum { HRBFNPR_TONE_RANGES_FULL = 0, HRBFNPR_TONE_RANGES_IN_TURN = 1 };
-enum { HRBFNPR_LAYER_WITH_CURVATURE = 1 };
+enum { HRBFNPR_TONE_RANGES_FULL = 0, HRBFNPR_TONE_RANGES_IN_TURN = 1 }; enum { HRBFNPR_LAYER_WITH_CURVATURE = 1 };
 typedef struct hrbfnpr_layer_desc { uint32_t struct_size; uint32_t kind; const char* name; int64_t budget;
     float tone_begin; float tone_end; float second_tone_begin; float second_tone_end; uint32_t flags; uint32_t density;
     double density_strength; hrbfnpr_density_fn density_function; void* density_user; double separation; double step;
@@ -339,12 +332,10 @@ enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROS
 hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
     hrbfnpr_error* error);
 const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
-const char* hrbfnpr_preset_name(uint32_t preset);
-typedef struct hrbfnpr_renderer hrbfnpr_renderer;
+const char* hrbfnpr_preset_name(uint32_t preset); typedef struct hrbfnpr_renderer hrbfnpr_renderer;
 typedef struct hrbfnpr_drawing hrbfnpr_drawing;
 hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer, hrbfnpr_error* error);
-void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer);
-void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
+void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer); void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
 typedef struct hrbfnpr_layer_pose { uint32_t struct_size; uint32_t reserved; int64_t layer; hrbfnpr_array position;
     hrbfnpr_array normal; hrbfnpr_array direction; } hrbfnpr_layer_pose;
 hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size);
@@ -419,8 +410,7 @@ typedef struct hrbfnpr_mesh_desc { uint32_t struct_size; uint32_t parts; hrbfnpr
 hrbfnpr_status hrbfnpr_mesh_desc_init(hrbfnpr_mesh_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_mesh_create(hrbfnpr_context* context, const hrbfnpr_mesh_desc* desc,
     hrbfnpr_operation* operation, hrbfnpr_mesh** out_mesh, hrbfnpr_error* error);
-void hrbfnpr_mesh_retain(const hrbfnpr_mesh* mesh);
-void hrbfnpr_mesh_release(const hrbfnpr_mesh* mesh);
+void hrbfnpr_mesh_retain(const hrbfnpr_mesh* mesh); void hrbfnpr_mesh_release(const hrbfnpr_mesh* mesh);
 typedef struct hrbfnpr_mesh_info { uint32_t struct_size; uint32_t closed; int64_t given_vertices; int64_t given_faces;
     int64_t vertices; int64_t faces; int64_t welded_vertices; int64_t degenerate_faces; int64_t repeated_faces;
     int64_t turned_faces; int64_t components; int64_t turned_components; int64_t nested_components;

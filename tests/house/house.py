@@ -147,15 +147,9 @@ def forbidden(root):
                     yield f"{path.relative_to(root)}:{number} {reason}"
 
 
-def is_generated(path):
-    return "do not edit" in "".join(path.read_text(encoding="utf-8").splitlines()[:3])
-
-
 def sizes(root):
     folders = ["src", "tests", "bench", "examples", "bindings"]
     for path in source_files(root, folders, {".h", ".cpp", ".c", ".cs", ".py", ".cmake"}):
-        if is_generated(path):
-            continue  # nobody reads it
         count = sum(1 for _ in lines(path))
         if count > LONGEST_FILE:
             yield f"{path.relative_to(root)} has {count} lines: split it ({LONGEST_FILE} at most)"
