@@ -188,6 +188,13 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t str
  * when capacity is 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed);
 
+/* How this build lays out a struct, such as "hrbfnpr_fit_desc", as one JSON
+ * object: name, size, align, and fields, a list of objects with name, type,
+ * offset and size (bytes) in the header's order; of NULL a list of all structs.
+ * A binding can compare its own structs with it before the first call.  Static,
+ * UTF-8; NULL where there is no struct of that name. */
+HRBFNPR_API const char* hrbfnpr_layout(const char* name);
+
 /*
  * ==========================================================================
  * 3  VIEWS of caller's memory
@@ -437,6 +444,13 @@ enum {
     HRBFNPR_NORMALS_AUTO = 5        /* find out which of these it is, and do what that calls for */
 };
 
+/* Whether a fitted surface ends where its samples do, all that were given (hrbfnpr_model_trim). */
+enum {
+    HRBFNPR_TRIM_NEVER = 0, /* it goes on, to the end of the search box */
+    HRBFNPR_TRIM_AUTO = 1   /* that of an open surface does; a closed one, and one of fewer than ten samples, which tell too
+                               little, stays as it is.  hrbfnpr_model_get_trim_info tells */
+};
+
 /* What to fit: N points with N outward normals.
  *
  * The fit is in double precision, in normalised coordinates (centred, mean
@@ -508,7 +522,7 @@ typedef struct hrbfnpr_fit_desc {
     uint32_t preconditioner_neighbours; /* of ITERATIVE, 1 .. 48: more are fewer iterations and more setup;
                                            0 = by kernel and number of samples */
     uint32_t normal_mode;     /* HRBFNPR_NORMALS_...; GIVEN.  NONE, and AUTO, need no normals */
-    uint32_t reserved;
+    uint32_t trim;            /* HRBFNPR_TRIM_...; AUTO */
 } hrbfnpr_fit_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
@@ -926,7 +940,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_trim(const hrbfnpr_model* model, const 
 typedef struct hrbfnpr_trim_info {
     uint32_t struct_size;
     uint32_t is_trimmed;  /* 1: the surface ends somewhere; 0: it is whole, and all else is 0 but samples, spacing */
-    int64_t samples;      /* that tell where; 0: the model was never trimmed */
+    int64_t samples;      /* that tell where; 0: nobody asked, or a fit to a closed mesh, or it could not be told */
     int64_t parts;        /* of the surface, connected, that are left out */
     int64_t parts_to_end; /* of these, those that reach the end of the search box: the samples are open there */
     double share;         /* of the surface's area in the box that is left out, 0 to 1, within some percent */
@@ -2343,9 +2357,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* inf
  * It comes with maximum_centres, or where more centres gain nothing.  Edges that
  * are sharp are rounded by some tenths of the samples' spacing there, and coarse
  * faces with smooth normals contradict these: both take many centres.
- *
- * desc may be NULL.  fit (may be NULL): kernel, solver and regularization of the
- * fits; its points and normals must be empty, its tolerance and maximum_centres
+ * Trimmed by places on the mesh is what was fitted to an open one, or not reached.
+ * desc may be NULL.  fit (may be NULL): kernel, solver, regularization and trim of
+ * the fits; its points and normals must be empty, its tolerance and maximum_centres
  * 0.  info and operation may be NULL.  Errors as of hrbfnpr_model_fit, whose
  * stack it needs as well. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
@@ -2368,8 +2382,10 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
  * "ridge", "valley", "apparent ridge", "parabolic", "isophote", "section", "border",
  * or the name of own ones.  What is behind n layers of surface has " hidden n" at its end, a second
  * layer of the same name " 2".  Groups follow the layers of the drawing, hidden ones
- * before the others; in a group strokes stand far to near.  Where inks differ, and
- * lie upon each other, that order is not the raster's, which paints far to near.
+ * before the others; in a group strokes stand far to near.  Where inks of several
+ * colours lie upon each other groups begin anew, with ", run 2" behind their names,
+ * and so on up to 32, so that all is painted far to near there, as the raster does;
+ * not in plot order, where each pen is taken up once.  Pens go by names without that.
  * The bytes are the same for every thread count and locale.
  */
 
@@ -2388,7 +2404,7 @@ enum {
 
 /* How dots are written. */
 enum {
-    HRBFNPR_DOT_SHAPE_CIRCLES = 0, /* circles; plotters draw round them */
+    HRBFNPR_DOT_SHAPE_CIRCLES = 0, /* circles; plotters fill them, with SINGLE_PASS draw round them */
     HRBFNPR_DOT_SHAPE_LINES = 1,   /* lines of no length with round ends; plotters touch the paper */
     HRBFNPR_DOT_SHAPE_SPIRALS = 2  /* spirals that a pen fills the disc with, if it is wider than the pen */
 };
@@ -2397,6 +2413,10 @@ enum {
     HRBFNPR_PAGE_IN_PLOT_ORDER = 1, /* groups are sorted so that a pen travels little, as HPGL and GCODE always are:
                                        greedily, then by 2-opt and Or-opt; lines may be turned round, closed ones begin
                                        elsewhere, and lines whose ends are nearer than `join` become one */
+    HRBFNPR_PAGE_SINGLE_PASS = 4,   /* a line that is wider than its pen is drawn once, along its centre; else, with
+                                       HPGL and GCODE and with pens in plot order, it is filled: by passes side by
+                                       side, 0.8 of the pen's width apart or a little less, each only where the line is
+                                       so wide.  A line up to 1.2 times as wide as the pen takes one */
     HRBFNPR_PAGE_WITHOUT_PAPER = 2  /* else the page has the paper of its first drawing, white without one, and other
                                        drawings with another paper theirs; plotters draw none */
 };
@@ -2516,6 +2536,7 @@ typedef struct hrbfnpr_page_info {
     double drawn;           /* mm that a pen draws; in plot order, else 0, as are the next two */
     double travelled;       /* mm between */
     double seconds;         /* that a plotter takes at the given speeds */
+    int64_t filled_paths;   /* lines wider than their pen, drawn in several passes */
 } hrbfnpr_page_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);

@@ -183,9 +183,10 @@ Fields checked(const hrbfnpr_vertex_layout& layout) {
         ++fields.count;
     }
     if (layout.stride != 0 && layout.stride < end)
-        fail(Status::invalid_argument,
-             "layout.stride is %lld; the attributes end at %lld: it must be 0 or that at least",
-             static_cast<long long>(layout.stride), static_cast<long long>(end));
+        fail(
+            Status::invalid_argument,
+            "layout.stride is %lld; by their offset and size the attributes end at %lld: it must be 0 or that at least",
+            static_cast<long long>(layout.stride), static_cast<long long>(end));
     fields.stride = layout.stride != 0 ? layout.stride : end;
     return fields;
 }

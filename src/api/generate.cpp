@@ -246,10 +246,7 @@ double step_patches(const hrbfnpr_context& context, const hrbfnpr_model& model, 
     const std::int64_t count = deref(corners, "corners").count;
     const base::OutView out = out_view(corners, "corners", {12, float_types}, count);
     const OperationUse use(operation);
-    const double step =
-        generate::step_patches(context.runtime, model.implicit(), model.samples(), settings, out, use.progress());
-    use.finish();
-    return step;
+    return generate::step_patches(context.runtime, model.implicit(), model.samples(), settings, out, use.progress());
 }
 
 } // namespace

@@ -105,7 +105,9 @@ void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
         std::strcpy(request.name.data(), desc.name);
     }
     checks.at_least("lower", desc.lower, 0.0);
-    checks.at_least("upper", desc.upper, desc.lower);
+    if (!(std::isfinite(desc.upper) && desc.upper >= desc.lower))
+        fail(Status::invalid_argument, "%s.upper is %g; it must be a finite number of at least lower, which is %g",
+             name, desc.upper, desc.lower);
     checks.at_least("shortest", desc.shortest, 0.0);
     request.thresholds = {desc.lower, desc.upper};
     request.shortest = desc.shortest;
@@ -180,9 +182,7 @@ hrbfnpr_line_set* create(hrbfnpr_context& context, const hrbfnpr_model& model, c
     settings.with_shape = (desc.flags & HRBFNPR_LINE_SET_WITH_CURVATURE) != 0;
     settings.lines = requests.all();
     settings.support = support.settings(desc.support, model);
-    auto* const set = make_handle<hrbfnpr_line_set>(context, model, settings, use.progress());
-    use.finish();
-    return set;
+    return use.finish_with(make_handle<hrbfnpr_line_set>(context, model, settings, use.progress()));
 }
 
 std::unique_ptr<const implicit::ShapeSource> shape_of(const hrbfnpr_context& context, const hrbfnpr_model& model) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <limits>
 
 namespace hrbfnpr::api {
@@ -18,6 +19,15 @@ struct ElementName {
     char text[96];
 };
 
+// What the names of a list's count and stride begin with: "style.line_" of "style.lines".
+struct CountPrefix {
+    explicit CountPrefix(const char* list) noexcept {
+        const auto length = static_cast<int>(std::strlen(list));
+        std::snprintf(text, sizeof text, "%.*s_", length > 0 && list[length - 1] == 's' ? length - 1 : length, list);
+    }
+    char text[96];
+};
+
 template <class T>
 class List {
 public:
@@ -25,7 +35,7 @@ public:
     List(const T* first, std::int64_t count, std::int64_t stride, std::int64_t most, const char* name)
         : first_(reinterpret_cast<const std::byte*>(first)), count_(count), stride_(stride), name_(name) {
         if (count < 0 || count > most)
-            fail(Status::invalid_argument, "the number of %s is %lld; it must be from 0 to %lld", name,
+            fail(Status::invalid_argument, "%scount is %lld; it must be from 0 to %lld", CountPrefix(name).text,
                  static_cast<long long>(count), static_cast<long long>(most));
         if (count == 0) return;
         if (first == nullptr) fail(Status::invalid_argument, "%s is NULL", name);
@@ -35,9 +45,8 @@ public:
         if (stride_ == 0) stride_ = size;
         constexpr std::int64_t largest = std::int64_t{1} << 32;
         if (stride_ < std::int64_t{smallest_struct} || stride_ > largest)
-            fail(Status::invalid_argument,
-                 "the stride of %s is %lld; it must be 0 or the bytes from one element to the next", name,
-                 static_cast<long long>(stride));
+            fail(Status::invalid_argument, "%sstride is %lld; it must be 0 or the bytes from one element to the next",
+                 CountPrefix(name).text, static_cast<long long>(stride));
     }
 
     [[nodiscard]] std::int64_t count() const noexcept { return count_; }

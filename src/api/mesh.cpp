@@ -106,9 +106,7 @@ hrbfnpr_mesh* create(hrbfnpr_context& context, const hrbfnpr_mesh_desc& desc, hr
     const OperationUse use(operation);
     mesh::Mesh made = mesh::make_mesh(context.runtime, input, use.progress().part(0.0, 0.9));
     log_mesh(context.runtime, made.report);
-    auto* const handle = make_handle<hrbfnpr_mesh>(context, std::move(made), use.progress());
-    use.finish();
-    return handle;
+    return use.finish_with(make_handle<hrbfnpr_mesh>(context, std::move(made), use.progress()));
 }
 
 hrbfnpr_mesh_info describe(const hrbfnpr_mesh& handle) noexcept {
@@ -164,19 +162,25 @@ hrbfnpr_array view_of(const mesh::Mesh& mesh, std::uint32_t attribute) {
     }
 }
 
-void write_vectors(const base::Runtime& runtime, const geometry::VecArray& from, const base::OutView& to,
-                   const char* name) {
-    if (!to) return;
+// What does not fit is found before anything is written.
+void check_fits(double number, std::int64_t element, const base::OutView& to, const char* name) {
     constexpr double most = 3.4028234663852886e38;
+    if (to.scalar == base::Scalar::float32 && std::isfinite(number) && std::abs(number) > most)
+        fail(Status::invalid_argument, "%s[%lld] is %g, beyond FLOAT32: give a FLOAT64 array", name,
+             static_cast<long long>(element), number);
+}
+
+void check_fits(const geometry::VecArray& from, const base::OutView& to, const char* name) {
+    if (!to || to.scalar != base::Scalar::float32) return;
+    for (std::int64_t i = 0; i < from.size(); ++i)
+        for (glm::length_t c = 0; c < 3; ++c) check_fits(from[i][c], i, to, name);
+}
+
+void write_vectors(const base::Runtime& runtime, const geometry::VecArray& from, const base::OutView& to) {
+    if (!to) return;
     runtime.parallel.for_chunks(from.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
-            for (std::uint32_t c = 0; c < 3; ++c) {
-                const double number = from[i][static_cast<glm::length_t>(c)];
-                if (to.scalar == base::Scalar::float32 && std::abs(number) > most)
-                    fail(Status::invalid_argument, "%s[%lld] is %g, beyond FLOAT32: give a FLOAT64 array", name,
-                         static_cast<long long>(i), number);
-                to.set(i, c, number);
-            }
+            for (std::uint32_t c = 0; c < 3; ++c) to.set(i, c, from[i][static_cast<glm::length_t>(c)]);
     });
 }
 
@@ -199,8 +203,9 @@ void sample(const hrbfnpr_mesh& handle, const hrbfnpr_sample_desc& desc, const h
     const mesh::MeshSamples samples =
         mesh::even_samples(runtime, handle.mesh, count, candidates, settings.seed, use.progress());
     use.finish();
-    write_vectors(runtime, samples.position, position, "points");
-    write_vectors(runtime, samples.normal, normal, "normals");
+    check_fits(samples.position, position, "points");
+    write_vectors(runtime, samples.position, position);
+    write_vectors(runtime, samples.normal, normal);
 }
 
 geometry::VecArray read_points(const base::Runtime& runtime, const base::InView& view) {
@@ -239,6 +244,7 @@ void farthest_points(hrbfnpr_context& context, const hrbfnpr_array& points, cons
     const geometry::VecArray places = read_points(context.runtime, view);
     const geometry::FarthestOrder order = geometry::farthest_order(places, count, use.progress());
     use.finish();
+    for (std::int64_t k = 0; k < count && apart; ++k) check_fits(order.distance[k], k, apart, "distance");
     for (std::int64_t k = 0; k < count; ++k) {
         index.set(k, 0, static_cast<double>(order.order[k]));
         if (apart) apart.set(k, 0, order.distance[k]);

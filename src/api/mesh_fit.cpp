@@ -6,10 +6,12 @@
 #include "api/fields.h"
 #include "api/fit_options.h"
 #include "api/mesh.h"
-#include "api/model.h"
+#include "api/model_trim.h"
 #include "api/operation.h"
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 using namespace hrbfnpr;
 
@@ -75,6 +77,8 @@ namespace {
 constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
+constexpr double end_of_fit = 0.9; // of its progress; then it is looked for the surface's end
+constexpr double off_mesh = 0.009; // diagonals: how far from a mesh what is none of it lies
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
 
@@ -185,6 +189,21 @@ hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t 
     return to;
 }
 
+// Of a closed mesh the fit has looked itself, and found nothing that is far from it.
+hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint32_t trim,
+                     const base::Progress& progress) {
+    const std::optional<fit::Samples> samples = std::exchange(result.fit.samples, std::nullopt);
+    const bool whole = mesh.mesh.report.boundary_edges == 0 && result.report.reached;
+    generate::TrimSettings settings;
+    settings.hole = settings.closest = off_mesh;
+    if (trim == HRBFNPR_TRIM_NEVER || whole) {
+        progress.update(1.0);
+        return make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit));
+    }
+    return ended_model(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)), samples->position,
+                       samples->normal, settings, progress);
+}
+
 hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const Fit& desc, const hrbfnpr_fit_desc& fit,
                         hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation) {
     if (info != nullptr) check_output_struct(info, "mesh_fit_info");
@@ -198,11 +217,11 @@ hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const Fit& desc, const hrbfnpr
     fit_fields().copy(desc, settings);
     const fit::FitInput options = checked_options(fit);
     const OperationUse use(operation);
-    mesh::MeshFit result = mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options, use.progress());
-    use.finish();
+    mesh::MeshFit result =
+        mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options, use.progress().part(0.0, end_of_fit));
     const std::int64_t centres = result.fit.data.count();
     log_fit(mesh.runtime(), result.report, centres);
-    auto* const model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit));
+    hrbfnpr_model* const model = ended(mesh, result, fit.trim, use.progress().part(end_of_fit, 1.0));
     if (info != nullptr) write_struct(info, described(result.report, centres));
     return model;
 }

@@ -5,6 +5,7 @@
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/fit_options.h"
+#include "api/model_trim.h"
 #include "api/operation.h"
 #include "api/orient.h"
 #include "api/views.h"
@@ -93,7 +94,7 @@ constexpr auto fit_fields() noexcept {
         field("preconditioner_neighbours", &Fit::preconditioner_neighbours, &FitInput::preconditioner_neighbours,
               rule::Between{0.0, fit::LocalSystems::largest_set - 1}),
         field("normal_mode", &Fit::normal_mode, rule::OneOf{HRBFNPR_NORMALS_AUTO, "HRBFNPR_NORMALS_..."}),
-        reserved("reserved", &Fit::reserved)};
+        field("trim", &Fit::trim, rule::OneOf{HRBFNPR_TRIM_AUTO, "HRBFNPR_TRIM_NEVER and _AUTO"})};
 }
 static_assert(fit_fields().covers<Fit>());
 
@@ -117,6 +118,7 @@ template <>
 hrbfnpr_fit_desc defaults() noexcept {
     hrbfnpr_fit_desc desc{};
     fit_fields().set_defaults(fit::FitInput{}, desc);
+    desc.trim = HRBFNPR_TRIM_AUTO;
     return desc;
 }
 
@@ -134,6 +136,7 @@ namespace {
 
 // Diagonals as of fits: squares and cubes of lengths stay far from the ends of a double's range.
 constexpr double smallest_box = 1e-100;
+constexpr double end_of_fit = 0.9; // of its progress; then it is looked for the surface's end
 
 fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
     fit::FitInput input;
@@ -191,12 +194,20 @@ hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc,
     fit::FitInput input = checked(desc);
     const OperationUse use(operation);
     const NormalsOfFit normals(context.runtime, desc.normal_mode, input, use.progress());
-    fit::FitResult result = fit::fit(context.runtime, input, normals.rest(use.progress()));
+    const base::Progress progress = normals.rest(use.progress());
+    fit::FitResult result = fit::fit(context.runtime, input, progress.part(0.0, end_of_fit));
     normals.report(result.report);
-    use.finish();
     log_fit(context.runtime, result.report);
     log_choice(context.runtime, input, result.report, result.data.count());
-    return make_handle<hrbfnpr_model>(context, std::move(result));
+    const std::optional<fit::Samples> samples = std::exchange(result.samples, std::nullopt);
+    generate::TrimSettings settings;
+    settings.off = result.report.input_distance_max;
+    if (desc.trim == HRBFNPR_TRIM_NEVER) {
+        use.finish();
+        return make_handle<hrbfnpr_model>(context, std::move(result));
+    }
+    return ended_model(make_handle<hrbfnpr_model>(context, std::move(result)), samples->position, samples->normal,
+                       settings, progress.part(end_of_fit, 1.0));
 }
 
 implicit::CustomFunction checked(const hrbfnpr_custom_desc& desc) {

@@ -38,6 +38,8 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     }
     // Without its end.
     [[nodiscard]] const hrbfnpr_model& whole() const noexcept { return whole_ != nullptr ? *whole_ : *this; }
+    // That there is none, as of a closed surface.  Before others know of the model.
+    void looked_for_end(const hrbfnpr::generate::TrimReport& found) noexcept { trim_.report = found; }
     [[nodiscard]] const hrbfnpr::generate::FoundTrim& trim() const noexcept { return trim_; }
     // The same function for so many evaluations: prepared for them where that takes less time, which the first such
     // call does.  Any thread.

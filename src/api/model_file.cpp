@@ -106,9 +106,11 @@ fit::FitReport report_of(std::span<const double> stored) noexcept {
     return report;
 }
 
-void append(base::Array<double>& packed, const geometry::VecArray& vectors) {
-    for (std::int64_t i = 0; i < vectors.size(); ++i)
-        for (int c = 0; c < 3; ++c) packed.push_back(vectors[i][c]);
+// Of the samples as they were given: in the support's own order another would come of them, and with it another file.
+void pack(base::Array<double>& packed, const surface::Support& support, const geometry::VecArray& vectors) {
+    packed.resize(3 * vectors.size());
+    for (std::int64_t at = 0; at < vectors.size(); ++at)
+        for (int c = 0; c < 3; ++c) packed[3 * support.index(at) + c] = vectors[at][c];
 }
 
 geometry::VecArray unpacked(const base::Array<double>& packed) {
@@ -125,8 +127,8 @@ io::TrimFile file_of(base::Memory& memory, const generate::FoundTrim& found) {
     file.limit = found.trim->limit();
     file.closest = found.trim->closest();
     file.grid = support.grid();
-    append(file.position, support.positions());
-    append(file.normal, support.normals());
+    pack(file.position, support, support.positions());
+    pack(file.normal, support, support.normals());
     for (const std::uint64_t cell : support.kept().packed()) file.kept.push_back(static_cast<std::int64_t>(cell));
     for (const std::uint64_t cell : support.ends().packed()) file.ends.push_back(static_cast<std::int64_t>(cell));
     const generate::TrimReport& report = found.report;

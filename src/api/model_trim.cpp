@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "api/model_trim.h"
+
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/lists.h"
-#include "api/model.h"
 #include "api/operation.h"
 #include "api/views.h"
 #include "implicit/evaluate_all.h"
@@ -99,8 +100,13 @@ void log_trim(const base::Runtime& runtime, const generate::TrimReport& report) 
                 static_cast<long long>(report.parts_to_end));
 }
 
+generate::ImplicitFor implicit_of(const hrbfnpr_model& model) {
+    return [&model](double evaluations, const base::Progress& progress) -> const implicit::Implicit& {
+        return model.implicit_for(evaluations, progress);
+    };
+}
+
 hrbfnpr_model* trim(const hrbfnpr_model& given, const hrbfnpr_trim_desc& desc, hrbfnpr_operation* operation) {
-    constexpr double evaluations = 2e5;
     trim_fields().check("trim_desc", desc);
     generate::TrimSettings settings;
     trim_fields().copy(desc, settings);
@@ -110,8 +116,7 @@ hrbfnpr_model* trim(const hrbfnpr_model& given, const hrbfnpr_trim_desc& desc, h
     const geometry::VecArray normals = normals_of(whole, desc, points, use.progress().part(0.0, 0.1));
     const base::Runtime& runtime = whole.runtime();
     generate::FoundTrim found =
-        generate::find_trim(runtime, whole.implicit_for(evaluations, use.progress().part(0.1, 0.3)), points, normals,
-                            settings, use.progress().part(0.3, 1.0));
+        generate::find_trim(runtime, implicit_of(whole), points, normals, settings, use.progress().part(0.1, 1.0));
     use.finish();
     log_trim(runtime, found.report);
     return make_handle<hrbfnpr_model>(whole.context(), whole, std::move(found));
@@ -130,7 +135,39 @@ hrbfnpr_trim_info describe(const hrbfnpr_model& model) noexcept {
     return info;
 }
 
+// Of fewer samples nobody knows how far they are apart.
+constexpr std::int64_t fewest = 10;
+
+// None where it cannot be told.
+generate::FoundTrim trim_of_fit(const hrbfnpr_model& fitted, const geometry::VecArray& position,
+                                const geometry::VecArray& normal, const generate::TrimSettings& settings,
+                                const base::Progress& progress) {
+    const base::Runtime& runtime = fitted.runtime();
+    try {
+        if (position.size() < fewest) fail(Status::not_converged, "there are too few samples to tell where it ends");
+        return generate::find_trim(runtime, implicit_of(fitted), position, normal, settings, progress);
+    } catch (const Error& error) {
+        if (error.status() != Status::not_converged) throw;
+        runtime.log(base::LogLevel::info, "trim: the surface is left whole: %s", error.what());
+        return {};
+    }
+}
+
 } // namespace
+
+hrbfnpr_model* ended_model(hrbfnpr_model* fitted, const geometry::VecArray& position, const geometry::VecArray& normal,
+                           const generate::TrimSettings& settings, const base::Progress& progress) {
+    const Hold<hrbfnpr_model> whole(fitted); // from here on, and the model that ends
+    release_handle(fitted);
+    generate::FoundTrim found = trim_of_fit(*fitted, position, normal, settings, progress);
+    progress.update(1.0);
+    log_trim(fitted->runtime(), found.report);
+    if (found.trim != nullptr) return make_handle<hrbfnpr_model>(fitted->context(), *fitted, std::move(found));
+    fitted->looked_for_end(found.report);
+    fitted->add_reference();
+    return fitted;
+}
+
 } // namespace hrbfnpr::api
 
 extern "C" {

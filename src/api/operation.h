@@ -27,6 +27,17 @@ public:
     }
     // The work is done: progress 1, and the last chance to cancel.
     void finish() const { progress().update(1.0); }
+    // The same where a handle has been made by then: a cancel releases it.
+    template <class T>
+    [[nodiscard]] T* finish_with(T* handle) const {
+        try {
+            finish();
+        } catch (...) {
+            release_handle(handle);
+            throw;
+        }
+        return handle;
+    }
 
 private:
     hrbfnpr_operation* handle_;

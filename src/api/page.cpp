@@ -8,6 +8,7 @@
 #include "api/streams.h"
 #include "api/views.h"
 #include "base/utf8.h"
+#include "output/vector/look.h"
 #include "output/vector/write_page.h"
 
 #include <cstdio>
@@ -38,7 +39,9 @@ constexpr std::int64_t most_items = 4096;
 constexpr std::int64_t most_pens = 4096;
 constexpr std::int64_t most_annotations = 10000000;
 constexpr double far_away = 1e6; // mm
-constexpr std::uint32_t known_flags = HRBFNPR_PAGE_IN_PLOT_ORDER | HRBFNPR_PAGE_WITHOUT_PAPER;
+constexpr std::int64_t at_a_time = 1024;
+constexpr std::uint32_t known_flags =
+    HRBFNPR_PAGE_IN_PLOT_ORDER | HRBFNPR_PAGE_SINGLE_PASS | HRBFNPR_PAGE_WITHOUT_PAPER;
 constexpr std::uint32_t last_line_type = HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED;
 
 constexpr auto page_fields() noexcept {
@@ -165,6 +168,10 @@ const char* checked_text(const char* text, const char* owner, const char* name) 
 
 std::string_view text_or_empty(const char* text) noexcept { return text != nullptr ? text : std::string_view{}; }
 
+bool in_plot_order(const PageSettings& settings) noexcept {
+    return settings.in_plot_order || settings.format >= output::PageFormat::hpgl;
+}
+
 PageSettings settings_of(const Desc& desc) noexcept {
     PageSettings settings;
     page_fields().copy(desc, settings);
@@ -172,7 +179,8 @@ PageSettings settings_of(const Desc& desc) noexcept {
     settings.without_paper = (desc.flags & HRBFNPR_PAGE_WITHOUT_PAPER) != 0;
     settings.in_plot_order = (desc.flags & HRBFNPR_PAGE_IN_PLOT_ORDER) != 0;
     settings.shapes = {static_cast<output::Widths>(desc.widths), static_cast<output::DotShapes>(desc.dots),
-                       desc.tolerance, desc.width_step};
+                       desc.tolerance, desc.width_step,
+                       in_plot_order(settings) && (desc.flags & HRBFNPR_PAGE_SINGLE_PASS) == 0};
     settings.plot = {desc.join,         desc.shortest,    desc.dot_distance, desc.draw_speed,
                      desc.travel_speed, desc.pen_seconds, desc.pen_down,     desc.pen_up};
     return settings;
@@ -181,11 +189,11 @@ PageSettings settings_of(const Desc& desc) noexcept {
 // What a page is made of, read and checked before a byte is written.
 class PageReader {
 public:
-    PageReader(base::Memory& memory, const Desc& desc)
+    PageReader(base::Memory& memory, const Desc& desc, const base::Progress& progress)
         : placements_(memory), pens_(memory), annotations_(memory), numbers_(memory) {
         read_placements(desc);
         read_pens(desc);
-        read_annotations(memory, desc);
+        read_annotations(memory, desc, progress);
         page_.info.title = checked_text(desc.title, "page_desc", "title");
         page_.info.description = checked_text(desc.description, "page_desc", "description");
         page_.info.metadata = checked_text(desc.metadata, "page_desc", "metadata");
@@ -234,11 +242,12 @@ private:
         }
     }
 
-    void read_annotations(base::Memory& memory, const Desc& desc) {
+    void read_annotations(base::Memory& memory, const Desc& desc, const base::Progress& progress) {
         const List<hrbfnpr_annotation> list(desc.annotations, desc.annotation_count, desc.annotation_stride,
                                             most_annotations, "page_desc.annotations");
         base::Array<std::int64_t> first(memory);
         for (std::int64_t i = 0; i < list.count(); ++i) {
+            if (i % at_a_time == 0) output::look(progress);
             const hrbfnpr_annotation given = list[i];
             first.push_back(numbers_.size());
             annotations_.push_back(read(memory, given, list.name(i).text));
@@ -291,26 +300,26 @@ hrbfnpr_page_info describe(const output::PageCounts& counts, const glm::dvec2& s
     info.drawn = counts.drawn;
     info.travelled = counts.travelled;
     info.seconds = counts.seconds;
+    info.filled_paths = counts.filled_paths;
     return info;
 }
 
 hrbfnpr_page_info write(const base::Runtime& runtime, const Desc& desc, io::Writer& writer,
                         hrbfnpr_operation* operation) {
     page_fields().check("page_desc", desc);
-    const PageReader reader(runtime.memory, desc);
+    const OperationUse use(operation);
+    const PageReader reader(runtime.memory, desc, use.progress());
     const PageSettings settings = settings_of(desc);
     const glm::dvec2 size = output::page_size(reader.page(), settings);
     if (!(size.x > 0.0 && size.y > 0.0 && size.x <= far_away && size.y <= far_away))
         fail(Status::invalid_argument,
              "the page is %g by %g mm; give page_desc.width and height, above 0 and up to %g, or place drawings on it",
              size.x, size.y, far_away);
-    const bool plotted = settings.in_plot_order || settings.format >= output::PageFormat::hpgl;
-    if (plotted && reader.has_discs_of_paper())
+    if (in_plot_order(settings) && reader.has_discs_of_paper())
         fail(
             Status::invalid_argument,
             "a drawing of PUBLISHED visibility has discs of paper over ink, which cannot be plotted or sorted; draw it "
             "with DEPTH_LAYERS");
-    const OperationUse use(operation);
     const output::PageCounts counts = output::write_page(runtime, reader.page(), settings, writer, use.progress());
     use.finish();
     return describe(counts, size);

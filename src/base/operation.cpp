@@ -6,11 +6,17 @@
 #include <algorithm>
 
 namespace hrbfnpr::base {
+namespace {
+
+constexpr double longest_silence = 0.02; // seconds
+
+} // namespace
 
 void Operation::begin() {
     if (is_cancelled()) fail(Status::cancelled, "the operation had been cancelled before the call");
     progress_.store(0.0, std::memory_order_relaxed);
     entered_ = std::this_thread::get_id();
+    silence_.restart();
 }
 
 void Operation::report(double progress) noexcept {
@@ -18,8 +24,17 @@ void Operation::report(double progress) noexcept {
     double before = progress_.load(std::memory_order_relaxed);
     while (progress > before && !progress_.compare_exchange_weak(before, progress, std::memory_order_relaxed)) {
     }
-    if (callback_ == nullptr || std::this_thread::get_id() != entered_) return;
-    if (callback_(user_, std::max(before, progress)) != 0) cancel();
+    if (callback_ != nullptr && std::this_thread::get_id() == entered_) call_back(std::max(before, progress));
+}
+
+void Operation::remind() noexcept {
+    if (callback_ == nullptr || std::this_thread::get_id() != entered_ || is_cancelled()) return;
+    if (silence_.seconds() > longest_silence) call_back(progress());
+}
+
+void Operation::call_back(double progress) noexcept {
+    if (callback_(user_, progress) != 0) cancel();
+    silence_.restart();
 }
 
 Progress Progress::part(double from, double to) const noexcept {
@@ -36,7 +51,9 @@ void Progress::update(double fraction) const {
 }
 
 void Progress::check() const {
-    if (operation_ != nullptr && operation_->is_cancelled()) fail(Status::cancelled, "the operation was cancelled");
+    if (operation_ == nullptr) return;
+    operation_->remind();
+    if (operation_->is_cancelled()) fail(Status::cancelled, "the operation was cancelled");
 }
 
 } // namespace hrbfnpr::base

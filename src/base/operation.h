@@ -2,6 +2,8 @@
 // Progress and cancelling of one long call, and the part of it that a stage sees.
 #pragma once
 
+#include "base/clock.h"
+
 #include <atomic>
 #include <cstdint>
 #include <thread>
@@ -24,13 +26,19 @@ public:
 
     // From any thread.  Progress never falls; the callback runs only on the thread of begin().
     void report(double progress) noexcept;
+    // From any thread.  On that of begin() the callback is called again if it has not been for a while, so that a host
+    // hears of a call where its progress stands still, too, and may cancel it there.
+    void remind() noexcept;
 
 private:
+    void call_back(double progress) noexcept;
+
     std::atomic<bool> cancelled_{false};
     std::atomic<double> progress_{0.0};
     ProgressFn callback_ = nullptr;
     void* user_ = nullptr;
     std::thread::id entered_;
+    Stopwatch silence_; // since the callback was last called; of the thread of begin()
 };
 
 // A stage's share [from, to] of an operation's progress.  Copied freely; default: nobody watches.
@@ -43,7 +51,7 @@ public:
     [[nodiscard]] Progress part(double from, double to) const noexcept;
     // Reports that `fraction` of this stage is done and throws Error{cancelled} after a cancel.
     void update(double fraction) const;
-    // Only looks for a cancel.
+    // Looks for a cancel; reports no progress.
     void check() const;
 
 private:

@@ -110,7 +110,9 @@ Parallel Parallel::openmp(int threads) noexcept { return {threads, ThreadBackend
 
 void Parallel::run(std::int64_t count, TaskFn task, void* context) const {
     if (count <= 1 || backend_ == ThreadBackend::serial) {
-        for (std::int64_t i = 0; i < count; ++i) task(context, i);
+        for (std::int64_t i = 0; i < count; ++i) {
+            task(context, i);
+        }
         return;
     }
     Caught caught(count, task, context);

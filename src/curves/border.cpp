@@ -25,9 +25,7 @@ struct BorderPoint {
 };
 
 struct Chains {
-    explicit Chains(base::Memory& memory) noexcept : first(memory), closed(memory), point(memory) {
-        first.push_back(0);
-    }
+    explicit Chains(base::Memory& memory) : first(memory), closed(memory), point(memory) { first.push_back(0); }
     void end(bool is_closed) {
         first.push_back(point.size());
         closed.push_back(is_closed ? 1 : 0);

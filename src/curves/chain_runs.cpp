@@ -33,9 +33,7 @@ enum class Link : std::uint8_t { unknown, linked, parted };
 
 // Points in the order of their chains.
 struct Sequences {
-    explicit Sequences(base::Memory& memory) noexcept : first(memory), point(memory), link(memory) {
-        first.push_back(0);
-    }
+    explicit Sequences(base::Memory& memory) : first(memory), point(memory), link(memory) { first.push_back(0); }
     [[nodiscard]] std::int64_t size_of(std::int64_t chain) const noexcept { return first[chain + 1] - first[chain]; }
     void reserve(std::int64_t points) {
         point.reserve(points);

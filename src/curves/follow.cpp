@@ -196,6 +196,10 @@ void Follower::take(std::int64_t number) {
     Path& path = paths_[number];
     ++path.evaluations;
     const glm::dvec3 way = path.trial.newton_step();
+    if (path.evaluations > settings_.evaluation_limit) {
+        path.end = End::broken;
+        return;
+    }
     const double length = glm::length(way);
     const double off = glm::distance(path.trial.position + way, path.predicted);
     const double limit = turn_limit(path);

@@ -51,8 +51,8 @@ bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t
 bool is_low(double a, double b, double c) noexcept {
     const double lower = std::min(std::abs(a), std::min(std::abs(b), std::abs(c)));
     const double upper = std::max(std::abs(a), std::max(std::abs(b), std::abs(c)));
-    const bool parted = (std::min(a, std::min(b, c)) < 0.0) & (std::max(a, std::max(b, c)) > 0.0);
-    return !parted & (lower < low * (upper - lower));
+    const unsigned parted = unsigned(std::min(a, std::min(b, c)) < 0.0) & unsigned(std::max(a, std::max(b, c)) > 0.0);
+    return (unsigned(lower < low * (upper - lower)) & ~parted) != 0;
 }
 
 // The corner where |g| is least.

@@ -88,7 +88,7 @@ private:
 
 } // namespace
 
-LineBuilder::LineBuilder(SurfaceLines& lines, bool as_given) noexcept : lines_(lines), as_given_(as_given) {
+LineBuilder::LineBuilder(SurfaceLines& lines, bool as_given) : lines_(lines), as_given_(as_given) {
     if (lines_.curves.first.empty()) lines_.curves.first.push_back(0);
 }
 

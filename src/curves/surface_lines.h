@@ -24,7 +24,7 @@ class LineBuilder {
 public:
     // as_given: of lines that need not lie on the surface tangents are kept, and normals made perpendicular to them;
     // else it is the other way round.
-    explicit LineBuilder(SurfaceLines& lines, bool as_given = false) noexcept;
+    explicit LineBuilder(SurfaceLines& lines, bool as_given = false);
 
     // tangent: where it is known, of any length; 0: from the points.
     void add(const glm::dvec3& position, const glm::dvec3& normal, double strength,

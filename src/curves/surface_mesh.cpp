@@ -142,7 +142,7 @@ Lattice lattice_of(const MeshSettings& settings) {
     const Lattice lattice(settings.region, settings.side);
     if (!lattice.valid())
         fail(Status::invalid_argument,
-             "a region of %g x %g x %g cannot be cut into cells of side %g: give them a larger side",
+             "a region of %g x %g x %g cannot be cut into cells of side %g: give them a larger side (cell_size)",
              settings.region.size().x, settings.region.size().y, settings.region.size().z, settings.side);
     return lattice;
 }

@@ -110,6 +110,7 @@ FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::P
     report.peak_bytes = runtime.memory.bytes_peak();
     report.seconds_total = watch.seconds();
     progress.update(1.0);
+    choice.fit.result.samples = std::move(samples);
     return std::move(choice.fit.result);
 }
 

@@ -5,10 +5,12 @@
 #include "base/operation.h"
 #include "base/runtime.h"
 #include "base/view.h"
+#include "fit/samples.h"
 #include "fit/solver_kind.h"
 #include "implicit/hrbf.h"
 
 #include <limits>
+#include <optional>
 
 namespace hrbfnpr::fit {
 
@@ -81,6 +83,7 @@ struct FitResult {
     implicit::HrbfData data;
     FitReport report;
     base::Array<double> history; // relative residual after each iteration of the iterative solver; else empty
+    std::optional<Samples> samples = std::nullopt; // of fit(): all, repaired
 };
 
 // Throws Error{invalid_argument, singular_system, out_of_memory, cancelled}.

@@ -76,13 +76,14 @@ void Preconditioner::find_sets(const geometry::PointTree& tree, const base::Arra
 
 void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::PointTree& tree,
                                  const base::Progress& progress) {
-    factor_.resize(set_.size() * 16);
+    factor_.resize_for_overwrite(set_.size() * 16); // hundreds of megabytes: each task makes its own part 0
     const HermiteSystem::Options& options = system.options();
     const base::InstructionSet isa = runtime_.instruction_set;
     const FactorLocalSystems factor = local_factors(isa);
     const std::int64_t batch = 8 * local_factor_batch(isa);
     runtime_.parallel.for_chunks(samples_, batch, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
+        std::fill(factor_.begin() + begin * set_size_ * 16, factor_.begin() + end * set_size_ * 16, 0.0F);
         base::Array<double> room(runtime_.memory, local_factor_room(isa, set_size_));
         base::Array<double> position(runtime_.memory, batch * set_size_ * 3);
         for (std::int64_t k = begin * set_size_; k < end * set_size_; ++k) {

@@ -149,7 +149,9 @@ void merge(Samples& samples, const base::Array<std::int64_t>& representative) {
     }
     for (std::int64_t k = 0; k < kept; ++k) {
         if (share[k] == 1) continue;
-        samples.position.set(k, samples.position[k] / static_cast<double>(share[k]));
+        // Not out of the bounds, where rounding would have it.
+        const glm::dvec3 mean = samples.position[k] / static_cast<double>(share[k]);
+        samples.position.set(k, glm::clamp(mean, samples.bounds.min, samples.bounds.max));
         samples.normal.set(k, glm::normalize(samples.normal[k]));
     }
     samples.position.resize(kept);

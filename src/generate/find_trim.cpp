@@ -2,6 +2,7 @@
 #include "generate/find_trim.h"
 
 #include "geometry/cell_block.h"
+#include "implicit/trimmed.h"
 #include "stipples/cell_map.h"
 #include "stipples/surface_cells.h"
 
@@ -18,21 +19,48 @@ using geometry::CellGrid;
 constexpr double finest_cells = 256.0;
 constexpr double coarsest_cells = 32.0; // some in the margin
 constexpr double cells_a_spacing = 2.0;
+// A first look at few of them, which is wary instead: less than all of what is asked for is enough.
+constexpr double cells_of_first_look = 1.0;
+constexpr double wary = 0.7;
+// Spacings that samples are off the surface at most, for it to be known between those that are surrounded.
+constexpr double on_surface = 0.25;
 // Marks lie in a box around the samples' bounds that is wider by up to so many diagonals.
 constexpr double margin = 0.1;
 // s where there can be no doubt: some 1.2 times as far from all samples as their sixth neighbours are.
 constexpr double doubtless = 6.0;
 constexpr std::int64_t grain = 256;
 
+// All of the surface, and as far as a first look at so many samples goes; guesses.
+constexpr double evaluations = 2e5;
+constexpr double evaluations_a_sample = 30.0;
+
+// Where the first look goes on.
+class Doubtful final : public implicit::Extent {
+public:
+    Doubtful(const surface::Support& support, double limit) noexcept : support_(support), limit_(limit) {}
+
+    [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
+        return !support_.nearest_sample(place).surrounded || !(support_.value(place, gradient) <= limit_);
+    }
+    [[nodiscard]] bool may_end_near(const glm::dvec3& /*place*/, double /*half*/) const noexcept override {
+        return true;
+    }
+
+private:
+    const surface::Support& support_;
+    double limit_;
+};
+
 class Search {
 public:
     Search(const base::Runtime& runtime, const implicit::Implicit& implicit, const surface::Support& support,
-           const TrimSettings& settings)
-        : runtime_(runtime), support_(support), settings_(settings),
+           const TrimSettings& settings, bool wary_look)
+        : runtime_(runtime), support_(support), settings_(settings), wary_(wary_look),
           diagonal_(implicit.diagonal()), site_{runtime, implicit, 1e-7, 1}, cells_(runtime.memory),
           value_(runtime.memory), part_(runtime.memory), numbers_(runtime.memory), found_(runtime.memory) {}
 
-    TrimReport run(const geometry::VecArray& samples, const base::Progress& progress);
+    // Counts what is left out.
+    void run(const geometry::VecArray& samples, const base::Progress& progress, TrimReport& report);
     // Those that are left out, and the cells around them.
     [[nodiscard]] geometry::CellSet cells_left_out() const;
     // All others that the surface passes.
@@ -71,6 +99,7 @@ private:
     const base::Runtime& runtime_;
     const surface::Support& support_;
     const TrimSettings& settings_;
+    bool wary_;
     double diagonal_;
     marks::Site site_;
     stipples::SurfaceCells cells_;
@@ -94,7 +123,8 @@ bool Search::at_end(std::int64_t cell) const noexcept {
 
 void Search::cover(const geometry::VecArray& samples, const base::Progress& progress) {
     const geometry::Bounds region = site_.implicit.bounds().grown(margin * diagonal_);
-    const double side = std::clamp(support_.median_spacing() / cells_a_spacing, region.diagonal() / finest_cells,
+    const double cells = wary_ ? cells_of_first_look : cells_a_spacing;
+    const double side = std::clamp(support_.median_spacing() / cells, region.diagonal() / finest_cells,
                                    region.diagonal() / coarsest_cells);
     cells_ = stipples::find_surface_cells(site_, samples, region, side, progress);
     base::Array<std::uint64_t> codes(runtime_.memory);
@@ -124,8 +154,9 @@ void Search::look_at(std::int64_t cell, Part& part) const noexcept {
 
 // Between samples that are denser than the surface is accurate there are no holes.
 void Search::judge(Part& part) const noexcept {
-    const bool sure = settings_.closest > 0.0 || part.highest >= doubtless;
-    part.left_out = part.to_end || (sure && part.farthest > settings_.hole * diagonal_);
+    const double share = wary_ ? wary : 1.0;
+    const bool sure = settings_.closest > 0.0 || part.highest >= share * doubtless;
+    part.left_out = part.to_end || (sure && part.farthest > share * settings_.hole * diagonal_);
 }
 
 void Search::collect(std::int64_t from, base::Array<std::int64_t>& front) {
@@ -146,14 +177,12 @@ void Search::collect(std::int64_t from, base::Array<std::int64_t>& front) {
     found_.push_back(part);
 }
 
-TrimReport Search::run(const geometry::VecArray& samples, const base::Progress& progress) {
+void Search::run(const geometry::VecArray& samples, const base::Progress& progress, TrimReport& report) {
     cover(samples, progress.part(0.0, 0.6));
     ask(progress);
     base::Array<std::int64_t> front(runtime_.memory);
     for (std::int64_t i = 0; i < cells_.cell.size(); ++i)
         if (part_[i] == unknown) collect(i, front);
-    TrimReport report;
-    report.spacing = support_.median_spacing();
     for (const Part& part : found_) {
         if (!part.left_out) continue;
         ++report.parts;
@@ -162,7 +191,6 @@ TrimReport Search::run(const geometry::VecArray& samples, const base::Progress& 
         left_out_ += part.cells;
     }
     if (left_out_ > 0) report.share = static_cast<double>(left_out_) / static_cast<double>(cells_.cell.size());
-    return report;
 }
 
 // The surface ends between a cell that is left out and one that is not.  Of holes that stay closed nothing is taken.
@@ -185,17 +213,38 @@ geometry::CellSet Search::cells_kept(const geometry::CellSet& left_out) const {
     return cells;
 }
 
+// Whether there may be something to leave out: if there is, a part of it begins where samples are not surrounded.
+bool may_end(const base::Runtime& runtime, const ImplicitFor& implicit_for, const surface::Support& support,
+             const TrimSettings& settings, const base::Progress& progress) {
+    if (!(settings.off <= on_surface * support.median_spacing())) return true;
+    const geometry::VecArray from = support.not_surrounded();
+    if (from.size() == 0) return false;
+    if (2 * from.size() > support.samples()) return true;
+    const implicit::Implicit& implicit =
+        implicit_for(evaluations_a_sample * static_cast<double>(from.size()), progress.part(0.0, 0.0));
+    const Doubtful doubtful(support, settings.limit);
+    const implicit::Trimmed some(implicit, doubtful);
+    for (const bool wary_look : {true, false}) {
+        TrimReport report;
+        Search(runtime, some, support, settings, wary_look).run(from, progress, report);
+        if (report.parts == 0) return false;
+    }
+    return true;
+}
+
 } // namespace
 
-FoundTrim find_trim(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                    const geometry::VecArray& position, const geometry::VecArray& normal, const TrimSettings& settings,
-                    const base::Progress& progress) {
-    const double closest = settings.closest * implicit.diagonal();
-    surface::Support support(runtime, position, normal, closest, progress.part(0.0, 0.3));
-    Search search(runtime, implicit, support, settings);
+FoundTrim find_trim(const base::Runtime& runtime, const ImplicitFor& implicit_for, const geometry::VecArray& position,
+                    const geometry::VecArray& normal, const TrimSettings& settings, const base::Progress& progress) {
+    const double closest = settings.closest * implicit_for(0.0, {}).diagonal();
+    surface::Support support(runtime, position, normal, closest, progress.part(0.0, 0.2));
     FoundTrim found;
-    found.report = search.run(position, progress.part(0.3, 1.0));
     found.report.samples = position.size();
+    found.report.spacing = support.median_spacing();
+    if (!may_end(runtime, implicit_for, support, settings, progress.part(0.2, 0.3))) return found;
+    const implicit::Implicit& implicit = implicit_for(evaluations, progress.part(0.3, 0.5));
+    Search search(runtime, implicit, support, settings, false);
+    search.run(position, progress.part(0.5, 1.0), found.report);
     if (search.all_is_left_out())
         fail(Status::not_converged, "no part of the surface is near its samples: give more of them, or a larger limit");
     if (found.report.parts == 0) return found;

@@ -52,7 +52,8 @@ void check_budgets(const Settings& settings) {
         const LayerSettings& layer = settings.layers[i];
         if (layer.budget > marks::most_even_marks)
             fail(Status::invalid_argument,
-                 "generate_desc asks for %lld marks in layers[%zu]; BLUE_NOISE makes %lld at most: lower the budget",
+                 "generate_desc asks for %lld marks in layers[%zu]; BLUE_NOISE makes %lld at most: lower budget or "
+                 "shared_budget",
                  static_cast<long long>(layer.budget), i, static_cast<long long>(marks::most_even_marks));
         if (layer.budget == 0 && !(layer.has_strokes() && layer.strokes.separation > 0.0))
             fail(Status::invalid_argument, "generate_desc.layers[%zu].budget is 0, no limit; %s", i,

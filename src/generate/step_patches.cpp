@@ -43,6 +43,7 @@ double step_patches(const base::Runtime& runtime, const implicit::Implicit& impl
     const marks::Seeds seeds = make_seeds(site, in_unit.samples(), in_unit.settings(), progress);
     const double step = seeds.step;
     const base::Array<Ticket> order = shuffled(site, seeds.position.size());
+    progress.update(1.0); // the last chance to cancel, before anything is written
     for (std::int64_t patch = 0; patch < corners.count; ++patch) {
         const std::int64_t seed = order[patch % order.size()].seed;
         const geometry::TangentFrame frame = geometry::stipple_frame(seeds.normal[seed]);
@@ -54,7 +55,6 @@ double step_patches(const base::Runtime& runtime, const implicit::Implicit& impl
             for (int axis = 0; axis < 3; ++axis) corners.set(patch, component++, site.unit * corner[axis]);
         }
     }
-    progress.update(1.0);
     return site.unit * step;
 }
 

@@ -18,7 +18,9 @@ PointGrid::PointGrid(const VecArray& points, double radius)
     begin_.resize(buckets + 1);
     const auto cell_of = [&](std::int64_t i) { return CellGrid::pack(grid_.cell_of(points[i])); };
     // Sorting by counting, which keeps the order of the points of a bucket.
-    for (std::int64_t i = 0; i < points.size(); ++i) ++begin_[bucket(cell_of(i)) + 1];
+    for (std::int64_t i = 0; i < points.size(); ++i) {
+        ++begin_[bucket(cell_of(i)) + 1];
+    }
     for (std::int64_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
     base::Array<std::int64_t> next(points.memory(), buckets);
     for (std::int64_t b = 0; b < buckets; ++b) next[b] = begin_[b];

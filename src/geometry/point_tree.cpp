@@ -28,7 +28,10 @@ PointTree::PointTree(const VecArray& points, const base::Progress& progress)
     bounds_.resize(nodes);
     for (std::int64_t i = 0; i < count; ++i) index_[i] = i;
     build(points, {0, 0, count}, progress);
-    for (std::int64_t at = 0; at < count; ++at) points_.set(at, points[index_[at]]);
+    for (std::int64_t at = 0; at < count; ++at) {
+        if (at % 65536 == 0) progress.check();
+        points_.set(at, points[index_[at]]);
+    }
 }
 
 void PointTree::build(const VecArray& points, const Range& range, const base::Progress& progress) {

@@ -155,7 +155,9 @@ void Evener::find_neighbours() {
     for_lines([&](const Line& line) { set_across(line); });
     const geometry::PointGrid grid(position_, (reach + step) * separation_);
     for_lines([&](const Line& line) {
-        for (std::int64_t i = line.begin; i < line.end; ++i) look_around(grid, i);
+        for (std::int64_t i = line.begin; i < line.end; ++i) {
+            look_around(grid, i);
+        }
     });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/line_marks.h"
 
+#include "base/sort.h"
+
 #include "hatching/line_walk.h"
 #include "marks/assemble.h"
 #include "marks/tone_part.h"
@@ -162,7 +164,10 @@ void Laying::cut(const Path& path) {
 
 void Laying::cut() {
     for (const Path& path : paths_) cut(path);
-    std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.level < b.level; });
+    // Of equal levels as they stand, along the paths; std::stable_sort would take memory that is not the caller's.
+    base::sort_long(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
+        return a.level != b.level ? a.level < b.level : a.begin < b.begin;
+    });
 }
 
 glm::dvec3 Laying::direction(const Piece& piece, std::int64_t i) const noexcept {

@@ -128,8 +128,10 @@ void Stripes::cross_edges(const base::Progress& progress) {
         for (std::int64_t edge = begin; edge < end; ++edge)
             if (owns(edge)) visit_crossings(edge, [&](const Crossing&) { ++first_[edge + 1]; });
     });
+    progress.check();
     for (std::int64_t edge = 0; edge < edges; ++edge) first_[edge + 1] += first_[edge];
     crossing_.resize(first_[edges]);
+    progress.check();
     link_.resize(2 * first_[edges]);
     std::fill(link_.begin(), link_.end(), -1);
     runtime_.parallel.for_chunks(edges, triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
@@ -202,7 +204,7 @@ void Stripes::add_line(std::int64_t from, base::Array<std::uint8_t>& taken, Stri
     std::int64_t last = -1;
     std::int64_t at = from;
     bool closed = false;
-    while (true) {
+    for (std::int64_t count = 0;; ++count) {
         taken[at] = 1;
         lines.position.push_back(place(crossing_[at]));
         lines.normal.push_back(normal(crossing_[at]));

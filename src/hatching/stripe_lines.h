@@ -8,7 +8,7 @@ namespace hrbfnpr::hatching {
 
 // Polylines, each point on an edge of the mesh.
 struct StripeLines {
-    explicit StripeLines(base::Memory& memory) noexcept
+    explicit StripeLines(base::Memory& memory)
         : first(memory), closed(memory), position(memory), normal(memory), level(memory) {
         first.push_back(0);
     }

@@ -111,7 +111,10 @@ StripeVertices::StripeVertices(const base::Runtime& runtime, const LineSamples& 
     runtime.parallel.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         Interpolator interpolator(samples, waves, grid, runtime.memory);
-        for (std::int64_t v = begin; v < end; ++v) interpolator.at(mesh, v, *this);
+        for (std::int64_t v = begin; v < end; ++v) {
+            if (v % 128 == 0) progress.check();
+            interpolator.at(mesh, v, *this);
+        }
     });
 }
 
@@ -159,6 +162,7 @@ void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceM
         const MeshWaves waves(runtime, *this, links, std::ldexp(period, -halving));
         base::Array<Complex> z(runtime.memory, mesh.vertices());
         const base::Array<Complex>& before = wave[wave.size() - 1];
+        progress.check();
         for (std::int64_t v = 0; v < z.size(); ++v) z[v] = unit(before[v] * before[v]);
         for (int round = 0; round <= averages; ++round) {
             progress.check();

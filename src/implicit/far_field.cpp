@@ -41,6 +41,7 @@ double* FarField::first_incoming(std::int32_t level) noexcept {
 void FarField::sum(const double* alpha, const geometry::VecArray& beta, double* value, geometry::VecArray& gradient,
                    const base::Progress& progress) {
     sources_.load(alpha, beta, progress);
+    progress.check();
     std::fill(incoming_.begin(), incoming_.end(), 0.0);
     std::int64_t group = 0;
     for (std::int32_t level = 0; level < tree_.levels(); ++level) {
@@ -53,6 +54,7 @@ void FarField::sum(const double* alpha, const geometry::VecArray& beta, double* 
     }
     evaluate_leaves(progress);
     for (std::int64_t at = 0; at < tree_.points().size(); ++at) {
+        if (at % 16384 == 0) progress.check();
         value[tree_.index(at)] = value_[at];
         gradient.set(tree_.index(at), gradient_[at]);
     }

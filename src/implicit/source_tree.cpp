@@ -24,8 +24,9 @@ constexpr std::int64_t chunk = 32; // cubes of a task
     const std::int64_t from = CubeBasis::padded(rows);
     const std::int64_t to = CubeBasis::padded(columns);
     base::Array<double> result(matrix.memory(), to * rows);
-    for (std::int64_t j = 0; j < columns; ++j)
+    for (std::int64_t j = 0; j < columns; ++j) {
         for (std::int64_t i = 0; i < rows; ++i) result[i * to + j] = matrix[j * from + i];
+    }
     return result;
 }
 
@@ -101,9 +102,11 @@ std::shared_ptr<SourceTree::Transfers> SourceTree::find_transfers(std::int32_t l
 
 void SourceTree::load(const double* alpha, const geometry::VecArray& beta, const base::Progress& progress) {
     for (std::int64_t at = 0; at < tree_.points().size(); ++at) {
+        if (at % 16384 == 0) progress.check();
         alpha_[at] = alpha[tree_.index(at)];
         beta_.set(at, beta[tree_.index(at)]);
     }
+    progress.check();
     std::fill(outgoing_.begin(), outgoing_.end(), 0.0);
     for (std::int32_t level = tree_.levels() - 1; level >= 2; --level) gather_moments(level, progress);
 }

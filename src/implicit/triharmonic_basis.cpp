@@ -96,7 +96,9 @@ public:
             if (m < degree_) turn(m);
         }
         for (int l = 0; l <= degree_; ++l)
-            for (int number = 0; number <= 2 * l; ++number) add_radial(l, number);
+            for (int number = 0; number <= 2 * l; ++number) {
+                add_radial(l, number);
+            }
         return std::move(result_);
     }
 

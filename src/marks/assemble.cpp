@@ -58,7 +58,7 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
     const std::int64_t count = marks.count();
     resize(result, count, settings.with_curvature, !marks.width.empty());
     for (std::int64_t i = 0; i < count; ++i) {
-        if (i % 65536 == 0) progress.check();
+        if (i % 16384 == 0) progress.check();
         const glm::dvec3 n = marks.normal[i];
         store(result.position, i, marks.position[i] - origin);
         store(result.normal, i, n);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "marks/cluster_marks.h"
 
+#include "base/sort.h"
 #include "geometry/cell_grid.h"
 #include "geometry/morton.h"
 #include "geometry/unit.h"
@@ -67,7 +68,7 @@ private:
         const double side = std::max({size.x, size.y, size.z});
         const double scale = side > 0.0 ? ((1 << cell_bits) - 1) / side : 0.0;
         for (std::int64_t i = 0; i < order_.size(); ++i) {
-            if (i % 65536 == 0) progress_.check();
+            if (i % 16384 == 0) progress_.check();
             const glm::dvec3 at = (place(i) - bounds.min) * scale;
             constexpr std::int64_t last = (1 << cell_bits) - 1;
             const std::uint64_t code = geometry::morton_code(
@@ -76,8 +77,9 @@ private:
             order_[i] = {(set * 8 + side_of(precise(layer_.normal, i))) << (3 * cell_bits) | code,
                          static_cast<std::uint32_t>(i)};
         }
-        std::sort(order_.begin(), order_.end(),
-                  [](const Keyed& a, const Keyed& b) { return a.key != b.key ? a.key < b.key : a.mark < b.mark; });
+        base::sort_long(
+            order_.begin(), order_.end(),
+            [](const Keyed& a, const Keyed& b) { return a.key != b.key ? a.key < b.key : a.mark < b.mark; }, progress_);
     }
 
     // Parts that agree in the key down to `shift`, until they are small enough.
@@ -130,6 +132,7 @@ private:
         if (!layer_.width.empty()) result_.width.resize(blocks * size);
         const Keyed* from = order_.data();
         for (const Cluster& cluster : result_.cluster) {
+            progress_.check();
             for (std::int64_t i = 0; i < cluster.count; ++i) put(cluster.block * size + i, (from++)->mark);
         }
     }

@@ -52,7 +52,9 @@ public:
         const std::int64_t count = std::int64_t{layer_.stroke_first[stroke + 1]} - first;
         const std::int64_t parts = (count + every - 1) / every;
         asked.resize(parts);
-        for (std::int64_t k = 0; k < parts; ++k) asked[k] = around(layer_.mark_of(first + k * every));
+        for (std::int64_t k = 0; k < parts; ++k) {
+            asked[k] = around(layer_.mark_of(first + k * every));
+        }
         for (std::int64_t i = 0; i < count; ++i) {
             const std::int64_t k = i / every;
             const float t = static_cast<float>(i % every) / static_cast<float>(every);
@@ -64,7 +66,9 @@ public:
 private:
     [[nodiscard]] static geometry::VecArray places(base::Memory& memory, const Layer& layer) {
         geometry::VecArray places(memory, layer.count());
-        for (std::int64_t i = 0; i < layer.count(); ++i) places.set(i, glm::dvec3(vector_at(layer.position, i)));
+        for (std::int64_t i = 0; i < layer.count(); ++i) {
+            places.set(i, glm::dvec3(vector_at(layer.position, i)));
+        }
         return places;
     }
 

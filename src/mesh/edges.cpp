@@ -50,7 +50,8 @@ base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, s
                                         std::int64_t& count) {
     base::Memory& memory = triangle.memory();
     Sets sets(memory, vertices);
-    for (const Triangle& t : triangle) {
+    for (std::int64_t face = 0; face < triangle.size(); ++face) {
+        const Triangle& t = triangle[face];
         sets.join(t[0], t[1]);
         sets.join(t[0], t[2]);
     }

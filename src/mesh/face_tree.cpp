@@ -35,6 +35,7 @@ FaceTree::FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
     face_.resize_for_overwrite(count);
     for (std::int64_t face = 0; face < count; ++face) {
         const Triangle& t = triangle[face];
+        if (face % 16384 == 0) progress.check();
         const glm::dvec3 a = vertex[t[0]], b = vertex[t[1]], c = vertex[t[2]];
         middle[face] = glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c);
         face_[face] = static_cast<std::int32_t>(face);
@@ -58,6 +59,7 @@ FaceTree::FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
     }
     const auto build = [&](auto&& self, const Range& range) -> void {
         if (range.leaf()) return;
+        if (range.end - range.begin > 4096) progress.check();
         split(middle, range);
         self(self, range.low());
         self(self, range.high());
@@ -65,6 +67,7 @@ FaceTree::FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
     runtime.parallel.for_each(parts, [&](std::int64_t i) { build(build, below[static_cast<std::size_t>(i)]); });
     corners_.resize_for_overwrite(count);
     for (std::int64_t at = 0; at < count; ++at) {
+        if (at % 16384 == 0) progress.check();
         const Triangle& t = triangle[face_[at]];
         corners_[at] = {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
     }

@@ -78,8 +78,8 @@ void measure_edges(const base::Runtime& runtime, Mesh& mesh) {
     std::int64_t joined = 0; // vertices of borders that are in a rim with another
     base::Array<std::uint8_t> at_border(runtime.memory, mesh.vertex.size());
     for_edges(sides, [&](const Side* first, const Side* last) {
-        ++edges;
         report.nonmanifold_edges += last - first > 2 ? 1 : 0;
+        ++edges;
         report.contrary_edges += last - first == 2 && first[0].forward == first[1].forward ? 1 : 0;
         if (last - first != 1) return;
         ++report.boundary_edges;
@@ -136,9 +136,10 @@ bool on_border(const Mesh& mesh, std::int64_t face, const glm::dvec3& place) noe
     constexpr double at_the_side = 1e-9; // share of the corner across
     if (mesh.border[face] == 0) return false;
     const glm::dvec3 shares = shares_of(mesh.corners(face), place);
+    const auto border = unsigned{mesh.border[face]};
     for (glm::length_t k = 0; k < 3; ++k) {
-        if ((mesh.border[face] >> k & 1U) != 0 && shares[(k + 2) % 3] <= at_the_side) return true;
-        if ((mesh.border[face] >> (k + 3) & 1U) != 0 && shares[k] >= 1.0 - at_the_side) return true;
+        if ((border >> k & 1U) != 0 && shares[(k + 2) % 3] <= at_the_side) return true;
+        if ((border >> (k + 3) & 1U) != 0 && shares[k] >= 1.0 - at_the_side) return true;
     }
     return false;
 }

@@ -102,6 +102,7 @@ std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
         way[first] = 1;
         double balance = 0.0; // of area
         for (std::int64_t at = 0; at < patch.size(); ++at) {
+            if (at % 4096 == 0) progress.check();
             const std::int32_t face = patch[at];
             const Triangle& t = triangle[face];
             balance += way[face] * glm::length(doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]}));

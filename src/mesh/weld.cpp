@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace hrbfnpr::mesh {
 namespace {
@@ -121,7 +122,8 @@ void leave_out_faces(Welded& welded, MeshReport& report, const base::Progress& p
         if (face % grain == 0) progress.check();
         const Triangle t = welded.triangle[face];
         const glm::dvec3 area = doubled_area({welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]});
-        if (area == glm::dvec3(0.0)) {
+        // Nor has it a normal where the square of its area is too small for a double.
+        if (!(glm::dot(area, area) >= std::numeric_limits<double>::min())) {
             ++report.degenerate_faces;
             continue;
         }

@@ -23,7 +23,7 @@ constexpr double distinct = 0.5;
 
 GivenNormals::GivenNormals(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud,
                            const Near& near, bool used, const base::Progress& progress)
-    : runtime_(runtime), given_(normals), cloud_(cloud), near_(near), normal_(runtime.memory), known_(runtime.memory) {
+    : runtime_(runtime), given_(normals), near_(near), normal_(runtime.memory), known_(runtime.memory) {
     if (!used) return;
     known_.resize(cloud.size());
     normal_ = plane_normals(runtime, *cloud.tree, near, 16, progress);

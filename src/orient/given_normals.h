@@ -37,7 +37,6 @@ private:
 
     const base::Runtime& runtime_;
     base::InView given_;
-    const Cloud& cloud_;
     const Near& near_;
     geometry::VecArray normal_;
     base::Array<std::uint8_t> known_;

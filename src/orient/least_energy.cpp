@@ -204,18 +204,22 @@ LeastEnergy least_energy(const base::Runtime& runtime, const geometry::PointTree
     }
     const auto chosen = best();
     LeastEnergy result(runtime.memory);
+    // A sum of squares, but by its rounding it may lie below 0.
+    const auto over_chosen = [&](const Result& r) {
+        return std::max(r.energy, 1e-300) / std::max(chosen->energy, 1e-300);
+    };
     double weights = 1e-9;
     double alike = 1e-9;
     for (auto r = results.begin(); r != results.end(); ++r) {
         if (r == chosen) continue;
         const double share = share_alike(r->normal, chosen->normal);
-        if (share < others) result.rival = std::min(result.rival, r->energy / std::max(chosen->energy, 1e-300));
-        const double weight = std::exp(-(r->energy / std::max(chosen->energy, 1e-300) - 1.0) / unlikely);
+        if (share < others) result.rival = std::min(result.rival, over_chosen(*r));
+        const double weight = std::exp(-(over_chosen(*r) - 1.0) / unlikely);
         weights += weight;
         alike += weight * (2.0 * share - 1.0);
     }
     result.agreement = results.size() > 1 ? alike / weights : 0.5;
-    result.energy = chosen->energy / search.freedom();
+    result.energy = std::max(chosen->energy, 0.0) / search.freedom();
     result.normal = std::move(chosen->normal);
     result.form = search.take_form();
     progress.update(1.0);

@@ -50,7 +50,7 @@ constexpr double softer = 0.125;
     if (ridge == 0.0 || cloud.size() > few) return 1.0;
     const LeastEnergy other = least_energy(runtime, *cloud.tree, cloud.rank, near, softer * ridge, nullptr,
                                            {1, false, false}, progress.part(0.0, 0.0));
-    return 2.0 * share_alike(fitted.normal, other.normal) - 1.0;
+    return std::max(0.0, 2.0 * share_alike(fitted.normal, other.normal) - 1.0);
 }
 
 [[nodiscard]] double confidence_of(const LeastEnergy& fitted, double energy, double noise) noexcept {

@@ -170,8 +170,8 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     }
     if (cells_across(cells) < fewest_across)
         fail(Status::invalid_argument,
-             "the surface is no more than %.2g across, and the bounds that its marks may lie in are %.2g: give bounds "
-             "that fit it (at most %g times as wide)",
+             "the surface is no more than %.2g across, and the bounds that its marks may lie in are %.2g: give "
+             "bounds_min and bounds_max that fit it (at most %g times as wide)",
              site.unit * side * static_cast<double>(cells_across(cells)), site.unit * diagonal,
              finest_cells / static_cast<double>(fewest_across));
     return cells;

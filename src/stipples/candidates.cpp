@@ -74,7 +74,9 @@ void merge(const marks::Site& site, const SurfaceCells& cells, const PlaneCandid
         for (std::int64_t cell = begin; cell < end; ++cell)
             if (planes.count_in(cell) > 0) planes.put(cell, next[cell], candidates);
     });
-    for (const Projection& projection : projections) put(projection, next[projection.cell]++, candidates);
+    for (std::int64_t i = 0; i < projections.size(); ++i) {
+        put(projections[i], next[projections[i].cell]++, candidates);
+    }
     site.runtime.parallel.for_chunks(candidates.cells(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t cell = begin; cell < end; ++cell)
             clear_rest(candidates.places(), candidates.first[cell] + candidates.number[cell]);

@@ -269,7 +269,7 @@ void OrderStage::Impl::drop_nearer(double distance) {
     });
 }
 
-float OrderStage::Impl::lowest() noexcept {
+float OrderStage::Impl::lowest() {
     site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) refresh(static_cast<std::int32_t>(c), enough_);
     });
@@ -486,7 +486,7 @@ void OrderStage::sweep(std::span<const SweepStep> steps, std::int64_t room, Orde
     impl_->sweep(steps, room, marks);
 }
 const base::Array<std::uint8_t>& OrderStage::steps() const noexcept { return impl_->steps(); }
-float OrderStage::lowest() noexcept { return impl_->lowest(); }
+float OrderStage::lowest() { return impl_->lowest(); }
 void OrderStage::drop_nearer(double distance) { impl_->drop_nearer(distance); }
 
 } // namespace hrbfnpr::stipples

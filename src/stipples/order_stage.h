@@ -37,7 +37,7 @@ public:
     // Of the marks of the last sweep: in which of its steps they were placed.
     [[nodiscard]] const base::Array<std::uint8_t>& steps() const noexcept;
     // The lowest energy of a candidate that keeps the distance of the last step; infinite: there is none.
-    [[nodiscard]] float lowest() noexcept;
+    [[nodiscard]] float lowest();
     // Forgets the candidates that are nearer than that to a mark: radii will be larger.
     void drop_nearer(double distance);
 

@@ -19,7 +19,7 @@ public:
          const StageSettings& settings, const OrderedMarks& marks, const base::Progress& progress);
     void sweep(std::span<const SweepStep> steps, std::int64_t room, OrderedMarks& marks);
     [[nodiscard]] const base::Array<std::uint8_t>& steps() const noexcept { return step_; }
-    [[nodiscard]] float lowest() noexcept;
+    [[nodiscard]] float lowest();
     void drop_nearer(double distance);
 
 private:

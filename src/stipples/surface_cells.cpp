@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/surface_cells.h"
 
+#include "base/sort.h"
 #include "geometry/cell_block.h"
 #include "geometry/cell_set.h"
 
@@ -131,6 +132,7 @@ void Flood::run(const base::Progress& progress) {
     for (bool first = true; !front_.empty(); first = false) {
         progress.check();
         centre_.resize(front_.size());
+        progress.check();
         for (std::int64_t i = 0; i < front_.size(); ++i)
             centre_.set(i, cells_.grid.centre(geometry::CellGrid::unpack(front_[i].cell)));
         evaluate(site_, centre_, field_, progress);
@@ -139,7 +141,10 @@ void Flood::run(const base::Progress& progress) {
             for (std::int64_t i = begin; i < end; ++i) judged_[i] = judge(i, first);
         });
         next_.clear();
-        for (const Judged& judged : judged_) go_on(judged);
+        for (std::int64_t i = 0; i < judged_.size(); ++i) {
+            if (i % 4096 == 0) progress.check();
+            go_on(judged_[i]);
+        }
         std::swap(front_, next_);
     }
 }
@@ -157,8 +162,9 @@ SurfaceCells find_surface_cells(const marks::Site& site, const geometry::VecArra
     Flood flood(site, cells);
     flood.start(seeds);
     flood.run(progress);
-    std::sort(cells.cell.begin(), cells.cell.end(),
-              [](const SurfaceCell& a, const SurfaceCell& b) { return a.code < b.code; });
+    base::sort_long(
+        cells.cell.begin(), cells.cell.end(),
+        [](const SurfaceCell& a, const SurfaceCell& b) { return a.code < b.code; }, progress);
     progress.update(1.0);
     return cells;
 }

@@ -180,7 +180,7 @@ void Layering::seed_from_samples(const base::Progress& progress) {
     const double wanted = 8.0 * static_cast<double>(field_.size()) * spacings * spacings;
     const auto count = static_cast<std::int64_t>(std::clamp(wanted, 64.0, 1e15));
     for (std::int64_t i = 0; i < std::min(count, field_.size()); ++i) {
-        if (i % 1024 == 0) progress.check();
+        if (i % 64 == 0) progress.check();
         const glm::dvec3 n = field_.normal(i);
         glm::dvec3 d = field_.direction(i);
         if (settings_.turned) d = glm::cross(n, d);
@@ -227,12 +227,12 @@ void Layering::pass(int number, const base::Progress& progress) {
     prepare(number);
     trace_.progress = progress;
     for (std::int64_t s = 0; s < layer_.stroke.size(); ++s) {
-        if (s % 256 == 0) progress.check();
+        if (s % 8 == 0) progress.check();
         seed_beside(s);
     }
     seed_from_samples(progress);
     for (std::int64_t turn = 0; !heap_.empty() && !full(); ++turn) {
-        if (turn % 64 == 0) progress.check();
+        if (turn % 8 == 0) progress.check();
         const Entry entry = heap_[0];
         std::pop_heap(heap_.begin(), heap_.end());
         heap_.resize(heap_.size() - 1);

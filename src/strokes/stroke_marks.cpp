@@ -182,11 +182,13 @@ void Settling::direct(const base::Progress& progress) {
         marks::directions_at(site_, settings_.direction, marks_.position, marks_.normal, given_, progress);
     if (settings_.kind == marks::Kind::principal) {
         surface::principal_curvatures(site_.runtime, site_.implicit, marks_.position, curvature_, progress);
+        progress.check();
         for (const surface::Curvature& c : curvature_)
             marks_.curvature.push_back(
                 {marks::held_curvature(c.k1), marks::held_curvature(c.k2), static_cast<float>(c.confidence)});
     }
     for (std::int64_t i = 0; i < marks_.count(); ++i) {
+        if (i % 16384 == 0) progress.check();
         const glm::dvec3 n = marks_.normal[i];
         const glm::dvec3 traced = marks_.direction[i];
         const glm::dvec3 along = glm::normalize(traced - glm::dot(traced, n) * n);

@@ -2,6 +2,7 @@
 #include "surface/support.h"
 
 #include "geometry/neighbours.h"
+#include "surface/surrounded.h"
 
 #include <algorithm>
 #include <array>
@@ -51,7 +52,8 @@ struct Support::Near {
 Support::Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
                  double closest, const base::Progress& progress)
     : tree_(position, progress), normal_(position.memory(), position.size()),
-      sharpness_(position.memory(), position.size()), kept_(position.memory()), ends_(position.memory()) {
+      sharpness_(position.memory(), position.size()), surrounded_(position.memory(), position.size()),
+      kept_(position.memory()), ends_(position.memory()) {
     for (std::int64_t at = 0; at < tree_.size(); ++at) normal_.set(at, normal[tree_.index(at)]);
     measure_spacing(runtime, closest, progress);
 }
@@ -91,6 +93,7 @@ void Support::measure_spacing(const base::Runtime& runtime, double closest, cons
         for (std::int64_t i = begin; i < end; ++i) {
             const double h = neighbours.each() > 0 ? own_and_median(distance, neighbours.of(i), i) : smallest;
             sharpness_[i] = 4.0 / std::pow(std::max(h, closest), 2.0);
+            surrounded_[i] = is_surrounded(position, normal_, neighbours.of(i), i) ? 1 : 0;
         }
     });
 }
@@ -120,8 +123,8 @@ double Support::value(const glm::dvec3& place, const glm::dvec3& gradient) const
 Support::Nearest Support::nearest_sample(const glm::dvec3& place) const noexcept {
     std::int64_t at = 0;
     const auto any = [](std::int64_t) { return true; };
-    if (tree_.nearest(place, 1, any, any, &at) == 0) return {std::numeric_limits<double>::infinity(), 0.0};
-    return {glm::distance(place, tree_.points()[at]), 2.0 / std::sqrt(sharpness_[at])};
+    if (tree_.nearest(place, 1, any, any, &at) == 0) return {std::numeric_limits<double>::infinity(), 0.0, false};
+    return {glm::distance(place, tree_.points()[at]), 2.0 / std::sqrt(sharpness_[at]), surrounded_[at] != 0};
 }
 
 double Support::median_spacing() const {
@@ -129,6 +132,13 @@ double Support::median_spacing() const {
     for (const double sharpness : sharpness_) all.push_back(2.0 / std::sqrt(sharpness));
     std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
     return all[all.size() / 2];
+}
+
+geometry::VecArray Support::not_surrounded() const {
+    geometry::VecArray some(sharpness_.memory());
+    for (std::int64_t i = 0; i < samples(); ++i)
+        if (surrounded_[i] == 0) some.push_back(tree_.points()[i]);
+    return some;
 }
 
 Support::Answer Support::evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
@@ -166,8 +176,8 @@ void Support::evaluate_all(const base::Runtime& runtime, const geometry::VecArra
 }
 
 std::int64_t Support::bytes() const noexcept {
-    return tree_.points().bytes() + normal_.bytes() + sharpness_.bytes() + kept_.bytes() + ends_.bytes() +
-           tree_.nodes() * static_cast<std::int64_t>(sizeof(geometry::Bounds) + sizeof(std::int64_t));
+    return tree_.points().bytes() + normal_.bytes() + sharpness_.bytes() + surrounded_.bytes() + kept_.bytes() +
+           ends_.bytes() + tree_.nodes() * static_cast<std::int64_t>(sizeof(geometry::Bounds) + sizeof(std::int64_t));
 }
 
 } // namespace hrbfnpr::surface

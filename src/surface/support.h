@@ -51,16 +51,21 @@ public:
     void evaluate_all(const base::Runtime& runtime, const geometry::VecArray& place, const geometry::VecArray& gradient,
                       base::Array<double>& value, const base::Progress& progress) const;
 
-    // How far it is to the nearest sample, and the spacing there.
+    // How far it is to the nearest sample, the spacing there, and whether others surround it (surface/surrounded.h).
     struct Nearest {
         double distance, spacing;
+        bool surrounded;
     };
     [[nodiscard]] Nearest nearest_sample(const glm::dvec3& place) const noexcept;
     [[nodiscard]] double median_spacing() const;
+    // Those that are not surrounded.
+    [[nodiscard]] geometry::VecArray not_surrounded() const;
 
     // Of the samples, in an order of its own.
     [[nodiscard]] const geometry::VecArray& positions() const noexcept { return tree_.points(); }
     [[nodiscard]] const geometry::VecArray& normals() const noexcept { return normal_; }
+    // Which of the given samples stands at place `at` of that order.
+    [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return tree_.index(at); }
     [[nodiscard]] const geometry::CellGrid& grid() const noexcept { return grid_; }
     [[nodiscard]] const geometry::CellSet& kept() const noexcept { return kept_; }
     [[nodiscard]] const geometry::CellSet& ends() const noexcept { return ends_; }
@@ -76,6 +81,7 @@ private:
     geometry::PointTree tree_;
     geometry::VecArray normal_;     // in the tree's order, as the next
     base::Array<double> sharpness_; // (2 / h)^2
+    base::Array<std::uint8_t> surrounded_;
     geometry::CellGrid grid_;
     geometry::CellSet kept_, ends_; // where it goes on, and where it may end, if there is a limit
     double limit_ = 0.0;

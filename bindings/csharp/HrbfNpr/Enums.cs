@@ -189,6 +189,16 @@ namespace HrbfNpr
         Auto = 5,
     }
 
+    /// <summary>Whether a fitted surface ends where its samples do.</summary>
+    [NativeConstants("HRBFNPR_TRIM_")]
+    public enum TrimMode
+    {
+        /// <summary>It goes on, to the end of the search box.</summary>
+        Never = 0,
+        /// <summary>That of an open surface does (default); a closed one stays as it is.</summary>
+        Auto = 1,
+    }
+
     /// <summary>How it was decided which side is outward.</summary>
     [NativeConstants("HRBFNPR_OUTWARD_")]
     public enum OutwardBy

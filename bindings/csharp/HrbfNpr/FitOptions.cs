@@ -53,8 +53,13 @@ namespace HrbfNpr
         /// <see cref="Orientation.Find"/>; None, and Auto, need no normals: pass default(ArrayView).</summary>
         public Normals NormalMode { get; set; }
 
+        /// <summary>Whether the surface ends where the samples of an open one do; Auto by default.  See
+        /// <see cref="Model.TrimInfo"/>.</summary>
+        public TrimMode Trim { get; set; } = TrimMode.Auto;
+
         internal void Write(ref hrbfnpr_fit_desc desc)
         {
+            desc.trim = (uint)Trim;
             desc.normal_mode = (uint)NormalMode;
             desc.kernel = (uint)Kernel;
             desc.kernel_radius = KernelRadius;

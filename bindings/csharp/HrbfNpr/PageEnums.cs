@@ -31,7 +31,7 @@ namespace HrbfNpr
     [NativeConstants("HRBFNPR_DOT_SHAPE_")]
     public enum DotShape
     {
-        /// <summary>Circles; plotters draw round them (default).</summary>
+        /// <summary>Circles; plotters fill them, or draw round them in a single pass (default).</summary>
         Circles = 0,
         /// <summary>Lines of no length with round ends; plotters touch the paper.</summary>
         Lines = 1,

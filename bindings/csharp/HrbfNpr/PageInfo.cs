@@ -48,5 +48,8 @@ namespace HrbfNpr
 
         /// <summary>What a plotter takes at the given speeds; in plot order, else 0.</summary>
         public readonly double Seconds;
+
+        /// <summary>In plot order: lines wider than their pen, drawn in several passes.</summary>
+        public readonly long FilledPaths;
     }
 }

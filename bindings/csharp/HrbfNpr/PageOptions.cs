@@ -24,6 +24,12 @@ namespace HrbfNpr
         public bool InPlotOrder { get; set; }
 
         /// <summary>
+        /// Whether a line that is wider than its pen is drawn once, along its centre, and circles are drawn round; no
+        /// by default: Hpgl and Gcode, and pens in plot order, fill both by several passes.
+        /// </summary>
+        public bool SinglePass { get; set; }
+
+        /// <summary>
         /// Whether the page is filled with the paper of its first drawing, and viewports with another paper with
         /// theirs; yes by default.  Plotters draw none.
         /// </summary>
@@ -88,7 +94,7 @@ namespace HrbfNpr
         {
             Errors.Check(NativeMethods.hrbfnpr_page_desc_init(desc, (uint)sizeof(hrbfnpr_page_desc)));
             desc->format = (uint)Format;
-            desc->flags = (InPlotOrder ? 1u : 0) | (WithPaper ? 0 : 2u);
+            desc->flags = (InPlotOrder ? 1u : 0) | (WithPaper ? 0 : 2u) | (SinglePass ? 4u : 0);
             desc->widths = (uint)Widths;
             desc->dots = (uint)Dots;
             desc->width = Width;

@@ -7,7 +7,7 @@ from typing import Any, List, Optional, Tuple, Union
 from ._arrays import Array, block_in
 from ._errors import new_struct
 from ._library import ffi
-from ._names import KERNELS, NORMALS, REPAIRS, SOLVERS, number_of
+from ._names import KERNELS, NORMALS, REPAIRS, SOLVERS, TRIMS, number_of
 
 
 def fill_normals(desc: Any, points: Array, normals: Optional[Array]) -> List[Any]:
@@ -27,7 +27,8 @@ def normal_mode_number(normals: Optional[Array], normal_mode: Optional[str]) -> 
 
 def fit_desc(
     points: Array, normals: Optional[Array], normal_mode: Optional[str], kernel: str,
-    regularization: Union[float, str], outliers: str, flipped_normals: str, solver: str, **numbers: Any,
+    regularization: Union[float, str], outliers: str, flipped_normals: str, solver: str, trim: str,
+    **numbers: Any,
 ) -> Tuple[Any, List[Any]]:  # fmt: skip
     """A hrbfnpr_fit_desc, and what must be kept alive with it.  numbers: fields of the same names."""
     desc = new_struct("hrbfnpr_fit_desc")
@@ -41,6 +42,7 @@ def fit_desc(
     desc.outliers = number_of("outliers", REPAIRS, outliers)
     desc.flipped_normals = number_of("flipped_normals", REPAIRS, flipped_normals)
     desc.solver = number_of("solver", SOLVERS, solver)
+    desc.trim = number_of("trim", TRIMS, trim)
     for name, number in numbers.items():
         setattr(desc, name, number)
     return desc, keep

@@ -9,7 +9,7 @@ from ._errors import new_error, new_struct
 from ._handles import own
 from ._library import ffi, lib
 from ._mesh import Comparison, Mesh, MeshFitInfo, read_fit_info
-from ._names import KERNELS, SOLVERS, number_of
+from ._names import KERNELS, SOLVERS, TRIMS, number_of
 from ._operation import Operation, Progress, running
 from ._structs import read_struct
 
@@ -42,6 +42,7 @@ class MeshFits:
         polynomial_degree: int = 1,
         regularization: float = 0.0,
         solver: str = "auto",
+        trim: str = "auto",
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> M:
@@ -62,6 +63,9 @@ class MeshFits:
         candidates : int
             Places on the mesh to choose from; 0 = by its area and its details.
         random_seed : int
+        trim : {"auto", "never"}
+            Whether the surface ends where an open mesh does, and what lies more than 0.009 diagonals off a mesh that
+            was not reached is left out.
         kernel, kernel_radius, polynomial_degree, regularization, solver, progress, operation
             As in `fit`.
 
@@ -77,6 +81,7 @@ class MeshFits:
         options.kernel_radius, options.polynomial_degree = kernel_radius, polynomial_degree
         options.regularization = regularization
         options.solver = number_of("solver", SOLVERS, solver)
+        options.trim = number_of("trim", TRIMS, trim)
         context = mesh._made_in
         info = new_struct("hrbfnpr_mesh_fit_info")
         out, error = ffi.new("hrbfnpr_model **"), new_error()

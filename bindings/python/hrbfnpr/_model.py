@@ -68,6 +68,7 @@ class Model(MeshFits, Trimming):
         solver_tolerance: float = 0.0,
         iteration_limit: int = 200,
         preconditioner_neighbours: int = 0,
+        trim: str = "auto",
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
         context: Optional[Context] = None,
@@ -109,6 +110,9 @@ class Model(MeshFits, Trimming):
             Most iterations of the iterative solver.
         preconditioner_neighbours : int
             Size of the iterative solver's local problems, 1 to 48; 0 = automatic.
+        trim : {"auto", "never"}
+            Whether the surface ends where the samples of an open one do, as by `Model.trim` with all samples: marks,
+            lines and rays do; `trim_info` tells.  A closed one stays as it is.
         progress : callable or progress bar, optional
             See `Operation`.
         operation : Operation, optional
@@ -126,7 +130,7 @@ class Model(MeshFits, Trimming):
         """
         context = resolve(context)
         desc, keep = fit_desc(
-            points, normals, normal_mode, kernel, regularization, outliers, flipped_normals, solver,
+            points, normals, normal_mode, kernel, regularization, outliers, flipped_normals, solver, trim,
             kernel_radius=kernel_radius, polynomial_degree=polynomial_degree, tolerance=tolerance,
             maximum_centres=maximum_centres, refinement_steps=refinement_steps, solver_tolerance=solver_tolerance,
             iteration_limit=iteration_limit, preconditioner_neighbours=preconditioner_neighbours,

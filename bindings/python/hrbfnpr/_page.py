@@ -123,6 +123,8 @@ class PageInfo:
         In plot order: millimetres that a pen draws, and goes between.
     seconds : float
         That a plotter takes at the given speeds.
+    filled_paths : int
+        In plot order: lines wider than their pen, drawn in several passes.
     """
 
     bytes: int
@@ -138,6 +140,7 @@ class PageInfo:
     drawn: float
     travelled: float
     seconds: float
+    filled_paths: int
 
 
 def format_of(target: Target) -> Optional[str]:
@@ -204,6 +207,7 @@ def write_page(
     widths: str = "outlines",
     dots: str = "circles",
     plot_order: bool = False,
+    single_pass: bool = False,
     paper: bool = True,
     progress: Optional[Progress] = None,
     operation: Optional[Operation] = None,
@@ -225,9 +229,13 @@ def write_page(
     widths : {"outlines", "classes"}
         Strokes of varying width: as filled outlines, or as lines of even widths `width_step` apart.
     dots : {"circles", "lines", "spirals"}
-        Circles; lines of no length with round ends; spirals that a pen fills the disc with.
+        Circles, which a pen fills too, unless `single_pass`; lines of no length with round ends, which a pen touches
+        the paper with; spirals that a pen fills the disc with.
     plot_order : bool
         Sort each group so that a pen travels little, and leave out what it cannot resolve; plotters' formats do.
+    single_pass : bool
+        Draw a line that is wider than its pen once, along its centre, and circles as circles; else plotters, and pens in
+        plot order, fill them: several passes side by side, so that tone that widths carry is on paper.
     paper : bool
         Fill the page with the paper of the first drawing's style, and viewports with another.
     **options
@@ -244,7 +252,8 @@ def write_page(
     desc, info, error, keep = new_struct("hrbfnpr_page_desc"), new_struct("hrbfnpr_page_info"), new_error(), []
     desc.format = number_of("format", PAGE_FORMATS, format or format_of(target) or "svg")
     desc.widths, desc.dots = number_of("widths", WIDTHS, widths), number_of("dots", DOT_SHAPES, dots)
-    for flag, wanted in (("IN_PLOT_ORDER", plot_order), ("WITHOUT_PAPER", not paper)):
+    flags = (("IN_PLOT_ORDER", plot_order), ("SINGLE_PASS", single_pass), ("WITHOUT_PAPER", not paper))
+    for flag, wanted in flags:
         if wanted:
             desc.flags |= ffi.integer_const(f"HRBFNPR_PAGE_{flag}")
     for name, value in options.items():

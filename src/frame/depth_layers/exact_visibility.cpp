@@ -60,7 +60,7 @@ std::int64_t ExactVisibility::attenuate(const base::Runtime& runtime, const Scen
     rays_.origin.clear(); // what a failed frame left
     rays_.direction.clear();
     asked_.clear();
-    std::int64_t hidden = 0;
+    std::int64_t hidden = 0; // of those that are asked for, all but the ones that stay
     std::int32_t item = -1;
     for (const Piece& piece : pieces) {
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
@@ -71,16 +71,18 @@ std::int64_t ExactVisibility::attenuate(const base::Runtime& runtime, const Scen
             if (scene.item_of(run).model == nullptr || !(ink.opacity > 0.0F)) continue;
             add_ray(scene, run, ink);
             asked_.push_back(static_cast<std::uint32_t>(i));
+            ++hidden;
         }
     }
     ask(runtime, scene, item, inks);
     for (const Piece& piece : pieces) {
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
             Dot& ink = inks[static_cast<std::size_t>(i)];
-            if (scene.item_of(scene.runs[ink.layer / 2]).model == nullptr || !(ink.opacity > 0.0F)) continue;
-            if (ink.opacity >= faintest_ink) continue;
-            ink.opacity = 0.0F;
-            ++hidden;
+            if (scene.item_of(scene.runs[ink.layer / 2]).model == nullptr) continue;
+            if (ink.opacity >= faintest_ink)
+                --hidden;
+            else
+                ink.opacity = 0.0F;
         }
     }
     return hidden;

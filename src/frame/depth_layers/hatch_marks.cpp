@@ -79,6 +79,18 @@ constexpr float farthest = 1e6F;
     return {memory.data() + HatchRows::slack, stride};
 }
 
+// Of marks in a gap.
+[[nodiscard]] float most_open(const HatchRows& rows, std::int64_t count) noexcept {
+    const auto openness = [&](std::int64_t i) {
+        return hatch_openness(rows[HatchRow::tone_margin][i], rows[HatchRow::level_margin][i],
+                              std::min(rows[HatchRow::rim_margin][i], rows[HatchRow::picture_margin][i]));
+    };
+    if (count == 0) return 0.0F;
+    float most = openness(count / 2); // of most gaps that is enough
+    for (std::int64_t i = 0; i < count && most < 1.0F; ++i) most = std::max(most, openness(i));
+    return most;
+}
+
 } // namespace
 
 HatchMarks::HatchMarks(const Gather& gather, const HatchLoops& loops, const Scene& scene, const Run& run,
@@ -407,6 +419,7 @@ void HatchMarks::put_marks(const HatchRows& rows, const std::uint32_t* numbers, 
                  side_y[i],
                  width[i],
                  leg[i],
+                 0.0F,
                  {tone[i], level[i], rim[i], picture[i]},
                  run_.first_id + numbers[i],
                  picture[i] > hatch_nowhere};
@@ -424,20 +437,32 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
     base::resize_scratch(seen.mark, count + 1); // room for all of them
     HatchMark* to = seen.mark.data();
     float way = 0.0F;
+    float passed = 0.0F;
+    const HatchStroke::Range* range = seen.range.begin();
+    std::int64_t leap = range->end - range->begin; // the row at which the next range begins
+    const auto next_range = [&] {
+        ++range;
+        leap += range == seen.range.end() ? count : range->end - range->begin;
+    };
     const auto is_kept = [&](std::int64_t i) { return all || is_near(near[i]); };
     for (std::int64_t i = 0; i < count;) {
         std::int64_t first = i;
         while (i < count && !is_kept(i)) ++i;
         way += sum(leg + first, i - first);
+        passed = std::max(passed, leap <= i && leap < count ? 1.0F : most_open(rows.from(first), i - first));
+        while (leap <= i && leap < count) next_range();
         first = i;
         while (i < count && is_kept(i)) ++i;
         if (first == i) continue;
         put_marks(rows.from(first), seen.number.data() + first, i - first, to);
         to->way += std::exchange(way, 0.0F);
+        to->passed = std::exchange(passed, 0.0F);
+        for (; leap < i; next_range()) to[leap - first].passed = 1.0F;
         to += i - first;
     }
     if (seen.closed) {
         seen.mark[0].way += way;
+        seen.mark[0].passed = std::max(seen.mark[0].passed, passed);
         *to++ = seen.mark[0];
     }
     seen.mark.resize(to - seen.mark.data());

@@ -20,6 +20,21 @@ enum class HatchEnd : std::uint8_t {
 };
 inline constexpr std::size_t hatch_margins = 4;
 
+// How open the gap is that a mark lies in: 0 where it hardly begins to be one, 1 where margins are so far below 0, by
+// the tone and by the level, or any other is.  A gap's length may change from nothing to much from one view to the
+// next, where a line's margins are about even; this does not.  Pieces without any room for their level are open.
+inline constexpr float openness_of_tone = 50.0F;
+inline constexpr float openness_of_level = 2.0F;
+[[nodiscard]] inline float hatch_openness(float tone, float level, float others) noexcept {
+    if (others < 0.0F) return 1.0F;
+    return std::clamp(-std::min(tone * openness_of_tone, level * openness_of_level), 0.0F, 1.0F);
+}
+
+// The same of a part that is drawn: 0 where it is about to vanish.
+[[nodiscard]] inline float hatch_firmness(float tone, float level) noexcept {
+    return std::clamp(std::min(tone * openness_of_tone, level * openness_of_level), 0.0F, 1.0F);
+}
+
 // A line between others that there is room for on a short way only, shorter than so many of the shortest parts, is left
 // out.
 inline constexpr float shortest_filling = 3.0F;
@@ -30,10 +45,15 @@ struct HatchMark {
     float side_x, side_y; // of the unit normal, eye space
     float width;          // of the line, pixels
     float way;            // from the mark before, pixels, along those that are left out
+    float passed;         // the most openness() of these; 0: none is left out
     // The line is drawn where none is negative; by HatchEnd.
     std::array<float, hatch_margins> margin;
     std::uint32_t id;
     bool valid; // it has a place in the picture's plane
+
+    [[nodiscard]] float openness() const noexcept {
+        return valid ? hatch_openness(margin[0], margin[1], std::min(margin[2], margin[3])) : 1.0F;
+    }
 
     [[nodiscard]] bool is_drawn() const noexcept {
         return valid && std::min({margin[0], margin[1], margin[2], margin[3]}) >= 0.0F;

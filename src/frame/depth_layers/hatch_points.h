@@ -9,8 +9,8 @@ namespace hrbfnpr::frame {
 
 class HatchPoints {
 public:
-    // Strokes that follow each other: the unit of work.
-    struct Batch {
+    // Strokes that follow each other: the unit of work.  Threads fill batches that lie side by side.
+    struct alignas(base::Memory::alignment) Batch {
         explicit Batch(base::Memory& memory) noexcept : part(memory), stroke(memory), spans(memory) {}
 
         std::int32_t run = 0;

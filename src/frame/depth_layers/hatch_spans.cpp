@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -23,7 +23,8 @@ constexpr float crosses = 0.5F;
 constexpr float runs_along = 0.25F;
 // Of the tone, and of n . v: where so much of them is left at an end, it is its level's alone.
 constexpr float by_level_alone = 0.1F;
-constexpr float rim_part = 0.5F; // of a taper: so much of the line is looked at
+constexpr float beyond_all = 1000.0F; // a gap longer than any taper, pixels
+constexpr float rim_part = 0.5F;      // of a taper: so much of the line is looked at
 
 struct Crossing {
     float share; // of the way from the mark that is drawn to the one that is not
@@ -43,18 +44,9 @@ struct Crossing {
     return first;
 }
 
-// How much an end is one of a level: 0 where another margin runs out, too.
-[[nodiscard]] float by_level(const HatchMark& drawn, const HatchMark& other, const Crossing& at) noexcept {
-    if (at.end != HatchEnd::level) return 0.0F;
-    float least = by_level_alone;
-    for (const HatchEnd end : {HatchEnd::tone, HatchEnd::rim}) {
-        const auto k = static_cast<std::size_t>(end);
-        least = std::min(least, drawn.margin[k] + at.share * (other.margin[k] - drawn.margin[k]));
-    }
-    return std::max(least, 0.0F) / by_level_alone;
-}
-
 [[nodiscard]] glm::vec2 place(const HatchMark& m) noexcept { return {m.x, m.y}; }
+
+[[nodiscard]] float firmness(const HatchMark& m) noexcept { return hatch_firmness(m.margin[0], m.margin[1]); }
 
 [[nodiscard]] float smooth(float x) noexcept {
     const float at = std::clamp(x, 0.0F, 1.0F);
@@ -106,27 +98,48 @@ glm::vec2 HatchSpans::tangent(std::span<const HatchMark> marks, std::int64_t i) 
     return way > 0.0F ? (place(m(after)) - place(m(before))) / way : glm::vec2(0.0F);
 }
 
+HatchSpans::ByLevel HatchSpans::by_level(const HatchMark& drawn, const HatchMark& other, HatchEnd end,
+                                         float share) noexcept {
+    if (end != HatchEnd::level) return {};
+    const auto margin = [&](HatchEnd of) {
+        const auto k = static_cast<std::size_t>(of);
+        return drawn.margin[k] + share * (other.margin[k] - drawn.margin[k]);
+    };
+    const float tone = margin(HatchEnd::tone);
+    const float rim = margin(HatchEnd::rim);
+    return {std::clamp(std::min(tone, rim) / by_level_alone, 0.0F, 1.0F), tone < rim ? HatchEnd::tone : HatchEnd::rim};
+}
+
 void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
     drawn_.clear();
     const auto count = static_cast<std::int64_t>(marks.size());
     const auto m = [&](std::int64_t i) -> const HatchMark& { return marks[static_cast<std::size_t>(i)]; };
+    float open = 0.0F;
     for (std::int64_t i = 0; i < count; ++i) {
-        if (!m(i).is_drawn()) continue;
+        if (!m(i).is_drawn()) {
+            open = std::max({open, m(i).openness(), m(i).passed});
+            continue;
+        }
         Drawn drawn;
+        drawn.open = std::exchange(open, 0.0F);
         drawn.begin = {i, 0.0F};
         if (i > 0) {
             const Crossing begin = crossing(m(i), m(i - 1));
             if (begin.share > 0.0F) drawn.begin = {i - 1, 1.0F - begin.share};
             drawn.begins = begin.end;
-            drawn.begins_by_level = by_level(m(i), m(i - 1), begin);
+            drawn.begins_by = by_level(m(i), m(i - 1), begin.end, begin.share);
         }
+        const std::int64_t first = i;
         while (i + 1 < count && m(i + 1).is_drawn()) ++i;
+        drawn.firm = firmness(m((first + i) / 2)); // of most parts that is enough
+        for (std::int64_t k = first; k <= i && drawn.firm < 1.0F; ++k)
+            drawn.firm = std::max(drawn.firm, firmness(m(k)));
         drawn.end = {i, 0.0F};
         if (i + 1 < count) {
             const Crossing end = crossing(m(i), m(i + 1));
             drawn.end = {i, end.share};
             drawn.ends = end.end;
-            drawn.ends_by_level = by_level(m(i), m(i + 1), end);
+            drawn.ends_by = by_level(m(i), m(i + 1), end.end, end.share);
         }
         drawn.closed = closed;
         drawn_.push_back(drawn);
@@ -174,6 +187,30 @@ void HatchSpans::overshoot(std::span<const HatchMark> marks) {
     }
 }
 
+HatchSpans::Gap HatchSpans::gap_before(std::int64_t number) const noexcept {
+    Gap gap{0.0F, 0.0F};
+    float weight = 1.0F;
+    for (std::int64_t i = number; weight > 0.0F; weight *= 1.0F - drawn_[--i].firm) {
+        if (i == 0) return {gap.length + weight * beyond_all, std::max(gap.open, weight)};
+        const float from = i == number ? at(drawn_[i].begin) : at(drawn_[i].end);
+        gap.length += weight * (from - at(drawn_[i - 1].end));
+        gap.open = std::max(gap.open, weight * drawn_[i].open);
+    }
+    return gap;
+}
+
+HatchSpans::Gap HatchSpans::gap_after(std::int64_t number) const noexcept {
+    Gap gap{0.0F, 0.0F};
+    float weight = 1.0F;
+    for (std::int64_t i = number; weight > 0.0F; weight *= 1.0F - drawn_[++i].firm) {
+        if (i + 1 == drawn_.size()) return {gap.length + weight * beyond_all, std::max(gap.open, weight)};
+        const float from = i == number ? at(drawn_[i].end) : at(drawn_[i].begin);
+        gap.length += weight * (at(drawn_[i + 1].begin) - from);
+        gap.open = std::max(gap.open, weight * drawn_[i + 1].open);
+    }
+    return gap;
+}
+
 // Gaps that are no longer than they are wide look like mistakes.  They open little by little: up to half of that they
 // are closed, then the line is the thinner there the longer they are.
 void HatchSpans::join(const LayerStyle& style, std::span<const HatchMark> marks) {
@@ -182,12 +219,17 @@ void HatchSpans::join(const LayerStyle& style, std::span<const HatchMark> marks)
     for (std::int64_t i = 1; i < drawn_.size(); ++i) {
         const Drawn& last = drawn_[i - 1];
         Drawn& next = drawn_[i];
-        if (!may(last.ends) || !may(next.begins)) continue;
+        if (!may(last.ends) || !may(next.begins)) {
+            next.open = 1.0F;
+            next.closes = least_gap * width(may(last.ends) ? last.end : next.begin);
+            continue;
+        }
         const float longest = 0.5F * least_gap * (width(last.end) + width(next.begin));
         const float gap = at(next.begin) - at(last.end);
+        next.closes = longest;
         if (gap < longest) next.link = std::min(2.0F * (1.0F - gap / longest), 1.0F);
         const float range = 0.5F * longest + fading_gap * style.hatch_shortest;
-        next.near = std::clamp((longest + range - gap) / range, 0.0F, 1.0F);
+        next.near = std::clamp(std::max((longest + range - gap) / range, 1.0F - next.open), 0.0F, 1.0F);
     }
     for (std::int64_t i = 0; i < drawn_.size(); ++i) drawn_[i].fade = fade_of(i, style.hatch_shortest);
     for (std::int64_t i = drawn_.size() - 2; i >= 0; --i)
@@ -207,7 +249,7 @@ float HatchSpans::fade_of(std::int64_t number, float shortest) const noexcept {
             if (last > number) near = std::min(near, drawn_[last].near);
             if (!(near > most)) break;
             const float length = at(drawn_[last].end) - at(drawn_[first].begin);
-            const float fills = std::min(drawn_[first].begins_by_level, drawn_[last].ends_by_level);
+            const float fills = std::min(drawn_[first].begins_by.alone, drawn_[last].ends_by.alone);
             const float least = std::lerp(1.0F, shortest_filling, fills) * shortest;
             if (length >= least) most = std::max(most, near * smooth(length / least - 1.0F));
         }
@@ -215,15 +257,17 @@ float HatchSpans::fade_of(std::int64_t number, float shortest) const noexcept {
     return most;
 }
 
-// gap: to the next part of the line.  A taper is shorter beside a gap that is about to be closed.
-float HatchSpans::taper(const LayerStyle& style, HatchEnd end, float gap, float width) const noexcept {
+// next: the part behind the gap that the end is at.  A taper is shorter beside a gap that is about to be closed.
+float HatchSpans::taper(const LayerStyle& style, HatchEnd end, std::int64_t next, const Gap& gap) const noexcept {
     const float longest = end == HatchEnd::tone ? style.hatch_taper : blunt * style.hatch_taper;
     switch (end) {
     case HatchEnd::picture: return 0.0F;
     case HatchEnd::line: return longest;
     case HatchEnd::rim: return longest;
-    default: return std::clamp(gap - least_gap * width, 0.0F, longest);
+    default: break;
     }
+    const float closes = next == 0 || next == drawn_.size() ? 0.0F : drawn_[next].closes;
+    return std::clamp(gap.length - closes, 0.0F, longest * gap.open);
 }
 
 // 1 where the line goes along the contour that it ends at, 0 where it goes across.  The contour's image is normal to
@@ -244,26 +288,45 @@ float HatchSpans::along_rim(const LayerStyle& style, std::span<const HatchMark> 
     return std::clamp((crosses - sine) / (crosses - runs_along), 0.0F, 1.0F);
 }
 
+// Where a line ends by its level and another margin runs out, too, it ends as by that: which of them is the first
+// changes with the view.
+float HatchSpans::taper_begin(const LayerStyle& style, std::span<const HatchMark> marks,
+                              std::int64_t number) const noexcept {
+    const Drawn& drawn = drawn_[number];
+    const auto as = [&](HatchEnd end) {
+        const float along = end == HatchEnd::rim ? along_rim(style, marks, drawn.begin, 1) : 1.0F;
+        return along * taper(style, end, number, gap_before(number));
+    };
+    if (drawn.begins != HatchEnd::level || drawn.begins_by.alone == 1.0F) return as(drawn.begins);
+    return std::lerp(as(drawn.begins_by.other), as(HatchEnd::level), drawn.begins_by.alone);
+}
+
+float HatchSpans::taper_end(const LayerStyle& style, std::span<const HatchMark> marks,
+                            std::int64_t number) const noexcept {
+    const Drawn& drawn = drawn_[number];
+    const auto as = [&](HatchEnd end) {
+        const float along = end == HatchEnd::rim ? along_rim(style, marks, drawn.end, -1) : 1.0F;
+        return along * taper(style, end, number + 1, gap_after(number));
+    };
+    if (drawn.ends != HatchEnd::level || drawn.ends_by.alone == 1.0F) return as(drawn.ends);
+    return std::lerp(as(drawn.ends_by.other), as(HatchEnd::level), drawn.ends_by.alone);
+}
+
 void HatchSpans::put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part) {
-    constexpr float nothing = std::numeric_limits<float>::infinity();
     const Drawn& drawn = drawn_[number];
     const std::int64_t next = number + drawn.joined;
     const Drawn& last = drawn_[next - 1];
     const float begin = at(drawn.begin);
     const float length = at(last.end) - begin;
     if (!(length > 0.0F && drawn.fade > 0.0F)) return;
-    const float gap_before = number > 0 ? begin - at(drawn_[number - 1].end) : nothing;
-    const float gap_after = next < drawn_.size() ? at(drawn_[next].begin) - at(last.end) : nothing;
     HatchSpan span;
     span.first = part.points.size();
     span.count = 1 + static_cast<std::int32_t>(std::ceil(length / point_step));
     span.closed = drawn.closed;
     if (drawn.joined == 1) span.fade = drawn.fade;
     if (!drawn.closed) {
-        span.taper_begin = taper(style, drawn.begins, gap_before, point(marks, drawn.begin).width);
-        span.taper_end = taper(style, last.ends, gap_after, point(marks, last.end).width);
-        if (drawn.begins == HatchEnd::rim) span.taper_begin *= along_rim(style, marks, drawn.begin, 1);
-        if (last.ends == HatchEnd::rim) span.taper_end *= along_rim(style, marks, last.end, -1);
+        span.taper_begin = taper_begin(style, marks, number);
+        span.taper_end = taper_end(style, marks, next - 1);
     }
     add_points(marks, number, span.count, part.points);
     part.spans.push_back(span);

@@ -48,18 +48,32 @@ private:
         std::int64_t mark;
         float share;
     };
+    // How much an end is one of a level.
+    struct ByLevel {
+        float alone = 0.0F;             // 1: its level's alone, 0: another margin runs out, too
+        HatchEnd other = HatchEnd::rim; // which
+    };
     struct Drawn {
         Place begin, end;
         HatchEnd begins = HatchEnd::line, ends = HatchEnd::line;
-        float begins_by_level = 0.0F, ends_by_level = 0.0F; // 1: its level's alone
+        ByLevel begins_by, ends_by;
         bool closed = false;
-        float link = 0.0F;       // of the gap before it: 0 open, 1 closed
+        float firm = 0.0F;       // the most firmness of its marks
+        float open = 1.0F;       // of the gap before it: the most openness() of its marks ...
+        float closes = 0.0F;     // ... up to which length, pixels, the line goes on over it ...
+        float link = 0.0F;       // ... and whether it does: 0 open, 1 closed
         float near = 0.0F;       // the same of wider gaps
         float fade = 1.0F;       // of its width
         std::int64_t joined = 1; // it and those that the line goes on with
     };
 
     void find(std::span<const HatchMark> marks, bool closed);
+    // What lies beside a part: as much of what is behind the next one as that is about to vanish, since then the gap
+    // is one with the next.
+    struct Gap {
+        float length, open;
+    };
+
     void measure(std::span<const HatchMark> marks);
     void join(const LayerStyle& style, std::span<const HatchMark> marks);
     [[nodiscard]] float fade_of(std::int64_t number, float shortest) const noexcept;
@@ -74,7 +88,15 @@ private:
     void add_points(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
                     base::Array<HatchPoint>& points) const;
     [[nodiscard]] float joined_fade(std::int64_t first, std::int64_t& part, float length) const noexcept;
-    [[nodiscard]] float taper(const LayerStyle& style, HatchEnd end, float gap, float width) const noexcept;
+    [[nodiscard]] static ByLevel by_level(const HatchMark& drawn, const HatchMark& other, HatchEnd end,
+                                          float share) noexcept;
+    [[nodiscard]] float taper_begin(const LayerStyle& style, std::span<const HatchMark> marks,
+                                    std::int64_t number) const noexcept;
+    [[nodiscard]] float taper_end(const LayerStyle& style, std::span<const HatchMark> marks,
+                                  std::int64_t number) const noexcept;
+    [[nodiscard]] float taper(const LayerStyle& style, HatchEnd end, std::int64_t next, const Gap& gap) const noexcept;
+    [[nodiscard]] Gap gap_before(std::int64_t number) const noexcept;
+    [[nodiscard]] Gap gap_after(std::int64_t number) const noexcept;
     [[nodiscard]] float along_rim(const LayerStyle& style, std::span<const HatchMark> marks, const Place& place,
                                   std::int64_t inward) const noexcept;
     [[nodiscard]] HatchPoint point(std::span<const HatchMark> marks, const Place& place) const noexcept;

@@ -7,8 +7,8 @@
 
 namespace hrbfnpr::frame {
 
-// What becomes of one batch of points.
-struct HatchStrokePart {
+// What becomes of one batch of points.  Threads fill parts that lie side by side.
+struct alignas(base::Memory::alignment) HatchStrokePart {
     explicit HatchStrokePart(base::Memory& memory) noexcept : made(memory), length(memory) {}
 
     LineStrokes made;

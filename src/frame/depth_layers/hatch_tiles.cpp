@@ -33,24 +33,24 @@ void HatchTiles::cut(const HatchPoints::Batch& batch, const drawing::Drawing& dr
 void HatchTiles::build(std::span<const HatchPoints::Batch> batches, const drawing::Drawing& drawing) {
     const auto count = static_cast<std::int64_t>(batches.size());
     while (parts_.size() < count) parts_.add(runtime_.memory);
-    runtime_.parallel.for_each(count,
-                               [&](std::int64_t i) { cut(batches[static_cast<std::size_t>(i)], drawing, parts_[i]); });
+    runtime_.parallel.for_each(
+        count, [&](std::int64_t i) { cut(batches[static_cast<std::size_t>(i)], drawing, parts_[i].runs); });
     // Counted one place farther on, where filling moves them back from.
     const std::int64_t tiles = drawing.dot_tiles.tiles();
     base::resize_scratch(offsets_, tiles + 2);
     std::fill(offsets_.begin(), offsets_.end(), 0);
-    const std::span<const base::Array<DotRun>> parts(parts_.begin(), batches.size());
-    for (const base::Array<DotRun>& part : parts)
-        for (const DotRun& run : part) ++offsets_[run.tile + 2];
+    const std::span<const Part> parts(parts_.begin(), batches.size());
+    for (const Part& part : parts)
+        for (const DotRun& run : part.runs) ++offsets_[run.tile + 2];
     for (std::int64_t tile = 0; tile < tiles; ++tile) offsets_[tile + 2] += offsets_[tile + 1];
     base::resize_scratch(runs_, offsets_[tiles + 1]);
-    for (const base::Array<DotRun>& part : parts)
-        for (const DotRun& run : part) runs_[offsets_[run.tile + 1]++] = run;
+    for (const Part& part : parts)
+        for (const DotRun& run : part.runs) runs_[offsets_[run.tile + 1]++] = run;
 }
 
 std::int64_t HatchTiles::bytes() const noexcept {
     std::int64_t sum = parts_.bytes() + offsets_.bytes() + runs_.bytes();
-    for (const base::Array<DotRun>& part : parts_) sum += part.bytes();
+    for (const Part& part : parts_) sum += part.runs.bytes();
     return sum;
 }
 

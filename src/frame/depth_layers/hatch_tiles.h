@@ -30,11 +30,17 @@ private:
         std::int64_t tile, begin, end;
     };
 
+    // Of a batch.  Threads fill parts that lie side by side.
+    struct alignas(base::Memory::alignment) Part {
+        explicit Part(base::Memory& memory) noexcept : runs(memory) {}
+        base::Array<DotRun> runs;
+    };
+
     static void cut(const HatchPoints::Batch& batch, const drawing::Drawing& drawing, base::Array<DotRun>& runs);
 
     const base::Runtime& runtime_;
-    base::List<base::Array<DotRun>> parts_; // of each batch
-    base::Array<std::int64_t> offsets_;     // of each tile's runs, and the end
+    base::List<Part> parts_;
+    base::Array<std::int64_t> offsets_; // of each tile's runs, and the end
     base::Array<DotRun> runs_;
 };
 

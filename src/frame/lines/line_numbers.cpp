@@ -4,6 +4,7 @@
 #include "geometry/point_grid.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -66,18 +67,18 @@ private:
 base::Array<LineNumbers::Vote> LineNumbers::count_votes(std::span<const LineFamily> families,
                                                         std::span<const visibility::Subject> subjects,
                                                         const visibility::ImageLines& lines) const {
-    base::Memory& memory = known_.memory();
+    base::Memory& memory = last_.known.memory();
     base::Array<Vote> votes(memory);
-    base::Array<std::int64_t> of_line(memory, known_.size());
+    base::Array<std::int64_t> of_line(memory, last_.known.size());
     for (std::size_t subject = 0; subject < subjects.size(); ++subject) {
         geometry::VecArray place(memory);
         geometry::VecArray direction(memory);
         base::Array<std::int64_t> owner(memory);
-        for (std::int64_t k = 0; k < known_.size(); ++k) {
-            if (!(families_[known_[k].family] == families[subject])) continue;
-            for (std::int64_t i = known_[k].first; i < known_[k].first + known_[k].count; ++i) {
-                place.push_back(place_[i]);
-                direction.push_back(direction_[i]);
+        for (std::int64_t k = 0; k < last_.known.size(); ++k) {
+            if (!(last_.families[last_.known[k].family] == families[subject])) continue;
+            for (std::int64_t i = last_.known[k].first; i < last_.known[k].first + last_.known[k].count; ++i) {
+                place.push_back(last_.place[i]);
+                direction.push_back(last_.direction[i]);
                 owner.push_back(k);
             }
         }
@@ -90,7 +91,7 @@ base::Array<LineNumbers::Vote> LineNumbers::count_votes(std::span<const LineFami
             for (std::int64_t p = 0; p < line.pieces; p += step)
                 if (const std::int64_t i = finder.nearest(point_of(subjects, lines, line.first_piece + p)); i >= 0)
                     ++of_line[owner[i]];
-            for (std::int64_t k = 0; k < known_.size(); ++k) {
+            for (std::int64_t k = 0; k < last_.known.size(); ++k) {
                 if (of_line[k] > 0) votes.push_back({l, k, of_line[k] * step});
                 of_line[k] = 0;
             }
@@ -106,33 +107,35 @@ void LineNumbers::give(base::Array<Vote>& votes, std::span<const visibility::Sub
         if (a.points != b.points) return a.points > b.points;
         return a.line != b.line ? a.line < b.line : a.known < b.known;
     });
-    base::Array<std::uint8_t> taken(votes.memory(), known_.size());
+    next_.number = last_.number;
+    base::Array<std::uint8_t> taken(votes.memory(), last_.known.size());
     for (const Vote& vote : votes) {
         if (number_[vote.line] != 0 || taken[vote.known] != 0) continue;
-        number_[vote.line] = known_[vote.known].number;
-        origin_[vote.line] = nearest_piece(subjects, lines, lines.lines[vote.line], known_[vote.known].origin);
+        number_[vote.line] = last_.known[vote.known].number;
+        origin_[vote.line] = nearest_piece(subjects, lines, lines.lines[vote.line], last_.known[vote.known].origin);
         taken[vote.known] = 1;
     }
     for (std::uint32_t& number : number_)
-        if (number == 0) number = ++last_;
+        if (number == 0) number = ++next_.number;
 }
 
 void LineNumbers::keep(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
                        const visibility::ImageLines& lines) {
-    families_.clear();
-    for (const LineFamily& family : families) families_.push_back(family);
-    known_.clear();
-    place_.resize(0);
-    direction_.resize(0);
+    next_.families.clear();
+    for (const LineFamily& family : families) next_.families.push_back(family);
+    next_.known.clear();
+    next_.place.resize(0);
+    next_.direction.resize(0);
     for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
         const visibility::Line& line = lines.lines[l];
-        known_.push_back({line.subject, place_.size(), (line.pieces + kept_each - 1) / kept_each, number_[l],
-                          point_of(subjects, lines, origin_[l]).position});
+        next_.known.push_back({line.subject, next_.place.size(), (line.pieces + kept_each - 1) / kept_each, number_[l],
+                               point_of(subjects, lines, origin_[l]).position});
         for (std::int64_t p = line.first_piece; p < line.first_piece + line.pieces; p += kept_each) {
-            place_.push_back(point_of(subjects, lines, p).position);
-            direction_.push_back(point_of(subjects, lines, p).direction());
+            next_.place.push_back(point_of(subjects, lines, p).position);
+            next_.direction.push_back(point_of(subjects, lines, p).direction());
         }
     }
+    std::swap(last_, next_);
 }
 
 void LineNumbers::run(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,

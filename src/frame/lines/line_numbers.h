@@ -23,7 +23,7 @@ struct LineFamily {
 class LineNumbers {
 public:
     explicit LineNumbers(base::Memory& memory) noexcept
-        : families_(memory), known_(memory), place_(memory), direction_(memory), number_(memory), origin_(memory) {}
+        : last_(memory), next_(memory), number_(memory), origin_(memory) {}
 
     // families: of the subjects.  Lines that go on from the last call keep their numbers; others get new ones.
     void run(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
@@ -36,10 +36,20 @@ public:
 private:
     // A line of the last frame.
     struct Known {
-        std::int64_t family;       // in families_
+        std::int64_t family;       // in families
         std::int64_t first, count; // of its points
         std::uint32_t number;
         glm::dvec3 origin;
+    };
+    // What is known of a frame.
+    struct Kept {
+        explicit Kept(base::Memory& memory) noexcept
+            : families(memory), known(memory), place(memory), direction(memory) {}
+
+        base::Array<LineFamily> families;
+        base::Array<Known> known;
+        geometry::VecArray place, direction; // of their points
+        std::uint32_t number = 0;            // the last that was given
     };
     // Points that a line of this frame has near one of the last.
     struct Vote {
@@ -56,12 +66,10 @@ private:
     void keep(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
               const visibility::ImageLines& lines);
 
-    base::Array<LineFamily> families_;
-    base::Array<Known> known_;
-    geometry::VecArray place_, direction_; // of their points
+    // The next one takes its place when it is whole: a frame that fails leaves the last one as it was.
+    Kept last_, next_;
     base::Array<std::uint32_t> number_;
     base::Array<std::int64_t> origin_;
-    std::uint32_t last_ = 0;
 };
 
 } // namespace hrbfnpr::frame

@@ -3,6 +3,8 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -15,11 +17,24 @@ constexpr double clear_of_own = 1.0;
 // In diagonals: shorter ones are noise.
 constexpr double shortest_feature = 0.01;
 
+// From farther away lines of sight are parallel to all digits that contours are found to.
+constexpr double parallel_from = 1e9; // diagonals
+
+// w = 0: the direction in which it looks.
+glm::dvec4 finite_eye(const glm::dvec4& eye, const geometry::Bounds& region) noexcept {
+    const glm::dvec3 place = glm::dvec3(eye) / eye.w;
+    const glm::dvec3 middle = 0.5 * (region.min + region.max);
+    const double largest =
+        std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}); // whose squares may not be
+    if (largest <= parallel_from * glm::distance(region.min, region.max)) return {place, 1.0};
+    return {glm::normalize(middle / largest - place / largest), 0.0};
+}
+
 curves::View view_of(const Scene& scene, const Item& item) {
     const Optics optics = make_optics(scene.camera);
     const glm::dmat4 to_eye = scene.camera.view * item.transform;
     const glm::dvec4 eye = glm::inverse(to_eye) * optics.centre;
-    return {eye.w != 0.0 ? eye / eye.w : eye, optics.window * to_eye};
+    return {eye.w != 0.0 ? finite_eye(eye, item.lines->mesh().region) : eye, optics.window * to_eye};
 }
 
 bool is_mirrored(const Scene& scene, const Item& item) {

@@ -33,7 +33,7 @@ struct FitMeshReport {
 };
 
 struct MeshFit {
-    fit::FitResult fit;
+    fit::FitResult fit; // its samples: places all over the mesh
     FitMeshReport report;
 };
 

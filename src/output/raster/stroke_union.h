@@ -17,8 +17,8 @@ struct Shade {
 };
 
 // Row by row: between the heights where edges begin, end or cross, their order does not change, and what lies between
-// them are trapezoids.  Inside is where the winding number is not 0.
-class StrokeUnion {
+// them are trapezoids.  Inside is where the winding number is not 0.  Each worker has one.
+class alignas(base::Memory::alignment) StrokeUnion {
 public:
     static constexpr std::int32_t most_side = 64; // of a tile
 

@@ -329,7 +329,7 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
     while (!drawing.strokes.empty() && unions_.size() < workers) unions_.add(runtime_.memory);
     if (!drawing.strokes.empty()) { // for all of them: which of them draws the fullest tile is by chance
         const std::int64_t most = drawing.dot_tiles.most_of_a_tile() + drawing.segment_tiles.most_of_a_tile();
-        for (std::int64_t worker = 0; worker < workers; ++worker) numbers_[worker].reserve(most);
+        for (std::int64_t worker = 0; worker < workers; ++worker) numbers_[worker].of_tile.reserve(most);
     }
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(workers, [&](std::int64_t worker) {
@@ -340,8 +340,8 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
             std::fill_n(strokes.cover, plane, 0.0F);
             std::fill_n(strokes.ink, plane, 0.0F);
         }
-        Painter paint(drawing, image, settings, loops_, stroke_loops_, {own, strokes, numbers_[worker]}, colors_.data(),
-                      drawn);
+        Painter paint(drawing, image, settings, loops_, stroke_loops_, {own, strokes, numbers_[worker].of_tile},
+                      colors_.data(), drawn);
         for (std::int64_t tile = next++; tile < drawing.dot_tiles.tiles(); tile = next++) paint(tile);
     });
 }

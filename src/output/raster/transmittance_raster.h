@@ -21,13 +21,19 @@ public:
     void draw(const drawing::Drawing& drawing, const Image& image, const DrawSettings& settings);
 
 private:
+    // A worker's, on lines of the cache of its own.
+    struct alignas(base::Memory::alignment) Numbers {
+        explicit Numbers(base::Memory& memory) noexcept : of_tile(memory) {}
+        base::Array<std::uint32_t> of_tile; // its dots, then its segments
+    };
+
     const base::Runtime& runtime_;
     DiscLoops loops_;
     StrokeLoops stroke_loops_;
-    base::Array<float> planes_;                      // of each worker
-    base::Array<float> colors_;                      // as in InkList
-    base::List<base::Array<std::uint32_t>> numbers_; // of each worker: a tile's dots
-    base::List<StrokeUnion> unions_;                 // of each worker, if there are strokes
+    base::Array<float> planes_;      // of each worker
+    base::Array<float> colors_;      // as in InkList
+    base::List<Numbers> numbers_;    // of each worker
+    base::List<StrokeUnion> unions_; // of each worker, if there are strokes
 };
 
 } // namespace hrbfnpr::output

@@ -12,6 +12,8 @@ using glm::dvec2;
 constexpr double corner_cosine = 0.766;         // of 40 degrees
 constexpr double near_enough_to_improve = 16.0; // times the tolerance's square
 constexpr int improvements = 4;
+// Of the tolerance, at the points that are measured: between them a curve may be somewhat farther off.
+constexpr double measured_share = 0.9;
 constexpr int deep = 24; // from here on runs are halved in the middle, so that the depth is bounded
 constexpr std::int64_t most_between = 64;
 
@@ -79,7 +81,7 @@ dvec2 CurveFit::direction_at(std::int64_t i, std::int64_t first, std::int64_t la
 
 std::span<const Cubic> CurveFit::fit(std::span<const dvec2> points, double tolerance, bool closed) {
     cubics_.clear();
-    square_ = tolerance * tolerance;
+    square_ = measured_share * measured_share * tolerance * tolerance;
     densify(points);
     const std::int64_t count = points_.size();
     if (count < 2) return {};

@@ -19,8 +19,7 @@ struct Cubic {
 // digitized curves", Graphics Gems].  Points where the line turns by more than 40 degrees stay corners.
 class CurveFit {
 public:
-    explicit CurveFit(base::Memory& memory) noexcept
-        : memory_(&memory), points_(memory), places_(memory), cubics_(memory) {}
+    explicit CurveFit(base::Memory& memory) noexcept : points_(memory), places_(memory), cubics_(memory) {}
 
     // All of the line through the points lies within the tolerance of the curves, and their ends are points of it.
     // closed: the last point stands where the first one does, and the curves go round without a corner unless there is
@@ -41,7 +40,6 @@ private:
     [[nodiscard]] glm::dvec2 direction_at(std::int64_t i, std::int64_t first, std::int64_t last) const noexcept;
     [[nodiscard]] bool is_corner(std::int64_t before, std::int64_t i, std::int64_t after) const noexcept;
 
-    base::Memory* memory_;
     double square_ = 0.0; // of the tolerance
     base::Array<glm::dvec2> points_;
     base::Array<double> places_; // of points on the curve that is fitted, 0 to 1

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/vector/join_lines.h"
 
+#include "output/vector/look.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,7 @@ namespace {
 using glm::dvec2;
 
 constexpr std::int64_t at_a_time = 1024;
+constexpr std::int64_t compared_at_a_time = 65536;
 constexpr int most_near = 8; // ends that one is compared with
 constexpr double same_opacity = 1.0 / 512.0;
 constexpr double least_of_ring = 4.0; // its length, of the line's width
@@ -56,7 +59,7 @@ JoinLines::JoinLines(base::Memory& memory) noexcept
 std::int64_t JoinLines::join(PlotLines& from, const JoinSettings& settings, const base::Progress& progress) {
     find_ends(from, progress);
     find_pairs(from, settings, progress);
-    const std::int64_t count = choose_pairs(from);
+    const std::int64_t count = choose_pairs(from, progress);
     joined_.clear();
     joined_.points.reserve(from.points.size());
     done_.clear();
@@ -65,7 +68,7 @@ std::int64_t JoinLines::join(PlotLines& from, const JoinSettings& settings, cons
     const auto lines = static_cast<std::int32_t>(from.lines.size());
     for (const bool rings : {false, true})
         for (std::int32_t line = 0; line < lines; ++line) {
-            if (line % at_a_time == 0) progress.check();
+            if (line % at_a_time == 0) look(progress);
             for (const std::int32_t end : {2 * line, 2 * line + 1})
                 if (done_[line] == 0 && (rings || partner_[end] < 0)) add_chain(from, end);
         }
@@ -79,7 +82,7 @@ void JoinLines::find_ends(const PlotLines& from, const base::Progress& progress)
     ends_.resize_for_overwrite(2 * lines);
     outward_.resize_for_overwrite(2 * lines);
     for (std::int64_t i = 0; i < lines; ++i) {
-        if (i % at_a_time == 0) progress.check();
+        if (i % at_a_time == 0) look(progress);
         const std::span<const PagePoint> points = from.points_of(from.lines[i]);
         ends_[2 * i] = place_of(points.front());
         ends_[2 * i + 1] = place_of(points.back());
@@ -87,17 +90,19 @@ void JoinLines::find_ends(const PlotLines& from, const base::Progress& progress)
         outward_[2 * i + 1] = direction_of(points, true, from.lines[i].width);
     }
     tree_.build(ends_.span(), progress);
-    for (std::int32_t i = 0; i < lines; ++i)
+    for (std::int32_t i = 0; i < lines; ++i) {
+        if (i % at_a_time == 0) look(progress);
         if (from.lines[i].closed) {
             tree_.remove(2 * i);
             tree_.remove(2 * i + 1);
         }
+    }
 }
 
 void JoinLines::find_pairs(PlotLines& from, const JoinSettings& settings, const base::Progress& progress) {
     pairs_.clear();
     for (std::int32_t a = 0; a < ends_.size(); ++a) {
-        if (a % at_a_time == 0) progress.check();
+        if (a % at_a_time == 0) look(progress);
         if (!tree_.holds(a)) continue;
         PlotLine& line = from.lines[a / 2];
         const double reach = settings.distance > 0.0 ? settings.distance : line.width;
@@ -120,7 +125,9 @@ void JoinLines::find_pairs(PlotLines& from, const JoinSettings& settings, const 
                 line.goes_on = true;
         }
     }
-    std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
+    Looks looks(progress, compared_at_a_time);
+    std::sort(pairs_.begin(), pairs_.end(), [&](const Pair& p, const Pair& q) {
+        looks.count();
         if (p.cost != q.cost) return p.cost < q.cost;
         return p.a != q.a ? p.a < q.a : p.b < q.b;
     });
@@ -146,18 +153,21 @@ std::int32_t JoinLines::chain_of(std::int32_t line) noexcept {
     return line;
 }
 
-std::int64_t JoinLines::choose_pairs(const PlotLines& from) {
+std::int64_t JoinLines::choose_pairs(const PlotLines& from, const base::Progress& progress) {
     const auto lines = static_cast<std::int32_t>(from.lines.size());
     partner_.resize_for_overwrite(2 * from.lines.size());
     std::fill(partner_.begin(), partner_.end(), -1);
     chain_.resize_for_overwrite(lines);
     length_.resize_for_overwrite(lines);
     for (std::int32_t i = 0; i < lines; ++i) {
+        if (i % at_a_time == 0) look(progress);
         chain_[i] = i;
         length_[i] = length_of(from.points_of(from.lines[i]));
     }
     std::int64_t count = 0;
+    Looks looks(progress, at_a_time);
     for (const Pair& pair : pairs_) {
+        looks.count();
         if (partner_[pair.a] >= 0 || partner_[pair.b] >= 0) continue;
         const std::int32_t a = chain_of(pair.a / 2), b = chain_of(pair.b / 2);
         if (a == b && length_[a] < least_of_ring * from.lines[pair.a / 2].width) continue;

@@ -31,7 +31,7 @@ private:
     void find_pairs(PlotLines& from, const JoinSettings& settings, const base::Progress& progress);
     [[nodiscard]] double cost_of(const PlotLine& line, const PlotLine& other, std::int32_t a, std::int32_t b,
                                  double distance, double most, double sharpest) const noexcept;
-    std::int64_t choose_pairs(const PlotLines& from);
+    std::int64_t choose_pairs(const PlotLines& from, const base::Progress& progress);
     [[nodiscard]] std::int32_t chain_of(std::int32_t line) noexcept;
     void add_chain(const PlotLines& from, std::int32_t end);
     void add_points(std::int64_t chain, std::span<const PagePoint> points, bool reversed);

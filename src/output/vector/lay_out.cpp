@@ -3,6 +3,8 @@
 
 #include "marks/point_set.h"
 #include "output/vector/line_types.h"
+#include "output/vector/look.h"
+#include "output/vector/paint_runs.h"
 
 #include <algorithm>
 #include <array>
@@ -18,9 +20,8 @@ using drawing::Drawing;
 using drawing::Stroke;
 using drawing::StrokePoint;
 
-constexpr std::int32_t most_hidden = 31;     // layers of surface that are told apart
 constexpr float opacity_step = 1.0F / 32.0F; // within a part of a stroke
-constexpr std::int64_t at_a_time = 4096;
+constexpr std::int64_t at_a_time = 4096;     // dots, or points of strokes
 
 // Numbers of HRBFNPR_LINE_KIND_...
 constexpr std::array<const char*, 11> line_names{"lines",   "contour",        "suggestive", "ridge",
@@ -34,27 +35,25 @@ public:
     LayOut(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
            const base::Progress& progress)
         : drawing_(*placement.drawing), placement_(placement), pens_(pens), sink_(sink), progress_(progress),
-          points_(memory), hidden_(memory, drawing_.layers.size()), has_dots_(memory, drawing_.layers.size()) {}
+          points_(memory), runs_(memory) {}
 
     void run() {
         sink_.begin_view({placement_.name, frame_of(placement_), drawing_.paper, placement_.with_paper});
         if (drawing_.painting == drawing::Painting::published) {
             add_published();
         } else {
-            look();
-            for (std::int64_t layer = 0; layer < drawing_.layers.size(); ++layer) {
-                if (has_dots_[layer] != 0) add_dots(layer);
-                for (std::int32_t hidden = most_hidden; hidden >= 0; --hidden)
-                    if ((hidden_[layer] >> static_cast<std::uint32_t>(hidden) & 1U) != 0) add_strokes(layer, hidden);
-            }
+            runs_.find(drawing_, placement_.far_to_near, progress_);
+            for (std::int32_t run = 0; run < runs_.runs(); ++run)
+                for (std::int64_t layer = 0; layer < drawing_.layers.size(); ++layer) {
+                    if (runs_.has(run, InkGroups::of_dots(layer))) add_dots(layer, run);
+                    for (std::int32_t hidden = InkGroups::most_hidden; hidden >= 0; --hidden)
+                        if (runs_.has(run, InkGroups::of_strokes(layer, hidden))) add_strokes(layer, hidden, run);
+                }
         }
         sink_.end_view();
     }
 
 private:
-    [[nodiscard]] static std::int32_t hidden_of(const Stroke& stroke) noexcept {
-        return std::clamp(stroke.hidden_layers, 0, most_hidden);
-    }
     [[nodiscard]] double x_of(float x) const noexcept {
         return placement_.x + placement_.scale * (static_cast<double>(x) - drawing_.window.viewport.x);
     }
@@ -62,19 +61,12 @@ private:
         return placement_.y + placement_.scale * (static_cast<double>(y) - drawing_.window.viewport.y);
     }
 
-    // Which layers have what.
-    void look() {
-        for (const Stroke& stroke : drawing_.strokes)
-            hidden_[stroke.layer] |= 1U << static_cast<std::uint32_t>(hidden_of(stroke));
-        for_dots([&](const Dot& dot) { has_dots_[dot.layer] = 1; });
-    }
-
     template <class F>
     void for_dots(const F& f) const {
         for (const drawing::Piece& piece : drawing_.dot_pieces)
             for (std::int64_t i = piece.begin; i < piece.end; ++i) {
-                if (i % at_a_time == 0) progress_.check();
-                if (drawing_.dots[i].opacity >= drawing::faintest_ink) f(drawing_.dots[i]);
+                if (i % at_a_time == 0) look(progress_);
+                if (drawing_.dots[i].opacity >= drawing::faintest_ink) f(drawing_.dots[i], i);
             }
     }
 
@@ -83,7 +75,7 @@ private:
         int count = 0;
         char other[PageGroup::most];
         for (std::int64_t i = 0; i < layer; ++i) {
-            if (hidden_[i] == 0 && has_dots_[i] == 0) continue;
+            if (!runs_.has(i)) continue;
             name_layer(i, other);
             count += std::string_view(name) == other ? 1 : 0;
         }
@@ -108,19 +100,22 @@ private:
         std::snprintf(name + used, sizeof name - used, "%s %d", what, number);
     }
 
-    void begin(std::int64_t layer, std::int32_t hidden) {
+    // A pen goes by the name without the number of the run.
+    void begin(std::int64_t layer, std::int32_t hidden, std::int32_t run) {
         PageGroup group;
         name_layer(layer, group.name);
         if (const int others = namesakes(layer, group.name); others > 0) append(group.name, "", others + 1);
         if (hidden > 0) append(group.name, " hidden", hidden);
         group.ink = drawing_.layers[layer].ink;
-        sink_.begin_group(with_pen(group, pens_));
+        group = with_pen(group, pens_);
+        if (run > 0) append(group.name, ", run", run + 1);
+        sink_.begin_group(group);
     }
 
-    void add_dots(std::int64_t layer) {
-        begin(layer, 0);
-        for_dots([&](const Dot& dot) {
-            if (dot.layer == layer) add_dot(dot);
+    void add_dots(std::int64_t layer, std::int32_t run) {
+        begin(layer, 0, run);
+        for_dots([&](const Dot& dot, std::int64_t number) {
+            if (dot.layer == layer && runs_.of_dot(number) == run) add_dot(dot);
         });
         sink_.end_group();
     }
@@ -145,16 +140,18 @@ private:
         std::snprintf(group.name, sizeof group.name, "marks");
         if (!drawing_.layers.empty()) group.ink = drawing_.layers[0].ink;
         sink_.begin_group(with_pen(group, pens_));
-        for_dots([&](const Dot& dot) { add_dot(dot); });
+        for_dots([&](const Dot& dot, std::int64_t) { add_dot(dot); });
         sink_.end_group();
     }
 
-    void add_strokes(std::int64_t layer, std::int32_t hidden) {
-        begin(layer, hidden);
-        std::int64_t seen = 0;
-        for (const Stroke& stroke : drawing_.strokes) {
-            if (++seen % at_a_time == 0) progress_.check();
-            if (stroke.layer == layer && hidden_of(stroke) == hidden) add_stroke(stroke);
+    void add_strokes(std::int64_t layer, std::int32_t hidden, std::int32_t run) {
+        begin(layer, hidden, run);
+        Looks looks(progress_, at_a_time);
+        for (std::int64_t i = 0; i < drawing_.strokes.size(); ++i) {
+            const Stroke& stroke = drawing_.strokes[i];
+            const bool is_here = stroke.layer == layer && InkGroups::hidden_of(stroke) == hidden;
+            looks.count(is_here ? 1 + stroke.count : 1);
+            if (is_here && runs_.of_stroke(i) == run) add_stroke(stroke);
         }
         sink_.end_group();
     }
@@ -201,8 +198,7 @@ private:
     PageSink& sink_;
     const base::Progress& progress_;
     base::Array<PagePoint> points_;
-    base::Array<std::uint32_t> hidden_; // of each layer: a bit for each count of surfaces before its strokes
-    base::Array<std::uint8_t> has_dots_;
+    PaintRuns runs_;
 };
 
 bool fits(std::string_view groups, std::string_view name) noexcept {

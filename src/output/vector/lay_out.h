@@ -14,6 +14,7 @@ struct Placement {
     double x = 0.0, y = 0.0;    // of the viewport's top-left corner, mm
     double scale = 25.4 / 96.0; // mm per pixel
     bool with_paper = true;     // or the page has the same
+    bool far_to_near = true;    // where inks of several colours lie upon each other; else groups are whole
 };
 
 // A pen for the groups whose name it has.
@@ -28,8 +29,8 @@ struct Pen {
 // The size of a placement's viewport on the page.
 [[nodiscard]] Frame frame_of(const Placement& placement) noexcept;
 
-// Hands a drawing's ink on, group by group, strokes far to near.  Strokes whose opacity changes are cut into parts of
-// an even one.  Of pens the last that fits is taken.
+// Hands a drawing's ink on, group by group, strokes far to near; groups begin anew where far to near must be kept.
+// Strokes whose opacity changes are cut into parts of an even one.  Of pens the last that fits is taken.
 void lay_out(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
              const base::Progress& progress);
 

@@ -29,6 +29,8 @@ constexpr std::array<Pattern, 16> patterns{{
     {dash, gap, dot, gap, dot, gap, dot, gap},
     {dash, gap, dash, gap, dot, gap, dot, gap, dot, gap},
 }};
+// A line with more of them is drawn whole: they are too small to be told apart, and writing them would never end.
+constexpr double most_periods = 1e5;
 static_assert(patterns.size() == static_cast<std::size_t>(LineType::last) + 1);
 
 double length_of(const PagePath& path) noexcept {
@@ -59,7 +61,7 @@ void LineTypes::path(const PagePath& path) {
     double period = 0.0;
     for (const double part : pattern) period += width * part;
     const double first = width * pattern[0];
-    if (!(first > 0.0) || length <= first) {
+    if (!(first > 0.0) || length <= first || !(length <= most_periods * period)) {
         next_.path(path);
         return;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/vector/near_tree.h"
 
+#include "output/vector/look.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -16,20 +18,21 @@ void NearTree::build(std::span<const glm::dvec2> points, const base::Progress& p
     leaf_.resize_for_overwrite(count);
     std::int64_t leaves = 1;
     while (leaves * leaf_size < count) leaves *= 2;
+    Looks looks(progress, 16384); // points
     nodes_.clear();
     nodes_.resize(count > 0 ? 2 * leaves - 1 : 0);
     for (std::int64_t i = 0; i < nodes_.size(); ++i) {
         nodes_[i].is_leaf = i >= leaves - 1 ? 1 : 0;
         if (i == 0) nodes_[i].end = count;
-        split(i, progress);
+        split(i);
+        looks.count(nodes_[i].live);
     }
 }
 
 // Halves a node's points across its longer side.  Ties go by number, so that every standard library has one result.
-void NearTree::split(std::int64_t number, const base::Progress& progress) {
+void NearTree::split(std::int64_t number) {
     Node& node = nodes_[number];
     node.live = node.end - node.begin;
-    if (node.live > 4096) progress.check();
     node.min = glm::dvec2(std::numeric_limits<double>::infinity());
     node.max = -node.min;
     std::int32_t* const begin = number_.data() + node.begin;

@@ -44,7 +44,7 @@ private:
         const glm::dvec2 beyond = glm::max(glm::max(node.min - p, p - node.max), glm::dvec2(0.0));
         return glm::dot(beyond, beyond);
     }
-    void split(std::int64_t number, const base::Progress& progress);
+    void split(std::int64_t number);
 
     base::Array<Node> nodes_; // the children of i are 2 i + 1 and 2 i + 2
     base::Array<glm::dvec2> points_;

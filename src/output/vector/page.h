@@ -99,6 +99,7 @@ struct PageCounts {
     std::int64_t bytes = 0;
     std::int64_t paths = 0, dots = 0, groups = 0;
     std::int64_t joined = 0, dropped_paths = 0, dropped_dots = 0;
+    std::int64_t filled_paths = 0;
     std::int64_t segments = 0; // of Bezier curves or lines
     double drawn = 0.0, travelled = 0.0, seconds = 0.0;
 };

@@ -132,7 +132,7 @@ void PdfWriter::path(const PagePath& path) {
 void PdfWriter::dot(const PageDot& dot) {
     ++counts_.dots;
     set_ink(dot.is_paper ? paper_ : group_.ink);
-    if (settings_.dots == DotShapes::spirals) {
+    if (settings_.dots_of(group_.pen_width) == DotShapes::spirals) {
         shapes_.shape(dot, group_, *this);
         return;
     }

@@ -56,9 +56,10 @@ std::span<const dvec2> PenLines::line(const PageDot& dot, double pen, const Shap
     line_.clear();
     const dvec2 centre(dot.x, dot.y);
     const double radius = dot.radius - 0.5 * pen;
-    if (settings.dots == DotShapes::spirals) {
+    const DotShapes shape = settings.dots_of(pen);
+    if (shape == DotShapes::spirals) {
         spiral(dot, pen, settings.tolerance, line_);
-    } else if (settings.dots == DotShapes::lines || !(radius > 0.0)) {
+    } else if (shape == DotShapes::lines || !(radius > 0.0)) {
         line_.push_back(centre);
     } else {
         // A chord stays within the tolerance of its arc.

@@ -2,6 +2,7 @@
 #include "output/vector/plot_order.h"
 
 #include "output/vector/line_types.h"
+#include "output/vector/look.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace hrbfnpr::output {
 namespace {
 
-constexpr std::int64_t at_a_time = 256;
+constexpr std::int64_t at_a_time = 64;
 
 double mean_width(std::span<const PagePoint> points) noexcept {
     double sum = 0.0;
@@ -27,9 +28,9 @@ Frame common(const Frame& a, const Frame& b) noexcept {
 PlotOrder::PlotOrder(base::Memory& memory, PageSink& next, const PlotOrderSettings& settings, PageCounts& counts,
                      PenTrack* track, const base::Progress& progress)
     : next_(next), settings_(settings), counts_(counts), track_(track), progress_(progress), frame_(settings.page),
-      clip_(memory), lines_(memory), dots_(memory), join_(memory), tree_(memory), tour_(memory), pen_lines_(memory),
-      places_(memory), near_(memory), points_(memory), stops_(memory), turned_(memory),
-      pen_(settings.page.left, settings.page.bottom) {}
+      clip_(memory), lines_(memory), dots_(memory), join_(memory), fill_(memory), within_(memory), tree_(memory),
+      tour_(memory), pen_lines_(memory), places_(memory), near_(memory), points_(memory), stops_(memory),
+      turned_(memory), pen_(settings.page.left, settings.page.bottom) {}
 
 void PlotOrder::begin_view(const PageView& view) {
     frame_ = common(settings_.page, view.frame);
@@ -52,7 +53,7 @@ void PlotOrder::begin_group(const PageGroup& group) {
 }
 
 void PlotOrder::check_often() {
-    if (++taken_ % at_a_time == 0) progress_.check();
+    if (++taken_ % at_a_time == 0) look(progress_);
 }
 
 void PlotOrder::path(const PagePath& path) {
@@ -83,6 +84,7 @@ void PlotOrder::end_group() {
         counts_.joined += join_.join(lines_, join, progress_);
         drop_short();
     }
+    if (settings_.shapes.fills && group_.pen_width > 0.0) fill_wide();
     drop_near_dots();
     hand_on();
     next_.end_group();
@@ -93,10 +95,39 @@ void PlotOrder::drop_short() {
     for (const PlotLine& line : lines_.lines) {
         check_often();
         const double least = settings_.shortest > 0.0 ? settings_.shortest : 0.5 * line.width;
-        if (line.goes_on || length_of(lines_.points_of(line)) >= least) lines_.lines[kept++] = line;
+        const std::span<const PagePoint> points = lines_.points_of(line);
+        const bool is_filled =
+            settings_.shapes.fills && group_.pen_width > 0.0 && FillLines::is_wider(points, line.width);
+        if (line.goes_on || is_filled || length_of(points) >= least) lines_.lines[kept++] = line;
     }
     counts_.dropped_paths += lines_.lines.size() - kept;
     lines_.lines.resize(kept);
+}
+
+// Passes beside the centre may lie beyond the frame where that does not.
+void PlotOrder::fill_wide() {
+    counts_.filled_paths += fill_.fill(lines_, settings_.shapes.tolerance, progress_);
+    within_.clear();
+    for (const PlotLine& line : lines_.lines) {
+        check_often();
+        PagePath path;
+        path.points = lines_.points_of(line);
+        path.closed = line.closed;
+        path.begin = line.begin;
+        path.end = line.end;
+        clip_.parts(path, frame_, [&](const PagePath& part) {
+            PlotLine cut = line;
+            cut.first = within_.points.size();
+            cut.count = static_cast<std::int64_t>(part.points.size());
+            cut.closed = part.closed;
+            cut.begin = part.begin;
+            cut.end = part.end;
+            for (const PagePoint& p : part.points) within_.points.push_back(p);
+            within_.lines.push_back(cut);
+        });
+    }
+    std::swap(lines_.points, within_.points);
+    std::swap(lines_.lines, within_.lines);
 }
 
 double PlotOrder::pen_of(const PageDot& dot) const noexcept {
@@ -126,6 +157,7 @@ void PlotOrder::drop_near_dots() {
 }
 
 void PlotOrder::hand_on() {
+    look(progress_);
     points_.clear();
     for (const PageDot& dot : dots_) points_.push_back({dot.x, dot.y, dot.radius});
     stops_.clear();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "output/vector/clip.h"
+#include "output/vector/fill_lines.h"
 #include "output/vector/join_lines.h"
 #include "output/vector/pen_lines.h"
 #include "output/vector/tour.h"
@@ -16,8 +17,9 @@ struct PlotOrderSettings {
     ShapeSettings shapes;
 };
 
-// Keeps a group until it ends; then, in this order: lines are clipped, joined, and dropped if they are short; dots are
-// dropped near to others; and all is handed on in the order of a tour.  Texts are handed on before.
+// Keeps a group until it ends; then, in this order: lines are clipped, joined, dropped if they are short, and filled if
+// they are wider than the pen; dots are dropped near to others; and all is handed on in the order of a tour.  Texts are
+// handed on before.
 class PlotOrder final : public PageSink {
 public:
     // track: counts what is handed on; NULL: whoever comes next does.
@@ -36,6 +38,7 @@ public:
 private:
     void check_often();
     void drop_short();
+    void fill_wide();
     void drop_near_dots();
     [[nodiscard]] double pen_of(const PageDot& dot) const noexcept;
     void hand_on();
@@ -55,6 +58,8 @@ private:
     PlotLines lines_;
     base::Array<PageDot> dots_;
     JoinLines join_;
+    FillLines fill_;
+    PlotLines within_; // of lines that are filled, on the page
     NearTree tree_;
     Tour tour_;
     PenLines pen_lines_;

@@ -14,6 +14,7 @@ constexpr double even = 0.02;
 // mm; of the class number 0
 constexpr double unit_radius = 0.1;
 constexpr double least_radius = 0.005;
+constexpr double most_turns = 1000.0; // of a spiral
 
 bool is_even(const PagePath& path) noexcept {
     if (!path.closed && (path.begin == Cap::pointed || path.end == Cap::pointed || path.begin != path.end))
@@ -41,7 +42,8 @@ void spiral(const PageDot& dot, double pen_width, double tolerance, base::Array<
     const double outer = dot.radius - 0.5 * pen_width;
     if (!(outer > 0.0)) return;
     const double chord = std::clamp(std::sqrt(8.0 * tolerance / outer), 0.1, 0.8); // its angle
-    const double pitch = 0.9 * pen_width / turn;                                   // of the radius, per radian
+    // Of the radius, per radian; bounded, as a pen may be as thin as a double tells.
+    const double pitch = std::max(0.9 * pen_width, outer / most_turns) / turn;
     const auto add = [&](double angle, double radius) {
         points.push_back({dot.x + radius * std::cos(angle), dot.y + radius * std::sin(angle)});
     };
@@ -71,7 +73,7 @@ void Shapes::shape(const PagePath& path, const PageGroup& group, ShapeSink& sink
 void Shapes::shape(const PageDot& dot, const PageGroup& group, ShapeSink& sink) {
     const double pen = group.pen_width > 0.0 ? group.pen_width : 2.0 * dot.radius;
     line_.clear();
-    if (settings_.dots == DotShapes::spirals) spiral(dot, pen, settings_.tolerance, line_);
+    if (settings_.dots_of(group.pen_width) == DotShapes::spirals) spiral(dot, pen, settings_.tolerance, line_);
     if (line_.size() < 2) {
         sink.begin_line(pen, Cap::round, dot.opacity);
         sink.move_to({dot.x, dot.y});

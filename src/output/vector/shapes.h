@@ -15,6 +15,12 @@ struct ShapeSettings {
     DotShapes dots = DotShapes::circles;
     double tolerance = 0.05;  // mm
     double width_step = 1.25; // from one class of widths to the next
+    bool fills = false;       // what is wider than its pen, by several passes
+
+    // Circles that a pen fills are spirals.
+    [[nodiscard]] DotShapes dots_of(double pen_width) const noexcept {
+        return fills && dots == DotShapes::circles && pen_width > 0.0 ? DotShapes::spirals : dots;
+    }
 };
 
 // Between begin and end: the curves.  Joins of lines are round.

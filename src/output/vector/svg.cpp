@@ -118,7 +118,7 @@ void SvgWriter::path(const PagePath& path) {
 
 void SvgWriter::dot(const PageDot& dot) {
     ++counts_.dots;
-    if (settings_.dots != DotShapes::circles) {
+    if (settings_.dots_of(group_.pen_width) != DotShapes::circles) {
         shapes_.shape(dot, group_, *this);
         return;
     }

@@ -59,7 +59,14 @@ TextOut& TextOut::precise(double number) {
 }
 
 TextOut& TextOut::escaped(std::string_view text) {
-    for (const char c : text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const std::string_view three = text.substr(i, 3);
+        if (three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF") { // U+FFFE and U+FFFF, which XML does not allow
+            *this << "\xEF\xBF\xBD";
+            i += 2;
+            continue;
+        }
         switch (c) {
         case '&': *this << "&amp;"; break;
         case '<': *this << "&lt;"; break;

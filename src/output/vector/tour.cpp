@@ -2,6 +2,7 @@
 #include "output/vector/tour.h"
 
 #include "geometry/cell_grid.h"
+#include "output/vector/look.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -40,6 +41,7 @@ std::span<const Leg> Tour::find(std::span<const Stop> stops, const dvec2& from, 
     legs_.clear();
     if (stops.empty()) return legs_.span();
     set_up(stops, from);
+    look(progress);
     go_greedily(stops, progress);
     for (int round = 0; round < most_rounds; ++round) {
         find_neighbours(progress);
@@ -47,6 +49,7 @@ std::span<const Leg> Tour::find(std::span<const Stop> stops, const dvec2& from, 
         if (round == 0) kick(progress);
         if (!turn_closed(stops, progress)) break;
     }
+    look(progress);
     write_legs(stops);
     return legs_.span();
 }
@@ -78,7 +81,7 @@ void Tour::go_greedily(std::span<const Stop> stops, const base::Progress& progre
     door_point_.clear();
     first_door_.clear();
     for (std::int32_t i = 0; i < stops_; ++i) {
-        if (i % at_a_time == 0) progress.check();
+        if (i % at_a_time == 0) look(progress);
         const Stop& stop = stops[static_cast<std::size_t>(i)];
         first_door_.push_back(static_cast<std::int32_t>(doors_.size()));
         const auto last = static_cast<std::int64_t>(stop.points.size()) - 1;
@@ -95,7 +98,7 @@ void Tour::go_greedily(std::span<const Stop> stops, const base::Progress& progre
     put(0, free_end());
     dvec2 pen = place_[free_end() + 1];
     for (std::int32_t next = 1; next < count_; ++next) {
-        if (next % at_a_time == 0) progress.check();
+        if (next % at_a_time == 0) look(progress);
         const std::int32_t door = tree_.nearest(pen);
         const std::int32_t stop = door_stop_[door];
         if (stops[static_cast<std::size_t>(stop)].closed) {
@@ -120,7 +123,7 @@ void Tour::find_neighbours(const base::Progress& progress) {
     tree_.build(doors_.span(), progress);
     near_.resize_for_overwrite(std::int64_t{most_near} * 2 * count_);
     for (Node node = 0; node < 2 * count_; ++node) {
-        if (node % at_a_time == 0) progress.check();
+        if (node % at_a_time == 0) look(progress);
         Node* const near = near_.data() + std::int64_t{most_near} * node;
         double squares[most_near];
         int count = 0;
@@ -160,7 +163,7 @@ void Tour::improve(const base::Progress& progress) {
 void Tour::settle(const base::Progress& progress) {
     while (queue_size_ > 0) {
         if (checked_ - work_ > 100000) {
-            progress.check();
+            look(progress);
             checked_ = work_;
         }
         const std::int32_t stop = queue_[queue_first_];
@@ -329,9 +332,10 @@ void Tour::shift(std::int64_t first, std::int32_t length, std::int64_t gap, bool
 // Lets each closed line begin where the way to it and from it is shortest; false: all do.
 bool Tour::turn_closed(std::span<const Stop> stops, const base::Progress& progress) {
     bool turned = false;
+    Looks looks(progress, at_a_time);
     for (std::int32_t i = 0; i < stops_; ++i) {
         const Stop& stop = stops[static_cast<std::size_t>(i)];
-        if (i % at_a_time == 0) progress.check();
+        looks.count(stop.closed ? static_cast<std::int64_t>(stop.points.size()) : 1);
         if (!stop.closed) continue;
         const std::int64_t p = position_[i];
         const Node before = exit(p - 1), after = entry(p + 1);

@@ -3,6 +3,7 @@
 
 #include "output/vector/gcode.h"
 #include "output/vector/hpgl.h"
+#include "output/vector/look.h"
 #include "output/vector/pdf.h"
 #include "output/vector/plot_order.h"
 #include "output/vector/svg.h"
@@ -13,6 +14,8 @@
 
 namespace hrbfnpr::output {
 namespace {
+
+constexpr std::int64_t at_a_time = 2048; // numbers of annotations
 
 bool is_plotter(PageFormat format) noexcept { return format == PageFormat::hpgl || format == PageFormat::gcode; }
 
@@ -47,10 +50,12 @@ void add_annotation(const Annotation& annotation, PageSink& sink, base::Array<Pa
     if (points.size() > 1) sink.path(path);
 }
 
-void add_annotations(base::Memory& memory, const Page& page, PageSink& sink) {
+void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, const base::Progress& progress) {
+    Looks looks(progress, at_a_time);
     base::Array<PagePoint> points(memory);
     const Annotation* open = nullptr;
     for (const Annotation& annotation : page.annotations) {
+        looks.count(static_cast<std::int64_t>(annotation.points.size()));
         if (open == nullptr || open->group != annotation.group) {
             if (open != nullptr) sink.end_group();
             PageGroup group;
@@ -112,11 +117,12 @@ PageCounts write_page(const base::Runtime& runtime, const Page& page, const Page
     if (filled) add_paper(paper, info, dashed);
     for (Placement placement : page.placements) {
         placement.with_paper = filled && placement.drawing->paper != paper;
+        placement.far_to_near = !sorted; // each pen is taken up once
         lay_out(runtime.memory, placement, page.pens, dashed, progress.part(done / parts, (done + 1.0) / parts));
         done += 1.0;
         progress.update(done / parts);
     }
-    add_annotations(runtime.memory, page, dashed);
+    add_annotations(runtime.memory, page, dashed, progress);
     dashed.finish();
     return counts;
 }

@@ -27,6 +27,9 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_build_info(byte* destination, long capacity, long* needed);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern byte* hrbfnpr_layout(byte* name);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_image_init(hrbfnpr_image* image, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]

@@ -28,6 +28,9 @@ namespace HrbfNpr
         internal static partial int hrbfnpr_build_info(byte* destination, long capacity, long* needed);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial byte* hrbfnpr_layout(byte* name);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_image_init(hrbfnpr_image* image, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]

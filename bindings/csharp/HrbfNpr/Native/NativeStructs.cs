@@ -86,7 +86,7 @@ namespace HrbfNpr
         internal int iteration_limit;
         internal uint preconditioner_neighbours;
         internal uint normal_mode;
-        internal uint reserved;
+        internal uint trim;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_orient_desc")]

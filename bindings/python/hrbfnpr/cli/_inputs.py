@@ -196,7 +196,7 @@ def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter)
 def _fit(points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter) -> Model:
     """A model of these samples, and what there is to say of it."""
     with report.stage("fit", "fitting") as stage:
-        model = Model.fit(points, normals, progress=stage.bar, context=context, **given(arguments, FIT))
+        model = Model.fit(points, normals, trim="never", progress=stage.bar, context=context, **given(arguments, FIT))
         info = model.info
         how = _nearness.of_points(model)
         stage.says = f"{_nearness.of(info.centres, 'centre')}, {info.kernel}, {info.solver}; {how}"

@@ -71,11 +71,20 @@ def _fail(message: str, code: int) -> int:
 
 
 def _run(arguments: Any, report: Reporter) -> int:
-    context = Context(arguments.threads or 0)
+    context = Context(
+        arguments.threads or 0, log=lambda _level, message: _warn_of_parts(message, report), log_level="warning"
+    )
     commands = {"draw": _draw, "sheet": _sheet, "sheet-views": _sheet_views, "fit": _fit, "points": _points,
                 "info": _info, "check": _check}  # fmt: skip
     with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
         return commands[arguments.command](arguments, context, report) or 0
+
+
+def _warn_of_parts(message: str, report: Reporter) -> None:
+    """What the library alone knows of a mesh."""
+    start = "mesh fit: parts "
+    if message.startswith(start):
+        report.warn(f"parts {message[len(start):]} (--tolerance)")
 
 
 def _load(arguments: Any, context: Context, report: Reporter) -> Loaded:

@@ -86,7 +86,9 @@ def fit(read_mesh: Read, arguments: Any, report: Reporter) -> Model:
     if arguments.regularization is not None:
         options["regularization"] = arguments.regularization
     with report.stage("fit", "fitting") as stage:
-        model = Model.fit_mesh(read_mesh.mesh, random_seed=_seed(arguments), progress=stage.bar, **options)
+        model = Model.fit_mesh(
+            read_mesh.mesh, random_seed=_seed(arguments), trim="never", progress=stage.bar, **options
+        )
         done = model.mesh_fit
         assert done is not None
         stage.says = f"{done.centres} centres in {of(done.rounds, 'round')}; {in_words(done, diagonal(model))}"

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
 from .. import __version__
-from .._drawing import Drawing
+from .._arrays import Array
+from .._drawing_info import DrawingLayerInfo
 from .._names import DOT_SHAPES, LINE_TYPES, WIDTHS, number_of
 from .._page import PIXEL, PageInfo, PageItem, Pen, format_of, write_page
 from .._fields import color
@@ -84,13 +86,15 @@ def add_options(parser: Any) -> None:
         "as it fits better: a4, a3, letter, ... or WIDTHxHEIGHT in mm; by default a pixel is 1/96 inch")  # fmt: skip
     add("--page-margin", type=number, metavar="MM", help="free on each side of --page; 10")
     add("--dots", choices=tuple(DOT_SHAPES), metavar="NAME", help="of stipples: circles, lines of no length that a pen "
-        "touches the paper with, or spirals that fill them; circles, of plotters lines")  # fmt: skip
+        "touches the paper with, or spirals that fill them; circles, which plotters fill unless --single-pass")
     add("--stroke-widths", choices=tuple(WIDTHS), metavar="NAME", help="of strokes that swell: outlines, or classes of "
         "even widths; outlines")  # fmt: skip
     add("--pens", type=pens, metavar="GROUP=COLOUR:MM", help="pens of groups, with commas between, such as "
         "contour=#000000:0.5,hatch*=#803000:0.3; a third part is a line type of ISO 128, such as dashed")  # fmt: skip
     add("--pen-widths", type=pen_widths, metavar="MM,MM", help="widths of the pens at hand: each group gets the one "
-        "that is nearest to its lines")  # fmt: skip
+        "that is nearest to its lines' median width, or to its dots' median diameter")  # fmt: skip
+    add("--single-pass", action="store_true", help="draw a line that is wider than its pen once, along its centre, and "
+        "touch the paper for a dot; else plotters, and pens in --plot-order, fill both by several passes")  # fmt: skip
     add("--plot-order", action="store_true", help="sort lines so that a pen travels little; plotters' files always are")
     add("--vector-tolerance", type=number, metavar="MM", help="between what is drawn and what is written; 0.05")
     add("--draw-speed", type=number, metavar="MM/S", help="of a plotter's pen, for the time it takes; 30")
@@ -105,8 +109,8 @@ def is_vector(path: Any) -> bool:
 
 def given(arguments: Any) -> List[str]:
     """Options of vectors that were given."""
-    names = ("page", "page_margin", "dots", "stroke_widths", "pens", "pen_widths", "plot_order", "vector_tolerance",
-             "draw_speed", "pen_up", "pen_down")  # fmt: skip
+    names = ("page", "page_margin", "dots", "stroke_widths", "pens", "pen_widths", "plot_order", "single_pass",
+             "vector_tolerance", "draw_speed", "pen_up", "pen_down")  # fmt: skip
     return [f"--{name.replace('_', '-')}" for name in names if getattr(arguments, name, None) not in (None, False)]
 
 
@@ -126,19 +130,41 @@ def placed(size: Tuple[float, float], arguments: Any) -> Tuple[float, float, flo
     return left, top, scale, {"width": width, "height": height}
 
 
-def nearest_pens(drawing: Drawing, scale: float, widths: Sequence[float]) -> List[Pen]:
-    """For each layer of lines the pen that is nearest to their median width."""
-    found = []
-    for i, layer in enumerate(drawing.layers):
-        strokes = drawing.polylines(i) if layer.strokes else []
-        if not strokes:
-            continue
-        drawn = 2 * scale * float(np.median(np.concatenate([stroke["radius"] for stroke in strokes])))
-        best = min(range(len(widths)), key=lambda k: abs(widths[k] - drawn))
-        named = layer.name and (layer.layer >= 0 or layer.kind == "own")
-        name = layer.name if named else layer.kind.replace("_contour", "").replace("_", " ")
-        found.append(Pen(f"{name}*", widths[best], None, best + 1))
-    return found
+@dataclass
+class Nearest:
+    """A pen for a group, and how wide what it draws is."""
+
+    pen: Pen
+    what: str
+    width: float
+
+    def __str__(self) -> str:
+        return f"{self.pen.groups.rstrip('*')} {self.pen.width:g} mm ({self.what} of {self.width:.2g})"
+
+
+def _group_of(layer: DrawingLayerInfo) -> str:
+    """What its groups' names begin with."""
+    if layer.layer >= 0:
+        return layer.name + (" contour" if layer.mark_class == "silhouette" else "")
+    return layer.name if layer.name and layer.kind == "own" else layer.kind.replace("_contour", "").replace("_", " ")
+
+
+def nearest_pens(items: Sequence[PageItem], widths: Sequence[float]) -> List[Nearest]:
+    """For each layer the pen that is nearest to the median width of its lines, or diameter of its dots; mm."""
+    drawn: Dict[Tuple[str, str], List[Array]] = {}
+    for item in items:
+        dots = item.drawing.vertices("points", ("radius", "layer"))[0]
+        for i, layer in enumerate(item.drawing.layers):
+            lines = [stroke["radius"] for stroke in item.drawing.polylines(i)] if layer.strokes else []
+            found = np.concatenate(lines) if lines else dots["radius"][dots["layer"] == i]
+            if len(found):
+                drawn.setdefault((_group_of(layer), "lines" if lines else "dots"), []).append(2 * item.scale * found)
+    chosen = []
+    for (name, what), parts in sorted(drawn.items()):  # "stipples contour" behind "stipples": the last that fits is taken
+        width = float(np.median(np.concatenate(parts)))
+        best = min(range(len(widths)), key=lambda k: abs(widths[k] - width))
+        chosen.append(Nearest(Pen(f"{name}*", widths[best], None, best + 1), what, width))
+    return chosen
 
 
 def write(
@@ -156,14 +182,17 @@ def write(
         page_size = {"width": scale * size[0], "height": scale * size[1]}
     chosen: List[Pen] = []
     if arguments.pen_widths is not None:
-        chosen += nearest_pens(items[0].drawing, scale, arguments.pen_widths)
+        nearest = nearest_pens(on_page, arguments.pen_widths)
+        chosen += [one.pen for one in nearest]
+        report.note("pens: " + ", ".join(map(str, nearest)))
     chosen += arguments.pens or []
-    dots: Optional[str] = arguments.dots or ("lines" if format in PLOTTERS else "circles")
+    dots: Optional[str] = arguments.dots or ("lines" if format in PLOTTERS and arguments.single_pass else "circles")
     options = {"tolerance": arguments.vector_tolerance, "draw_speed": arguments.draw_speed, "pen_up": arguments.pen_up,
                "pen_down": arguments.pen_down}  # fmt: skip
     info = write_page(
         path, on_page, format=format, pens=chosen, annotations=annotations, dots=dots,
-        widths=arguments.stroke_widths or "outlines", plot_order=arguments.plot_order, title=Path(arguments.input).name,
+        widths=arguments.stroke_widths or "outlines", plot_order=arguments.plot_order,
+        single_pass=arguments.single_pass, title=Path(arguments.input).name,
         description=f"Drawn by hrbfnpr {__version__}", metadata=metadata, **page_size,
         **{name: value for name, value in options.items() if value is not None},
     )  # fmt: skip
@@ -178,6 +207,8 @@ def _plotted(info: PageInfo) -> str:
         f"the pen draws {info.drawn / 1000:.2f} m and travels {info.travelled / 1000:.2f} m, in about {minutes} min "
         f"{seconds} s"
     )
+    if info.filled_paths:
+        text += f"; {info.filled_paths} lines wider than their pen are filled by several passes"
     if info.joined:
         text += f"; {info.joined} ends joined"
     left_out = [f"{count} {what}" for count, what in ((info.dropped_paths, "lines"), (info.dropped_dots, "dots")) if count]

@@ -95,7 +95,7 @@ def read_grid(data: bytes) -> Shape:
 
 def read_pgm(data: bytes) -> Shape:
     """A grey picture as heights, 8 or 16 bits; a comment may say the cell's sides, as in "cell 24.5 m x 30.8 m"."""
-    head = re.match(rb"(P[25])((?:\s+|#[^\n]*\n)+)(\d+)((?:\s+|#[^\n]*\n)+)(\d+)((?:\s+|#[^\n]*\n)+)(\d+)\s", data)
+    head = re.match(rb"(P[25])((?:\s+|#[^\n]*\n)+)(\d{1,9})((?:\s+|#[^\n]*\n)+)(\d{1,9})((?:\s+|#[^\n]*\n)+)(\d{1,9})\s", data)
     if head is None:
         raise ShapeError("not a PGM file, or its header is cut short")
     columns, rows, most = (int(head.group(i)) for i in (3, 5, 7))

@@ -138,7 +138,7 @@ def _counts(text: bytes, start: int, first_line: int) -> Tuple[List[int], int]:
     line = first_line + text.count(b"\n", 0, start)
     words = text[start:end].split()
     for column, word in enumerate(words, 1):
-        if not word.isdigit():
+        if not word.isdigit() or len(word) > 18:
             raise at(line, column, f"a count was expected, not {shown(word)}")
     if len(words) < 2:
         raise at(line, 0, "the OFF file lacks its counts: vertices and faces, as in 8 6 0")

@@ -192,14 +192,14 @@ class _Ascii:
         for row in range(first, last):
             start, count = int(self._starts[row]), int(self._rows.counts[row])
             words = self._rows.values[start : start + count]
+            whole = np.clip(np.nan_to_num(words, nan=-1.0), -1.0, 2.0**62).astype(np.int64)
             place = 0
             for name, _, length in element.properties:
-                size = int(words[place]) if length and place < count else 1
+                size = int(whole[place]) if length and place < count else 1
                 place += 1 if length else 0
                 if size < 0 or count < place + size:
                     raise self._wrong(element, row, place + max(size, 1))
-                part = words[place : place + size]
-                columns[name].append([int(n) for n in part] if length else float(part[0]))
+                columns[name].append(whole[place : place + size].tolist() if length else float(words[place]))
                 place += size
         return columns
 

@@ -80,7 +80,7 @@ def _head(text: bytes) -> _Head:
             columns, sure = heading, bare == line
         elif line and bare == line:
             words = line.replace(b";", b" ").split()
-            if len(words) == 1 and words[0].isdigit() and count is None:
+            if len(words) == 1 and words[0].isdigit() and len(words[0]) <= 18 and count is None:
                 count = int(words[0])
             else:
                 _check_first(line, number, columns is not None)

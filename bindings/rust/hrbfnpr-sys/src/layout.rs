@@ -135,7 +135,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_fit_desc, iteration_limit) == either(136, 136, 128));
     assert!(offset_of!(hrbfnpr_fit_desc, preconditioner_neighbours) == either(140, 140, 132));
     assert!(offset_of!(hrbfnpr_fit_desc, normal_mode) == either(144, 144, 136));
-    assert!(offset_of!(hrbfnpr_fit_desc, reserved) == either(148, 148, 140));
+    assert!(offset_of!(hrbfnpr_fit_desc, trim) == either(148, 148, 140));
 };
 
 const _: () = {
@@ -1125,7 +1125,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_page_info>() == 112);
+    assert!(size_of::<hrbfnpr_page_info>() == 120);
     assert!(align_of::<hrbfnpr_page_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1146,4 +1146,5 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_page_info, drawn) == 88);
     assert!(offset_of!(hrbfnpr_page_info, travelled) == 96);
     assert!(offset_of!(hrbfnpr_page_info, seconds) == 104);
+    assert!(offset_of!(hrbfnpr_page_info, filled_paths) == 112);
 };

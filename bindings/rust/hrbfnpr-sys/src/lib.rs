@@ -169,8 +169,10 @@
 //! "ridge", "valley", "apparent ridge", "parabolic", "isophote", "section", "border",
 //! or the name of own ones.  What is behind n layers of surface has " hidden n" at its end, a second
 //! layer of the same name " 2".  Groups follow the layers of the drawing, hidden ones
-//! before the others; in a group strokes stand far to near.  Where inks differ, and
-//! lie upon each other, that order is not the raster's, which paints far to near.
+//! before the others; in a group strokes stand far to near.  Where inks of several
+//! colours lie upon each other groups begin anew, with ", run 2" behind their names,
+//! and so on up to 32, so that all is painted far to near there, as the raster does;
+//! not in plot order, where each pen is taken up once.  Pens go by names without that.
 //! The bytes are the same for every thread count and locale.
 #![no_std]
 #![allow(non_camel_case_types)]
@@ -270,6 +272,12 @@ extern "C" {
         capacity: i64,
         needed: *mut i64,
     ) -> hrbfnpr_status;
+    /// How this build lays out a struct, such as "hrbfnpr_fit_desc", as one JSON
+    /// object: name, size, align, and fields, a list of objects with name, type,
+    /// offset and size (bytes) in the header's order; of NULL a list of all structs.
+    /// A binding can compare its own structs with it before the first call.  Static,
+    /// UTF-8; NULL where there is no struct of that name.
+    pub fn hrbfnpr_layout(name: *const c_char) -> *const c_char;
 }
 
 // 3  VIEWS of caller's memory
@@ -592,6 +600,13 @@ pub const HRBFNPR_NORMALS_INWARD: u32 = 4;
 /// find out which of these it is, and do what that calls for
 pub const HRBFNPR_NORMALS_AUTO: u32 = 5;
 
+// Whether a fitted surface ends where its samples do, all that were given (hrbfnpr_model_trim).
+/// it goes on, to the end of the search box
+pub const HRBFNPR_TRIM_NEVER: u32 = 0;
+/// that of an open surface does; a closed one, and one of fewer than ten samples, which tell
+/// too little, stays as it is. hrbfnpr_model_get_trim_info tells
+pub const HRBFNPR_TRIM_AUTO: u32 = 1;
+
 /// What to fit: N points with N outward normals.
 ///
 /// The fit is in double precision, in normalised coordinates (centred, mean
@@ -682,7 +697,8 @@ pub struct hrbfnpr_fit_desc {
     pub preconditioner_neighbours: u32,
     /// HRBFNPR_NORMALS_...; GIVEN. NONE, and AUTO, need no normals
     pub normal_mode: u32,
-    pub reserved: u32,
+    /// HRBFNPR_TRIM_...; AUTO
+    pub trim: u32,
 }
 
 extern "C" {
@@ -1291,7 +1307,7 @@ pub struct hrbfnpr_trim_info {
     pub struct_size: u32,
     /// 1: the surface ends somewhere; 0: it is whole, and all else is 0 but samples, spacing
     pub is_trimmed: u32,
-    /// that tell where; 0: the model was never trimmed
+    /// that tell where; 0: nobody asked, or a fit to a closed mesh, or it could not be told
     pub samples: i64,
     /// of the surface, connected, that are left out
     pub parts: i64,
@@ -3384,9 +3400,9 @@ extern "C" {
     /// It comes with maximum_centres, or where more centres gain nothing.  Edges that
     /// are sharp are rounded by some tenths of the samples' spacing there, and coarse
     /// faces with smooth normals contradict these: both take many centres.
-    ///
-    /// desc may be NULL.  fit (may be NULL): kernel, solver and regularization of the
-    /// fits; its points and normals must be empty, its tolerance and maximum_centres
+    /// Trimmed by places on the mesh is what was fitted to an open one, or not reached.
+    /// desc may be NULL.  fit (may be NULL): kernel, solver, regularization and trim of
+    /// the fits; its points and normals must be empty, its tolerance and maximum_centres
     /// 0.  info and operation may be NULL.  Errors as of hrbfnpr_model_fit, whose
     /// stack it needs as well.
     pub fn hrbfnpr_model_fit_mesh(
@@ -3418,7 +3434,7 @@ pub const HRBFNPR_WIDTHS_OUTLINES: u32 = 0;
 pub const HRBFNPR_WIDTHS_CLASSES: u32 = 1;
 
 // How dots are written.
-/// circles; plotters draw round them
+/// circles; plotters fill them, with SINGLE_PASS draw round them
 pub const HRBFNPR_DOT_SHAPE_CIRCLES: u32 = 0;
 /// lines of no length with round ends; plotters touch the paper
 pub const HRBFNPR_DOT_SHAPE_LINES: u32 = 1;
@@ -3429,6 +3445,11 @@ pub const HRBFNPR_DOT_SHAPE_SPIRALS: u32 = 2;
 /// then by 2-opt and Or-opt; lines may be turned round, closed ones begin elsewhere, and
 /// lines whose ends are nearer than `join` become one
 pub const HRBFNPR_PAGE_IN_PLOT_ORDER: u32 = 1;
+/// a line that is wider than its pen is drawn once, along its centre; else, with HPGL and
+/// GCODE and with pens in plot order, it is filled: by passes side by side, 0.8 of the pen's
+/// width apart or a little less, each only where the line is so wide. A line up to 1.2 times
+/// as wide as the pen takes one
+pub const HRBFNPR_PAGE_SINGLE_PASS: u32 = 4;
 /// else the page has the paper of its first drawing, white without one, and other drawings
 /// with another paper theirs; plotters draw none
 pub const HRBFNPR_PAGE_WITHOUT_PAPER: u32 = 2;
@@ -3619,6 +3640,8 @@ pub struct hrbfnpr_page_info {
     pub travelled: f64,
     /// that a plotter takes at the given speeds
     pub seconds: f64,
+    /// lines wider than their pen, drawn in several passes
+    pub filled_paths: i64,
 }
 
 extern "C" {

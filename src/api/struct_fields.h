@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: MIT
+// Made by bindings/generate from bindings/api.json; do not edit.
+#pragma once
+// clang-format off
+
+#include "hrbfnpr.h"
+
+#include <cstddef>
+
+namespace hrbfnpr::api {
+
+struct FieldLayout {
+    const char* name;
+    const char* type; // as C writes it, with [n] for an array
+    std::size_t offset, size; // bytes
+};
+
+#define FIELD(field, type) {#field, type, offsetof(RECORD, field), sizeof(RECORD::field)}
+
+#define RECORD hrbfnpr_error
+inline constexpr FieldLayout fields_of_hrbfnpr_error[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(status, "hrbfnpr_status"), FIELD(message, "char[248]")};
+#undef RECORD
+
+#define RECORD hrbfnpr_array
+inline constexpr FieldLayout fields_of_hrbfnpr_array[] = {
+    FIELD(data, "const void*"), FIELD(count, "int64_t"), FIELD(stride, "int64_t"), FIELD(scalar, "uint32_t"),
+    FIELD(components, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_array_out
+inline constexpr FieldLayout fields_of_hrbfnpr_array_out[] = {
+    FIELD(data, "void*"), FIELD(count, "int64_t"), FIELD(stride, "int64_t"), FIELD(scalar, "uint32_t"),
+    FIELD(components, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_image
+inline constexpr FieldLayout fields_of_hrbfnpr_image[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(format, "uint32_t"), FIELD(width, "int32_t"), FIELD(height, "int32_t"),
+    FIELD(pixels, "void*"), FIELD(row_stride, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_context_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_context_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(abi_version, "uint32_t"), FIELD(thread_count, "int32_t"),
+    FIELD(flags, "uint32_t"), FIELD(thread_backend, "uint32_t"), FIELD(highest_instruction_set, "uint32_t"),
+    FIELD(allocate, "hrbfnpr_allocate_fn"), FIELD(deallocate, "hrbfnpr_deallocate_fn"), FIELD(allocator_user, "void*"),
+    FIELD(log, "hrbfnpr_log_fn"), FIELD(log_user, "void*"), FIELD(log_level, "int32_t"), FIELD(reserved, "uint32_t"),
+    FIELD(run_tasks, "hrbfnpr_run_tasks_fn"), FIELD(run_tasks_user, "void*")};
+#undef RECORD
+
+#define RECORD hrbfnpr_context_info
+inline constexpr FieldLayout fields_of_hrbfnpr_context_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(thread_count, "int32_t"), FIELD(instruction_set, "uint32_t"),
+    FIELD(thread_backend, "uint32_t"), FIELD(bytes_now, "int64_t"), FIELD(bytes_peak, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_fit_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_fit_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kernel, "uint32_t"), FIELD(points, "hrbfnpr_array"),
+    FIELD(normals, "hrbfnpr_array"), FIELD(kernel_radius, "double"), FIELD(polynomial_degree, "int32_t"),
+    FIELD(regularization_mode, "uint32_t"), FIELD(regularization, "double"), FIELD(outliers, "uint32_t"),
+    FIELD(flipped_normals, "uint32_t"), FIELD(tolerance, "double"), FIELD(maximum_centres, "int64_t"),
+    FIELD(solver, "uint32_t"), FIELD(refinement_steps, "int32_t"), FIELD(solver_tolerance, "double"),
+    FIELD(iteration_limit, "int32_t"), FIELD(preconditioner_neighbours, "uint32_t"), FIELD(normal_mode, "uint32_t"),
+    FIELD(trim, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_orient_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_orient_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(mode, "uint32_t"), FIELD(points, "hrbfnpr_array"),
+    FIELD(normals, "hrbfnpr_array"), FIELD(up, "double[3]"), FIELD(viewpoint, "double[3]"),
+    FIELD(has_viewpoint, "uint32_t"), FIELD(reserved, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_orient_info
+inline constexpr FieldLayout fields_of_hrbfnpr_orient_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(found, "uint32_t"), FIELD(turned, "int64_t"), FIELD(made, "int64_t"),
+    FIELD(merged, "int64_t"), FIELD(direction_change, "double"), FIELD(noise, "double"), FIELD(spacing, "double"),
+    FIELD(energy, "double"), FIELD(confidence, "double"), FIELD(closed, "uint32_t"), FIELD(outward_by, "uint32_t"),
+    FIELD(components, "int64_t"), FIELD(seconds, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_custom_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_custom_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(function, "hrbfnpr_implicit_fn"),
+    FIELD(user, "void*"), FIELD(release, "void (*)(void* user)"), FIELD(bounds_min, "double[3]"),
+    FIELD(bounds_max, "double[3]"), FIELD(difference_step, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_model_info
+inline constexpr FieldLayout fields_of_hrbfnpr_model_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kernel, "uint32_t"), FIELD(polynomial_degree, "int32_t"),
+    FIELD(choice_rounds, "int32_t"), FIELD(samples, "int64_t"), FIELD(centres, "int64_t"),
+    FIELD(merged_samples, "int64_t"), FIELD(near_duplicates, "int64_t"), FIELD(rescaled_normals, "int64_t"),
+    FIELD(outliers_found, "int64_t"), FIELD(outliers_dropped, "int64_t"), FIELD(flipped_found, "int64_t"),
+    FIELD(flipped_repaired, "int64_t"), FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"),
+    FIELD(spacing, "double"), FIELD(kernel_radius, "double"), FIELD(regularization, "double"),
+    FIELD(noise_estimate, "double"), FIELD(value_residual_max, "double"), FIELD(value_residual_rms, "double"),
+    FIELD(gradient_residual_max, "double"), FIELD(gradient_residual_rms, "double"), FIELD(input_distance_max, "double"),
+    FIELD(input_distance_rms, "double"), FIELD(input_share_within, "double"), FIELD(solver, "uint32_t"),
+    FIELD(solver_reason, "uint32_t"), FIELD(iterations, "int32_t"), FIELD(fallback, "uint32_t"),
+    FIELD(solver_residual, "double"), FIELD(condition_estimate, "double"), FIELD(seconds_clean, "double"),
+    FIELD(seconds_choose, "double"), FIELD(seconds_assemble, "double"), FIELD(seconds_precondition, "double"),
+    FIELD(seconds_solve, "double"), FIELD(seconds_total, "double"), FIELD(bytes, "int64_t"),
+    FIELD(peak_bytes, "int64_t"), FIELD(normals_found, "uint32_t"), FIELD(normals_inward, "uint32_t"),
+    FIELD(normals_turned, "int64_t"), FIELD(normals_confidence, "double"), FIELD(seconds_orient, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_project_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_project_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(evaluation_limit, "int32_t"), FIELD(tolerance, "double"),
+    FIELD(armijo_slope, "double"), FIELD(armijo_factor, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_projection
+inline constexpr FieldLayout fields_of_hrbfnpr_projection[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(position, "hrbfnpr_array_out"),
+    FIELD(normal, "hrbfnpr_array_out"), FIELD(status, "hrbfnpr_array_out"), FIELD(converged, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_curvature
+inline constexpr FieldLayout fields_of_hrbfnpr_curvature[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(k1, "hrbfnpr_array_out"),
+    FIELD(k2, "hrbfnpr_array_out"), FIELD(d1, "hrbfnpr_array_out"), FIELD(d2, "hrbfnpr_array_out"),
+    FIELD(confidence, "hrbfnpr_array_out")};
+#undef RECORD
+
+#define RECORD hrbfnpr_cast_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_cast_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(maximum_hits, "int32_t"), FIELD(evaluation_limit, "int32_t"),
+    FIELD(reserved, "uint32_t"), FIELD(t_min, "double"), FIELD(t_max, "double"), FIELD(lipschitz, "double"),
+    FIELD(smallest_step, "double"), FIELD(tolerance, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_ray_hits
+inline constexpr FieldLayout fields_of_hrbfnpr_ray_hits[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(count, "hrbfnpr_array_out"),
+    FIELD(t, "hrbfnpr_array_out"), FIELD(position, "hrbfnpr_array_out"), FIELD(normal, "hrbfnpr_array_out"),
+    FIELD(entering, "hrbfnpr_array_out"), FIELD(status, "hrbfnpr_array_out"), FIELD(hit_rays, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_trim_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_trim_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(limit, "double"), FIELD(hole, "double"),
+    FIELD(closest, "double"), FIELD(points, "hrbfnpr_array"), FIELD(normals, "hrbfnpr_array")};
+#undef RECORD
+
+#define RECORD hrbfnpr_trim_info
+inline constexpr FieldLayout fields_of_hrbfnpr_trim_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(is_trimmed, "uint32_t"), FIELD(samples, "int64_t"), FIELD(parts, "int64_t"),
+    FIELD(parts_to_end, "int64_t"), FIELD(share, "double"), FIELD(farthest, "double"), FIELD(spacing, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_layer_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_layer_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(budget, "int64_t"),
+    FIELD(tone_begin, "float"), FIELD(tone_end, "float"), FIELD(second_tone_begin, "float"),
+    FIELD(second_tone_end, "float"), FIELD(flags, "uint32_t"), FIELD(density, "uint32_t"),
+    FIELD(density_strength, "double"), FIELD(density_function, "hrbfnpr_density_fn"), FIELD(density_user, "void*"),
+    FIELD(separation, "double"), FIELD(step, "double"), FIELD(length, "double"),
+    FIELD(direction_function, "hrbfnpr_direction_fn"), FIELD(direction_user, "void*"), FIELD(symmetry, "uint32_t"),
+    FIELD(start, "uint32_t"), FIELD(start_level, "int32_t"), FIELD(levels, "int32_t"), FIELD(angle, "double"),
+    FIELD(smoothing, "double"), FIELD(axis, "double[3]"), FIELD(axis_weight, "double"), FIELD(tone_smoothing, "double"),
+    FIELD(guide, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(guide_direction, "double[3]"),
+    FIELD(guide_weight, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_generate_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_generate_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(distribution, "uint32_t"), FIELD(layers, "const hrbfnpr_layer_desc*"),
+    FIELD(layer_count, "int64_t"), FIELD(layer_stride, "int64_t"), FIELD(shared_budget, "int64_t"),
+    FIELD(tone_ranges, "uint32_t"), FIELD(seed_source, "uint32_t"), FIELD(seed_points, "hrbfnpr_array"),
+    FIELD(box_jitter, "double"), FIELD(box_resolution, "uint32_t"), FIELD(reserved, "uint32_t"),
+    FIELD(initial_step, "double"), FIELD(projection_tolerance, "double"), FIELD(random_seed, "uint64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_layer_arrays
+inline constexpr FieldLayout fields_of_hrbfnpr_layer_arrays[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"),
+    FIELD(position, "hrbfnpr_array"), FIELD(normal, "hrbfnpr_array"), FIELD(stroke_first, "hrbfnpr_array"),
+    FIELD(stroke_direction, "hrbfnpr_array"), FIELD(direction, "hrbfnpr_array"), FIELD(curvature, "hrbfnpr_array"),
+    FIELD(rank, "hrbfnpr_array"), FIELD(level, "hrbfnpr_array"), FIELD(width, "hrbfnpr_array")};
+#undef RECORD
+
+#define RECORD hrbfnpr_point_set_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_point_set_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(base, "const hrbfnpr_point_set*"),
+    FIELD(layers, "const hrbfnpr_layer_arrays*"), FIELD(layer_count, "int64_t"), FIELD(layer_stride, "int64_t"),
+    FIELD(random_seed, "uint64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_point_set_info
+inline constexpr FieldLayout fields_of_hrbfnpr_point_set_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(distribution, "uint32_t"), FIELD(seed_source, "uint32_t"),
+    FIELD(reserved, "uint32_t"), FIELD(layers, "int64_t"), FIELD(marks, "int64_t"), FIELD(origin, "double[3]"),
+    FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"), FIELD(spacing, "double"),
+    FIELD(seconds_seeds, "double"), FIELD(seconds_total, "double"), FIELD(bytes, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_layer_info
+inline constexpr FieldLayout fields_of_hrbfnpr_layer_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "char[64]"), FIELD(marks, "int64_t"),
+    FIELD(strokes, "int64_t"), FIELD(full_count, "int64_t"), FIELD(levels, "int32_t"), FIELD(reserved, "uint32_t"),
+    FIELD(step, "double"), FIELD(seconds, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_placement_info
+inline constexpr FieldLayout fields_of_hrbfnpr_placement_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(attempted, "int64_t"), FIELD(placed, "int64_t"),
+    FIELD(dropped_not_converged, "int64_t"), FIELD(dropped_strayed, "int64_t"), FIELD(dropped_degenerate, "int64_t"),
+    FIELD(dropped_budget, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_line_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_line_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(lower, "double"),
+    FIELD(upper, "double"), FIELD(shortest, "double"), FIELD(plane, "double[3]"), FIELD(levels, "hrbfnpr_array"),
+    FIELD(position, "hrbfnpr_array"), FIELD(line_first, "hrbfnpr_array")};
+#undef RECORD
+
+#define RECORD hrbfnpr_line_set_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_line_set_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(cell_size, "double"),
+    FIELD(seed_points, "hrbfnpr_array"), FIELD(lines, "const hrbfnpr_line_desc*"), FIELD(line_count, "int64_t"),
+    FIELD(line_stride, "int64_t"), FIELD(support, "double"), FIELD(support_points, "hrbfnpr_array"),
+    FIELD(support_normals, "hrbfnpr_array")};
+#undef RECORD
+
+#define RECORD hrbfnpr_line_set_info
+inline constexpr FieldLayout fields_of_hrbfnpr_line_set_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(triangles, "int64_t"), FIELD(turned, "int64_t"),
+    FIELD(missed_seeds, "int64_t"), FIELD(lines, "int64_t"), FIELD(borders, "int64_t"), FIELD(cell_size, "double"),
+    FIELD(seconds, "double"), FIELD(bytes, "int64_t"), FIELD(left_out, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_camera
+inline constexpr FieldLayout fields_of_hrbfnpr_camera[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(depth_convention, "uint32_t"), FIELD(view, "double[16]"),
+    FIELD(projection, "double[16]"), FIELD(viewport, "double[4]")};
+#undef RECORD
+
+#define RECORD hrbfnpr_layer_style
+inline constexpr FieldLayout fields_of_hrbfnpr_layer_style[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(shown, "uint32_t"),
+    FIELD(contours, "uint32_t"), FIELD(directions, "uint32_t"), FIELD(shape, "uint32_t"), FIELD(share, "float"),
+    FIELD(radius, "float"), FIELD(radius_zoom, "float"), FIELD(reserved, "uint32_t"), FIELD(ink, "float[4]"),
+    FIELD(hatch_tone_begin, "float"), FIELD(hatch_tone_end, "float"), FIELD(hatch_coverage_begin, "float"),
+    FIELD(hatch_coverage_end, "float"), FIELD(hatch_spacing, "float"), FIELD(hatch_pen, "float"),
+    FIELD(hatch_white, "float"), FIELD(hatch_taper, "float"), FIELD(hatch_shortest, "float"),
+    FIELD(reserved2, "uint32_t"), FIELD(hatch_wobble, "float"), FIELD(hatch_overshoot, "float"),
+    FIELD(hatch_seed, "uint32_t"), FIELD(reserved3, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_line_style
+inline constexpr FieldLayout fields_of_hrbfnpr_line_style[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(hidden, "uint32_t"),
+    FIELD(cap, "uint32_t"), FIELD(width, "float"), FIELD(taper, "float"), FIELD(hidden_width, "float"),
+    FIELD(hidden_opacity, "float"), FIELD(dash, "float"), FIELD(gap, "float"), FIELD(shortest, "float"),
+    FIELD(fade, "float"), FIELD(lower, "double"), FIELD(upper, "double"), FIELD(levels, "hrbfnpr_array"),
+    FIELD(ink, "float[4]"), FIELD(outline_factor, "float"), FIELD(far_factor, "float"), FIELD(lit_factor, "float"),
+    FIELD(curvature_factor, "float"), FIELD(curvature_radius, "float"), FIELD(wobble, "float"),
+    FIELD(wobble_width, "float"), FIELD(wobble_length, "float"), FIELD(wobble_seed, "uint32_t"),
+    FIELD(reserved, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_style
+inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(tone, "uint32_t"), FIELD(paper, "float[4]"),
+    FIELD(layers, "const hrbfnpr_layer_style*"), FIELD(layer_count, "int64_t"), FIELD(layer_stride, "int64_t"),
+    FIELD(tone_rule, "uint32_t"), FIELD(tone_curve, "uint32_t"), FIELD(light, "double[3]"),
+    FIELD(tone_exponent, "double"), FIELD(tone_function, "hrbfnpr_tone_fn"), FIELD(tone_user, "void*"),
+    FIELD(light_space, "uint32_t"), FIELD(tone_fade, "float"), FIELD(silhouette_law, "uint32_t"),
+    FIELD(silhouette_width, "float"), FIELD(silhouette_threshold, "double"), FIELD(silhouette_radius, "float"),
+    FIELD(silhouette_radius_zoom, "float"), FIELD(silhouette_ink, "float[4]"), FIELD(visibility, "uint32_t"),
+    FIELD(hidden_lines, "uint32_t"), FIELD(attenuation_front, "double"), FIELD(attenuation_back, "double"),
+    FIELD(splat_radius, "float"), FIELD(splat_overlap, "float"), FIELD(halo_width, "float"),
+    FIELD(reserved, "uint32_t"), FIELD(depth_min, "double"), FIELD(depth_max, "double"),
+    FIELD(zoom_reference, "double"), FIELD(zoom_exponent, "double"), FIELD(lines, "const hrbfnpr_line_style*"),
+    FIELD(line_count, "int64_t"), FIELD(line_stride, "int64_t"), FIELD(fill_light, "float"),
+    FIELD(reserved2, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_layer_pose
+inline constexpr FieldLayout fields_of_hrbfnpr_layer_pose[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(layer, "int64_t"),
+    FIELD(position, "hrbfnpr_array"), FIELD(normal, "hrbfnpr_array"), FIELD(direction, "hrbfnpr_array")};
+#undef RECORD
+
+#define RECORD hrbfnpr_item
+inline constexpr FieldLayout fields_of_hrbfnpr_item[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(point_set, "const hrbfnpr_point_set*"),
+    FIELD(style, "const hrbfnpr_style*"), FIELD(model, "const hrbfnpr_model*"), FIELD(transform, "double[16]"),
+    FIELD(poses, "const hrbfnpr_layer_pose*"), FIELD(pose_count, "int64_t"), FIELD(pose_stride, "int64_t"),
+    FIELD(line_set, "const hrbfnpr_line_set*")};
+#undef RECORD
+
+#define RECORD hrbfnpr_drawing_info
+inline constexpr FieldLayout fields_of_hrbfnpr_drawing_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(items, "int64_t"), FIELD(layers, "int64_t"),
+    FIELD(dots, "int64_t"), FIELD(strokes, "int64_t"), FIELD(stroke_points, "int64_t"), FIELD(marks, "int64_t"),
+    FIELD(outside, "int64_t"), FIELD(front, "int64_t"), FIELD(back, "int64_t"), FIELD(silhouette, "int64_t"),
+    FIELD(culled, "int64_t"), FIELD(shown, "int64_t"), FIELD(dropped_tone, "int64_t"), FIELD(dropped_depth, "int64_t"),
+    FIELD(dropped_zoom, "int64_t"), FIELD(dropped_hidden, "int64_t"), FIELD(splats, "int64_t"),
+    FIELD(nanoseconds_classify, "int64_t"), FIELD(nanoseconds_visibility, "int64_t"),
+    FIELD(nanoseconds_sort, "int64_t"), FIELD(bytes, "int64_t"), FIELD(scratch_bytes, "int64_t"),
+    FIELD(line_curves, "int64_t"), FIELD(line_cusps, "int64_t"), FIELD(line_crossings, "int64_t"),
+    FIELD(line_broken, "int64_t"), FIELD(line_settled, "int64_t"), FIELD(line_contradictions, "int64_t"),
+    FIELD(nanoseconds_lines, "int64_t"), FIELD(line_refined, "int64_t"), FIELD(line_tangles, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_drawing_layer_info
+inline constexpr FieldLayout fields_of_hrbfnpr_drawing_layer_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(mark_class, "uint32_t"), FIELD(item, "int64_t"), FIELD(layer, "int64_t"),
+    FIELD(kind, "uint32_t"), FIELD(shape, "uint32_t"), FIELD(name, "char[64]"), FIELD(ink, "float[4]"),
+    FIELD(dots, "int64_t"), FIELD(strokes, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_raster_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_raster_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(host_depth, "hrbfnpr_array"),
+    FIELD(depth, "hrbfnpr_array_out"), FIELD(id, "hrbfnpr_array_out"), FIELD(mark_class, "hrbfnpr_array_out")};
+#undef RECORD
+
+#define RECORD hrbfnpr_vertex_attribute
+inline constexpr FieldLayout fields_of_hrbfnpr_vertex_attribute[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(attribute, "uint32_t"), FIELD(scalar, "uint32_t"), FIELD(offset, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_vertex_layout
+inline constexpr FieldLayout fields_of_hrbfnpr_vertex_layout[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(primitive, "uint32_t"), FIELD(attributes, "const hrbfnpr_vertex_attribute*"),
+    FIELD(attribute_count, "int64_t"), FIELD(attribute_stride, "int64_t"), FIELD(stride, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_mark_results
+inline constexpr FieldLayout fields_of_hrbfnpr_mark_results[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(shown, "hrbfnpr_array_out"),
+    FIELD(radius, "hrbfnpr_array_out"), FIELD(opacity, "hrbfnpr_array_out")};
+#undef RECORD
+
+#define RECORD hrbfnpr_mark_identity
+inline constexpr FieldLayout fields_of_hrbfnpr_mark_identity[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(id, "uint32_t"), FIELD(item, "int64_t"), FIELD(layer, "int64_t"),
+    FIELD(mark, "int64_t"), FIELD(stroke, "int64_t"), FIELD(place, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_mesh_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_mesh_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(parts, "uint32_t"), FIELD(vertices, "hrbfnpr_array"),
+    FIELD(triangles, "hrbfnpr_array"), FIELD(crease_angle, "double"), FIELD(faces, "uint32_t"),
+    FIELD(reserved, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_mesh_info
+inline constexpr FieldLayout fields_of_hrbfnpr_mesh_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(closed, "uint32_t"), FIELD(given_vertices, "int64_t"),
+    FIELD(given_faces, "int64_t"), FIELD(vertices, "int64_t"), FIELD(faces, "int64_t"),
+    FIELD(welded_vertices, "int64_t"), FIELD(degenerate_faces, "int64_t"), FIELD(repeated_faces, "int64_t"),
+    FIELD(turned_faces, "int64_t"), FIELD(components, "int64_t"), FIELD(turned_components, "int64_t"),
+    FIELD(nested_components, "int64_t"), FIELD(left_out_components, "int64_t"), FIELD(left_out_faces, "int64_t"),
+    FIELD(boundary_edges, "int64_t"), FIELD(boundary_loops, "int64_t"), FIELD(nonmanifold_edges, "int64_t"),
+    FIELD(contrary_edges, "int64_t"), FIELD(euler_characteristic, "int64_t"), FIELD(genus, "int64_t"),
+    FIELD(area, "double"), FIELD(volume, "double"), FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"),
+    FIELD(seconds, "double"), FIELD(bytes, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_sample_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_sample_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(candidates, "int64_t"),
+    FIELD(random_seed, "uint64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_compare_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_compare_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(tolerance, "double"), FIELD(far, "double"),
+    FIELD(support, "double"), FIELD(points, "int64_t"), FIELD(cell_size, "double"), FIELD(random_seed, "uint64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_comparison
+inline constexpr FieldLayout fields_of_hrbfnpr_comparison[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(surface_points, "int64_t"),
+    FIELD(surface_mean, "double"), FIELD(surface_p99, "double"), FIELD(surface_max, "double"),
+    FIELD(surface_share, "double"), FIELD(invented_share, "double"), FIELD(left_out_share, "double"),
+    FIELD(mesh_points, "int64_t"), FIELD(mesh_mean, "double"), FIELD(mesh_p99, "double"), FIELD(mesh_max, "double"),
+    FIELD(mesh_share, "double"), FIELD(missed_share, "double"), FIELD(normal_mean, "double"),
+    FIELD(normal_p99, "double"), FIELD(components, "int64_t"), FIELD(genus, "int64_t"), FIELD(tolerance, "double"),
+    FIELD(diagonal, "double"), FIELD(seconds, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_mesh_fit_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_mesh_fit_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(tolerance, "double"), FIELD(share, "double"),
+    FIELD(far, "double"), FIELD(maximum_centres, "int64_t"), FIELD(candidates, "int64_t"),
+    FIELD(random_seed, "uint64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_mesh_fit_info
+inline constexpr FieldLayout fields_of_hrbfnpr_mesh_fit_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reached, "uint32_t"), FIELD(tolerance, "double"), FIELD(far, "double"),
+    FIELD(candidates, "int64_t"), FIELD(centres, "int64_t"), FIELD(off_surface_centres, "int64_t"),
+    FIELD(rounds, "int32_t"), FIELD(supported, "uint32_t"), FIELD(surface_share, "double"),
+    FIELD(surface_p99, "double"), FIELD(surface_max, "double"), FIELD(mesh_share, "double"), FIELD(mesh_p99, "double"),
+    FIELD(mesh_max, "double"), FIELD(seconds_sample, "double"), FIELD(seconds_fit, "double"),
+    FIELD(seconds_measure, "double"), FIELD(seconds_total, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_page_item
+inline constexpr FieldLayout fields_of_hrbfnpr_page_item[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(drawing, "const hrbfnpr_drawing*"),
+    FIELD(x, "double"), FIELD(y, "double"), FIELD(scale, "double"), FIELD(name, "const char*")};
+#undef RECORD
+
+#define RECORD hrbfnpr_pen
+inline constexpr FieldLayout fields_of_hrbfnpr_pen[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(line_type, "uint32_t"), FIELD(groups, "const char*"), FIELD(width, "double"),
+    FIELD(ink, "float[4]"), FIELD(number, "uint32_t"), FIELD(reserved, "uint32_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_annotation
+inline constexpr FieldLayout fields_of_hrbfnpr_annotation[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(line_type, "uint32_t"), FIELD(group, "const char*"),
+    FIELD(text, "const char*"), FIELD(points, "hrbfnpr_array"), FIELD(width, "double"), FIELD(ink, "float[4]")};
+#undef RECORD
+
+#define RECORD hrbfnpr_page_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_page_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(format, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(widths, "uint32_t"),
+    FIELD(dots, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(width, "double"), FIELD(height, "double"),
+    FIELD(tolerance, "double"), FIELD(width_step, "double"), FIELD(join, "double"), FIELD(shortest, "double"),
+    FIELD(dot_distance, "double"), FIELD(draw_speed, "double"), FIELD(travel_speed, "double"),
+    FIELD(pen_seconds, "double"), FIELD(pen_down, "const char*"), FIELD(pen_up, "const char*"),
+    FIELD(title, "const char*"), FIELD(description, "const char*"), FIELD(metadata, "const char*"),
+    FIELD(items, "const hrbfnpr_page_item*"), FIELD(item_count, "int64_t"), FIELD(item_stride, "int64_t"),
+    FIELD(pens, "const hrbfnpr_pen*"), FIELD(pen_count, "int64_t"), FIELD(pen_stride, "int64_t"),
+    FIELD(annotations, "const hrbfnpr_annotation*"), FIELD(annotation_count, "int64_t"),
+    FIELD(annotation_stride, "int64_t")};
+#undef RECORD
+
+#define RECORD hrbfnpr_page_info
+inline constexpr FieldLayout fields_of_hrbfnpr_page_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(bytes, "int64_t"), FIELD(groups, "int64_t"),
+    FIELD(paths, "int64_t"), FIELD(segments, "int64_t"), FIELD(dots, "int64_t"), FIELD(joined, "int64_t"),
+    FIELD(dropped_paths, "int64_t"), FIELD(dropped_dots, "int64_t"), FIELD(width, "double"), FIELD(height, "double"),
+    FIELD(drawn, "double"), FIELD(travelled, "double"), FIELD(seconds, "double"), FIELD(filled_paths, "int64_t")};
+#undef RECORD
+
+#undef FIELD
+
+// X(name) of all structs, in the header's order.
+#define HRBFNPR_STRUCTS(X) \
+    X(hrbfnpr_error) X(hrbfnpr_array) X(hrbfnpr_array_out) X(hrbfnpr_image) X(hrbfnpr_context_desc) \
+    X(hrbfnpr_context_info) X(hrbfnpr_fit_desc) X(hrbfnpr_orient_desc) X(hrbfnpr_orient_info) X(hrbfnpr_custom_desc) \
+    X(hrbfnpr_model_info) X(hrbfnpr_project_desc) X(hrbfnpr_projection) X(hrbfnpr_curvature) X(hrbfnpr_cast_desc) \
+    X(hrbfnpr_ray_hits) X(hrbfnpr_trim_desc) X(hrbfnpr_trim_info) X(hrbfnpr_layer_desc) X(hrbfnpr_generate_desc) \
+    X(hrbfnpr_layer_arrays) X(hrbfnpr_point_set_desc) X(hrbfnpr_point_set_info) X(hrbfnpr_layer_info) \
+    X(hrbfnpr_placement_info) X(hrbfnpr_line_desc) X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) \
+    X(hrbfnpr_layer_style) X(hrbfnpr_line_style) X(hrbfnpr_style) X(hrbfnpr_layer_pose) X(hrbfnpr_item) \
+    X(hrbfnpr_drawing_info) X(hrbfnpr_drawing_layer_info) X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) \
+    X(hrbfnpr_vertex_layout) X(hrbfnpr_mark_results) X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) \
+    X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) X(hrbfnpr_compare_desc) X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) \
+    X(hrbfnpr_mesh_fit_info) X(hrbfnpr_page_item) X(hrbfnpr_pen) X(hrbfnpr_annotation) X(hrbfnpr_page_desc) \
+    X(hrbfnpr_page_info)
+
+} // namespace hrbfnpr::api

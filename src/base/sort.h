@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Sorting of so many elements that it takes long: a cancel is seen meanwhile.
+#pragma once
+
+#include "base/operation.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace hrbfnpr::base {
+
+// As std::sort.  No two elements may be equal, so that there is one order only, the same with any standard library.
+template <class T, class Less>
+void sort_long(T* begin, T* end, const Less& less, const Progress& progress = {}) {
+    constexpr std::ptrdiff_t at_once = 65536;
+    while (end - begin > at_once) {
+        progress.check();
+        T* const middle = begin + (end - begin) / 2;
+        std::nth_element(begin, middle, end, less);
+        sort_long(begin, middle, less, progress);
+        begin = middle;
+    }
+    progress.check();
+    std::sort(begin, end, less);
+}
+
+} // namespace hrbfnpr::base

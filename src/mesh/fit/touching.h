@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Parts of a mesh that a fit may join, as it knows distances and no topology.
+#pragma once
+
+#include "mesh/face_tree.h"
+#include "mesh/sample.h"
+
+namespace hrbfnpr::mesh {
+
+struct Touching {
+    std::int32_t one = -1, other = -1; // components, numbered from 0; -1: none
+    glm::dvec3 place{0.0};
+};
+
+// The first of some places on the mesh from which another component is no farther than `near` along the normal or
+// against it.
+[[nodiscard]] Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                     const MeshSamples& places, double near, const base::Progress& progress);
+
+} // namespace hrbfnpr::mesh
