@@ -53,9 +53,23 @@ def may_grow(key: str) -> bool:
     return key.startswith("sizeof ") or (key.startswith("constant ") and key.endswith("_COUNT"))
 
 
+def got_a_name(key: str, old: Dict[str, str], new: Dict[str, str]) -> bool:
+    """Whether the key is of a reserved field, in whose place there is now one of the same type."""
+    record, _, field = key.partition(".")
+    if not field.startswith("reserved"):
+        return False
+    name = record.split(" ", 1)[1]
+    place = old[f"offsetof {name}.{field}"]
+    kind = old[f"type {name}.{field}"].split(" ")[0]
+    return any(fact.startswith(f"offsetof {name}.") and where == place and
+               new[fact.replace("offsetof", "type", 1)].split(" ")[0] == kind for fact, where in new.items())
+
+
 def compare(old: Dict[str, str], new: Dict[str, str]) -> List[str]:
     faults = []
     for key, value in old.items():
+        if key not in new and got_a_name(key, old, new):
+            continue
         if key not in new:
             faults.append(f"gone: {key}")
         elif new[key] != value and not (may_grow(key) and int(new[key]) > int(value)):

@@ -41,7 +41,7 @@ TEST(BadInput, Generate) {
         {[](Desc& d) { d.shared_budget = -1; }, "generate_desc.shared_budget is -1"},
         {[](Desc& d) { d.tone_ranges = 2; }, "generate_desc.tone_ranges is 2"},
         {[](Desc& d) { d.reserved = 1; }, "generate_desc.reserved is 1"},
-        {[](Desc& d) { d.layer_stride = -8; }, "the stride of generate_desc.layers is -8"},
+        {[](Desc& d) { d.layer_stride = -8; }, "generate_desc.layer_stride is -8"},
         {[](Desc& d) { d.layer[1].struct_size = 3; }, "generate_desc.layers[1].struct_size is 3"},
         {[](Desc& d) { d.layer[0].kind = HRBFNPR_LAYER_KIND_ANY; }, "generate_desc.layers[0].kind is 0"},
         {[](Desc& d) { d.layer[2].kind = HRBFNPR_LAYER_KIND_OWN; }, "generate_desc.layers[2].kind is 5"},
@@ -117,7 +117,7 @@ TEST(BadInput, Generate) {
     desc.get();
     desc.layer_count = -1;
     EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error), invalid,
-                 "the number of generate_desc.layers is -1");
+                 "generate_desc.layer_count is -1");
     desc.layer_count = 3;
     desc.layers = nullptr;
     EXPECT_FAILS(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &set, error), invalid,
@@ -181,7 +181,7 @@ TEST_F(BadFrame, Style) {
         {[](Style& s) { s.tone_exponent = 0; }, "items[0].style.tone_exponent is 0"},
         {[](Style& s) { s.reserved = 1; }, "items[0].style.reserved is 1"},
         {[](Style& s) { s.layer_count = 1; }, "items[0].style.layers is NULL"},
-        {[](Style& s) { s.layer_count = -1; }, "the number of items[0].style.layers is -1"},
+        {[](Style& s) { s.layer_count = -1; }, "items[0].style.layer_count is -1"},
         {[](Style& s) { s.depth_min = 1; }, "items[0].style.depth_min is 1 and depth_max is 0"},
         {[](Style& s) { s.depth_max = 1; }, "it must be 0 < depth_min < depth_max"},
         {[](Style& s) { s.depth_max = nan; }, "items[0].style.depth_max is nan"},
@@ -231,7 +231,7 @@ TEST_F(BadFrame, LayerStyle) {
     layers[1].struct_size = 2;
     EXPECT_FAILS(draw(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "items[0].style.layers[1].struct_size is 2");
     style.layer_stride = 4;
-    EXPECT_FAILS(draw(), invalid, "the stride of items[0].style.layers is 4");
+    EXPECT_FAILS(draw(), invalid, "items[0].style.layer_stride is 4");
 }
 
 TEST_F(BadFrame, Poses) {
@@ -277,7 +277,7 @@ TEST_F(BadFrame, Poses) {
     item.pose_count = 2;
     EXPECT_FAILS(draw(), invalid, "items[0].poses[1].layer is 1, which");
     item.pose_count = -1;
-    EXPECT_FAILS(draw(), invalid, "the number of items[0].poses is -1");
+    EXPECT_FAILS(draw(), invalid, "items[0].pose_count is -1");
     item.pose_count = 1;
     item.model = model.get();
     EXPECT_FAILS(draw(), invalid, "items[0].model is given, and so are poses");
@@ -288,11 +288,11 @@ TEST_F(BadFrame, Poses) {
 
 TEST_F(BadFrame, ItemsAndCamera) {
     EXPECT_FAILS(call(nullptr, 1, 0), invalid, "items is NULL");
-    EXPECT_FAILS(call(&item, -1, 0), invalid, "the number of items is -1");
+    EXPECT_FAILS(call(&item, -1, 0), invalid, "item_count is -1");
     EXPECT_FAILS(call(&item, std::numeric_limits<std::int64_t>::max(), 0), invalid,
-                 "the number of items is 9223372036854775807");
-    EXPECT_FAILS(call(&item, 1, -8), invalid, "the stride of items is -8");
-    EXPECT_FAILS(call(&item, 1, 4), invalid, "the stride of items is 4");
+                 "item_count is 9223372036854775807");
+    EXPECT_FAILS(call(&item, 1, -8), invalid, "item_stride is -8");
+    EXPECT_FAILS(call(&item, 1, 4), invalid, "item_stride is 4");
     const hrbfnpr_item good = item;
     item.point_set = nullptr;
     EXPECT_FAILS(draw(), invalid, "items[0].point_set is NULL");
@@ -389,11 +389,11 @@ TEST_F(BadFrame, VertexLayout) {
     good.add(HRBFNPR_VERTEX_ATTRIBUTE_ID, HRBFNPR_SCALAR_UINT32, 12);
     const std::vector<Row<Layout>> rows = {
         {[](Layout& l) { l.attribute.clear(); }, "layout.attributes is empty"},
-        {[](Layout& l) { l.attribute.resize(65, l.attribute[0]); }, "the number of layout.attributes is 65"},
-        {[](Layout& l) { l.attribute_stride = -24; }, "the stride of layout.attributes is -24"},
+        {[](Layout& l) { l.attribute.resize(65, l.attribute[0]); }, "layout.attribute_count is 65"},
+        {[](Layout& l) { l.attribute_stride = -24; }, "layout.attribute_stride is -24"},
         {[](Layout& l) { l.primitive = 0; }, "layout.primitive is 0; it must be one of HRBFNPR_PRIMITIVE_"},
         {[](Layout& l) { l.primitive = 4; }, "layout.primitive is 4"},
-        {[](Layout& l) { l.stride = 15; }, "layout.stride is 15; the attributes end at 16"},
+        {[](Layout& l) { l.stride = 15; }, "layout.stride is 15; by their offset and size the attributes end at 16"},
         {[](Layout& l) { l.stride = -16; }, "layout.stride is -16"},
         {[](Layout& l) { l.stride = std::numeric_limits<std::int64_t>::max(); }, "are beyond the address space"},
         {[](Layout& l) { l.attribute[1].attribute = 14; }, "layout.attributes[1].attribute is 14"},
@@ -404,7 +404,7 @@ TEST_F(BadFrame, VertexLayout) {
              l.stride = 16;
              l.attribute[0].offset = 0xFFFFFFFFU;
          },
-         "layout.stride is 16; the attributes end at 4294967307"}};
+         "layout.stride is 16; by their offset and size the attributes end at 4294967307"}};
     std::vector<std::uint8_t> room(1 << 20);
     std::int64_t count = -7;
     const auto write = [&](const hrbfnpr_vertex_layout* layout, void* vertices, std::int64_t capacity,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // References, leaks, sharing between threads, and life after a fork.
-#include "fixture.h"
+#include "trimmed.h"
 
 #include <algorithm>
 #include <array>
@@ -214,15 +214,26 @@ TEST(Log, TellsOfRepairs) {
     desc.log_user = &messages;
     const Context context = make_context(desc);
     scenes::Samples samples = scenes::sphere_6();
-    fit(context, samples);
+    fit_whole(context, samples);
     ASSERT_EQ(messages.text.size(), 1U);
     EXPECT_EQ(messages.text[0].find("fit: 6 samples in "), 0U);
     EXPECT_EQ(messages.highest, HRBFNPR_LOG_INFO);
     for (double& component : samples.normals) component *= 2.0;
-    fit(context, samples);
+    fit_whole(context, samples);
     ASSERT_EQ(messages.text.size(), 3U);
     EXPECT_NE(messages.text[2].find("6 normals were not of unit length"), std::string::npos);
     EXPECT_EQ(messages.highest, HRBFNPR_LOG_WARNING);
+}
+
+TEST(Log, SaysThatASurfaceIsLeftWhole) {
+    Messages messages;
+    auto desc = made(hrbfnpr_context_desc_init);
+    desc.log = Messages::call;
+    desc.log_user = &messages;
+    fit(make_context(desc), scenes::sphere_6());
+    ASSERT_EQ(messages.text.size(), 2U);
+    EXPECT_EQ(messages.text[1], "trim: the surface is left whole: there are too few samples to tell where it ends");
+    EXPECT_EQ(messages.highest, HRBFNPR_LOG_INFO);
 }
 
 TEST(Log, KeepsBelowItsLevelToItself) {
@@ -236,7 +247,7 @@ TEST(Log, KeepsBelowItsLevelToItself) {
         desc.log = Messages::call;
         desc.log_user = &messages;
         desc.log_level = level;
-        fit(make_context(desc), samples);
+        fit_whole(make_context(desc), samples);
         EXPECT_EQ(messages.text.size(), wanted[level]) << level;
         EXPECT_EQ(messages.highest, HRBFNPR_LOG_WARNING);
     }

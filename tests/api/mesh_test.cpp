@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace api_test {
 namespace {
@@ -216,6 +217,63 @@ TEST(FitMesh, ReachesItsToleranceAndIsMeasured) {
     std::int64_t size = 0;
     EXPECT_EQ(hrbfnpr_model_save_memory(model.get(), nullptr, 0, &size, error), HRBFNPR_STATUS_BUFFER_TOO_SMALL);
     EXPECT_GT(size, 48 * info.centres);
+}
+
+// Half of a torus: the surface ends with it, unless it shall not.
+TEST(FitMesh, EndsWithAnOpenMesh) {
+    const Context context = make_context();
+    const Mesh mesh = mesh_of(context, torus(100, 40, 0.4).where([](double x, double, double) { return x > 0.0; }));
+    Error error;
+    for (const std::uint32_t trim : {HRBFNPR_TRIM_AUTO, HRBFNPR_TRIM_NEVER}) {
+        auto desc = made(hrbfnpr_mesh_fit_desc_init);
+        desc.tolerance = 0.02;
+        auto fit = made(hrbfnpr_fit_desc_init);
+        fit.trim = trim;
+        hrbfnpr_model* raw = nullptr;
+        ASSERT_OK(hrbfnpr_model_fit_mesh(mesh.get(), &desc, &fit, nullptr, nullptr, &raw, error));
+        const Model model(raw);
+        const PointSet set = generate(context, model, hrbfnpr::test::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 4000));
+        hrbfnpr_array view{};
+        ASSERT_OK(hrbfnpr_point_set_view(set.get(), 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &view, error));
+        auto info = made(hrbfnpr_point_set_info_init);
+        ASSERT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
+        double least = 1.0;
+        for (std::int64_t i = 0; i < view.count; ++i)
+            least = std::min(least, info.origin[0] + double{static_cast<const float*>(view.data)[3 * i]});
+        if (trim == HRBFNPR_TRIM_AUTO) {
+            EXPECT_GT(least, -0.05); // 0.009 of 3.9 diagonals, and some
+            EXPECT_LT(least, 0.05);
+        } else {
+            EXPECT_LT(least, -0.1);
+        }
+    }
+}
+
+// Two tori side by side, by what is between them.
+TEST(FitMesh, WarnsOfPartsThatItMayJoin) {
+    for (const double gap : {0.005, 0.2}) {
+        std::vector<std::string> messages;
+        auto desc = made(hrbfnpr_context_desc_init);
+        desc.log_level = HRBFNPR_LOG_WARNING;
+        desc.log_user = &messages;
+        desc.log = [](void* user, std::int32_t, const char* message) {
+            static_cast<std::vector<std::string>*>(user)->emplace_back(message);
+        };
+        Error error;
+        hrbfnpr_context* raw_context = nullptr;
+        ASSERT_OK(hrbfnpr_context_create(&desc, &raw_context, error));
+        const Context context(raw_context);
+        const auto one = torus(60, 24, 0.4);
+        const Mesh mesh = mesh_of(context, one.with(one.moved(1.0, 0.0, 0.0, 0.8 + gap)));
+        auto fit = made(hrbfnpr_mesh_fit_desc_init);
+        fit.tolerance = 0.02;
+        hrbfnpr_model* raw = nullptr;
+        ASSERT_OK(hrbfnpr_model_fit_mesh(mesh.get(), &fit, nullptr, nullptr, nullptr, &raw, error));
+        const Model model(raw);
+        const bool warned = !messages.empty() && messages[0].find("mesh fit: parts ") == 0 &&
+                            messages[0].find("nearer to each other than the tolerance") != std::string::npos;
+        EXPECT_EQ(warned, gap < fit.tolerance) << gap;
+    }
 }
 
 TEST(FitMesh, TakesTheOptionsOfAFit) {

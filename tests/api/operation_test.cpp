@@ -127,40 +127,6 @@ TEST(Operation, ProgressRisesToOneInEveryCall) {
     }
 }
 
-// Every one of the first and last of `count` moments, and some between.
-std::vector<std::size_t> moments(std::size_t count) {
-    std::vector<std::size_t> some;
-    for (std::size_t n = 1; n <= count; ++n)
-        if (n <= 3 || n + 2 > count || n % (1 + count / 8) == 0) some.push_back(n);
-    return some;
-}
-
-// Cancels at the n-th call of the callback.
-TEST(Operation, CanBeCancelledAtEveryStage) {
-    Calls calls(1);
-    for (const auto& [name, call] : calls.all()) {
-        Watcher counted;
-        {
-            Error error;
-            const Operation operation = make_operation(calls.context);
-            hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &counted, nullptr);
-            ASSERT_OK(call(operation.get(), error));
-        }
-        const std::int64_t before = info_of(calls.context).bytes_now;
-        for (const std::size_t n : moments(counted.values.size())) {
-            Error error;
-            const Operation operation = make_operation(calls.context);
-            Watcher watcher;
-            watcher.cancel_at_call = n;
-            hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &watcher, nullptr);
-            EXPECT_FAILS(call(operation.get(), error), HRBFNPR_STATUS_CANCELLED, "cancelled");
-            EXPECT_EQ(watcher.values.size(), n) << name; // nothing more is heard of it
-            EXPECT_EQ(hrbfnpr_operation_is_cancelled(operation.get()), 1);
-        }
-        EXPECT_EQ(info_of(calls.context).bytes_now, before) << name;
-    }
-}
-
 TEST(Operation, CanBeCancelledFromAnotherThread) {
     Calls calls(2);
     for (const auto& [name, call] : calls.all()) {

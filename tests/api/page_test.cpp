@@ -146,7 +146,7 @@ TEST_F(PageTest, RefusesWhatIsWrong) {
     with(&hrbfnpr_page_desc::draw_speed, 0.0, "page_desc.draw_speed");
     with(&hrbfnpr_page_desc::title, "\xFF", "page_desc.title is not UTF-8");
     with(&hrbfnpr_page_desc::item_count, std::int64_t{0}, "page_desc has no items and no annotations");
-    with(&hrbfnpr_page_desc::item_count, std::int64_t{-1}, "page_desc.items");
+    with(&hrbfnpr_page_desc::item_count, std::int64_t{-1}, "page_desc.item_count");
     const auto put = [&](auto member, auto value, const char* part) {
         const hrbfnpr_page_item before = item;
         item.*member = value;

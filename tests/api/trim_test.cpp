@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Surfaces that end where their samples do: what is left out, what stays, and every bad argument by name.
-#include "fixture.h"
+#include "trimmed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,30 +12,6 @@ namespace {
 
 constexpr auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int whole = 1000;
-const double sphere_spacing = std::sqrt(4.0 * 3.141592653589793 / whole);
-
-// Of the unit sphere's even ones those with low < z < high, and where x + z > 0.
-scenes::Samples zone(double low, double high, bool tilted = false) {
-    scenes::Samples samples;
-    for (int i = 0; i < whole; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / whole;
-        const double turn = 2.399963229728653 * i;
-        const double r = std::sqrt(1.0 - z * z);
-        if (!(z > low && z < high) || (tilted && !(r * std::cos(turn) + z > 0.0))) continue;
-        samples.add({r * std::cos(turn), r * std::sin(turn), z}, {r * std::cos(turn), r * std::sin(turn), z});
-    }
-    return samples;
-}
-
-// A square of the plane z = 0, a hundred samples.
-scenes::Samples square() {
-    scenes::Samples samples;
-    for (int row = 0; row < 10; ++row)
-        for (int column = 0; column < 10; ++column) samples.add({0.1 * column, 0.1 * row, 0.0}, {0.0, 0.0, 1.0});
-    return samples;
-}
-
 Model trimmed(const Model& model, const hrbfnpr_trim_desc* desc = nullptr) {
     Error error;
     hrbfnpr_model* made = nullptr;
@@ -43,37 +19,9 @@ Model trimmed(const Model& model, const hrbfnpr_trim_desc* desc = nullptr) {
     return Model(made);
 }
 
-hrbfnpr_trim_info info_of(const Model& model) {
-    Error error;
-    auto info = made(hrbfnpr_trim_info_init);
-    EXPECT_OK(hrbfnpr_model_get_trim_info(model.get(), &info, error));
-    return info;
-}
-
-std::vector<float> stipples_of(const Context& context, const Model& model, std::int64_t budget = 4000) {
-    Error error;
-    const PointSet set = generate(context, model, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, budget));
-    hrbfnpr_array view{};
-    EXPECT_OK(hrbfnpr_point_set_view(set.get(), 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &view, error));
-    auto info = made(hrbfnpr_point_set_info_init);
-    EXPECT_OK(hrbfnpr_point_set_get_info(set.get(), &info, error));
-    std::vector<float> positions(3 * static_cast<std::size_t>(view.count));
-    const auto* const from = static_cast<const float*>(view.data);
-    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = from[i] + static_cast<float>(info.origin[i % 3]);
-    return positions;
-}
-
-// Along (1, 0, 1).
-float lowest(const std::vector<float>& positions) {
-    float least = std::numeric_limits<float>::infinity();
-    for (std::size_t i = 0; i < positions.size(); i += 3)
-        least = std::min(least, std::sqrt(0.5F) * (positions[i] + positions[i + 2]));
-    return least;
-}
-
 TEST(Trim, LeavesOutWhatIsBeyondTheSamplesOfAnOpenScan) {
     const Context context = make_context();
-    const Model open = fit(context, zone(-1.0, 1.0, true));
+    const Model open = fit_whole(context, zone(-1.0, 1.0, true));
     const Model model = trimmed(open);
     const hrbfnpr_trim_info info = info_of(model);
     EXPECT_EQ(info.is_trimmed, 1U);
@@ -90,7 +38,7 @@ TEST(Trim, LeavesOutWhatIsBeyondTheSamplesOfAnOpenScan) {
 
 TEST(Trim, LeavesAFlatSquareOfASquare) {
     const Context context = make_context();
-    const Model model = trimmed(fit(context, square()));
+    const Model model = trimmed(fit_whole(context, square()));
     EXPECT_GE(info_of(model).parts_to_end, 1);
     const std::vector<float> stipples = stipples_of(context, model);
     for (std::size_t i = 0; i < stipples.size(); ++i) {
@@ -103,7 +51,7 @@ TEST(Trim, LeavesAFlatSquareOfASquare) {
 
 TEST(Trim, LeavesClosedSurfacesAsTheyAre) {
     const Context context = make_context();
-    const Model closed = fit(context, scenes::trefoil(600));
+    const Model closed = fit_whole(context, scenes::trefoil(600));
     const Model model = trimmed(closed);
     const hrbfnpr_trim_info info = info_of(model);
     EXPECT_EQ(info.is_trimmed, 0U);
@@ -117,7 +65,7 @@ TEST(Trim, LeavesClosedSurfacesAsTheyAre) {
 // Where samples are wanting in the middle, by the size of the hole.
 TEST(Trim, KeepsSmallHolesClosed) {
     const Context context = make_context();
-    const Model model = fit(context, zone(-1.0, 0.9)); // 0.45 from its rim to the middle
+    const Model model = fit_whole(context, zone(-1.0, 0.9)); // 0.45 from its rim to the middle
     auto desc = made(hrbfnpr_trim_desc_init);
     desc.hole = 0.2; // of 3.5
     EXPECT_EQ(info_of(trimmed(model, &desc)).is_trimmed, 0U);
@@ -131,7 +79,7 @@ TEST(Trim, KeepsSmallHolesClosed) {
 // The hole of 0.45 is none where spacings count as 0.2 diagonals.
 TEST(Trim, TakesNoSpacingToBeLessThanClosest) {
     const Context context = make_context();
-    const Model model = fit(context, zone(-1.0, 0.9));
+    const Model model = fit_whole(context, zone(-1.0, 0.9));
     auto desc = made(hrbfnpr_trim_desc_init);
     desc.closest = 0.01; // of 3.5: less than the samples' own spacing of 0.11
     const hrbfnpr_trim_info own = info_of(trimmed(model, &desc));
@@ -189,7 +137,7 @@ TEST(Trim, LeavesOutSheetsThatNoSampleIsNearTo) {
 TEST(Trim, EndsRaysAndLines) {
     Error error;
     const Context context = make_context();
-    const Model model = trimmed(fit(context, zone(0.0, 1.0)));
+    const Model model = trimmed(fit_whole(context, zone(0.0, 1.0)));
     // Down through the cap and its open side, and across below it.
     const std::vector<double> origin{0.1, 0.2, 3.0, 3.0, 0.0, -0.2};
     const std::vector<double> direction{0.0, 0.0, -1.0, -1.0, 0.0, 0.0};
@@ -218,16 +166,16 @@ TEST(Trim, EndsRaysAndLines) {
 TEST(Trim, IsTheSameForAnyNumberOfThreads) {
     const std::vector<float> one = [] {
         const Context context = make_context(1);
-        return stipples_of(context, trimmed(fit(context, zone(0.0, 1.0))));
+        return stipples_of(context, trimmed(fit_whole(context, zone(0.0, 1.0))));
     }();
     const Context context = make_context(3);
-    EXPECT_EQ(stipples_of(context, trimmed(fit(context, zone(0.0, 1.0)))), one);
+    EXPECT_EQ(stipples_of(context, trimmed(fit_whole(context, zone(0.0, 1.0)))), one);
 }
 
 TEST(Trim, KeepsTheModelThatItIsOf) {
     Error error;
     const Context context = make_context();
-    Model open = fit(context, zone(0.0, 1.0));
+    Model open = fit_whole(context, zone(0.0, 1.0));
     Model once = trimmed(open);
     open.reset();
     const Model again = trimmed(once);
@@ -241,7 +189,7 @@ TEST(Trim, KeepsTheModelThatItIsOf) {
 TEST(Trim, IsSavedWithTheModel) {
     Error error;
     const Context context = make_context();
-    const Model model = trimmed(fit(context, zone(0.0, 1.0)));
+    const Model model = trimmed(fit_whole(context, zone(0.0, 1.0)));
     std::int64_t size = 0;
     ASSERT_EQ(hrbfnpr_model_save_memory(model.get(), nullptr, 0, &size, error), HRBFNPR_STATUS_BUFFER_TOO_SMALL);
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
@@ -260,7 +208,7 @@ TEST(Trim, IsSavedWithTheModel) {
 TEST(Trim, RefusesWhatIsNoEnd) {
     Error error;
     const Context context = make_context();
-    const Model model = fit(context, zone(0.0, 1.0));
+    const Model model = fit_whole(context, zone(0.0, 1.0));
     const std::vector<double> two{0, 0, 1, 0, 0, nan};
     const std::vector<double> one{0, 0, 1};
     const std::vector<double> none{0, 0, 0};
@@ -303,7 +251,7 @@ TEST(Trim, SaysThatOneSampleHasNoEnd) {
     scenes::Samples samples;
     samples.points = {1.0, 2.0, 3.0};
     samples.normals = {0.0, 0.0, 1.0};
-    const Model model = fit(context, samples);
+    const Model model = fit_whole(context, samples);
     hrbfnpr_model* got = nullptr;
     EXPECT_FAILS(hrbfnpr_model_trim(model.get(), nullptr, nullptr, &got, error), HRBFNPR_STATUS_NOT_CONVERGED,
                  "no part of the surface is near its samples");
@@ -312,7 +260,7 @@ TEST(Trim, SaysThatOneSampleHasNoEnd) {
 TEST(Trim, CanBeCancelled) {
     Error error;
     const Context context = make_context();
-    const Model model = fit(context, zone(0.0, 1.0));
+    const Model model = fit_whole(context, zone(0.0, 1.0));
     const Operation operation = make_operation(context);
     hrbfnpr_operation_cancel(operation.get());
     hrbfnpr_model* got = nullptr;

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "base/operation.h"
+#include "base/sort.h"
 #include "base/status.h"
 #include "support/watcher.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -89,6 +95,35 @@ TEST(Progress, WithoutAnOperationNothingHappens) {
     progress.update(0.5);
     progress.check();
     progress.part(0.0, 0.5).update(1.0);
+}
+
+// Where progress stands still, a look for a cancel calls the callback again after a while.
+TEST(Operation, CallsBackWhereProgressStandsStill) {
+    Watcher watcher;
+    Operation operation;
+    operation.set_callback(Watcher::call, &watcher);
+    operation.begin();
+    const Progress progress(&operation);
+    progress.update(0.25);
+    for (int i = 0; i < 100; ++i) progress.check();
+    EXPECT_LT(watcher.values.size(), 50U);
+    const std::size_t before = watcher.values.size();
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    progress.check();
+    ASSERT_EQ(watcher.values.size(), before + 1);
+    EXPECT_EQ(watcher.values.back(), 0.25);
+    watcher.cancel_at = 0.0;
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    EXPECT_THROW(progress.check(), Error);
+}
+
+TEST(SortLong, SortsAsSortDoes) {
+    std::vector<std::uint64_t> numbers;
+    for (std::uint64_t i = 0; i < 300000; ++i) numbers.push_back(i * 0x9E3779B97F4A7C15U);
+    std::vector<std::uint64_t> sorted = numbers;
+    std::sort(sorted.begin(), sorted.end());
+    sort_long(numbers.data(), numbers.data() + numbers.size(), std::less<>());
+    EXPECT_EQ(numbers, sorted);
 }
 
 } // namespace

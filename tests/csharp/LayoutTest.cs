@@ -80,6 +80,7 @@ namespace HrbfNpr.Tests
                     || name.StartsWith("HRBFNPR_CUSTOM_") || name.StartsWith("HRBFNPR_LAYER_WITH_")
                     || name.StartsWith("HRBFNPR_LINE_SET_WITH_") || name.StartsWith("HRBFNPR_RASTER_")
                     || name == "HRBFNPR_PAGE_IN_PLOT_ORDER" || name == "HRBFNPR_PAGE_WITHOUT_PAPER"
+                    || name == "HRBFNPR_PAGE_SINGLE_PASS"
                     || name == "HRBFNPR_INDEX_RESTART";
                 if (!elsewhere && !seen.Contains(name))
                 {

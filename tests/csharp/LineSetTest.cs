@@ -68,7 +68,7 @@ namespace HrbfNpr.Tests
         [Fact]
         public void AModelCanBeTrimmed()
         {
-            Assert.Equal(0L, model.TrimInfo.Samples);
+            Assert.False(model.TrimInfo.IsTrimmed);
             using (Model closed = model.Trim())
             {
                 Assert.False(closed.TrimInfo.IsTrimmed);

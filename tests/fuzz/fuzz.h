@@ -58,7 +58,12 @@ public:
     [[nodiscard]] hrbfnpr_error* error() { return &error_; }
     // Whether it succeeded.
     bool expect(hrbfnpr_status status, std::initializer_list<hrbfnpr_status> failures = {}) {
-        if (status == HRBFNPR_STATUS_OK) return true;
+        if (status == HRBFNPR_STATUS_OK) {
+            require(error_.status == HRBFNPR_STATUS_OK && error_.message[0] == 0, "success leaves the error as it was");
+            return true;
+        }
+        require(error_.status == status, "the error has the status that is returned");
+        require(error_.message[0] != 0, "a failure has a message");
         for (const hrbfnpr_status failure : failures)
             if (status == failure) return false;
         std::fprintf(stderr, "%s: %s: %s\n", name_, hrbfnpr_status_name(status), error_.message);
@@ -78,23 +83,40 @@ public:
         hrbfnpr_context_desc_init(&desc, sizeof desc);
         desc.thread_count = 1;
         desc.allocator_user = this;
-        desc.allocate = [](void* self, std::uint64_t bytes, std::uint64_t alignment) -> void* {
-            if (bytes > 64U << 20U) {
-                require(!static_cast<Context*>(self)->loading, "a declared length is not believed");
-                return nullptr;
-            }
-            return hrbfnpr::test::Allocator::aligned(bytes, alignment);
+        desc.allocate = [](void* self, std::uint64_t bytes, std::uint64_t alignment) {
+            return static_cast<Context*>(self)->allocate(bytes, alignment);
         };
-        desc.deallocate = [](void*, void* memory, std::uint64_t, std::uint64_t) { std::free(memory); };
+        desc.deallocate = [](void* self, void* memory, std::uint64_t bytes, std::uint64_t) {
+            static_cast<Context*>(self)->bytes_ -= bytes;
+            std::free(memory);
+        };
         Call call("context_create");
         call.expect(hrbfnpr_context_create(&desc, &handle, call.error()));
     }
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
-    ~Context() { hrbfnpr_context_release(handle); }
+    ~Context() {
+        hrbfnpr_context_release(handle);
+        require(bytes_ == 0, "all memory is given back");
+    }
 
     hrbfnpr_context* handle = nullptr;
     bool loading = false;
+    std::int64_t until_refusal = -1; // allocations that are still granted; negative: no end
+
+private:
+    void* allocate(std::uint64_t bytes, std::uint64_t alignment) {
+        if (bytes > 64U << 20U) {
+            require(!loading, "a declared length is not believed");
+            return nullptr;
+        }
+        if (bytes_ + bytes > 512U << 20U || until_refusal == 0) return nullptr;
+        if (until_refusal > 0) --until_refusal;
+        bytes_ += bytes;
+        return hrbfnpr::test::Allocator::aligned(bytes, alignment);
+    }
+
+    std::uint64_t bytes_ = 0; // given out
 };
 
 // Model or point set: NULL if the file is refused, which it must be with one of two errors.
@@ -124,5 +146,7 @@ Bytes save(const Handle* handle, Save function) {
 
 void require_same_set(Context& context, const hrbfnpr_point_set* set);
 void require_sound_marks(const hrbfnpr_point_set* set);
+// In one of a few ways: a style, a visibility, a shape.
+void draw(Context& context, const hrbfnpr_point_set* set, std::uint32_t choice);
 
 } // namespace fuzz

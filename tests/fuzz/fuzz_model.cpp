@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Loads a model, and uses what loads: every query, a few rays, a few marks.
+// Loads a model, and uses what loads: every query, a few rays, a few marks, which are drawn, lines, a trim.
 #include "fuzz.h"
+#include "limits.h"
 
 #include <cmath>
 #include <cstring>
@@ -178,16 +179,53 @@ void generate(Context& context, const hrbfnpr_model* model, std::uint32_t choice
     desc.layer_count = 1;
     desc.seed_source = choice / 512 % 3; // automatic, samples, box
     desc.box_resolution = 2;
+    Input none(nullptr, 0);
+    const Operation operation(context, none);
     Call call("point_set_generate");
     hrbfnpr_point_set* set = nullptr;
     const bool made =
-        call.expect(hrbfnpr_point_set_generate(context.handle, model, &desc, nullptr, &set, call.error()),
-                    {HRBFNPR_STATUS_INVALID_ARGUMENT, HRBFNPR_STATUS_NOT_CONVERGED, HRBFNPR_STATUS_OUT_OF_MEMORY});
+        call.expect(hrbfnpr_point_set_generate(context.handle, model, &desc, operation.handle, &set, call.error()),
+                    {HRBFNPR_STATUS_INVALID_ARGUMENT, HRBFNPR_STATUS_NOT_CONVERGED, HRBFNPR_STATUS_OUT_OF_MEMORY,
+                     HRBFNPR_STATUS_CANCELLED});
     if (made) {
         require_sound_marks(set);
         require_same_set(context, set);
+        draw(context, set, choice);
     }
     hrbfnpr_point_set_release(set);
+}
+
+constexpr std::initializer_list<hrbfnpr_status> failures = {HRBFNPR_STATUS_INVALID_ARGUMENT,
+                                                            HRBFNPR_STATUS_NOT_CONVERGED, HRBFNPR_STATUS_OUT_OF_MEMORY,
+                                                            HRBFNPR_STATUS_CANCELLED};
+
+// Lines of the whole surface or of one that ends with its samples.
+void make_lines(Context& context, const hrbfnpr_model* model, std::uint32_t choice) {
+    hrbfnpr_line_set_desc desc;
+    hrbfnpr_line_set_desc_init(&desc, sizeof desc);
+    desc.support = choice % 2 != 0 ? 1.5 : 0.0;
+    desc.flags = choice / 2 % 2 != 0 ? HRBFNPR_LINE_SET_WITH_CURVATURE : 0;
+    Input none(nullptr, 0);
+    const Operation operation(context, none);
+    hrbfnpr_line_set* lines = nullptr;
+    Call call("line_set_create");
+    const bool made = call.expect(
+        hrbfnpr_line_set_create(context.handle, model, &desc, operation.handle, &lines, call.error()), failures);
+    require(made == (lines != nullptr), "a handle comes with success only");
+    hrbfnpr_line_set_release(lines);
+}
+
+void trim(Context& context, const hrbfnpr_model* model) {
+    Input none(nullptr, 0);
+    const Operation operation(context, none);
+    hrbfnpr_model* trimmed = nullptr;
+    Call call("model_trim");
+    if (!call.expect(hrbfnpr_model_trim(model, nullptr, operation.handle, &trimmed, call.error()), failures)) return;
+    const Bytes file = save(trimmed, hrbfnpr_model_save_memory);
+    auto* const again = load<hrbfnpr_model>(context, file, hrbfnpr_model_load_memory);
+    require(again != nullptr, "a trimmed model loads");
+    hrbfnpr_model_release(again);
+    hrbfnpr_model_release(trimmed);
 }
 
 void require_same_model(Context& context, const hrbfnpr_model* model, const Vectors& points, const Fields& fields) {
@@ -217,6 +255,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // Marks take many times as long as all the rest, those of BLUE_NOISE above all.
     if (const std::uint32_t choice = choice_of(file); info.centres <= 16 && choice % 16 == 0)
         generate(context, model, choice / 16);
+    else if (info.centres <= 16 && choice % 64 == 1)
+        make_lines(context, model, choice / 64);
+    else if (info.centres <= 16 && choice % 64 == 2)
+        trim(context, model);
     hrbfnpr_model_release(model);
     return 0;
 }

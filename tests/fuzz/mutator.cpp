@@ -2,10 +2,8 @@
 // How libFuzzer changes a file: half of the time one number of a section becomes an odd one, which
 // arbitrary bytes seldom hit; else libFuzzer has its way.  The length of the payload mostly follows.
 #include "fuzz.h"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "odd.h"
+#include "random.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
@@ -14,21 +12,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 namespace {
 
 using namespace hrbfnpr::io;
-
-class Random { // SplitMix64
-public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next() {
-        std::uint64_t z = state_ += 0x9E3779B97F4A7C15U;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return z ^ (z >> 31U);
-    }
-    std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
-
-private:
-    std::uint64_t state_;
-};
+using fuzz::Random;
 
 struct Section {
     std::size_t begin; // of its elements
@@ -63,53 +47,14 @@ std::vector<Section> sections_of(std::span<const std::uint8_t> file) {
 }
 
 template <class T>
-T odd_float(T now, T other, Random& random) {
-    using limits = std::numeric_limits<T>;
-    const T special[] = {T(0),
-                         T(-0.0),
-                         T(1),
-                         T(-1),
-                         limits::denorm_min(),
-                         limits::min(),
-                         limits::epsilon(),
-                         limits::max(),
-                         -limits::max(),
-                         limits::infinity(),
-                         limits::quiet_NaN(),
-                         static_cast<T>(3.5e38),
-                         static_cast<T>(1e99),
-                         static_cast<T>(1e-99),
-                         static_cast<T>(1e19),
-                         static_cast<T>(1e-19)};
-    switch (random.below(6)) {
-    case 0: return std::nextafter(now, random.below(2) == 0 ? limits::max() : limits::lowest());
-    case 1: return std::ldexp(now, static_cast<int>(random.below(129)) - 64);
-    case 2: return -now;
-    case 3: return other;
-    default: return special[random.below(std::size(special))];
-    }
-}
-
-template <class T>
-T odd_integer(T now, T other, Random& random) {
-    switch (random.below(5)) {
-    case 0: return static_cast<T>(now + 1);
-    case 1: return static_cast<T>(now - 1);
-    case 2: return other;
-    case 3: return static_cast<T>(random.next());
-    default: return static_cast<T>(~T(0) >> random.below(8 * sizeof(T)));
-    }
-}
-
-template <class T>
 void change(std::uint8_t* elements, std::size_t count, Random& random) {
     std::uint8_t* const at = elements + random.below(count) * sizeof(T);
     const T now = fetch<T>(at);
     const T other = fetch<T>(elements + random.below(count) * sizeof(T));
     if constexpr (std::is_floating_point_v<T>)
-        store(at, odd_float(now, other, random));
+        store(at, fuzz::odd_float(now, other, random));
     else
-        store(at, odd_integer(now, other, random));
+        store(at, fuzz::odd_integer(now, other, random));
 }
 
 void change(std::uint8_t* file, const Section& section, Random& random) {

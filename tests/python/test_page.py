@@ -2,6 +2,7 @@
 """Drawings as vectors: files, pens, paper, and that they look like the picture."""
 import io
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -226,3 +227,170 @@ def test_plot_order_travels_less(model):
         style = hrbfnpr.Style("stipple", visibility="published")
         marks = hrbfnpr.PointSet.generate(model, [hrbfnpr.Layer("stipples", budget=500)])
         hrbfnpr.Renderer().draw((marks, style), hrbfnpr.Camera.fit(model, (0, 0, -1))).save(io.BytesIO(), "hpgl")
+
+
+# Where Debian's w3c-sgml-lib has it.
+SVG_DTD = "/usr/share/xml/w3c-sgml-lib/schema/dtd/REC-SVG11-20110816/svg11.dtd"
+
+
+@pytest.mark.parametrize("preset", ["etching", "full", "blueprint"])
+def test_svg_is_valid(model, preset, tmp_path):
+    if shutil.which("xmllint") is None or not os.path.exists(SVG_DTD):
+        pytest.skip("no DTD of SVG 1.1 to validate with: apt-get install libxml2-utils w3c-sgml-lib")
+    svg = drawn(model, preset, 300).to_svg(title="A & B")
+    # A DTD knows no other namespaces.
+    plain = re.sub(r' (xmlns:inkscape|inkscape:\w+)="[^"]*"', "", svg)
+    assert plain != svg
+    command = ["xmllint", "--noout", "--nonet", "--dtdvalid", SVG_DTD, str(tmp_path / "a.svg")]
+    (tmp_path / "a.svg").write_text(plain)
+    subprocess.run(command, check=True)
+    (tmp_path / "a.svg").write_text(plain.replace("<path", "<pathe", 1))
+    assert subprocess.run(command, stderr=subprocess.DEVNULL, check=False).returncode != 0
+
+
+@pytest.mark.parametrize("preset", ["etching", "stipple"])
+def test_pdf_is_valid(model, preset, tmp_path):
+    if shutil.which("qpdf") is None:
+        pytest.skip("qpdf is not here: apt-get install qpdf")
+    drawn(model, preset, 300).save(tmp_path / "a.pdf", title="A & B")
+    subprocess.run(["qpdf", "--check", str(tmp_path / "a.pdf")], check=True)
+    whole = (tmp_path / "a.pdf").read_bytes()
+    (tmp_path / "a.pdf").write_bytes(whole.replace(b"startxref\n", b"startxref\n9", 1))
+    assert subprocess.run(["qpdf", "--check", str(tmp_path / "a.pdf")], check=False).returncode != 0
+
+
+def hpgl_lines(text):
+    """What a pen draws, mm, by the HPGL reference: 40 units a millimetre, PU and PD take places, y up."""
+    place, line, lines = (0.0, 0.0), [], []
+    for code, numbers in re.findall(r"([A-Z]{2})([^;]*);", text):
+        if code not in ("PU", "PD"):
+            continue
+        if code == "PU" and len(line) > 1:
+            lines.append(line)
+        line = [] if code == "PU" else line or [place]
+        values = [float(number) / 40 for number in numbers.split(",") if number]
+        for to in zip(values[::2], values[1::2]):
+            place = to
+            if code == "PD":
+                line.append(to)
+    return [*lines, line] if len(line) > 1 else lines
+
+
+def gcode_lines(text):
+    """What a pen draws, mm: G0 and G1 move and keep the axes that they do not name; the pen is down at Z <= 0."""
+    at, line, lines = {"X": 0.0, "Y": 0.0, "Z": 1.0}, [], []
+    for row in re.sub(r"\([^)]*\)|;.*", "", text).splitlines():
+        words = dict(re.findall(r"([A-Z])(-?[\d.]+)", row))
+        if "G" not in words or float(words["G"]) not in (0, 1):
+            continue
+        at.update({axis: float(words[axis]) for axis in "XYZ" if axis in words})
+        if at["Z"] > 0 and len(line) > 1:
+            lines.append(line)
+        line = [] if at["Z"] > 0 else [*line, (at["X"], at["Y"])]
+    return [*lines, line] if len(line) > 1 else lines
+
+
+def plotted(lines, height, scale, size, pen):
+    """A picture of lines by a round pen, eight times as fine and then reduced."""
+    from PIL import Image, ImageDraw
+
+    fine = 8
+    image = Image.new("L", (fine * size, fine * size), 255)
+    draw, r = ImageDraw.Draw(image), fine * pen / scale / 2
+    for line in lines:
+        places = [(fine * x / scale, fine * (height - y) / scale) for x, y in line]
+        draw.line(places, fill=0, width=round(2 * r))
+        for x, y in places:
+            draw.ellipse((x - r, y - r, x + r, y + r), fill=0)
+    return np.asarray(image.resize((size, size), Image.BOX), dtype=float)
+
+
+@pytest.mark.parametrize("kind, read", [("hpgl", hpgl_lines), ("gcode", gcode_lines)])
+def test_plots_look_like_the_picture(model, kind, read):
+    size, scale, width = 600, 0.2, 3.0
+    pen = 1.5 * width * scale  # an outline is so much wider in this style
+    style = hrbfnpr.Style("silhouette")
+    style.lines = [line for line in style.lines if line.kind == "contour"]
+    for line in style.lines:
+        line.width, line.taper, line.hidden = width, 0.0, "none"
+    lines = hrbfnpr.LineSet(model, with_curvature=True)
+    camera = hrbfnpr.Camera.look_at((2.0, 1.5, 3.0), (0, 0, 0), (0, 1, 0)).perspective(0.7, (size, size), 0.5, 8.0)
+    marks = hrbfnpr.PointSet.generate(model, [hrbfnpr.Layer("stipples", budget=2000)])
+    drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), camera)
+    file = io.BytesIO()
+    drawing.save(file, kind, scale=scale, pens=[Pen(width=pen)], tolerance=0.01)
+    picture = np.asarray(drawing.to_pil().convert("L"), dtype=float)
+    plot = plotted(read(file.getvalue().decode()), size * scale, scale, size, pen)
+    psnr = 10 * np.log10(255**2 / ((plot - picture) ** 2).mean())
+    print(f"{kind}: {psnr:.1f} dB")
+    assert picture.min() == 0 and psnr > 30
+    shifted = np.roll(plot, 2, axis=0)
+    assert 10 * np.log10(255**2 / ((shifted - picture) ** 2).mean()) < psnr - 5
+def ball(centre, ink, size=SIZE):
+    points = fibonacci_sphere(300)
+    model = hrbfnpr.Model.fit(points + centre, points)
+    style = hrbfnpr.Style("contour-and-stipple")
+    for layer in style.layers:
+        layer.radius, layer.ink = 5 * size / 800, ink
+    for line in style.lines:
+        line.ink, line.width = ink, 8 * size / 800
+    style.paper = (1, 1, 1, 1)
+    marks = hrbfnpr.PointSet.generate(model, [hrbfnpr.Layer("stipples", budget=4000, name="stipples")])
+    return hrbfnpr.Item(marks, style, line_set=hrbfnpr.LineSet(model))
+
+
+def test_overlapping_inks_of_two_colours_are_painted_as_in_the_picture(tmp_path):
+    # The nearer one comes first in the list, and covers the other.
+    items = [ball((0.4, 0.2, 0.7), (0.9, 0.2, 0.1, 1)), ball((-0.3, -0.1, -0.7), (0.1, 0.3, 0.8, 1))]
+    for item in items:
+        item.style.visibility = "depth_layers"
+        item.style.hidden_lines = "show"
+        item.style.attenuation_front = item.style.attenuation_back = 0.0
+    camera = hrbfnpr.Camera.look_at((0.5, 0.4, 5.0), (0, 0, 0), (0, 1, 0)).perspective(0.7, (SIZE, SIZE), 0.5, 12.0)
+    drawing = hrbfnpr.Renderer().draw(items, camera)
+    picture = np.asarray(drawing.to_pil().convert("RGB"), dtype=float)
+    svg = drawing.to_svg()
+    names = list(groups_of(svg))
+    assert any(", run 2" in name for name in names) and len(names) < 30
+    error = ((rendered(svg.encode(), tmp_path) - picture) ** 2).mean()
+    assert 10 * np.log10(255**2 / error) >= 35
+    # Group by group it is another picture.
+    file = io.BytesIO()
+    drawing.save(file, "svg", plot_order=True, join=1e-9, shortest=1e-9, dot_distance=1e-9)
+    assert not any(", run" in name for name in groups_of(file.getvalue()))
+    whole = ((rendered(file.getvalue(), tmp_path) - picture) ** 2).mean()
+    assert whole > 2 * error
+    both = [10 * np.log10(255**2 / one) for one in (error, whole)]
+    print(f"far to near {both[0]:.1f} dB in {len(names)} groups, group by group {both[1]:.1f} dB")
+
+
+def test_a_plot_has_the_tone_of_the_picture(model):
+    size, scale, pen = 500, 0.4, 0.25
+    drawing = drawn(model, "woodcut", size)
+    picture = np.asarray(drawing.to_pil().convert("L"), dtype=float)
+    picture = 255 * (picture - picture.min()) / (picture.max() - picture.min())  # black on white
+    found = {}
+    for single in (False, True):
+        file = io.BytesIO()
+        info = write_page(file, PageItem(drawing, scale=scale), format="hpgl", pens=[Pen("*", pen)], single_pass=single)
+        plot = plotted(hpgl_lines(file.getvalue().decode()), size * scale, scale, size, pen)
+        ink = (255 - plot).sum() / (255 - picture).sum()
+        found[single] = info, ink, 10 * np.log10(255**2 / ((plot - picture) ** 2).mean())
+        print(f"single_pass={single}: ink {ink:.3f}, PSNR {found[single][2]:.1f} dB, {info.filled_paths} filled, "
+              f"drawn {info.drawn:.0f} mm, {info.seconds:.0f} s")  # fmt: skip
+    assert found[False][0].filled_paths > 50 and found[True][0].filled_paths == 0
+    assert abs(found[False][1] - 1) < 0.05 < 0.3 < 1 - found[True][1]
+    assert found[False][2] > 30 and found[True][2] < 15
+    assert found[False][0].drawn > found[True][0].drawn and found[False][0].seconds > found[True][0].seconds
+
+
+def test_the_command_line_fills_lines_and_finds_pens_for_dots(points, tmp_path, capsys):
+    svg, plot = tmp_path / "a.svg", tmp_path / "a.hpgl"
+    assert main(["draw", str(points), str(svg), "--pen-widths", "0.2,0.8", *QUICK]) == 0
+    said = "".join(capsys.readouterr())
+    assert re.search(r"pens: contour 0\.\d mm \(lines of [\d.]+\), stipples 0\.\d mm \(dots of [\d.]+\)", said)
+    common = ["draw", str(points), str(plot), "--style", "woodcut", "--pen-widths", "0.1", "--page", "a4", *QUICK]
+    assert main(common) == 0
+    assert re.search(r"\d+ lines wider than their pen are filled by several passes", "".join(capsys.readouterr()))
+    assert main([*common, "--single-pass"]) == 0
+    assert "filled" not in "".join(capsys.readouterr())

@@ -29,7 +29,7 @@ def heights(marks):
 
 def test_an_open_scan_ends_where_its_samples_do():
     cap = zone(0.0, 1.0)
-    model = hrbfnpr.Model.fit(cap, cap)
+    model = hrbfnpr.Model.fit(cap, cap, trim="never")
     assert model.trim_info.samples == 0
     trimmed = model.trim()
     info = trimmed.trim_info
@@ -40,6 +40,29 @@ def test_an_open_scan_ends_where_its_samples_do():
     assert min(heights(model.generate(budget=2000))) < 1.5 * lowest
     assert hrbfnpr.LineSet(trimmed).info.borders == 1
     assert pickle.loads(pickle.dumps(trimmed)).trim_info == info
+
+
+def test_a_fit_ends_where_its_samples_do():
+    cap = zone(0.0, 1.0)
+    model = hrbfnpr.Model.fit(cap, cap)
+    whole = hrbfnpr.Model.fit(cap, cap, trim="never")
+    assert model.trim_info == whole.trim(cap, cap).trim_info and model.trim_info.is_trimmed
+    assert min(heights(whole.generate(budget=2000))) < 1.5 * min(heights(model.generate(budget=2000)))
+    ball = zone(-1.0)
+    info = hrbfnpr.Model.fit(ball, ball).trim_info
+    assert not info.is_trimmed and info.samples == WHOLE
+    with pytest.raises(ValueError, match="'never', 'auto'"):
+        hrbfnpr.Model.fit(cap, cap, trim="often")
+
+
+def test_a_fit_of_an_open_mesh_ends_where_that_does():
+    n = 12
+    grid = [(x / n, y / n, 0.2 * math.sin(3 * x / n)) for y in range(n) for x in range(n)]
+    cells = [n * y + x for y in range(n - 1) for x in range(n - 1)]
+    triangles = [t for i in cells for t in ((i, i + 1, i + n + 1), (i, i + n + 1, i + n))]
+    mesh = hrbfnpr.Mesh(grid, triangles)
+    assert hrbfnpr.Model.fit_mesh(mesh, tolerance=0.01).trim_info.is_trimmed
+    assert not hrbfnpr.Model.fit_mesh(mesh, tolerance=0.01, trim="never").trim_info.is_trimmed
 
 
 def test_given_samples_tell_where_it_ends():

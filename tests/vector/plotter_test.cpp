@@ -280,6 +280,22 @@ TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
     expect_estimate(spirals);
 }
 
+TYPED_TEST(Plotter, FillsDotsThatAreWiderThanThePen) {
+    GroupInput input;
+    input.dots = {{50.0, 50.0, 1.0, 1.0, false}, {50.0, 20.0, 0.1, 1.0, false}};
+    output::PlotFormat format;
+    format.shapes.fills = true;
+    const Written result = written<TypeParam>({input}, format);
+    ASSERT_EQ(result.plotted.lines.size(), 2U);
+    EXPECT_GT(result.plotted.drawn, 3.1 / 0.3); // its area over the pen's width
+    for (int i = 0; i < 500; ++i) {
+        const double angle = 2.4 * i, radius = std::sqrt(i / 500.0);
+        const PagePoint p{50.0 + radius * std::cos(angle), 50.0 + radius * std::sin(angle), 0.0};
+        EXPECT_LE(distance(p, {result.plotted.lines[0]}), 0.15 + format.shapes.tolerance + 0.02);
+    }
+    EXPECT_EQ(result.plotted.lines[1].size(), 1U);
+}
+
 TYPED_TEST(Plotter, ChangesPensBetweenGroups) {
     GroupInput one, two, three;
     one.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}});

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Refuses memory in a stage, and tries again with the same objects.
+#pragma once
+
+#include "stages/stage.h"
+
+namespace api_test {
+
+// Refuses one call for memory, and with `all_later` each one after it, in what it is put around.
+class Refusal : public Attempt {
+public:
+    std::int64_t at = 0; // the how-manieth; 0 = none
+    bool all_later = false;
+
+    [[nodiscard]] virtual std::int64_t calls() const = 0; // for memory, since restart()
+    virtual void restart() = 0;
+};
+
+// Which of `count` calls are refused: every one if `every`, else the first and last ones and some between.
+[[nodiscard]] inline std::vector<std::int64_t> moments(std::int64_t count, std::int64_t at_most) {
+    std::vector<std::int64_t> some;
+    const std::int64_t step = 1 + count / at_most;
+    for (std::int64_t k = 1; k <= count; ++k)
+        if (step == 1 || k <= at_most / 4 || k > count - at_most / 8 || k % step == 0) some.push_back(k);
+    return some;
+}
+
+// Each of the moments: OUT_OF_MEMORY, and then, with the same objects, what comes out of an undisturbed run.
+// Returns how many calls were refused.
+inline std::int64_t refuse_and_retry(const Stage& stage, Refusal& refusal, std::int64_t at_most) {
+    const auto run = [&](Bytes& bytes, std::int64_t at) {
+        Error error;
+        refusal.restart();
+        refusal.at = at;
+        const hrbfnpr_status status = stage.call(refusal, bytes, error);
+        refusal.at = 0;
+        EXPECT_TRUE(status == HRBFNPR_STATUS_OK || error.record.message[0] != '\0') << stage.name;
+        return status;
+    };
+    Bytes wanted;
+    if (stage.renew) stage.renew();
+    EXPECT_EQ(run(wanted, 0), HRBFNPR_STATUS_OK) << stage.name;
+    std::int64_t refused = 0;
+    for (const std::int64_t k : moments(refusal.calls(), std::min(at_most, stage.most_refusals))) {
+        if (stage.renew) stage.renew();
+        Bytes nothing, again;
+        refusal.all_later = k % 2 == 0;
+        EXPECT_EQ(run(nothing, k), HRBFNPR_STATUS_OUT_OF_MEMORY) << stage.name << ", call " << k;
+        EXPECT_EQ(run(again, 0), HRBFNPR_STATUS_OK) << stage.name << ", after " << k;
+        EXPECT_TRUE(again == wanted) << stage.name << ", after " << k;
+        ++refused;
+        if (testing::Test::HasFailure()) break;
+    }
+    return refused;
+}
+
+} // namespace api_test

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Fits end where their samples do without being told; closed surfaces, and samples that tell nothing, stay whole.
+#include "trimmed.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace api_test {
+namespace {
+
+TEST(FitTrim, IsTheDefault) {
+    EXPECT_EQ(made(hrbfnpr_fit_desc_init).trim, static_cast<std::uint32_t>(HRBFNPR_TRIM_AUTO));
+}
+
+TEST(FitTrim, EndsAnOpenSurfaceAsTrimmingDoes) {
+    Error error;
+    const Context context = make_context();
+    const scenes::Samples open = zone(-1.0, 1.0, true);
+    const Model model = fit(context, open);
+    auto desc = made(hrbfnpr_trim_desc_init);
+    desc.points = in(open.points);
+    desc.normals = in(open.normals);
+    hrbfnpr_model* made_model = nullptr;
+    ASSERT_OK(hrbfnpr_model_trim(fit_whole(context, open).get(), &desc, nullptr, &made_model, error));
+    const Model trimmed(made_model);
+    const hrbfnpr_trim_info by_fit = info_of(model);
+    const hrbfnpr_trim_info by_hand = info_of(trimmed);
+    EXPECT_EQ(by_fit.is_trimmed, 1U);
+    EXPECT_EQ(std::memcmp(&by_fit, &by_hand, sizeof by_fit), 0);
+    EXPECT_EQ(stipples_of(context, model), stipples_of(context, trimmed));
+    EXPECT_GT(lowest(stipples_of(context, model)), -1.0 * sphere_spacing);
+}
+
+TEST(FitTrim, GoesByAllSamplesNotByTheCentres) {
+    Error error;
+    const Context context = make_context();
+    const scenes::Samples open = zone(0.0, 1.0);
+    hrbfnpr_fit_desc desc = fit_desc(open);
+    desc.maximum_centres = 60;
+    hrbfnpr_model* made_model = nullptr;
+    ASSERT_OK(hrbfnpr_model_fit(context.get(), &desc, nullptr, &made_model, error));
+    const Model model(made_model);
+    EXPECT_EQ(info_of(model).samples, whole / 2);
+    EXPECT_EQ(info_of(model).is_trimmed, 1U);
+    const std::vector<float> stipples = stipples_of(context, model);
+    for (std::size_t i = 2; i < stipples.size(); i += 3) EXPECT_GT(stipples[i], -1.0 * sphere_spacing);
+}
+
+// What nobody looked at ends nowhere, so what is made of it is of the same bits.
+TEST(FitTrim, LeavesClosedSurfacesAsTheyAre) {
+    const Context context = make_context();
+    for (const scenes::Samples& closed : {scenes::trefoil(600), zone(-1.0, 1.0)}) {
+        const Model model = fit(context, closed);
+        EXPECT_EQ(info_of(model).is_trimmed, 0U);
+        EXPECT_EQ(info_of(model).samples, static_cast<std::int64_t>(closed.points.size() / 3));
+        EXPECT_GT(info_of(model).spacing, 0.0);
+        EXPECT_EQ(stipples_of(context, model), stipples_of(context, fit_whole(context, closed)));
+    }
+}
+
+// A hole that is no mere gap between samples is one, though all others are surrounded.
+TEST(FitTrim, FindsAHoleInAClosedSurface) {
+    const Context context = make_context();
+    const Model model = fit(context, zone(-1.0, 0.9));
+    EXPECT_EQ(info_of(model).is_trimmed, 1U);
+    EXPECT_EQ(info_of(model).parts, 1);
+    EXPECT_EQ(info_of(model).parts_to_end, 0);
+    EXPECT_NEAR(info_of(model).share, 0.05, 0.03);
+}
+
+TEST(FitTrim, LeavesAFlatSquareOfASquare) {
+    const Context context = make_context();
+    const Model model = fit(context, square());
+    EXPECT_GE(info_of(model).parts_to_end, 1);
+    for (const float coordinate : stipples_of(context, model)) {
+        EXPECT_GT(coordinate, -0.1);
+        EXPECT_LT(coordinate, 0.9 + 0.1);
+    }
+}
+
+// One, two, three samples, and those on a line: what they were fitted to without an end.
+TEST(FitTrim, LeavesWholeWhatItCannotTell) {
+    const Context context = make_context();
+    for (const int count : {1, 2, 3, 4, 9, 30}) {
+        scenes::Samples samples;
+        for (int i = 0; i < count; ++i) samples.add({0.1 * i, count == 4 ? 0.1 * (i % 2) : 0.0, 0.0}, {0.0, 0.0, 1.0});
+        const Model model = fit(context, samples);
+        EXPECT_GT(stipples_of(context, model).size(), std::size_t{3 * 3500}) << count;
+        if (count >= 10) continue;
+        EXPECT_EQ(info_of(model).samples, 0) << count;
+        EXPECT_EQ(stipples_of(context, model), stipples_of(context, fit_whole(context, samples))) << count;
+    }
+}
+
+TEST(FitTrim, IsSavedWithTheModel) {
+    Error error;
+    const Context context = make_context();
+    const Model model = fit(context, zone(0.0, 1.0));
+    std::int64_t size = 0;
+    ASSERT_EQ(hrbfnpr_model_save_memory(model.get(), nullptr, 0, &size, error), HRBFNPR_STATUS_BUFFER_TOO_SMALL);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+    ASSERT_OK(hrbfnpr_model_save_memory(model.get(), bytes.data(), size, &size, error));
+    hrbfnpr_model* made_model = nullptr;
+    ASSERT_OK(hrbfnpr_model_load_memory(context.get(), bytes.data(), size, &made_model, error));
+    EXPECT_EQ(stipples_of(context, Model(made_model)), stipples_of(context, model));
+}
+
+TEST(FitTrim, CanBeCancelledAtAnyTime) {
+    Error error;
+    const Context context = make_context();
+    const scenes::Samples open = zone(0.0, 1.0);
+    const hrbfnpr_fit_desc desc = fit_desc(open);
+    for (const double at : {0.3, 0.9, 0.95, 1.0}) {
+        struct Stop {
+            double at;
+            static int32_t reached(void* user, double progress) {
+                return progress >= static_cast<Stop*>(user)->at ? 1 : 0;
+            }
+        } stop{at};
+        const Operation operation = make_operation(context);
+        ASSERT_OK(hrbfnpr_operation_set_callback(operation.get(), Stop::reached, &stop, error));
+        hrbfnpr_model* model = nullptr;
+        EXPECT_EQ(hrbfnpr_model_fit(context.get(), &desc, operation.get(), &model, error), HRBFNPR_STATUS_CANCELLED)
+            << at;
+        EXPECT_EQ(model, nullptr);
+    }
+}
+
+TEST(FitTrim, RefusesAnotherWord) {
+    Error error;
+    const Context context = make_context();
+    const scenes::Samples open = zone(0.0, 1.0);
+    hrbfnpr_fit_desc desc = fit_desc(open);
+    desc.trim = 2;
+    hrbfnpr_model* model = nullptr;
+    EXPECT_FAILS(hrbfnpr_model_fit(context.get(), &desc, nullptr, &model, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "fit_desc.trim");
+}
+
+} // namespace
+} // namespace api_test

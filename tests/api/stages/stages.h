@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The list of stages, and the objects that they share.
+#pragma once
+
+#include "stages/stage.h"
+#include "support/meshes.h"
+#include "support/samples.h"
+
+#include <array>
+
+namespace api_test {
+
+using hrbfnpr::test::LineSet;
+
+class Stages {
+public:
+    explicit Stages(const Context& context, const StageSizes& sizes = {});
+    Stages(const Stages&) = delete;
+    Stages& operator=(const Stages&) = delete;
+
+    // From samples to pages, every kind of call.
+    [[nodiscard]] std::vector<Stage> all();
+
+private:
+    void add_fits(std::vector<Stage>& stages);
+    void add_meshes(std::vector<Stage>& stages);
+    void add_queries(std::vector<Stage>& stages);
+    void add_marks(std::vector<Stage>& stages);
+    void add_files(std::vector<Stage>& stages);
+    void add_frames(std::vector<Stage>& stages);
+    void add_readers(std::vector<Stage>& stages);
+    void add_pages(std::vector<Stage>& stages);
+
+    void add_fit(std::vector<Stage>& stages, const char* name, const hrbfnpr_fit_desc& desc);
+    void add_set(std::vector<Stage>& stages, const std::string& name, const Generation& desc);
+    void add_line_set(std::vector<Stage>& stages, const char* name, bool curved);
+    void add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines);
+    void add_page(std::vector<Stage>& stages, const char* name, std::uint32_t format, std::uint32_t flags);
+
+    [[nodiscard]] hrbfnpr_camera camera() const;
+    [[nodiscard]] const hrbfnpr_drawing* drawing();
+    void renew_renderer();
+
+    const Context& context_;
+    StageSizes sizes_;
+    hrbfnpr::test::Samples samples_, dense_, cloud_, half_;
+    hrbfnpr::test::Triangles triangles_;
+    std::vector<double> places_, directions_, uneven_;
+    Model model_, half_model_;
+    PointSet set_;
+    LineSet curved_lines_;
+    std::array<hrbfnpr_layer_style, 3> layer_styles_{};
+    std::array<hrbfnpr_line_style, 4> line_styles_{};
+    Mesh mesh_;
+    Renderer renderer_;
+    Drawing drawing_;
+};
+
+} // namespace api_test

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Every field of every descriptor, one at a time, with NaN, infinities, the smallest and the largest numbers, negative
+// ones, 0, and whatever an enumeration may have next: a picture, or a failure that names the field and touches nothing.
+#include "scene.h"
+#include "values.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <set>
+
+namespace fields_test {
+namespace {
+
+using hrbfnpr::api::FieldLayout;
+
+bool is_about_arguments(hrbfnpr_status status) {
+    return status == HRBFNPR_STATUS_INVALID_ARGUMENT || status == HRBFNPR_STATUS_UNSUPPORTED_STRUCT ||
+           status == HRBFNPR_STATUS_VERSION_MISMATCH;
+}
+
+// That numbers which are allowed, but not for this scene, may bring about.
+bool may_come(hrbfnpr_status status) {
+    return status == HRBFNPR_STATUS_OK || status == HRBFNPR_STATUS_OUT_OF_MEMORY ||
+           status == HRBFNPR_STATUS_NOT_CONVERGED || status == HRBFNPR_STATUS_SINGULAR_SYSTEM ||
+           status == HRBFNPR_STATUS_CANCELLED || status == HRBFNPR_STATUS_BUFFER_TOO_SMALL ||
+           is_about_arguments(status);
+}
+
+// An older struct lacks fields, and what is missing then is named; of two that must agree either is.
+bool names(const std::string& message, const FieldLayout& field, const Change& change) {
+    if (message.find(field.name) != std::string::npos) return true;
+    if (std::string_view(field.name) == "struct_size")
+        return change.value == "8" || change.value == "9" || change.value == "12";
+    constexpr std::pair<std::string_view, std::string_view> partners[] = {{"width", "host_depth"},
+                                                                          {"height", "host_depth"},
+                                                                          {"item_count", "width"},
+                                                                          {"flags", "WITH_CURVATURE"},
+                                                                          {"layer", "position.count"},
+                                                                          {"kind", "levels"},
+                                                                          {"kind", "line_first"},
+                                                                          {"kind", "direction_function"},
+                                                                          {"maximum_hits", "ray_hits.t.components"},
+                                                                          {"attribute_count", "attributes"},
+                                                                          {"pose_count", "poses"},
+                                                                          {"text", "points"}};
+    return std::any_of(std::begin(partners), std::end(partners), [&](const auto& pair) {
+        return pair.first == field.name && message.find(pair.second) != std::string::npos;
+    });
+}
+
+class Fields : public testing::TestWithParam<std::size_t> {
+protected:
+    static Scene& scene() {
+        static Scene the_scene;
+        return the_scene;
+    }
+    static std::string what(const Slot& slot, const FieldLayout& field, const Change& change) {
+        return std::string(slot.record) + "." + field.name + change.place + " = " + change.value;
+    }
+
+    void try_change(const Slot& slot, const FieldLayout& field, const Change& change) {
+        const std::vector<std::byte> before(slot.data, slot.data + slot.size);
+        change.apply(slot.data + field.offset);
+        scene().take_time();
+        const auto start = std::chrono::steady_clock::now();
+        const Outcome outcome = (scene().*slot.run)();
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        std::memcpy(slot.data, before.data(), slot.size);
+        longest = std::max(longest, seconds);
+        ++count;
+        refused += outcome.status == HRBFNPR_STATUS_OK ? 0 : 1;
+        const std::string name =
+            what(slot, field, change) + ": " + hrbfnpr_status_name(outcome.status) + " \"" + outcome.message + "\"";
+        if (seconds > 1.0) std::printf("%.2f s: %s\n", seconds, name.c_str());
+        EXPECT_TRUE(may_come(outcome.status)) << name;
+        EXPECT_TRUE(outcome.clean) << name << " touched its outputs";
+        if (outcome.status != HRBFNPR_STATUS_OK) {
+            EXPECT_FALSE(outcome.message.empty()) << name;
+        }
+        if (is_about_arguments(outcome.status)) {
+            EXPECT_TRUE(names(outcome.message, field, change)) << name << " does not name the field";
+        }
+    }
+
+    double longest = 0.0;
+    int count = 0, refused = 0;
+};
+
+TEST_P(Fields, AnyValueGivesAPictureOrAFailureThatNamesTheField) {
+    const Slot slot = scene().slots()[GetParam()];
+    scene().take_time();
+    const Outcome untouched = (scene().*slot.run)();
+    ASSERT_EQ(untouched.status, HRBFNPR_STATUS_OK) << slot.record << ": " << untouched.message;
+    for (const FieldLayout& field : slot.fields)
+        for (const Change& change : changes_of(field)) try_change(slot, field, change);
+    std::printf("%s: %d changes, %d refused, the longest took %.3f s\n", slot.record, count, refused, longest);
+    EXPECT_GT(count, static_cast<int>(slot.fields.size()));
+    EXPECT_GT(refused, 0);
+}
+
+// As in Scene::slots().
+INSTANTIATE_TEST_SUITE_P(OfEveryDescriptor, Fields, testing::Range<std::size_t>(0, 39));
+
+// What a caller fills in has a place in the scene; what the library fills in has not.
+TEST(FieldsOfTheBoundary, EveryDescriptorIsTried) {
+    const std::set<std::string> results{
+        "hrbfnpr_error",         "hrbfnpr_array",      "hrbfnpr_array_out",      "hrbfnpr_context_info",
+        "hrbfnpr_orient_info",   "hrbfnpr_model_info", "hrbfnpr_trim_info",      "hrbfnpr_point_set_info",
+        "hrbfnpr_layer_info",    "hrbfnpr_mesh_info",  "hrbfnpr_placement_info", "hrbfnpr_line_set_info",
+        "hrbfnpr_drawing_info",  "hrbfnpr_comparison", "hrbfnpr_mesh_fit_info",  "hrbfnpr_drawing_layer_info",
+        "hrbfnpr_mark_identity", "hrbfnpr_page_info"};
+    Scene scene;
+    std::set<std::string> tried;
+    const std::vector<Slot> slots = scene.slots();
+    for (const Slot& slot : slots) tried.insert(slot.record);
+    EXPECT_EQ(slots.size(), 39U) << "the range of the tests above";
+#define FIELDS_TEST_STRUCT(record)                                                                                     \
+    EXPECT_EQ(tried.count(#record) + results.count(#record), 1U) << #record << ": tried, or filled in by the library?";
+    HRBFNPR_STRUCTS(FIELDS_TEST_STRUCT)
+#undef FIELDS_TEST_STRUCT
+}
+
+} // namespace
+} // namespace fields_test

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// Draws marks and lines for any cameras, styles, items and poses; uses what was drawn.
+#include "arrays.h"
+#include "drawings.h"
+#include "fields.h"
+#include "limits.h"
+#include "scenes.h"
+
+namespace {
+
+using namespace fuzz;
+
+constexpr std::initializer_list<hrbfnpr_status> failures = {HRBFNPR_STATUS_INVALID_ARGUMENT,
+                                                            HRBFNPR_STATUS_OUT_OF_MEMORY,
+                                                            HRBFNPR_STATUS_UNSUPPORTED_STRUCT, HRBFNPR_STATUS_CALLBACK};
+
+std::int32_t tone(void* user, std::int64_t count, const float* positions, const float*, float* tau) {
+    const float number = *static_cast<const float*>(user);
+    for (std::int64_t i = 0; i < count; ++i) tau[i] = positions[3 * i] > 0.0F ? 0.2F : number;
+    return 0;
+}
+
+// A style and the lists that it refers to.
+struct Style {
+    explicit Style(Input& input) {
+        Call call("style_init_preset");
+        call.expect(
+            hrbfnpr_style_init_preset(&style, sizeof style, static_cast<std::uint32_t>(input.below(15)), call.error()));
+        const auto* const own = reinterpret_cast<const unsigned char*>(style.layers);
+        for (std::int64_t i = 0; i < style.layer_count; ++i)
+            layers.push_back(*reinterpret_cast<const hrbfnpr_layer_style*>(
+                own + i * (style.layer_stride != 0 ? style.layer_stride : style.layers->struct_size)));
+        const auto* const given = reinterpret_cast<const unsigned char*>(style.lines);
+        for (std::int64_t i = 0; i < style.line_count; ++i)
+            lines.push_back(*reinterpret_cast<const hrbfnpr_line_style*>(
+                given + i * (style.line_stride != 0 ? style.line_stride : style.lines->struct_size)));
+        if (layers.empty() || input.once_in(4)) add_layer(input);
+        for (std::size_t more = input.once_in(2) ? 1 + input.below(4) : 0; more > 0; --more) add_line(input);
+        for (hrbfnpr_layer_style& layer : layers)
+            if (input.once_in(2)) change_fields(input, "hrbfnpr_layer_style", &layer);
+        for (hrbfnpr_line_style& line : lines)
+            if (input.once_in(2)) change_fields(input, "hrbfnpr_line_style", &line);
+        number = input.once_in(4) ? odd_float(0.5F, 1.0F, input) : static_cast<float>(input.unit());
+        if (input.once_in(4)) style.tone = HRBFNPR_TONE_CALLBACK;
+        style.tone_function = input.once_in(8) ? nullptr : tone;
+        style.tone_user = &number;
+        if (input.once_in(6)) style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
+        change_fields(input, "hrbfnpr_style", &style);
+        refer();
+    }
+    Style(const Style&) = delete;
+    Style& operator=(const Style&) = delete;
+
+    hrbfnpr_style style;
+
+private:
+    void add_layer(Input& input) {
+        hrbfnpr_layer_style layer;
+        hrbfnpr_layer_style_init(&layer, sizeof layer);
+        layer.shape = static_cast<std::uint32_t>(input.below(3));
+        layers.push_back(layer);
+    }
+    void add_line(Input& input) {
+        hrbfnpr_line_style line;
+        hrbfnpr_line_style_init(&line, sizeof line);
+        line.kind = 1 + static_cast<std::uint32_t>(input.below(10));
+        line.hidden = static_cast<std::uint32_t>(input.below(4));
+        line.cap = static_cast<std::uint32_t>(input.below(3));
+        if (line.kind == HRBFNPR_LINE_KIND_ISOPHOTE) line.levels = {levels, 2, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+        if (line.kind == HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR || line.kind == HRBFNPR_LINE_KIND_APPARENT_RIDGE) {
+            line.lower = 0.5;
+            line.upper = 1.0;
+        }
+        lines.push_back(line);
+    }
+    void refer() {
+        style.layers = layers.data();
+        style.layer_count = static_cast<std::int64_t>(layers.size());
+        style.layer_stride = sizeof(hrbfnpr_layer_style);
+        style.lines = lines.data();
+        style.line_count = static_cast<std::int64_t>(lines.size());
+        style.line_stride = sizeof(hrbfnpr_line_style);
+    }
+
+    static constexpr double levels[] = {0.1, 0.6};
+    std::vector<hrbfnpr_layer_style> layers;
+    std::vector<hrbfnpr_line_style> lines;
+    float number = 0.5F;
+};
+
+// Moves the marks of one layer to a ball, or nearly.
+struct Pose {
+    Pose(const hrbfnpr_point_set* set, Input& input) : numbers(numbers_of(set, input)), array(numbers, 3, input) {
+        hrbfnpr_layer_pose_init(&pose, sizeof pose);
+        pose.position = array.view;
+        pose.normal = array.view;
+        if (input.once_in(3)) pose.direction = array.view;
+        change_fields(input, "hrbfnpr_layer_pose", &pose);
+    }
+
+    static std::vector<double> numbers_of(const hrbfnpr_point_set* set, Input& input) {
+        Call call("point_set_view");
+        hrbfnpr_array normal;
+        call.expect(hrbfnpr_point_set_view(set, 0, HRBFNPR_MARK_ATTRIBUTE_NORMAL, &normal, call.error()));
+        const std::span from(static_cast<const float*>(normal.data), static_cast<std::size_t>(3 * normal.count));
+        std::vector<double> numbers(from.begin(), from.end());
+        if (!numbers.empty() && input.once_in(4)) {
+            double& number = numbers[input.below(numbers.size())];
+            number = odd_float(number, 0.0, input);
+        }
+        return numbers;
+    }
+
+    std::vector<double> numbers;
+    Array array;
+    hrbfnpr_layer_pose pose;
+};
+
+void change_transform(hrbfnpr_item& item, Input& input) {
+    if (input.once_in(3)) item.transform[12] = input.between(-2.0, 2.0);
+    if (input.once_in(4)) item.transform[0] *= input.between(-2.0, 2.0);
+    if (input.once_in(4)) item.transform[5] *= input.between(0.0, 3.0);
+    if (input.once_in(8)) item.transform[4] = input.between(-1.0, 1.0);
+}
+
+hrbfnpr_item some_item(const hrbfnpr_point_set* set, const Style& style, const Pose& pose, Input& input) {
+    hrbfnpr_item item;
+    hrbfnpr_item_init(&item, sizeof item);
+    item.point_set = input.once_in(16) ? nullptr : set;
+    item.style = input.once_in(8) ? nullptr : &style.style;
+    const std::size_t lines = input.below(2 * line_set_count);
+    if (lines < line_set_count) item.line_set = scene_lines(lines);
+    if (input.once_in(6)) item.model = scene_model(input.below(model_count));
+    if (input.once_in(6)) {
+        item.poses = &pose.pose;
+        item.pose_count = 1;
+        item.pose_stride = sizeof pose.pose;
+    }
+    change_transform(item, input);
+    if (input.once_in(4)) change_fields(input, "hrbfnpr_item", &item);
+    return item;
+}
+
+hrbfnpr_camera some_camera(Input& input) {
+    const double low[3] = {-1.4, -1.4, -1.0};
+    const double high[3] = {1.4, 1.4, 1.0};
+    const double direction[3] = {input.between(-1.0, 1.0), input.between(-1.0, 1.0), input.between(-1.0, 1.0)};
+    const double up[3] = {0.1, 1.0, 0.2};
+    hrbfnpr_camera camera;
+    hrbfnpr_camera_init(&camera, sizeof camera);
+    camera.depth_convention = static_cast<std::uint32_t>(input.below(3));
+    Call call("camera_fit_bounds");
+    call.expect(hrbfnpr_camera_fit_bounds(&camera, low, high, direction, up, input.once_in(3) ? 0.0 : 0.6,
+                                          static_cast<double>(1 + input.below(64)),
+                                          static_cast<double>(1 + input.below(64)), 0.05, call.error()),
+                failures);
+    if (input.once_in(4)) change_fields(input, "hrbfnpr_camera", &camera);
+    return camera;
+}
+
+hrbfnpr_drawing* draw(hrbfnpr_renderer* renderer, std::span<const hrbfnpr_item> items, const hrbfnpr_camera& camera,
+                      Input& input) {
+    const ShortMemory memory(scene_context(), input);
+    hrbfnpr_drawing* drawing = nullptr;
+    Call call("renderer_draw");
+    const bool drawn =
+        call.expect(hrbfnpr_renderer_draw(renderer, items.data(), static_cast<std::int64_t>(items.size()),
+                                          sizeof(hrbfnpr_item), &camera, &drawing, call.error()),
+                    failures);
+    require(drawn == (drawing != nullptr), "a handle comes with success only");
+    return drawing;
+}
+
+void use(const hrbfnpr_drawing* drawing, const hrbfnpr_camera& camera, Input& input) {
+    if (drawing == nullptr) return;
+    require_sound_drawing(drawing);
+    rasterize(drawing, camera, input);
+    write_vertices(drawing, input);
+    ask_for_marks(drawing, input);
+    if (input.once_in(3)) write_page(drawing, input);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Input input(data, size);
+    const Style style(input);
+    const std::size_t count = 1 + (input.once_in(4) ? input.below(3) : 0);
+    const hrbfnpr_point_set* const set = scene_set(input.below(set_count));
+    const Pose pose(set, input);
+    std::vector<hrbfnpr_item> items;
+    for (std::size_t i = 0; i < count; ++i)
+        items.push_back(some_item(i == 0 ? set : scene_set(input.below(set_count)), style, pose, input));
+    hrbfnpr_camera camera = some_camera(input);
+    hrbfnpr_renderer* renderer = nullptr;
+    Call create("renderer_create");
+    create.expect(hrbfnpr_renderer_create(scene_context().handle, &renderer, create.error()));
+    hrbfnpr_drawing* const first = draw(renderer, items, camera, input);
+    use(first, camera, input);
+    if (input.once_in(3)) { // lines begin with those of the first drawing
+        camera.view[12] += input.between(-0.1, 0.1);
+        camera.view[0] *= input.between(0.99, 1.01);
+        hrbfnpr_drawing* const second = draw(renderer, items, camera, input);
+        use(second, camera, input);
+        hrbfnpr_drawing_release(second);
+    }
+    hrbfnpr_drawing_release(first);
+    hrbfnpr_renderer_release(renderer);
+    return 0;
+}

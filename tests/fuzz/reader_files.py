@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: MIT
+"""Small valid files of every format that hrbfnpr.shapes reads, to be damaged."""
+import base64
+import gzip
+import json
+import struct
+
+VERTICES = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+QUADS = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+TRIANGLES = [three for a, b, c, d in QUADS for three in ((a, b, c), (a, c, d))]
+NORMALS = [tuple(2 * x - 1 for x in vertex) for vertex in VERTICES]
+
+
+def rows(*columns, mark=" "):
+    return "".join(mark.join(str(x) for part in row for x in part) + "\n" for row in zip(*columns))
+
+
+def ply(form, list_type="uchar"):
+    head = f"ply\nformat {form} 1.0\ncomment a cube\nelement vertex 8\n"
+    head += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz"))
+    head += f"property uchar red\nelement face 6\nproperty list {list_type} int vertex_indices\nend_header\n"
+    if form == "ascii":
+        red = [(200,)] * 8
+        faces = "".join("4 {} {} {} {}\n".format(*quad) for quad in QUADS)
+        return (head + rows(VERTICES, NORMALS, red) + faces).encode()
+    order = "<" if "little" in form else ">"
+    data = b"".join(struct.pack(order + "6fB", *v, *n, 200) for v, n in zip(VERTICES, NORMALS))
+    code = {"uchar": "B", "uint": "I", "int": "i"}[list_type]
+    return head.encode() + data + b"".join(struct.pack(order + code + "4i", 4, *quad) for quad in QUADS)
+
+
+def ply_strips():
+    head = "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n"
+    head += "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+    return (head + rows(VERTICES) + "9 0 2 1 3 -1 4 5 6 7\n").encode()
+
+
+def obj():
+    text = "mtllib a.mtl\no cube\n" + "".join("v {} {} {}\n".format(*v) for v in VERTICES)
+    text += "".join("vn {} {} {}\n".format(*n) for n in NORMALS) + "vt 0 0\nusemtl a\ns off\n"
+    text += "".join("f " + " ".join(f"{i + 1}/1/{i + 1}" for i in quad) + "\n" for quad in QUADS[:3])
+    return (text + "f -1 -2 \\\n -3\nf 1//1 2//2 3//3\n").encode()
+
+
+def stl(binary):
+    if binary:
+        facets = b"".join(
+            struct.pack("<12fH", 0, 0, 1, *(x for i in three for x in VERTICES[i]), 0) for three in TRIANGLES
+        )
+        return bytes(80) + struct.pack("<I", len(TRIANGLES)) + facets
+    text = "solid cube\n"
+    for three in TRIANGLES:
+        corners = "".join("vertex {} {} {}\n".format(*VERTICES[i]) for i in three)
+        text += f"facet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\n"
+    return (text + "endsolid cube\n").encode()
+
+
+def off(kind="OFF", wide=()):
+    faces = "".join("4 {} {} {} {}\n".format(*quad) for quad in QUADS)
+    return (f"{kind}\n8 6 0\n" + rows(VERTICES, *wide) + faces).encode()
+
+
+def pcd(form):
+    head = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z\nSIZE 4 4 4 4 4 4\nTYPE F F F F F F\n"
+    head += f"COUNT 1 1 1 1 1 1\nWIDTH 8\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 8\nDATA {form}\n"
+    if form == "ascii":
+        return (head + rows(VERTICES, NORMALS)).encode()
+    if form == "binary":
+        return head.encode() + b"".join(struct.pack("<6f", *v, *n) for v, n in zip(VERTICES, NORMALS))
+    raw = b"".join(struct.pack("<8f", *column) for column in zip(*(v + n for v, n in zip(VERTICES, NORMALS))))
+    # LZF: runs as they are.
+    packed = b"".join(bytes([len(raw[i : i + 32]) - 1]) + raw[i : i + 32] for i in range(0, len(raw), 32))
+    return head.encode() + struct.pack("<II", len(packed), len(raw)) + packed
+
+
+def gltf_document(uri=None):
+    """A node that is turned, of a triangle mesh with a sparse accessor; and points with normals."""
+    positions = b"".join(struct.pack("<3f", *v) for v in VERTICES)
+    indices = b"".join(struct.pack("<3H", *three) for three in TRIANGLES)
+    sparse = struct.pack("<2H3f3f", 0, 1, 0, 0, 2, 1, 0, 2)
+    data = positions + indices + sparse
+    views = [(0, len(positions)), (len(positions), len(indices)), (len(positions) + len(indices), 4),
+             (len(positions) + len(indices) + 4, 24)]  # fmt: skip
+    document = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
+        "nodes": [{"children": [1], "translation": [1, 2, 3], "rotation": [0, 0, 0.6, 0.8], "scale": [1, 2, -1]},
+                  {"mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], "skin": 0}, {"mesh": 1}],
+        "skins": [{"joints": [0, 1]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 1}, "indices": 2, "mode": 4}]},
+                   {"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0}, "mode": 0},
+                                   {"attributes": {"POSITION": 0}, "indices": 2, "mode": 5}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 8},
+            {"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 8, "sparse": {
+                "count": 2, "indices": {"bufferView": 2, "componentType": 5123}, "values": {"bufferView": 3}}},
+            {"bufferView": 1, "componentType": 5123, "type": "SCALAR", "count": 36},
+        ],
+        "bufferViews": [{"buffer": 0, "byteOffset": start, "byteLength": size} for start, size in views],
+        "buffers": [{"byteLength": len(data)} if uri is None else {"byteLength": len(data), "uri": uri(data)}],
+    }  # fmt: skip
+    return json.dumps(document).encode(), data
+
+
+def gltf():
+    return gltf_document(lambda data: "data:application/octet-stream;base64," + base64.b64encode(data).decode())[0]
+
+
+def glb():
+    text, data = gltf_document()
+    text += b" " * (-len(text) % 4)
+    size = 12 + 8 + len(text) + 8 + len(data)
+    head = struct.pack("<4sII", b"glTF", 2, size) + struct.pack("<I4s", len(text), b"JSON")
+    return head + text + struct.pack("<I4s", len(data), b"BIN\0") + data
+
+
+def las(version=2):
+    head = bytearray(375 if version == 4 else 227)
+    head[:4], head[24], head[25] = b"LASF", 1, version
+    struct.pack_into("<IBBHI", head, 96, len(head), 0, 0, 0, 0)
+    struct.pack_into("<I", head, 96, len(head))
+    struct.pack_into("<BHI", head, 104, 0, 20, 0 if version == 4 else 8)
+    struct.pack_into("<6d", head, 131, 0.1, 0.1, 0.1, 5, 6, 7)
+    if version == 4:
+        struct.pack_into("<Q", head, 247, 8)
+    return bytes(head) + b"".join(struct.pack("<3i8x", *v) for v in VERTICES)
+
+
+def grid():
+    head = "ncols 4\nnrows 3\nxllcorner 7.5\nyllcorner 46.0\ncellsize 0.01\nNODATA_value -9999\n"
+    heights = "".join(" ".join(str(x * y) for x in range(4)) + "\n" for y in range(3))
+    return (head + heights[:-2] + "-9999\n").encode()
+
+
+def pgm(binary):
+    head = ("P5" if binary else "P2") + "\n# cell 24.5 m x 30.8 m\n4 3\n" + ("65535" if binary else "255") + "\n"
+    if binary:
+        return head.encode() + struct.pack(">12H", *(1000 * i for i in range(12)))
+    return (head + "".join(f"{i} " for i in range(12))).encode()
+
+
+def vtk():
+    text = "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET POLYDATA\nPOINTS 8 float\n" + rows(VERTICES)
+    return (text + "POLYGONS 6 30\n" + "".join("4 {} {} {} {}\n".format(*quad) for quad in QUADS)).encode()
+
+
+def xml(kind, body):
+    counts = 'NumberOfPoints="8" ' + ('NumberOfPolys="6"' if kind == "PolyData" else 'NumberOfCells="6"')
+    places = '<DataArray type="Float32" NumberOfComponents="3" format="ascii">' + rows(VERTICES) + "</DataArray>"
+    return (
+        f'<?xml version="1.0"?>\n<VTKFile type="{kind}" version="0.1" byte_order="LittleEndian"><{kind}>'
+        f"<Piece {counts}><Points>{places}</Points>{body}</Piece></{kind}></VTKFile>\n"
+    ).encode()
+
+
+def array(name, kind, numbers):
+    return f'<DataArray type="{kind}" Name="{name}" format="ascii">{" ".join(map(str, numbers))}</DataArray>'
+
+
+def vtp():
+    corners = array("connectivity", "Int64", [i for quad in QUADS for i in quad])
+    return xml("PolyData", f"<Polys>{corners}{array('offsets', 'Int64', range(4, 25, 4))}</Polys>")
+
+
+def vtu():
+    corners = array("connectivity", "Int64", [i for quad in QUADS for i in quad])
+    ends = array("offsets", "Int64", range(4, 25, 4)) + array("types", "UInt8", [9] * 6)
+    return xml("UnstructuredGrid", f"<Cells>{corners}{ends}</Cells>")
+
+
+def files():
+    """Bytes by name.  What needs a package that is not there is refused whole, which is fine."""
+    table = rows(VERTICES, NORMALS)
+    numbered = "id,X,Y,Z,nx,ny,nz\n" + rows([(i,) for i in range(8)], VERTICES, NORMALS, mark=",")
+    return {
+        "ascii.ply": ply("ascii"), "little.ply": ply("binary_little_endian"),
+        "big.ply": ply("binary_big_endian", "int"), "wide.ply": ply("binary_little_endian", "uint"),
+        "strips.ply": ply_strips(), "cube.obj": obj(), "text.stl": stl(False), "binary.stl": stl(True),
+        "cube.off": off(), "normals.off": off("NOFF", (NORMALS,)), "ascii.pcd": pcd("ascii"),
+        "binary.pcd": pcd("binary"), "packed.pcd": pcd("binary_compressed"), "cube.gltf": gltf(), "cube.glb": glb(),
+        "cube.las": las(), "cube_4.las": las(4), "grid.asc": grid(), "text.pgm": pgm(False), "binary.pgm": pgm(True),
+        "cube.vtk": vtk(), "cube.vtp": vtp(), "cube.vtu": vtu(), "plain.xyz": table.encode(),
+        "comma.csv": numbered.encode(), "decimal.txt": table.replace("1", "1,5").replace(" ", "\t").encode(),
+        "meshlab.pts": ("8\n" + table).encode(), "cloud.asc": ("//X Y Z Nx Ny Nz\n" + table).encode(),
+        "wide.txt": table.encode("utf-16"), "oriented.xyzn": table.encode(),
+        "packed.xyz.gz": gzip.compress(table.encode(), mtime=0),
+    }  # fmt: skip

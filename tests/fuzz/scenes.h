@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Models, marks and line sets that are made once, for harnesses that begin with one.
+#pragma once
+
+#include "fuzz.h"
+#include "input.h"
+
+namespace fuzz {
+
+// The context of these.  It is never released, nor are they.
+Context& scene_context();
+
+constexpr std::size_t model_count = 5;
+// Fits of a sphere, a torus, a trimmed sheet, two spheres and one sample.
+const hrbfnpr_model* scene_model(std::size_t which);
+
+constexpr std::size_t set_count = 5;
+// A few hundred marks: stipples and hatching; strokes and combing; as published; a few of the caller's; one.
+const hrbfnpr_point_set* scene_set(std::size_t which);
+
+constexpr std::size_t line_set_count = 3;
+// Of the torus with lines of all kinds, of the sheet with its border, of two spheres.
+const hrbfnpr_line_set* scene_lines(std::size_t which);
+
+// A caller's function, often an awkward one, which fails after so many points.
+class Custom {
+public:
+    explicit Custom(Input& input);
+    // NULL where it is refused.
+    hrbfnpr_model* create(Context& context, Input& input);
+
+private:
+    enum class Shape { sphere, torus, plane, waves, crease, step, constant, flat_top, not_finite_beyond, count };
+
+    static std::int32_t evaluate(void* user, std::int64_t count, const double* points, double* value, double* gradient,
+                                 double* hessian);
+    [[nodiscard]] double value(const double* point) const;
+
+    Shape shape_;
+    double scale_;
+    double size_; // of the surface, in units of the bounds
+    std::int64_t left_;
+};
+
+} // namespace fuzz
