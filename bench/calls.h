@@ -56,12 +56,13 @@ using hrbfnpr::test::one_layer;
 }
 
 [[nodiscard]] inline scenes::Model fit(hrbfnpr_context* context, const std::vector<double>& points,
-                                       const std::vector<double>& normals) {
+                                       const std::vector<double>& normals, std::uint32_t trim = HRBFNPR_TRIM_AUTO) {
     scenes::Check check;
     hrbfnpr_fit_desc desc;
     check(hrbfnpr_fit_desc_init(&desc, sizeof desc));
     desc.points = view(points);
     desc.normals = view(normals);
+    desc.trim = trim;
     hrbfnpr_model* model = nullptr;
     check(hrbfnpr_model_fit(context, &desc, nullptr, &model, check.error()));
     return scenes::Model(model);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Fits of a bumpy closed surface by the iterative solver: seconds, memory and residuals over N; beside the direct
-// solver, LAPACK where it is installed, and what the processor could do.  --large: up to a million samples.
+// solver, LAPACK where it is installed, and what the processor could do; and what TRIM_AUTO costs.  --large: up to a
+// million samples; --trim: that alone.
 #include "lapack.h"
 #include "peak.h"
 #include "samples.h"
 #include "support/handles.h"
+#include "timing.h"
 
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
+#include <ctime>
 #include <exception>
 #include <string>
 #include <thread>
@@ -24,7 +26,7 @@ struct Fit {
     double peak_mb = 0.0; // more than the context had before
 };
 
-Fit fit(const Samples& samples, std::uint32_t solver) {
+Fit fit(const Samples& samples, std::uint32_t solver, std::uint32_t trim = HRBFNPR_TRIM_AUTO) {
     scenes::Check check;
     hrbfnpr_context* raw_context = nullptr;
     check(hrbfnpr_context_create(nullptr, &raw_context, check.error()));
@@ -35,6 +37,7 @@ Fit fit(const Samples& samples, std::uint32_t solver) {
     desc.points = {samples.points.data(), count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
     desc.normals = {samples.normals.data(), count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
     desc.solver = solver;
+    desc.trim = trim;
     hrbfnpr_model* raw_model = nullptr;
     check(hrbfnpr_model_fit(context.get(), &desc, nullptr, &raw_model, check.error()));
     const scenes::Model model(raw_model);
@@ -87,6 +90,31 @@ double growth_exponent(const std::vector<std::array<double, 2>>& points) {
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
+// Processor time of a fit.
+double cost(const Samples& samples, std::uint32_t trim) {
+    const std::clock_t start = std::clock();
+    (void)fit(samples, HRBFNPR_SOLVER_AUTO, trim);
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// What it costs beside a fit to look for the end of a closed surface: medians of both in turn.
+double cost_of_trim(const Samples& samples, int runs) {
+    std::vector<double> never, automatic;
+    for (int run = 0; run < runs; ++run) {
+        never.push_back(cost(samples, HRBFNPR_TRIM_NEVER));
+        automatic.push_back(cost(samples, HRBFNPR_TRIM_AUTO));
+    }
+    return bench::median(automatic) / bench::median(never) - 1.0;
+}
+
+void run_trim() {
+    std::printf("TRIM_AUTO beside a fit without it, processor time:\n");
+    for (const std::int64_t count : {250, 1000, 4096, 20000, 100000}) {
+        const Samples samples = bench::bumpy(count, 0.15);
+        report("fit." + std::to_string(count) + ".trim", cost_of_trim(samples, count <= 4096 ? 21 : 1));
+    }
+}
+
 void run(bool large) {
     std::vector<std::int64_t> sizes{256, 1024, 4096, 16384, 65536};
     if (large) sizes.insert(sizes.end(), {262144, 1000000});
@@ -130,7 +158,9 @@ void run(bool large) {
 
 int main(int argc, char** argv) {
     try {
-        run(argc > 1 && std::strcmp(argv[1], "--large") == 0);
+        const std::string option = argc > 1 ? argv[1] : "";
+        if (option != "--trim") run(option == "--large");
+        run_trim();
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

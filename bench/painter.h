@@ -54,6 +54,7 @@ public:
         image_ms_ =
             1e3 * seconds([&] { check_(hrbfnpr_drawing_rasterize(drawing_.get(), &image_, nullptr, check_.error())); });
     }
+    [[nodiscard]] const hrbfnpr_drawing* drawing() const { return drawing_.get(); }
     [[nodiscard]] const std::vector<Disc>& discs(const hrbfnpr_camera& camera) {
         make_drawing(camera);
         std::int64_t count = 0;

@@ -77,7 +77,7 @@ scenes::Model evenly(hrbfnpr_context* context, const hrbfnpr_mesh* mesh, std::in
     const hrbfnpr_array_out to{points.data(), count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
     const hrbfnpr_array_out along{normals.data(), count, 0, HRBFNPR_SCALAR_FLOAT64, 3};
     check(hrbfnpr_mesh_sample(mesh, nullptr, &to, &along, nullptr, check.error()));
-    return bench::fit(context, points, normals);
+    return bench::fit(context, points, normals, HRBFNPR_TRIM_NEVER);
 }
 
 hrbfnpr_comparison compare(const scenes::Model& model, const hrbfnpr_mesh* mesh) {

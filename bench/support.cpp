@@ -122,7 +122,7 @@ void run_mesh(hrbfnpr_context* context, const Named& named, Totals& totals) {
     const bench::NearPoints nearest(sampled(raw, truth, truth).points, 0.5 * off * diagonal);
     for (const std::int64_t count : {500, 1000, 4096}) {
         const Samples samples = sampled(raw, count, 0);
-        const scenes::Model model = bench::fit(context, samples.points, samples.normals);
+        const scenes::Model model = bench::fit(context, samples.points, samples.normals, HRBFNPR_TRIM_NEVER);
         scenes::Model ended;
         const double seconds = bench::seconds([&] { ended = trimmed(model, &around, off); });
         const Samples all = stipples(context, model, marks);
@@ -203,7 +203,8 @@ Border border_of(const scenes::Model& model, double spacing) {
 
 Border run_border(hrbfnpr_context* context, int count, bool even) {
     const Samples samples = half_sphere(count, even);
-    const scenes::Model model = trimmed(bench::fit(context, samples.points, samples.normals), nullptr, 0.0);
+    const scenes::Model model =
+        trimmed(bench::fit(context, samples.points, samples.normals, HRBFNPR_TRIM_NEVER), nullptr, 0.0);
     const double spacing = std::sqrt(2.0 * std::numbers::pi / count);
     const Border border = border_of(model, spacing);
     std::printf("%6d %-6s samples: %.2f spacings beyond, deviation %.2f, at most %.2f\n", count,

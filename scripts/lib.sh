@@ -17,12 +17,15 @@ package_set() {
     build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev libhwy-dev ;;
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
     test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev binutils librsvg2-bin ;;
+    abi) echo tcc abigail-tools ;;
+    valid) echo libxml2-utils w3c-sgml-lib qpdf ;;
     csharp) echo mono-mcs mono-runtime ;;
     love) echo love luajit xvfb xauth ;;
     godot) echo godot3-server godot3-runner xvfb xauth ;;
     rust) echo rustc cargo ;;
     sdl2) echo libsdl2-dev libxtst6 xvfb xauth ;;
     coverage) echo gcovr ;;
+    memcheck) echo valgrind ;;
     bench) echo libtbb-dev libopenblas0 libegl-dev libgles-dev libgl1-mesa-dri ;;
     fuzz) echo clang-14 libclang-rt-14-dev llvm-14 ;;
     thread) echo clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 ;;
@@ -76,7 +79,9 @@ install_packages_if_offered() {
 configure() {
   local preset=$1 launcher=()
   shift
-  if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+  if command -v ccache >/dev/null; then # which has to be told of precompiled headers
+    launcher=("-DCMAKE_CXX_COMPILER_LAUNCHER=env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache")
+  fi
   cmake --preset "$preset" -S "$root" -DPython3_EXECUTABLE="$python" "${launcher[@]}" "$@"
 }
 

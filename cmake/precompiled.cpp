@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// The source of a target that only holds a precompiled header.
+int main() {}
