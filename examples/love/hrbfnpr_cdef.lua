@@ -13,6 +13,7 @@ const char* hrbfnpr_status_name(hrbfnpr_status status);
 typedef struct hrbfnpr_error { uint32_t struct_size; hrbfnpr_status status; char message[248]; } hrbfnpr_error;
 hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed);
+const char* hrbfnpr_layout(const char* name);
 enum { HRBFNPR_SCALAR_FLOAT32 = 1, HRBFNPR_SCALAR_FLOAT64 = 2, HRBFNPR_SCALAR_UINT8 = 3, HRBFNPR_SCALAR_UINT32 = 4,
     HRBFNPR_SCALAR_INT32 = 5, HRBFNPR_SCALAR_INT64 = 6 };
 typedef struct hrbfnpr_array { const void* data; int64_t count; int64_t stride; uint32_t scalar; uint32_t components;
@@ -70,11 +71,12 @@ enum { HRBFNPR_REPAIR_KEEP = 0, HRBFNPR_REPAIR_DROP = 1, HRBFNPR_REPAIR_REORIENT
 enum { HRBFNPR_REGULARIZATION_GIVEN = 0, HRBFNPR_REGULARIZATION_AUTO = 1 };
 enum { HRBFNPR_NORMALS_GIVEN = 0, HRBFNPR_NORMALS_NONE = 1, HRBFNPR_NORMALS_UNORIENTED = 2, HRBFNPR_NORMALS_MIXED = 3,
     HRBFNPR_NORMALS_INWARD = 4, HRBFNPR_NORMALS_AUTO = 5 };
+enum { HRBFNPR_TRIM_NEVER = 0, HRBFNPR_TRIM_AUTO = 1 };
 typedef struct hrbfnpr_fit_desc { uint32_t struct_size; uint32_t kernel; hrbfnpr_array points; hrbfnpr_array normals;
     double kernel_radius; int32_t polynomial_degree; uint32_t regularization_mode; double regularization;
     uint32_t outliers; uint32_t flipped_normals; double tolerance; int64_t maximum_centres; uint32_t solver;
     int32_t refinement_steps; double solver_tolerance; int32_t iteration_limit; uint32_t preconditioner_neighbours;
-    uint32_t normal_mode; uint32_t reserved; } hrbfnpr_fit_desc;
+    uint32_t normal_mode; uint32_t trim; } hrbfnpr_fit_desc;
 hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc, hrbfnpr_operation* operation,
     hrbfnpr_model** out_model, hrbfnpr_error* error);
@@ -459,7 +461,7 @@ enum { HRBFNPR_PAGE_FORMAT_SVG = 0, HRBFNPR_PAGE_FORMAT_PDF = 1, HRBFNPR_PAGE_FO
     HRBFNPR_PAGE_FORMAT_GCODE = 3 };
 enum { HRBFNPR_WIDTHS_OUTLINES = 0, HRBFNPR_WIDTHS_CLASSES = 1 };
 enum { HRBFNPR_DOT_SHAPE_CIRCLES = 0, HRBFNPR_DOT_SHAPE_LINES = 1, HRBFNPR_DOT_SHAPE_SPIRALS = 2 };
-enum { HRBFNPR_PAGE_IN_PLOT_ORDER = 1, HRBFNPR_PAGE_WITHOUT_PAPER = 2 };
+enum { HRBFNPR_PAGE_IN_PLOT_ORDER = 1, HRBFNPR_PAGE_SINGLE_PASS = 4, HRBFNPR_PAGE_WITHOUT_PAPER = 2 };
 enum { HRBFNPR_LINE_TYPE_AS_DRAWN = 0, HRBFNPR_LINE_TYPE_CONTINUOUS = 1, HRBFNPR_LINE_TYPE_DASHED = 2,
     HRBFNPR_LINE_TYPE_DASHED_SPACED = 3, HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED = 4,
     HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_DOTTED = 5, HRBFNPR_LINE_TYPE_LONG_DASHED_TRIPLE_DOTTED = 6,
@@ -487,7 +489,8 @@ typedef struct hrbfnpr_page_desc { uint32_t struct_size; uint32_t format; uint32
 hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_page_info { uint32_t struct_size; uint32_t reserved; int64_t bytes; int64_t groups;
     int64_t paths; int64_t segments; int64_t dots; int64_t joined; int64_t dropped_paths; int64_t dropped_dots;
-    double width; double height; double drawn; double travelled; double seconds; } hrbfnpr_page_info;
+    double width; double height; double drawn; double travelled; double seconds; int64_t filled_paths;
+    } hrbfnpr_page_info;
 hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc, hrbfnpr_write_fn write,
     void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error);
