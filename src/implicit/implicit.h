@@ -35,6 +35,8 @@ struct FieldBatch {
 
 [[nodiscard]] PointBatch slice(const PointBatch& points, std::int64_t begin, std::int64_t end) noexcept;
 
+class Sheets;
+
 class Implicit {
 public:
     Implicit() = default;
@@ -63,6 +65,10 @@ public:
         const Extent* const end = extent();
         return end == nullptr || end->holds(place, gradient);
     }
+
+    // The smooth functions that this is made of, if it has creases; null: it is smooth.  Where they meet the gradient
+    // is that of the active one.
+    [[nodiscard]] virtual const Sheets* sheets() const noexcept { return nullptr; }
 
     // Length scale of tolerances: the diagonal of the bounds, positive even for one sample.
     [[nodiscard]] double diagonal() const noexcept;

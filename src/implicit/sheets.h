@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The smooth functions that an implicit is made of, where it is not smooth itself: a maximum or minimum of two is one of
+// them on either side of the crease in which they meet.
+#pragma once
+
+#include "implicit/implicit.h"
+
+#include <cstdint>
+
+namespace hrbfnpr::implicit {
+
+class Sheets {
+public:
+    Sheets() = default;
+    Sheets(const Sheets&) = delete;
+    Sheets& operator=(const Sheets&) = delete;
+    virtual ~Sheets() = default;
+
+    // How many there are.
+    [[nodiscard]] virtual std::int32_t count() const noexcept = 0;
+    // Which of them f is at each point, in [0, count()).  On the calling thread.
+    virtual void active(const PointBatch& points, std::int32_t* sheet) const = 0;
+    // One of them, also beyond the place where it is f: smooth, and signed as f is.
+    virtual void evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const = 0;
+};
+
+} // namespace hrbfnpr::implicit
