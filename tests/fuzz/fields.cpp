@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 
 namespace fuzz {
 namespace {
@@ -56,7 +57,9 @@ std::vector<Field> read_fields(const char* name) {
 }
 
 const std::vector<Field>& fields_of(const char* name) {
+    static std::mutex mutex; // references stay good as more become known
     static std::map<std::string, std::vector<Field>, std::less<>> known;
+    const std::lock_guard lock(mutex);
     const auto found = known.find(name);
     return found != known.end() ? found->second : known.emplace(name, read_fields(name)).first->second;
 }

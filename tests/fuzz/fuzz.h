@@ -10,6 +10,7 @@
 #include <hrbfnpr.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -75,13 +76,15 @@ private:
     hrbfnpr_error error_;
 };
 
-// A serial context that has no more memory than any small file can need.
+inline std::int32_t context_threads = 1; // serial, so that a crash is the same each time
+
+// A context that has no more memory than any small file can need.
 class Context {
 public:
     Context() {
         hrbfnpr_context_desc desc;
         hrbfnpr_context_desc_init(&desc, sizeof desc);
-        desc.thread_count = 1;
+        desc.thread_count = context_threads;
         desc.allocator_user = this;
         desc.allocate = [](void* self, std::uint64_t bytes, std::uint64_t alignment) {
             return static_cast<Context*>(self)->allocate(bytes, alignment);
@@ -102,7 +105,7 @@ public:
 
     hrbfnpr_context* handle = nullptr;
     bool loading = false;
-    std::int64_t until_refusal = -1; // allocations that are still granted; negative: no end
+    std::atomic<std::int64_t> until_refusal = -1; // allocations that are still granted; negative: no end
 
 private:
     void* allocate(std::uint64_t bytes, std::uint64_t alignment) {
@@ -110,13 +113,19 @@ private:
             require(!loading, "a declared length is not believed");
             return nullptr;
         }
-        if (bytes_ + bytes > 512U << 20U || until_refusal == 0) return nullptr;
-        if (until_refusal > 0) --until_refusal;
+        if (bytes_ + bytes > 512U << 20U || is_refused()) return nullptr;
         bytes_ += bytes;
         return hrbfnpr::test::Allocator::aligned(bytes, alignment);
     }
 
-    std::uint64_t bytes_ = 0; // given out
+    bool is_refused() {
+        std::int64_t left = until_refusal;
+        while (left > 0 && !until_refusal.compare_exchange_weak(left, left - 1)) {
+        }
+        return left == 0;
+    }
+
+    std::atomic<std::uint64_t> bytes_ = 0; // given out
 };
 
 // Model or point set: NULL if the file is refused, which it must be with one of two errors.

@@ -58,9 +58,8 @@ const hrbfnpr_drawing* make_drawing(std::size_t which) {
 }
 
 const hrbfnpr_drawing* drawing_of(std::size_t which) {
-    static std::array<const hrbfnpr_drawing*, drawing_count> made{};
-    if (made[which] == nullptr) made[which] = make_drawing(which);
-    return made[which];
+    static Once<drawing_count, hrbfnpr_drawing> made;
+    return made(which, make_drawing);
 }
 
 // A page and all that it refers to.

@@ -129,13 +129,6 @@ const hrbfnpr_line_set* make_lines(std::size_t which) {
     return set;
 }
 
-// What make(which) gave the first time.
-template <std::size_t count, class T>
-const T* once(std::array<const T*, count>& made, std::size_t which, const T* (*make)(std::size_t)) {
-    if (made[which] == nullptr) made[which] = make(which);
-    return made[which];
-}
-
 } // namespace
 
 Context& scene_context() {
@@ -144,18 +137,18 @@ Context& scene_context() {
 }
 
 const hrbfnpr_model* scene_model(std::size_t which) {
-    static std::array<const hrbfnpr_model*, model_count> made{};
-    return once(made, which, make_model);
+    static Once<model_count, hrbfnpr_model> made;
+    return made(which, make_model);
 }
 
 const hrbfnpr_point_set* scene_set(std::size_t which) {
-    static std::array<const hrbfnpr_point_set*, set_count> made{};
-    return once(made, which, make_set);
+    static Once<set_count, hrbfnpr_point_set> made;
+    return made(which, make_set);
 }
 
 const hrbfnpr_line_set* scene_lines(std::size_t which) {
-    static std::array<const hrbfnpr_line_set*, line_set_count> made{};
-    return once(made, which, make_lines);
+    static Once<line_set_count, hrbfnpr_line_set> made;
+    return made(which, make_lines);
 }
 
 Custom::Custom(Input& input) {

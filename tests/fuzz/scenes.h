@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: MIT
-// Models, marks and line sets that are made once, for harnesses that begin with one.
+// Models, marks and line sets that are made once, for harnesses that begin with one, on any thread.
 #pragma once
 
 #include "fuzz.h"
 #include "input.h"
 
+#include <mutex>
+
 namespace fuzz {
 
 // The context of these.  It is never released, nor are they.
 Context& scene_context();
+
+// What make(which) gave the first time.
+template <std::size_t count, class T>
+class Once {
+public:
+    const T* operator()(std::size_t which, const T* (*make)(std::size_t)) {
+        std::call_once(flags_[which], [&] { made_[which] = make(which); });
+        return made_[which];
+    }
+
+private:
+    std::array<std::once_flag, count> flags_;
+    std::array<const T*, count> made_{};
+};
 
 constexpr std::size_t model_count = 5;
 // Fits of a sphere, a torus, a trimmed sheet, two spheres and one sample.
