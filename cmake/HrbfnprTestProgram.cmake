@@ -3,7 +3,6 @@
 #
 # HRBFNPR_TEST_OBJECTS is the folder of another build of the same sources, whose objects are then linked with the library
 # of this one.  So a library under sanitizers is tested without compiling its tests, which takes longer than the library.
-set(HRBFNPR_TEST_OBJECTS "" CACHE PATH "A build whose objects of tests are linked with the library of this one")
 
 function(hrbfnpr_test_program name)
   set(sources ${ARGN})

@@ -88,6 +88,7 @@ TEST(OperatorNew, AContextIsMadeOrNot) {
         const hrbfnpr_status status = refusal([&] { return hrbfnpr_context_create(&desc, &context, error); });
         calls = std::max(calls, refusal.calls() + 1);
         EXPECT_EQ(status == HRBFNPR_STATUS_OK, context != nullptr) << k;
+        hrbfnpr_context_release(context);
         if (status == HRBFNPR_STATUS_OK) break;
         EXPECT_EQ(status, HRBFNPR_STATUS_OUT_OF_MEMORY) << k;
     }

@@ -91,7 +91,7 @@ TEST_P(Retry, SomeRefusalsOfALargerRun) {
     sizes.places = 9000;
     sizes.pixels = 400;
     sizes.mesh_around = 80;
-    refuse_in_every_stage(GetParam(), sizes, 1, 12);
+    refuse_in_every_stage(GetParam(), sizes, 1, 6);
 }
 
 } // namespace
