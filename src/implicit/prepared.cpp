@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace hrbfnpr::implicit {
 namespace {
@@ -40,6 +41,7 @@ bool Prepared::pays(const HrbfData& data, double points) noexcept {
 std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const HrbfData& data,
                                          const base::Progress& progress) {
     if (data.kernel != kernel::Kind::triharmonic || data.count() < fewest_centres) return nullptr;
+    double before = std::numeric_limits<double>::infinity();
     for (int finer = 0; finer <= finest; ++finer) {
         const base::Stopwatch watch;
         auto prepared = std::make_unique<Prepared>(runtime, data, finer, progress);
@@ -52,6 +54,8 @@ std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const Hrb
             error.value, error.gradient);
         if (error.value <= slack * wanted.tolerance && error.gradient <= slack * gradients_share * wanted.tolerance)
             return prepared;
+        if (error.value >= before) break; // rounding is all that is left
+        before = error.value;
     }
     return nullptr;
 }
