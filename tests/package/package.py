@@ -108,7 +108,7 @@ def static(source, work):
     shutil.rmtree(prefix, ignore_errors=True)
     configure(HERE / "subdirectory", build, f"-DHRBFNPR_SOURCE_DIR={source}", "-DHOST_LANGUAGES=C;CXX",
               "-DBUILD_SHARED_LIBS=OFF", "-DHRBFNPR_INSTALL=ON", "-DCMAKE_BUILD_TYPE=Debug",
-              "-DCMAKE_CXX_FLAGS_DEBUG=-O0")
+              "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DHRBFNPR_PRECOMPILE=ON")
     run("cmake", "--build", build)
     run_consumer(build / "consumer")
     run("cmake", "--install", build, "--prefix", stage)
