@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hrbfnpr::curves {
 namespace {
@@ -44,6 +45,8 @@ geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Imp
             seeds.push_back(points.position[i]);
     return seeds;
 }
+
+constexpr double least_side = 1e-9; // in diagonals: no lattice has cells as small
 
 // With cells twice as wide, and again, where samples that are very uneven would give too many.
 SurfaceMesh of_any_size(const base::Runtime& runtime, const implicit::Implicit& surface,
@@ -89,19 +92,22 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     mesh.side = settings.side;
     const bool automatic = !(settings.side > 0.0);
     if (automatic)
-        mesh.side =
-            settings.spacing > 0.0 ? settings.spacing / sides_a_spacing : surface_.diagonal() / sides_a_diagonal;
+        mesh.side = settings.spacing > 0.0
+                        ? std::max(settings.spacing / sides_a_spacing, least_side * surface_.diagonal())
+                        : surface_.diagonal() / sides_a_diagonal;
     const geometry::VecArray seeds = settings.seeds.empty()
                                          ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
                                          : given_seeds(runtime.memory, settings.seeds);
     const double limit = settings.support.trim != nullptr ? settings.support.trim->limit() : settings.support.limit;
+    double last = std::numeric_limits<double>::infinity(); // the side before
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
         mesh_ = automatic ? of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
                           : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
         if (support_ != nullptr) clip_mesh(runtime, limit, progress);
         const auto triangles = static_cast<double>(mesh_->triangles());
         const bool thin = static_cast<double>(mesh_->turned) > turned_share * triangles || mesh_->missed_seeds > 0;
-        if (!automatic || !thin || 4 * mesh_->triangles() > most_triangles_of_finer) break;
+        if (!automatic || !thin || 4 * mesh_->triangles() > most_triangles_of_finer || mesh.side >= last) break;
+        last = mesh.side;
         mesh.side *= 0.5;
     }
     if (mesh_->triangles() == 0 && left_out_ > 0.0)

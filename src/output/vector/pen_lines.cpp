@@ -18,6 +18,9 @@ double square_from(const PagePoint& p, const PagePoint& a, const PagePoint& b) n
     return glm::dot(off, off);
 }
 
+// Points of a line that is split by itself: the work is as the square of their number where all are kept.
+constexpr std::int64_t split_at = 1024;
+
 } // namespace
 
 // [Douglas and Peucker 1973, "Algorithms for the reduction of the number of points required to represent a digitized
@@ -27,9 +30,11 @@ std::span<const dvec2> PenLines::line(const PagePath& path, double tolerance) {
     const PagePoint* const points = path.points.data();
     keeps_.clear();
     keeps_.resize(count);
-    keeps_[0] = keeps_[count - 1] = 1;
     waits_.clear();
-    waits_.push_back({0, count - 1});
+    for (std::int64_t first = 0; first < count - 1; first += split_at)
+        waits_.push_back({first, std::min(first + split_at, count - 1)});
+    keeps_[0] = 1;
+    for (const Range& range : waits_) keeps_[range.last] = 1;
     while (!waits_.empty()) {
         const Range range = waits_.back();
         waits_.resize(waits_.size() - 1);
