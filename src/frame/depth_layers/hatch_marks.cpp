@@ -457,7 +457,10 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
         put_marks(rows.from(first), seen.number.data() + first, i - first, to);
         to->way += std::exchange(way, 0.0F);
         to->passed = std::exchange(passed, 0.0F);
-        for (; leap < i; next_range()) to[leap - first].passed = 1.0F;
+        while (leap < i) {
+            to[leap - first].passed = 1.0F;
+            next_range();
+        }
         to += i - first;
     }
     if (seen.closed) {

@@ -8,6 +8,7 @@
 #include "fit/fit_centres.h"
 #include "geometry/farthest_order.h"
 #include "mesh/fit/fit_data.h"
+#include "mesh/fit/flat.h"
 #include "mesh/fit/off_surface.h"
 #include "mesh/fit/outer.h"
 #include "mesh/fit/surface_places.h"
@@ -336,6 +337,7 @@ private:
 
 MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const FitMeshSettings& settings,
                  const fit::FitInput& options, const base::Progress& progress) {
+    refuse_flat_solid(mesh);
     return Fitter(runtime, mesh, tree, settings, options, progress).run();
 }
 

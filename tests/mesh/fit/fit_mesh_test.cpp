@@ -134,6 +134,20 @@ TEST(FitMesh, LeavesOutFacesThatLieInsideAnother) {
     }
 }
 
+TEST(FitMesh, RefusesASolidWithoutAnInside) {
+    Triangles flat = torus(24, 12, 0.4);
+    for (std::size_t i = 2; i < flat.vertices.size(); i += 3) flat.vertices[i] = 0.0;
+    try {
+        const Fitted none(flat);
+        FAIL() << none.data().count() << " centres";
+    } catch (const hrbfnpr::Error& error) {
+        EXPECT_EQ(error.status(), hrbfnpr::Status::invalid_argument);
+        EXPECT_NE(std::string(error.what()).find("the mesh is flat"), std::string::npos) << error.what();
+    }
+    const Fitted sheet(box(1.0, 1.0, 1.0, 4).where([](double, double, double z) { return z > 0.4; }));
+    EXPECT_TRUE(sheet.report().supported); // one side of it
+}
+
 TEST(FitMesh, DoesNotMindABorder) {
     const auto half = [](double, double, double z) { return z > 0.0; };
     const Fitted bowl(icosphere(5).where(half));
