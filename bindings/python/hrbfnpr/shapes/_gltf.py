@@ -35,6 +35,8 @@ def read_gltf(data: bytes, folder: Path) -> Shape:
         raise ShapeError(f"line {error.lineno}, column {error.colno}: the JSON of the glTF file: {error.msg}") from None
     except UnicodeDecodeError:
         raise ShapeError("not a glTF file: its JSON is no text") from None
+    except OverflowError:
+        raise ShapeError("a number of the glTF file is larger than coordinates can be") from None
     except RecursionError:
         raise ShapeError("the JSON of the glTF file has lists in lists without an end") from None
     except ShapeError:
