@@ -24,7 +24,7 @@ import reader_files
 
 from hrbfnpr import shapes
 
-SECONDS = 10
+SECONDS = 10  # of processor time
 BYTES = 2 << 30
 WORDS = [
     b"0", b"-1", b"1", b"2", b"3", b"255", b"256", b"65536", b"2147483647", b"2147483648", b"-2147483649",
@@ -118,7 +118,7 @@ def use(path):
 
 def outcome(path):
     """Whether it was read, refused, or failed, and then the trace."""
-    signal.alarm(SECONDS)
+    signal.setitimer(signal.ITIMER_PROF, SECONDS)
     try:
         use(path)
         return "read", None
@@ -129,7 +129,7 @@ def outcome(path):
     except (Exception, SystemExit, TooSlow):
         return "failed", traceback.format_exc()
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def same_failure(trace):
@@ -203,7 +203,7 @@ def too_slow(number, frame):
 
 def main():
     given = arguments()
-    signal.signal(signal.SIGALRM, too_slow)
+    signal.signal(signal.SIGPROF, too_slow)
     resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     warnings.simplefilter("ignore")
     whole = reader_files.files()
