@@ -152,7 +152,7 @@ ROWS = {
     "more than 4096 points": ("a.xyz", lambda: table(*2 * [fibonacci_sphere(4200)]), ["--max-centres", "0"], 0),
     "fewer than ten points": ("a.xyz", lambda: table(*2 * [fibonacci_sphere(8)]), [], 0),
     "points in a plane, or a flat mesh": ("a.obj", lambda: obj(CUBE[:4] * [3, 2, 1], [[0, 1, 3, 2]]), [], 0),
-    "a solid that was pressed flat": ("a.obj", lambda: obj(tube()[0] * [1, 0, 1], tube()[1]), [], 1),
+    "a solid that was pressed flat": ("a.obj", lambda: obj(tube()[0] * [0, 1, 1], tube()[1]), [], 1),
     "one point": ("a.xyz", lambda: "0 0 0 0 0 1\n", [], 3),
     "closed mesh, inside out": ("a.obj", lambda: obj(tube()[0], [face[::-1] for face in tube()[1]]), [], 0),
     "mesh with holes, inside out": ("a.obj", holed, [], 0),
