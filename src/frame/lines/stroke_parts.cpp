@@ -77,8 +77,9 @@ void StrokeParts::collect(std::int64_t first, std::int64_t end) {
         last.free_end = next.ends_at_cusp;
     }
     if (!line.closed) {
-        parts_[0].free_begin = true;
-        parts_[parts_.size() - 1].free_end = true;
+        const bool joined = subjects_[static_cast<std::size_t>(line.subject)].joined;
+        parts_[0].free_begin = !joined;
+        parts_[parts_.size() - 1].free_end = parts_[parts_.size() - 1].free_end || !joined;
     } else if (parts_.size() > 1 && alike(parts_[parts_.size() - 1], parts_[0].layers, parts_[0].interval.hidden_by)) {
         Part& last = parts_[parts_.size() - 1];
         const Part& begin = parts_[0];
