@@ -11,6 +11,9 @@
 
 namespace hrbfnpr::visibility {
 
+// Subject::clear of creases, which are known as well as sheets are: beside their ends the sheet that hides them is near.
+inline constexpr double clear_of_creases = 1e-3;
+
 // A surface.
 struct Occluder {
     const curves::SheetCounter* sheets = nullptr;

@@ -138,6 +138,7 @@ void TracedLines::add_creases(const Source& source) {
     folds_of_[source.number] = static_cast<std::int32_t>(subjects_.size());
     visibility::Subject& subject = add_subject(source, parts->folds.curves);
     subject.joined = true;
+    subject.clear = visibility::clear_of_creases;
     contours_of_[source.number].end = static_cast<std::int32_t>(subjects_.size());
 }
 
@@ -209,6 +210,7 @@ void TracedLines::add_bent(const Source& source, const LineStyle& style, std::ui
         visibility::Subject& subject = add_subject(source, lines.curves);
         subject.sheets = 0;
         subject.joined = true;
+        subject.clear = visibility::clear_of_creases;
         styles_.push_back({&style, static_cast<std::int32_t>(subjects_.size() - 1), layer, lines.strength.data(),
                            static_cast<float>(by.lower), static_cast<float>(by.upper)});
     }
