@@ -99,9 +99,9 @@ void Splitter::find_sheets(std::int64_t from, const base::Progress& progress) {
     threads().for_chunks(mesh_.vertices() - from, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         const std::int64_t at = from + begin;
-        sheets_.active({mesh_.position.x.data() + at, mesh_.position.y.data() + at, mesh_.position.z.data() + at,
-                        end - begin},
-                       sheet_.data() + at);
+        sheets_.active(
+            {mesh_.position.x.data() + at, mesh_.position.y.data() + at, mesh_.position.z.data() + at, end - begin},
+            sheet_.data() + at);
     });
 }
 
@@ -130,8 +130,7 @@ void Splitter::look_at(EdgeNode& node) const {
     for (const std::int32_t vertex : end) meeting.add(sheet_[vertex]);
     const glm::dvec3 from = glm::mix(place[0], place[1], share);
     const double reach = farthest * std::min(mesh_.side, 2.0 * glm::distance(place[0], place[1]));
-    const surface::MeetingPlace found =
-        surface::find_meeting(sheets_, meeting, from, tolerance * mesh_.side, reach);
+    const surface::MeetingPlace found = surface::find_meeting(sheets_, meeting, from, tolerance * mesh_.side, reach);
     node.at.position = found.found ? found.position : from;
     node.gradient = {found.gradient[0], found.gradient[1]};
     node.at.exact = found.found && is_on_surface(found.position);
@@ -297,7 +296,8 @@ void Splitter::add_quad(const std::array<std::int32_t, 4>& vertex, std::int32_t 
         double area = std::numeric_limits<double>::infinity();
         for (const std::size_t k : {first + 1, first + 2}) {
             const glm::dvec3 a = mesh.position[vertex[first]];
-            const glm::dvec3 cross = glm::cross(mesh.position[vertex[k % 4]] - a, mesh.position[vertex[(k + 1) % 4]] - a);
+            const glm::dvec3 cross =
+                glm::cross(mesh.position[vertex[k % 4]] - a, mesh.position[vertex[(k + 1) % 4]] - a);
             for (const std::size_t i : {first, k % 4, (k + 1) % 4})
                 area = std::min(area, glm::dot(cross, glm::normalize(mesh.gradient[vertex[i]])));
         }
@@ -310,7 +310,8 @@ void Splitter::add_quad(const std::array<std::int32_t, 4>& vertex, std::int32_t 
 
 void Splitter::cut_in_two(std::int64_t triangle) {
     int k = 0; // the corner that stands alone
-    while (sheet_of(triangle, k) == sheet_of(triangle, k + 1) || sheet_of(triangle, k) == sheet_of(triangle, k + 2)) ++k;
+    while (sheet_of(triangle, k) == sheet_of(triangle, k + 1) || sheet_of(triangle, k) == sheet_of(triangle, k + 2))
+        ++k;
     const std::int64_t ab = 3 * triangle + k;
     const std::int64_t ca = 3 * triangle + (k + 2) % 3;
     const auto at = [&](int i) { return mesh_.corner[3 * triangle + i % 3]; };
@@ -400,6 +401,7 @@ void Splitter::end_chain(std::int64_t edge, bool closed) {
 // From corners and from the border first; what is left is closed.
 void Splitter::find_chains() {
     taken_.resize(mesh_.corner.size());
+    out_.creases.first.push_back(0);
     for (const CornerNode& corner : corners_)
         for (std::int64_t e = 3 * corner.triangle; e < 3 * corner.triangle + 3; ++e) {
             if (taken_[e] != 0) continue;

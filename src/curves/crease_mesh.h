@@ -19,9 +19,7 @@ struct CreaseNode {
 // Creases as chains of nodes, from corner to corner, from border to border, or closed.
 struct CreaseChains {
     explicit CreaseChains(base::Memory& memory) noexcept
-        : first(memory), closed(memory), left(memory), right(memory), node(memory) {
-        first.push_back(0);
-    }
+        : first(memory), closed(memory), left(memory), right(memory), node(memory) {}
 
     base::Array<std::int64_t> first;  // of each chain's nodes, and the end
     base::Array<std::uint8_t> closed; // 1: the last is followed by the first, which stands there once

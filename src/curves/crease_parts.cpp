@@ -170,8 +170,7 @@ CreaseParts parts_in_view(const base::Runtime& runtime, const implicit::Sheets& 
     return std::move(cutter).result();
 }
 
-SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, CreaseSide side, double lower,
-                        double upper) {
+SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, CreaseSide side, double lower, double upper) {
     SurfaceLines parts(memory);
     LineBuilder builder(parts, true);
     const Curves& curves = lines.curves;

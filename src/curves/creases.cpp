@@ -93,7 +93,8 @@ void Tracer::add_chain(const CreaseChains& chains, std::int64_t chain) {
             return i >= 0 && size > i && glm::distance(points[i].position, node.position) < within * side_;
         };
         if (last && !whole)
-            while (points.size() > 1 && glm::distance(points[points.size() - 1].position, node.position) < nearest * side_)
+            while (points.size() > 1 &&
+                   glm::distance(points[points.size() - 1].position, node.position) < nearest * side_)
                 points.resize(points.size() - 1);
         if (!last && crowds(size - 1, nearest)) continue;
         if (whole && (crowds(size - 1, nearest) || (size > 2 && crowds(0, nearest)))) continue;
@@ -135,9 +136,8 @@ void Tracer::find_tangents() {
             const double b = glm::dot(out, out);
             const glm::dvec3 along = a > 0.0 && b > 0.0 ? in / a + out / b : in + out;
             const glm::dvec3 cross = glm::cross(p.left, p.right);
-            p.tangent = glm::length(cross) > least_sine
-                            ? glm::normalize(glm::dot(cross, along) < 0.0 ? -cross : cross)
-                            : glm::normalize(along);
+            p.tangent = glm::length(cross) > least_sine ? glm::normalize(glm::dot(cross, along) < 0.0 ? -cross : cross)
+                                                        : glm::normalize(along);
         }
     }
 }
@@ -199,6 +199,7 @@ bool Tracer::refine(const base::Progress& progress) {
 }
 
 Creases Tracer::run(const CreaseChains& chains, const base::Progress& progress) {
+    creases_.first.push_back(0);
     for (std::int64_t c = 0; c < chains.chains(); ++c) add_chain(chains, c);
     measure(progress);
     find_tangents();

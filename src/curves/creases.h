@@ -20,9 +20,7 @@ struct CreasePoint {
 
 struct Creases {
     explicit Creases(base::Memory& memory) noexcept
-        : first(memory), closed(memory), left(memory), right(memory), point(memory) {
-        first.push_back(0);
-    }
+        : first(memory), closed(memory), left(memory), right(memory), point(memory) {}
 
     base::Array<std::int64_t> first;  // of each crease's points, and the end
     base::Array<std::uint8_t> closed; // 1: the first point follows the last, and stands there once

@@ -85,7 +85,8 @@ private:
         const double place = tolerance * implicit_.diagonal();
         runtime_.parallel.for_chunks(mesh_.corner.size(), 8192, [&](std::int64_t begin, std::int64_t stop) {
             for (std::int64_t e = begin; e < stop; ++e) {
-                const bool rough = is_first(mesh_, e) && is_rough(shape_[start(e)], shape_[end(e)], vector(e), change, place);
+                const bool rough =
+                    is_first(mesh_, e) && is_rough(shape_[start(e)], shape_[end(e)], vector(e), change, place);
                 middle_[e] = rough ? to_halve : whole;
             }
         });

@@ -3,6 +3,7 @@
 
 #include "base/clock.h"
 #include "curves/border.h"
+#include "curves/section_corners.h"
 #include "implicit/evaluate_all.h"
 #include "surface/project.h"
 #include "surface/region.h"
@@ -203,7 +204,11 @@ SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& requ
     feature.lower = thresholds.lower;
     feature.upper = thresholds.upper;
     feature.shortest = request.shortest;
-    return as_lines(runtime.memory, find_feature_lines(runtime, features(), feature, progress));
+    FeatureLines found = find_feature_lines(runtime, features(), feature, progress);
+    if (const implicit::Sheets* const sheets = surface_.sheets();
+        sheets != nullptr && feature.kind == FeatureKind::section)
+        end_at_creases(runtime, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
+    return as_lines(runtime.memory, found);
 }
 
 LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,

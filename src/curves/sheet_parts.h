@@ -12,8 +12,7 @@
 namespace hrbfnpr::curves {
 
 struct SheetPart {
-    SheetPart(base::Memory& memory, const implicit::Implicit& whole, const implicit::Sheets& sheets,
-              std::int32_t sheet)
+    SheetPart(base::Memory& memory, const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet)
         : surface(whole, sheets, sheet), mesh(memory) {}
 
     implicit::OneSheet surface;
@@ -22,8 +21,7 @@ struct SheetPart {
 };
 
 // Of all sheets that have triangles, in their order.
-[[nodiscard]] base::List<std::unique_ptr<SheetPart>> sheet_parts(const base::Runtime& runtime,
-                                                                 const implicit::Implicit& whole,
-                                                                 const SharpMesh& mesh);
+[[nodiscard]] base::List<std::unique_ptr<SheetPart>>
+sheet_parts(const base::Runtime& runtime, const implicit::Implicit& whole, const SharpMesh& mesh);
 
 } // namespace hrbfnpr::curves

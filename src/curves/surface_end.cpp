@@ -28,7 +28,8 @@ bool SupportEnd::near_border(const glm::dvec3& place) const {
 
 SheetEnd::SheetEnd(const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet,
                    const geometry::VecArray& creases, double side, const SurfaceEnd* base)
-    : whole_(whole), sheets_(sheets), sheet_(sheet), tolerance_(on_surface * side), grid_(creases, reach * side), base_(base) {}
+    : whole_(whole), sheets_(sheets), sheet_(sheet), tolerance_(on_surface * side), grid_(creases, reach * side),
+      base_(base) {}
 
 bool SheetEnd::near_border(const glm::dvec3& place) const {
     bool near = base_ != nullptr && base_->near_border(place);

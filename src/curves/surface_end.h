@@ -58,8 +58,8 @@ class SheetEnd final : public SurfaceEnd {
 public:
     // creases: places along those of the sheet, no farther apart than a side; base: where the whole surface ends, or
     // null.
-    SheetEnd(const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet, const geometry::VecArray& creases,
-             double side, const SurfaceEnd* base);
+    SheetEnd(const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet,
+             const geometry::VecArray& creases, double side, const SurfaceEnd* base);
 
     [[nodiscard]] bool near_border(const glm::dvec3& place) const override;
     // How far from the whole surface, unless the sheet is the active one.

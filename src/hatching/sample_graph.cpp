@@ -51,8 +51,9 @@ double SampleGraph::angle(std::int64_t i, const glm::dvec3& tangent) const noexc
 
 SampleGraph::SampleGraph(const base::Runtime& runtime, geometry::VecArray positions, geometry::VecArray normals,
                          base::Array<std::int32_t> sheets, double its_spacing, const base::Progress& progress)
-    : position(std::move(positions)), normal(std::move(normals)), sheet(std::move(sheets)), u(runtime.memory, position.size()),
-      spacing(its_spacing), first(runtime.memory, position.size() + 1), link(runtime.memory) {
+    : position(std::move(positions)), normal(std::move(normals)), sheet(std::move(sheets)),
+      u(runtime.memory, position.size()), spacing(its_spacing), first(runtime.memory, position.size() + 1),
+      link(runtime.memory) {
     for (std::int64_t i = 0; i < size(); ++i) u.set(i, geometry::any_perpendicular(normal[i]));
     const geometry::Neighbours near(runtime.parallel, position, neighbours, progress);
     struct Pair {

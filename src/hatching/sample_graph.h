@@ -37,7 +37,7 @@ struct SampleGraph {
 
     geometry::VecArray position, normal;
     base::Array<std::int32_t> sheet; // of each sample; links lead over no crease.  Empty: there are none
-    geometry::VecArray u; // the frame's first axis; the second is normal x u
+    geometry::VecArray u;            // the frame's first axis; the second is normal x u
     double spacing;
     base::Array<std::int64_t> first; // of each sample's links, and the end
     base::Array<Link> link;          // both ways

@@ -41,9 +41,8 @@ void Scaled::evaluate(const PointBatch& points, const FieldBatch& fields) const 
 }
 
 void Scaled::ScaledSheets::active(const PointBatch& points, std::int32_t* sheet) const {
-    in_own_unit(points, unit, [&](const PointBatch& some, std::int64_t begin) {
-        own.sheets()->active(some, sheet + begin);
-    });
+    in_own_unit(points, unit,
+                [&](const PointBatch& some, std::int64_t begin) { own.sheets()->active(some, sheet + begin); });
 }
 
 void Scaled::ScaledSheets::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {

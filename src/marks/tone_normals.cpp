@@ -75,7 +75,8 @@ void soften_normals(const Site& site, const Marks& marks, double length, double 
     site.runtime.parallel.for_chunks(marks.count(), chunk_size, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
-            const glm::dvec3 normal = softener.around(marks.position[i], marks.normal[i], sheets.empty() ? 0 : sheets[i]);
+            const glm::dvec3 normal =
+                softener.around(marks.position[i], marks.normal[i], sheets.empty() ? 0 : sheets[i]);
             for (int k = 0; k < 3; ++k) result[3 * i + k] = static_cast<float>(normal[k]);
         }
     });

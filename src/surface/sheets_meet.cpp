@@ -74,10 +74,9 @@ MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting
         if (!(glm::distance(place.position + way, from) <= farthest)) return place;
         // Parallel sheets, of which not all count, need not be 0.
         if (length <= tolerance) {
-            place.found = std::all_of(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(meeting.count),
-                                      [&](const SheetValue& v) {
-                                          return std::abs(v.value) <= 2.0 * tolerance * glm::length(v.gradient);
-                                      });
+            place.found = std::all_of(
+                at.begin(), at.begin() + static_cast<std::ptrdiff_t>(meeting.count),
+                [&](const SheetValue& v) { return std::abs(v.value) <= 2.0 * tolerance * glm::length(v.gradient); });
             return place;
         }
         place.position += way;

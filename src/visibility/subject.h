@@ -11,7 +11,8 @@
 
 namespace hrbfnpr::visibility {
 
-// Subject::clear of creases, which are known as well as sheets are: beside their ends the sheet that hides them is near.
+// Subject::clear of creases, which are known as well as sheets are: beside their ends the sheet that hides them is
+// near.
 inline constexpr double clear_of_creases = 1e-3;
 
 // A surface.

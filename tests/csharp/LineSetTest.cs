@@ -36,7 +36,7 @@ namespace HrbfNpr.Tests
         {
             LineSetInfo info = lines.Info;
             Assert.True(info.Triangles > 100 && info.CellSize > 0 && info.Seconds > 0 && info.Bytes > 0);
-            Assert.Equal(0L, info.Turned + info.MissedSeeds + info.Lines + info.Borders);
+            Assert.Equal(0L, info.Turned + info.MissedSeeds + info.Lines + info.Borders + info.Creases);
             using (LineSet coarse = model.LineSet(new LineSetOptions { CellSize = 2 * info.CellSize }))
             using (LineSet seeded = model.LineSet(new LineSetOptions { SeedPoints = new float[] { 0, 0, 1.01f } }))
             {

@@ -195,5 +195,41 @@ TEST(Creases, AngleFades) {
     EXPECT_GT(longest, 0.8);
 }
 
+// A section of a cube is a polygon, one line for each face; of a bored one there is a circle or an arc as well.
+TEST(Creases, SectionsHaveCorners) {
+    const auto shape = bored_cube(0.6, glm::dmat3(1.0));
+    LineRequest request;
+    request.kind = LineKind::section;
+    request.plane = {0.1, 0.2, 1.0};
+    const std::array<double, 3> levels{-0.33, 0.17, 1.05};
+    request.levels = levels;
+    LineSetSettings settings;
+    settings.side = 0.1;
+    settings.lines = std::span(&request, 1);
+    const LineSet lines(runtime(), *shape, std::make_unique<implicit::DifferencedShape>(*shape), settings, {});
+    const Curves& curves = lines.found()[0].lines.curves;
+    std::vector<glm::dvec3> ends;
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        if (curves.closed[c] != 0) continue;
+        ends.push_back(curves.point[curves.first[c]].position);
+        ends.push_back(curves.point[curves.first[c + 1] - 1].position);
+    }
+    const glm::dvec3 normal = glm::normalize(request.plane);
+    // Four sides each; the third plane passes through the top, and along the hole's rim as well.
+    EXPECT_GE(ends.size(), 2U * (4 + 4 + 4));
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        int alike = 0;
+        for (std::size_t k = 0; k < ends.size(); ++k) alike += glm::distance(ends[i], ends[k]) <= 1e-9 ? 1 : 0;
+        EXPECT_EQ(alike, 2) << ends[i].x << ' ' << ends[i].y << ' ' << ends[i].z;
+        double off = 1e9;
+        for (const double level : levels) off = std::min(off, std::abs(glm::dot(normal, ends[i]) - level));
+        EXPECT_LE(off, 1e-10);
+        const glm::dvec3 p = ends[i];
+        EXPECT_LE(std::min({off_ring(p, 0.6, 1.0), std::hypot(std::abs(p.x) - 1.0, std::abs(p.y) - 1.0),
+                            std::hypot(std::abs(p.x) - 1.0, p.z - 1.0), std::hypot(std::abs(p.y) - 1.0, p.z - 1.0)}),
+                  1e-9);
+    }
+}
+
 } // namespace
 } // namespace hrbfnpr::curves

@@ -62,9 +62,8 @@ inline FieldFunction turned(const FieldFunction& f, const glm::dmat3& turn) {
         const Hessian& h = field.hessian;
         const glm::dmat3 own(h[0], h[1], h[2], h[1], h[3], h[4], h[2], h[4], h[5]);
         const glm::dmat3 m = glm::transpose(turn) * own * turn;
-        return Field{field.value,
-                     glm::transpose(turn) * field.gradient,
-                     {m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]}};
+        return Field{
+            field.value, glm::transpose(turn) * field.gradient, {m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]}};
     };
 }
 
@@ -183,8 +182,8 @@ inline std::unique_ptr<SharpShape> fading_wedge() {
             return Field{p.z + a * p.x, {a, -3.0 * a * p.x, 1.0}, {0.0, -3.0 * a, 0.0, 9.0 * a * p.x, 0.0, 0.0}};
         };
     };
-    return std::make_unique<SharpShape>(
-        cube(1.0), max_of({Sharp(FieldFunction(slope(1.0))), Sharp(FieldFunction(slope(-1.0))), sphere({0, 0, 0}, 1.0)}));
+    return std::make_unique<SharpShape>(cube(1.0), max_of({Sharp(FieldFunction(slope(1.0))),
+                                                           Sharp(FieldFunction(slope(-1.0))), sphere({0, 0, 0}, 1.0)}));
 }
 
 } // namespace hrbfnpr::test

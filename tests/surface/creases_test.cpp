@@ -130,7 +130,7 @@ TEST(RaysAtCreases, InsideAndCurvatureAreTheActiveSheets) {
     contains(runtime(), *shape, points, inside, {});
     for (std::int64_t i = 0; i < 4; ++i) EXPECT_EQ(inside[i], i % 3 == 0 ? 1 : 0) << i;
     geometry::VecArray on(runtime().memory);
-    on.push_back({0.5, 0.0, 1e-6});  // on the thin cylinder, beside the ring
+    on.push_back({0.5, 0.0, 1e-6});   // on the thin cylinder, beside the ring
     on.push_back({0.500001, 0.0, 0}); // on the ring, beside the cylinder
     base::Array<Curvature> curvature(runtime().memory);
     principal_curvatures(runtime(), *shape, on, curvature, {});

@@ -26,8 +26,8 @@ std::unique_ptr<curves::LineSet> line_set(const implicit::Implicit& shape, doubl
 class Sharp {
 public:
     Sharp(const curves::LineSet& set, const Eye& eye)
-        : set_(set), view_(eye.view()), parts_(curves::parts_in_view(runtime(), *set.surface().sheets(), set.creases(),
-                                                                     view_)),
+        : set_(set), view_(eye.view()),
+          parts_(curves::parts_in_view(runtime(), *set.surface().sheets(), set.creases(), view_)),
           picture(runtime(), Stage(), eye) {
         picture.occluders.push_back({&set.sheets(), &set.surface(), glm::dmat4(1.0), view_.eye});
         for (const auto& part : set.parts()) add_contours(*part);

@@ -166,6 +166,7 @@ void TracedLines::add_lines(const Source& source, const curves::SurfaceLines& li
         const auto number = static_cast<std::int32_t>(subjects_.size() - 1);
         if (style == nullptr) continue;
         if (style->kind == LineKind::own) subject.clear = clear_of_own;
+        subject.joined = style->kind == LineKind::section && source.item->lines->creases().count() > 0;
         const curves::Thresholds by = curves::thresholds_of(style->kind, {style->lower, style->upper});
         styles_.push_back(
             {style, number, layer, parts.strength.data(), static_cast<float>(by.lower), static_cast<float>(by.upper)});

@@ -64,7 +64,7 @@ private:
     base::Array<DrawnAs> styles_;
     base::List<std::unique_ptr<curves::CreaseParts>> creases_; // of each source
     base::List<base::Array<float>> strengths_;
-    base::Array<Range> contours_of_; // of each source: its contours, and creases that are such
+    base::Array<Range> contours_of_;     // of each source: its contours, and creases that are such
     base::Array<std::int32_t> folds_of_; // ... the latter; -1: there are none
     base::Array<std::int32_t> borders_of_;
     glm::dvec4 light_{0.0}; // of the item at hand, in its own space

@@ -230,10 +230,9 @@ constexpr LineStyle blueprint_line(LineKind kind, float width, float outline, co
     for (int i = 0; i < 3; ++i) style.ink[i] = chalk[i];
     return style;
 }
-constexpr LineStyle blueprint_lines[] = {blueprint_line(LineKind::contour, 1.5F, 1.6F),
-                                         blueprint_line(LineKind::border, 1.5F, 1.6F),
-                                         blueprint_line(LineKind::own, 1.1F, 1.0F, "crease"),
-                                         blueprint_line(LineKind::crease, 1.1F, 1.0F)};
+constexpr LineStyle blueprint_lines[] = {
+    blueprint_line(LineKind::contour, 1.5F, 1.6F), blueprint_line(LineKind::border, 1.5F, 1.6F),
+    blueprint_line(LineKind::own, 1.1F, 1.0F, "crease"), blueprint_line(LineKind::crease, 1.1F, 1.0F)};
 // The outline is heavy; ridges between scars are fine lines.
 constexpr LineStyle ridge_line(float width) {
     LineStyle style = contour_line(width, HiddenParts::none);
