@@ -1800,8 +1800,8 @@ enum {
                                                shade */
     HRBFNPR_PRESET_SKETCH = 12,             /* pencil on warm paper: two sets of lines that stray and run past their ends,
                                                contours drawn twice */
-    HRBFNPR_PRESET_BLUEPRINT = 13,          /* pale lines on blue without tone: contours, borders and lines called "crease",
-                                               hidden ones dashed */
+    HRBFNPR_PRESET_BLUEPRINT = 13,          /* pale lines on blue without tone: contours, borders, creases and lines called
+                                               "crease", hidden ones dashed */
     HRBFNPR_PRESET_ARCHAEOLOGICAL = 14      /* lit from the upper left: short lines along curvature that taper to the light,
                                                heavy outlines, and the RIDGE lines of a line set */
 };

@@ -58,8 +58,9 @@ LayerCandidates::LayerCandidates(const marks::Site& site, const SurfaceCells& ce
     : site_(site), cells_(cells), numbers_(numbers), kind_(kind), stream_(stream),
       projections_of_point_(projections_for(cells, wanted)), trial_cell_(site.memory()), slot_(site.memory()),
       drawn_(site.memory()), drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()),
-      field_(site.memory()), beside_(site.memory()), times_(site.memory()), kept_(site.memory()), near_of_task_(site.memory()), strayed_of_task_(site.memory()),
-      bent_(site.memory()), landed_(site.memory()), projections_(site.memory()) {
+      field_(site.memory()), beside_(site.memory()), times_(site.memory()), kept_(site.memory()),
+      near_of_task_(site.memory()), strayed_of_task_(site.memory()), bent_(site.memory()), landed_(site.memory()),
+      projections_(site.memory()) {
     find_trial_cells();
 }
 
@@ -243,8 +244,7 @@ void LayerCandidates::step_down(const base::Progress& progress) {
         near_ += near_of_task_[task];
         strayed_ += strayed_of_task_[task];
         projections_.resize_for_overwrite(before + kept_[task]);
-        std::copy_n(landed_.data() + most * points_of_task * task, kept_[task],
-                    projections_.data() + before);
+        std::copy_n(landed_.data() + most * points_of_task * task, kept_[task], projections_.data() + before);
     }
     step_down_again(first, progress);
 }

@@ -42,10 +42,9 @@ OrderStage::Impl::Impl(const marks::Site& site, Candidates& candidates, const Ce
     : site_(site),
       grid_(candidates.grid), region_{candidates.region.min - grid_.origin, candidates.region.max - grid_.origin},
       home_(home), home_level_(home_level), settings_(settings), progress_(progress),
-      side_(static_cast<float>(std::ldexp(grid_.side, settings.level))),
-      loops_(loops_for(site)), code_(site.memory()), number_(site.memory()),
-      cell_(site.memory()), neighbour_(site.memory()), lowest_(site.memory()), floor_(site.memory()),
-      group_(site.memory()), extra_(site.memory()), tile_(site.memory()), fresh_(site.memory()),
+      side_(static_cast<float>(std::ldexp(grid_.side, settings.level))), loops_(loops_for(site)), code_(site.memory()),
+      number_(site.memory()), cell_(site.memory()), neighbour_(site.memory()), lowest_(site.memory()),
+      floor_(site.memory()), group_(site.memory()), extra_(site.memory()), tile_(site.memory()), fresh_(site.memory()),
       fresh_count_(site.memory()), energy_(site.memory()), step_(site.memory()) {
     take_candidates(candidates);
     find_tiles();
@@ -356,7 +355,8 @@ private:
         const glm::dvec2 tangent(glm::dot(precise, from.frame.u), glm::dot(precise, from.frame.r));
         const double length = glm::length(tangent);
         const glm::dvec3 other = beyond ? glm::normalize(vector(unpacked)) : glm::dvec3(0.0);
-        const double way = beyond ? std::sqrt(squared_way(precise, glm::dvec3(from.normal), other)) : glm::length(precise);
+        const double way =
+            beyond ? std::sqrt(squared_way(precise, glm::dvec3(from.normal), other)) : glm::length(precise);
         flat_[around_] = length > 0.0 ? way / length * tangent : tangent;
         beyond_[around_] = other;
         between_[around_++] = precise;

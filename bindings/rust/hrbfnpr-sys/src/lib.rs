@@ -2569,7 +2569,8 @@ pub const HRBFNPR_PRESET_WOODCUT: u32 = 10;
 pub const HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: u32 = 11;
 /// pencil on warm paper: two sets of lines that stray and run past their ends, contours drawn twice
 pub const HRBFNPR_PRESET_SKETCH: u32 = 12;
-/// pale lines on blue without tone: contours, borders and lines called "crease", hidden ones dashed
+/// pale lines on blue without tone: contours, borders, creases and lines called "crease",
+/// hidden ones dashed
 pub const HRBFNPR_PRESET_BLUEPRINT: u32 = 13;
 /// lit from the upper left: short lines along curvature that taper to the light, heavy
 /// outlines, and the RIDGE lines of a line set
