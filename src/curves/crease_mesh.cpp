@@ -19,7 +19,7 @@ constexpr int most_settlings = 20;
 constexpr std::int64_t grain = 32;
 // In sides.
 constexpr double tolerance = 1e-9;     // of a place where sheets meet
-constexpr double on_surface = 1e-6;    // that place's distance from the whole surface
+constexpr double on_surface = 1e-3;    // that place's distance from the whole surface
 constexpr double farthest = 1.5;       // from the edge
 constexpr double shortest_edge = 0.01; // that is halved
 constexpr double equal = 1e-7;         // sheets that are no farther apart, and as parallel, are one there
