@@ -27,8 +27,10 @@ double thinned(double length, double taper) noexcept { return length < 2.0 * tap
 
 // By its strength there.
 float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
-    if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
+    if (as.strength == nullptr || !(as.upper > as.lower || as.cut)) return 1.0F;
     const float strength = (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
+    if (as.cut && strength < as.lower) return 0.0F;
+    if (!(as.upper > as.lower)) return 1.0F;
     const float full = std::clamp((strength - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
     return 1.0F - as.style->fade * (1.0F - full);
 }

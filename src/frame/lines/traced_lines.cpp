@@ -223,6 +223,7 @@ void TracedLines::add_bent(const Source& source, const LineStyle& style, std::ui
     for (const float angle : parts.folds.strength) strength.push_back(curves::angle_on(style.creases, angle));
     styles_.push_back({&style, folds_of_[source.number], layer, strength.data(), static_cast<float>(by.lower),
                        static_cast<float>(by.upper)});
+    styles_[styles_.size() - 1].cut = true;
 }
 
 // By interpolation on the mesh: enough to draw.
