@@ -1394,7 +1394,11 @@ enum {
     HRBFNPR_LINE_KIND_SECTION = 8,            /* once; parallel planes */
     HRBFNPR_LINE_KIND_BORDER = 9,             /* where the surface ends: at the search box, or beyond the last samples
                                                  (hrbfnpr_line_set_desc.support) */
-    HRBFNPR_LINE_KIND_OWN = 10                /* once; polylines of the caller, such as creases of a mesh */
+    HRBFNPR_LINE_KIND_OWN = 10,               /* once; polylines of the caller, such as creases of a mesh */
+    HRBFNPR_LINE_KIND_CREASE = 11             /* where smooth sheets of the surface meet, of models that have such edges;
+                                                 found with the line set, in no list.  Strength: the angle between the
+                                                 sheets' normals, degrees.  Where one of them faces the eye and the
+                                                 other does not, a crease is a part of the CONTOUR and drawn as that */
 };
 
 /* Lines to find once. */
@@ -1470,6 +1474,7 @@ typedef struct hrbfnpr_line_set_info {
     double seconds;       /* that it took to make */
     int64_t bytes;        /* kept */
     double left_out;      /* the share of the surface's area that lies beyond the samples, 0 to 1; 0 without support */
+    int64_t creases;      /* curves where sheets of the surface meet, at any angle: from corner to corner, or closed */
 } hrbfnpr_line_set_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_info_init(hrbfnpr_line_set_info* info, uint32_t struct_size);
@@ -1654,6 +1659,13 @@ enum {
     HRBFNPR_CAP_POINTED = 2 /* narrowing to a tip; the tip's length is twice the width there */
 };
 
+/* Creases by the way that the surface bends there. */
+enum {
+    HRBFNPR_CREASES_ALL = 0,
+    HRBFNPR_CREASES_CONVEX = 1, /* edges */
+    HRBFNPR_CREASES_CONCAVE = 2 /* grooves, and where something stands on a face */
+};
+
 /* How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels. */
 typedef struct hrbfnpr_line_style {
     uint32_t struct_size;
@@ -1672,7 +1684,7 @@ typedef struct hrbfnpr_line_style {
                              that are found with every drawing measure 0.01 diagonals or more */
     float fade;           /* 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1 */
     double lower;         /* strengths as in hrbfnpr_line_desc; 0 and 0 = those of the kind: 10 and 30 of suggestive
-                             contours, 12 and 25 of apparent ridges */
+                             contours, 12 and 25 of apparent ridges, 15 and 30 (degrees) of creases */
     double upper;
     hrbfnpr_array levels; /* of ISOPHOTE: FLOAT64, 1: -1 .. 1.  Read during _draw only */
     float ink[4];         /* straight RGBA; black */
@@ -1695,7 +1707,7 @@ typedef struct hrbfnpr_line_style {
     float wobble_width;   /* 0 .. 1: the share by which its width may vary; 0 */
     float wobble_length;  /* from swing to swing, about, widths, >= 1; 40 */
     uint32_t wobble_seed; /* 0 */
-    uint32_t reserved;
+    uint32_t creases;     /* of CREASE: HRBFNPR_CREASES_...; ALL */
 } hrbfnpr_line_style;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
@@ -1788,8 +1800,8 @@ enum {
                                                shade */
     HRBFNPR_PRESET_SKETCH = 12,             /* pencil on warm paper: two sets of lines that stray and run past their ends,
                                                contours drawn twice */
-    HRBFNPR_PRESET_BLUEPRINT = 13,          /* pale lines on blue without tone: contours, borders and lines called "crease",
-                                               hidden ones dashed */
+    HRBFNPR_PRESET_BLUEPRINT = 13,          /* pale lines on blue without tone: contours, borders, creases and lines called
+                                               "crease", hidden ones dashed */
     HRBFNPR_PRESET_ARCHAEOLOGICAL = 14      /* lit from the upper left: short lines along curvature that taper to the light,
                                                heavy outlines, and the RIDGE lines of a line set */
 };

@@ -253,7 +253,7 @@ typedef struct hrbfnpr_line_set hrbfnpr_line_set;
 enum { HRBFNPR_LINE_KIND_CONTOUR = 1, HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3,
     HRBFNPR_LINE_KIND_VALLEY = 4, HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6,
     HRBFNPR_LINE_KIND_ISOPHOTE = 7, HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9,
-    HRBFNPR_LINE_KIND_OWN = 10 };
+    HRBFNPR_LINE_KIND_OWN = 10, HRBFNPR_LINE_KIND_CREASE = 11 };
 typedef struct hrbfnpr_line_desc { uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper;
     double shortest; double plane[3]; hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first;
     } hrbfnpr_line_desc;
@@ -270,7 +270,7 @@ void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set);
 void hrbfnpr_line_set_release(const hrbfnpr_line_set* line_set);
 typedef struct hrbfnpr_line_set_info { uint32_t struct_size; uint32_t reserved; int64_t triangles; int64_t turned;
     int64_t missed_seeds; int64_t lines; int64_t borders; double cell_size; double seconds; int64_t bytes;
-    double left_out; } hrbfnpr_line_set_info;
+    double left_out; int64_t creases; } hrbfnpr_line_set_info;
 hrbfnpr_status hrbfnpr_line_set_info_init(hrbfnpr_line_set_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_line_set_get_info(const hrbfnpr_line_set* line_set, hrbfnpr_line_set_info* info,
     hrbfnpr_error* error);
@@ -309,11 +309,12 @@ hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t str
 enum { HRBFNPR_HIDDEN_PARTS_NONE = 0, HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, HRBFNPR_HIDDEN_PARTS_DASHED = 2,
     HRBFNPR_HIDDEN_PARTS_SHOWN = 3 };
 enum { HRBFNPR_CAP_ROUND = 0, HRBFNPR_CAP_FLAT = 1, HRBFNPR_CAP_POINTED = 2 };
+enum { HRBFNPR_CREASES_ALL = 0, HRBFNPR_CREASES_CONVEX = 1, HRBFNPR_CREASES_CONCAVE = 2 };
 typedef struct hrbfnpr_line_style { uint32_t struct_size; uint32_t kind; const char* name; uint32_t hidden;
     uint32_t cap; float width; float taper; float hidden_width; float hidden_opacity; float dash; float gap;
     float shortest; float fade; double lower; double upper; hrbfnpr_array levels; float ink[4]; float outline_factor;
     float far_factor; float lit_factor; float curvature_factor; float curvature_radius; float wobble;
-    float wobble_width; float wobble_length; uint32_t wobble_seed; uint32_t reserved; } hrbfnpr_line_style;
+    float wobble_width; float wobble_length; uint32_t wobble_seed; uint32_t creases; } hrbfnpr_line_style;
 hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
 typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[4]; const hrbfnpr_layer_style* layers;
     int64_t layer_count; int64_t layer_stride; uint32_t tone_rule; uint32_t tone_curve; double light[3];

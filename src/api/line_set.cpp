@@ -93,11 +93,11 @@ void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
     const Checks checks(name);
     curves::LineRequest request;
     request.kind = static_cast<curves::LineKind>(desc.kind);
-    if (desc.kind == 0 || desc.kind > HRBFNPR_LINE_KIND_OWN || curves::depends_on_view(request.kind) ||
-        request.kind == curves::LineKind::border)
+    if (desc.kind == 0 || desc.kind > HRBFNPR_LINE_KIND_CREASE || curves::depends_on_view(request.kind) ||
+        request.kind == curves::LineKind::border || request.kind == curves::LineKind::crease)
         fail(Status::invalid_argument,
              "%s.kind is %u; it must be HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or "
-             "OWN: others are found with every drawing",
+             "OWN: others are found with every drawing, and borders and creases with every line set",
              name, desc.kind);
     if (desc.name != nullptr) {
         if (std::strlen(desc.name) >= request.name.size())
@@ -202,6 +202,7 @@ hrbfnpr_line_set_info describe(const hrbfnpr_line_set& set) noexcept {
     info.cell_size = mesh.side;
     info.seconds = set.lines.seconds();
     info.left_out = set.lines.left_out();
+    info.creases = set.lines.creases().count();
     info.bytes = set.lines.bytes();
     return info;
 }

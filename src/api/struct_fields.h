@@ -231,7 +231,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_line_set_desc[] = {
 inline constexpr FieldLayout fields_of_hrbfnpr_line_set_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(triangles, "int64_t"), FIELD(turned, "int64_t"),
     FIELD(missed_seeds, "int64_t"), FIELD(lines, "int64_t"), FIELD(borders, "int64_t"), FIELD(cell_size, "double"),
-    FIELD(seconds, "double"), FIELD(bytes, "int64_t"), FIELD(left_out, "double")};
+    FIELD(seconds, "double"), FIELD(bytes, "int64_t"), FIELD(left_out, "double"), FIELD(creases, "int64_t")};
 #undef RECORD
 
 #define RECORD hrbfnpr_camera
@@ -261,7 +261,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_line_style[] = {
     FIELD(ink, "float[4]"), FIELD(outline_factor, "float"), FIELD(far_factor, "float"), FIELD(lit_factor, "float"),
     FIELD(curvature_factor, "float"), FIELD(curvature_radius, "float"), FIELD(wobble, "float"),
     FIELD(wobble_width, "float"), FIELD(wobble_length, "float"), FIELD(wobble_seed, "uint32_t"),
-    FIELD(reserved, "uint32_t")};
+    FIELD(creases, "uint32_t")};
 #undef RECORD
 
 #define RECORD hrbfnpr_style

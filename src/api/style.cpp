@@ -134,7 +134,7 @@ using LineStyle = hrbfnpr_line_style;
 constexpr auto line_fields() noexcept {
     using To = frame::LineStyle;
     return FieldTable{
-        field("kind", &LineStyle::kind, &To::kind, rule::OneOf{HRBFNPR_LINE_KIND_OWN, "HRBFNPR_LINE_KIND_..."}),
+        field("kind", &LineStyle::kind, &To::kind, rule::OneOf{HRBFNPR_LINE_KIND_CREASE, "HRBFNPR_LINE_KIND_..."}),
         field("name", &LineStyle::name, &To::name, rule::Any{}),
         field("hidden", &LineStyle::hidden, &To::hidden,
               rule::OneOf{HRBFNPR_HIDDEN_PARTS_SHOWN, "HRBFNPR_HIDDEN_PARTS_..."}),
@@ -160,7 +160,8 @@ constexpr auto line_fields() noexcept {
         field("wobble_width", &LineStyle::wobble_width, &To::wobble_width, share),
         field("wobble_length", &LineStyle::wobble_length, &To::wobble_length, rule::Between{1.0, largest_radius}),
         field("wobble_seed", &LineStyle::wobble_seed, &To::wobble_seed, rule::Any{}),
-        reserved("reserved", &LineStyle::reserved)};
+        field("creases", &LineStyle::creases, &To::creases,
+              rule::OneOf{HRBFNPR_CREASES_CONCAVE, "HRBFNPR_CREASES_..."})};
 }
 static_assert(line_fields().covers<LineStyle>());
 

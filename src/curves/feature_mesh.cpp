@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/feature_mesh.h"
 
-#include "curves/mesh_topology.h"
+#include "curves/edge_halving.h"
 #include "surface/project.h"
 
 #include <algorithm>
@@ -49,8 +49,6 @@ bool is_rough(const ShapePoint& a, const ShapePoint& b, const glm::dvec3& edge, 
     return off > place * change * length * length;
 }
 
-std::int64_t next_in_triangle(std::int64_t edge) noexcept { return edge % 3 == 2 ? edge - 2 : edge + 1; }
-
 class Halver {
 public:
     Halver(const base::Runtime& runtime, const implicit::Implicit& implicit, const implicit::ShapeSource& source,
@@ -62,7 +60,7 @@ public:
     bool run(const base::Progress& progress) {
         find_rough();
         if (!add_vertices(progress)) return false;
-        cut_triangles();
+        cut_at_middles(runtime_, middle_, mesh_);
         return true;
     }
 
@@ -70,18 +68,10 @@ private:
     static constexpr std::int32_t whole = -1;
     static constexpr std::int32_t to_halve = -2;
 
-    [[nodiscard]] std::int32_t start(std::int64_t edge) const noexcept { return mesh_.corner[edge]; }
-    [[nodiscard]] std::int32_t end(std::int64_t edge) const noexcept { return mesh_.corner[next_in_triangle(edge)]; }
+    [[nodiscard]] std::int32_t start(std::int64_t edge) const noexcept { return start_of(mesh_, edge); }
+    [[nodiscard]] std::int32_t end(std::int64_t edge) const noexcept { return end_of(mesh_, edge); }
     [[nodiscard]] glm::dvec3 vector(std::int64_t edge) const noexcept {
         return mesh_.position[end(edge)] - mesh_.position[start(edge)];
-    }
-    // The same edge of the triangle across; -1: there is none.
-    [[nodiscard]] std::int64_t opposite(std::int64_t edge) const noexcept {
-        const std::int64_t triangle = mesh_.neighbour[edge];
-        if (triangle < 0) return -1;
-        for (std::int64_t e = 3 * triangle; e < 3 * triangle + 3; ++e)
-            if (start(e) == end(edge) && end(e) == start(edge)) return e;
-        return -1;
     }
     [[nodiscard]] double least() const noexcept {
         double sum = 0.0;
@@ -95,8 +85,8 @@ private:
         const double place = tolerance * implicit_.diagonal();
         runtime_.parallel.for_chunks(mesh_.corner.size(), 8192, [&](std::int64_t begin, std::int64_t stop) {
             for (std::int64_t e = begin; e < stop; ++e) {
-                const bool first = mesh_.neighbour[e] < 0 || mesh_.neighbour[e] > e / 3;
-                const bool rough = first && is_rough(shape_[start(e)], shape_[end(e)], vector(e), change, place);
+                const bool rough =
+                    is_first(mesh_, e) && is_rough(shape_[start(e)], shape_[end(e)], vector(e), change, place);
                 middle_[e] = rough ? to_halve : whole;
             }
         });
@@ -126,7 +116,7 @@ private:
             if (!found || !stays(edge[i], at.position[i], at.gradient[i])) continue;
             const auto vertex = static_cast<std::int32_t>(mesh_.vertices() + position.size());
             middle_[edge[i]] = vertex;
-            if (const std::int64_t other = opposite(edge[i]); other >= 0) middle_[other] = vertex;
+            if (const std::int64_t other = opposite_of(mesh_, edge[i]); other >= 0) middle_[other] = vertex;
             position.push_back(at.position[i]);
             gradient.push_back(at.gradient[i]);
         }
@@ -138,45 +128,6 @@ private:
             shape_.push_back(shape[i]);
         }
         return !shape.empty();
-    }
-    void cut_triangles() {
-        base::Array<std::int32_t> corner(runtime_.memory);
-        corner.reserve(mesh_.corner.size());
-        for (std::int64_t t = 0; t < mesh_.triangles(); ++t) cut(t, corner);
-        mesh_.corner = std::move(corner);
-        mesh_.neighbour = find_neighbours(runtime_, mesh_.corner, mesh_.vertices());
-    }
-    // From the corner on that makes the halved edges the first ones, or the first and the third.
-    void cut(std::int64_t triangle, base::Array<std::int32_t>& corner) const {
-        const auto middle = [&](int k) { return middle_[3 * triangle + k % 3]; };
-        const auto at = [&](int k) { return mesh_.corner[3 * triangle + k % 3]; };
-        const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-            for (const std::int32_t v : {a, b, c}) corner.push_back(v);
-        };
-        int halved = 0;
-        for (int k = 0; k < 3; ++k) halved += middle(k) >= 0 ? 1 : 0;
-        int k = 0;
-        if (halved == 0) return add(at(0), at(1), at(2));
-        if (halved == 1) {
-            while (middle(k) < 0) ++k;
-            add(at(k), middle(k), at(k + 2));
-            return add(middle(k), at(k + 1), at(k + 2));
-        }
-        if (halved == 2) {
-            while (middle(k + 2) >= 0) ++k; // edges k and k + 1 are halved: their corner k + 1 is cut off
-            add(middle(k), at(k + 1), middle(k + 1));
-            // By the shorter diagonal of what is left.
-            const bool first = glm::distance(mesh_.position[middle(k)], mesh_.position[at(k + 2)]) <
-                               glm::distance(mesh_.position[at(k)], mesh_.position[middle(k + 1)]);
-            if (first) {
-                add(middle(k), middle(k + 1), at(k + 2));
-                return add(at(k), middle(k), at(k + 2));
-            }
-            add(at(k), middle(k), middle(k + 1));
-            return add(at(k), middle(k + 1), at(k + 2));
-        }
-        for (k = 0; k < 3; ++k) add(at(k), middle(k), middle(k + 2));
-        add(middle(0), middle(1), middle(2));
     }
 
     const base::Runtime& runtime_;

@@ -3,6 +3,7 @@
 
 #include "base/clock.h"
 #include "curves/border.h"
+#include "curves/section_corners.h"
 #include "implicit/evaluate_all.h"
 #include "surface/project.h"
 #include "surface/region.h"
@@ -82,6 +83,7 @@ Thresholds default_thresholds(LineKind kind) noexcept {
     case LineKind::ridge:
     case LineKind::valley: return {6.0, 15.0};
     case LineKind::apparent_ridge: return {12.0, 25.0};
+    case LineKind::crease: return {15.0, 30.0}; // degrees
     default: return {0.0, 0.0};
     }
 }
@@ -104,6 +106,8 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
         mesh_ = automatic ? of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
                           : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
         if (support_ != nullptr) clip_mesh(runtime, limit, progress);
+        if (support_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
+        if (surface_.sheets() != nullptr) split_mesh(runtime, progress);
         const auto triangles = static_cast<double>(mesh_->triangles());
         const bool thin = static_cast<double>(mesh_->turned) > turned_share * triangles || mesh_->missed_seeds > 0;
         if (!automatic || !thin || 4 * mesh_->triangles() > most_triangles_of_finer || mesh.side >= last) break;
@@ -134,6 +138,13 @@ void LineSet::measure_support(const base::Runtime& runtime, const SupportSetting
     for (std::int64_t i = 0; i < normals.size(); ++i) normals.set(i, glm::normalize(normals[i]));
     own_support_.emplace(runtime, points, normals, 0.0, progress);
     support_ = &*own_support_;
+}
+
+void LineSet::split_mesh(const base::Runtime& runtime, const base::Progress& progress) {
+    SharpMesh sharp = split_at_creases(runtime, surface_, std::move(*mesh_), progress.part(0.0, 0.0));
+    creases_ = trace_creases(runtime, surface_, sharp.creases, sharp.mesh.side, progress.part(0.0, 0.0));
+    parts_ = sheet_parts(runtime, surface_, sharp);
+    mesh_ = std::move(sharp.mesh);
 }
 
 void LineSet::clip_mesh(const base::Runtime& runtime, double limit, const base::Progress& progress) {
@@ -199,21 +210,24 @@ SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& requ
     feature.lower = thresholds.lower;
     feature.upper = thresholds.upper;
     feature.shortest = request.shortest;
-    return as_lines(runtime.memory, find_feature_lines(runtime, features(), feature, progress));
+    FeatureLines found = find_feature_lines(runtime, features(), feature, progress);
+    if (const implicit::Sheets* const sheets = surface_.sheets();
+        sheets != nullptr && feature.kind == FeatureKind::section)
+        end_at_creases(runtime, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
+    return as_lines(runtime.memory, found);
 }
 
 LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,
                  std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings,
                  const base::Progress& progress)
     : surface_(surface), source_(std::move(shape)), shaped_(runtime.memory), border_(runtime.memory),
-      found_(runtime.memory) {
+      creases_(runtime.memory), parts_(runtime.memory), found_(runtime.memory) {
     const base::Stopwatch watch;
     if (settings.support.trim != nullptr)
         support_ = &settings.support.trim->support();
     else if (settings.support.limit > 0.0)
         measure_support(runtime, settings.support, progress);
     make_mesh(runtime, settings, progress.part(0.0, 0.4));
-    if (support_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
     bool with_shape = settings.with_shape;
     for (const LineRequest& request : settings.lines)
         with_shape = with_shape || (request.kind != LineKind::own && needs_shape(feature_of(request.kind)));
@@ -235,6 +249,8 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
 std::int64_t LineSet::bytes() const noexcept {
     std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shaped_.bytes() + border_.bytes();
     if (own_support_) bytes += own_support_->bytes();
+    bytes += creases_.bytes();
+    for (const std::unique_ptr<SheetPart>& part : parts_) bytes += part->mesh.bytes();
     for (const FoundLines& found : found_) bytes += found.lines.bytes();
     return bytes;
 }

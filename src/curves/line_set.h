@@ -3,8 +3,10 @@
 #pragma once
 
 #include "base/list.h"
+#include "curves/creases.h"
 #include "curves/feature_mesh.h"
 #include "curves/sheet_count.h"
+#include "curves/sheet_parts.h"
 #include "curves/surface_end.h"
 #include "curves/surface_lines.h"
 #include "curves/surface_mesh.h"
@@ -28,9 +30,10 @@ enum class LineKind : std::uint32_t {
     isophote = 7,
     section = 8,
     border = 9,
-    own = 10
+    own = 10,
+    crease = 11
 };
-inline constexpr std::uint32_t line_kind_count = 11;
+inline constexpr std::uint32_t line_kind_count = 12;
 // Lines that are traced anew for every camera or light.
 [[nodiscard]] constexpr bool depends_on_view(LineKind kind) noexcept {
     return kind == LineKind::contour || kind == LineKind::suggestive_contour || kind == LineKind::apparent_ridge ||
@@ -106,6 +109,9 @@ public:
     [[nodiscard]] bool has_shape() const noexcept { return !shaped_.shape.empty(); }
     [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
     [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
+    [[nodiscard]] const Creases& creases() const noexcept { return creases_; }
+    // Of a surface with creases: contours are traced on these.
+    [[nodiscard]] const base::List<std::unique_ptr<SheetPart>>& parts() const noexcept { return parts_; }
     // Whose zero lines the border is; null where it is the end of a region.
     [[nodiscard]] const Level* border_level() const noexcept { return border_exact_ ? &*border_level_ : nullptr; }
     // Of the surface's area, the share that lies beyond its samples.
@@ -116,6 +122,7 @@ public:
 private:
     void make_mesh(const base::Runtime& runtime, const LineSetSettings& settings, const base::Progress& progress);
     void measure_support(const base::Runtime& runtime, const SupportSettings& settings, const base::Progress& progress);
+    void split_mesh(const base::Runtime& runtime, const base::Progress& progress);
     void clip_mesh(const base::Runtime& runtime, double limit, const base::Progress& progress);
     [[nodiscard]] SurfaceLines find(const base::Runtime& runtime, const LineRequest& request,
                                     const base::Progress& progress) const;
@@ -126,12 +133,14 @@ private:
     std::optional<surface::Support> own_support_;
     const surface::Support* support_ = nullptr; // that, or the model's; null: the surface ends at its region
     std::optional<SupportLevel> border_level_;
-    std::optional<SurfaceEnd> end_; // of the mesh
+    std::optional<SupportEnd> end_; // of the mesh
     bool border_exact_ = false;
     std::optional<SurfaceMesh> mesh_;
     std::optional<SheetCounter> sheets_;
     ShapedMesh shaped_;   // empty: nobody asked
     SurfaceLines border_; // where an open surface ends
+    Creases creases_;
+    base::List<std::unique_ptr<SheetPart>> parts_;
     base::List<FoundLines> found_;
     double left_out_ = 0.0;
     double seconds_ = 0.0;

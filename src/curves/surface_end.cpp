@@ -2,6 +2,7 @@
 #include "curves/surface_end.h"
 
 #include "curves/level_block.h"
+#include "surface/sheets_meet.h"
 
 #include <cmath>
 
@@ -10,17 +11,39 @@ namespace {
 
 // Where no sample is near s has no slope: large enough that nothing is led there.
 constexpr double nowhere = 1e6;
+// In sides: a place of a sheet that is nearer to the whole surface is on it, whichever of two equal sheets is active.
+constexpr double on_surface = 1e-7;
 
 } // namespace
 
-SurfaceEnd::SurfaceEnd(const surface::Support& support, double limit, const geometry::VecArray& border, double side)
+SupportEnd::SupportEnd(const surface::Support& support, double limit, const geometry::VecArray& border, double side)
     : support_(support), limit_(limit), grid_(border, reach * side) {}
 
-bool SurfaceEnd::near_border(const glm::dvec3& place) const {
+bool SupportEnd::near_border(const glm::dvec3& place) const {
     if (support_.has_kept()) return true;
     bool near = false;
     grid_.around(place, [&](std::int64_t) { near = true; });
     return near;
+}
+
+SheetEnd::SheetEnd(const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet,
+                   const geometry::VecArray& creases, double side, const SurfaceEnd* base)
+    : whole_(whole), sheets_(sheets), sheet_(sheet), tolerance_(on_surface * side), grid_(creases, reach * side),
+      base_(base) {}
+
+bool SheetEnd::near_border(const glm::dvec3& place) const {
+    bool near = base_ != nullptr && base_->near_border(place);
+    if (!near) grid_.around(place, [&](std::int64_t) { near = true; });
+    return near;
+}
+
+double SheetEnd::beyond(const glm::dvec3& place, const glm::dvec3& gradient) const {
+    double value = 0.0;
+    glm::dvec3 slope(0.0);
+    whole_.evaluate({&place.x, &place.y, &place.z, 1}, {&value, {&slope.x, &slope.y, &slope.z}, {}});
+    const double off = std::abs(value) / glm::length(slope);
+    if (!(off <= tolerance_) && surface::active_at(sheets_, place) != sheet_) return off;
+    return base_ != nullptr && base_->near_border(place) ? base_->beyond(place, gradient) : -tolerance_;
 }
 
 void SupportLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {

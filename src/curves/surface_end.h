@@ -1,39 +1,77 @@
 // SPDX-License-Identifier: MIT
-// Where a surface ends for want of samples: s(x) = limit, s of surface/support.h.
+// Where a surface ends inside of its region: for want of samples, where s(x) = limit, s of surface/support.h; or where
+// another sheet takes its place.
 #pragma once
 
 #include "curves/level.h"
 #include "geometry/point_grid.h"
+#include "implicit/sheets.h"
 #include "surface/support.h"
 
 namespace hrbfnpr::curves {
 
-// Asked for places on the surface.  Far from the mesh's border nothing is asked: holes that the mesh does not have, no
-// curve and no ray shall find.
+// Asked for places on the surface.
 class SurfaceEnd {
 public:
-    // border: places along it, no farther apart than a side.
-    SurfaceEnd(const surface::Support& support, double limit, const geometry::VecArray& border, double side);
+    SurfaceEnd() = default;
+    SurfaceEnd(const SurfaceEnd&) = delete;
+    SurfaceEnd& operator=(const SurfaceEnd&) = delete;
+    virtual ~SurfaceEnd() = default;
 
-    [[nodiscard]] const surface::Support& support() const noexcept { return support_; }
-    [[nodiscard]] double limit() const noexcept { return limit_; }
-    // Whether the border is nearer than `reach` sides, or little more; or the support itself knows where it is not.
-    [[nodiscard]] bool near_border(const glm::dvec3& place) const;
-    // s - limit.  <= 0: the surface is there.
-    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
-        return support_.may_end_at(place) ? support_.value(place, gradient) - limit_ : -limit_;
-    }
+    // Whether the border is near, so that it must be asked.
+    [[nodiscard]] virtual bool near_border(const glm::dvec3& place) const = 0;
+    // <= 0: the surface is there.
+    [[nodiscard]] virtual double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const = 0;
     // Right for places within two sides of the surface that is left.
     [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const {
         return !near_border(place) || beyond(place, gradient) <= 0.0;
     }
 
-private:
+protected:
+    // Of the border's places, in sides.
     static constexpr double reach = 3.0;
+};
 
+// Far from the mesh's border nothing is asked: holes that the mesh does not have, no curve and no ray shall find.
+class SupportEnd final : public SurfaceEnd {
+public:
+    // border: places along it, no farther apart than a side.
+    SupportEnd(const surface::Support& support, double limit, const geometry::VecArray& border, double side);
+
+    [[nodiscard]] const surface::Support& support() const noexcept { return support_; }
+    [[nodiscard]] double limit() const noexcept { return limit_; }
+    // Or the support itself knows where it is not.
+    [[nodiscard]] bool near_border(const glm::dvec3& place) const override;
+    // s - limit.
+    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override {
+        return support_.may_end_at(place) ? support_.value(place, gradient) - limit_ : -limit_;
+    }
+
+private:
     const surface::Support& support_;
     double limit_;
     geometry::PointGrid grid_;
+};
+
+// Where a sheet of an implicit with creases ends: another one is f there.
+class SheetEnd final : public SurfaceEnd {
+public:
+    // creases: places along those of the sheet, no farther apart than a side; base: where the whole surface ends, or
+    // null.
+    SheetEnd(const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet,
+             const geometry::VecArray& creases, double side, const SurfaceEnd* base);
+
+    [[nodiscard]] bool near_border(const glm::dvec3& place) const override;
+    // How far from the whole surface, unless the sheet is the active one.
+    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override;
+
+private:
+    const implicit::Implicit& whole_;
+    const implicit::Sheets& sheets_;
+    std::int32_t sheet_;
+    double tolerance_;
+    geometry::PointGrid grid_;
+    const SurfaceEnd* base_;
 };
 
 // g = s - limit: the border as a curve, the surface to its left.

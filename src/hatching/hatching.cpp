@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/hatching.h"
 
+#include "curves/crease_mesh.h"
 #include "hatching/even_lines.h"
 #include "hatching/join_lines.h"
 #include "hatching/line_guides.h"
 #include "hatching/line_marks.h"
 #include "stipples/blue_noise.h"
+#include "surface/creased.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,8 +96,9 @@ SampleWaves waves_of(const marks::Site& site, const LineSamples& samples, double
 }
 
 StripeLines stripes_of(const marks::Site& site, const LineSamples& samples, const SampleWaves& waves,
-                       const curves::SurfaceMesh& mesh, int levels, const base::Progress& progress) {
-    StripeVertices vertices(site.runtime, samples, waves, mesh, progress.part(0.0, 0.4));
+                       const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets, int levels,
+                       const base::Progress& progress) {
+    StripeVertices vertices(site.runtime, samples, waves, mesh, sheets, progress.part(0.0, 0.4));
     const double finest = waves.period_of(waves.levels() - 1);
     const int halvings = levels - static_cast<int>(waves.levels() - 1);
     int finer = 0;
@@ -121,14 +124,16 @@ bool Settings::is_on_ground_of(const Settings& other) const noexcept {
 struct Ground::Spread {
     Spread(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings,
            const base::Progress& progress)
-        : even(site.memory()) {
+        : even(site.memory()), sheet(site.memory()) {
         require_room(site, settings, cells.rough_area());
         even = stipples::spread_evenly(site, cells, samples_for(settings, cells.rough_area()), marks::Kind::stipples,
                                        progress);
         area = even.area > 0.0 ? even.area : cells.rough_area();
         spacing = std::sqrt(area / static_cast<double>(even.position.size()));
+        sheet = surface::sheets_at(site.runtime, site.implicit, even.position, progress.part(1.0, 1.0));
     }
     stipples::EvenMarks even;
+    base::Array<std::int32_t> sheet;
     double area, spacing;
 };
 
@@ -139,11 +144,22 @@ Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, con
 Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings, Spread spread,
                const base::Progress& progress)
     : settings_(settings), region_(cells.region), area_(spread.area),
-      graph_(site.runtime, std::move(spread.even.position), std::move(spread.even.normal), spread.spacing,
-             progress.part(0.0, 0.1)),
+      graph_(site.runtime, std::move(spread.even.position), std::move(spread.even.normal), std::move(spread.sheet),
+             spread.spacing, progress.part(0.0, 0.1)),
       angle_(smooth_lines(site.runtime, graph_, guide(site, graph_, settings, progress.part(0.1, 0.2)), settings.field,
                           progress.part(0.2, 0.4))),
-      mesh_(mesh_of(site, region_, graph_, separation_of(settings, area_), area_, progress.part(0.4, 1.0))) {}
+      mesh_(mesh_of(site, region_, graph_, separation_of(settings, area_), area_, progress.part(0.4, 0.9))),
+      sheet_(site.memory()) {
+    if (site.implicit.sheets() != nullptr) end_at_creases(site, progress.part(0.9, 1.0));
+}
+
+// Lines end where the mesh does.
+void Ground::end_at_creases(const marks::Site& site, const base::Progress& progress) {
+    curves::SharpMesh sharp = split_at_creases(site.runtime, site.implicit, std::move(mesh_), progress);
+    mesh_ = std::move(sharp.mesh);
+    sheet_.resize(mesh_.vertices());
+    for (std::int64_t i = 0; i < mesh_.corner.size(); ++i) sheet_[mesh_.corner[i]] = sharp.sheet[i / 3];
+}
 
 void Ground::lay_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks,
                        marks::LayerReport& report, const base::Progress& progress) const {
@@ -155,7 +171,7 @@ void Ground::lay_lines(const marks::Site& site, const Settings& settings, marks:
     for (std::int64_t i = 0; i < graph_.size(); ++i)
         samples.along.set(i, graph_.tangent(i, angle_[i] + settings.angle));
     const SampleWaves waves = waves_of(site, samples, std::ldexp(separation, levels), levels, progress.part(0.0, 0.4));
-    const StripeLines lines = stripes_of(site, samples, waves, mesh_, levels, progress.part(0.4, 0.6));
+    const StripeLines lines = stripes_of(site, samples, waves, mesh_, sheet_, levels, progress.part(0.4, 0.6));
     add_line_marks(site, lines, {separation, step_of(settings, separation), levels, region_}, marks, report,
                    progress.part(0.6, 1.0));
     report.step = separation;

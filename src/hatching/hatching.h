@@ -40,6 +40,7 @@ public:
 
 private:
     struct Spread;
+    void end_at_creases(const marks::Site& site, const base::Progress& progress);
     Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings, Spread spread,
            const base::Progress& progress);
 
@@ -49,6 +50,7 @@ private:
     SampleGraph graph_;
     base::Array<double> angle_; // of the field at each sample
     curves::SurfaceMesh mesh_;
+    base::Array<std::int32_t> sheet_; // of its vertices, where it ends at creases; else empty
 };
 
 // So many samples a ground is made of.

@@ -5,6 +5,7 @@
 
 #include "hatching/line_walk.h"
 #include "marks/assemble.h"
+#include "marks/crease_ends.h"
 #include "marks/tone_part.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ public:
            marks::LayerReport& report)
         : site_(site), lines_(lines), settings_(settings), marks_(marks), report_(report), paths_(site.memory()),
           point_(site.memory()), level_(site.memory()), position_(site.memory()), normal_(site.memory()),
-          placed_(site.memory()), pieces_(site.memory()) {}
+          placed_(site.memory()), ends_(site.memory()), pieces_(site.memory()) {}
 
     void resample();
     void project(const base::Progress& progress);
@@ -68,6 +69,7 @@ private:
     base::Array<std::uint8_t> level_;
     geometry::VecArray position_, normal_; // on the surface
     base::Array<std::uint8_t> placed_;
+    base::Array<std::uint8_t> ends_; // of marks/crease_ends.h
     base::Array<Piece> pieces_;
 };
 
@@ -142,11 +144,12 @@ void Laying::project(const base::Progress& progress) {
         }
         progress.update(static_cast<double>(end) / static_cast<double>(point_.size()));
     }
+    ends_ = marks::find_crease_ends(site_, position_, normal_, widest_step * settings_.step, progress);
 }
 
 // Whether point i goes on where point i - 1 ended.
 bool Laying::joined(std::int64_t i) const noexcept {
-    if (placed_[i - 1] == 0 || placed_[i] == 0) return false;
+    if (placed_[i - 1] == 0 || placed_[i] == 0 || (!ends_.empty() && ends_[i] != 0)) return false;
     const double distance = glm::distance(position_[i], position_[i - 1]) / settings_.step;
     return distance > narrowest_step && distance < widest_step && glm::dot(normal_[i], normal_[i - 1]) > 0.0;
 }

@@ -3,6 +3,7 @@
 
 #include "geometry/neighbours.h"
 #include "geometry/tangent_frame.h"
+#include "surface/creased.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,7 @@ bool SampleGraph::is_linked(std::int64_t i, std::int64_t j) const noexcept {
     const double length = glm::length(way);
     if (!(length > 0.0 && length <= farthest * spacing)) return false;
     if (!(glm::dot(normal[i], normal[j]) > least_cosine)) return false;
+    if (!sheet.empty() && surface::is_creased(sheet[i], sheet[j], normal[i], normal[j])) return false;
     return std::abs(glm::dot(way, normal[i])) <= steepest * length &&
            std::abs(glm::dot(way, normal[j])) <= steepest * length;
 }
@@ -48,9 +50,10 @@ double SampleGraph::angle(std::int64_t i, const glm::dvec3& tangent) const noexc
 }
 
 SampleGraph::SampleGraph(const base::Runtime& runtime, geometry::VecArray positions, geometry::VecArray normals,
-                         double its_spacing, const base::Progress& progress)
-    : position(std::move(positions)), normal(std::move(normals)), u(runtime.memory, position.size()),
-      spacing(its_spacing), first(runtime.memory, position.size() + 1), link(runtime.memory) {
+                         base::Array<std::int32_t> sheets, double its_spacing, const base::Progress& progress)
+    : position(std::move(positions)), normal(std::move(normals)), sheet(std::move(sheets)),
+      u(runtime.memory, position.size()), spacing(its_spacing), first(runtime.memory, position.size() + 1),
+      link(runtime.memory) {
     for (std::int64_t i = 0; i < size(); ++i) u.set(i, geometry::any_perpendicular(normal[i]));
     const geometry::Neighbours near(runtime.parallel, position, neighbours, progress);
     struct Pair {

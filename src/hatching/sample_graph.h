@@ -15,9 +15,9 @@ namespace hrbfnpr::hatching {
 using Complex = std::complex<double>;
 
 struct SampleGraph {
-    // Samples a `spacing` apart: the root of the area for each.
-    SampleGraph(const base::Runtime& runtime, geometry::VecArray positions, geometry::VecArray normals, double spacing,
-                const base::Progress& progress);
+    // Samples a `spacing` apart: the root of the area for each.  sheets: of surface/creased.h, or empty.
+    SampleGraph(const base::Runtime& runtime, geometry::VecArray positions, geometry::VecArray normals,
+                base::Array<std::int32_t> sheets, double spacing, const base::Progress& progress);
 
     struct Link {
         std::int32_t to;
@@ -36,7 +36,8 @@ struct SampleGraph {
     [[nodiscard]] double angle(std::int64_t i, const glm::dvec3& tangent) const noexcept;
 
     geometry::VecArray position, normal;
-    geometry::VecArray u; // the frame's first axis; the second is normal x u
+    base::Array<std::int32_t> sheet; // of each sample; links lead over no crease.  Empty: there are none
+    geometry::VecArray u;            // the frame's first axis; the second is normal x u
     double spacing;
     base::Array<std::int64_t> first; // of each sample's links, and the end
     base::Array<Link> link;          // both ways

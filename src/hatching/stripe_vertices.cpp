@@ -5,6 +5,7 @@
 
 #include "geometry/point_grid.h"
 #include "geometry/tangent_frame.h"
+#include "surface/creased.h"
 
 #include <cmath>
 #include <numbers>
@@ -29,14 +30,14 @@ struct Heard {
 
 class Interpolator {
 public:
-    Interpolator(const LineSamples& samples, const SampleWaves& waves, const geometry::PointGrid& grid,
-                 base::Memory& memory) noexcept
-        : samples_(samples), waves_(waves), grid_(grid), heard_(memory) {}
+    Interpolator(const LineSamples& samples, const SampleWaves& waves, const base::Array<std::int32_t>& sheets,
+                 const geometry::PointGrid& grid, base::Memory& memory) noexcept
+        : samples_(samples), waves_(waves), sheets_(sheets), grid_(grid), heard_(memory) {}
 
     void at(const curves::SurfaceMesh& mesh, std::int64_t vertex, StripeVertices& out) {
         const glm::dvec3 p = mesh.position[vertex];
         const glm::dvec3 n = glm::normalize(mesh.gradient[vertex]);
-        listen(p, n);
+        listen(p, n, sheets_.empty() ? 0 : sheets_[vertex]);
         const glm::dvec3 along = line(n);
         if (glm::dot(along, along) == 0.0) return;
         const glm::dvec3 across = glm::cross(n, along);
@@ -47,7 +48,7 @@ public:
     }
 
 private:
-    void listen(const glm::dvec3& p, const glm::dvec3& n) {
+    void listen(const glm::dvec3& p, const glm::dvec3& n, std::int32_t sheet) {
         const SampleGraph& graph = samples_.graph;
         const double radius = influence * graph.spacing;
         heard_.clear();
@@ -57,6 +58,7 @@ private:
             const glm::dvec3 way = p - graph.position[i];
             const double squared = glm::dot(way, way);
             if (!(squared < radius * radius) || !(glm::dot(graph.normal[i], n) > least_cosine)) return;
+            if (!sheets_.empty() && surface::is_creased(sheet, graph.sheet[i], n, graph.normal[i])) return;
             const double height = glm::dot(way, n);
             if (height * height > steepest * steepest * squared) return;
             const double rest = 1.0 - squared / (radius * radius);
@@ -95,6 +97,7 @@ private:
 
     const LineSamples& samples_;
     const SampleWaves& waves_;
+    const base::Array<std::int32_t>& sheets_;
     const geometry::PointGrid& grid_;
     base::Array<Heard> heard_;
     double sum_ = 0.0;
@@ -103,14 +106,15 @@ private:
 } // namespace
 
 StripeVertices::StripeVertices(const base::Runtime& runtime, const LineSamples& samples, const SampleWaves& waves,
-                               const curves::SurfaceMesh& mesh, const base::Progress& progress)
+                               const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
+                               const base::Progress& progress)
     : position(mesh.position), across(runtime.memory, mesh.vertices()), along(runtime.memory, mesh.vertices()),
       wave(runtime.memory) {
     for (std::int64_t level = 0; level < waves.levels(); ++level) wave.add(runtime.memory, mesh.vertices());
     const geometry::PointGrid grid(samples.graph.position, influence * samples.graph.spacing);
     runtime.parallel.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        Interpolator interpolator(samples, waves, grid, runtime.memory);
+        Interpolator interpolator(samples, waves, sheets, grid, runtime.memory);
         for (std::int64_t v = begin; v < end; ++v) {
             if (v % 128 == 0) progress.check();
             interpolator.at(mesh, v, *this);

@@ -22,8 +22,10 @@ struct SampleWaves {
 };
 
 struct StripeVertices {
+    // sheets: of the mesh's vertices, where samples have them; else empty.
     StripeVertices(const base::Runtime& runtime, const LineSamples& samples, const SampleWaves& waves,
-                   const curves::SurfaceMesh& mesh, const base::Progress& progress);
+                   const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
+                   const base::Progress& progress);
 
     // By how much the phase of a wave grows from vertex a to b, in the sense of a's line.
     [[nodiscard]] double growth(std::int32_t a, std::int32_t b, bool turned, double period) const noexcept;

@@ -12,20 +12,45 @@ void multiply(double* numbers, std::int64_t count, double by) noexcept {
     for (std::int64_t i = 0; numbers != nullptr && i < count; ++i) numbers[i] *= by;
 }
 
-} // namespace
-
-void Scaled::evaluate(const PointBatch& points, const FieldBatch& fields) const {
+// visit(points of the function's own unit, where they begin), a batch at a time.
+template <class Visit>
+void in_own_unit(const PointBatch& points, double unit, Visit&& visit) {
     std::array<Column, 3> at;
     for (std::int64_t begin = 0; begin < points.count; begin += batch_size) {
         const std::int64_t count = std::min(points.count - begin, batch_size);
-        const FieldBatch here = fields.from(begin);
         const std::array<const double*, 3> from = {points.x + begin, points.y + begin, points.z + begin};
         for (std::size_t axis = 0; axis < 3; ++axis)
-            std::transform(from[axis], from[axis] + count, at[axis].begin(), [&](double x) { return unit_ * x; });
-        own_.evaluate({at[0].data(), at[1].data(), at[2].data(), count}, here);
-        multiply(here.value, count, 1.0 / unit_);
-        for (double* component : here.hessian) multiply(component, count, unit_);
+            std::transform(from[axis], from[axis] + count, at[axis].begin(), [&](double x) { return unit * x; });
+        visit(PointBatch{at[0].data(), at[1].data(), at[2].data(), count}, begin);
     }
+}
+
+void to_unit(const FieldBatch& fields, std::int64_t count, double unit) noexcept {
+    multiply(fields.value, count, 1.0 / unit);
+    for (double* component : fields.hessian) multiply(component, count, unit);
+}
+
+} // namespace
+
+void Scaled::evaluate(const PointBatch& points, const FieldBatch& fields) const {
+    in_own_unit(points, unit_, [&](const PointBatch& some, std::int64_t begin) {
+        const FieldBatch here = fields.from(begin);
+        own_.evaluate(some, here);
+        to_unit(here, some.count, unit_);
+    });
+}
+
+void Scaled::ScaledSheets::active(const PointBatch& points, std::int32_t* sheet) const {
+    in_own_unit(points, unit,
+                [&](const PointBatch& some, std::int64_t begin) { own.sheets()->active(some, sheet + begin); });
+}
+
+void Scaled::ScaledSheets::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
+    in_own_unit(points, unit, [&](const PointBatch& some, std::int64_t begin) {
+        const FieldBatch here = fields.from(begin);
+        own.sheets()->evaluate(sheet, some, here);
+        to_unit(here, some.count, unit);
+    });
 }
 
 } // namespace hrbfnpr::implicit

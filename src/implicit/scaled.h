@@ -2,7 +2,7 @@
 // An implicit in another unit of length.
 #pragma once
 
-#include "implicit/implicit.h"
+#include "implicit/sheets.h"
 
 namespace hrbfnpr::implicit {
 
@@ -11,7 +11,8 @@ class Scaled final : public Implicit {
 public:
     // `own` lives as long as this.
     Scaled(const Implicit& own, double unit) noexcept
-        : own_(own), unit_(unit), bounds_{own.bounds().min / unit, own.bounds().max / unit}, extent_(own, unit) {}
+        : own_(own), unit_(unit), bounds_{own.bounds().min / unit, own.bounds().max / unit}, extent_(own, unit),
+          sheets_(own, unit) {}
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return own_.concurrent(); }
@@ -20,6 +21,9 @@ public:
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return bounds_; }
     [[nodiscard]] const Extent* extent() const noexcept override {
         return own_.extent() != nullptr ? &extent_ : nullptr;
+    }
+    [[nodiscard]] const Sheets* sheets() const noexcept override {
+        return own_.sheets() != nullptr ? &sheets_ : nullptr;
     }
 
 private:
@@ -34,11 +38,20 @@ private:
         const Implicit& own;
         double unit;
     };
+    struct ScaledSheets final : Sheets {
+        ScaledSheets(const Implicit& of, double by) noexcept : own(of), unit(by) {}
+        [[nodiscard]] std::int32_t count() const noexcept override { return own.sheets()->count(); }
+        void active(const PointBatch& points, std::int32_t* sheet) const override;
+        void evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const override;
+        const Implicit& own;
+        double unit;
+    };
 
     const Implicit& own_;
     double unit_;
     geometry::Bounds bounds_;
     ScaledExtent extent_;
+    ScaledSheets sheets_;
 };
 
 } // namespace hrbfnpr::implicit

@@ -3,6 +3,7 @@
 
 #include "implicit/hermite_thirds.h"
 #include "implicit/hrbf_block.h"
+#include "implicit/one_sheet.h"
 #include "kernel/polynomial.h"
 
 #include <algorithm>
@@ -54,18 +55,37 @@ void HrbfShape::evaluate(const PointBatch& points, const ThirdBatch& out) const 
     }
 }
 
+// Of an implicit with creases each point on its own sheet: differences over a crease would tell nothing.
 void DifferencedShape::evaluate(const PointBatch& points, const ThirdBatch& out) const {
     for (std::int64_t begin = 0; begin < points.count; begin += block_size) {
         ThirdBatch part = out;
         for (double*& column : part.hessian) column += begin;
         for (double*& column : part.third) column += begin;
-        evaluate_block(slice(points, begin, std::min(points.count, begin + block_size)), part);
+        const PointBatch block = slice(points, begin, std::min(points.count, begin + block_size));
+        if (own_.sheets() == nullptr)
+            evaluate_block(own_, block, part);
+        else
+            evaluate_by_sheet(*own_.sheets(), block, part);
+    }
+}
+
+// Runs of points on one sheet, which mostly follow each other.
+void DifferencedShape::evaluate_by_sheet(const Sheets& sheets, const PointBatch& points, const ThirdBatch& out) const {
+    std::array<std::int32_t, static_cast<std::size_t>(block_size)> active;
+    sheets.active(points, active.data());
+    for (std::int64_t begin = 0, end = 0; begin < points.count; begin = end) {
+        const std::int32_t sheet = active[static_cast<std::size_t>(begin)];
+        while (end < points.count && active[static_cast<std::size_t>(end)] == sheet) ++end;
+        ThirdBatch part = out;
+        for (double*& column : part.hessian) column += begin;
+        for (double*& column : part.third) column += begin;
+        evaluate_block(OneSheet(own_, sheets, sheet), slice(points, begin, end), part);
     }
 }
 
 // T_ijk is the mean of the derivatives along i of H_jk, along j of H_ik and along k of H_ij.  At most block_size
 // points: a caller's function stands below on the same small stack.
-void DifferencedShape::evaluate_block(const PointBatch& points, const ThirdBatch& out) const {
+void DifferencedShape::evaluate_block(const Implicit& own, const PointBatch& points, const ThirdBatch& out) const {
     constexpr auto most = static_cast<std::size_t>(block_size);
     std::array<std::array<double, most>, 6> hessian;
     std::array<std::array<double, most>, 3> at;
@@ -73,7 +93,7 @@ void DifferencedShape::evaluate_block(const PointBatch& points, const ThirdBatch
     for (std::size_t c = 0; c < 6; ++c) moved.hessian[c] = hessian[c].data();
     FieldBatch here;
     here.hessian = out.hessian;
-    own_.evaluate(points, here);
+    own.evaluate(points, here);
     for (double* component : out.third) std::fill_n(component, points.count, 0.0);
     const std::array<const double*, 3> from = {points.x, points.y, points.z};
     for (std::size_t c = 0; c < 3; ++c) std::copy_n(from[c], points.count, at[c].begin());
@@ -81,7 +101,7 @@ void DifferencedShape::evaluate_block(const PointBatch& points, const ThirdBatch
         for (const double sign : {1.0, -1.0}) {
             for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i)
                 at[axis][i] = from[axis][i] + sign * step_;
-            own_.evaluate({at[0].data(), at[1].data(), at[2].data(), points.count}, moved);
+            own.evaluate({at[0].data(), at[1].data(), at[2].data(), points.count}, moved);
             const double weight = sign / (6.0 * step_);
             for (std::size_t c = 0; c < 10; ++c)
                 for (std::size_t k = 0; k < 3; ++k) {

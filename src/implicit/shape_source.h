@@ -62,7 +62,8 @@ public:
     [[nodiscard]] bool concurrent() const noexcept override { return own_.concurrent(); }
 
 private:
-    void evaluate_block(const PointBatch& points, const ThirdBatch& out) const;
+    void evaluate_block(const Implicit& own, const PointBatch& points, const ThirdBatch& out) const;
+    void evaluate_by_sheet(const Sheets& sheets, const PointBatch& points, const ThirdBatch& out) const;
 
     const Implicit& own_;
     double step_;

@@ -2,6 +2,7 @@
 #include "marks/tone_normals.h"
 
 #include "geometry/point_grid.h"
+#include "surface/creased.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +19,17 @@ constexpr double steepest = 0.7;
 
 // Every n-th mark.
 struct Sources {
-    Sources(const Site& site, const Marks& marks, std::int64_t step)
-        : position(site.memory(), (marks.count() + step - 1) / step), normal(site.memory(), position.size()) {
+    Sources(const Site& site, const Marks& marks, const base::Array<std::int32_t>& sheets, std::int64_t step)
+        : position(site.memory(), (marks.count() + step - 1) / step), normal(site.memory(), position.size()),
+          sheet(site.memory(), sheets.empty() ? 0 : position.size()) {
         for (std::int64_t i = 0; i < position.size(); ++i) {
             position.set(i, marks.position[i * step]);
             normal.set(i, marks.normal[i * step]);
+            if (!sheets.empty()) sheet[i] = sheets[i * step];
         }
     }
     geometry::VecArray position, normal;
+    base::Array<std::int32_t> sheet; // empty: there are no creases
 };
 
 class Softener {
@@ -34,7 +38,7 @@ public:
         : sources_(sources), radius_(radius), grid_(sources.position, radius) {}
 
     // The mark's own normal counts once, so that there is always one.
-    [[nodiscard]] glm::dvec3 around(const glm::dvec3& place, const glm::dvec3& own) const {
+    [[nodiscard]] glm::dvec3 around(const glm::dvec3& place, const glm::dvec3& own, std::int32_t sheet) const {
         glm::dvec3 sum = own;
         grid_.around(place, [&](std::int64_t at) {
             const std::int64_t i = grid_.index(at);
@@ -43,6 +47,7 @@ public:
             const double square = glm::dot(way, way);
             const double near = 1.0 - square / (radius_ * radius_);
             const double agree = glm::dot(own, normal);
+            if (!sources_.sheet.empty() && surface::is_creased(sheet, sources_.sheet[i], own, normal)) return;
             if (near > 0.0 && agree > 0.0 && std::abs(glm::dot(way, own)) <= steepest * std::sqrt(square))
                 sum += near * near * agree * normal;
         });
@@ -62,13 +67,16 @@ void soften_normals(const Site& site, const Marks& marks, double length, double 
     const double radius = reach * length;
     const double within = std::numbers::pi * radius * radius / (spacing * spacing);
     const auto step = static_cast<std::int64_t>(std::clamp(within / enough, 1.0, 1e6));
-    const Sources sources(site, marks, step);
+    const base::Array<std::int32_t> sheets =
+        surface::sheets_at(site.runtime, site.implicit, marks.position, progress.part(0.0, 0.0));
+    const Sources sources(site, marks, sheets, step);
     const Softener softener(sources, radius);
     result.resize(3 * marks.count());
     site.runtime.parallel.for_chunks(marks.count(), chunk_size, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
-            const glm::dvec3 normal = softener.around(marks.position[i], marks.normal[i]);
+            const glm::dvec3 normal =
+                softener.around(marks.position[i], marks.normal[i], sheets.empty() ? 0 : sheets[i]);
             for (int k = 0; k < 3; ++k) result[3 * i + k] = static_cast<float>(normal[k]);
         }
     });

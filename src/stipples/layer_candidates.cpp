@@ -5,10 +5,12 @@
 #include "geometry/morton.h"
 #include "geometry/tangent_frame.h"
 #include "stipples/order_loops.h"
+#include "surface/creased.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace hrbfnpr::stipples {
@@ -56,8 +58,9 @@ LayerCandidates::LayerCandidates(const marks::Site& site, const SurfaceCells& ce
     : site_(site), cells_(cells), numbers_(numbers), kind_(kind), stream_(stream),
       projections_of_point_(projections_for(cells, wanted)), trial_cell_(site.memory()), slot_(site.memory()),
       drawn_(site.memory()), drawn_ticket_(site.memory()), trial_(site.memory()), trial_ticket_(site.memory()),
-      field_(site.memory()), kept_(site.memory()), near_of_task_(site.memory()), strayed_of_task_(site.memory()),
-      bent_(site.memory()), landed_(site.memory()), projections_(site.memory()) {
+      field_(site.memory()), beside_(site.memory()), times_(site.memory()), kept_(site.memory()),
+      near_of_task_(site.memory()), strayed_of_task_(site.memory()), bent_(site.memory()), landed_(site.memory()),
+      projections_(site.memory()) {
     find_trial_cells();
 }
 
@@ -96,8 +99,9 @@ void LayerCandidates::draw_in(const SurfaceCell& cell, std::int64_t at, std::int
     const glm::dvec3 corner = cells_.grid.corner(geometry::morton_cell(cell.code));
     const double side = cells_.grid.side;
     // What the cell's plane calls this far off the band is not evaluated: its error within the cell is
-    // 3/8 side^2 curvature, so this holds where the surface bends with radii above 1.5 sides.
-    const double unlikely = cells_.band + 0.25 * side;
+    // 3/8 side^2 curvature, so this holds where the surface bends with radii above 1.5 sides, and not at creases.
+    const double unlikely =
+        site_.implicit.sheets() == nullptr ? cells_.band + 0.25 * side : std::numeric_limits<double>::infinity();
     for (std::uint32_t number = 1; at < end; ++at, ++number) {
         const auto u =
             base::uniform4(site_.random_seed, cell.code, base::Purpose::candidate, stream_of_round_ | number);
@@ -152,23 +156,23 @@ bool LayerCandidates::surprises(const glm::dvec3& p, double distance) const noex
 }
 
 // The projections of a trial point; returns the end of those that are in the region and its cells.
-Projection* LayerCandidates::land(std::int64_t i, double distance, Projection* to,
+Projection* LayerCandidates::land(std::int64_t i, double distance, std::uint32_t count, Projection* to,
                                   std::int64_t& strayed) const noexcept {
     const glm::dvec3 normal = glm::normalize(field_.gradient[i]);
     const geometry::TangentFrame frame = geometry::combing_frame(normal);
     const float bits = packed(normal);
     const glm::dvec3 projection = trial_[i] - distance * normal;
-    const bool surprising = surprises(trial_[i], distance);
+    const bool surprising = site_.implicit.sheets() != nullptr || surprises(trial_[i], distance);
     glm::dvec3 at = projection;
     std::uint32_t ticket = trial_ticket_[i];
-    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(projections_of_point_); ++k) {
+    for (std::uint32_t k = 0; k < count; ++k) {
         const std::int32_t cell = cell_of(at);
         if (cell < 0 || !site_.implicit.holds(at, normal))
             ++strayed;
         else if (kind_[cell] != CellKind::flat)
             *to++ = {cell, ticket, glm::vec3(at - cells_.grid.origin), bits,
                      surprising || !(glm::dot(normal, cells_.cell[cell].normal) >= straight)};
-        if (k + 1 == static_cast<std::uint32_t>(projections_of_point_)) break;
+        if (k + 1 == count) break;
         const base::Philox random = base::philox(
             site_.random_seed, {trial_ticket_[i], std::bit_cast<std::uint32_t>(static_cast<float>(projection.x)),
                                 static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
@@ -181,24 +185,54 @@ Projection* LayerCandidates::land(std::int64_t i, double distance, Projection* t
     return to;
 }
 
+// Where there are creases: not at all, or twice.
+void LayerCandidates::count_projections(const base::Progress& progress) {
+    times_.resize(trial_.size());
+    std::fill(times_.begin(), times_.end(), std::uint8_t{0});
+    base::Array<std::int64_t> near(site_.memory());
+    geometry::VecArray places(site_.memory()); // projections, and mirror images
+    for (std::int64_t i = 0; i < trial_.size(); ++i) {
+        const double distance = field_.distance(i);
+        if (!(std::abs(distance) <= cells_.band)) continue;
+        const glm::dvec3 down = distance * glm::normalize(field_.gradient[i]);
+        near.push_back(i);
+        places.push_back(trial_[i] - down);
+        places.push_back(trial_[i] - 2.0 * down);
+    }
+    evaluate(site_, places, beside_, progress);
+    for (std::int64_t k = 0; k < near.size(); ++k) {
+        const glm::dvec3 normal = glm::normalize(field_.gradient[near[k]]);
+        const auto is_alike = [&](std::int64_t place) {
+            const glm::dvec3 other = beside_.gradient[place];
+            return glm::dot(normal, other) >= surface::smooth_cosine * glm::length(other);
+        };
+        if (is_alike(2 * k)) times_[near[k]] = is_alike(2 * k + 1) ? 1 : 2;
+    }
+}
+
 // Each task leaves its projections at the front of its part of landed_.
 void LayerCandidates::step_down(const base::Progress& progress) {
     evaluate(site_, trial_, field_, progress);
-    landed_.resize_for_overwrite(projections_of_point_ * trial_.size());
+    const bool creased = site_.implicit.sheets() != nullptr;
+    if (creased) count_projections(progress);
+    const std::int64_t most = (creased ? 2 : 1) * projections_of_point_;
+    landed_.resize_for_overwrite(most * trial_.size());
     const std::int64_t tasks = (trial_.size() + points_of_task - 1) / points_of_task;
     kept_.resize(tasks);
     near_of_task_.resize(tasks);
     strayed_of_task_.resize(tasks);
     site_.runtime.parallel.for_chunks(trial_.size(), points_of_task, [&](std::int64_t begin, std::int64_t end) {
-        Projection* const first = landed_.data() + projections_of_point_ * begin;
+        Projection* const first = landed_.data() + most * begin;
         Projection* to = first;
         std::int64_t near = 0;
         std::int64_t strayed = 0;
         for (std::int64_t i = begin; i < end; ++i) {
             const double distance = field_.distance(i);
             if (!(std::abs(distance) <= cells_.band)) continue;
-            ++near;
-            to = land(i, distance, to, strayed);
+            const std::int64_t times = creased ? times_[i] : 1;
+            if (times == 0) continue;
+            near += times;
+            to = land(i, distance, static_cast<std::uint32_t>(times * projections_of_point_), to, strayed);
         }
         kept_[begin / points_of_task] = to - first;
         near_of_task_[begin / points_of_task] = projections_of_point_ * near;
@@ -210,8 +244,7 @@ void LayerCandidates::step_down(const base::Progress& progress) {
         near_ += near_of_task_[task];
         strayed_ += strayed_of_task_[task];
         projections_.resize_for_overwrite(before + kept_[task]);
-        std::copy_n(landed_.data() + projections_of_point_ * points_of_task * task, kept_[task],
-                    projections_.data() + before);
+        std::copy_n(landed_.data() + most * points_of_task * task, kept_[task], projections_.data() + before);
     }
     step_down_again(first, progress);
 }
@@ -226,6 +259,23 @@ bool LayerCandidates::many_are_off(std::int64_t first, const base::Progress& pro
     for (std::int64_t k = 0; k < trial_.size(); ++k)
         if (!(std::abs(field_.distance(k)) <= expected * cells_.grid.side)) ++off;
     return 50 * off > trial_.size();
+}
+
+// Of a place in the tangent plane of another sheet than the one that is there: back over the crease, by as much as it
+// was beyond.  Returns whether that was the case; the cell is -1 where it is of no use.
+bool LayerCandidates::turns_back(Projection& projection, const glm::dvec3& place, double distance,
+                                 const glm::dvec3& normal, bool first) const noexcept {
+    float unpacked[3];
+    unpack_normal(projection.normal, unpacked);
+    const glm::dvec3 own = glm::normalize(glm::dvec3(unpacked[0], unpacked[1], unpacked[2]));
+    const double agree = glm::dot(own, normal);
+    if (agree >= surface::smooth_cosine) return false;
+    const glm::dvec3 across = normal - agree * own;
+    const double square = glm::dot(across, across);
+    const glm::dvec3 at = place - 2.0 * distance / square * across;
+    projection.cell = first && square > 0.01 ? cell_of(at) : -1;
+    projection.position = glm::vec3(at - cells_.grid.origin);
+    return true;
 }
 
 // Where a cell's plane does not tell how far its points are, one step is not enough.
@@ -244,6 +294,14 @@ void LayerCandidates::step_down_again(std::int64_t first, const base::Progress& 
             const double distance = field_.distance(k);
             const bool near = std::abs(distance) <= cells_.band;
             const glm::dvec3 normal = near ? glm::normalize(field_.gradient[k]) : glm::dvec3(0.0);
+            if (near && site_.implicit.sheets() != nullptr &&
+                turns_back(projection, trial_[k], distance, normal, step == 0)) {
+                if (projection.cell >= 0 && kind_[projection.cell] != CellKind::flat)
+                    bent_[left++] = bent_[k];
+                else
+                    projection.cell = -1;
+                continue;
+            }
             const glm::dvec3 at = near ? trial_[k] - distance * normal : trial_[k];
             const std::int32_t cell = near && site_.implicit.holds(at, normal) ? cell_of(at) : -1;
             if (cell < 0 || kind_[cell] == CellKind::flat) {

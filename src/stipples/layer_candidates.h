@@ -18,6 +18,10 @@ struct Projection {
 // Points are drawn uniformly in the volume of the cells and kept within `band` of the surface: a
 // layer of constant thickness holds as many points per area everywhere, to second order in
 // band * curvature.  One Newton step takes them down to the surface.
+//
+// Beside a crease the layer is cut off on one side, and on the other one it has a wedge more.  Points of the wedge,
+// whose projection belongs to another sheet, do not count, and those whose mirror image is cut off count twice; what
+// is put beside a projection and over the crease is thrown back from there.
 class LayerCandidates {
 public:
     // In all cells that are not `flat`.  `wanted`: of the whole surface.
@@ -44,7 +48,11 @@ private:
     void step_down_again(std::int64_t first, const base::Progress& progress);
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept;
     [[nodiscard]] bool surprises(const glm::dvec3& p, double distance) const noexcept;
-    Projection* land(std::int64_t i, double distance, Projection* to, std::int64_t& strayed) const noexcept;
+    Projection* land(std::int64_t i, double distance, std::uint32_t count, Projection* to,
+                     std::int64_t& strayed) const noexcept;
+    void count_projections(const base::Progress& progress);
+    [[nodiscard]] bool turns_back(Projection& projection, const glm::dvec3& place, double distance,
+                                  const glm::dvec3& normal, bool first) const noexcept;
 
     const marks::Site& site_;
     const SurfaceCells& cells_;
@@ -60,7 +68,8 @@ private:
     base::Array<std::uint32_t> drawn_ticket_;
     geometry::VecArray trial_;
     base::Array<std::uint32_t> trial_ticket_;
-    marks::FieldSamples field_;
+    marks::FieldSamples field_, beside_;
+    base::Array<std::uint8_t> times_; // how often each trial counts, where there are creases
     base::Array<std::int64_t> kept_, near_of_task_, strayed_of_task_;
     base::Array<std::int64_t> bent_;
     bool all_bent_ = false;

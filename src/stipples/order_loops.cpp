@@ -41,19 +41,31 @@ public:
           normal_(hn::BitCast(U(), load(OrderGroup::normal))), energy_(load(OrderGroup::energy)),
           clearance_(load(OrderGroup::clearance)) {}
 
+    template <bool on_surface>
     HWY_INLINE void feel(const OrderMark& mark, W inverse_squared_reach) {
         const F d;
         const W x = hn::Sub(x_, hn::Set(d, mark.position[0]));
         const W y = hn::Sub(y_, hn::Set(d, mark.position[1]));
         const W z = hn::Sub(z_, hn::Set(d, mark.position[2]));
-        const W squared = dot(x, y, z, x, y, z);
+        W squared = dot(x, y, z, x, y, z);
         const W turn = dot(coordinate<0>(normal_), coordinate<10>(normal_), coordinate<20>(normal_),
                            hn::Set(d, mark.normal[0]), hn::Set(d, mark.normal[1]), hn::Set(d, mark.normal[2]));
+        if (on_surface) squared = hn::Add(squared, detour(mark, x, y, z, turn));
         const auto same_side = hn::Ge(turn, hn::Set(d, opposite * unpacked_length * unpacked_length));
         const W rest = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0F), hn::Mul(squared, inverse_squared_reach)));
         const W rest2 = hn::Mul(rest, rest);
         energy_ = hn::IfThenElse(same_side, hn::Add(energy_, hn::Mul(rest2, rest2)), energy_);
         clearance_ = hn::IfThenElse(same_side, hn::Min(clearance_, squared), clearance_);
+    }
+    // Normals are not of unit length.
+    HWY_INLINE W detour(const OrderMark& mark, W x, W y, W z, W turn) const {
+        const F d;
+        const W here = dot(x, y, z, coordinate<0>(normal_), coordinate<10>(normal_), coordinate<20>(normal_));
+        const W there =
+            dot(x, y, z, hn::Set(d, mark.normal[0]), hn::Set(d, mark.normal[1]), hn::Set(d, mark.normal[2]));
+        const W both = hn::Mul(hn::Set(d, -2.0F), hn::Mul(here, there));
+        const W one = hn::Set(d, unpacked_length * unpacked_length);
+        return hn::Max(hn::Zero(d), hn::Div(both, hn::Max(hn::Add(one, turn), hn::Mul(one, hn::Set(d, 0.1F)))));
     }
     HWY_INLINE void store() const {
         hn::Store(energy_, F(), group_.number[OrderGroup::energy] + at_);
@@ -113,11 +125,12 @@ HWY_INLINE void for_lanes(const OrderBlock& block, Visit&& visit) {
             visit(block.group[g], at, g * OrderGroup::size + at);
 }
 
+template <bool on_surface>
 void feel(const OrderBlock& block, const OrderMark* marks, std::int64_t count, float inverse_squared_reach) {
     const W inverse = hn::Set(F(), inverse_squared_reach);
     for_lanes(block, [&](OrderGroup& group, std::int64_t at, std::int64_t) HWY_ATTR {
         Lanes lanes(group, at);
-        for (std::int64_t i = 0; i < count; ++i) lanes.feel(marks[i], inverse);
+        for (std::int64_t i = 0; i < count; ++i) lanes.template feel<on_surface>(marks[i], inverse);
         lanes.store();
     });
 }
@@ -132,12 +145,13 @@ OrderLowest lowest(const OrderBlock& block, float enough) {
     return search.found();
 }
 
+template <bool on_surface>
 OrderLowest feel_and_find(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach, float enough) {
     const W inverse = hn::Set(F(), inverse_squared_reach);
     Search search(enough);
     for_lanes(block, [&](OrderGroup& group, std::int64_t at, std::int64_t number) HWY_ATTR {
         Lanes lanes(group, at);
-        lanes.feel(mark, inverse);
+        lanes.template feel<on_surface>(mark, inverse);
         lanes.store();
         search.look(lanes.energy(), lanes.clearance(), number);
     });
@@ -157,7 +171,9 @@ std::int64_t smallest(const float* numbers, std::int64_t count) {
 
 } // namespace
 
-OrderLoops pick_loops() noexcept { return {feel, lowest, feel_and_find, smallest}; }
+OrderLoops pick_loops() noexcept {
+    return {feel<false>, lowest, feel_and_find<false>, smallest, feel<true>, feel_and_find<true>};
+}
 
 } // namespace hrbfnpr::stipples::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -72,6 +72,13 @@ struct OrderLoops {
                                  float enough);
     // The first of the smallest; -1: all are infinite.
     std::int64_t (*smallest)(const float* numbers, std::int64_t count);
+    // The first and the third by distances on the surface, for one that has creases: over a crease, whose sheets have
+    // the normals m and n, the way o between two points is shorter than the one through both tangent planes, the square
+    // of which is o . o - 2 (o . m) (o . n) / (1 + m . n).
+    void (*feel_on_surface)(const OrderBlock& block, const OrderMark* marks, std::int64_t count,
+                            float inverse_squared_reach);
+    OrderLowest (*feel_and_find_on_surface)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach,
+                                            float enough);
 };
 
 // Those with clearance >= enough change places with others, to the front; the places behind them are free.  Returns

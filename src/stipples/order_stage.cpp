@@ -5,6 +5,7 @@
 #include "geometry/morton.h"
 #include "geometry/tangent_frame.h"
 #include "stipples/cell_neighbours.h"
+#include "stipples/order_places.h"
 #include "stipples/void_centre.h"
 
 #include <algorithm>
@@ -34,24 +35,6 @@ std::uint64_t code_of(const geometry::CellGrid& grid, const glm::dvec3& position
 glm::dvec3 vector(const float (&v)[3]) noexcept { return {v[0], v[1], v[2]}; }
 glm::vec3 place_of(const OrderMark& mark) noexcept { return {mark.position[0], mark.position[1], mark.position[2]}; }
 
-// Which of the 27 around a cell have a point that is nearer than that to one of the cell's.
-std::uint32_t reached(const glm::vec3& in_cell, float side, float distance) noexcept {
-    float squared[3][3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const float low = std::max(in_cell[axis], 0.0F);
-        const float high = std::max(side - in_cell[axis], 0.0F);
-        squared[axis][0] = low * low;
-        squared[axis][1] = 0.0F;
-        squared[axis][2] = high * high;
-    }
-    std::uint32_t found = 0;
-    unsigned step = 0;
-    for (const float z : squared[2])
-        for (const float y : squared[1])
-            for (const float x : squared[0]) found |= (x + y + z < distance * distance ? 1U : 0U) << step++;
-    return found;
-}
-
 } // namespace
 
 OrderStage::Impl::Impl(const marks::Site& site, Candidates& candidates, const CellMap& home, std::int32_t home_level,
@@ -59,10 +42,9 @@ OrderStage::Impl::Impl(const marks::Site& site, Candidates& candidates, const Ce
     : site_(site),
       grid_(candidates.grid), region_{candidates.region.min - grid_.origin, candidates.region.max - grid_.origin},
       home_(home), home_level_(home_level), settings_(settings), progress_(progress),
-      side_(static_cast<float>(std::ldexp(grid_.side, settings.level))),
-      loops_(order_loops(site.runtime.instruction_set)), code_(site.memory()), number_(site.memory()),
-      cell_(site.memory()), neighbour_(site.memory()), lowest_(site.memory()), floor_(site.memory()),
-      group_(site.memory()), extra_(site.memory()), tile_(site.memory()), fresh_(site.memory()),
+      side_(static_cast<float>(std::ldexp(grid_.side, settings.level))), loops_(loops_for(site)), code_(site.memory()),
+      number_(site.memory()), cell_(site.memory()), neighbour_(site.memory()), lowest_(site.memory()),
+      floor_(site.memory()), group_(site.memory()), extra_(site.memory()), tile_(site.memory()), fresh_(site.memory()),
       fresh_count_(site.memory()), energy_(site.memory()), step_(site.memory()) {
     take_candidates(candidates);
     find_tiles();
@@ -367,11 +349,16 @@ private:
         const float turn =
             (from.normal.x * unpacked[0] + from.normal.y * unpacked[1] + from.normal.z * unpacked[2]) / unpacked_length;
         if (turn < opposite) return;
-        bent_ = bent_ || turn < straight;
+        const bool beyond = turn < straight && stage_.site_.implicit.sheets() != nullptr;
+        bent_ = bent_ || (turn < straight && !beyond);
         const glm::dvec3 precise(between);
         const glm::dvec2 tangent(glm::dot(precise, from.frame.u), glm::dot(precise, from.frame.r));
         const double length = glm::length(tangent);
-        flat_[around_] = length > 0.0 ? glm::length(precise) / length * tangent : tangent;
+        const glm::dvec3 other = beyond ? glm::normalize(vector(unpacked)) : glm::dvec3(0.0);
+        const double way =
+            beyond ? std::sqrt(squared_way(precise, glm::dvec3(from.normal), other)) : glm::length(precise);
+        flat_[around_] = length > 0.0 ? way / length * tangent : tangent;
+        beyond_[around_] = other;
         between_[around_++] = precise;
     }
 
@@ -388,14 +375,22 @@ private:
             stage_.for_marks(stage_.cell_[there], [&](const Slot& mark) { look_at(mark, view); });
         });
         const glm::dvec2 way = toward_void({flat_.data(), around_}, 1.02 * radius_, stage_.settings_.farthest_move);
-        settle(fresh, glm::dvec3(view.start), way.x * view.frame.u + way.y * view.frame.r);
+        settle(fresh, glm::dvec3(view.start), way, way.x * view.frame.u + way.y * view.frame.r);
     }
 
-    void settle(Fresh& fresh, const glm::dvec3& start, const glm::dvec3& moved) noexcept {
+    // Not nearer to a mark than the radius, nor over the crease that it is behind.
+    [[nodiscard]] bool is_free(std::size_t i, const glm::dvec2& way, const glm::dvec3& moved) const noexcept {
+        const glm::dvec3 other = beyond_[i];
+        if (other == glm::dvec3(0.0)) return glm::distance(between_[i], moved) >= radius_;
+        return glm::distance(flat_[i], way) >= radius_ &&
+               (glm::dot(-between_[i], other) < 0.0) == (glm::dot(moved - between_[i], other) < 0.0);
+    }
+
+    void settle(Fresh& fresh, const glm::dvec3& start, const glm::dvec2& way, const glm::dvec3& moved) noexcept {
         const std::int32_t cell = std::exchange(fresh.cell, -1);
         if (bent_) return; // a tangent plane is no way along it
         for (std::size_t i = 0; i < around_; ++i)
-            if (glm::distance(between_[i], moved) < radius_) return;
+            if (!is_free(i, way, moved)) return;
         const glm::dvec3 end = start + moved;
         if (!stage_.region_.contains(end)) return;
         const glm::vec3 p(end);
@@ -416,6 +411,7 @@ private:
     bool bent_ = false; // some have another normal
     std::array<glm::dvec2, most_around> flat_;
     std::array<glm::dvec3, most_around> between_;
+    std::array<glm::dvec3, most_around> beyond_; // the normals of those over a crease, and 0
 };
 
 void OrderStage::Impl::bring_cells(const Tile& tile) const noexcept {

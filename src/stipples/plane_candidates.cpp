@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "geometry/morton.h"
 #include "stipples/order_loops.h"
+#include "surface/creased.h"
 
 #include <glm/vector_relational.hpp>
 
@@ -51,6 +52,14 @@ PlaneCandidates::PlaneCandidates(const marks::Site& site, const SurfaceCells& ce
     });
 }
 
+// A crease may cut off no more than an edge or a corner of the cell.
+bool PlaneCandidates::is_at_crease(const SurfaceCell& cell, const CellNeighbours& around) const noexcept {
+    for (std::size_t step = 0; step < CellNeighbours::count; ++step)
+        if (around[step] >= 0 && !(glm::dot(cell.normal, cells_.cell[around[step]].normal) >= surface::smooth_cosine))
+            return true;
+    return false;
+}
+
 // A plane is the surface where those of all cells beside it are the same one: none is nearer to another sheet, or
 // around a bend.  What they turn is the divergence of the normals, twice the mean curvature.
 PlaneCandidates::Judged PlaneCandidates::judge(const SurfaceCell& cell, CellNeighbours& around) const noexcept {
@@ -63,6 +72,7 @@ PlaneCandidates::Judged PlaneCandidates::judge(const SurfaceCell& cell, CellNeig
     if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + clearly))
         return {CellKind::clear, 0.0F};
     around.go_to(cell.code);
+    if (site_.implicit.sheets() != nullptr && is_at_crease(cell, around)) return {CellKind::bent, 0.0F};
     double divergence = 0.0;
     bool known = true;
     for (int axis = 0; axis < 3; ++axis) {

@@ -35,6 +35,7 @@ private:
         float curvature;
     };
     [[nodiscard]] Judged judge(const SurfaceCell& cell, CellNeighbours& around) const noexcept;
+    [[nodiscard]] bool is_at_crease(const SurfaceCell& cell, const CellNeighbours& around) const noexcept;
     struct Trials;
     [[nodiscard]] Trials trials_in(const SurfaceCell& cell) const noexcept;
     template <class Visit>

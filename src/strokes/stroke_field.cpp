@@ -99,6 +99,9 @@ StrokeFieldResult make_stroke_field(const marks::Site& site, const stipples::Sur
     surface::FieldSamples field{even.position,           even.normal,
                                 measured.direction,      measured.trust,
                                 std::sqrt(area / count), given ? given_fidelity : field_fidelity};
+    const base::Array<std::int32_t> sheet =
+        surface::sheets_at(site.runtime, site.implicit, even.position, progress.part(0.9, 0.9));
+    field.sheet = &sheet;
     if (settings.symmetry == marks::Symmetry::line)
         return {surface::DirectionField(site.runtime, field, surface::Symmetry::line, progress.part(0.9, 1.0)),
                 std::nullopt, area};

@@ -2,6 +2,7 @@
 #include "strokes/stroke_marks.h"
 
 #include "marks/assemble.h"
+#include "marks/crease_ends.h"
 #include "strokes/stroke_field.h"
 #include "surface/curvature.h"
 
@@ -32,7 +33,8 @@ public:
     Settling(const marks::Site& site, const base::Array<OrderedStroke>& strokes, const StrokeMarkSettings& settings,
              marks::Marks& marks, marks::LayerReport& report)
         : site_(site), strokes_(strokes), settings_(settings), marks_(marks), report_(report), position_(site.memory()),
-          normal_(site.memory()), placed_(site.memory()), curvature_(site.memory()), given_(site.memory()) {}
+          normal_(site.memory()), placed_(site.memory()), ends_(site.memory()), curvature_(site.memory()),
+          given_(site.memory()) {}
 
     void project(const base::Progress& progress);
     void append();
@@ -57,6 +59,7 @@ private:
     marks::LayerReport& report_;
     geometry::VecArray position_, normal_; // of all points, in order
     base::Array<std::uint8_t> placed_;
+    base::Array<std::uint8_t> ends_;            // of marks/crease_ends.h
     base::Array<surface::Curvature> curvature_; // at the marks
     geometry::VecArray given_;                  // ... the caller's directions
     std::uint32_t settled_ = 0;                 // strokes
@@ -87,11 +90,12 @@ void Settling::project(const base::Progress& progress) {
         settle(settler, stroke.pass, base::Progress(progress).part(0.0, 0.0));
         progress.update(static_cast<double>(s + 1) / static_cast<double>(strokes_.size()));
     }
+    ends_ = marks::find_crease_ends(site_, position_, normal_, widest_step * settings_.step, progress);
 }
 
 // Whether point i goes on where point i - 1 ended.
 bool Settling::joined(std::int64_t i) const noexcept {
-    if (placed_[i - 1] == 0) return false;
+    if (placed_[i - 1] == 0 || (!ends_.empty() && ends_[i] != 0)) return false;
     const double distance = glm::distance(position_[i], position_[i - 1]) / settings_.step;
     return distance > narrowest_step && distance < widest_step && glm::dot(normal_[i], normal_[i - 1]) > 0.0;
 }

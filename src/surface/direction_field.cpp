@@ -20,12 +20,13 @@ DirectionField::DirectionField(const base::Runtime& runtime, const FieldSamples&
                                const base::Progress& progress)
     : symmetry_(symmetry), spacing_(samples.spacing), radius_(influence * samples.spacing),
       grid_(samples.position, radius_), sample_(runtime.memory, samples.position.size()),
-      place_(runtime.memory, samples.position.size()) {
+      place_(runtime.memory, samples.position.size()), creased_(samples.sheet != nullptr && !samples.sheet->empty()) {
     const geometry::VecArray smooth = smooth_directions(runtime, samples, symmetry, progress);
     for (std::int64_t at = 0; at < grid_.size(); ++at) {
         const std::int64_t i = grid_.index(at);
         const glm::dvec3 n = samples.normal[i];
-        sample_[at] = {samples.position[i], n, smooth[i], glm::cross(n, smooth[i]), i};
+        sample_[at] = {samples.position[i],      n, smooth[i],
+                       glm::cross(n, smooth[i]), i, creased_ ? (*samples.sheet)[i] : 0};
         place_[i] = at;
     }
 }
@@ -39,6 +40,32 @@ glm::dvec3 DirectionField::aligned(const Sample& sample, const glm::dvec3& along
     return first < 0.0 ? -sample.first : sample.first;
 }
 
+// The nearest sample on the side of the normal; null where there is none, or where p is beyond the crease to the
+// nearest of another sheet: on another side of its plane than that sample.
+const DirectionField::Sample* DirectionField::sheet_at(const glm::dvec3& p, const glm::dvec3& normal) const noexcept {
+    const auto nearest = [&](auto&& counts) {
+        const Sample* found = nullptr;
+        double least = radius_ * radius_;
+        grid_.around(p, [&](std::int64_t at) {
+            const Sample& sample = sample_[at];
+            const glm::dvec3 offset = p - sample.position;
+            const double squared = glm::dot(offset, offset);
+            if (!(squared < least) || !counts(sample)) return;
+            least = squared;
+            found = &sample;
+        });
+        return found;
+    };
+    const Sample* const own = nearest([&](const Sample& s) { return glm::dot(s.normal, normal) >= smooth_cosine; });
+    if (own == nullptr) return nullptr;
+    const Sample* const other =
+        nearest([&](const Sample& s) { return is_creased(s.sheet, own->sheet, s.normal, own->normal); });
+    if (other == nullptr || glm::dot(other->normal, own->normal) < -same_side) return own; // a thin wall has no crease
+    const double there = glm::dot(own->position - other->position, other->normal);
+    const double here = glm::dot(p - other->position, other->normal);
+    return (there < 0.0) == (here < 0.0) ? own : nullptr;
+}
+
 // The height is what (n_j + n) . (p - p_j) / 2 is on average: on a circle, of which n_j is the normal at p_j
 // and n that at the foot of p, that is exact where the tangent plane of p_j is off by half the bend.
 DirectionField::Local DirectionField::at(const glm::dvec3& p, const glm::dvec3& normal, const glm::dvec3& along,
@@ -50,11 +77,14 @@ DirectionField::Local DirectionField::at(const glm::dvec3& p, const glm::dvec3& 
     glm::dvec3 normals(0.0);
     glm::dvec3 directions(0.0);
     glm::dvec3 offsets(0.0);
+    const Sample* const own = creased_ ? sheet_at(p, normal) : nullptr;
+    if (creased_ && own == nullptr) return {};
     grid_.around(p, [&](std::int64_t at) {
         const Sample& sample = sample_[at];
         const glm::dvec3 offset = p - sample.position;
         const double squared = glm::dot(offset, offset);
         if (!(squared < radius_ * radius_) || glm::dot(sample.normal, normal) < same_side) return;
+        if (creased_ && is_creased(sample.sheet, own->sheet, sample.normal, own->normal)) return;
         if (squared < nearest) {
             nearest = squared;
             local.sample = sample.index;

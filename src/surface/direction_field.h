@@ -7,6 +7,7 @@
 #include "base/runtime.h"
 #include "geometry/point_grid.h"
 #include "geometry/vec_array.h"
+#include "surface/creased.h"
 
 namespace hrbfnpr::surface {
 
@@ -22,6 +23,13 @@ struct FieldSamples {
     double spacing;                      // sqrt(area per sample)
     // How much a fully trusted direction counts against all neighbours together: the smaller, the smoother.
     double fidelity = 1.0;
+    // Of surface/creased.h, for each sample: creases are borders, over which nothing is smoothed.  Null: there are
+    // none.
+    const base::Array<std::int32_t>* sheet = nullptr;
+
+    [[nodiscard]] bool are_creased(std::int64_t i, std::int64_t j) const noexcept {
+        return sheet != nullptr && !sheet->empty() && is_creased((*sheet)[i], (*sheet)[j], normal[i], normal[j]);
+    }
 };
 
 // Trusted samples keep their measured directions, and the others take the smoothest field between them.
@@ -40,7 +48,8 @@ public:
         std::int64_t sample = -1;  // the nearest one; -1: there is none, and nothing else is told
     };
     // On the side that `normal` (unit) points to.  Of the field's directions the one nearest to `along`, which
-    // need not be tangent; turned: the lines across those of a line field.
+    // need not be tangent; turned: the lines across those of a line field.  Of a surface with creases: on the sheet of
+    // the nearest sample, and nothing beyond the crease there.
     [[nodiscard]] Local at(const glm::dvec3& p, const glm::dvec3& normal, const glm::dvec3& along,
                            bool turned) const noexcept;
 
@@ -57,8 +66,10 @@ private:
         glm::dvec3 position, normal;
         glm::dvec3 first, second; // second = normal x first
         std::int64_t index;
+        std::int32_t sheet;
     };
 
+    [[nodiscard]] const Sample* sheet_at(const glm::dvec3& p, const glm::dvec3& normal) const noexcept;
     [[nodiscard]] glm::dvec3 aligned(const Sample& sample, const glm::dvec3& along, bool turned) const noexcept;
 
     Symmetry symmetry_;
@@ -67,6 +78,7 @@ private:
     geometry::PointGrid grid_;
     base::Array<Sample> sample_;      // in the grid's order
     base::Array<std::int64_t> place_; // of sample i in it
+    bool creased_;
 };
 
 } // namespace hrbfnpr::surface

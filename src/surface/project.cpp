@@ -2,6 +2,7 @@
 #include "surface/project.h"
 
 #include "implicit/evaluate_all.h"
+#include "surface/project_creases.h"
 
 #include <algorithm>
 #include <array>
@@ -185,6 +186,7 @@ void project(const base::Runtime& runtime, const implicit::Implicit& implicit, c
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         progress.update(static_cast<double>(now) / static_cast<double>(count));
     });
+    if (implicit.sheets() != nullptr) project_onto_creases(runtime, implicit, settings, points, progress);
 }
 
 } // namespace hrbfnpr::surface

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Projection onto the surface by steepest descent on f^2 with Armijo's rule.   [NPAR 4.2]
+// At a crease descent goes to and fro between sheets, by steps that become shorter: what has not come to an end by it
+// goes on with the sheets that meet there.
 #pragma once
 
 #include "base/memory.h"

@@ -121,7 +121,7 @@ void Relaxation::link(std::int64_t count, const base::Progress& progress) {
             std::int64_t found = 0;
             for (const std::int64_t j : neighbours.of(i)) {
                 if (found == most_links) break;
-                if (glm::dot(samples_.normal[i], samples_.normal[j]) <= 0.0) continue;
+                if (glm::dot(samples_.normal[i], samples_.normal[j]) <= 0.0 || samples_.are_creased(i, j)) continue;
                 out[found++] = {static_cast<std::int32_t>(j), between(j, i)};
             }
             for (; found < most_links; ++found) out[found] = {};

@@ -11,6 +11,10 @@
 
 namespace hrbfnpr::visibility {
 
+// Subject::clear of creases, which are known as well as sheets are: beside their ends the sheet that hides them is
+// near.
+inline constexpr double clear_of_creases = 1e-3;
+
 // A surface.
 struct Occluder {
     const curves::SheetCounter* sheets = nullptr;
@@ -28,8 +32,10 @@ struct Subject {
     double clear = 0.02;      // in sides: surface so near before a place of a curve does not hide it
     glm::dmat4 to_world{1.0}; // affine
     std::int32_t item = 0;    // of its surface among the occluders
-    std::int32_t sheets = 2;  // that begin or end at these curves: 2 of a contour, 1 of a border, 0 of other lines
+    std::int32_t sheets = 2;  // that begin or end at these curves: 2 of a contour or of a crease
+                              // that is one, 1 of a border, 0 of other lines
     bool mirrored = false;    // the image shows its surface mirrored
+    bool joined = false;      // open curves end at others, as at the corners of a crease
 };
 
 } // namespace hrbfnpr::visibility

@@ -36,7 +36,7 @@ namespace HrbfNpr.Tests
         {
             LineSetInfo info = lines.Info;
             Assert.True(info.Triangles > 100 && info.CellSize > 0 && info.Seconds > 0 && info.Bytes > 0);
-            Assert.Equal(0L, info.Turned + info.MissedSeeds + info.Lines + info.Borders);
+            Assert.Equal(0L, info.Turned + info.MissedSeeds + info.Lines + info.Borders + info.Creases);
             using (LineSet coarse = model.LineSet(new LineSetOptions { CellSize = 2 * info.CellSize }))
             using (LineSet seeded = model.LineSet(new LineSetOptions { SeedPoints = new float[] { 0, 0, 1.01f } }))
             {
@@ -200,11 +200,13 @@ namespace HrbfNpr.Tests
             foreach (Preset preset in Enum.GetValues(typeof(Preset)))
             {
                 int lines = preset == Preset.Stipple ? 0
-                    : preset == Preset.Blueprint ? 3
-                    : preset == Preset.Sketch || preset == Preset.Archaeological ? 2 : 1;
+                    : preset == Preset.Blueprint ? 4
+                    : preset == Preset.Sketch || preset == Preset.Archaeological ? 3 : 2;
                 Assert.Equal(lines, Style.Preset(preset).Lines.Count);
             }
             Assert.Equal("crease", Style.Preset(Preset.Blueprint).Lines[2].Name);
+            Assert.Equal(LineKind.Crease, Style.Preset(Preset.Blueprint).Lines[3].Kind);
+            Assert.Equal(Creases.All, silhouette.Lines[1].Creases);
             Assert.Equal(HiddenParts.Attenuated, silhouette.Lines[0].Hidden);
             Assert.Equal(HiddenParts.Dashed, Style.Preset(Preset.Xray).Lines[0].Hidden);
             silhouette.Lines[0].Width = 5;

@@ -4,6 +4,7 @@
 
 #include "implicit/custom.h"
 #include "implicit/scaled.h"
+#include "support/sharp_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -69,6 +70,47 @@ TEST(Scaled, IsTheSameFunctionInItsUnit) {
         evaluate(expected, right);
         EXPECT_EQ(got, right) << wanted;
     }
+}
+
+// More points than a batch; a function without sheets has none in another unit.
+TEST(Scaled, HasTheSameSheets) {
+    const auto own = hrbfnpr::test::bored_cube();
+    constexpr double unit = 0.25;
+    const implicit::Scaled scaled(*own, unit);
+    ASSERT_NE(scaled.sheets(), nullptr);
+    EXPECT_EQ(scaled.sheets()->count(), 7);
+    constexpr std::int64_t count = 600;
+    std::vector<double> x, y, z;
+    for (int i = 0; i < count; ++i) {
+        x.push_back(6.0 * std::sin(12.9898 * i));
+        y.push_back(6.0 * std::sin(78.233 * i + 1.0));
+        z.push_back(6.0 * std::sin(37.719 * i + 2.0));
+    }
+    const implicit::PointBatch points{x.data(), y.data(), z.data(), count};
+    std::vector<std::int32_t> active(count);
+    scaled.sheets()->active(points, active.data());
+    std::vector<double> f(count), gx(count), gy(count), gz(count);
+    std::vector<std::vector<double>> h(6, std::vector<double>(count));
+    std::vector<int> seen(7);
+    for (std::int32_t sheet = 0; sheet < 7; ++sheet) {
+        scaled.sheets()->evaluate(sheet, points,
+                                  {f.data(),
+                                   {gx.data(), gy.data(), gz.data()},
+                                   {h[0].data(), h[1].data(), h[2].data(), h[3].data(), h[4].data(), h[5].data()}});
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3 p = unit * glm::dvec3(x[i], y[i], z[i]);
+            const hrbfnpr::test::Field field = own->sheet_at(sheet, p);
+            ASSERT_EQ(f[i], field.value / unit);
+            ASSERT_EQ(glm::dvec3(gx[i], gy[i], gz[i]), field.gradient);
+            ASSERT_EQ(h[3][i], unit * field.hessian[3]);
+            ASSERT_EQ(active[i], own->active_at(p));
+            seen[static_cast<std::size_t>(active[i])] = 1;
+        }
+    }
+    EXPECT_EQ(seen, std::vector<int>(7, 1));
+    double one = 1.0;
+    const implicit::Custom smooth(saddle_in(one));
+    EXPECT_EQ(implicit::Scaled(smooth, 2.0).sheets(), nullptr);
 }
 
 } // namespace

@@ -128,7 +128,11 @@ def test_several_items_hide_each_other(model, marks):
 
 def test_styles_of_lines():
     style = hrbfnpr.Style("xray")
-    assert [line.kind for line in style.lines] == ["contour"] and style.lines[0].hidden == "dashed"
+    assert [line.kind for line in style.lines] == ["contour", "crease"]
+    assert [line.hidden for line in style.lines] == ["dashed", "dashed"] and style.lines[1].creases == "all"
+    assert hrbfnpr.LineStyle("crease", creases="concave").creases == "concave"
+    with pytest.raises(ValueError):
+        hrbfnpr.LineStyle("crease", creases="bent")
     assert hrbfnpr.Style("stipple").lines == []
     copy = style.copy()
     copy.lines[0].width = 7

@@ -98,11 +98,11 @@ def test_presets():
     angles = [layer.angle for layer in hrbfnpr.preset_layers("cross-hatch")[1:]]
     assert len(angles) == 3 and all(30 <= abs(a - b) <= 65 for i, a in enumerate(angles) for b in angles[:i])
     assert hrbfnpr.Style("xray").hidden_lines == "show"
-    assert [line.wobble_seed for line in hrbfnpr.Style("sketch").lines] == [1, 2]
+    assert [line.wobble_seed for line in hrbfnpr.Style("sketch").lines] == [1, 2, 3]
     assert [(line.kind, line.name) for line in hrbfnpr.Style("blueprint").lines] == [
-        ("contour", None), ("border", None), ("own", "crease")
+        ("contour", None), ("border", None), ("own", "crease"), ("crease", None)
     ]  # fmt: skip
-    assert [line.kind for line in hrbfnpr.Style("archaeological").lines] == ["contour", "ridge"]
+    assert [line.kind for line in hrbfnpr.Style("archaeological").lines] == ["contour", "ridge", "crease"]
     assert hrbfnpr.Style().preset is None and hrbfnpr.Style().tone == "light"
     with pytest.raises(ValueError, match="preset must be one of 'stipple'"):
         hrbfnpr.Style("watercolour")

@@ -122,6 +122,35 @@ TEST(OrderLoops, SeveralMarksAreFeltOneAfterTheOther) {
     }
 }
 
+// Two planes with normals along x and y that meet in the z axis: the way is that through both, as if they were one.
+TEST(OrderLoops, WaysLeadAlongTheSurface) {
+    const float along_x[3] = {1.0F, 0.0F, 0.0F};
+    const float along_y[3] = {0.0F, 1.0F, 0.0F};
+    OrderMark mark{{0.0F, -0.3F, 0.1F}, {}};
+    unpack_normal(packed_normal(along_x), mark.normal);
+    for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512}) {
+        Block block(20);
+        for (std::int64_t i = 0; i < 20; ++i) {
+            const float x = -0.02F * static_cast<float>(i);
+            block.view().at(OrderGroup::x, i) = x;
+            block.view().at(OrderGroup::y, i) = 0.0F;
+            block.view().at(OrderGroup::z, i) = 0.1F;
+            block.view().at(OrderGroup::normal, i) = packed_normal(along_y);
+        }
+        forget_marks(block.view(), 20);
+        const OrderLoops loops = order_loops(base::choose_instruction_set(set));
+        loops.feel_on_surface(block.view(), &mark, 1, 0.4F);
+        for (std::int64_t i = 0; i < 20; ++i) {
+            const float way = 0.3F + 0.02F * static_cast<float>(i);
+            EXPECT_NEAR(block.view().at(OrderGroup::clearance, i), way * way, 0.01F * way * way) << i;
+            EXPECT_NEAR(block.view().at(OrderGroup::energy, i), std::pow(1.0F - 0.4F * way * way, 4.0F), 0.01F) << i;
+        }
+        Block other(20);
+        const OrderLowest found = loops.feel_and_find_on_surface(other.view(), mark, 0.4F, 0.0F);
+        EXPECT_GE(found.at, 0);
+    }
+}
+
 TEST(OrderLoops, TheFirstOfTheSmallestIsFound) {
     constexpr float none = std::numeric_limits<float>::infinity();
     std::vector<float> numbers(100, none);

@@ -97,14 +97,14 @@ public:
         const std::int64_t l = found->lines.pieces[piece].line;
         return {l, piece, u[1], lengths->at(found->lines.lines[l], piece, u[1])};
     }
-    // Of the part that the place is in, unless it is nearer to that part's ends than 0.05 pixels.
+    // Of the part that the place is in, unless it is nearer to that part's ends than `beside` pixels.
     [[nodiscard]] std::optional<std::int32_t> sheets_at(const Place& place) const {
         const double whole = lengths->whole(found->lines.lines[place.line]);
         for (const Interval& part : found->intervals) {
             if (part.line != place.line) continue;
-            if (part.end_at - part.begin_at >= whole) return part.sheets;
+            if (part.end_at - part.begin_at >= whole && found->lines.lines[place.line].closed) return part.sheets;
             for (const double at : {place.at, place.at + whole})
-                if (at > part.begin_at + 0.05 && at < part.end_at - 0.05) return part.sheets;
+                if (at > part.begin_at + beside && at < part.end_at - beside) return part.sheets;
         }
         return std::nullopt;
     }
@@ -150,6 +150,7 @@ public:
     std::vector<Occluder> occluders;
     std::optional<Invisibility> found;
     std::optional<Lengths> lengths;
+    double beside = 0.05;
 
 private:
     void trace(const Actor& actor) {

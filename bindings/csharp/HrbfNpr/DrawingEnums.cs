@@ -174,7 +174,7 @@ namespace HrbfNpr
         ScientificStipple = 11,
         /// <summary>Pencil on warm paper: lines that stray and run past their ends, contours drawn twice.</summary>
         Sketch = 12,
-        /// <summary>Pale lines on blue: contours, borders and lines called "crease", hidden ones dashed.</summary>
+        /// <summary>Pale lines on blue: contours, borders, creases, and lines called "crease"; hidden ones dashed.</summary>
         Blueprint = 13,
         /// <summary>Short lines along curvature, lit from the upper left; heavy outlines, and ridges of a line set.</summary>
         Archaeological = 14,

@@ -314,6 +314,23 @@ namespace HrbfNpr
         Border = 9,
         /// <summary>Once; polylines of the program's own, such as creases of a mesh.</summary>
         Own = 10,
+        /// <summary>
+        /// Where smooth sheets of the surface meet, of models that have such edges; strength: the angle between their
+        /// normals, degrees.  Where one sheet faces the eye and the other does not, a crease is part of the contour.
+        /// </summary>
+        Crease = 11,
+    }
+
+    /// <summary>Creases by the way that the surface bends there.</summary>
+    [NativeConstants("HRBFNPR_CREASES_")]
+    public enum Creases
+    {
+        /// <summary>All of them (default).</summary>
+        All = 0,
+        /// <summary>Edges.</summary>
+        Convex = 1,
+        /// <summary>Grooves, and where something stands on a face.</summary>
+        Concave = 2,
     }
 
     /// <summary>How marks are spread.</summary>

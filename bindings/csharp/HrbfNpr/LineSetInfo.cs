@@ -42,5 +42,8 @@ namespace HrbfNpr
         /// <see cref="LineSetOptions.Support"/>.
         /// </summary>
         public readonly double LeftOut;
+
+        /// <summary>Curves where smooth sheets of the surface meet, from corner to corner, or closed.</summary>
+        public readonly long Creases;
     }
 }

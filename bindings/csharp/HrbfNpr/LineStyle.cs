@@ -66,7 +66,7 @@ namespace HrbfNpr
 
         /// <summary>
         /// ... and are drawn if it is this somewhere.  0 and 0 = those of the kind: 10 and 30 of suggestive contours,
-        /// 12 and 25 of apparent ridges; 0 and 0.
+        /// 12 and 25 of apparent ridges, 15 and 30 (degrees) of creases; 0 and 0.
         /// </summary>
         public double Upper { get; set; }
 
@@ -114,6 +114,9 @@ namespace HrbfNpr
         /// <summary>Which of many wobbles; 0.</summary>
         public uint WobbleSeed { get; set; }
 
+        /// <summary>Of creases: which of them; All.</summary>
+        public Creases Creases { get; set; }
+
         /// <summary>Another one like this.</summary>
         public LineStyle Clone()
         {
@@ -149,6 +152,7 @@ namespace HrbfNpr
             native->wobble_width = WobbleWidth;
             native->wobble_length = WobbleLength;
             native->wobble_seed = WobbleSeed;
+            native->creases = (uint)Creases;
         }
 
         private void Read(hrbfnpr_line_style* native)
@@ -182,6 +186,7 @@ namespace HrbfNpr
             WobbleWidth = native->wobble_width;
             WobbleLength = native->wobble_length;
             WobbleSeed = native->wobble_seed;
+            Creases = (Creases)native->creases;
         }
     }
 }

@@ -85,6 +85,8 @@ class LineSetInfo:
     bytes : int
     left_out : float
         The share of the surface's area that lies beyond its samples, 0 to 1; 0 without `support`.
+    creases : int
+        Curves where smooth sheets of the surface meet, from corner to corner, or closed.
     """
 
     triangles: int
@@ -96,6 +98,7 @@ class LineSetInfo:
     seconds: float
     bytes: int
     left_out: float
+    creases: int
 
 
 class LineSet(Owner):

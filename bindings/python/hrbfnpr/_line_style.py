@@ -7,7 +7,7 @@ from typing import Any, Dict, Optional, Sequence, Tuple
 from ._arrays import block_in
 from ._fields import choice, color_field, integer, number
 from ._kind_style import KindStyle
-from ._names import CAPS, HIDDEN_PARTS, LINE_KINDS
+from ._names import CAPS, CREASES, HIDDEN_PARTS, LINE_KINDS
 
 
 class LineStyle(KindStyle):
@@ -16,7 +16,7 @@ class LineStyle(KindStyle):
     Parameters
     ----------
     kind : {"contour", "suggestive_contour", "ridge", "valley", "apparent_ridge", "parabolic", "isophote", "section", \
-            "border", "own"}
+            "border", "own", "crease"}
     name : str, optional
         Of lines that are found once: those that are called so; None: whatever they are called.
     levels : sequence of float, optional
@@ -53,6 +53,7 @@ class LineStyle(KindStyle):
     wobble_width = number("0 to 1: the share by which its width may vary.")
     wobble_length = number("From swing to swing, about, in widths.")
     wobble_seed = integer("Which of many wobbles.")
+    creases = choice(CREASES, 'Of creases, by the way that the surface bends: "all", "convex" or "concave".')
 
     _c_type = "hrbfnpr_line_style"
 

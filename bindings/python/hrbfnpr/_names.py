@@ -49,8 +49,9 @@ FORMATS = _numbers(
 PRIMITIVES = _numbers("PRIMITIVE", "points", "line_strips", "triangle_strips")
 LINE_KINDS = _numbers(
     "LINE_KIND", "contour", "suggestive_contour", "ridge", "valley", "apparent_ridge", "parabolic", "isophote",
-    "section", "border", "own",
+    "section", "border", "own", "crease",
 )  # fmt: skip
+CREASES = _numbers("CREASES", "all", "convex", "concave")
 HIDDEN_PARTS = _numbers("HIDDEN_PARTS", "none", "attenuated", "dashed", "shown")
 CAPS = _numbers("CAP", "round", "flat", "pointed")
 PAGE_FORMATS = _numbers("PAGE_FORMAT", "svg", "pdf", "hpgl", "gcode")

@@ -16,6 +16,7 @@ struct DrawnAs {
     const float* strength = nullptr;  // of the points of the subject's curves; null: lines of one strength
     float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
     float halo = 0.0F;                // of its item's style: pixels between a nearer line and where this one ends
+    bool cut = false;                 // what is weaker than `lower` is not drawn
     const float* factor = nullptr;    // of the width at the points of the subject's curves; null: 1
 };
 

@@ -47,24 +47,28 @@ void LastContours::begin_frame() noexcept {
     now_.clear();
 }
 
-std::unique_ptr<Contours> LastContours::take(const curves::LineSet& lines, std::int64_t item) noexcept {
+std::unique_ptr<Contours> LastContours::take(const curves::LineSet& lines, std::int64_t item,
+                                             std::int64_t part) noexcept {
     for (std::unique_ptr<Contours>& known : last_)
-        if (known != nullptr && known->item == item && known->set == lines.identity()) return std::move(known);
+        if (known != nullptr && known->item == item && known->part == part && known->set == lines.identity())
+            return std::move(known);
     return nullptr;
 }
 
 const Contours& LastContours::find(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
-                                   const curves::ContourLevel& level, const curves::View& view) {
-    std::unique_ptr<Contours> last = take(lines, item);
+                                   std::int64_t part, const curves::ContourLevel& level, const curves::View& view) {
+    std::unique_ptr<Contours> last = take(lines, item, part);
+    const curves::SurfaceMesh& mesh = lines.parts().empty() ? lines.mesh() : lines.parts()[part]->mesh;
     if (last != nullptr && last->eye == view.eye) return *now_.add(std::move(last));
     auto contours = std::make_unique<Contours>(runtime.memory);
     contours->set = lines.identity();
     contours->item = item;
+    contours->part = part;
     contours->eye = view.eye;
     if (last != nullptr)
-        trace_on(runtime, lines.mesh(), level, last->traced, *contours);
+        trace_on(runtime, mesh, level, last->traced, *contours);
     else
-        trace(runtime, lines.mesh(), level, nullptr, *contours);
+        trace(runtime, mesh, level, nullptr, *contours);
     std::int64_t evaluations = 0;
     contours->with_cusps = curves::with_cusps(runtime, level, view, contours->traced, evaluations, base::Progress());
     return *now_.add(std::move(contours));

@@ -17,6 +17,7 @@ struct Contours {
 
     std::shared_ptr<const void> set; // LineSet::identity()
     std::int64_t item = 0;
+    std::int64_t part = 0;     // of LineSet::parts(); 0 where there are none
     glm::dvec4 eye{0.0};       // as of a View
     curves::Curves traced;     // no points added
     curves::Curves with_cusps; // those to be drawn
@@ -33,7 +34,7 @@ public:
     // Those of an item in this view, which stay until the frame after the next.  Seen from where the last frame saw
     // them, they are the same.
     const Contours& find(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
-                         const curves::ContourLevel& level, const curves::View& view);
+                         std::int64_t part, const curves::ContourLevel& level, const curves::View& view);
     // Whether any of this frame were begun with those of the last.
     [[nodiscard]] bool are_from_last() const noexcept;
     // The frame is drawn once more, from nothing.
@@ -43,7 +44,8 @@ public:
     }
 
 private:
-    [[nodiscard]] std::unique_ptr<Contours> take(const curves::LineSet& lines, std::int64_t item) noexcept;
+    [[nodiscard]] std::unique_ptr<Contours> take(const curves::LineSet& lines, std::int64_t item,
+                                                 std::int64_t part) noexcept;
 
     base::List<std::unique_ptr<Contours>> last_, now_;
 };

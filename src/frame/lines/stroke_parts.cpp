@@ -27,8 +27,10 @@ double thinned(double length, double taper) noexcept { return length < 2.0 * tap
 
 // By its strength there.
 float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
-    if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
+    if (as.strength == nullptr || !(as.upper > as.lower || as.cut)) return 1.0F;
     const float strength = (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
+    if (as.cut && strength < as.lower) return 0.0F;
+    if (!(as.upper > as.lower)) return 1.0F;
     const float full = std::clamp((strength - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
     return 1.0F - as.style->fade * (1.0F - full);
 }
@@ -77,8 +79,9 @@ void StrokeParts::collect(std::int64_t first, std::int64_t end) {
         last.free_end = next.ends_at_cusp;
     }
     if (!line.closed) {
-        parts_[0].free_begin = true;
-        parts_[parts_.size() - 1].free_end = true;
+        const bool joined = subjects_[static_cast<std::size_t>(line.subject)].joined;
+        parts_[0].free_begin = !joined;
+        parts_[parts_.size() - 1].free_end = parts_[parts_.size() - 1].free_end || !joined;
     } else if (parts_.size() > 1 && alike(parts_[parts_.size() - 1], parts_[0].layers, parts_[0].interval.hidden_by)) {
         Part& last = parts_[parts_.size() - 1];
         const Part& begin = parts_[0];

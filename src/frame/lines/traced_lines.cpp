@@ -61,7 +61,8 @@ TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::
                          LastContours& last, drawing::Drawing& drawing)
     : runtime_(runtime), last_(last), sources_(runtime.memory), levels_(runtime.memory), lines_(runtime.memory),
       subjects_(runtime.memory), occluders_(runtime.memory), items_(runtime.memory), styles_(runtime.memory),
-      contours_of_(runtime.memory), borders_of_(runtime.memory) {
+      creases_(runtime.memory), strengths_(runtime.memory), contours_of_(runtime.memory), folds_of_(runtime.memory),
+      borders_of_(runtime.memory) {
     for (const Item& item : items) {
         if (item.lines == nullptr) continue;
         const Source source{&item, view_of(scene, item), static_cast<std::int32_t>(occluders_.size()),
@@ -70,12 +71,14 @@ TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::
         items_.push_back(static_cast<std::int32_t>(&item - items.data()));
         sources_.push_back(source);
         trace_contours(source);
+        add_creases(source);
         add_border(source);
     }
     for (const Source& source : sources_) {
         light_ = towards_light(scene, *source.item);
         const std::int64_t first = styles_.size();
         for (const LineStyle& style : source.item->style.lines) {
+            if (style.kind == LineKind::crease && source.item->lines->creases().count() == 0) continue;
             drawing::Layer layer;
             layer.item = static_cast<std::int32_t>(source.item - items.data());
             layer.layer = -1;
@@ -107,12 +110,36 @@ visibility::Subject& TracedLines::add_subject(const Source& source, const curves
 
 void TracedLines::trace_contours(const Source& source) {
     const curves::LineSet& lines = *source.item->lines;
-    const curves::ContourLevel& level =
-        *levels_.add(std::make_unique<curves::ContourLevel>(lines.surface(), source.view));
-    const Contours& contours = last_.find(runtime_, lines, items_[source.number], level, source.view);
+    const auto first = static_cast<std::int32_t>(subjects_.size());
+    if (lines.parts().empty()) trace_part(source, lines.surface(), 0);
+    for (std::int64_t p = 0; p < lines.parts().size(); ++p) trace_part(source, lines.parts()[p]->surface, p);
+    contours_of_.push_back({first, static_cast<std::int32_t>(subjects_.size())});
+}
+
+// Contours of a sheet end at its creases.
+void TracedLines::trace_part(const Source& source, const implicit::Implicit& surface, std::int64_t part) {
+    const curves::LineSet& lines = *source.item->lines;
+    const curves::ContourLevel& level = *levels_.add(std::make_unique<curves::ContourLevel>(surface, source.view));
+    const Contours& contours = last_.find(runtime_, lines, items_[source.number], part, level, source.view);
     broken_ += contours.broken;
-    contours_of_.push_back(static_cast<std::int32_t>(subjects_.size()));
-    add_subject(source, contours.with_cusps).level = &level;
+    visibility::Subject& subject = add_subject(source, contours.with_cusps);
+    subject.level = &level;
+    subject.joined = !lines.parts().empty();
+}
+
+// Whatever is drawn: the surface turns over at those of which one sheet faces the eye.
+void TracedLines::add_creases(const Source& source) {
+    const curves::LineSet& lines = *source.item->lines;
+    auto& parts = creases_.add(std::make_unique<curves::CreaseParts>(runtime_.memory));
+    folds_of_.push_back(-1);
+    if (lines.creases().count() == 0) return;
+    *parts = curves::parts_in_view(runtime_, *lines.surface().sheets(), lines.creases(), source.view);
+    if (parts->folds.curves.count() == 0) return;
+    folds_of_[source.number] = static_cast<std::int32_t>(subjects_.size());
+    visibility::Subject& subject = add_subject(source, parts->folds.curves);
+    subject.joined = true;
+    subject.clear = visibility::clear_of_creases;
+    contours_of_[source.number].end = static_cast<std::int32_t>(subjects_.size());
 }
 
 // Whatever is drawn: what lies behind it depends on where the surface ends.
@@ -139,6 +166,7 @@ void TracedLines::add_lines(const Source& source, const curves::SurfaceLines& li
         const auto number = static_cast<std::int32_t>(subjects_.size() - 1);
         if (style == nullptr) continue;
         if (style->kind == LineKind::own) subject.clear = clear_of_own;
+        subject.joined = style->kind == LineKind::section && source.item->lines->creases().count() > 0;
         const curves::Thresholds by = curves::thresholds_of(style->kind, {style->lower, style->upper});
         styles_.push_back(
             {style, number, layer, parts.strength.data(), static_cast<float>(by.lower), static_cast<float>(by.upper)});
@@ -147,7 +175,11 @@ void TracedLines::add_lines(const Source& source, const curves::SurfaceLines& li
 
 void TracedLines::add_style(const Source& source, const LineStyle& style, std::uint32_t layer) {
     switch (style.kind) {
-    case LineKind::contour: styles_.push_back({&style, contours_of_[source.number], layer}); break;
+    case LineKind::contour:
+        for (std::int32_t s = contours_of_[source.number].begin; s < contours_of_[source.number].end; ++s)
+            styles_.push_back({&style, s, layer});
+        break;
+    case LineKind::crease: add_bent(source, style, layer); break;
     case LineKind::border:
         for (std::int32_t s = borders_of_[source.number]; s < subjects_.size(); ++s)
             if (subjects_[s].item == source.number && subjects_[s].sheets == 1) styles_.push_back({&style, s, layer});
@@ -163,6 +195,35 @@ void TracedLines::add_found(const Source& source, const LineStyle& style, std::u
     for (const curves::FoundLines& found : source.item->lines->found())
         if (found.kind == style.kind && (style.name == nullptr || std::strcmp(style.name, found.name.data()) == 0))
             add_lines(source, found.lines, &style, layer, 0);
+}
+
+// Creases that are no contours; these as well where the style draws no contours.
+void TracedLines::add_bent(const Source& source, const LineStyle& style, std::uint32_t layer) {
+    const curves::CreaseParts& parts = *creases_[source.number];
+    const curves::Thresholds by = curves::thresholds_of(style.kind, {style.lower, style.upper});
+    for (const curves::SurfaceLines* some : {&parts.outside, &parts.inside}) {
+        if (some == &parts.inside && style.hidden == HiddenParts::none &&
+            source.item->lines->border().curves.count() == 0)
+            continue;
+        const curves::SurfaceLines& lines = *lines_.add(std::make_unique<curves::SurfaceLines>(
+            curves::bent_parts(runtime_.memory, *some, style.creases, by.lower, by.upper)));
+        if (lines.curves.count() == 0) continue;
+        visibility::Subject& subject = add_subject(source, lines.curves);
+        subject.sheets = 0;
+        subject.joined = true;
+        subject.clear = visibility::clear_of_creases;
+        styles_.push_back({&style, static_cast<std::int32_t>(subjects_.size() - 1), layer, lines.strength.data(),
+                           static_cast<float>(by.lower), static_cast<float>(by.upper)});
+    }
+    const std::span<const LineStyle> all = source.item->style.lines;
+    const bool outlined =
+        std::any_of(all.begin(), all.end(), [](const LineStyle& other) { return other.kind == LineKind::contour; });
+    if (outlined || folds_of_[source.number] < 0) return;
+    base::Array<float>& strength = strengths_.add(runtime_.memory);
+    for (const float angle : parts.folds.strength) strength.push_back(curves::angle_on(style.creases, angle));
+    styles_.push_back({&style, folds_of_[source.number], layer, strength.data(), static_cast<float>(by.lower),
+                       static_cast<float>(by.upper)});
+    styles_[styles_.size() - 1].cut = true;
 }
 
 // By interpolation on the mesh: enough to draw.

@@ -34,10 +34,18 @@ private:
         bool mirrored;
     };
 
+    // Subjects, from the first to before the end.
+    struct Range {
+        std::int32_t begin, end;
+    };
+
     void trace_contours(const Source& source);
+    void trace_part(const Source& source, const implicit::Implicit& surface, std::int64_t part);
     void add_border(const Source& source);
+    void add_creases(const Source& source);
     void add_style(const Source& source, const LineStyle& style, std::uint32_t layer);
     void add_found(const Source& source, const LineStyle& style, std::uint32_t layer);
+    void add_bent(const Source& source, const LineStyle& style, std::uint32_t layer);
     void add_features(const Source& source, const LineStyle& style, std::uint32_t layer);
     // Lines on the surface, cut where they turn away from the eye; `sheets` as of a Subject.
     void add_lines(const Source& source, const curves::SurfaceLines& lines, const LineStyle* style, std::uint32_t layer,
@@ -54,7 +62,10 @@ private:
     base::Array<visibility::Occluder> occluders_;
     base::Array<std::int32_t> items_;
     base::Array<DrawnAs> styles_;
-    base::Array<std::int32_t> contours_of_; // subjects of each source: of its contours, of its border
+    base::List<std::unique_ptr<curves::CreaseParts>> creases_; // of each source
+    base::List<base::Array<float>> strengths_;
+    base::Array<Range> contours_of_;     // of each source: its contours, and creases that are such
+    base::Array<std::int32_t> folds_of_; // ... the latter; -1: there are none
     base::Array<std::int32_t> borders_of_;
     glm::dvec4 light_{0.0}; // of the item at hand, in its own space
     std::int64_t broken_ = 0;

@@ -182,18 +182,30 @@ constexpr LineStyle outlined(LineStyle style, float factor) {
     style.outline_factor = factor;
     return style;
 }
-constexpr LineStyle plain_lines[] = {contour_line(2.2F, HiddenParts::none)};
+// Where a surface has creases: finer than its contours.
+constexpr LineStyle crease_line(LineStyle style, float width) {
+    style.kind = LineKind::crease;
+    style.width = width;
+    style.outline_factor = 1.0F;
+    return style;
+}
+constexpr LineStyle plain_lines[] = {contour_line(2.2F, HiddenParts::none),
+                                     crease_line(contour_line(2.2F, HiddenParts::none), 1.4F)};
 // Where there are lines alone, those that bound the drawing are heavier.
-constexpr LineStyle silhouette_lines[] = {outlined(contour_line(2.2F, HiddenParts::attenuated), 1.5F)};
-constexpr LineStyle woodcut_lines[] = {outlined(contour_line(3.6F, HiddenParts::none), 1.5F)};
-constexpr LineStyle xray_lines[] = {outlined(contour_line(2.0F, HiddenParts::dashed), 1.5F)};
+constexpr LineStyle silhouette_line = outlined(contour_line(2.2F, HiddenParts::attenuated), 1.5F);
+constexpr LineStyle silhouette_lines[] = {silhouette_line, crease_line(silhouette_line, 1.4F)};
+constexpr LineStyle woodcut_line = outlined(contour_line(3.6F, HiddenParts::none), 1.5F);
+constexpr LineStyle woodcut_lines[] = {woodcut_line, crease_line(woodcut_line, 2.4F)};
+constexpr LineStyle xray_line = outlined(contour_line(2.0F, HiddenParts::dashed), 1.5F);
+constexpr LineStyle xray_lines[] = {xray_line, crease_line(xray_line, 1.4F)};
 
-constexpr LineStyle scientific_lines[] = {[] {
+constexpr LineStyle scientific_line() {
     LineStyle style = outlined(contour_line(1.3F, HiddenParts::none), 1.6F);
     style.lit_factor = 0.55F;
     style.taper = 16.0F;
     return style;
-}()};
+}
+constexpr LineStyle scientific_lines[] = {scientific_line(), crease_line(scientific_line(), 0.9F)};
 // A pencil goes twice over each contour.
 constexpr LineStyle pencil_line(float width, float wobble, std::uint32_t seed) {
     LineStyle style = contour_line(width, HiddenParts::none);
@@ -207,7 +219,8 @@ constexpr LineStyle pencil_line(float width, float wobble, std::uint32_t seed) {
     for (int i = 0; i < 3; ++i) style.ink[i] = graphite[i];
     return style;
 }
-constexpr LineStyle sketch_lines[] = {pencil_line(1.7F, 0.9F, 1), pencil_line(1.1F, 3.2F, 2)};
+constexpr LineStyle sketch_lines[] = {pencil_line(1.7F, 0.9F, 1), pencil_line(1.1F, 3.2F, 2),
+                                      crease_line(pencil_line(1.7F, 0.9F, 3), 1.2F)};
 constexpr LineStyle blueprint_line(LineKind kind, float width, float outline, const char* name = nullptr) {
     LineStyle style = outlined(contour_line(width, HiddenParts::dashed), outline);
     style.kind = kind;
@@ -217,9 +230,9 @@ constexpr LineStyle blueprint_line(LineKind kind, float width, float outline, co
     for (int i = 0; i < 3; ++i) style.ink[i] = chalk[i];
     return style;
 }
-constexpr LineStyle blueprint_lines[] = {blueprint_line(LineKind::contour, 1.5F, 1.6F),
-                                         blueprint_line(LineKind::border, 1.5F, 1.6F),
-                                         blueprint_line(LineKind::own, 1.1F, 1.0F, "crease")};
+constexpr LineStyle blueprint_lines[] = {
+    blueprint_line(LineKind::contour, 1.5F, 1.6F), blueprint_line(LineKind::border, 1.5F, 1.6F),
+    blueprint_line(LineKind::own, 1.1F, 1.0F, "crease"), blueprint_line(LineKind::crease, 1.1F, 1.0F)};
 // The outline is heavy; ridges between scars are fine lines.
 constexpr LineStyle ridge_line(float width) {
     LineStyle style = contour_line(width, HiddenParts::none);
@@ -229,7 +242,8 @@ constexpr LineStyle ridge_line(float width) {
     return style;
 }
 constexpr LineStyle archaeological_contours[] = {outlined(contour_line(1.8F, HiddenParts::none), 1.8F),
-                                                 ridge_line(1.2F)};
+                                                 ridge_line(1.2F),
+                                                 crease_line(contour_line(1.8F, HiddenParts::none), 1.2F)};
 
 // By the number of the preset; stippling alone has none.
 constexpr std::span<const LineStyle> lines_of(std::uint32_t preset) {

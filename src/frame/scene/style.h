@@ -83,6 +83,7 @@ struct LineStyle {
     float wobble_width = 0.0F;
     float wobble_length = 40.0F;
     std::uint32_t wobble_seed = 0;
+    curves::CreaseSide creases = curves::CreaseSide::both;
 
     [[nodiscard]] bool wobbles() const noexcept { return wobble > 0.0F || wobble_width > 0.0F; }
 };

@@ -24,9 +24,9 @@ constexpr float opacity_step = 1.0F / 32.0F; // within a part of a stroke
 constexpr std::int64_t at_a_time = 4096;     // dots, or points of strokes
 
 // Numbers of HRBFNPR_LINE_KIND_...
-constexpr std::array<const char*, 11> line_names{"lines",   "contour",        "suggestive", "ridge",
+constexpr std::array<const char*, 12> line_names{"lines",   "contour",        "suggestive", "ridge",
                                                  "valley",  "apparent ridge", "parabolic",  "isophote",
-                                                 "section", "border",         "own"};
+                                                 "section", "border",         "own",        "crease"};
 
 constexpr std::size_t own_lines = 10;
 

@@ -76,7 +76,7 @@ namespace HrbfNpr
         internal float wobble_width;
         internal float wobble_length;
         internal uint wobble_seed;
-        internal uint reserved;
+        internal uint creases;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_style")]

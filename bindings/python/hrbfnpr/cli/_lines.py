@@ -56,7 +56,7 @@ def parse(text: str) -> List[Wanted]:
 def _parse_one(part: str) -> Wanted:
     name, _, value = part.partition("=")
     kind = _SHORT.get(name, name).replace("-", "_")
-    if kind not in (*LINE_KINDS, "crease") or kind == "own":
+    if kind not in LINE_KINDS or kind == "own":
         raise argparse.ArgumentTypeError(f"{name!r} is no kind of lines; there are {', '.join(NAMES)} and none")
     if not value:
         return Wanted(kind)
@@ -77,11 +77,11 @@ def style_lines(arguments: Any, style: Style, pen: float) -> None:
     """Set the lines of a style: its own or those asked for, sized for the picture."""
     contour = next((line for line in style.lines if line.kind == "contour"), LineStyle("contour", width=2.2))
     if arguments.lines is not None:
-        style.lines = [_line(wanted, contour) for wanted in arguments.lines]
+        style.lines = [line for wanted in arguments.lines for line in _styles_of(wanted, contour)]
     elif any(getattr(arguments, option) is not None for option in _OF_MARKS):
         style.lines = []
     if arguments.lines is None and style.lines and getattr(arguments, "has_end", False):
-        style.lines = [*style.lines, _line(Wanted("border"), contour)]
+        style.lines = [*style.lines, *_styles_of(Wanted("border"), contour)]
     wider = 1.0 if arguments.line_width is None else arguments.line_width / (pen * contour.width)
     for line in style.lines:
         if arguments.hidden is not None or arguments.hidden_lines is not None:
@@ -93,14 +93,18 @@ def style_lines(arguments: Any, style: Style, pen: float) -> None:
         line.scale(wider * pen)
 
 
-def _line(wanted: Wanted, contour: LineStyle) -> LineStyle:
+def _styles_of(wanted: Wanted, contour: LineStyle) -> List[LineStyle]:
     if wanted.kind == "contour":
-        return contour.copy()
-    kind, name = ("own", "crease") if wanted.kind == "crease" else (wanted.kind, None)
-    levels = wanted.levels if kind == "isophote" else ()
+        return [contour.copy()]
+    levels = wanted.levels if wanted.kind == "isophote" else ()
     share = 1.0 if wanted.kind in ("border", "crease") else _FINE
     taper = 0.0 if wanted.kind in ("border", "crease", "section") else contour.taper
-    return LineStyle(kind, name, levels, width=contour.width * share, hidden=contour.hidden, taper=taper)
+    # Creases are the model's own, or those of the mesh that a smooth one was fitted to.
+    names = [("crease", None), ("own", "crease")] if wanted.kind == "crease" else [(wanted.kind, None)]
+    return [
+        LineStyle(kind, name, levels, width=contour.width * share, hidden=contour.hidden, taper=taper)
+        for kind, name in names
+    ]
 
 
 def needs_curvature(style: Style) -> bool:
@@ -115,14 +119,21 @@ def make(
     if style.visibility == "published" or not (style.lines or more):
         return None
     wanted = wanted_lines(arguments, style)
-    once = [_once(one, model, arguments) for one in wanted if one.kind in (*_FOUND_ONCE, "section", "crease")]
+    once = [_once(one, model) for one in wanted if one.kind in (*_FOUND_ONCE, "section")]
     once += more
+    sharp = any(one.kind == "crease" for one in wanted)
+    of_mesh = [Lines("own", "crease", polylines=creases(arguments.input_shape))] if sharp and _has_faces(arguments) else []
     curved = needs_curvature(style)
     support = _support(arguments, wanted, model)
     with report.stage("trace lines", "looking for lines") as stage:
-        made = LineSet(model, once, with_curvature=curved, support=support, progress=stage.bar, context=context)
+        keywords = dict(with_curvature=curved, support=support, progress=stage.bar, context=context)
+        made = LineSet(model, [*once, *of_mesh], **keywords)
+        if made.info.creases and of_mesh:
+            made = LineSet(model, once, **keywords)
         info = made.info
         stage.says = f"on {info.triangles} triangles, {info.lines} lines found once"
+    if sharp and not (of_mesh or info.creases):
+        raise shapes.ShapeError("creases come from a mesh, or from a model with edges; this file has neither")
     if support > 0:
         report.say(_what_ends(info, support))
     if info.turned > 2e-3 * info.triangles or info.missed_seeds:
@@ -138,7 +149,7 @@ def wanted_lines(arguments: Any, style: Style) -> List[Wanted]:
     if arguments.lines is not None:
         return list(arguments.lines)
     wanted = [Wanted(line.kind) for line in style.lines if line.kind in _FOUND_ONCE]
-    if any(line.name == "crease" for line in style.lines) and arguments.input_shape and arguments.input_shape.is_mesh:
+    if any(line.name == "crease" for line in style.lines) and _has_faces(arguments):
         wanted.append(Wanted("crease"))
     return wanted
 
@@ -160,13 +171,15 @@ def _what_ends(info: LineSetInfo, support: float) -> str:
     return f"lines: the surface ends beyond its samples, at {curves} (support {support:g}); {share}"
 
 
-def _once(wanted: Wanted, model: Model, arguments: Any) -> Lines:
+def _has_faces(arguments: Any) -> bool:
+    return bool(arguments.input_shape and arguments.input_shape.is_mesh)
+
+
+def _once(wanted: Wanted, model: Model) -> Lines:
     if wanted.kind == "section":
         low, high = (corner[wanted.axis] for corner in model.bounds)
         places = low + (high - low) * (np.arange(wanted.planes) + 0.5) / wanted.planes
         return Lines("section", levels=list(places), plane=np.eye(3)[wanted.axis])
-    if wanted.kind == "crease":
-        return Lines("own", "crease", polylines=creases(arguments.input_shape))
     return Lines(wanted.kind)
 
 

@@ -159,6 +159,8 @@ def _solid(
     creases = _view_lines.edges_of(creases, sheet.diagonal)
     with report.stage("trace lines", "looking for lines") as stage:
         lines = LineSet(model, once, with_curvature="suggestive_contour" in smooth, progress=stage.bar, context=context)
+        if lines.info.creases:
+            creases = []  # the model's own are among the lines
         stage.says = f"on {lines.info.triangles} triangles; {len(creases)} sharp edges of the mesh"
     marks = PointSet.generate(model, budget=20, context=context)  # none is drawn
     return _view_lines.Solid(model, lines, creases, smooth, sheet.middle, sheet.diagonal, marks)

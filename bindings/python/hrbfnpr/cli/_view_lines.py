@@ -70,7 +70,7 @@ def _camera(view: View, solid: Solid, scale: float) -> Camera:
 
 
 def _line_styles(solid: Solid, plane: Optional[Plane]) -> List[LineStyle]:
-    kinds: List[Tuple[str, Optional[str]]] = [("contour", None), ("border", None)]
+    kinds: List[Tuple[str, Optional[str]]] = [("contour", None), ("border", None), ("crease", None)]
     kinds += [(kind, None) for kind in solid.smooth]
     if plane is not None:
         kinds.append(("section", plane.name))
@@ -264,7 +264,7 @@ def curves(view: View, solid: Solid, scale: float, renderer: Renderer) -> Tuple[
     unit = scale * view.factor
     closed = [line.points / scale for line in found.get("section", []) if _closes(line)]
     sight = Sight(solid.model, view, solid.diagonal, solid.middle, closed)
-    contours = found.get("contour", []) + found.get("border", [])
+    contours = found.get("contour", []) + found.get("border", []) + found.get("crease", [])
     smooth = [line for kind in solid.smooth for line in found.get(kind, [])]
     creases = _creases(view, solid, scale)
     plane, outlines = view.plane, []

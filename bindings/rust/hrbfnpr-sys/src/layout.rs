@@ -561,7 +561,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_line_set_info>() == 80);
+    assert!(size_of::<hrbfnpr_line_set_info>() == 88);
     assert!(align_of::<hrbfnpr_line_set_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -578,6 +578,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_line_set_info, seconds) == 56);
     assert!(offset_of!(hrbfnpr_line_set_info, bytes) == 64);
     assert!(offset_of!(hrbfnpr_line_set_info, left_out) == 72);
+    assert!(offset_of!(hrbfnpr_line_set_info, creases) == 80);
 };
 
 const _: () = {
@@ -662,7 +663,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_line_style, wobble_width) == either(144, 144, 136));
     assert!(offset_of!(hrbfnpr_line_style, wobble_length) == either(148, 148, 140));
     assert!(offset_of!(hrbfnpr_line_style, wobble_seed) == either(152, 152, 144));
-    assert!(offset_of!(hrbfnpr_line_style, reserved) == either(156, 156, 148));
+    assert!(offset_of!(hrbfnpr_line_style, creases) == either(156, 156, 148));
 };
 
 const _: () = {

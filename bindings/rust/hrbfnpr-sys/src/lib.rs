@@ -1969,6 +1969,11 @@ pub const HRBFNPR_LINE_KIND_SECTION: u32 = 8;
 pub const HRBFNPR_LINE_KIND_BORDER: u32 = 9;
 /// once; polylines of the caller, such as creases of a mesh
 pub const HRBFNPR_LINE_KIND_OWN: u32 = 10;
+/// where smooth sheets of the surface meet, of models that have such edges; found with the
+/// line set, in no list. Strength: the angle between the sheets' normals, degrees. Where one
+/// of them faces the eye and the other does not, a crease is a part of the CONTOUR and drawn
+/// as that
+pub const HRBFNPR_LINE_KIND_CREASE: u32 = 11;
 
 /// Lines to find once.
 #[repr(C)]
@@ -2083,6 +2088,8 @@ pub struct hrbfnpr_line_set_info {
     pub bytes: i64,
     /// the share of the surface's area that lies beyond the samples, 0 to 1; 0 without support
     pub left_out: f64,
+    /// curves where sheets of the surface meet, at any angle: from corner to corner, or closed
+    pub creases: i64,
 }
 
 extern "C" {
@@ -2347,6 +2354,13 @@ pub const HRBFNPR_CAP_FLAT: u32 = 1;
 /// narrowing to a tip; the tip's length is twice the width there
 pub const HRBFNPR_CAP_POINTED: u32 = 2;
 
+// Creases by the way that the surface bends there.
+pub const HRBFNPR_CREASES_ALL: u32 = 0;
+/// edges
+pub const HRBFNPR_CREASES_CONVEX: u32 = 1;
+/// grooves, and where something stands on a face
+pub const HRBFNPR_CREASES_CONCAVE: u32 = 2;
+
 /// How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -2379,7 +2393,7 @@ pub struct hrbfnpr_line_style {
     /// 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1
     pub fade: f32,
     /// strengths as in hrbfnpr_line_desc; 0 and 0 = those of the kind: 10 and 30 of suggestive
-    /// contours, 12 and 25 of apparent ridges
+    /// contours, 12 and 25 of apparent ridges, 15 and 30 (degrees) of creases
     pub lower: f64,
     pub upper: f64,
     /// of ISOPHOTE: FLOAT64, 1: -1 .. 1. Read during _draw only
@@ -2417,7 +2431,8 @@ pub struct hrbfnpr_line_style {
     pub wobble_length: f32,
     /// 0
     pub wobble_seed: u32,
-    pub reserved: u32,
+    /// of CREASE: HRBFNPR_CREASES_...; ALL
+    pub creases: u32,
 }
 
 extern "C" {
@@ -2554,7 +2569,8 @@ pub const HRBFNPR_PRESET_WOODCUT: u32 = 10;
 pub const HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: u32 = 11;
 /// pencil on warm paper: two sets of lines that stray and run past their ends, contours drawn twice
 pub const HRBFNPR_PRESET_SKETCH: u32 = 12;
-/// pale lines on blue without tone: contours, borders and lines called "crease", hidden ones dashed
+/// pale lines on blue without tone: contours, borders, creases and lines called "crease",
+/// hidden ones dashed
 pub const HRBFNPR_PRESET_BLUEPRINT: u32 = 13;
 /// lit from the upper left: short lines along curvature that taper to the light, heavy
 /// outlines, and the RIDGE lines of a line set

@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: MIT
+#include "curves/crease_mesh.h"
+
+#include "curves/edge_halving.h"
+#include "curves/mesh_topology.h"
+#include "surface/project.h"
+#include "surface/sheets_meet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace hrbfnpr::curves {
+namespace {
+
+constexpr int most_rounds = 6;
+constexpr int most_settlings = 20;
+constexpr std::int64_t grain = 32;
+// In sides.
+constexpr double tolerance = 1e-9;     // of a place where sheets meet
+constexpr double on_surface = 1e-3;    // that place's distance from the whole surface
+constexpr double farthest = 1.5;       // from the edge
+constexpr double shortest_edge = 0.01; // that is halved
+constexpr double equal = 1e-7;         // sheets that are no farther apart, and as parallel, are one there
+
+// Of an edge whose ends belong to different sheets.
+struct EdgeNode {
+    std::int64_t edge; // the first of its two
+    CreaseNode at;
+    std::array<glm::dvec3, 2> gradient; // of the sheets of the edge's start and end
+    std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
+};
+
+// Of a triangle whose corners belong to three sheets.
+struct CornerNode {
+    std::int64_t triangle;
+    CreaseNode at;
+    std::array<glm::dvec3, 3> gradient; // of its corners' sheets
+};
+
+class Splitter {
+public:
+    Splitter(const base::Runtime& runtime, const implicit::Implicit& implicit, SurfaceMesh mesh)
+        : runtime_(runtime), implicit_(implicit), sheets_(*implicit.sheets()), mesh_(std::move(mesh)),
+          sheet_(runtime.memory), node_(runtime.memory), edges_(runtime.memory), corners_(runtime.memory),
+          taken_(runtime.memory), out_(runtime.memory) {}
+
+    SharpMesh run(const base::Progress& progress);
+
+private:
+    [[nodiscard]] base::Parallel threads() const noexcept { return implicit_.threads(runtime_.parallel); }
+    [[nodiscard]] std::int32_t sheet_of(std::int64_t triangle, int k) const noexcept {
+        return sheet_[mesh_.corner[3 * triangle + k % 3]];
+    }
+    [[nodiscard]] int sheets_of(std::int64_t triangle) const noexcept {
+        const std::int32_t a = sheet_of(triangle, 0);
+        const std::int32_t b = sheet_of(triangle, 1);
+        const std::int32_t c = sheet_of(triangle, 2);
+        return a == b && b == c ? 1 : a != b && b != c && a != c ? 3 : 2;
+    }
+    void find_sheets(std::int64_t from, const base::Progress& progress);
+    void find_edges(const base::Progress& progress);
+    void look_at(EdgeNode& node) const;
+    [[nodiscard]] bool settle_equal();
+    void find_corners(const base::Progress& progress);
+    [[nodiscard]] bool is_on_surface(const glm::dvec3& place) const;
+    [[nodiscard]] bool halve(const base::Progress& progress);
+    void place_rest();
+    [[nodiscard]] std::int32_t vertex_of(std::int64_t edge, bool at_start) const noexcept;
+    void add_vertices();
+    void add_triangle(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t sheet);
+    void add_quad(const std::array<std::int32_t, 4>& vertex, std::int32_t sheet);
+    void cut_in_two(std::int64_t triangle);
+    void cut_in_three(std::int64_t triangle, std::int64_t corner);
+    void build(const base::Progress& progress);
+    [[nodiscard]] std::int64_t exit_of(std::int64_t entered) const noexcept;
+    void put(std::int64_t edge) { out_.creases.node.push_back(edges_[node_[edge]].at); }
+    void follow(std::int64_t entered);
+    void end_chain(std::int64_t edge, bool closed);
+    void find_chains();
+    [[nodiscard]] const CornerNode* corner_of(std::int64_t triangle) const noexcept;
+
+    const base::Runtime& runtime_;
+    const implicit::Implicit& implicit_;
+    const implicit::Sheets& sheets_;
+    SurfaceMesh mesh_;
+    base::Array<std::int32_t> sheet_; // of each vertex
+    base::Array<std::int32_t> node_;  // of each edge, of both: among edges_; -1: it crosses no crease
+    base::Array<EdgeNode> edges_;
+    base::Array<CornerNode> corners_; // by triangle
+    base::Array<std::uint8_t> taken_; // edges that chains have passed
+    SharpMesh out_;
+    std::int32_t first_of_edges_ = 0, first_of_corners_ = 0; // vertices
+};
+
+void Splitter::find_sheets(std::int64_t from, const base::Progress& progress) {
+    sheet_.resize(mesh_.vertices());
+    threads().for_chunks(mesh_.vertices() - from, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        const std::int64_t at = from + begin;
+        sheets_.active(
+            {mesh_.position.x.data() + at, mesh_.position.y.data() + at, mesh_.position.z.data() + at, end - begin},
+            sheet_.data() + at);
+    });
+}
+
+bool Splitter::is_on_surface(const glm::dvec3& place) const {
+    double value = 0.0;
+    glm::dvec3 g(0.0);
+    implicit_.evaluate({&place.x, &place.y, &place.z, 1}, {&value, {&g.x, &g.y, &g.z}, {}});
+    return std::abs(value) <= on_surface * mesh_.side * glm::length(g);
+}
+
+// From where the difference of both sheets is 0 as it is linear along the edge.
+void Splitter::look_at(EdgeNode& node) const {
+    const std::array<std::int32_t, 2> end{start_of(mesh_, node.edge), end_of(mesh_, node.edge)};
+    const std::array<glm::dvec3, 2> place{mesh_.position[end[0]], mesh_.position[end[1]]};
+    std::array<double, 2> off{}; // of either end from the other's sheet
+    for (std::size_t k = 0; k < 2; ++k) {
+        const surface::SheetValue other = surface::sheet_at(sheets_, sheet_[end[1 - k]], place[k]);
+        const double slope = glm::length(other.gradient);
+        off[k] = other.value / slope;
+        const glm::dvec3 own = glm::normalize(mesh_.gradient[end[k]]);
+        node.equal[k] = std::abs(off[k]) <= equal * mesh_.side && glm::distance(own, other.gradient / slope) <= equal;
+    }
+    double share = off[0] / (off[0] + off[1]);
+    if (!(share > 0.0 && share < 1.0)) share = 0.5;
+    surface::Meeting meeting;
+    for (const std::int32_t vertex : end) meeting.add(sheet_[vertex]);
+    const glm::dvec3 from = glm::mix(place[0], place[1], share);
+    const double reach = farthest * std::min(mesh_.side, 2.0 * glm::distance(place[0], place[1]));
+    const surface::MeetingPlace found = surface::find_meeting(sheets_, meeting, from, tolerance * mesh_.side, reach);
+    node.at.position = found.found ? found.position : from;
+    node.gradient = {found.gradient[0], found.gradient[1]};
+    node.at.exact = found.found && is_on_surface(found.position);
+}
+
+void Splitter::find_edges(const base::Progress& progress) {
+    edges_.clear();
+    node_.resize(mesh_.corner.size());
+    for (std::int64_t e = 0; e < mesh_.corner.size(); ++e) {
+        node_[e] = -1;
+        if (!is_first(mesh_, e) || sheet_[start_of(mesh_, e)] == sheet_[end_of(mesh_, e)]) continue;
+        node_[e] = static_cast<std::int32_t>(edges_.size());
+        edges_.push_back({e, {}, {}, {}});
+    }
+    for (std::int64_t i = 0; i < edges_.size(); ++i)
+        if (const std::int64_t other = opposite_of(mesh_, edges_[i].edge); other >= 0)
+            node_[other] = static_cast<std::int32_t>(i);
+    threads().for_chunks(edges_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t i = begin; i < end; ++i) look_at(edges_[i]);
+    });
+}
+
+// Where sheets lie upon each other any is active: the first of them gets all.  Returns whether anything changed.
+bool Splitter::settle_equal() {
+    bool changed = false;
+    for (const EdgeNode& node : edges_) {
+        std::int32_t& start = sheet_[start_of(mesh_, node.edge)];
+        std::int32_t& end = sheet_[end_of(mesh_, node.edge)];
+        if (end < start && node.equal[0])
+            start = end;
+        else if (start < end && node.equal[1])
+            end = start;
+        else
+            continue;
+        changed = true;
+    }
+    return changed;
+}
+
+void Splitter::find_corners(const base::Progress& progress) {
+    corners_.clear();
+    for (std::int64_t t = 0; t < mesh_.triangles(); ++t)
+        if (sheets_of(t) == 3) corners_.push_back({t, {}, {}});
+    threads().for_chunks(corners_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t i = begin; i < end; ++i) {
+            CornerNode& node = corners_[i];
+            surface::Meeting meeting;
+            glm::dvec3 middle(0.0);
+            for (int k = 0; k < 3; ++k) {
+                meeting.add(sheet_of(node.triangle, k));
+                middle += edges_[node_[3 * node.triangle + k]].at.position / 3.0;
+            }
+            const surface::MeetingPlace found =
+                surface::find_meeting(sheets_, meeting, middle, tolerance * mesh_.side, farthest * mesh_.side);
+            node.at.corner = true;
+            node.at.position = found.found ? found.position : middle;
+            node.gradient = found.gradient;
+            node.at.exact = found.found && is_on_surface(found.position);
+        }
+    });
+}
+
+// Edges beside which their sheets do not meet, and the longest of triangles that have no corner where theirs do.
+// Returns whether there were any.
+bool Splitter::halve(const base::Progress& progress) {
+    const auto length = [&](std::int64_t e) {
+        return glm::distance(mesh_.position[start_of(mesh_, e)], mesh_.position[end_of(mesh_, e)]);
+    };
+    base::Array<std::int32_t> middle(runtime_.memory, mesh_.corner.size());
+    std::fill(middle.begin(), middle.end(), -1);
+    base::Array<std::int64_t> edge(runtime_.memory);
+    const auto add = [&](std::int64_t e) {
+        if (const std::int64_t other = opposite_of(mesh_, e); !is_first(mesh_, e) && other >= 0) e = other;
+        if (middle[e] == 0 || length(e) < shortest_edge * mesh_.side) return;
+        middle[e] = 0;
+        edge.push_back(e);
+    };
+    for (const EdgeNode& node : edges_)
+        if (!node.at.exact) add(node.edge);
+    for (const CornerNode& node : corners_) {
+        if (node.at.exact) continue;
+        std::int64_t longest = 3 * node.triangle;
+        for (std::int64_t e = longest; e < 3 * node.triangle + 3; ++e)
+            if (length(e) > length(longest)) longest = e;
+        add(longest);
+    }
+    surface::Projection at(runtime_.memory);
+    for (const std::int64_t e : edge)
+        at.position.push_back(0.5 * (mesh_.position[start_of(mesh_, e)] + mesh_.position[end_of(mesh_, e)]));
+    surface::project(runtime_, implicit_, {}, at, progress.part(0.0, 0.0));
+    const std::int64_t before = mesh_.vertices();
+    for (std::int64_t i = 0; i < edge.size(); ++i) {
+        const std::int64_t e = edge[i];
+        const glm::dvec3 between = 0.5 * (mesh_.position[start_of(mesh_, e)] + mesh_.position[end_of(mesh_, e)]);
+        middle[e] = -1;
+        if (at.status[i] != surface::ProjectionStatus::converged ||
+            !(glm::distance(at.position[i], between) < 0.5 * length(e)))
+            continue;
+        middle[e] = static_cast<std::int32_t>(mesh_.vertices());
+        if (const std::int64_t other = opposite_of(mesh_, e); other >= 0) middle[other] = middle[e];
+        mesh_.position.push_back(at.position[i]);
+        mesh_.gradient.push_back(at.gradient[i]);
+    }
+    if (mesh_.vertices() == before) return false;
+    cut_at_middles(runtime_, middle, mesh_);
+    find_sheets(before, progress);
+    return true;
+}
+
+// What is left lies where it was looked for, with the gradients of its sheets there.
+void Splitter::place_rest() {
+    for (EdgeNode& node : edges_) {
+        if (node.at.exact) continue;
+        ++out_.unresolved;
+        node.gradient = {surface::sheet_at(sheets_, sheet_[start_of(mesh_, node.edge)], node.at.position).gradient,
+                         surface::sheet_at(sheets_, sheet_[end_of(mesh_, node.edge)], node.at.position).gradient};
+    }
+    for (CornerNode& node : corners_) {
+        if (node.at.exact) continue;
+        ++out_.unresolved;
+        for (int k = 0; k < 3; ++k)
+            node.gradient[static_cast<std::size_t>(k)] =
+                surface::sheet_at(sheets_, sheet_of(node.triangle, k), node.at.position).gradient;
+    }
+}
+
+// On an edge, of the sheet of its start or its end.
+std::int32_t Splitter::vertex_of(std::int64_t edge, bool at_start) const noexcept {
+    const bool first = edges_[node_[edge]].edge == edge;
+    return first_of_edges_ + 2 * node_[edge] + (first == at_start ? 0 : 1);
+}
+
+void Splitter::add_vertices() {
+    SurfaceMesh& to = out_.mesh;
+    to.position = std::move(mesh_.position);
+    to.gradient = std::move(mesh_.gradient);
+    first_of_edges_ = static_cast<std::int32_t>(to.vertices());
+    for (const EdgeNode& node : edges_)
+        for (const glm::dvec3& gradient : node.gradient) {
+            to.position.push_back(node.at.position);
+            to.gradient.push_back(gradient);
+        }
+    first_of_corners_ = static_cast<std::int32_t>(to.vertices());
+    for (const CornerNode& node : corners_)
+        for (const glm::dvec3& gradient : node.gradient) {
+            to.position.push_back(node.at.position);
+            to.gradient.push_back(gradient);
+        }
+}
+
+void Splitter::add_triangle(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t sheet) {
+    for (const std::int32_t vertex : {a, b, c}) out_.mesh.corner.push_back(vertex);
+    out_.sheet.push_back(sheet);
+}
+
+// Along the diagonal that leaves the larger of least areas, as seen along the gradient: beside a corner one of them may
+// lie outside.
+void Splitter::add_quad(const std::array<std::int32_t, 4>& vertex, std::int32_t sheet) {
+    const SurfaceMesh& mesh = out_.mesh;
+    const auto least = [&](std::size_t first) {
+        double area = std::numeric_limits<double>::infinity();
+        for (const std::size_t k : {first + 1, first + 2}) {
+            const glm::dvec3 a = mesh.position[vertex[first]];
+            const glm::dvec3 cross =
+                glm::cross(mesh.position[vertex[k % 4]] - a, mesh.position[vertex[(k + 1) % 4]] - a);
+            for (const std::size_t i : {first, k % 4, (k + 1) % 4})
+                area = std::min(area, glm::dot(cross, glm::normalize(mesh.gradient[vertex[i]])));
+        }
+        return area;
+    };
+    const std::size_t first = least(0) >= least(1) ? 0 : 1;
+    add_triangle(vertex[first], vertex[first + 1], vertex[first + 2], sheet);
+    add_triangle(vertex[first], vertex[first + 2], vertex[(first + 3) % 4], sheet);
+}
+
+void Splitter::cut_in_two(std::int64_t triangle) {
+    int k = 0; // the corner that stands alone
+    while (sheet_of(triangle, k) == sheet_of(triangle, k + 1) || sheet_of(triangle, k) == sheet_of(triangle, k + 2))
+        ++k;
+    const std::int64_t ab = 3 * triangle + k;
+    const std::int64_t ca = 3 * triangle + (k + 2) % 3;
+    const auto at = [&](int i) { return mesh_.corner[3 * triangle + i % 3]; };
+    add_triangle(at(k), vertex_of(ab, true), vertex_of(ca, false), sheet_of(triangle, k));
+    const std::array<std::int32_t, 4> rest{vertex_of(ab, false), at(k + 1), at(k + 2), vertex_of(ca, true)};
+    add_quad(rest, sheet_of(triangle, k + 1));
+}
+
+void Splitter::cut_in_three(std::int64_t triangle, std::int64_t corner) {
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t at = mesh_.corner[3 * triangle + k];
+        const std::int32_t middle = first_of_corners_ + 3 * static_cast<std::int32_t>(corner) + k;
+        add_quad({at, vertex_of(3 * triangle + k, true), middle, vertex_of(3 * triangle + (k + 2) % 3, false)},
+                 sheet_[at]);
+    }
+}
+
+void Splitter::build(const base::Progress& progress) {
+    SurfaceMesh& to = out_.mesh;
+    to.region = mesh_.region;
+    to.end = mesh_.end;
+    to.side = mesh_.side;
+    to.unresolved = mesh_.unresolved;
+    to.missed_seeds = mesh_.missed_seeds;
+    add_vertices();
+    std::int64_t corner = 0;
+    for (std::int64_t t = 0; t < mesh_.triangles(); ++t) {
+        if (t % 4096 == 0) progress.check();
+        const int count = sheets_of(t);
+        if (count == 1) {
+            add_triangle(mesh_.corner[3 * t], mesh_.corner[3 * t + 1], mesh_.corner[3 * t + 2], sheet_of(t, 0));
+            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // what is cut has slivers, which say nothing
+        } else if (count == 2)
+            cut_in_two(t);
+        else
+            cut_in_three(t, corner++);
+    }
+    to.neighbour = find_neighbours(runtime_, to.corner, to.vertices());
+}
+
+const CornerNode* Splitter::corner_of(std::int64_t triangle) const noexcept {
+    const CornerNode* const at =
+        std::lower_bound(corners_.begin(), corners_.end(), triangle,
+                         [](const CornerNode& node, std::int64_t wanted) { return node.triangle < wanted; });
+    return at != corners_.end() && at->triangle == triangle ? at : nullptr;
+}
+
+// Of a triangle that a crease passes through, the other edge that it crosses.
+std::int64_t Splitter::exit_of(std::int64_t entered) const noexcept {
+    const std::int64_t next = next_in_triangle(entered);
+    return node_[next] >= 0 ? next : next_in_triangle(next);
+}
+
+// Through the triangle of an edge, and on; the sheet of the edge's start lies to the left.
+void Splitter::follow(std::int64_t entered) {
+    std::int64_t e = entered;
+    bool closed = false;
+    while (true) {
+        put(e);
+        taken_[e] = 1;
+        if (const CornerNode* const corner = corner_of(e / 3)) {
+            out_.creases.node.push_back(corner->at);
+            break;
+        }
+        const std::int64_t out = exit_of(e);
+        taken_[out] = 1;
+        const std::int64_t next = opposite_of(mesh_, out);
+        if (next < 0) {
+            put(out);
+            break;
+        }
+        e = next;
+        closed = e == entered;
+        if (closed || taken_[e] != 0) break;
+    }
+    end_chain(entered, closed);
+}
+
+void Splitter::end_chain(std::int64_t edge, bool closed) {
+    CreaseChains& to = out_.creases;
+    to.first.push_back(to.node.size());
+    to.closed.push_back(closed ? 1 : 0);
+    to.left.push_back(sheet_[start_of(mesh_, edge)]);
+    to.right.push_back(sheet_[end_of(mesh_, edge)]);
+}
+
+// From corners and from the border first; what is left is closed.
+void Splitter::find_chains() {
+    taken_.resize(mesh_.corner.size());
+    out_.creases.first.push_back(0);
+    for (const CornerNode& corner : corners_)
+        for (std::int64_t e = 3 * corner.triangle; e < 3 * corner.triangle + 3; ++e) {
+            if (taken_[e] != 0) continue;
+            taken_[e] = 1;
+            const std::int64_t next = opposite_of(mesh_, e);
+            out_.creases.node.push_back(corner.at);
+            if (next >= 0) {
+                follow(next);
+                continue;
+            }
+            put(e);
+            CreaseChains& to = out_.creases; // of two nodes, with its sides the other way round
+            to.first.push_back(to.node.size());
+            to.closed.push_back(0);
+            to.left.push_back(sheet_[end_of(mesh_, e)]);
+            to.right.push_back(sheet_[start_of(mesh_, e)]);
+        }
+    for (const bool border : {true, false})
+        for (const EdgeNode& node : edges_)
+            if (taken_[node.edge] == 0 && (mesh_.neighbour[node.edge] < 0) == border) follow(node.edge);
+}
+
+SharpMesh Splitter::run(const base::Progress& progress) {
+    find_sheets(0, progress);
+    for (int round = 0;; ++round) {
+        find_edges(progress.part(0.0, 0.0));
+        for (int i = 0; i < most_settlings && settle_equal(); ++i) find_edges(progress.part(0.0, 0.0));
+        find_corners(progress.part(0.0, 0.0));
+        if (round == most_rounds || !halve(progress)) break;
+    }
+    place_rest();
+    find_chains();
+    build(progress);
+    return std::move(out_);
+}
+
+} // namespace
+
+SharpMesh split_at_creases(const base::Runtime& runtime, const implicit::Implicit& implicit, SurfaceMesh mesh,
+                           const base::Progress& progress) {
+    return Splitter(runtime, implicit, std::move(mesh)).run(progress);
+}
+
+} // namespace hrbfnpr::curves

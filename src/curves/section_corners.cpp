@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "curves/section_corners.h"
+
+#include "geometry/point_grid.h"
+#include "surface/sheets_meet.h"
+
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::curves {
+namespace {
+
+// In sides.
+constexpr double reach = 0.75; // from the end of a line, which is on the chord between two vertices on a crease
+constexpr double tolerance = 1e-10;
+constexpr double farthest = 0.5;
+constexpr int most_steps = 20;
+
+// Corners of all levels, and of which each is.
+struct Corners {
+    explicit Corners(base::Memory& memory) : place(memory), level(memory) {}
+    geometry::VecArray place;
+    base::Array<std::int32_t> level;
+};
+
+// On both sheets of a crease and on the plane; `from` again where there is no such place beside it.
+glm::dvec3 corner_at(const implicit::Sheets& sheets, std::int32_t left, std::int32_t right, const glm::dvec3& plane,
+                     double level, const glm::dvec3& from, double side) {
+    glm::dvec3 at = from;
+    for (int step = 0; step < most_steps; ++step) {
+        const std::array<surface::SheetValue, 3> values{surface::sheet_at(sheets, left, at),
+                                                        surface::sheet_at(sheets, right, at),
+                                                        {glm::dot(plane, at) - level, plane}};
+        const glm::dvec3 way = surface::way_to_zero(values);
+        if (!(glm::distance(at + way, from) <= farthest * side)) return from;
+        at += way;
+        if (glm::length(way) <= tolerance * side) break;
+    }
+    return at;
+}
+
+Corners find_corners(const base::Runtime& runtime, const implicit::Sheets& sheets, const Creases& creases,
+                     const glm::dvec3& plane, std::span<const double> levels, double side) {
+    Corners corners(runtime.memory);
+    for (std::int64_t c = 0; c < creases.count(); ++c) {
+        const std::int64_t first = creases.first[c];
+        const std::int64_t count = creases.first[c + 1] - first;
+        const std::int64_t pieces = creases.closed[c] != 0 ? count : count - 1;
+        for (std::int64_t k = 0; k < pieces; ++k) {
+            const glm::dvec3 a = creases.point[first + k].position;
+            const glm::dvec3 b = creases.point[first + (k + 1) % count].position;
+            for (std::size_t l = 0; l < levels.size(); ++l) {
+                const double from = glm::dot(plane, a) - levels[l];
+                const double to = glm::dot(plane, b) - levels[l];
+                if ((from < 0.0) == (to < 0.0)) continue;
+                corners.place.push_back(corner_at(sheets, creases.left[c], creases.right[c], plane, levels[l],
+                                                  glm::mix(a, b, from / (from - to)), side));
+                corners.level.push_back(static_cast<std::int32_t>(l));
+            }
+        }
+    }
+    return corners;
+}
+
+// Moves an end, or the point before it where that lies beyond the corner.
+void move_end(FeatureLines& lines, std::int64_t end, std::int64_t before, const glm::dvec3& corner) noexcept {
+    const glm::dvec3 way = lines.position[end] - lines.position[before];
+    if (glm::dot(corner - lines.position[before], way) <= 0.0)
+        lines.position.set(before, glm::mix(lines.position[before], corner, 0.5));
+    lines.position.set(end, corner);
+}
+
+} // namespace
+
+void end_at_creases(const base::Runtime& runtime, const implicit::Sheets& sheets, const Creases& creases,
+                    const glm::dvec3& plane, std::span<const double> levels, double side, FeatureLines& lines) {
+    const Corners corners = find_corners(runtime, sheets, creases, plane, levels, side);
+    if (corners.place.empty()) return;
+    const geometry::PointGrid grid(corners.place, reach * side);
+    for (std::int64_t l = 0; l < lines.lines(); ++l) {
+        if (lines.closed[l] != 0) continue;
+        const std::int64_t begin = lines.first[l];
+        const std::int64_t last = lines.first[l + 1] - 1;
+        for (const bool at_end : {false, true}) {
+            const std::int64_t end = at_end ? last : begin;
+            double least = reach * side;
+            std::int64_t nearest = -1;
+            grid.around(lines.position[end], [&](std::int64_t at) {
+                const std::int64_t i = grid.index(at);
+                const double distance = glm::distance(corners.place[i], lines.position[end]);
+                if (corners.level[i] != lines.level[l] || !(distance < least)) return;
+                least = distance;
+                nearest = i;
+            });
+            if (nearest >= 0) move_end(lines, end, at_end ? end - 1 : end + 1, corners.place[nearest]);
+        }
+    }
+}
+
+} // namespace hrbfnpr::curves

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "surface/creased.h"
+
+#include "implicit/sheets.h"
+
+namespace hrbfnpr::surface {
+
+base::Array<std::int32_t> sheets_at(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                    const geometry::VecArray& points, const base::Progress& progress) {
+    const implicit::Sheets* const sheets = implicit.sheets();
+    base::Array<std::int32_t> sheet(runtime.memory, sheets != nullptr ? points.size() : 0);
+    if (sheets == nullptr) return sheet;
+    const auto run = [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        sheets->active({points.x.data() + begin, points.y.data() + begin, points.z.data() + begin, end - begin},
+                       sheet.data() + begin);
+    };
+    implicit.threads(runtime.parallel).for_chunks(points.size(), implicit::batch_size, run);
+    return sheet;
+}
+
+} // namespace hrbfnpr::surface

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "surface/project_creases.h"
+
+#include "surface/sheets_meet.h"
+
+#include <cmath>
+
+namespace hrbfnpr::surface {
+namespace {
+
+constexpr int most_steps = 30;
+constexpr std::int64_t grain = 64;
+
+class Walker {
+public:
+    Walker(const implicit::Implicit& implicit, const ProjectionSettings& settings) noexcept
+        : implicit_(implicit), sheets_(*implicit.sheets()), tolerance_(settings.tolerance * implicit.diagonal()) {}
+
+    // Whether the surface was reached: where sheets meet, or by going from one to the next, as where those that were
+    // met first are parallel.
+    [[nodiscard]] bool run(const glm::dvec3& from) { return run(from, true) || run(from, false); }
+
+    glm::dvec3 place{0.0}, gradient{0.0};
+
+private:
+    [[nodiscard]] bool run(const glm::dvec3& from, bool together) {
+        const double longest = implicit_.diagonal() + glm::distance(from, implicit_.bounds().centre());
+        place = from;
+        Meeting meeting;
+        meeting.add(active_at(sheets_, place));
+        for (int step = 0; step < most_steps; ++step) {
+            std::array<SheetValue, 3> at;
+            for (std::size_t k = 0; k < meeting.count; ++k) at[k] = sheet_at(sheets_, meeting.sheet[k], place);
+            const glm::dvec3 way = way_to_zero(std::span<const SheetValue>(at).first(meeting.count));
+            if (!(glm::distance(place + way, from) <= longest)) return false;
+            place += way;
+            const SheetValue now = value();
+            const double slope = glm::length(now.gradient);
+            gradient = now.gradient;
+            if (std::isfinite(now.value) && is_slope(slope) && std::abs(now.value) <= tolerance_ * slope) return true;
+            if (const std::int32_t sheet = active_at(sheets_, place); !meeting.has(sheet)) {
+                if (!together) meeting.count = 0;
+                meeting.add(sheet);
+            }
+        }
+        return false;
+    }
+    [[nodiscard]] SheetValue value() const {
+        SheetValue at;
+        implicit_.evaluate({&place.x, &place.y, &place.z, 1},
+                           {&at.value, {&at.gradient.x, &at.gradient.y, &at.gradient.z}, {}});
+        return at;
+    }
+
+    const implicit::Implicit& implicit_;
+    const implicit::Sheets& sheets_;
+    double tolerance_;
+};
+
+} // namespace
+
+void project_onto_creases(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                          const ProjectionSettings& settings, Projection& points, const base::Progress& progress) {
+    base::Array<std::int64_t> left(runtime.memory);
+    for (std::int64_t i = 0; i < points.status.size(); ++i)
+        if (points.status[i] == ProjectionStatus::not_converged) left.push_back(i);
+    implicit.threads(runtime.parallel).for_chunks(left.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        Walker walker(implicit, settings);
+        for (std::int64_t k = begin; k < end; ++k) {
+            const std::int64_t i = left[k];
+            if (!walker.run(points.position[i])) continue;
+            points.position.set(i, walker.place);
+            points.gradient.set(i, walker.gradient);
+            points.status[i] = ProjectionStatus::converged;
+        }
+    });
+}
+
+} // namespace hrbfnpr::surface

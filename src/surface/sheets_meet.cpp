@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "surface/sheets_meet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::surface {
+namespace {
+
+// The square of the sine of the least angle between sheets that meet.
+constexpr double parallel = 1e-10;
+constexpr int most_steps = 20;
+
+implicit::PointBatch one(const glm::dvec3& place) noexcept { return {&place.x, &place.y, &place.z, 1}; }
+
+} // namespace
+
+SheetValue sheet_at(const implicit::Sheets& sheets, std::int32_t sheet, const glm::dvec3& place) {
+    SheetValue at;
+    sheets.evaluate(sheet, one(place), {&at.value, {&at.gradient.x, &at.gradient.y, &at.gradient.z}, {}});
+    return at;
+}
+
+std::int32_t active_at(const implicit::Sheets& sheets, const glm::dvec3& place) {
+    std::int32_t sheet = 0;
+    sheets.active(one(place), &sheet);
+    return sheet;
+}
+
+// Gram and Schmidt's way: what each adds is perpendicular to those before, so that they stay as they are.
+glm::dvec3 way_to_zero(std::span<const SheetValue> values) noexcept {
+    std::array<glm::dvec3, 3> across{};
+    std::size_t count = 0;
+    glm::dvec3 way(0.0);
+    for (const SheetValue& v : values) {
+        const double slope = glm::length(v.gradient);
+        if (!(slope > 0.0) || count == across.size()) continue;
+        const glm::dvec3 normal = v.gradient / slope;
+        glm::dvec3 rest = normal;
+        for (std::size_t k = 0; k < count; ++k) rest -= glm::dot(rest, across[k]) * across[k];
+        const double square = glm::dot(rest, rest);
+        if (!(square > parallel)) continue;
+        way -= (v.value / slope + glm::dot(normal, way)) / square * rest;
+        across[count++] = rest / std::sqrt(square);
+    }
+    return way;
+}
+
+bool Meeting::has(std::int32_t wanted) const noexcept {
+    return std::find(sheet.begin(), sheet.begin() + static_cast<std::ptrdiff_t>(count), wanted) !=
+           sheet.begin() + static_cast<std::ptrdiff_t>(count);
+}
+
+void Meeting::add(std::int32_t other) noexcept {
+    if (count == sheet.size()) {
+        std::rotate(sheet.begin(), sheet.begin() + 1, sheet.end());
+        --count;
+    }
+    sheet[count++] = other;
+}
+
+MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting, const glm::dvec3& from,
+                          double tolerance, double farthest) {
+    MeetingPlace place;
+    place.position = from;
+    std::array<SheetValue, 3> at;
+    for (int step = 0; step < most_steps; ++step) {
+        for (std::size_t k = 0; k < meeting.count; ++k) {
+            at[k] = sheet_at(sheets, meeting.sheet[k], place.position);
+            place.gradient[k] = at[k].gradient;
+        }
+        const glm::dvec3 way = way_to_zero(std::span<const SheetValue>(at).first(meeting.count));
+        const double length = glm::length(way);
+        if (!(glm::distance(place.position + way, from) <= farthest)) return place;
+        // Parallel sheets, of which not all count, need not be 0.
+        if (length <= tolerance) {
+            place.found = std::all_of(
+                at.begin(), at.begin() + static_cast<std::ptrdiff_t>(meeting.count),
+                [&](const SheetValue& v) { return std::abs(v.value) <= 2.0 * tolerance * glm::length(v.gradient); });
+            return place;
+        }
+        place.position += way;
+    }
+    return place;
+}
+
+} // namespace hrbfnpr::surface

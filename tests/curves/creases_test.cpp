@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Meshes cut at creases, and the creases of shapes whose true ones are known.
+#include "curves/line_set.h"
+#include "mesh_checks.h"
+#include "support/sharp_shapes.h"
+#include "traced.h"
+
+#include <cmath>
+#include <functional>
+
+namespace hrbfnpr::curves {
+namespace {
+
+using namespace test;
+
+base::Runtime& runtime() {
+    static base::Runtime instance = with_threads(2);
+    return instance;
+}
+
+std::unique_ptr<LineSet> line_set(const implicit::Implicit& shape, double side) {
+    LineSetSettings settings;
+    settings.side = side;
+    return std::make_unique<LineSet>(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape), settings,
+                                     base::Progress());
+}
+
+struct Measured {
+    double length = 0.0, closed = 0.0;
+    double off = 0.0; // the farthest place from the true creases, on the cubics
+    int count = 0, convex = 0;
+    double least = 360.0, most = 0.0; // angles
+};
+
+// distance: of a place from the nearest true crease.
+Measured measure(const Creases& creases, const std::function<double(const glm::dvec3&)>& distance) {
+    Measured found;
+    for (std::int64_t c = 0; c < creases.count(); ++c) {
+        ++found.count;
+        const std::int64_t first = creases.first[c];
+        const std::int64_t count = creases.first[c + 1] - first;
+        found.convex += creases.point[first + count / 2].angle() > 0.0 ? 1 : 0;
+        const std::int64_t pieces = creases.closed[c] != 0 ? count : count - 1;
+        for (std::int64_t k = 0; k < pieces; ++k) {
+            const CreasePoint& a = creases.point[first + k];
+            const CreasePoint& b = creases.point[first + (k + 1) % count];
+            CurvePoint p, q;
+            for (auto [to, from] : {std::pair(&p, &a), std::pair(&q, &b)}) {
+                to->position = from->position;
+                to->gradient = glm::normalize(from->left - glm::dot(from->left, from->tangent) * from->tangent);
+                to->level_gradient = glm::cross(from->tangent, to->gradient);
+            }
+            const CubicPiece piece(p, q);
+            for (int i = 0; i < 4; ++i) {
+                found.length += glm::distance(piece.at(i / 4.0), piece.at((i + 1) / 4.0));
+                found.off = std::max(found.off, distance(piece.at(i / 4.0)));
+            }
+            found.least = std::min(found.least, std::abs(a.angle()));
+            found.most = std::max(found.most, std::abs(a.angle()));
+        }
+        found.closed += creases.closed[c];
+    }
+    return found;
+}
+
+// Of a cube of half edge 1 from its edges.
+double off_cube(const glm::dvec3& p) {
+    glm::dvec3 q = glm::abs(odd_turn() * p);
+    double best = 1e9;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 on(1.0);
+        on[axis] = std::min(1.0, q[axis]);
+        best = std::min(best, glm::distance(q, on));
+    }
+    return best;
+}
+
+double off_ring(const glm::dvec3& p, double radius, double z) {
+    return std::hypot(std::hypot(p.x, p.y) - radius, p.z - z);
+}
+
+void expect_whole(const LineSet& lines, double area) {
+    const SurfaceMesh& mesh = lines.mesh();
+    const test_checks::Measures found = test_checks::measure(mesh, lines.surface());
+    EXPECT_EQ(found.bad_edges + found.bad_across, 0);
+    EXPECT_LE(found.off, 1e-7);
+    EXPECT_NEAR(found.area, area, 2e-3 * area);
+    EXPECT_EQ(mesh.turned, 0);
+    std::int64_t triangles = 0;
+    for (const auto& part : lines.parts()) triangles += part->mesh.triangles();
+    EXPECT_EQ(triangles, mesh.triangles());
+}
+
+TEST(Creases, Cube) {
+    const auto shape = sharp_cube();
+    for (const double side : {0.3, 0.12, 0.05}) {
+        const auto lines = line_set(*shape, side);
+        expect_whole(*lines, 24.0);
+        const Measured found = measure(lines->creases(), off_cube);
+        EXPECT_EQ(found.count, 12) << side;
+        EXPECT_EQ(found.convex, 12);
+        EXPECT_NEAR(found.length, 24.0, 1e-7);
+        EXPECT_LE(found.off, 1e-8);
+        EXPECT_NEAR(found.least, 90.0, 1e-6);
+        EXPECT_NEAR(found.most, 90.0, 1e-6);
+        EXPECT_EQ(lines->parts().size(), 6);
+        EXPECT_EQ(lines->border().curves.count(), 0);
+    }
+}
+
+// Aligned with the lattice.
+TEST(Creases, CubeAlongTheAxes) {
+    const auto shape = sharp_cube(glm::dmat3(1.0));
+    const auto lines = line_set(*shape, 0.11);
+    expect_whole(*lines, 24.0);
+    EXPECT_EQ(lines->creases().count(), 12);
+}
+
+TEST(Creases, BoredCube) {
+    const auto shape = bored_cube();
+    const auto lines = line_set(*shape, 0.1);
+    const double pi = std::acos(-1.0);
+    expect_whole(*lines, 24.0 - 2.0 * pi * 0.36 + 4.0 * pi * 0.6);
+    const Measured found = measure(lines->creases(), [](const glm::dvec3& p) {
+        const glm::dvec3 q = odd_turn() * p;
+        return std::min(off_cube(p), off_ring(q, 0.6, q.z < 0.0 ? -1.0 : 1.0));
+    });
+    EXPECT_EQ(found.count, 14);
+    EXPECT_EQ(found.closed, 2);
+    EXPECT_EQ(found.convex, 14);
+    EXPECT_NEAR(found.length, 24.0 + 4.0 * pi * 0.6, 1e-4);
+    EXPECT_LE(found.off, 1e-5);
+}
+
+TEST(Creases, SteppedShaft) {
+    const auto shape = stepped_shaft();
+    const auto lines = line_set(*shape, 0.07);
+    const double pi = std::acos(-1.0);
+    expect_whole(*lines, 2.0 * pi + 2.0 * pi + 2.0 * pi * 0.5 * 1.2);
+    const Measured found = measure(lines->creases(), [](const glm::dvec3& p) {
+        return std::min({off_ring(p, 1.0, -1.0), off_ring(p, 1.0, 0.0), off_ring(p, 0.5, 0.0), off_ring(p, 0.5, 1.2)});
+    });
+    EXPECT_EQ(found.count, 4);
+    EXPECT_EQ(found.closed, 4);
+    EXPECT_EQ(found.convex, 3);
+    EXPECT_NEAR(found.length, 6.0 * pi, 2e-4);
+    EXPECT_LE(found.off, 1e-5);
+}
+
+TEST(Creases, TwoBalls) {
+    for (const bool joined : {true, false}) {
+        const auto shape = two_balls(joined);
+        const auto lines = line_set(*shape, 0.08);
+        const glm::dvec3 axis = glm::normalize(glm::dvec3(1.0, 0.1, 0.0));
+        const glm::dvec3 middle(0.0, 0.05, 0.0);
+        const double half = 0.5 * std::hypot(1.0, 0.1);
+        const double radius = std::sqrt(1.0 - half * half);
+        const Measured found = measure(lines->creases(), [&](const glm::dvec3& p) {
+            const double along = glm::dot(p - middle, axis);
+            return std::hypot(along, glm::length(p - middle - along * axis) - radius);
+        });
+        EXPECT_EQ(found.count, 1);
+        EXPECT_EQ(found.closed, 1);
+        EXPECT_EQ(found.convex, joined ? 0 : 1);
+        EXPECT_LE(found.off, 1e-5);
+        EXPECT_NEAR(found.least, found.most, 1e-5);
+        EXPECT_EQ(lines->mesh().turned, 0);
+    }
+}
+
+TEST(Creases, CappedCone) {
+    const auto shape = capped_cone();
+    const auto lines = line_set(*shape, 0.06);
+    const Measured found = measure(lines->creases(), [](const glm::dvec3& p) {
+        return std::min(off_ring(p, 1.0, -1.0), off_ring(p, 0.6 - 0.28, 0.7));
+    });
+    EXPECT_EQ(found.count, 2);
+    EXPECT_EQ(found.convex, 2);
+    EXPECT_LE(found.off, 1e-5);
+}
+
+// The crease along y is there at all angles; below a limit it is left out.
+TEST(Creases, AngleFades) {
+    const auto shape = fading_wedge();
+    const auto lines = line_set(*shape, 0.06);
+    const Creases& creases = lines->creases();
+    double longest = 0.0;
+    for (std::int64_t i = 0; i < creases.point.size(); ++i) {
+        const CreasePoint& p = creases.point[i];
+        if (std::abs(p.position.x) > 1e-9 || std::hypot(p.position.y, p.position.z) > 0.95) continue;
+        const double expected = 2.0 * glm::degrees(std::atan(0.5 * std::exp(-3.0 * (p.position.y + 1.0))));
+        EXPECT_NEAR(p.angle(), expected, 1e-6) << p.position.y;
+        longest = std::max(longest, p.position.y);
+    }
+    EXPECT_GT(longest, 0.8);
+}
+
+// Curvatures beside a crease are those of the sheet: no ridges, valleys or parabolic lines run along it.
+TEST(Creases, AreNoRidges) {
+    for (const bool shaft : {true, false}) {
+        const auto shape = shaft ? stepped_shaft() : bored_cube();
+        std::array<LineRequest, 2> requests;
+        requests[0].kind = LineKind::ridge;
+        requests[1].kind = LineKind::valley;
+        LineSetSettings settings;
+        settings.side = 0.1;
+        settings.lines = requests;
+        const LineSet lines(runtime(), *shape, std::make_unique<implicit::DifferencedShape>(*shape), settings, {});
+        for (const FoundLines& found : lines.found()) EXPECT_EQ(found.lines.curves.count(), 0) << shaft;
+    }
+}
+
+// A section of a cube is a polygon, one line for each face; of a bored one there is a circle or an arc as well.
+TEST(Creases, SectionsHaveCorners) {
+    const auto shape = bored_cube(0.6, glm::dmat3(1.0));
+    LineRequest request;
+    request.kind = LineKind::section;
+    request.plane = {0.1, 0.2, 1.0};
+    const std::array<double, 3> levels{-0.33, 0.17, 1.05};
+    request.levels = levels;
+    LineSetSettings settings;
+    settings.side = 0.1;
+    settings.lines = std::span(&request, 1);
+    const LineSet lines(runtime(), *shape, std::make_unique<implicit::DifferencedShape>(*shape), settings, {});
+    const Curves& curves = lines.found()[0].lines.curves;
+    std::vector<glm::dvec3> ends;
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        if (curves.closed[c] != 0) continue;
+        ends.push_back(curves.point[curves.first[c]].position);
+        ends.push_back(curves.point[curves.first[c + 1] - 1].position);
+    }
+    const glm::dvec3 normal = glm::normalize(request.plane);
+    // Four sides each; the third plane passes through the top, and along the hole's rim as well.
+    EXPECT_GE(ends.size(), 2U * (4 + 4 + 4));
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        int alike = 0;
+        for (std::size_t k = 0; k < ends.size(); ++k) alike += glm::distance(ends[i], ends[k]) <= 1e-9 ? 1 : 0;
+        EXPECT_EQ(alike, 2) << ends[i].x << ' ' << ends[i].y << ' ' << ends[i].z;
+        double off = 1e9;
+        for (const double level : levels) off = std::min(off, std::abs(glm::dot(normal, ends[i]) - level));
+        EXPECT_LE(off, 1e-10);
+        const glm::dvec3 p = ends[i];
+        EXPECT_LE(std::min({off_ring(p, 0.6, 1.0), std::hypot(std::abs(p.x) - 1.0, std::abs(p.y) - 1.0),
+                            std::hypot(std::abs(p.x) - 1.0, p.z - 1.0), std::hypot(std::abs(p.y) - 1.0, p.z - 1.0)}),
+                  1e-9);
+    }
+}
+
+} // namespace
+} // namespace hrbfnpr::curves

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Creases of items as strokes.
+#include "frame/hand_made.h"
+#include "support/runtime.h"
+#include "support/sharp_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace hrbfnpr::testing {
+namespace {
+
+using drawing::Stroke;
+using drawing::StrokePoint;
+using frame::HiddenParts;
+using frame::LineKind;
+using frame::LineStyle;
+
+constexpr int size = 500;
+
+LineStyle style_of(LineKind kind, float width) {
+    LineStyle style;
+    style.kind = kind;
+    style.width = width;
+    return style;
+}
+
+class LineCreases : public ::testing::Test {
+protected:
+    void look_at(const test::SharpShape& shape, const glm::dvec3& direction) {
+        curves::LineSetSettings settings;
+        settings.side = 0.1;
+        lines_ = std::make_unique<curves::LineSet>(runtime, shape, std::make_unique<implicit::DifferencedShape>(shape),
+                                                   settings, base::Progress());
+        camera_ = frame::fit_bounds(shape.bounds(), direction, {0, 0, 1}, 0.5, size, size, 0.05, {});
+    }
+    const drawing::Drawing& draw() {
+        frame::Item item = layered_item(set, frame::Style(), glm::dmat4(1.0));
+        item.style.hidden_lines = frame::HiddenLines::show;
+        item.style.tone = frame::Tone::none;
+        item.style.layers = blank;
+        item.style.lines = styles;
+        item.style.halo_width = 0.0F;
+        item.lines = lines_.get();
+        frame.draw(std::span(&item, 1), camera_);
+        return frame.drawing();
+    }
+    [[nodiscard]] std::vector<Stroke> strokes_of(LineKind kind) const {
+        std::vector<Stroke> found;
+        for (const Stroke& stroke : frame.drawing().strokes)
+            if (frame.drawing().layers[stroke.layer].line_kind == static_cast<std::uint32_t>(kind))
+                found.push_back(stroke);
+        return found;
+    }
+    [[nodiscard]] std::span<const StrokePoint> points_of(const Stroke& stroke) const {
+        return frame.drawing().points.span().subspan(static_cast<std::size_t>(stroke.first),
+                                                     static_cast<std::size_t>(stroke.count));
+    }
+    [[nodiscard]] bool has_layer(LineKind kind) const {
+        const auto& layers = frame.drawing().layers;
+        return std::any_of(layers.begin(), layers.end(), [&](const drawing::Layer& layer) {
+            return layer.line_kind == static_cast<std::uint32_t>(kind);
+        });
+    }
+
+    base::Runtime runtime = test::with_threads(2);
+    std::array<frame::LayerStyle, 1> blank{[] {
+        frame::LayerStyle style;
+        style.share = 0.0F;
+        return style;
+    }()};
+    marks::PointSet set = clustered(runtime, sphere(runtime.memory, 200));
+    std::vector<LineStyle> styles{style_of(LineKind::contour, 3.0F), style_of(LineKind::crease, 1.0F)};
+    DrawnFrame frame{runtime};
+
+private:
+    std::unique_ptr<curves::LineSet> lines_;
+    frame::Camera camera_;
+};
+
+// Six edges of a cube bound it, three are inside; no line narrows where it meets others.
+TEST_F(LineCreases, EdgesOfACubeThatBoundItAreContours) {
+    const auto cube = test::sharp_cube(glm::dmat3(1.0));
+    look_at(*cube, {-0.8, 1.0, -0.6});
+    styles[0].outline_factor = 2.0F;
+    draw();
+    EXPECT_EQ(strokes_of(LineKind::contour).size(), 6U);
+    EXPECT_EQ(strokes_of(LineKind::crease).size(), 3U);
+    for (const Stroke& stroke : strokes_of(LineKind::contour))
+        for (const StrokePoint& p : points_of(stroke)) EXPECT_NEAR(p.radius, 3.0F, 1e-4F);
+    for (const Stroke& stroke : strokes_of(LineKind::crease))
+        for (const StrokePoint& p : points_of(stroke)) {
+            EXPECT_NEAR(p.radius, 0.5F, 1e-4F);
+            EXPECT_EQ(p.opacity, 1.0F);
+        }
+    EXPECT_EQ(frame.drawing().line_counts.broken + frame.drawing().line_counts.contradictions, 0);
+    // Each end of one is an end of two others.
+    std::vector<glm::vec2> ends;
+    for (const Stroke& stroke : frame.drawing().strokes)
+        for (const StrokePoint& p : {points_of(stroke).front(), points_of(stroke).back()}) ends.emplace_back(p.x, p.y);
+    for (const glm::vec2& end : ends)
+        EXPECT_GE(std::count_if(ends.begin(), ends.end(),
+                                [&](const glm::vec2& other) { return glm::distance(end, other) < 0.01F; }),
+                  2);
+}
+
+TEST_F(LineCreases, AllAreCreasesWhereNoContoursAreDrawn) {
+    const auto cube = test::sharp_cube(glm::dmat3(1.0));
+    look_at(*cube, {-0.8, 1.0, -0.6});
+    styles.erase(styles.begin());
+    draw();
+    EXPECT_EQ(strokes_of(LineKind::crease).size(), 9U);
+    styles[0].hidden = HiddenParts::shown;
+    draw();
+    EXPECT_EQ(strokes_of(LineKind::crease).size(), 12U);
+}
+
+TEST_F(LineCreases, ByTheWayOfBending) {
+    const auto shaft = test::stepped_shaft();
+    look_at(*shaft, {-0.5, 0.9, -0.7});
+    const auto length_of = [&] {
+        float sum = 0.0F;
+        for (const Stroke& stroke : strokes_of(LineKind::crease)) sum += points_of(stroke).back().length;
+        return sum;
+    };
+    draw();
+    const float all = length_of();
+    styles[1].creases = curves::CreaseSide::convex;
+    draw();
+    const float convex = length_of();
+    styles[1].creases = curves::CreaseSide::concave;
+    draw();
+    const float concave = length_of();
+    EXPECT_GT(concave, 50.0F);
+    EXPECT_GT(convex, 100.0F);
+    EXPECT_NEAR(convex + concave, all, 1e-3F * all);
+}
+
+// From 30 degrees, where it is there in full, to 15.
+TEST_F(LineCreases, FadesWithItsAngle) {
+    const auto wedge = test::fading_wedge();
+    look_at(*wedge, {0.1, 0.2, -1.0});
+    styles = {style_of(LineKind::crease, 1.0F)};
+    draw();
+    float least = 1.0F;
+    float most = 0.0F;
+    for (const Stroke& stroke : strokes_of(LineKind::crease))
+        for (const StrokePoint& p : points_of(stroke)) {
+            least = std::min(least, p.opacity);
+            most = std::max(most, p.opacity);
+        }
+    EXPECT_LT(least, 0.01F);
+    EXPECT_EQ(most, 1.0F);
+    styles[0].lower = styles[0].upper = 170.0; // sharper ones alone
+    draw();
+    for (const Stroke& stroke : strokes_of(LineKind::crease)) // parts of the contour
+        for (const StrokePoint& p : points_of(stroke)) EXPECT_EQ(p.opacity, 0.0F);
+}
+
+TEST_F(LineCreases, SmoothItemsHaveNoLayerForThem) {
+    const test::SquareSphere ball;
+    curves::LineSetSettings settings;
+    settings.side = 0.1;
+    const curves::LineSet smooth(runtime, ball, std::make_unique<implicit::DifferencedShape>(ball), settings, {});
+    const auto cube = test::sharp_cube(glm::dmat3(1.0));
+    look_at(*cube, {-0.8, 1.0, -0.6});
+    draw();
+    EXPECT_TRUE(has_layer(LineKind::crease));
+    frame::Item item = layered_item(set, frame::Style(), glm::dmat4(1.0));
+    item.style.layers = blank;
+    item.style.lines = styles;
+    item.lines = &smooth;
+    frame.draw(std::span(&item, 1), front_camera(size, size));
+    EXPECT_FALSE(has_layer(LineKind::crease));
+}
+
+// The second drawing begins with the contours of the first, sheet by sheet.
+TEST_F(LineCreases, FrameAfterFrame) {
+    const auto cone = test::capped_cone();
+    for (int i = 0; i < 6; ++i) {
+        const double angle = 0.01 * i;
+        const glm::dvec3 direction(-0.8 * std::cos(angle), std::sin(angle) + 0.3, -0.4);
+        if (i == 0) look_at(*cone, direction);
+        draw();
+        const std::size_t contours = strokes_of(LineKind::contour).size();
+        EXPECT_EQ(contours, 4U) << "two sides, parts of two rims";
+        EXPECT_EQ(frame.drawing().line_counts.broken + frame.drawing().line_counts.contradictions, 0);
+    }
+}
+
+} // namespace
+} // namespace hrbfnpr::testing

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Shapes with creases: what of their contours and creases is seen, against plain counts along lines of sight.
+#include "curves/line_set.h"
+#include "stage.h"
+#include "support/sharp_shapes.h"
+
+namespace hrbfnpr::visibility {
+namespace {
+
+using namespace test_stage;
+using namespace test;
+
+base::Runtime& runtime() {
+    static base::Runtime instance = test::with_threads(2);
+    return instance;
+}
+
+std::unique_ptr<curves::LineSet> line_set(const implicit::Implicit& shape, double side) {
+    curves::LineSetSettings settings;
+    settings.side = side;
+    return std::make_unique<curves::LineSet>(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape),
+                                             settings, base::Progress());
+}
+
+// Contours sheet by sheet, creases that are contours, and the others.
+class Sharp {
+public:
+    Sharp(const curves::LineSet& set, const Eye& eye)
+        : set_(set), view_(eye.view()),
+          parts_(curves::parts_in_view(runtime(), *set.surface().sheets(), set.creases(), view_)),
+          picture(runtime(), Stage(), eye) {
+        picture.occluders.push_back({&set.sheets(), &set.surface(), glm::dmat4(1.0), view_.eye});
+        for (const auto& part : set.parts()) add_contours(*part);
+        add(parts_.folds.curves, 2, nullptr);
+        add(parts_.outside.curves, 0, nullptr);
+        add(parts_.inside.curves, 0, nullptr);
+        picture.find();
+        picture.beside = 0.3;
+    }
+    [[nodiscard]] const curves::CreaseParts& parts() const noexcept { return parts_; }
+    [[nodiscard]] const std::vector<std::unique_ptr<curves::Curves>>& contours() const noexcept { return curves_; }
+
+    std::int64_t broken = 0;
+
+private:
+    void add(const curves::Curves& lines, std::int32_t sheets, const curves::Level* level) {
+        if (lines.count() == 0) return;
+        Subject subject;
+        subject.curves = &lines;
+        subject.level = level;
+        subject.view = view_;
+        subject.side = set_.mesh().side;
+        subject.sheets = sheets;
+        if (level == nullptr) subject.clear = clear_of_creases;
+        picture.add(subject);
+    }
+    void add_contours(const curves::SheetPart& part) {
+        levels_.push_back(std::make_unique<curves::ContourLevel>(part.surface, view_));
+        curves::TraceReport report;
+        const curves::Curves traced = curves::trace(runtime(), *levels_.back(), part.mesh, {}, report, {});
+        broken += report.broken + report.missed;
+        curves_.push_back(std::make_unique<curves::Curves>(
+            curves::with_cusps(runtime(), *levels_.back(), view_, traced, report.evaluations, {})));
+        add(*curves_.back(), 2, levels_.back().get());
+    }
+
+    const curves::LineSet& set_;
+    curves::View view_;
+    curves::CreaseParts parts_;
+    std::vector<std::unique_ptr<curves::ContourLevel>> levels_;
+    std::vector<std::unique_ptr<curves::Curves>> curves_;
+
+public:
+    Picture picture;
+};
+
+// The ends of open curves, where they begin or end sheets.
+std::vector<glm::dvec3> ends_of(const curves::Curves& curves) {
+    std::vector<glm::dvec3> ends;
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        if (curves.closed[c] != 0) continue;
+        ends.push_back(curves.point[curves.first[c]].position);
+        ends.push_back(curves.point[curves.first[c + 1] - 1].position);
+    }
+    return ends;
+}
+
+// Contours end at creases, and where a contour ends a crease begins to be one: each end is an end of another line.
+void expect_joined(const Sharp& sharp, double within) {
+    std::vector<glm::dvec3> ends = ends_of(sharp.parts().folds.curves);
+    for (const auto& curves : sharp.contours())
+        for (const glm::dvec3& end : ends_of(*curves)) ends.push_back(end);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        double nearest = 1e9;
+        for (std::size_t k = 0; k < ends.size(); ++k)
+            if (k != i) nearest = std::min(nearest, glm::distance(ends[i], ends[k]));
+        EXPECT_LE(nearest, within) << ends[i].x << ' ' << ends[i].y << ' ' << ends[i].z;
+    }
+}
+
+void look_at(const SharpShape& shape, double side, double distance, int places, int least) {
+    const auto set = line_set(shape, side);
+    int compared = 0;
+    for (const Eye& eye : test::eyes(cube_directions(0.1), distance)) {
+        SCOPED_TRACE(named(eye));
+        const Sharp sharp(*set, eye);
+        EXPECT_EQ(sharp.broken, 0);
+        compared += expect_right(sharp.picture, places);
+        expect_joined(sharp, 1e-6);
+    }
+    EXPECT_GT(compared, least);
+}
+
+TEST(CreasesSeen, Cube) { look_at(*sharp_cube(), 0.2, 5.0, 40, 1500); }
+TEST(CreasesSeen, BoredCube) { look_at(*bored_cube(), 0.12, 5.0, 60, 2000); }
+TEST(CreasesSeen, SteppedShaft) { look_at(*stepped_shaft(), 0.08, 5.0, 60, 2000); }
+TEST(CreasesSeen, JoinedBalls) { look_at(*two_balls(true), 0.1, 5.0, 40, 1500); }
+TEST(CreasesSeen, BallsInCommon) { look_at(*two_balls(false), 0.1, 5.0, 40, 1500); }
+TEST(CreasesSeen, CappedCone) { look_at(*capped_cone(), 0.1, 5.0, 40, 1500); }
+
+// Nine edges of a cube that is seen from a corner bound its three faces: six of them its outline.
+TEST(CreasesSeen, CubeFromACorner) {
+    const auto shape = sharp_cube(glm::dmat3(1.0));
+    const auto set = line_set(*shape, 0.23);
+    const Sharp sharp(*set, Eye::at({1.0, 0.9, 1.1}, 6.0, true));
+    EXPECT_EQ(sharp.parts().folds.curves.count(), 6);
+    EXPECT_EQ(sharp.parts().outside.curves.count(), 3);
+    EXPECT_EQ(sharp.parts().inside.curves.count(), 3);
+    double seen = 0.0;
+    double whole = 0.0;
+    for (const Interval& part : sharp.picture.found->intervals) {
+        whole += part.end_at - part.begin_at;
+        seen += part.sheets == 0 ? part.end_at - part.begin_at : 0.0;
+        EXPECT_TRUE(part.sheets == 0 || part.sheets == 1); // a face, before edges that show their inside
+    }
+    double nine = 0.0;
+    for (std::int64_t l = 0; l < sharp.picture.found->lines.lines.size(); ++l)
+        if (sharp.picture.found->lines.lines[l].subject < 2)
+            nine += sharp.picture.lengths->whole(sharp.picture.found->lines.lines[l]);
+    EXPECT_NEAR(seen, nine, 1e-6);
+    EXPECT_GT(whole, 1.2 * nine);
+}
+
+} // namespace
+} // namespace hrbfnpr::visibility
