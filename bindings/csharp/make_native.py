@@ -30,6 +30,7 @@ BY_HAND = {
     "hrbfnpr_placement_info": "PlacementInfo",
     "hrbfnpr_line_set_info": "LineSetInfo",
     "hrbfnpr_trim_info": "TrimInfo",
+    "hrbfnpr_csg_info": "CsgInfo",
     "hrbfnpr_mesh_info": "MeshInfo",
     "hrbfnpr_mesh_fit_info": "MeshFitInfo",
     "hrbfnpr_comparison": "MeshComparison",

@@ -3,7 +3,7 @@
 
 #include <glm/matrix.hpp>
 
-#include <numbers>
+#include <utility>
 
 namespace hrbfnpr::implicit {
 namespace {
@@ -22,20 +22,31 @@ struct Frame {
 
 } // namespace
 
-// Eigenvalues of M^T M [Smith 1961, "Eigenvalues of a symmetric 3 x 3 matrix"].
+// Singular values: columns turned until they are at right angles [Hestenes 1958].
 Stretch stretch_of(const glm::dmat3& linear) noexcept {
     const double size = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
     if (!(size > 0.0 && std::isfinite(size))) return {0.0, size};
-    const glm::dmat3 m = glm::transpose(linear / size) * (linear / size);
-    const double mean = (m[0][0] + m[1][1] + m[2][2]) / 3.0;
-    const glm::dmat3 rest = m - glm::dmat3(mean);
-    double square = 0.0;
-    for (int i = 0; i < 3; ++i) square += glm::dot(rest[i], rest[i]);
-    const double p = std::sqrt(square / 6.0);
-    if (!(p > 1e-15 * mean)) return {size * std::sqrt(mean), size * std::sqrt(mean)};
-    const double angle = std::acos(std::clamp(0.5 * glm::determinant(rest / p), -1.0, 1.0)) / 3.0;
-    const double least = mean + 2.0 * p * std::cos(angle + 2.0 * std::numbers::pi / 3.0);
-    return {size * std::sqrt(std::max(0.0, least)), size * std::sqrt(mean + 2.0 * p * std::cos(angle))};
+    glm::dmat3 m = linear / size;
+    constexpr int most_sweeps = 30;
+    bool turned = true;
+    for (int sweep = 0; sweep < most_sweeps && turned; ++sweep) {
+        turned = false;
+        for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+            const double slant = glm::dot(m[p], m[q]);
+            if (std::abs(slant) <= 1e-16 * glm::length(m[p]) * glm::length(m[q])) continue;
+            turned = true;
+            const double ratio = 0.5 * (glm::dot(m[q], m[q]) - glm::dot(m[p], m[p])) / slant;
+            const double tangent = std::copysign(1.0, ratio) / (std::abs(ratio) + std::hypot(1.0, ratio));
+            const double c = 1.0 / std::hypot(1.0, tangent);
+            const glm::dvec3 column = m[p];
+            m[p] = c * (column - tangent * m[q]);
+            m[q] = c * (tangent * column + m[q]);
+        }
+    }
+    const double a = glm::length(m[0]);
+    const double b = glm::length(m[1]);
+    const double d = glm::length(m[2]);
+    return {size * std::min({a, b, d}), size * std::max({a, b, d})};
 }
 
 class CsgPlan::Builder {
@@ -220,6 +231,14 @@ CsgPlan::CsgPlan(base::Memory& memory, const CsgTree& tree, const base::Array<Cs
     Builder(*this, memory, tree, models).run();
     base::Array<Pending> pending(memory);
     make_steps(-1, steps_, pending);
+}
+
+bool CsgPlan::is_finite() const noexcept {
+    return std::all_of(places_.begin(), places_.end(), [](const CsgPlace& place) {
+        double sum = glm::dot(place.shift, place.shift);
+        for (int column = 0; column < 3; ++column) sum += glm::dot(place.to_local[column], place.to_local[column]);
+        return std::isfinite(sum) && std::isfinite(1.0 / place.scale) && std::isfinite(place.scale);
+    });
 }
 
 void CsgPlan::make_steps(std::int32_t sheet, base::Array<CsgStep>& steps, base::Array<Pending>& pending) const {

@@ -78,6 +78,8 @@ public:
     };
     void make_steps(std::int32_t sheet, base::Array<CsgStep>& steps, base::Array<Pending>& pending) const;
 
+    // Whether all transforms together can be undone in doubles.
+    [[nodiscard]] bool is_finite() const noexcept;
     // Where the surface may be: counting what models are drawn in, and all that they may have.
     [[nodiscard]] CsgBox drawn_box() const noexcept { return drawn_.surface(); }
     [[nodiscard]] CsgBox whole_box() const noexcept { return whole_.surface(); }
