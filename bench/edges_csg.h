@@ -38,8 +38,8 @@ private:
     void add(std::int64_t parent, int levels) {
         const bool leaf = levels == 1 || (parent >= 0 && number(0, 1) < 0.15);
         const auto at = static_cast<std::int64_t>(nodes.nodes.size());
-        hrbfnpr_csg_node& node =
-            nodes.add(static_cast<std::uint32_t>((leaf ? HRBFNPR_CSG_HALF_SPACE : 0U) + random_() % 6), parent);
+        hrbfnpr_csg_node& node = nodes.add(
+            static_cast<std::uint32_t>((leaf ? std::uint32_t{HRBFNPR_CSG_HALF_SPACE} : 0U) + random_() % 6), parent);
         if (number(0, 1) < 0.8) move(node);
         for (double& side : node.size) side = number(0.4, 2.0);
         node.radius = number(0.4, 1.0);

@@ -178,7 +178,7 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_csg_desc_init(hrbfnpr_csg_desc* desc, uint struct_size);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_model_create_csg(ContextHandle context, hrbfnpr_csg_desc* desc,
+        internal static extern int hrbfnpr_model_create_csg(IntPtr context, hrbfnpr_csg_desc* desc,
             out IntPtr out_model, hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]

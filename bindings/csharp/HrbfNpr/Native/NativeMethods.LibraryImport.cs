@@ -179,7 +179,7 @@ namespace HrbfNpr
         internal static partial int hrbfnpr_csg_desc_init(hrbfnpr_csg_desc* desc, uint struct_size);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_model_create_csg(ContextHandle context, hrbfnpr_csg_desc* desc,
+        internal static partial int hrbfnpr_model_create_csg(IntPtr context, hrbfnpr_csg_desc* desc,
             out IntPtr out_model, hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
