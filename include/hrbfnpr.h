@@ -980,7 +980,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* mode
  *                  continuously differentiable everywhere [bounded as those of Barthe, Wyvill &
  *                  de Groot 2004].  At a right angle it begins at the distance R from the edge.
  *   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B likewise [Ricci
- *                  1973]: of 2, at a right angle, an arc of the radius R; larger ones are fuller.
+ *                  1973]: of 2, at a right angle, an arc of the radius R; larger ones are sharper.
  *                  Smooth where f < R: offset it by less.  |grad f| may grow by 2^(1/p).
  *
  * A model as a leaf ends at its search box (the bounds, grown by 0.05 diagonals):
