@@ -6,7 +6,6 @@
 #include "io/files.h"
 
 #include <array>
-#include <vector>
 
 using namespace hrbfnpr;
 
@@ -155,17 +154,18 @@ generate::FoundTrim trim_of(const base::Runtime& runtime, const io::TrimFile& fi
 }
 
 void save_csg(const CsgSolid& solid, const io::TrimFile& trim, io::Writer& writer) {
-    std::vector<Numbers> reports;
-    std::vector<io::FitToSave> leaves;
-    reports.reserve(static_cast<std::size_t>(solid.models().size()));
+    base::Memory& memory = solid.tree().memory();
+    base::Array<Numbers> reports(memory, solid.models().size());
+    base::Array<io::FitToSave> leaves(memory);
     for (const hrbfnpr_model* leaf : solid.models()) {
         if (leaf->data() == nullptr)
             fail(Status::invalid_argument,
                  "model has a custom one among its leaves: the function of that cannot be saved");
-        reports.push_back(numbers_of(leaf->report));
-        leaves.push_back({leaf->data(), reports.back()});
+        Numbers& report = reports[leaves.size()];
+        report = numbers_of(leaf->report);
+        leaves.push_back({leaf->data(), report});
     }
-    io::save_csg(solid.tree(), solid.own().bounds(), leaves, &trim, writer);
+    io::save_csg(solid.tree(), solid.own().bounds(), leaves.span(), &trim, writer);
 }
 
 void save(const hrbfnpr_model& model, io::Writer& writer) {
@@ -188,8 +188,8 @@ hrbfnpr_model* tree_of(hrbfnpr_context& context, io::ModelFile& file) {
     try {
         check_csg_tree("nodes", file.tree);
         auto solid = std::make_unique<CsgSolid>(context.runtime);
-        for (io::FitFile& leaf : file.leaves) {
-            const hrbfnpr_model* const model = model_of(context, std::move(leaf));
+        for (std::int64_t i = 0; i < file.leaves.size(); ++i) {
+            const hrbfnpr_model* const model = model_of(context, std::move(file.leaves[i]));
             const Hold<const hrbfnpr_model> hold(model);
             release_handle(model);
             static_cast<void>(solid->leaf(*model));

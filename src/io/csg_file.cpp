@@ -70,9 +70,8 @@ void encode(Encoder& encoder, const implicit::CsgTree& tree, const geometry::Bou
 
 void check_node(const Decoder& decoder, const ModelFile& file, std::int64_t i) {
     const CsgNode& node = file.tree[i];
-    const auto leaves = static_cast<std::int64_t>(file.leaves.size());
     const bool is_model = node.kind == CsgKind::model;
-    if (is_model ? node.model < 0 || node.model >= leaves : node.model != -1)
+    if (is_model ? node.model < 0 || node.model >= file.leaves.size() : node.model != -1)
         decoder.damaged("node %lld has a leaf that is none", static_cast<long long>(i));
     for (const double number : numbers_of(node))
         if (!std::isfinite(number)) decoder.damaged("node %lld is not finite", static_cast<long long>(i));
@@ -120,14 +119,13 @@ void decode_csg(Decoder& decoder, const ModelKind& kind, ModelFile& file) {
     std::array<std::uint32_t, 1> leaves{};
     decoder.section<std::uint32_t>(tag_leaves, leaves);
     if (leaves[0] > static_cast<std::uint64_t>(count)) decoder.damaged("it has more leaves than nodes");
-    for (std::uint32_t i = 0; i < leaves[0]; ++i)
-        decode_fit(decoder, decode_kind(decoder), file.leaves.emplace_back(memory));
+    for (std::uint32_t i = 0; i < leaves[0]; ++i) decode_fit(decoder, decode_kind(decoder), file.leaves.add());
 }
 
 void check_csg(const Decoder& decoder, const ModelFile& file) {
     check_bounds(decoder, file.bounds);
     for (std::int64_t i = 0; i < file.tree.size(); ++i) check_node(decoder, file, i);
-    for (const FitFile& leaf : file.leaves) check_fit(decoder, leaf);
+    for (std::int64_t i = 0; i < file.leaves.size(); ++i) check_fit(decoder, file.leaves[i]);
 }
 
 } // namespace hrbfnpr::io

@@ -9,7 +9,7 @@
 #include "io/stream.h"
 #include "marks/point_set.h"
 
-#include <vector>
+#include <new>
 
 namespace hrbfnpr::io {
 
@@ -30,13 +30,38 @@ struct FitFile {
     base::Array<double> report; // numbers in the order of fit::FitReport, opaque to this room
 };
 
+// Any number of them, in the context's memory.
+class FitFiles {
+public:
+    explicit FitFiles(base::Memory& memory) noexcept : files_(memory) {}
+    FitFiles(FitFiles&&) noexcept = default;
+    FitFiles& operator=(FitFiles&&) = delete;
+    ~FitFiles() {
+        for (FitFile* const file : files_) {
+            if (file == nullptr) continue;
+            file->~FitFile();
+            files_.memory().deallocate(file, sizeof(FitFile));
+        }
+    }
+
+    [[nodiscard]] FitFile& add() {
+        files_.push_back(nullptr);
+        return *(files_.back() = new (files_.memory().allocate(sizeof(FitFile))) FitFile(files_.memory()));
+    }
+    [[nodiscard]] std::int64_t size() const noexcept { return files_.size(); }
+    [[nodiscard]] FitFile& operator[](std::int64_t i) const noexcept { return *files_[i]; }
+
+private:
+    base::Array<FitFile*> files_;
+};
+
 struct ModelFile : FitFile {
-    explicit ModelFile(base::Memory& memory) noexcept : FitFile(memory), trim(memory), tree(memory) {}
+    explicit ModelFile(base::Memory& memory) noexcept : FitFile(memory), trim(memory), tree(memory), leaves(memory) {}
     TrimFile trim; // without samples: the model is not trimmed
     // With nodes: the model is a tree, and no fit.  That its nodes make one is for others to check.
     implicit::CsgTree tree;
     geometry::Bounds bounds;
-    std::vector<FitFile> leaves;
+    FitFiles leaves;
 };
 
 // What a leaf of a tree is saved as.

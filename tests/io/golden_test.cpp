@@ -61,7 +61,7 @@ TEST(Golden, ModelOfVersion2) {
     EXPECT_EQ(file.tree[2].kind, implicit::CsgKind::cylinder);
     EXPECT_EQ(file.tree[2].radius, 0.4);
     EXPECT_EQ(file.bounds.max.x, 1.0);
-    ASSERT_EQ(file.leaves.size(), 1U);
+    ASSERT_EQ(file.leaves.size(), 1);
     EXPECT_EQ(file.leaves[0].data.count(), 6);
     const FitToSave leaf{&file.leaves[0].data, file.leaves[0].report.span()};
     BytesWriter writer;

@@ -87,7 +87,7 @@ TEST(ModelFile, HoldsATreeWithItsLeaves) {
     MemoryReader reader = reader_of(bytes);
     const ModelFile loaded = load_model(memory, reader);
     ASSERT_EQ(loaded.tree.size(), 3);
-    ASSERT_EQ(loaded.leaves.size(), 1U);
+    ASSERT_EQ(loaded.leaves.size(), 1);
     EXPECT_EQ(loaded.leaves[0].data.count(), 3);
     EXPECT_EQ(loaded.bounds.max, glm::dvec3(3.0));
     EXPECT_EQ(loaded.tree[0].blend, 0.125);
