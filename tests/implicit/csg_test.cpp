@@ -293,6 +293,13 @@ TEST(Csg, BoxesAreTight) {
     Nodes shell{node(CsgKind::complement), node(CsgKind::shell, 0), ball(1, {0, 0, 0}, 1.0)};
     shell[1].distance = 0.1;
     EXPECT_NEAR(box_of(shell).high.y, 1.0, 1e-15);
+    // Where two coincide a blend lifts both.
+    Nodes twice{node(CsgKind::unite), node(CsgKind::box, 0), node(CsgKind::box, 0)};
+    twice[0].blend = 0.3;
+    EXPECT_NEAR(at(Solid(twice).csg, {0.0, 0.0, 0.5 + 0.05}).value, 0.0, 1e-15);
+    EXPECT_NEAR(box_of(twice).high.z, 0.5 + 0.05, 1e-15);
+    twice[0].exponent = 2.0;
+    EXPECT_NEAR(box_of(twice).high.z, 0.5 + 0.3 * (1.0 - std::sqrt(0.5)), 1e-15);
     // Nothing is left; there is no end.
     EXPECT_TRUE(box_of({node(CsgKind::intersect), ball(0, {-2, 0, 0}, 1.0), ball(0, {2, 0, 0}, 1.0)}).empty());
     EXPECT_FALSE(std::isfinite(box_of({node(CsgKind::unite), ball(0, {0, 0, 0}, 1.0), half_space(0, 0, 0.0)}).low.y));
