@@ -78,7 +78,7 @@ void set_transform(const char* name, const Node& given, CsgNode& node) {
         fail(Status::invalid_argument, "%s.transform has the last row %g %g %g %g; it must be 0 0 0 1: an affine map",
              name, m[3], m[7], m[11], m[15]);
     for (int column = 0; column < 3; ++column)
-        node.linear[column] = {m[4 * column], m[4 * column + 1], m[4 * column + 2]};
+        for (int row = 0; row < 3; ++row) node.linear[column][row] = m[4 * column + row];
     node.translation = {m[12], m[13], m[14]};
 }
 

@@ -178,7 +178,8 @@ void save(const hrbfnpr_model& model, io::Writer& writer) {
     io::save_model(*data, numbers_of(model.whole().report), &trim, writer);
 }
 
-hrbfnpr_model* model_of(hrbfnpr_context& context, io::FitFile&& file) {
+// Takes the data out of the file.
+hrbfnpr_model* model_of(hrbfnpr_context& context, io::FitFile& file) {
     return make_handle<hrbfnpr_model>(context, fit::FitResult{std::move(file.data), report_of(file.report.span()),
                                                               base::Array<double>(context.runtime.memory)});
 }
@@ -189,7 +190,7 @@ hrbfnpr_model* tree_of(hrbfnpr_context& context, io::ModelFile& file) {
         check_csg_tree("nodes", file.tree);
         auto solid = std::make_unique<CsgSolid>(context.runtime);
         for (std::int64_t i = 0; i < file.leaves.size(); ++i) {
-            const hrbfnpr_model* const model = model_of(context, std::move(file.leaves[i]));
+            const hrbfnpr_model* const model = model_of(context, file.leaves[i]);
             const Hold<const hrbfnpr_model> hold(model);
             release_handle(model);
             static_cast<void>(solid->leaf(*model));
@@ -204,7 +205,7 @@ hrbfnpr_model* tree_of(hrbfnpr_context& context, io::ModelFile& file) {
 
 hrbfnpr_model* load(hrbfnpr_context& context, io::Reader& reader) {
     io::ModelFile file = io::load_model(context.runtime.memory, reader);
-    auto* const model = file.tree.empty() ? model_of(context, std::move(file)) : tree_of(context, file);
+    auto* const model = file.tree.empty() ? model_of(context, file) : tree_of(context, file);
     if (file.trim.position.empty()) return model;
     const Hold<hrbfnpr_model> whole(model); // from here on, and the trimmed one
     release_handle(model);

@@ -97,7 +97,7 @@ def frame(center: Triple, axis: Triple) -> Matrix:
 
 def node(kind: str, parent: int = -1, matrix: Optional[Matrix] = None, **numbers: Any) -> Dict[str, Any]:
     """Fields of a node of the tree."""
-    fields = {"kind": CSG_KINDS[kind], "parent": parent, **numbers}
+    fields: Dict[str, Any] = {"kind": CSG_KINDS[kind], "parent": parent, **numbers}
     if matrix is not None:
         fields["transform"] = [matrix[row][column] for column in range(4) for row in range(4)]
     return fields
@@ -129,7 +129,7 @@ class Combining(Owner):
     _function: Any
 
     def _combined(self: Self, root: Dict[str, Any], others: Sequence[Combining], bounds: Box) -> Self:
-        leaves = (self, *others)
+        leaves: List[Combining] = [self, *others]
         nodes = [root, *(node("model", 0, model=leaf._handle) for leaf in leaves)]
         return create(type(self), self._context, nodes, leaves, bounds)
 
@@ -175,13 +175,19 @@ class Combining(Owner):
         return self.union(other, radius=radius, exponent=exponent)
 
     def __or__(self: Self, other: Any) -> Self:
-        return self.union(other) if isinstance(other, Combining) else NotImplemented
+        if isinstance(other, Combining):
+            return self.union(other)
+        return NotImplemented
 
     def __and__(self: Self, other: Any) -> Self:
-        return self.intersection(other) if isinstance(other, Combining) else NotImplemented
+        if isinstance(other, Combining):
+            return self.intersection(other)
+        return NotImplemented
 
     def __sub__(self: Self, other: Any) -> Self:
-        return self.difference(other) if isinstance(other, Combining) else NotImplemented
+        if isinstance(other, Combining):
+            return self.difference(other)
+        return NotImplemented
 
     def __invert__(self: Self) -> Self:
         """The same surface, with inside and outside exchanged."""
