@@ -138,6 +138,49 @@ TEST(CsgModel, RaysProjectionsAndInsideTestsAreRight) {
     EXPECT_GT(hit, 700);
 }
 
+TEST(CsgModel, CurvaturesAreThoseOfItsParts) {
+    Error error;
+    const Context context = make_context();
+    const Model part = create(context, csg_part());
+    // On the boss, in its bore, on the top of the block.
+    const std::vector<double> place{1.3, 0.0, 1.1, 0.4, 0.0, 0.9, -0.2, -0.6, 0.5};
+    const hrbfnpr_array places = in(place);
+    std::vector<double> k1(3);
+    std::vector<double> k2(3);
+    auto curvature = made(hrbfnpr_curvature_init);
+    curvature.k1 = out(k1, 1);
+    curvature.k2 = out(k2, 1);
+    ASSERT_OK(hrbfnpr_model_curvature(part.get(), &places, &curvature, nullptr, error));
+    const double expected[3][2] = {{0.0, -1.0 / 0.6}, {1.0 / 0.3, 0.0}, {0.0, 0.0}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(k1[i], expected[i][0], 1e-12) << i;
+        EXPECT_NEAR(k2[i], expected[i][1], 1e-12) << i;
+    }
+}
+
+TEST(CsgModel, IsTrimmedByGivenPointsAndSavedSo) {
+    Error error;
+    const Context context = make_context();
+    CsgNodes nodes;
+    nodes.add(HRBFNPR_CSG_SPHERE);
+    const Model ball = create(context, nodes);
+    hrbfnpr_model* raw = nullptr;
+    EXPECT_FAILS(hrbfnpr_model_trim(ball.get(), nullptr, nullptr, &raw, error), invalid, "has no samples");
+    const scenes::Samples half = zone(-1.0, 1.0, true);
+    auto desc = made(hrbfnpr_trim_desc_init);
+    desc.points = in(half.points);
+    ASSERT_OK(hrbfnpr_model_trim(ball.get(), &desc, nullptr, &raw, error));
+    const Model trimmed(raw);
+    EXPECT_EQ(info_of(trimmed).is_trimmed, 1U);
+    EXPECT_EQ(csg_info_of(trimmed).nodes, 1);
+    const std::vector<std::uint8_t> bytes = saved(trimmed);
+    ASSERT_OK(
+        hrbfnpr_model_load_memory(context.get(), bytes.data(), static_cast<std::int64_t>(bytes.size()), &raw, error));
+    const Model again(raw);
+    EXPECT_EQ(info_of(again).is_trimmed, 1U);
+    EXPECT_EQ(saved(again), bytes);
+}
+
 TEST(CsgModel, ATreeInATreeIsPartOfIt) {
     const Context context = make_context();
     CsgNodes ball;

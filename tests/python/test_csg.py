@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Solids put together from others."""
 import math
+import pickle
 
 import pytest
 
@@ -85,6 +86,14 @@ def test_solids_of_fits_and_functions_live_as_long_as_needed():
     assert both.contains((3, 0, 0)) and both.contains((0, 0, 0.5))
     marks = both.generate(budget=500)
     assert len(marks.layers[0].positions) > 100
+
+
+def test_solids_are_pickled(tmp_path):
+    part = (csg.box((1, 2, 3)) - csg.cone(0.4, 4, top_radius=0.2)).shell(0.1)
+    again = pickle.loads(pickle.dumps(part))
+    assert values(again) == values(part) and again.csg_info == part.csg_info and again.bounds == part.bounds
+    part.save(tmp_path / "part.hrbf")
+    assert hrbfnpr.Model.load(tmp_path / "part.hrbf").to_bytes() == part.to_bytes()
 
 
 def test_a_failure_of_either_function_is_the_cause():
