@@ -384,8 +384,8 @@ class Model(MeshFits, Trimming, Combining):
     def lipschitz(self, *, progress: Optional[Progress] = None, operation: Optional[Operation] = None) -> float:
         """The bound that `cast_rays` takes: the largest length of grad f at 24^3 points, times 1.5.
 
-        An estimate, and no proof; of solids of primitives a bound that holds.  Pass it to `cast_rays` if you cast few rays at a time: otherwise
-        each call evaluates those points.
+        An estimate, and no proof; of solids of primitives a bound that holds.  Pass it to `cast_rays` if you cast few
+        rays at a time: otherwise each call evaluates those points.
         """
         bound, error = ffi.new("double *"), new_error()
         with running(operation, progress, self._context) as (handle, state):
