@@ -402,7 +402,8 @@ enum {
     HRBFNPR_KERNEL_TRIHARMONIC = 0, /* r^3 (default); no parameter */
     HRBFNPR_KERNEL_GAUSSIAN = 1,    /* exp(-r^2 / 2 radius^2) */
     HRBFNPR_KERNEL_WENDLAND_C2 = 2, /* (1 - r/radius)^4_+ (4 r/radius + 1) */
-    HRBFNPR_KERNEL_CUSTOM = 3       /* reported for a model made by _create_custom */
+    HRBFNPR_KERNEL_CUSTOM = 3,      /* reported for a model made by _create_custom */
+    HRBFNPR_KERNEL_CSG = 4          /* reported for a model made by _create_csg */
 };
 
 enum {
@@ -872,7 +873,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, c
                                                    hrbfnpr_error* error);
 
 /* The bound that _cast_rays takes where none is given: the largest |grad f| at
- * 24^3 points of the search box, times 1.5.  An estimate, and no proof.  A
+ * 24^3 points of the search box, times 1.5.  An estimate, and no proof; of a tree
+ * of primitives (hrbfnpr_csg_info.lipschitz) a bound that holds.  A
  * program that casts few rays at a time asks for it once and passes it on:
  * otherwise each call evaluates those points. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipschitz,
@@ -952,9 +954,118 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_trim_info_init(hrbfnpr_trim_info* info, uint3
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* model, hrbfnpr_trim_info* info,
                                                        hrbfnpr_error* error);
 
+/*
+ * --------------------------------------------------------------------------
+ * Solids put together from others (constructive solid geometry): a tree of
+ * unions, intersections and differences, with a crease where parts meet or with
+ * a blend, whose leaves are primitives and models of any kind.  f is negative
+ * inside, in units of length:
+ *
+ *   union          min(a, b)
+ *   intersection   max(a, b)
+ *   difference     max(a, -b): the first child without all others
+ *   complement     -a
+ *   offset         a - distance
+ *   shell          max(a, -a - distance): what is less than `distance` inside
+ *
+ * Primitives lie about the origin and the z axis of their own coordinates; the
+ * transforms of a node and of those above it put them where they are.  f of a
+ * half-space, a sphere and a torus is the signed distance.  A box, a cylinder and a
+ * cone are the largest of the distances from their sides: the distance inside,
+ * and outside where a side is nearest; less beside edges and corners.
+ *
+ * A blend rounds where parts meet, within its radius: where both are nearer than that to
+ * their surfaces.  Children are blended one after the other, in their order.
+ *   exponent 0     min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R, else min(a, b): twice
+ *                  continuously differentiable everywhere [bounded as those of Barthe, Wyvill &
+ *                  de Groot 2004].  At a right angle it begins at the distance R from the edge.
+ *   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B likewise [Ricci
+ *                  1973]: of 2, at a right angle, an arc of the radius R; larger ones are sharper.
+ *                  Smooth where f < R: offset it by less.  |grad f| may grow by 2^(1/p).
+ *
+ * A model as a leaf ends at its search box (the bounds, grown by 0.05 diagonals):
+ * beyond it is outside, whatever its f is.  One that is a tree itself becomes part
+ * of the new one, without bounds that were given for it.  A trimmed model bounds no
+ * solid and is refused: fit it with trim NEVER.
+ */
+enum {
+    HRBFNPR_CSG_UNION = 0,
+    HRBFNPR_CSG_INTERSECTION = 1,
+    HRBFNPR_CSG_DIFFERENCE = 2,
+    HRBFNPR_CSG_COMPLEMENT = 3,  /* this and the next two: of one child */
+    HRBFNPR_CSG_OFFSET = 4,      /* by `distance`: outward, or inward if negative.  Exact where f is the distance */
+    HRBFNPR_CSG_SHELL = 5,       /* `distance` is its thickness: the surface stays, and has a wall inside */
+    HRBFNPR_CSG_MODEL = 6,       /* this and those below have no children */
+    HRBFNPR_CSG_HALF_SPACE = 7,  /* z <= 0 */
+    HRBFNPR_CSG_BOX = 8,         /* of `size`, its middle at 0 */
+    HRBFNPR_CSG_SPHERE = 9,      /* of `radius` about 0 */
+    HRBFNPR_CSG_CYLINDER = 10,   /* of `radius`, z from -height/2 to height/2 */
+    HRBFNPR_CSG_CONE = 11,       /* the same, its radius `radius` at the lower end and `second_radius` at the upper */
+    HRBFNPR_CSG_TORUS = 12       /* about z: a tube of `second_radius` around a circle of `radius` */
+};
+
+/* What a kind has no use for is not looked at. */
+typedef struct hrbfnpr_csg_node {
+    uint32_t struct_size;
+    uint32_t kind;               /* HRBFNPR_CSG_...; UNION */
+    int64_t parent;              /* the index of a node before this one; of the first, the root, -1; -1.  Children are
+                                    in the order of the list */
+    const hrbfnpr_model* model;  /* of MODEL; kept */
+    double transform[16];        /* of all that is here and below, affine: a place here to one in the parent; the
+                                    identity.  It may turn, mirror and stretch.  Where it stretches unevenly lengths
+                                    are measured by its least stretch, so that |grad f| does not grow; the most may be
+                                    1e4 times the least */
+    double size[3];              /* of BOX, > 0; 1 */
+    double radius;               /* > 0; of CONE 0 or more, and one of both is not 0; 1 */
+    double second_radius;        /* of CONE, 0 or more; of TORUS, > 0 and less than the radius; 0.5 */
+    double height;               /* of CYLINDER and CONE, > 0; 1 */
+    double distance;             /* of OFFSET, finite; of SHELL, > 0; 0 */
+    double blend;                /* radius R of UNION, INTERSECTION and DIFFERENCE, 0 or more; 0 = a crease */
+    double exponent;             /* of the blend: 0, or 2 .. 64; 0 */
+} hrbfnpr_csg_node;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_csg_node_init(hrbfnpr_csg_node* node, uint32_t struct_size);
+
+typedef struct hrbfnpr_csg_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const hrbfnpr_csg_node* nodes; /* a list: a tree of any depth.  1 .. 65536 nodes, counting those of trees that are
+                                      leaves of this one */
+    int64_t node_count;
+    int64_t node_stride;
+    double bounds_min[3];          /* the box that the surface lies in: what is beyond is not seen.  All 0 = found from
+                                      the tree */
+    double bounds_max[3];
+} hrbfnpr_csg_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_csg_desc_init(hrbfnpr_csg_desc* desc, uint32_t struct_size);
+
+/* Every operator works on the result; derivatives are those of what f is there.
+ * It can be saved if its leaves can.  It keeps them, and is for as many threads at
+ * a time as all of them are.
+ * Errors: INVALID_ARGUMENT (also: the surface has no end, or there is none: give
+ * bounds), UNSUPPORTED_STRUCT, OUT_OF_MEMORY. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_create_csg(hrbfnpr_context* context, const hrbfnpr_csg_desc* desc,
+                                                    hrbfnpr_model** out_model, hrbfnpr_error* error);
+
+typedef struct hrbfnpr_csg_info {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t nodes;    /* with those of trees that became part of it; 0: the model is no tree, and so is all else */
+    int64_t depth;    /* nodes from the root to the deepest leaf, both counted */
+    int64_t models;   /* leaves that are models, each once */
+    int64_t sheets;   /* smooth functions that it is made of: sides of primitives and of boxes that models end at; a
+                         blend has one for each pair of those that it joins */
+    double lipschitz; /* a bound on |grad f| that holds everywhere; 0: models have none that is known */
+} hrbfnpr_csg_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_csg_info_init(hrbfnpr_csg_info* info, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_csg_info(const hrbfnpr_model* model, hrbfnpr_csg_info* info,
+                                                      hrbfnpr_error* error);
+
 /* Saving and loading.  The stream is little-endian, versioned and checksummed;
- * a loaded model evaluates to the same bits.  A custom model cannot be saved
- * (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
+ * a loaded model evaluates to the same bits.  A custom model cannot be saved, nor
+ * a tree with one in it (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
  * that is too small is BUFFER_TOO_SMALL and writes nothing else. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write,
                                               void* user, hrbfnpr_error* error);

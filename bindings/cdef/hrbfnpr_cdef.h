@@ -62,7 +62,7 @@ hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation, hrbf
 typedef int32_t (*hrbfnpr_write_fn)(void* user, const void* data, uint64_t size);
 typedef int64_t (*hrbfnpr_read_fn)(void* user, void* data, uint64_t size); typedef struct hrbfnpr_model hrbfnpr_model;
 enum { HRBFNPR_KERNEL_TRIHARMONIC = 0, HRBFNPR_KERNEL_GAUSSIAN = 1, HRBFNPR_KERNEL_WENDLAND_C2 = 2,
-    HRBFNPR_KERNEL_CUSTOM = 3 };
+    HRBFNPR_KERNEL_CUSTOM = 3, HRBFNPR_KERNEL_CSG = 4 };
 enum { HRBFNPR_SOLVER_AUTO = 0, HRBFNPR_SOLVER_DIRECT = 1, HRBFNPR_SOLVER_ITERATIVE = 2 };
 enum { HRBFNPR_SOLVER_REASON_REQUESTED = 0, HRBFNPR_SOLVER_REASON_SMALL = 1, HRBFNPR_SOLVER_REASON_LARGE = 2,
     HRBFNPR_SOLVER_REASON_NOT_CONVERGED = 3, HRBFNPR_SOLVER_REASON_NOT_DEFINITE = 4 };
@@ -162,6 +162,23 @@ typedef struct hrbfnpr_trim_info { uint32_t struct_size; uint32_t is_trimmed; in
     int64_t parts_to_end; double share; double farthest; double spacing; } hrbfnpr_trim_info;
 hrbfnpr_status hrbfnpr_trim_info_init(hrbfnpr_trim_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* model, hrbfnpr_trim_info* info, hrbfnpr_error* error);
+enum { HRBFNPR_CSG_UNION = 0, HRBFNPR_CSG_INTERSECTION = 1, HRBFNPR_CSG_DIFFERENCE = 2, HRBFNPR_CSG_COMPLEMENT = 3,
+    HRBFNPR_CSG_OFFSET = 4, HRBFNPR_CSG_SHELL = 5, HRBFNPR_CSG_MODEL = 6, HRBFNPR_CSG_HALF_SPACE = 7,
+    HRBFNPR_CSG_BOX = 8, HRBFNPR_CSG_SPHERE = 9, HRBFNPR_CSG_CYLINDER = 10, HRBFNPR_CSG_CONE = 11,
+    HRBFNPR_CSG_TORUS = 12 };
+typedef struct hrbfnpr_csg_node { uint32_t struct_size; uint32_t kind; int64_t parent; const hrbfnpr_model* model;
+    double transform[16]; double size[3]; double radius; double second_radius; double height; double distance;
+    double blend; double exponent; } hrbfnpr_csg_node;
+hrbfnpr_status hrbfnpr_csg_node_init(hrbfnpr_csg_node* node, uint32_t struct_size);
+typedef struct hrbfnpr_csg_desc { uint32_t struct_size; uint32_t reserved; const hrbfnpr_csg_node* nodes;
+    int64_t node_count; int64_t node_stride; double bounds_min[3]; double bounds_max[3]; } hrbfnpr_csg_desc;
+hrbfnpr_status hrbfnpr_csg_desc_init(hrbfnpr_csg_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_create_csg(hrbfnpr_context* context, const hrbfnpr_csg_desc* desc,
+    hrbfnpr_model** out_model, hrbfnpr_error* error);
+typedef struct hrbfnpr_csg_info { uint32_t struct_size; uint32_t reserved; int64_t nodes; int64_t depth; int64_t models;
+    int64_t sheets; double lipschitz; } hrbfnpr_csg_info;
+hrbfnpr_status hrbfnpr_csg_info_init(hrbfnpr_csg_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_model_get_csg_info(const hrbfnpr_model* model, hrbfnpr_csg_info* info, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write, void* user, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* destination, int64_t capacity, int64_t* size,
     hrbfnpr_error* error);

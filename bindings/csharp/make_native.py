@@ -30,6 +30,7 @@ BY_HAND = {
     "hrbfnpr_placement_info": "PlacementInfo",
     "hrbfnpr_line_set_info": "LineSetInfo",
     "hrbfnpr_trim_info": "TrimInfo",
+    "hrbfnpr_csg_info": "CsgInfo",
     "hrbfnpr_mesh_info": "MeshInfo",
     "hrbfnpr_mesh_fit_info": "MeshFitInfo",
     "hrbfnpr_comparison": "MeshComparison",
@@ -79,9 +80,10 @@ def parameter_type(function, kind):
             raise SystemExit(f"give {base} a class, in Native/Handles.cs and in bindings/csharp/make_native.py")
         if stars == 2:
             return "out IntPtr"
-        # An operation can outlive the program's handle of its context, and release gets what is left of a handle.
-        raw = function.endswith(("_retain", "_release")) or (function, base) == (
-            "hrbfnpr_operation_create", "hrbfnpr_context")
+        # An operation, or a solid made of others, can outlive the program's handle of its context, and release gets
+        # what is left of a handle.
+        raw = function.endswith(("_retain", "_release")) or (
+            function in ("hrbfnpr_operation_create", "hrbfnpr_model_create_csg") and base == "hrbfnpr_context")
         return "IntPtr" if raw else HANDLES[base]
     return value_type(kind) + "*" * stars
 

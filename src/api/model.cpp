@@ -40,6 +40,7 @@ const implicit::Implicit& hrbfnpr_model::trimmed(const implicit::Implicit& prepa
 
 const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const base::Progress& progress) const {
     if (whole_ != nullptr) return trimmed(whole_->implicit_for(evaluations, progress));
+    if (const api::CsgSolid* const solid = csg()) return solid->implicit_for(evaluations, progress);
     const implicit::HrbfData* const hrbf = data();
     if (hrbf == nullptr || !implicit::Prepared::pays(*hrbf, evaluations)) return implicit();
     {
@@ -281,9 +282,10 @@ void describe_fit(hrbfnpr_model_info& info, const fit::FitReport& report) noexce
 
 hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
     hrbfnpr_model_info info{};
-    info.kernel = HRBFNPR_KERNEL_CUSTOM;
+    const CsgSolid* const solid = model.whole().csg();
+    info.kernel = solid != nullptr ? HRBFNPR_KERNEL_CSG : HRBFNPR_KERNEL_CUSTOM;
     info.polynomial_degree = -1;
-    info.bytes = sizeof(hrbfnpr_model);
+    info.bytes = static_cast<std::int64_t>(sizeof(hrbfnpr_model)) + (solid != nullptr ? solid->bytes() : 0);
     set_box(info.bounds_min, info.bounds_max, model.implicit().bounds());
     const implicit::HrbfData* data = model.data();
     if (data == nullptr) return info;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A model as a handle: an HRBF with the report of its fit, or a caller's function.
+// A model as a handle: an HRBF with the report of its fit, a caller's function, or a tree of both.
 #pragma once
 
+#include "api/csg_solid.h"
 #include "api/handles.h"
 #include "fit/fit.h"
 #include "generate/find_trim.h"
@@ -29,12 +30,20 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr::implicit::CustomFunction& custom) noexcept
         : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Custom>, custom),
           history(context.runtime.memory) {}
+    hrbfnpr_model(hrbfnpr_context& context, std::unique_ptr<hrbfnpr::api::CsgSolid> solid) noexcept
+        : Child(context), surface(std::move(solid)), history(context.runtime.memory) {}
 
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit() const noexcept {
         if (trimmed_) return *trimmed_;
         if (whole_ != nullptr) return whole_->implicit();
         if (const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface)) return *hrbf;
+        if (const hrbfnpr::api::CsgSolid* solid = csg()) return solid->own();
         return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
+    }
+    // nullptr for others, and for those that end.
+    [[nodiscard]] const hrbfnpr::api::CsgSolid* csg() const noexcept {
+        const auto* solid = std::get_if<std::unique_ptr<hrbfnpr::api::CsgSolid>>(&surface);
+        return solid != nullptr ? solid->get() : nullptr;
     }
     // Without its end.
     [[nodiscard]] const hrbfnpr_model& whole() const noexcept { return whole_ != nullptr ? *whole_ : *this; }
@@ -45,22 +54,24 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     // call does.  Any thread.
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit_for(double evaluations,
                                                                   const hrbfnpr::base::Progress& progress) const;
-    // nullptr for a custom model.
+    // nullptr for a custom model and a tree.
     [[nodiscard]] const hrbfnpr::implicit::HrbfData* data() const noexcept {
         const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&whole().surface);
         return hrbf != nullptr ? &hrbf->data() : nullptr;
     }
-    // Empty for a custom model.
+    // Empty for a custom model and a tree.
     [[nodiscard]] hrbfnpr::generate::SampleHint samples() const noexcept {
         const auto* hrbf = data();
         return hrbf != nullptr ? hrbfnpr::generate::SampleHint{hrbf->sample_position.span(), hrbf->spacing}
                                : hrbfnpr::generate::SampleHint{};
     }
 
-    std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Custom, std::monostate> surface; // nothing: of whole()
+    std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Custom, std::unique_ptr<hrbfnpr::api::CsgSolid>,
+                 std::monostate>
+        surface; // nothing: of whole()
     // Of whole():
     hrbfnpr::fit::FitReport report;
-    hrbfnpr::base::Array<double> history; // of a fit's residual; empty for a loaded or custom model
+    hrbfnpr::base::Array<double> history; // of a fit's residual; empty for others than a fit
 
 private:
     [[nodiscard]] const hrbfnpr::implicit::Implicit& trimmed(const hrbfnpr::implicit::Implicit& prepared) const;

@@ -153,19 +153,59 @@ generate::FoundTrim trim_of(const base::Runtime& runtime, const io::TrimFile& fi
     return found;
 }
 
+void save_csg(const CsgSolid& solid, const io::TrimFile& trim, io::Writer& writer) {
+    base::Memory& memory = solid.tree().memory();
+    base::Array<Numbers> reports(memory, solid.models().size());
+    base::Array<io::FitToSave> leaves(memory);
+    for (const hrbfnpr_model* leaf : solid.models()) {
+        if (leaf->data() == nullptr)
+            fail(Status::invalid_argument,
+                 "model has a custom one among its leaves: the function of that cannot be saved");
+        Numbers& report = reports[leaves.size()];
+        report = numbers_of(leaf->report);
+        leaves.push_back({leaf->data(), report});
+    }
+    io::save_csg(solid.tree(), solid.own().bounds(), leaves.span(), &trim, writer);
+}
+
 void save(const hrbfnpr_model& model, io::Writer& writer) {
+    const io::TrimFile trim = file_of(model.runtime().memory, model.trim());
+    if (const CsgSolid* const solid = model.whole().csg()) return save_csg(*solid, trim, writer);
     const implicit::HrbfData* data = model.data();
     if (data == nullptr)
-        fail(Status::invalid_argument, "model is a custom one: its function cannot be saved; only fits can");
-    const io::TrimFile trim = file_of(model.runtime().memory, model.trim());
+        fail(Status::invalid_argument,
+             "model is a custom one: its function cannot be saved; only fits can, and trees of them");
     io::save_model(*data, numbers_of(model.whole().report), &trim, writer);
+}
+
+// Takes the data out of the file.
+hrbfnpr_model* model_of(hrbfnpr_context& context, io::FitFile& file) {
+    return make_handle<hrbfnpr_model>(context, fit::FitResult{std::move(file.data), report_of(file.report.span()),
+                                                              base::Array<double>(context.runtime.memory)});
+}
+
+// What the nodes of a file are not is no fault of the caller's.
+hrbfnpr_model* tree_of(hrbfnpr_context& context, io::ModelFile& file) {
+    try {
+        check_csg_tree("nodes", file.tree);
+        auto solid = std::make_unique<CsgSolid>(context.runtime);
+        for (std::int64_t i = 0; i < file.leaves.size(); ++i) {
+            const hrbfnpr_model* const model = model_of(context, file.leaves[i]);
+            const Hold<const hrbfnpr_model> hold(model);
+            release_handle(model);
+            static_cast<void>(solid->leaf(*model));
+        }
+        for (const implicit::CsgNode& node : file.tree) static_cast<void>(solid->add(node));
+        return make_csg_model(context, std::move(solid), &file.bounds);
+    } catch (const Error& error) {
+        if (error.status() != Status::invalid_argument) throw;
+        fail(Status::corrupt_data, "this model file is damaged: %s", error.what());
+    }
 }
 
 hrbfnpr_model* load(hrbfnpr_context& context, io::Reader& reader) {
     io::ModelFile file = io::load_model(context.runtime.memory, reader);
-    auto* const model =
-        make_handle<hrbfnpr_model>(context, fit::FitResult{std::move(file.data), report_of(file.report.span()),
-                                                           base::Array<double>(context.runtime.memory)});
+    auto* const model = file.tree.empty() ? model_of(context, file) : tree_of(context, file);
     if (file.trim.position.empty()) return model;
     const Hold<hrbfnpr_model> whole(model); // from here on, and the trimmed one
     release_handle(model);

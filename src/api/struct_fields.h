@@ -152,6 +152,27 @@ inline constexpr FieldLayout fields_of_hrbfnpr_trim_info[] = {
     FIELD(parts_to_end, "int64_t"), FIELD(share, "double"), FIELD(farthest, "double"), FIELD(spacing, "double")};
 #undef RECORD
 
+#define RECORD hrbfnpr_csg_node
+inline constexpr FieldLayout fields_of_hrbfnpr_csg_node[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(parent, "int64_t"),
+    FIELD(model, "const hrbfnpr_model*"), FIELD(transform, "double[16]"), FIELD(size, "double[3]"),
+    FIELD(radius, "double"), FIELD(second_radius, "double"), FIELD(height, "double"), FIELD(distance, "double"),
+    FIELD(blend, "double"), FIELD(exponent, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_csg_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_csg_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(nodes, "const hrbfnpr_csg_node*"),
+    FIELD(node_count, "int64_t"), FIELD(node_stride, "int64_t"), FIELD(bounds_min, "double[3]"),
+    FIELD(bounds_max, "double[3]")};
+#undef RECORD
+
+#define RECORD hrbfnpr_csg_info
+inline constexpr FieldLayout fields_of_hrbfnpr_csg_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(nodes, "int64_t"), FIELD(depth, "int64_t"),
+    FIELD(models, "int64_t"), FIELD(sheets, "int64_t"), FIELD(lipschitz, "double")};
+#undef RECORD
+
 #define RECORD hrbfnpr_layer_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(budget, "int64_t"),
@@ -452,14 +473,14 @@ inline constexpr FieldLayout fields_of_hrbfnpr_page_info[] = {
     X(hrbfnpr_error) X(hrbfnpr_array) X(hrbfnpr_array_out) X(hrbfnpr_image) X(hrbfnpr_context_desc) \
     X(hrbfnpr_context_info) X(hrbfnpr_fit_desc) X(hrbfnpr_orient_desc) X(hrbfnpr_orient_info) X(hrbfnpr_custom_desc) \
     X(hrbfnpr_model_info) X(hrbfnpr_project_desc) X(hrbfnpr_projection) X(hrbfnpr_curvature) X(hrbfnpr_cast_desc) \
-    X(hrbfnpr_ray_hits) X(hrbfnpr_trim_desc) X(hrbfnpr_trim_info) X(hrbfnpr_layer_desc) X(hrbfnpr_generate_desc) \
-    X(hrbfnpr_layer_arrays) X(hrbfnpr_point_set_desc) X(hrbfnpr_point_set_info) X(hrbfnpr_layer_info) \
-    X(hrbfnpr_placement_info) X(hrbfnpr_line_desc) X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) \
-    X(hrbfnpr_layer_style) X(hrbfnpr_line_style) X(hrbfnpr_style) X(hrbfnpr_layer_pose) X(hrbfnpr_item) \
-    X(hrbfnpr_drawing_info) X(hrbfnpr_drawing_layer_info) X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) \
-    X(hrbfnpr_vertex_layout) X(hrbfnpr_mark_results) X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) \
-    X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) X(hrbfnpr_compare_desc) X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) \
-    X(hrbfnpr_mesh_fit_info) X(hrbfnpr_page_item) X(hrbfnpr_pen) X(hrbfnpr_annotation) X(hrbfnpr_page_desc) \
-    X(hrbfnpr_page_info)
+    X(hrbfnpr_ray_hits) X(hrbfnpr_trim_desc) X(hrbfnpr_trim_info) X(hrbfnpr_csg_node) X(hrbfnpr_csg_desc) \
+    X(hrbfnpr_csg_info) X(hrbfnpr_layer_desc) X(hrbfnpr_generate_desc) X(hrbfnpr_layer_arrays) \
+    X(hrbfnpr_point_set_desc) X(hrbfnpr_point_set_info) X(hrbfnpr_layer_info) X(hrbfnpr_placement_info) \
+    X(hrbfnpr_line_desc) X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) X(hrbfnpr_layer_style) \
+    X(hrbfnpr_line_style) X(hrbfnpr_style) X(hrbfnpr_layer_pose) X(hrbfnpr_item) X(hrbfnpr_drawing_info) \
+    X(hrbfnpr_drawing_layer_info) X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) X(hrbfnpr_vertex_layout) \
+    X(hrbfnpr_mark_results) X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) \
+    X(hrbfnpr_compare_desc) X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) \
+    X(hrbfnpr_page_item) X(hrbfnpr_pen) X(hrbfnpr_annotation) X(hrbfnpr_page_desc) X(hrbfnpr_page_info)
 
 } // namespace hrbfnpr::api

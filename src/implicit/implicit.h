@@ -70,6 +70,9 @@ public:
     // is that of the active one.
     [[nodiscard]] virtual const Sheets* sheets() const noexcept { return nullptr; }
 
+    // A bound on |grad f| that holds everywhere; 0: none is known.
+    [[nodiscard]] virtual double lipschitz() const noexcept { return 0.0; }
+
     // Length scale of tolerances: the diagonal of the bounds, positive even for one sample.
     [[nodiscard]] double diagonal() const noexcept;
 

@@ -19,6 +19,7 @@ public:
     [[nodiscard]] std::int64_t cells() const noexcept override { return own_.cells(); }
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept override { return own_.cell_of(unit_ * p); }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return bounds_; }
+    [[nodiscard]] double lipschitz() const noexcept override { return own_.lipschitz(); }
     [[nodiscard]] const Extent* extent() const noexcept override {
         return own_.extent() != nullptr ? &extent_ : nullptr;
     }

@@ -19,6 +19,7 @@ public:
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept override { return whole_.cell_of(p); }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return whole_.bounds(); }
     [[nodiscard]] const Extent* extent() const noexcept override { return &extent_; }
+    [[nodiscard]] double lipschitz() const noexcept override { return whole_.lipschitz(); }
     [[nodiscard]] const Sheets* sheets() const noexcept override { return whole_.sheets(); }
 
 private:

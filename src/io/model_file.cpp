@@ -2,6 +2,7 @@
 #include "io/check.h"
 #include "io/encoder.h"
 #include "io/files.h"
+#include "io/model_sections.h"
 
 namespace hrbfnpr::io {
 namespace {
@@ -108,9 +109,7 @@ void decode(Decoder& decoder, TrimFile& trim) {
     decoder.section(tag_trim_ends, trim.ends);
 }
 
-void decode_kind(Decoder& decoder, implicit::HrbfData& data) {
-    std::array<std::uint32_t, 2> kind{};
-    decoder.section<std::uint32_t>(tag_kind, kind);
+void set_kind(const Decoder& decoder, const ModelKind& kind, implicit::HrbfData& data) {
     if (kind[0] > static_cast<std::uint32_t>(kernel::Kind::wendland_c2)) decoder.damaged("its kernel is unknown");
     if (kind[1] > highest_degree + 1) decoder.damaged("its polynomial degree is unknown");
     data.kernel = static_cast<kernel::Kind>(kind[0]);
@@ -224,28 +223,60 @@ void check(const Decoder& decoder, const TrimFile& trim) {
 
 } // namespace
 
+void encode_kind(Encoder& encoder, const ModelKind& kind) { encoder.section<std::uint32_t>(tag_kind, kind); }
+
+ModelKind decode_kind(Decoder& decoder) {
+    ModelKind kind{};
+    decoder.section<std::uint32_t>(tag_kind, kind);
+    return kind;
+}
+
+void encode_fit(Encoder& encoder, const implicit::HrbfData& data, std::span<const double> report) {
+    encode(encoder, data, report);
+}
+
+void decode_fit(Decoder& decoder, const ModelKind& kind, FitFile& file) {
+    set_kind(decoder, kind, file.data);
+    Numbers numbers{};
+    decoder.section<double>(tag_numbers, numbers);
+    set_numbers(file.data, numbers);
+    decode_arrays(decoder, file.data);
+    decoder.section(tag_report, file.report);
+}
+
+void check_fit(const Decoder& decoder, const FitFile& file) {
+    if (file.report.size() > longest_report) decoder.damaged("its report is too long");
+    check_numbers(decoder, file.data);
+    check_arrays(decoder, file.data);
+}
+
+void encode_trim(Encoder& encoder, const TrimFile* trim) {
+    if (trim != nullptr && !trim->position.empty()) encode(encoder, *trim);
+}
+
 void save_model(const implicit::HrbfData& data, std::span<const double> report, const TrimFile* trim, Writer& writer) {
-    write_file(writer, kind_model, model_version, [&](Encoder& encoder) {
+    write_file(writer, kind_model, fit_version, [&](Encoder& encoder) {
         encode(encoder, data, report);
-        if (trim != nullptr && !trim->position.empty()) encode(encoder, *trim);
+        encode_trim(encoder, trim);
     });
 }
 
 ModelFile load_model(base::Memory& memory, Reader& reader) {
     Decoder decoder(reader, kind_model, model_version, "model");
     ModelFile file(memory);
-    decode_kind(decoder, file.data);
-    Numbers numbers{};
-    decoder.section<double>(tag_numbers, numbers);
-    set_numbers(file.data, numbers);
-    decode_arrays(decoder, file.data);
-    decoder.section(tag_report, file.report);
+    const ModelKind kind = decode_kind(decoder);
+    const bool is_tree = kind[0] == csg_kind && decoder.version() > fit_version;
+    if (is_tree)
+        decode_csg(decoder, kind, file);
+    else
+        decode_fit(decoder, kind, file);
     const bool trimmed = decoder.more();
     if (trimmed) decode(decoder, file.trim);
     decoder.finish();
-    if (file.report.size() > longest_report) decoder.damaged("its report is too long");
-    check_numbers(decoder, file.data);
-    check_arrays(decoder, file.data);
+    if (is_tree)
+        check_csg(decoder, file);
+    else
+        check_fit(decoder, file);
     if (trimmed) check(decoder, file.trim);
     return file;
 }

@@ -79,6 +79,7 @@ geometry::Bounds search_region(const implicit::Implicit& implicit) noexcept {
 
 double lipschitz_estimate(const base::Runtime& runtime, const implicit::Implicit& implicit,
                           const base::Progress& progress) {
+    if (implicit.lipschitz() > 0.0) return implicit.lipschitz();
     constexpr std::int64_t chunks = (grid_size + batch_size - 1) / batch_size;
     const geometry::Bounds region = search_region(implicit);
     std::array<double, static_cast<std::size_t>(chunks)> most{};

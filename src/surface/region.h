@@ -15,7 +15,8 @@ inline constexpr double region_margin = 0.05;
 [[nodiscard]] geometry::Bounds search_region(const implicit::Implicit& implicit) noexcept;
 
 // The largest |grad f| of a grid of 24^3 points over the region, times 1.5: an estimate of f's
-// Lipschitz constant there, and no proof.  Positive; the same bits for any thread count.
+// Lipschitz constant there, and no proof; or a bound that the implicit knows.  Positive; the same bits for any thread
+// count.
 [[nodiscard]] double lipschitz_estimate(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                         const base::Progress& progress);
 

@@ -112,6 +112,17 @@ void Scene::describe_surface() {
         custom_desc_.bounds_min[axis] = -1.0;
         custom_desc_.bounds_max[axis] = 1.0;
     }
+    for (hrbfnpr_csg_node& node : csg_node_) {
+        node = made(hrbfnpr_csg_node_init);
+        node.distance = 0.05;
+    }
+    csg_node_[0].blend = 0.2;
+    csg_node_[1].parent = csg_node_[2].parent = 0;
+    csg_node_[1].kind = HRBFNPR_CSG_CONE;
+    csg_node_[2].kind = HRBFNPR_CSG_BOX;
+    csg_desc_ = made(hrbfnpr_csg_desc_init);
+    csg_desc_.nodes = csg_node_;
+    csg_desc_.node_count = 3;
     project_desc_ = made(hrbfnpr_project_desc_init);
     projection_ = made(hrbfnpr_projection_init);
     projection_.position = out(result_[0], 6);

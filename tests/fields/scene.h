@@ -49,6 +49,7 @@ private:
     Outcome fit();
     Outcome orient();
     Outcome create_custom();
+    Outcome create_csg();
     Outcome project();
     Outcome curvature();
     Outcome cast();
@@ -106,6 +107,8 @@ private:
     hrbfnpr_fit_desc fit_desc_{};
     hrbfnpr_orient_desc orient_desc_{};
     hrbfnpr_custom_desc custom_desc_{};
+    hrbfnpr_csg_node csg_node_[3]{};
+    hrbfnpr_csg_desc csg_desc_{};
     hrbfnpr_project_desc project_desc_{};
     hrbfnpr_projection projection_{};
     hrbfnpr_curvature curvature_{};

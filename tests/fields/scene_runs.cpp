@@ -52,6 +52,14 @@ Outcome Scene::create_custom() {
     return picture_of(context_.get(), model);
 }
 
+Outcome Scene::create_csg() {
+    hrbfnpr_model* model = sentinel<hrbfnpr_model>();
+    const hrbfnpr_status status = hrbfnpr_model_create_csg(context_.get(), &csg_desc_, &model, &error_);
+    if (status != HRBFNPR_STATUS_OK) return outcome(status, model == nullptr);
+    const hrbfnpr::test::Model owner(model);
+    return picture_of(context_.get(), model);
+}
+
 Outcome Scene::project() {
     const hrbfnpr_array points = in(points_, 6);
     return outcome(
@@ -205,6 +213,9 @@ std::vector<Slot> Scene::slots() {
         FIELDS_TEST_SLOT(hrbfnpr_fit_desc, fit_desc_, fit),
         FIELDS_TEST_SLOT(hrbfnpr_orient_desc, orient_desc_, orient),
         FIELDS_TEST_SLOT(hrbfnpr_custom_desc, custom_desc_, create_custom),
+        FIELDS_TEST_SLOT(hrbfnpr_csg_node, csg_node_[0], create_csg),
+        FIELDS_TEST_SLOT(hrbfnpr_csg_node, csg_node_[1], create_csg),
+        FIELDS_TEST_SLOT(hrbfnpr_csg_desc, csg_desc_, create_csg),
         FIELDS_TEST_SLOT(hrbfnpr_project_desc, project_desc_, project),
         FIELDS_TEST_SLOT(hrbfnpr_projection, projection_, project),
         FIELDS_TEST_SLOT(hrbfnpr_curvature, curvature_, curvature),

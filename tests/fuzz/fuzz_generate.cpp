@@ -266,7 +266,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Context context;
     Custom custom(input);
     const std::size_t which = input.below(2 * model_count);
-    hrbfnpr_model* const made = which >= model_count ? custom.create(context, input) : nullptr;
+    const bool tree = which >= model_count && input.once_in(2);
+    hrbfnpr_model* const made = which < model_count ? nullptr
+                                : tree              ? create_csg(context, input)
+                                                    : custom.create(context, input);
     if (which >= model_count && made == nullptr) return 0;
     const hrbfnpr_model* const model = made != nullptr ? made : scene_model(which);
     switch (input.below(8)) {

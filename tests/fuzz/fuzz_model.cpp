@@ -36,7 +36,7 @@ hrbfnpr_model_info info_of(const hrbfnpr_model* model) {
     hrbfnpr_model_info_init(&info, sizeof info);
     Call call("model_get_info");
     call.expect(hrbfnpr_model_get_info(model, &info, call.error()));
-    require(info.centres >= 1, "a model has a centre");
+    require((info.centres >= 1) == (info.kernel != HRBFNPR_KERNEL_CSG), "a fit has a centre, and a tree none");
     return info;
 }
 
@@ -46,7 +46,7 @@ Vectors points_of(const hrbfnpr_model* model, const hrbfnpr_model_info& info) {
     Call call("model_view");
     hrbfnpr_array samples;
     call.expect(hrbfnpr_model_view(model, HRBFNPR_MODEL_ATTRIBUTE_POSITION, &samples, call.error()));
-    require(samples.count == info.centres && samples.data != nullptr, "the centres can be seen");
+    require(samples.count == info.centres, "the centres can be seen");
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double size = info.bounds_max[axis] - info.bounds_min[axis];
         points[axis] = info.bounds_max[axis] + 0.1 * static_cast<double>(1 + axis) * size;
@@ -54,7 +54,7 @@ Vectors points_of(const hrbfnpr_model* model, const hrbfnpr_model_info& info) {
         points[6 + axis] = info.bounds_min[axis];
         points[9 + axis] = info.bounds_max[axis];
     }
-    std::memcpy(&points[12], samples.data, 3 * sizeof(double));
+    std::memcpy(&points[12], samples.count > 0 ? samples.data : &points[3], 3 * sizeof(double));
     return points;
 }
 

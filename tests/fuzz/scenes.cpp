@@ -5,6 +5,7 @@
 #include "fields.h"
 #include "samples.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fuzz {
@@ -212,6 +213,36 @@ hrbfnpr_model* Custom::create(Context& context, Input& input) {
     Call call("model_create_custom");
     const bool made =
         call.expect(hrbfnpr_model_create_custom(context.handle, &desc, &model, call.error()),
+                    {HRBFNPR_STATUS_INVALID_ARGUMENT, HRBFNPR_STATUS_UNSUPPORTED_STRUCT, HRBFNPR_STATUS_OUT_OF_MEMORY});
+    require(made == (model != nullptr), "a handle comes with success only");
+    return model;
+}
+
+hrbfnpr_model* create_csg(Context& context, Input& input) {
+    std::vector<hrbfnpr_csg_node> nodes(1 + input.below(7));
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        hrbfnpr_csg_node& node = nodes[i];
+        hrbfnpr_csg_node_init(&node, sizeof node);
+        const bool leaf = i > nodes.size() / 2;
+        node.kind = static_cast<std::uint32_t>(leaf ? HRBFNPR_CSG_MODEL + input.below(7) : input.below(6));
+        node.parent = i == 0 ? -1 : static_cast<std::int64_t>(input.below(std::min(i, nodes.size() / 2 + 1)));
+        node.distance = 0.1;
+        node.blend = input.once_in(2) ? input.unit() : 0.0;
+        for (std::size_t axis = 0; axis < 3; ++axis) node.transform[12 + axis] = input.between(-1.0, 1.0);
+        change_fields(input, "hrbfnpr_csg_node", &node);
+        if (input.once_in(4)) node.model = scene_model(input.below(model_count));
+    }
+    hrbfnpr_csg_desc desc;
+    hrbfnpr_csg_desc_init(&desc, sizeof desc);
+    desc.nodes = nodes.data();
+    desc.node_count = static_cast<std::int64_t>(nodes.size());
+    for (std::size_t axis = 0; axis < 3 && input.once_in(2); ++axis)
+        desc.bounds_min[axis] = -(desc.bounds_max[axis] = 2.0);
+    change_fields(input, "hrbfnpr_csg_desc", &desc);
+    hrbfnpr_model* model = nullptr;
+    Call call("model_create_csg");
+    const bool made =
+        call.expect(hrbfnpr_model_create_csg(context.handle, &desc, &model, call.error()),
                     {HRBFNPR_STATUS_INVALID_ARGUMENT, HRBFNPR_STATUS_UNSUPPORTED_STRUCT, HRBFNPR_STATUS_OUT_OF_MEMORY});
     require(made == (model != nullptr), "a handle comes with success only");
     return model;

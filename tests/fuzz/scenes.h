@@ -58,4 +58,7 @@ private:
     std::int64_t left_;
 };
 
+// A tree of a few nodes, some of which are scene models; NULL where it is refused.
+hrbfnpr_model* create_csg(Context& context, Input& input);
+
 } // namespace fuzz

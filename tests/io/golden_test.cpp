@@ -33,7 +33,7 @@ TEST(Golden, ModelOfVersion1) {
     EXPECT_EQ(file.data.polynomial_degree, 1);
     BytesWriter writer;
     save_model(file.data, file.report.span(), nullptr, writer);
-    EXPECT_EQ(writer.bytes, bytes); // until there is a version 2
+    EXPECT_EQ(writer.bytes, bytes); // fits are still of this version
 
     const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
                               std::move(file.data));
@@ -47,6 +47,26 @@ TEST(Golden, ModelOfVersion1) {
     EXPECT_NEAR(value[0], -0.034330597354739902, 1e-13);
     EXPECT_NEAR(value[1], 1.7082068528948635, 1e-13);
     EXPECT_NEAR(value[2], -0.41510708690424475, 1e-13);
+}
+
+TEST(Golden, ModelOfVersion2) {
+    base::Memory memory;
+    const Bytes bytes = golden("sphere_6_cut.model.v2");
+    MemoryReader reader = reader_of(bytes);
+    const ModelFile file = load_model(memory, reader);
+    ASSERT_EQ(file.tree.size(), 3);
+    EXPECT_EQ(file.tree[0].kind, implicit::CsgKind::subtract);
+    EXPECT_EQ(file.tree[0].blend, 0.2);
+    EXPECT_EQ(file.tree[1].kind, implicit::CsgKind::model);
+    EXPECT_EQ(file.tree[2].kind, implicit::CsgKind::cylinder);
+    EXPECT_EQ(file.tree[2].radius, 0.4);
+    EXPECT_EQ(file.bounds.max.x, 1.0);
+    ASSERT_EQ(file.leaves.size(), 1);
+    EXPECT_EQ(file.leaves[0].data.count(), 6);
+    const FitToSave leaf{&file.leaves[0].data, file.leaves[0].report.span()};
+    BytesWriter writer;
+    save_csg(file.tree, file.bounds, {&leaf, 1}, nullptr, writer);
+    EXPECT_EQ(writer.bytes, bytes); // until there is a version 3
 }
 
 TEST(Golden, PointSetOfVersion1) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -77,6 +79,54 @@ TEST(ModelFile, HoldsWhereATrimmedModelEnds) {
     is_refused(file.trim.grid.origin.x, std::numeric_limits<double>::quiet_NaN());
     is_refused(file.trim.position[0], 1e101);
     is_refused(file.trim.normal[0], 2.0);
+}
+
+TEST(ModelFile, HoldsATreeWithItsLeaves) {
+    base::Memory memory;
+    const Bytes bytes = csg_model_bytes(3);
+    MemoryReader reader = reader_of(bytes);
+    const ModelFile loaded = load_model(memory, reader);
+    ASSERT_EQ(loaded.tree.size(), 3);
+    ASSERT_EQ(loaded.leaves.size(), 1);
+    EXPECT_EQ(loaded.leaves[0].data.count(), 3);
+    EXPECT_EQ(loaded.bounds.max, glm::dvec3(3.0));
+    EXPECT_EQ(loaded.tree[0].blend, 0.125);
+    EXPECT_EQ(loaded.tree[1].model, 0);
+    EXPECT_EQ(loaded.tree[2].linear[1], glm::dvec3(0.0, 2.0, 0.5));
+    EXPECT_EQ(loaded.tree[2].translation, glm::dvec3(1.0, 2.0, 3.0));
+    const FitToSave leaf{&loaded.leaves[0].data, loaded.leaves[0].report.span()};
+    EXPECT_EQ(bytes_of(loaded.tree, loaded.bounds, {&leaf, 1}), bytes);
+    // With an end, too.
+    TrimFile trim(memory);
+    const Bytes trimmed = bytes_of(loaded.tree, loaded.bounds, {&leaf, 1}, &fill(trim));
+    MemoryReader other = reader_of(trimmed);
+    EXPECT_EQ(load_model(memory, other).trim.limit, 1.5);
+}
+
+TEST(ModelFile, WhatIsNoTreeIsRefused) {
+    base::Memory memory;
+    const implicit::HrbfData data = model(memory, 2);
+    const FitToSave leaf{&data, {}};
+    const auto message = [&](const std::function<void(implicit::CsgTree&, geometry::Bounds&)>& change,
+                             bool leaves = true) {
+        implicit::CsgTree tree = csg_tree(memory);
+        geometry::Bounds bounds{glm::dvec3(-2.0), glm::dvec3(3.0)};
+        change(tree, bounds);
+        const Outcome outcome =
+            load(memory, bytes_of(tree, bounds, {&leaf, leaves ? std::size_t{1} : std::size_t{0}}), true);
+        EXPECT_EQ(outcome.status, Status::corrupt_data);
+        return outcome.message;
+    };
+    using implicit::CsgKind;
+    EXPECT_NE(message([](auto& tree, auto&) { tree[2].kind = static_cast<CsgKind>(13); }).find("kind of node 2"),
+              std::string::npos);
+    EXPECT_NE(message([](auto& tree, auto&) { tree[2].model = 0; }).find("node 2 has a leaf"), std::string::npos);
+    EXPECT_NE(message([](auto& tree, auto&) { tree[1].model = 1; }).find("node 1 has a leaf"), std::string::npos);
+    EXPECT_NE(message([](auto&, auto&) {}, false).find("node 1 has a leaf"), std::string::npos);
+    EXPECT_NE(message([](auto& tree, auto&) { tree[1].exponent = std::nan(""); }).find("node 1 is not finite"),
+              std::string::npos);
+    EXPECT_NE(message([](auto&, auto& bounds) { bounds.min.x = 4.0; }).find("not a box"), std::string::npos);
+    EXPECT_NE(message([](auto& tree, auto&) { tree.clear(); }).find("has no node"), std::string::npos);
 }
 
 TEST(ModelFile, GivesBackEveryField) {

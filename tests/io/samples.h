@@ -154,11 +154,46 @@ inline Bytes trimmed_model_bytes(std::int64_t count = 2) {
     return writer.bytes;
 }
 
+// A fit without a ball.
+inline implicit::CsgTree csg_tree(base::Memory& memory) {
+    implicit::CsgTree tree(memory);
+    implicit::CsgNode node;
+    node.kind = implicit::CsgKind::subtract;
+    node.blend = 0.125;
+    tree.push_back(node);
+    node.kind = implicit::CsgKind::model;
+    node.parent = 0;
+    node.model = 0;
+    tree.push_back(node);
+    node.kind = implicit::CsgKind::sphere;
+    node.model = -1;
+    node.linear[1] = {0.0, 2.0, 0.5};
+    node.translation = {1.0, 2.0, 3.0};
+    tree.push_back(node);
+    return tree;
+}
+
+inline Bytes bytes_of(const implicit::CsgTree& tree, const geometry::Bounds& bounds, std::span<const FitToSave> leaves,
+                      const TrimFile* trim = nullptr) {
+    BytesWriter writer;
+    save_csg(tree, bounds, leaves, trim, writer);
+    return writer.bytes;
+}
+
+inline Bytes csg_model_bytes(std::int64_t count = 2) {
+    base::Memory memory;
+    const implicit::HrbfData data = model(memory, count);
+    const std::vector<double> numbers = report();
+    const FitToSave leaf{&data, numbers};
+    return bytes_of(csg_tree(memory), {glm::dvec3(-2.0), glm::dvec3(3.0)}, {&leaf, 1});
+}
+
 // What the tests of damage are tried on.
-enum class Sample : std::uint8_t { point_set, model, trimmed_model };
-inline constexpr Sample all_samples[] = {Sample::point_set, Sample::model, Sample::trimmed_model};
+enum class Sample : std::uint8_t { point_set, model, trimmed_model, csg_model };
+inline constexpr Sample all_samples[] = {Sample::point_set, Sample::model, Sample::trimmed_model, Sample::csg_model};
 inline const char* name_of(Sample sample) {
-    return sample == Sample::model ? "Model" : sample == Sample::point_set ? "PointSet" : "TrimmedModel";
+    constexpr const char* names[] = {"PointSet", "Model", "TrimmedModel", "CsgModel"};
+    return names[static_cast<std::size_t>(sample)];
 }
 
 inline Bytes point_set_bytes(std::int64_t count = 2) {
@@ -168,6 +203,7 @@ inline Bytes point_set_bytes(std::int64_t count = 2) {
 
 inline Bytes bytes_of(Sample sample, std::int64_t count = 2) {
     if (sample == Sample::point_set) return point_set_bytes(count);
+    if (sample == Sample::csg_model) return csg_model_bytes(count);
     return sample == Sample::model ? model_bytes(count) : trimmed_model_bytes(count);
 }
 

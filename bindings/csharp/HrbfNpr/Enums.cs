@@ -129,6 +129,8 @@ namespace HrbfNpr
         WendlandC2 = 2,
         /// <summary>Reported for a model made from a function.</summary>
         Custom = 3,
+        /// <summary>Reported for a solid put together from others.</summary>
+        Csg = 4,
     }
 
     /// <summary>How the linear system of a fit is solved.</summary>

@@ -59,6 +59,30 @@ namespace HrbfNpr
             this.function = function ?? throw new ArgumentNullException(nameof(function));
         }
 
+        private readonly FunctionState first, second; // of a solid of several models
+
+        private FunctionState(FunctionState first, FunctionState second)
+        {
+            this.first = first;
+            this.second = second;
+        }
+
+        /// <summary>What two models' functions threw; null for none.</summary>
+        internal static FunctionState Both(FunctionState one, FunctionState other)
+        {
+            return one == null || one == other ? other : other == null ? one : new FunctionState(one, other);
+        }
+
+        internal override Exception TakeException()
+        {
+            if (first == null)
+            {
+                return base.TakeException();
+            }
+            Exception exception = first.TakeException();
+            return second.TakeException() is Exception other ? exception ?? other : exception;
+        }
+
 #if NET7_0_OR_GREATER
         private readonly ImplicitSpanFunction spanFunction;
 

@@ -19,6 +19,7 @@ from typing import Any
 
 from ._camera import Camera
 from ._context import Context, ContextInfo, build_info, default_context, set_default_context
+from ._csg import CsgInfo
 from ._drawing import Drawing, MarkResults, Raster, Vertices
 from ._drawing_info import DrawingInfo, DrawingLayerInfo, MarkIdentity
 from ._errors import (
@@ -58,18 +59,20 @@ from ._renderer import Item, Renderer
 from ._style import LayerStyle, Style
 from ._trim import TrimInfo
 
+from . import csg  # noqa: E402 isort: skip
+
 __version__: str = _ffi.string(_lib.hrbfnpr_version_string()).decode()
 
 __all__ = [
     "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "Annotation", "BufferTooSmallError", "CallbackError",
-    "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "Curvature", "Drawing",
+    "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "CsgInfo", "Curvature", "Drawing",
     "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError", "InvalidArgumentError", "Item", "Layer",
     "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines", "MarkIdentity", "MarkLayer",
     "MarkResults", "Mesh", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo", "NotConvergedError",
     "Operation", "OrientInfo", "Oriented", "OutOfMemoryError", "OwnLayer", "PageInfo", "PageItem", "Pen",
     "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits", "Renderer", "SingularSystemError",
     "StepPatches", "StreamError", "Style", "TrimInfo", "UnsupportedStructError", "VersionMismatchError", "Vertices",
-    "build_info", "default_context", "farthest_points", "library_path", "orient", "preset_layers",
+    "build_info", "csg", "default_context", "farthest_points", "library_path", "orient", "preset_layers",
     "set_default_context", "write_page",
 ]  # fmt: skip
 

@@ -8,6 +8,7 @@ from . import _streams
 from ._arrays import Array, block_in, float_code, output, output_field, scalar, vector, wrap
 from ._callbacks import CallbackState, check
 from ._context import Context, resolve
+from ._csg import Combining
 from ._errors import new_error, new_struct
 from ._fit_desc import fit_desc
 from ._function import FunctionState, on_evaluate, on_release
@@ -33,11 +34,12 @@ def _load(data: bytes) -> Model:
     return Model.load(data)
 
 
-class Model(MeshFits, Trimming):
+class Model(MeshFits, Trimming, Combining):
     """An implicit surface: f < 0 inside, f > 0 outside, with a gradient near 1 at the surface [NPAR 4].
 
-    Immutable: any number of threads may use one model at a time.  Made by `fit`, `from_function` or
-    `load`; can be pickled (but for one from a function), and is then loaded in the default context.
+    Immutable: any number of threads may use one model at a time.  Made by `fit`, `from_function`,
+    `load`, or from others by operators (``a | b``, ``a & b``, ``a - b``, ``~a``; see `hrbfnpr.csg`); can be pickled
+    (but for one from a function), and is then loaded in the default context.
 
     A call that is given a single point (three numbers) returns results without the first axis;
     arrays of points may have any shape (..., 3).  float32 and float64 arrays are used in place.
@@ -382,8 +384,8 @@ class Model(MeshFits, Trimming):
     def lipschitz(self, *, progress: Optional[Progress] = None, operation: Optional[Operation] = None) -> float:
         """The bound that `cast_rays` takes: the largest length of grad f at 24^3 points, times 1.5.
 
-        An estimate, and no proof.  Pass it to `cast_rays` if you cast few rays at a time: otherwise
-        each call evaluates those points.
+        An estimate, and no proof; of solids of primitives a bound that holds.  Pass it to `cast_rays` if you cast few
+        rays at a time: otherwise each call evaluates those points.
         """
         bound, error = ffi.new("double *"), new_error()
         with running(operation, progress, self._context) as (handle, state):
@@ -486,6 +488,8 @@ class Model(MeshFits, Trimming):
         if self.closed:
             return "<hrbfnpr.Model closed>"
         info = self.info
+        if info.kernel == "csg":
+            return f"<hrbfnpr.Model csg, {self.csg_info.nodes} nodes>"
         return f"<hrbfnpr.Model {info.kernel}, {info.centres} centres>"
 
     def _check(self, status: int, error: Any, state: CallbackState) -> None:

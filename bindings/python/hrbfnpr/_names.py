@@ -14,7 +14,11 @@ def _numbers(prefix: str, *names: str) -> Dict[str, int]:
 INSTRUCTION_SETS = _numbers("INSTRUCTION_SET", "auto", "baseline", "avx2", "avx512", "neon")
 THREAD_BACKENDS = _numbers("THREAD_BACKEND", "auto", "pool", "openmp", "run_tasks", "serial")
 LOG_LEVELS = _numbers("LOG", "debug", "info", "warning")
-KERNELS = _numbers("KERNEL", "triharmonic", "gaussian", "wendland_c2", "custom")
+KERNELS = _numbers("KERNEL", "triharmonic", "gaussian", "wendland_c2", "custom", "csg")
+CSG_KINDS = _numbers(
+    "CSG", "union", "intersection", "difference", "complement", "offset", "shell", "model", "half_space", "box", "sphere",
+    "cylinder", "cone", "torus",
+)  # fmt: skip
 SOLVERS = _numbers("SOLVER", "auto", "direct", "iterative")
 SOLVER_REASONS = _numbers("SOLVER_REASON", "requested", "small", "large", "not_converged", "not_definite")
 NORMALS = _numbers("NORMALS", "given", "none", "unoriented", "mixed", "inward", "auto")

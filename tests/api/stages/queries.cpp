@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Queries, marks, line sets and files.
 #include "stages/stages.h"
+#include "support/csg_nodes.h"
 
 #include <array>
 #include <cstring>
@@ -246,6 +247,38 @@ void Stages::add_files(std::vector<Stage>& stages) {
                  attempt([&] { return hrbfnpr_model_load(context_.get(), Reading::read, &reading, &loaded, error); });
              EXPECT_EQ(loaded != nullptr, status == HRBFNPR_STATUS_OK);
              if (const Model owned(loaded); owned) append(bytes, owned);
+             return status;
+         },
+         {}});
+    stages.push_back(
+        {"csg",
+         [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+             hrbfnpr::test::CsgNodes nodes = hrbfnpr::test::csg_part();
+             nodes.add(HRBFNPR_CSG_MODEL, 1).model = model_.get();
+             const hrbfnpr_csg_desc desc = nodes.desc();
+             hrbfnpr_model* part = nullptr;
+             auto status = attempt([&] { return hrbfnpr_model_create_csg(context_.get(), &desc, &part, error); });
+             EXPECT_EQ(part != nullptr, status == HRBFNPR_STATUS_OK);
+             if (status != HRBFNPR_STATUS_OK) return status;
+             const Model owned(part);
+             std::vector<double> value(places_.size() / 3), gradient(places_.size());
+             const hrbfnpr_array from = in(places_);
+             const hrbfnpr_array_out values = out(value, 1), gradients = out(gradient);
+             status = attempt([&] {
+                 return hrbfnpr_model_evaluate(part, &from, &values, &gradients, nullptr, attempt.operation, error);
+             });
+             if (status != HRBFNPR_STATUS_OK) return status;
+             append(bytes, value), append(bytes, gradient);
+             std::pair<Bytes, std::size_t> file{Bytes(4 << 20), 0};
+             status = attempt([&] { return hrbfnpr_model_save(part, write_bytes, &file, error); });
+             if (status != HRBFNPR_STATUS_OK) return status;
+             file.first.resize(file.second);
+             Reading reading{file.first};
+             hrbfnpr_model* loaded = nullptr;
+             status =
+                 attempt([&] { return hrbfnpr_model_load(context_.get(), Reading::read, &reading, &loaded, error); });
+             EXPECT_EQ(loaded != nullptr, status == HRBFNPR_STATUS_OK);
+             if (const Model again(loaded); again) append(bytes, again);
              return status;
          },
          {}});

@@ -42,7 +42,7 @@ namespace HrbfNpr
             Interlocked.CompareExchange(ref exception, thrown, null);
         }
 
-        internal Exception TakeException()
+        internal virtual Exception TakeException()
         {
             return Interlocked.Exchange(ref exception, null);
         }

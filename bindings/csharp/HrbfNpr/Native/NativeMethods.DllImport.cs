@@ -172,6 +172,22 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_csg_node_init(hrbfnpr_csg_node* node, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_csg_desc_init(hrbfnpr_csg_desc* desc, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_create_csg(IntPtr context, hrbfnpr_csg_desc* desc,
+            out IntPtr out_model, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_csg_info_init(CsgInfo* info, uint struct_size);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_model_get_csg_info(ModelHandle model, CsgInfo* info, hrbfnpr_error* error);
+
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_model_save(ModelHandle model, IntPtr write, IntPtr user,
             hrbfnpr_error* error);
 

@@ -173,6 +173,23 @@ namespace HrbfNpr
             hrbfnpr_error* error);
 
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_csg_node_init(hrbfnpr_csg_node* node, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_csg_desc_init(hrbfnpr_csg_desc* desc, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_model_create_csg(IntPtr context, hrbfnpr_csg_desc* desc,
+            out IntPtr out_model, hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_csg_info_init(CsgInfo* info, uint struct_size);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_model_get_csg_info(ModelHandle model, CsgInfo* info,
+            hrbfnpr_error* error);
+
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_model_save(ModelHandle model, IntPtr write, IntPtr user,
             hrbfnpr_error* error);
 

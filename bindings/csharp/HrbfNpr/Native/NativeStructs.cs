@@ -188,6 +188,35 @@ namespace HrbfNpr
         internal hrbfnpr_array normals;
     }
 
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_csg_node")]
+    internal unsafe struct hrbfnpr_csg_node
+    {
+        internal uint struct_size;
+        internal uint kind;
+        internal long parent;
+        internal IntPtr model;
+        internal fixed double transform[16];
+        internal fixed double size[3];
+        internal double radius;
+        internal double second_radius;
+        internal double height;
+        internal double distance;
+        internal double blend;
+        internal double exponent;
+    }
+
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_csg_desc")]
+    internal unsafe struct hrbfnpr_csg_desc
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal IntPtr nodes;
+        internal long node_count;
+        internal long node_stride;
+        internal fixed double bounds_min[3];
+        internal fixed double bounds_max[3];
+    }
+
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_desc")]
     internal unsafe struct hrbfnpr_layer_desc
     {

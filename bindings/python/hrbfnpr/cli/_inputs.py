@@ -6,6 +6,7 @@ Points without normals get some from `_orient.make`.  A mesh is looked at by `_m
 """
 from __future__ import annotations
 
+from argparse import Namespace
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Optional, Tuple, Union
@@ -14,13 +15,13 @@ import numpy as np
 
 from .. import shapes
 from .._context import Context
-from .._errors import CorruptDataError
+from .._errors import CorruptDataError, Error
 from .._mesh import farthest_points
 from .._model import Model
 from .._point_set import PointSet
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats, Vector
-from . import _automatic, _ends, _mesh, _nearness, _orient, _up
+from . import _automatic, _ends, _mesh, _nearness, _orient, _script, _up
 from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
@@ -157,7 +158,9 @@ def _normals(
 
 
 def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Loaded:
-    """The saved model or point set, or a model fitted to the samples in the file."""
+    """The saved model or point set, the solid of a script, or a model fitted to the samples in the file."""
+    if is_script(path, arguments):
+        return _load_script(path, arguments, context, report)
     with report.stage("read", "reading") as stage:
         saved = load_saved(path, context)
         shape = None if saved is not None else _read(path, report)
@@ -178,6 +181,29 @@ def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Load
     up = _up_of(shape, points, normals, arguments, report)
     model = _fit(points, normals, arguments, context, report)
     return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
+
+
+def is_script(path: Path, arguments: Any) -> bool:
+    """Whether a file is a script of solids: by the command, or by its name."""
+    return arguments.command == "csg" or path.suffix.lower() == ".csg"
+
+
+def _load_script(path: Path, arguments: Any, context: Context, report: Reporter) -> Loaded:
+    def leaf(name: Path) -> Model:
+        # A solid has no end; what its file is drawn by alone does not matter here.
+        options = Namespace(**{**vars(arguments), "command": "fit", "close": True})
+        try:
+            content = load(name, options, context, report).content
+        except (Error, ValueError) as error:
+            raise ValueError(f"{name}: {error}") from error
+        if not isinstance(content, Model):
+            raise ValueError(f"{name} holds a point set; solids are models")
+        return content
+
+    model = _script.read(path, leaf, context)
+    info = model.csg_info
+    report.note(f"a solid of {_nearness.of(info.nodes, 'node')}, {_nearness.of(info.sheets, 'sheet')}")
+    return Loaded(model, None, _up_of_saved(model, arguments, context, report))
 
 
 def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Loaded:
@@ -209,6 +235,8 @@ def _fit(points: Floats, normals: Floats, arguments: Any, context: Context, repo
 
 def _saved_in_words(saved: Union[Model, PointSet, None]) -> str:
     if isinstance(saved, Model):
+        if saved.csg_info.nodes:
+            return f"a saved solid of {saved.csg_info.nodes} nodes"
         return f"a saved model of {saved.info.centres} centres"
     return f"a saved point set of {0 if saved is None else len(saved)} marks"
 

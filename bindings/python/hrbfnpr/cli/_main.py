@@ -74,7 +74,7 @@ def _run(arguments: Any, report: Reporter) -> int:
     context = Context(
         arguments.threads or 0, log=lambda _level, message: _warn_of_parts(message, report), log_level="warning"
     )
-    commands = {"draw": _draw, "sheet": _sheet, "sheet-views": _sheet_views, "fit": _fit, "points": _points,
+    commands = {"draw": _draw, "csg": _draw, "sheet": _sheet, "sheet-views": _sheet_views, "fit": _fit, "points": _points,
                 "info": _info, "check": _check}  # fmt: skip
     with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
         return commands[arguments.command](arguments, context, report) or 0

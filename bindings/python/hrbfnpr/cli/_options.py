@@ -97,7 +97,7 @@ def _add_input(parser: Parser) -> None:
 
 def _add_fit(parser: Parser) -> None:
     group = parser.add_argument_group("fit")
-    _add_choice(group, "--kernel", "kernel", [name for name in KERNELS if name != "custom"], "radial function")
+    _add_choice(group, "--kernel", "kernel", [name for name in KERNELS if name not in ("custom", "csg")], "radial function")
     _add(group, "--kernel-radius", "kernel_radius", values.number, "LENGTH", "of gaussian and wendland-c2")
     _add(group, "--degree", "polynomial_degree", values.count(-1, 3), "N", "of the polynomial, -1 (none) to 3; 1")
     _add(group, "--regularization", "regularization", values.number_or_auto, "X", "0 interpolates, more is smoother, "
@@ -245,24 +245,33 @@ def _add_style(parser: Parser) -> None:
                        "principal.directions=first or stipples.ink=#800000; may be repeated")  # fmt: skip
 
 
-def build() -> Parser:
-    """The whole grammar."""
-    parser = Parser(prog="hrbfnpr", description="Pen-and-ink drawings of surfaces given by points and normals.")
-    parser.add_argument("--version", action="version", version=f"hrbfnpr {__version__}")
-    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    source = "a mesh or points with normals (check --help lists the formats), or a saved model"
-
-    draw = commands.add_parser("draw", help="draw a picture", description="Draw a picture.")
-    draw.add_argument("input", metavar="INPUT", help=f"{source} or point set")
+def _add_drawing(draw: Parser) -> None:
     _add_output(draw, ".png")
     draw.add_argument("--also", action="append", default=[], metavar="FILE", help="the same drawing in another format; "
                       "may be repeated")  # fmt: skip
-    draw.add_argument("--save-model", metavar="FILE", help="save the fitted model too")
+    draw.add_argument("--save-model", metavar="FILE", help="save the model too")
     draw.add_argument("--save-points", metavar="FILE", help="save the marks too")
     draw.add_argument("--allow-blank", action="store_true", help="write the picture even if hardly anything is seen")
     for add in (_add_name, _add_size, _add_style, _add_camera, _add_marks, _add_fit, _add_input, _vectors.add_options,
                 _add_common):  # fmt: skip
         add(draw)
+
+
+def build() -> Parser:
+    """The whole grammar."""
+    parser = Parser(prog="hrbfnpr", description="Pen-and-ink drawings of surfaces given by points and normals.")
+    parser.add_argument("--version", action="version", version=f"hrbfnpr {__version__}")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    source = "a mesh or points with normals (check --help lists the formats), a script of solids (.csg), a saved model"
+
+    draw = commands.add_parser("draw", help="draw a picture", description="Draw a picture.")
+    draw.add_argument("input", metavar="INPUT", help=f"{source} or point set")
+    _add_drawing(draw)
+
+    solids = commands.add_parser("csg", help="put solids together and draw them", description="Draw the solid that a "
+                                 "script puts together from boxes, cylinders, files and others: docs/csg.md.")  # fmt: skip
+    solids.add_argument("input", metavar="SCRIPT", help="lines of `name = solid`; the last one is drawn")
+    _add_drawing(solids)
 
     sheet = commands.add_parser("sheet", help="draw a model in all styles, on one picture", description="Draw a model "
                                 "in all named styles on one picture: each as draw does at this size.")  # fmt: skip

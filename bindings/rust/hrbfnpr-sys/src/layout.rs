@@ -364,6 +364,59 @@ const _: () = {
 };
 
 const _: () = {
+    assert!(size_of::<hrbfnpr_csg_node>() == either(224, 224, 220));
+    assert!(align_of::<hrbfnpr_csg_node>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_csg_node, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_csg_node, kind) == 4);
+    assert!(offset_of!(hrbfnpr_csg_node, parent) == 8);
+    assert!(offset_of!(hrbfnpr_csg_node, model) == 16);
+    assert!(offset_of!(hrbfnpr_csg_node, transform) == either(24, 24, 20));
+    assert!(offset_of!(hrbfnpr_csg_node, size) == either(152, 152, 148));
+    assert!(offset_of!(hrbfnpr_csg_node, radius) == either(176, 176, 172));
+    assert!(offset_of!(hrbfnpr_csg_node, second_radius) == either(184, 184, 180));
+    assert!(offset_of!(hrbfnpr_csg_node, height) == either(192, 192, 188));
+    assert!(offset_of!(hrbfnpr_csg_node, distance) == either(200, 200, 196));
+    assert!(offset_of!(hrbfnpr_csg_node, blend) == either(208, 208, 204));
+    assert!(offset_of!(hrbfnpr_csg_node, exponent) == either(216, 216, 212));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_csg_desc>() == either(80, 80, 76));
+    assert!(align_of::<hrbfnpr_csg_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_csg_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_csg_desc, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_csg_desc, nodes) == 8);
+    assert!(offset_of!(hrbfnpr_csg_desc, node_count) == either(16, 16, 12));
+    assert!(offset_of!(hrbfnpr_csg_desc, node_stride) == either(24, 24, 20));
+    assert!(offset_of!(hrbfnpr_csg_desc, bounds_min) == either(32, 32, 28));
+    assert!(offset_of!(hrbfnpr_csg_desc, bounds_max) == either(56, 56, 52));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_csg_info>() == 48);
+    assert!(align_of::<hrbfnpr_csg_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_csg_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_csg_info, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_csg_info, nodes) == 8);
+    assert!(offset_of!(hrbfnpr_csg_info, depth) == 16);
+    assert!(offset_of!(hrbfnpr_csg_info, models) == 24);
+    assert!(offset_of!(hrbfnpr_csg_info, sheets) == 32);
+    assert!(offset_of!(hrbfnpr_csg_info, lipschitz) == 40);
+};
+
+const _: () = {
     assert!(size_of::<hrbfnpr_layer_desc>() == either(224, 208, 204));
     assert!(align_of::<hrbfnpr_layer_desc>() == either(8, 8, 4));
 };

@@ -554,6 +554,8 @@ pub const HRBFNPR_KERNEL_GAUSSIAN: u32 = 1;
 pub const HRBFNPR_KERNEL_WENDLAND_C2: u32 = 2;
 /// reported for a model made by _create_custom
 pub const HRBFNPR_KERNEL_CUSTOM: u32 = 3;
+/// reported for a model made by _create_csg
+pub const HRBFNPR_KERNEL_CSG: u32 = 4;
 
 pub const HRBFNPR_SOLVER_AUTO: u32 = 0;
 /// dense factorisation; memory O(N^2), time O(N^3): docs/fitting.md has figures
@@ -1231,7 +1233,8 @@ extern "C" {
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
     /// The bound that _cast_rays takes where none is given: the largest |grad f| at
-    /// 24^3 points of the search box, times 1.5.  An estimate, and no proof.  A
+    /// 24^3 points of the search box, times 1.5.  An estimate, and no proof; of a tree
+    /// of primitives (hrbfnpr_csg_info.lipschitz) a bound that holds.  A
     /// program that casts few rays at a time asks for it once and passes it on:
     /// otherwise each call evaluates those points.
     pub fn hrbfnpr_model_lipschitz(
@@ -1328,9 +1331,157 @@ extern "C" {
         info: *mut hrbfnpr_trim_info,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+}
+
+// --------------------------------------------------------------------------
+// Solids put together from others (constructive solid geometry): a tree of
+// unions, intersections and differences, with a crease where parts meet or with
+// a blend, whose leaves are primitives and models of any kind.  f is negative
+// inside, in units of length:
+//
+//   union          min(a, b)
+//   intersection   max(a, b)
+//   difference     max(a, -b): the first child without all others
+//   complement     -a
+//   offset         a - distance
+//   shell          max(a, -a - distance): what is less than `distance` inside
+//
+// Primitives lie about the origin and the z axis of their own coordinates; the
+// transforms of a node and of those above it put them where they are.  f of a
+// half-space, a sphere and a torus is the signed distance.  A box, a cylinder and a
+// cone are the largest of the distances from their sides: the distance inside,
+// and outside where a side is nearest; less beside edges and corners.
+//
+// A blend rounds where parts meet, within its radius: where both are nearer than that to
+// their surfaces.  Children are blended one after the other, in their order.
+//   exponent 0     min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R, else min(a, b): twice
+//                  continuously differentiable everywhere [bounded as those of Barthe, Wyvill &
+//                  de Groot 2004].  At a right angle it begins at the distance R from the edge.
+//   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B likewise [Ricci
+//                  1973]: of 2, at a right angle, an arc of the radius R; larger ones are sharper.
+//                  Smooth where f < R: offset it by less.  |grad f| may grow by 2^(1/p).
+//
+// A model as a leaf ends at its search box (the bounds, grown by 0.05 diagonals):
+// beyond it is outside, whatever its f is.  One that is a tree itself becomes part
+// of the new one, without bounds that were given for it.  A trimmed model bounds no
+// solid and is refused: fit it with trim NEVER.
+pub const HRBFNPR_CSG_UNION: u32 = 0;
+pub const HRBFNPR_CSG_INTERSECTION: u32 = 1;
+pub const HRBFNPR_CSG_DIFFERENCE: u32 = 2;
+/// this and the next two: of one child
+pub const HRBFNPR_CSG_COMPLEMENT: u32 = 3;
+/// by `distance`: outward, or inward if negative. Exact where f is the distance
+pub const HRBFNPR_CSG_OFFSET: u32 = 4;
+/// `distance` is its thickness: the surface stays, and has a wall inside
+pub const HRBFNPR_CSG_SHELL: u32 = 5;
+/// this and those below have no children
+pub const HRBFNPR_CSG_MODEL: u32 = 6;
+/// z <= 0
+pub const HRBFNPR_CSG_HALF_SPACE: u32 = 7;
+/// of `size`, its middle at 0
+pub const HRBFNPR_CSG_BOX: u32 = 8;
+/// of `radius` about 0
+pub const HRBFNPR_CSG_SPHERE: u32 = 9;
+/// of `radius`, z from -height/2 to height/2
+pub const HRBFNPR_CSG_CYLINDER: u32 = 10;
+/// the same, its radius `radius` at the lower end and `second_radius` at the upper
+pub const HRBFNPR_CSG_CONE: u32 = 11;
+/// about z: a tube of `second_radius` around a circle of `radius`
+pub const HRBFNPR_CSG_TORUS: u32 = 12;
+
+/// What a kind has no use for is not looked at.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_csg_node {
+    pub struct_size: u32,
+    /// HRBFNPR_CSG_...; UNION
+    pub kind: u32,
+    /// the index of a node before this one; of the first, the root, -1; -1. Children are in the
+    /// order of the list
+    pub parent: i64,
+    /// of MODEL; kept
+    pub model: *const hrbfnpr_model,
+    /// of all that is here and below, affine: a place here to one in the parent; the identity. It
+    /// may turn, mirror and stretch. Where it stretches unevenly lengths are measured by its
+    /// least stretch, so that |grad f| does not grow; the most may be 1e4 times the least
+    pub transform: [f64; 16],
+    /// of BOX, > 0; 1
+    pub size: [f64; 3],
+    /// > 0; of CONE 0 or more, and one of both is not 0; 1
+    pub radius: f64,
+    /// of CONE, 0 or more; of TORUS, > 0 and less than the radius; 0.5
+    pub second_radius: f64,
+    /// of CYLINDER and CONE, > 0; 1
+    pub height: f64,
+    /// of OFFSET, finite; of SHELL, > 0; 0
+    pub distance: f64,
+    /// radius R of UNION, INTERSECTION and DIFFERENCE, 0 or more; 0 = a crease
+    pub blend: f64,
+    /// of the blend: 0, or 2 .. 64; 0
+    pub exponent: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_csg_node_init(node: *mut hrbfnpr_csg_node, struct_size: u32) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_csg_desc {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// a list: a tree of any depth. 1 .. 65536 nodes, counting those of trees that are leaves of this one
+    pub nodes: *const hrbfnpr_csg_node,
+    pub node_count: i64,
+    pub node_stride: i64,
+    /// the box that the surface lies in: what is beyond is not seen. All 0 = found from the tree
+    pub bounds_min: [f64; 3],
+    pub bounds_max: [f64; 3],
+}
+
+extern "C" {
+    pub fn hrbfnpr_csg_desc_init(desc: *mut hrbfnpr_csg_desc, struct_size: u32) -> hrbfnpr_status;
+    /// Every operator works on the result; derivatives are those of what f is there.
+    /// It can be saved if its leaves can.  It keeps them, and is for as many threads at
+    /// a time as all of them are.
+    /// Errors: INVALID_ARGUMENT (also: the surface has no end, or there is none: give
+    /// bounds), UNSUPPORTED_STRUCT, OUT_OF_MEMORY.
+    pub fn hrbfnpr_model_create_csg(
+        context: *mut hrbfnpr_context,
+        desc: *const hrbfnpr_csg_desc,
+        out_model: *mut *mut hrbfnpr_model,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_csg_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// with those of trees that became part of it; 0: the model is no tree, and so is all else
+    pub nodes: i64,
+    /// nodes from the root to the deepest leaf, both counted
+    pub depth: i64,
+    /// leaves that are models, each once
+    pub models: i64,
+    /// smooth functions that it is made of: sides of primitives and of boxes that models end at;
+    /// a blend has one for each pair of those that it joins
+    pub sheets: i64,
+    /// a bound on |grad f| that holds everywhere; 0: models have none that is known
+    pub lipschitz: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_csg_info_init(info: *mut hrbfnpr_csg_info, struct_size: u32) -> hrbfnpr_status;
+    pub fn hrbfnpr_model_get_csg_info(
+        model: *const hrbfnpr_model,
+        info: *mut hrbfnpr_csg_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
     /// Saving and loading.  The stream is little-endian, versioned and checksummed;
-    /// a loaded model evaluates to the same bits.  A custom model cannot be saved
-    /// (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
+    /// a loaded model evaluates to the same bits.  A custom model cannot be saved, nor
+    /// a tree with one in it (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
     /// that is too small is BUFFER_TOO_SMALL and writes nothing else.
     pub fn hrbfnpr_model_save(
         model: *const hrbfnpr_model,

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: MIT
+"""Solids put together from others."""
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, TypeVar
+
+from ._arrays import vector
+from ._callbacks import check
+from ._errors import new_error, new_struct
+from ._handles import Owner, own
+from ._library import ffi, lib
+from ._names import CSG_KINDS
+from ._structs import read_struct
+
+Self = TypeVar("Self", bound="Combining")
+Triple = Sequence[float]
+Matrix = List[List[float]]
+Box = Optional[Tuple[Triple, Triple]]
+
+
+@dataclass(frozen=True)
+class CsgInfo:
+    """What a solid is made of; all 0 for a model that is not put together from others.
+
+    Attributes
+    ----------
+    nodes : int
+        Of its tree, with those of trees that became part of it.
+    depth : int
+        Nodes from the root to the deepest leaf.
+    models : int
+        Leaves that are models, each once.
+    sheets : int
+        Smooth functions that it is made of.
+    lipschitz : float
+        A bound on the length of grad f that holds everywhere; 0: none is known.
+    """
+
+    nodes: int
+    depth: int
+    models: int
+    sheets: int
+    lipschitz: float
+
+
+class SharedFunctions:
+    """The functions of several models, and the exception of the call that failed."""
+
+    def __init__(self, states: Sequence[Any]) -> None:
+        self._states = states
+
+    @property
+    def exception(self) -> Optional[BaseException]:
+        return next((state.exception for state in self._states if state.exception is not None), None)
+
+    @exception.setter
+    def exception(self, value: Optional[BaseException]) -> None:
+        for state in self._states:
+            state.exception = value
+
+
+def _functions_of(models: Sequence[Combining]) -> Any:
+    states: List[Any] = []
+    for model in models:
+        if model._function is not None and model._function not in states:
+            states.append(model._function)
+    return states[0] if len(states) == 1 else SharedFunctions(states) if states else None
+
+
+def affine(matrix: Any) -> Matrix:
+    """Rows of 3 x 4 or 4 x 4 numbers."""
+    rows = [vector("matrix", row, 4) for row in matrix]
+    if len(rows) == 3:
+        rows.append([0.0, 0.0, 0.0, 1.0])
+    if len(rows) != 4:
+        raise ValueError(f"matrix must have 3 or 4 rows of 4 numbers, not {len(rows)}")
+    return rows
+
+
+def frame(center: Triple, axis: Triple) -> Matrix:
+    """Puts the origin at the centre, and turns the z axis to the axis by the shortest way."""
+    at, along = vector("center", center), vector("axis", axis)
+    length = math.sqrt(sum(c * c for c in along))
+    if not 0.0 < length < math.inf:
+        raise ValueError("axis must have a length")
+    x, y, z = (c / length for c in along)
+    if z < 0.0:  # by way of a half turn about the x axis, which is never far from it
+        k = 1.0 / (1.0 - z)
+        turn = [[1.0 - k * x * x, k * x * y, x], [-k * x * y, k * y * y - 1.0, y], [x, -y, z]]
+    else:
+        k = 1.0 / (1.0 + z)
+        turn = [[1.0 - k * x * x, -k * x * y, x], [-k * x * y, 1.0 - k * y * y, y], [-x, -y, z]]
+    return [[*row, c] for row, c in zip(turn, at)] + [[0.0, 0.0, 0.0, 1.0]]
+
+
+def node(kind: str, parent: int = -1, matrix: Optional[Matrix] = None, **numbers: Any) -> Dict[str, Any]:
+    """Fields of a node of the tree."""
+    fields: Dict[str, Any] = {"kind": CSG_KINDS[kind], "parent": parent, **numbers}
+    if matrix is not None:
+        fields["transform"] = [matrix[row][column] for column in range(4) for row in range(4)]
+    return fields
+
+
+def create(cls: Type[Self], context: Any, nodes: List[Dict[str, Any]], leaves: Sequence[Combining], box: Box) -> Self:
+    """A model of class `cls` in the context, a handle, from the nodes, whose models the leaves are."""
+    array = ffi.new("hrbfnpr_csg_node[]", len(nodes))
+    for struct, fields in zip(array, nodes):
+        lib.hrbfnpr_csg_node_init(ffi.addressof(struct), ffi.sizeof("hrbfnpr_csg_node"))
+        for name, value in fields.items():
+            setattr(struct, name, value)
+    desc = new_struct("hrbfnpr_csg_desc")
+    desc.nodes, desc.node_count = array, len(nodes)
+    if box is not None:
+        desc.bounds_min, desc.bounds_max = (vector("bounds", corner) for corner in box)
+    out, error = ffi.new("hrbfnpr_model **"), new_error()
+    check(lib.hrbfnpr_model_create_csg(context, desc, out, error), error)
+    model = cls.__new__(cls)
+    Owner.__init__(model, own(out[0], lib.hrbfnpr_model_release, context))
+    model._context, model._function = context, _functions_of(leaves)
+    return model
+
+
+class Combining(Owner):
+    """The part of `Model` that puts solids together."""
+
+    _context: Any
+    _function: Any
+
+    def _combined(self: Self, root: Dict[str, Any], others: Sequence[Combining], bounds: Box) -> Self:
+        leaves: List[Combining] = [self, *others]
+        nodes = [root, *(node("model", 0, model=leaf._handle) for leaf in leaves)]
+        return create(type(self), self._context, nodes, leaves, bounds)
+
+    def _several(
+        self: Self, kind: str, others: Sequence[Combining], radius: float, exponent: float, bounds: Box
+    ) -> Self:
+        for other in others:
+            if not isinstance(other, Combining):
+                raise TypeError(f"solids are put together from models, not from {type(other).__name__}")
+        return self._combined(node(kind, blend=radius, exponent=exponent), others, bounds)
+
+    def union(
+        self: Self, *others: Combining, radius: float = 0.0, exponent: float = 0.0, bounds: Box = None
+    ) -> Self:
+        """What is in this or in another: also ``a | b``.
+
+        Parameters
+        ----------
+        radius : float
+            Of a blend, which rounds where parts meet; 0 = a crease.
+        exponent : float
+            0: a blend that is twice differentiable everywhere, and ends at the radius; 2 to 64: a super-ellipse,
+            2 an arc of the radius where parts meet at a right angle.
+        bounds : (minimum, maximum), optional
+            Two corners of the box that the surface lies in; by default found from the solids.
+        """
+        return self._several("union", others, radius, exponent, bounds)
+
+    def intersection(
+        self: Self, *others: Combining, radius: float = 0.0, exponent: float = 0.0, bounds: Box = None
+    ) -> Self:
+        """What is in all of them: also ``a & b``.  See `union`."""
+        return self._several("intersection", others, radius, exponent, bounds)
+
+    def difference(
+        self: Self, *others: Combining, radius: float = 0.0, exponent: float = 0.0, bounds: Box = None
+    ) -> Self:
+        """What is in this and in no other: also ``a - b``.  See `union`."""
+        return self._several("difference", others, radius, exponent, bounds)
+
+    def blend(self: Self, other: Combining, radius: float, exponent: float = 0.0) -> Self:
+        """The union with a blend of this radius where the two meet: see `union`."""
+        return self.union(other, radius=radius, exponent=exponent)
+
+    def __or__(self: Self, other: Any) -> Self:
+        if isinstance(other, Combining):
+            return self.union(other)
+        return NotImplemented
+
+    def __and__(self: Self, other: Any) -> Self:
+        if isinstance(other, Combining):
+            return self.intersection(other)
+        return NotImplemented
+
+    def __sub__(self: Self, other: Any) -> Self:
+        if isinstance(other, Combining):
+            return self.difference(other)
+        return NotImplemented
+
+    def __invert__(self: Self) -> Self:
+        """The same surface, with inside and outside exchanged."""
+        return self._combined(node("complement"), (), None)
+
+    def offset(self: Self, distance: float, *, bounds: Box = None) -> Self:
+        """The surface f = distance: outside the surface by so much, or inside if negative; exact where f is the
+        distance."""
+        return self._combined(node("offset", distance=distance), (), bounds)
+
+    def shell(self: Self, thickness: float, *, bounds: Box = None) -> Self:
+        """A wall of this thickness inside of the surface, which stays."""
+        return self._combined(node("shell", distance=thickness), (), bounds)
+
+    def transformed(self: Self, matrix: Any) -> Self:
+        """Moved by an affine map: 3 x 4 or 4 x 4 numbers, rows, for column vectors.
+
+        Where it stretches unevenly f is measured by its least stretch, so that the length of grad f does not grow.
+        """
+        return self._moved(affine(matrix))
+
+    def translated(self: Self, x: float, y: float, z: float) -> Self:
+        """Moved by a vector."""
+        return self._moved([[1.0, 0.0, 0.0, x], [0.0, 1.0, 0.0, y], [0.0, 0.0, 1.0, z], [0.0, 0.0, 0.0, 1.0]])
+
+    def rotated(self: Self, angle: float, axis: Triple = (0.0, 0.0, 1.0)) -> Self:
+        """Turned about an axis through the origin by an angle in degrees."""
+        direction = vector("axis", axis)
+        length = math.sqrt(sum(c * c for c in direction))
+        if not 0.0 < length < math.inf:
+            raise ValueError("axis must have a length")
+        x, y, z = (c / length for c in direction)
+        c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+        t = 1.0 - c
+        return self._moved(
+            [
+                [t * x * x + c, t * x * y - s * z, t * x * z + s * y, 0.0],
+                [t * x * y + s * z, t * y * y + c, t * y * z - s * x, 0.0],
+                [t * x * z - s * y, t * y * z + s * x, t * z * z + c, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ]
+        )
+
+    def scaled(self: Self, factor: float) -> Self:
+        """Made larger about the origin."""
+        return self._moved(
+            [[factor, 0.0, 0.0, 0.0], [0.0, factor, 0.0, 0.0], [0.0, 0.0, factor, 0.0], [0.0, 0.0, 0.0, 1.0]]
+        )
+
+    def _moved(self: Self, matrix: Matrix) -> Self:
+        return self._combined(node("union", matrix=matrix), (), None)
+
+    @property
+    def csg_info(self) -> CsgInfo:
+        """What the solid is made of."""
+        info, error = new_struct("hrbfnpr_csg_info"), new_error()
+        check(lib.hrbfnpr_model_get_csg_info(self._handle, info, error), error)
+        return read_struct(CsgInfo, info)
