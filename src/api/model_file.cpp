@@ -155,17 +155,24 @@ generate::FoundTrim trim_of(const base::Runtime& runtime, const io::TrimFile& fi
 
 void save(const hrbfnpr_model& model, io::Writer& writer) {
     const implicit::HrbfData* data = model.data();
-    if (data == nullptr)
+    const implicit::PiecesData* pieces = model.pieces();
+    if (data == nullptr && pieces == nullptr)
         fail(Status::invalid_argument, "model is a custom one: its function cannot be saved; only fits can");
     const io::TrimFile trim = file_of(model.runtime().memory, model.trim());
-    io::save_model(*data, numbers_of(model.whole().report), &trim, writer);
+    const Numbers report = numbers_of(model.whole().report);
+    if (pieces != nullptr)
+        io::save_model(*pieces, report, &trim, writer);
+    else
+        io::save_model(*data, report, &trim, writer);
 }
 
 hrbfnpr_model* load(hrbfnpr_context& context, io::Reader& reader) {
     io::ModelFile file = io::load_model(context.runtime.memory, reader);
+    const fit::FitReport report = report_of(file.report.span());
     auto* const model =
-        make_handle<hrbfnpr_model>(context, fit::FitResult{std::move(file.data), report_of(file.report.span()),
-                                                           base::Array<double>(context.runtime.memory)});
+        file.pieces ? make_handle<hrbfnpr_model>(context, std::move(*file.pieces), report)
+                    : make_handle<hrbfnpr_model>(context, fit::FitResult{std::move(file.data), report,
+                                                                         base::Array<double>(context.runtime.memory)});
     if (file.trim.position.empty()) return model;
     const Hold<hrbfnpr_model> whole(model); // from here on, and the trimmed one
     release_handle(model);

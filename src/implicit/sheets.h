@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The smooth functions that an implicit is made of, where it is not smooth itself: a maximum or minimum of two is one of
-// them on either side of the crease in which they meet.
+// The smooth functions that an implicit is made of, where it is not smooth itself: a maximum or minimum of two is one
+// of them on either side of the crease in which they meet.
 #pragma once
 
 #include "implicit/implicit.h"

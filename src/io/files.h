@@ -5,8 +5,11 @@
 #include "base/memory.h"
 #include "geometry/cell_grid.h"
 #include "implicit/hrbf.h"
+#include "implicit/pieces.h"
 #include "io/stream.h"
 #include "marks/point_set.h"
+
+#include <optional>
 
 namespace hrbfnpr::io {
 
@@ -23,13 +26,15 @@ struct TrimFile {
 
 struct ModelFile {
     explicit ModelFile(base::Memory& memory) noexcept : data(memory), report(memory), trim(memory) {}
-    implicit::HrbfData data;
+    implicit::HrbfData data;                                   // of one fit
+    std::optional<implicit::PiecesData> pieces = std::nullopt; // or of sheets
     base::Array<double> report; // numbers in the order of fit::FitReport, opaque to this room
     TrimFile trim;              // without samples: the model is not trimmed
 };
 
 // trim: null or without samples where the model is not trimmed.
 void save_model(const implicit::HrbfData& data, std::span<const double> report, const TrimFile* trim, Writer& writer);
+void save_model(const implicit::PiecesData& data, std::span<const double> report, const TrimFile* trim, Writer& writer);
 // Throws Error{corrupt_data, version_mismatch, io, out_of_memory}; reads no byte beyond the file's end.
 [[nodiscard]] ModelFile load_model(base::Memory& memory, Reader& reader);
 

@@ -19,7 +19,7 @@ namespace hrbfnpr::io {
 // Like PNG's: the top bit finds 7-bit transfers, the line ends find text mode, 1A ends a DOS listing.
 inline constexpr std::array<std::uint8_t, 8> magic{0x89, 'H', 'R', 'B', 0x0D, 0x0A, 0x1A, 0x0A};
 // The newest of each kind.
-inline constexpr std::uint32_t model_version = 1;
+inline constexpr std::uint32_t model_version = 2; // plain fits are still written as version 1
 inline constexpr std::uint32_t point_set_version = 2;
 inline constexpr std::uint32_t byte_order_mark = 0x01020304U;
 inline constexpr std::size_t header_size = 40;

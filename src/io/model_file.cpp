@@ -2,6 +2,7 @@
 #include "io/check.h"
 #include "io/encoder.h"
 #include "io/files.h"
+#include "io/model_sections.h"
 
 namespace hrbfnpr::io {
 namespace {
@@ -26,9 +27,9 @@ constexpr std::uint32_t tag_trim_ends = tag("TEND");
 
 constexpr std::int32_t highest_degree = 3;
 constexpr std::int64_t longest_report = 1024;
+constexpr std::uint32_t version_of_fits = 1; // of plain ones, which older libraries read
 
 // What a fit accepts, and what can come of it: samples as far from each other as 1e-9 diagonals.
-constexpr double coordinate_limit = 1e100;
 constexpr double smallest_side = 1e-110;
 constexpr double most_scales = 1e12; // in a side of the bounds
 constexpr double radius_limit = 1e30;
@@ -65,7 +66,9 @@ void set_numbers(implicit::HrbfData& data, const Numbers& n) noexcept {
     data.spacing = n[11];
 }
 
-void encode(Encoder& encoder, const implicit::HrbfData& data, std::span<const double> report) {
+} // namespace
+
+void encode_fit(Encoder& encoder, const implicit::HrbfData& data) {
     // The degree is -1 at least.
     const std::array<std::uint32_t, 2> kind{static_cast<std::uint32_t>(data.kernel),
                                             static_cast<std::uint32_t>(data.polynomial_degree + 1)};
@@ -81,8 +84,9 @@ void encode(Encoder& encoder, const implicit::HrbfData& data, std::span<const do
     encoder.section(tag_beta[1], data.beta.y.span());
     encoder.section(tag_beta[2], data.beta.z.span());
     encoder.section(tag_polynomial, data.polynomial.span());
-    encoder.section(tag_report, report);
 }
+
+namespace {
 
 void encode(Encoder& encoder, const TrimFile& trim) {
     const glm::dvec3& origin = trim.grid.origin;
@@ -224,9 +228,34 @@ void check(const Decoder& decoder, const TrimFile& trim) {
 
 } // namespace
 
+void decode_fit(Decoder& decoder, implicit::HrbfData& data) {
+    decode_kind(decoder, data);
+    Numbers numbers{};
+    decoder.section<double>(tag_numbers, numbers);
+    set_numbers(data, numbers);
+    decode_arrays(decoder, data);
+}
+
+void check_fit(const Decoder& decoder, const implicit::HrbfData& data) {
+    check_numbers(decoder, data);
+    check_arrays(decoder, data);
+}
+
 void save_model(const implicit::HrbfData& data, std::span<const double> report, const TrimFile* trim, Writer& writer) {
+    write_file(writer, kind_model, version_of_fits, [&](Encoder& encoder) {
+        encode_fit(encoder, data);
+        encoder.section(tag_report, report);
+        if (trim != nullptr && !trim->position.empty()) encode(encoder, *trim);
+    });
+}
+
+void save_model(const implicit::PiecesData& data, std::span<const double> report, const TrimFile* trim,
+                Writer& writer) {
     write_file(writer, kind_model, model_version, [&](Encoder& encoder) {
-        encode(encoder, data, report);
+        const std::array<std::uint32_t, 1> form{static_cast<std::uint32_t>(ModelForm::pieces)};
+        encoder.section<std::uint32_t>(tag_form, form);
+        encode_pieces(encoder, data);
+        encoder.section(tag_report, report);
         if (trim != nullptr && !trim->position.empty()) encode(encoder, *trim);
     });
 }
@@ -234,18 +263,23 @@ void save_model(const implicit::HrbfData& data, std::span<const double> report, 
 ModelFile load_model(base::Memory& memory, Reader& reader) {
     Decoder decoder(reader, kind_model, model_version, "model");
     ModelFile file(memory);
-    decode_kind(decoder, file.data);
-    Numbers numbers{};
-    decoder.section<double>(tag_numbers, numbers);
-    set_numbers(file.data, numbers);
-    decode_arrays(decoder, file.data);
+    if (decoder.version() > version_of_fits) {
+        std::array<std::uint32_t, 1> form{};
+        decoder.section<std::uint32_t>(tag_form, form);
+        if (form[0] != static_cast<std::uint32_t>(ModelForm::pieces)) decoder.damaged("its form is unknown");
+        decode_pieces(decoder, file.pieces.emplace(memory));
+    } else {
+        decode_fit(decoder, file.data);
+    }
     decoder.section(tag_report, file.report);
     const bool trimmed = decoder.more();
     if (trimmed) decode(decoder, file.trim);
     decoder.finish();
     if (file.report.size() > longest_report) decoder.damaged("its report is too long");
-    check_numbers(decoder, file.data);
-    check_arrays(decoder, file.data);
+    if (file.pieces)
+        check_pieces(decoder, *file.pieces);
+    else
+        check_fit(decoder, file.data);
     if (trimmed) check(decoder, file.trim);
     return file;
 }
