@@ -27,6 +27,11 @@ struct Bump {
     double w, d, h;
 };
 
+// Of a child's centre from its parent's.
+[[nodiscard]] glm::dvec3 offset(std::int32_t k, double q) noexcept {
+    return {(k & 1) != 0 ? q : -q, (k & 2) != 0 ? q : -q, (k & 4) != 0 ? q : -q};
+}
+
 void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, double* h) noexcept {
     h[0] += 2.0 * a.x * b.x;
     h[1] += a.x * b.y + a.y * b.x;
@@ -58,28 +63,21 @@ PiecesBlock::Weight PiecesBlock::weight_of(const Node& cell, const glm::dvec3& p
             {x.h * y.w * z.w, x.d * y.d * z.w, x.d * y.w * z.d, x.w * y.h * z.w, x.w * y.d * z.d, x.w * y.w * z.h}};
 }
 
-void PiecesBlock::add_hit(const Node& cell, const glm::dvec3& place) noexcept {
-    const std::int32_t leaf = -1 - data_.child[cell.node];
-    Hit& hit = hit_[hits_++];
-    hit.leaf = leaf;
-    hit.pair = plain;
-    hit.weight = weight_of(cell, place);
-    const double* const p = data_.plain.data() + 4 * std::int64_t{leaf};
+void PiecesBlock::weigh(Hit& hit, const glm::dvec3& place) const noexcept {
+    if (hit.leaf < 0) return weigh_outside(hit, place);
+    hit.weight = weight_of(hit.cell, place);
+    const double* const p = data_.plain.data() + 4 * std::int64_t{hit.leaf};
     hit.gradient = {p[1], p[2], p[3]};
-    hit.value = p[0] + glm::dot(hit.gradient, place - cell.centre);
+    hit.value = p[0] + glm::dot(hit.gradient, place - hit.cell.centre);
 }
 
-void PiecesBlock::add_outside(const glm::dvec3& place) noexcept {
+void PiecesBlock::weigh_outside(Hit& hit, const glm::dvec3& place) const noexcept {
     const double radius = 0.5 * data_.bounds.diagonal();
     const glm::dvec3 off = place - data_.bounds.centre();
     const double distance = glm::length(off);
-    if (!(distance > sphere_begins * radius)) return;
     const glm::dvec3 u = off / distance;
     const double width = (sphere_rules - sphere_begins) * radius;
     const double t = std::min(1.0, (distance - sphere_begins * radius) / width);
-    Hit& hit = hit_[hits_++];
-    hit.leaf = -1;
-    hit.pair = plain;
     hit.value = distance - radius;
     hit.gradient = u;
     // t^3 (10 - 15 t + 6 t^2): two derivatives are 0 at both ends.
@@ -97,23 +95,35 @@ void PiecesBlock::find_hits(const glm::dvec3& place) noexcept {
     std::size_t depth = 0;
     const std::int64_t limit = hits_ + most_at_point - 1;
     const double half = 0.5 * data_.side;
-    stack[depth++] = {0, data_.corner + half, half};
+    const glm::dvec3 middle = data_.corner + half;
+    const glm::dvec3 from_middle = glm::abs(place - middle);
+    if (std::max({from_middle.x, from_middle.y, from_middle.z}) < reach * half) stack[depth++] = {0, middle, half};
     while (depth > 0 && hits_ < limit) {
-        const Node cell = stack[--depth];
-        const glm::dvec3 off = glm::abs(place - cell.centre);
-        if (!(std::max({off.x, off.y, off.z}) < reach * cell.half)) continue;
-        const std::int32_t child = data_.child[cell.node];
-        if (child < 0) {
-            add_hit(cell, place);
-            continue;
+        Node cell = stack[--depth];
+        std::int32_t child = data_.child[cell.node];
+        while (child >= 0) {
+            // Along each axis the lower children reach so far up, and the upper ones so far down.
+            const glm::dvec3 off = place - cell.centre;
+            const double q = 0.5 * cell.half;
+            const double both = (reach - 1.0) * q;
+            const int low = (off.x < both ? 1 : 0) | (off.y < both ? 2 : 0) | (off.z < both ? 4 : 0);
+            const int high = (off.x > -both ? 1 : 0) | (off.y > -both ? 2 : 0) | (off.z > -both ? 4 : 0);
+            for (int k = 7; (low & high) != 0 && k >= 0; --k)
+                if (k != high && (k & high) == k && (~k & 7 & low) == (~k & 7))
+                    stack[depth++] = {child + k, cell.centre + offset(k, q), q};
+            cell = {child + high, cell.centre + offset(high, q), q};
+            child = data_.child[cell.node];
         }
-        const double q = 0.5 * cell.half;
-        for (std::int32_t k = 7; k >= 0; --k)
-            stack[depth++] = {
-                child + k,
-                cell.centre + glm::dvec3((k & 1) != 0 ? q : -q, (k & 2) != 0 ? q : -q, (k & 4) != 0 ? q : -q), q};
+        Hit& hit = hit_[hits_++];
+        hit.cell = cell;
+        hit.leaf = -1 - child;
+        hit.pair = plain;
     }
-    add_outside(place);
+    const double radius = 0.5 * data_.bounds.diagonal();
+    if (!(glm::distance(place, data_.bounds.centre()) > sphere_begins * radius)) return;
+    Hit& hit = hit_[hits_++];
+    hit.leaf = -1;
+    hit.pair = plain;
 }
 
 // Every sheet that a cell of the point asks for, once.
@@ -128,16 +138,29 @@ void PiecesBlock::add_pairs(std::int64_t point) noexcept {
             bool known = false;
             for (std::int64_t i = first; i < pairs_ && !known; ++i) known = pair_[i].sheet == sheet;
             if (known || pairs_ - first >= most_at_point) continue;
-            Pair& pair = pair_[pairs_++];
-            pair.sheet = sheet;
-            pair.point = static_cast<std::int32_t>(point);
-            pair.weight = {};
+            add_pair(sheet, point);
         }
     }
 }
 
+void PiecesBlock::add_pair(std::int32_t sheet, std::int64_t point) noexcept {
+    const auto number = static_cast<std::int32_t>(pairs_++);
+    Pair& pair = pair_[number];
+    pair.sheet = sheet;
+    pair.point = static_cast<std::int32_t>(point);
+    pair.weight = {};
+    pair.next = -1;
+    for (std::int64_t g = groups_ - 1; g >= 0; --g) {
+        if (group_[g].sheet != sheet) continue;
+        pair_[group_[g].last].next = number;
+        group_[g].last = number;
+        return;
+    }
+    group_[groups_++] = {sheet, number, number};
+}
+
 std::int64_t PiecesBlock::take(const PointBatch& points) noexcept {
-    hits_ = pairs_ = 0;
+    hits_ = pairs_ = groups_ = 0;
     std::int64_t count = 0;
     while (count < std::min(points.count, most_points) && hits_ + most_at_point <= most_hits &&
            pairs_ + most_at_point <= most_pairs) {
@@ -149,10 +172,6 @@ std::int64_t PiecesBlock::take(const PointBatch& points) noexcept {
     first_hit_[count] = hits_;
     first_pair_[count] = pairs_;
     points_ = slice(points, 0, count);
-    for (std::int64_t i = 0; i < pairs_; ++i) order_[i] = static_cast<std::int32_t>(i);
-    std::sort(order_, order_ + pairs_, [&](std::int32_t a, std::int32_t b) {
-        return pair_[a].sheet < pair_[b].sheet || (pair_[a].sheet == pair_[b].sheet && a < b);
-    });
     return count;
 }
 
@@ -163,54 +182,49 @@ template <std::size_t size>
 struct Side {
     double x[size], y[size], z[size], value[size], gradient[3][size], hessian[6][size];
     [[nodiscard]] PointBatch points(std::int64_t count) const noexcept { return {x, y, z, count}; }
+    void add(const PointBatch& from, std::int32_t point, std::int64_t at) noexcept {
+        x[at] = from.x[point];
+        y[at] = from.y[point];
+        z[at] = from.z[point];
+    }
 };
 
 } // namespace
 
 void PiecesBlock::evaluate_sheets(bool gradient) noexcept {
     Side<std::size_t{most_points}> side;
-    for (std::int64_t begin = 0; begin < pairs_;) {
-        const std::int32_t sheet = pair_[order_[begin]].sheet;
+    FieldBatch fields{side.value, {}, {}};
+    if (gradient) fields.gradient = {side.gradient[0], side.gradient[1], side.gradient[2]};
+    for (std::int64_t g = 0; g < groups_; ++g) {
         std::int64_t count = 0;
-        for (; begin + count < pairs_ && pair_[order_[begin + count]].sheet == sheet; ++count) {
-            const std::int32_t point = pair_[order_[begin + count]].point;
-            side.x[count] = points_.x[point];
-            side.y[count] = points_.y[point];
-            side.z[count] = points_.z[point];
+        for (std::int32_t i = group_[g].first; i >= 0; i = pair_[i].next) side.add(points_, pair_[i].point, count++);
+        implicit::evaluate(set_, data_.sheet[group_[g].sheet], side.points(count), fields);
+        count = 0;
+        for (std::int32_t i = group_[g].first; i >= 0; i = pair_[i].next, ++count) {
+            pair_[i].value = side.value[count];
+            if (gradient)
+                pair_[i].gradient = {side.gradient[0][count], side.gradient[1][count], side.gradient[2][count]};
         }
-        FieldBatch fields{side.value, {}, {}};
-        if (gradient) fields.gradient = {side.gradient[0], side.gradient[1], side.gradient[2]};
-        implicit::evaluate(set_, data_.sheet[sheet], side.points(count), fields);
-        for (std::int64_t i = 0; i < count; ++i) {
-            Pair& pair = pair_[order_[begin + i]];
-            pair.value = side.value[i];
-            if (gradient) pair.gradient = {side.gradient[0][i], side.gradient[1][i], side.gradient[2][i]};
-        }
-        begin += count;
     }
 }
 
 // Of the sheets that rule somewhere.
 void PiecesBlock::evaluate_hessians() noexcept {
     Side<std::size_t{most_points}> side;
-    std::int32_t which[most_points];
-    for (std::int64_t begin = 0; begin < pairs_;) {
-        const std::int32_t sheet = pair_[order_[begin]].sheet;
+    FieldBatch fields;
+    for (std::size_t c = 0; c < 6; ++c) fields.hessian[c] = side.hessian[c];
+    for (std::int64_t g = 0; g < groups_; ++g) {
         std::int64_t count = 0;
-        for (; begin < pairs_ && pair_[order_[begin]].sheet == sheet; ++begin) {
-            const Pair& pair = pair_[order_[begin]];
-            if (!(pair.weight.w > 0.0)) continue;
-            which[count] = order_[begin];
-            side.x[count] = points_.x[pair.point];
-            side.y[count] = points_.y[pair.point];
-            side.z[count++] = points_.z[pair.point];
-        }
+        for (std::int32_t i = group_[g].first; i >= 0; i = pair_[i].next)
+            if (pair_[i].weight.w > 0.0) side.add(points_, pair_[i].point, count++);
         if (count == 0) continue;
-        FieldBatch fields;
-        for (std::size_t c = 0; c < 6; ++c) fields.hessian[c] = side.hessian[c];
-        implicit::evaluate(set_, data_.sheet[sheet], side.points(count), fields);
-        for (std::int64_t i = 0; i < count; ++i)
-            for (std::size_t c = 0; c < 6; ++c) pair_[which[i]].hessian[c] = side.hessian[c][i];
+        implicit::evaluate(set_, data_.sheet[group_[g].sheet], side.points(count), fields);
+        count = 0;
+        for (std::int32_t i = group_[g].first; i >= 0; i = pair_[i].next) {
+            if (!(pair_[i].weight.w > 0.0)) continue;
+            for (std::size_t c = 0; c < 6; ++c) pair_[i].hessian[c] = side.hessian[c][count];
+            ++count;
+        }
     }
 }
 
@@ -236,17 +250,26 @@ std::int32_t PiecesBlock::run(std::int32_t leaf, std::int64_t point) const noexc
     return depth == 1 ? stack[0] : plain;
 }
 
-// Which sheet rules each cell, and what all cells of a sheet weigh.
+// Which sheet rules each cell, and what all cells of a sheet weigh: 1 where it is all of them.
 void PiecesBlock::choose(std::int64_t point) noexcept {
-    for (std::int64_t k = first_hit_[point]; k < first_hit_[point + 1]; ++k) {
-        Hit& hit = hit_[k];
-        if (hit.leaf < 0) continue;
-        hit.pair = run(hit.leaf, point);
-        if (hit.pair == plain) continue;
-        Weight& sum = pair_[hit.pair].weight;
-        sum.w += hit.weight.w;
-        sum.d += hit.weight.d;
-        for (std::size_t c = 0; c < 6; ++c) sum.h[c] += hit.weight.h[c];
+    const std::int64_t begin = first_hit_[point];
+    const std::int64_t end = first_hit_[point + 1];
+    bool one = begin < end;
+    for (std::int64_t k = begin; k < end; ++k) {
+        if (hit_[k].leaf >= 0) hit_[k].pair = run(hit_[k].leaf, point);
+        one = one && hit_[k].pair != plain && hit_[k].pair == hit_[begin].pair;
+    }
+    if (one) {
+        pair_[hit_[begin].pair].weight.w = 1.0;
+        return;
+    }
+    for (std::int64_t k = begin; k < end; ++k) {
+        weigh(hit_[k], place(point));
+        if (hit_[k].pair == plain) continue;
+        Weight& sum = pair_[hit_[k].pair].weight;
+        sum.w += hit_[k].weight.w;
+        sum.d += hit_[k].weight.d;
+        for (std::size_t c = 0; c < 6; ++c) sum.h[c] += hit_[k].weight.h[c];
     }
 }
 
@@ -259,11 +282,7 @@ void PiecesBlock::for_parts(std::int64_t point, Visit&& visit) const noexcept {
         const Hit& hit = hit_[k];
         if (hit.pair != plain || !(hit.weight.w > 0.0)) continue;
         double h[6] = {};
-        if (hit.leaf < 0)
-            radial_hessian(
-                hit.gradient, 1.0, 0.0,
-                glm::distance(data_.bounds.centre(), glm::dvec3(points_.x[point], points_.y[point], points_.z[point])),
-                h);
+        if (hit.leaf < 0) radial_hessian(hit.gradient, 1.0, 0.0, glm::distance(data_.bounds.centre(), place(point)), h);
         visit(hit.weight, hit.value, hit.gradient, h);
     }
 }
