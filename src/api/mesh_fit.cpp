@@ -86,6 +86,7 @@ constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
 constexpr double end_of_fit = 0.9; // of its progress; then it is looked for the surface's end
+constexpr double too_coarse = 0.8; // of `far`: how far faces may be from what they stand for
 constexpr double off_mesh = 0.009; // diagonals: how far from a mesh what is none of it lies
 constexpr std::int64_t places_of_trim = 20000;
 constexpr std::int64_t fewest_points = 100;
@@ -227,7 +228,10 @@ std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::Fi
                                settings.crease_angle, found.length);
         if (!found.creases) return std::nullopt;
     }
-    mesh::Creases creases = mesh::find_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, progress);
+    const double tolerance =
+        settings.tolerance > 0.0 ? settings.tolerance : mesh::default_tolerance * mesh.mesh.bounds.diagonal();
+    const double coarse = too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance);
+    mesh::Creases creases = mesh::find_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, coarse, progress);
     if (creases.patches < 2) return std::nullopt;
     return creases;
 }

@@ -112,6 +112,9 @@ private:
                           {node.centre, reach * node.half}, number);
         if (choice.side != 0.0) { // faces that meet the box, but not here, or inside another part
             found.plain[0] = 0.5 * choice.side * node.half;
+            // Not by a gradient of 0: whoever asks for a direction gets one.
+            const glm::dvec3 along = 0.1 * choice.side * sides_.normal(faces[0]);
+            for (int c = 0; c < 3; ++c) found.plain[1 + c] = along[c];
             return found;
         }
         found.split = choice.wrong > 0 && may_split();

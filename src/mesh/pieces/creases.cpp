@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/pieces/creases.h"
 
+#include "mesh/pieces/patch_samples.h"
 #include "mesh/pieces/split_fading.h"
 
 #include <algorithm>
@@ -28,10 +29,11 @@ struct Bend {
 
 class Finder {
 public:
-    Finder(const base::Runtime& runtime, const Mesh& mesh, double angle, const base::Progress& progress)
-        : runtime_(runtime), mesh_(mesh), angle_(angle * radians), progress_(progress), bend_(runtime.memory),
-          first_(runtime.memory), at_(runtime.memory), degree_(runtime.memory, mesh.vertex.size()),
-          sides_(sides_by_edge(runtime, mesh.triangle)), result_(runtime.memory) {}
+    Finder(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse, const base::Progress& progress)
+        : runtime_(runtime), mesh_(mesh), angle_(angle * radians), coarse_(coarse), progress_(progress),
+          bend_(runtime.memory), first_(runtime.memory), at_(runtime.memory),
+          degree_(runtime.memory, mesh.vertex.size()), sides_(sides_by_edge(runtime, mesh.triangle)),
+          result_(runtime.memory) {}
 
     [[nodiscard]] Creases run() {
         find_bends();
@@ -39,6 +41,7 @@ public:
         grow();
         progress_.check();
         find_patches();
+        if (sharpen_coarse()) find_patches();
         if (drop_short_fading()) find_patches();
         describe();
         if (result_.fading > 0.0) {
@@ -171,6 +174,19 @@ private:
         }
     }
 
+    // Whether there were faces too far from what is curved as their normals are.
+    [[nodiscard]] bool sharpen_coarse() {
+        const base::Array<glm::dvec3> normal = patch_normals(runtime_, mesh_, result_);
+        bool sharpened = false;
+        for (Bend& bend : bend_) {
+            if (bend.sharp ||
+                std::max(chord_error(mesh_, normal, bend.left), chord_error(mesh_, normal, bend.right)) <= coarse_)
+                continue;
+            bend.sharp = sharpened = true;
+        }
+        return sharpened;
+    }
+
     // Whether there were any.
     [[nodiscard]] bool drop_short_fading() {
         Sets sets(runtime_.memory, mesh_.vertex.size());
@@ -212,6 +228,7 @@ private:
     const base::Runtime& runtime_;
     const Mesh& mesh_;
     const double angle_;
+    const double coarse_;
     const base::Progress& progress_;
     base::Array<Bend> bend_;
     base::Array<std::int64_t> first_; // of the bends at each vertex, in at_
@@ -223,8 +240,9 @@ private:
 
 } // namespace
 
-Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, const base::Progress& progress) {
-    return Finder(runtime, mesh, angle, progress).run();
+Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
+                     const base::Progress& progress) {
+    return Finder(runtime, mesh, angle, coarse, progress).run();
 }
 
 } // namespace hrbfnpr::mesh

@@ -30,8 +30,9 @@ struct Creases {
 };
 
 // angle: in degrees; what bends more is sharp.  Creases that end nowhere are grown along edges that go on as they do;
-// short pieces that part nothing are none.
-[[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
+// short pieces that part nothing are none.  coarse: faces that would be farther than that from a surface which is
+// curved as their normals are stay flat, with sharp edges.
+[[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
                                    const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

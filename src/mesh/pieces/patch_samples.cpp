@@ -249,19 +249,22 @@ base::Array<glm::dvec3> patch_normals(const base::Runtime& runtime, const Mesh& 
     return normal;
 }
 
+double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept {
+    const auto p = mesh.corners(face);
+    const glm::dvec3* const n = normal.data() + 3 * face;
+    double most = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        most = std::max(most, std::abs(glm::dot(p[next] - p[k], n[next] - n[k])) / 8.0);
+    }
+    return most;
+}
+
 base::Array<double> chord_errors(const Mesh& mesh, const base::Array<glm::dvec3>& normal) {
     base::Array<double> error(mesh.vertex.memory(), mesh.vertex.size());
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        const auto p = mesh.corners(face);
-        const Triangle& t = mesh.triangle[face];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            const glm::dvec3 turn =
-                normal[3 * face + static_cast<std::int64_t>(next)] - normal[3 * face + static_cast<std::int64_t>(k)];
-            const double off = std::abs(glm::dot(p[next] - p[k], turn)) / 8.0;
-            error[t[k]] = std::max(error[t[k]], off);
-            error[t[next]] = std::max(error[t[next]], off);
-        }
+        const double off = chord_error(mesh, normal, face);
+        for (const std::int32_t v : mesh.triangle[face]) error[v] = std::max(error[v], off);
     }
     return error;
 }

@@ -12,7 +12,9 @@ namespace hrbfnpr::mesh {
 [[nodiscard]] base::Array<glm::dvec3> patch_normals(const base::Runtime& runtime, const Mesh& mesh,
                                                     const Creases& creases);
 
-// Of each vertex: how far the middles of edges there are from the surface that is curved as the normals are.
+// Of a face: how far the middles of its edges are from the surface that is curved as the normals are.
+[[nodiscard]] double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept;
+// Of each vertex: the largest of its faces.
 [[nodiscard]] base::Array<double> chord_errors(const Mesh& mesh, const base::Array<glm::dvec3>& normal);
 
 struct PatchSamples {

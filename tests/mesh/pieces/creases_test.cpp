@@ -19,7 +19,7 @@ namespace {
 struct Found {
     explicit Found(const Triangles& from, double angle = 30.0, mesh::Parts parts = mesh::Parts::all)
         : runtime(test::with_threads(2)), shape(mesh_test::made(runtime, from, parts)),
-          creases(mesh::find_creases(runtime, shape, angle, {})),
+          creases(mesh::find_creases(runtime, shape, angle, 0.008 * shape.bounds.diagonal(), {})),
           evidence(mesh::look_for_creases(runtime, shape, angle, {})) {}
 
     hrbfnpr::base::Runtime runtime;
@@ -121,14 +121,21 @@ TEST(Creases, EndAtEdgesOfMoreThanTwoFaces) {
     EXPECT_EQ(found.creases.patches, 12);
 }
 
+// Bends of 12 degrees make a cylinder, of 28 a prism.
+TEST(Creases, OfCoarseFacesStayFlat) {
+    const std::vector<test::Ring> rings{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.5}, {0.0, 0.5}};
+    EXPECT_EQ(Found(test::ringed(rings, 30, 0.5)).creases.patches, 3);
+    EXPECT_EQ(Found(test::ringed(rings, 13, 0.5)).creases.patches, 2 + 13);
+}
+
 TEST(Creases, AreTheSameForAnyNumberOfThreads) {
     const Triangles shape = test::stepped_shaft(48);
     const auto one = test::with_threads(1);
     const auto three = test::with_threads(3);
     const mesh::Mesh a = mesh_test::made(one, shape);
     const mesh::Mesh b = mesh_test::made(three, shape);
-    EXPECT_TRUE(
-        test::same_bits(mesh::find_creases(one, a, 30.0, {}).patch, mesh::find_creases(three, b, 30.0, {}).patch));
+    EXPECT_TRUE(test::same_bits(mesh::find_creases(one, a, 30.0, 1.0, {}).patch,
+                                mesh::find_creases(three, b, 30.0, 1.0, {}).patch));
 }
 
 } // namespace

@@ -23,7 +23,8 @@ namespace {
 struct Fitted {
     explicit Fitted(const Triangles& from, int threads = 2)
         : runtime(test::with_threads(threads)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
-          tree(runtime, shape.vertex, shape.triangle, {}), creases(mesh::find_creases(runtime, shape, 30.0, {})),
+          tree(runtime, shape.vertex, shape.triangle, {}),
+          creases(mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {})),
           result(mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, {})),
           f(runtime.instruction_set, std::move(result.data)) {}
 
@@ -216,7 +217,7 @@ TEST(FitPieces, CanBeCancelledAndTellsItsProgress) {
     const auto runtime = test::with_threads(2);
     const mesh::Mesh shape = mesh_test::made(runtime, test::stepped_shaft(48));
     const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
-    const mesh::Creases creases = mesh::find_creases(runtime, shape, 30.0, {});
+    const mesh::Creases creases = mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {});
     for (const double when : {0.1, 0.65, 0.9}) {
         test::WatchedOperation operation(when);
         EXPECT_THROW((void)mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, operation.progress()),
@@ -241,7 +242,8 @@ TEST(FitPieces, GiveBackAllMemoryWhereSomeIsRefused) {
             before = allocator.calls;
             allocator.refuse_at = before + at;
             try {
-                const mesh::Creases creases = mesh::find_creases(runtime, shape, 30.0, {});
+                const mesh::Creases creases =
+                    mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {});
                 (void)mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, {});
                 EXPECT_LT(allocator.calls, before + at); // all was given
             } catch (const hrbfnpr::Error& error) {
