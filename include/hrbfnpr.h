@@ -2324,7 +2324,8 @@ typedef struct hrbfnpr_mesh_fit_desc {
     int64_t maximum_centres; /* 16 .. 1000000; 8000 */
     int64_t candidates;      /* places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details */
     uint64_t random_seed;    /* any number; 1 */
-    double crease_angle;     /* degrees between the normals of two faces, 5 .. 175: what bends more is an edge; 30 */
+    double crease_angle;     /* degrees between the normals of two faces, 5 .. 175: what bends more is an edge, and what
+                                rounding would take four fifths of `far` off the mesh; 30 */
     uint32_t edges;          /* HRBFNPR_EDGES_...; AUTO */
     uint32_t reserved2;
 } hrbfnpr_mesh_fit_desc;

@@ -75,14 +75,17 @@ TEST(MeshEdges, AreSharpWhereTheyStandOut) {
 
 TEST(MeshEdges, AreAskedForByTheirAngle) {
     const Context context = make_context();
-    const Mesh ball = mesh_of(context, hrbfnpr::test::icosphere(2)); // faces meet at 15 to 20 degrees
+    const std::vector<hrbfnpr::test::Ring> rings{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.5}, {0.0, 0.5}};
+    const Mesh disc = mesh_of(context, hrbfnpr::test::ringed(rings, 30, 0.5)); // whose faces meet at 12 degrees
     hrbfnpr_mesh_fit_info info{};
-    (void)fitted(ball, HRBFNPR_EDGES_SHARP, info, 30.0);
-    EXPECT_EQ(info.sheets, 1);
-    const Mesh solid = mesh_of(context, hrbfnpr::test::icosphere(0)); // at 42
-    (void)fitted(solid, HRBFNPR_EDGES_SHARP, info, 30.0);
+    (void)fitted(disc, HRBFNPR_EDGES_SHARP, info, 30.0);
+    EXPECT_EQ(info.sheets, 3);
+    (void)fitted(disc, HRBFNPR_EDGES_SHARP, info, 10.0);
+    EXPECT_EQ(info.sheets, 2 + 30);
+    // At 42 degrees, and too coarse to be round.
+    (void)fitted(mesh_of(context, hrbfnpr::test::icosphere(0)), HRBFNPR_EDGES_SHARP, info, 45.0);
     EXPECT_EQ(info.sheets, 20);
-    (void)fitted(solid, HRBFNPR_EDGES_SHARP, info, 45.0);
+    (void)fitted(mesh_of(context, hrbfnpr::test::icosphere(2)), HRBFNPR_EDGES_SHARP, info, 30.0);
     EXPECT_EQ(info.sheets, 1);
 }
 

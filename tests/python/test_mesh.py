@@ -136,7 +136,8 @@ def test_edges(tmp_path):
     assert len(sharp.points) > 1000 > sharp.mesh_fit.centres == sharp.info.centres
     smooth = hrbfnpr.Model.fit_mesh(cube, edges="smooth", maximum_centres=500)
     assert smooth.mesh_fit.sheets == 1 and np.abs(smooth.evaluate(edge).value).max() > 1e-4
-    assert hrbfnpr.Model.fit_mesh(cube, edges="sharp", crease_angle=100, maximum_centres=100).mesh_fit.sheets == 1
+    coarse = hrbfnpr.Model.fit_mesh(cube, edges="sharp", crease_angle=100)
+    assert coarse.mesh_fit.sheets == 6  # rounding would be far off
     sharp.save(tmp_path / "cube.hrbf")
     assert np.array_equal(hrbfnpr.Model.load(tmp_path / "cube.hrbf").evaluate(edge).value, sharp.evaluate(edge).value)
     with pytest.raises(ValueError, match="edges"):

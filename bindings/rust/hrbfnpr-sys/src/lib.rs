@@ -3349,7 +3349,8 @@ pub struct hrbfnpr_mesh_fit_desc {
     pub candidates: i64,
     /// any number; 1
     pub random_seed: u64,
-    /// degrees between the normals of two faces, 5 .. 175: what bends more is an edge; 30
+    /// degrees between the normals of two faces, 5 .. 175: what bends more is an edge, and what
+    /// rounding would take four fifths of `far` off the mesh; 30
     pub crease_angle: f64,
     /// HRBFNPR_EDGES_...; AUTO
     pub edges: u32,
