@@ -2428,6 +2428,14 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model
                                                       hrbfnpr_comparison* comparison,
                                                       hrbfnpr_operation* operation, hrbfnpr_error* error);
 
+/* What becomes of a mesh's edges. */
+enum {
+    HRBFNPR_EDGES_AUTO = 0,   /* sharp where the mesh has edges: they stand out, as those of machine parts do, from what
+                                 is beside them; noise and coarse faces of round shapes do not */
+    HRBFNPR_EDGES_SMOOTH = 1, /* the surface is one smooth fit, which rounds them */
+    HRBFNPR_EDGES_SHARP = 2   /* sharp wherever faces meet at more than crease_angle */
+};
+
 /* How a mesh is fitted. */
 typedef struct hrbfnpr_mesh_fit_desc {
     uint32_t struct_size;
@@ -2439,6 +2447,10 @@ typedef struct hrbfnpr_mesh_fit_desc {
     int64_t maximum_centres; /* 16 .. 1000000; 8000 */
     int64_t candidates;      /* places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details */
     uint64_t random_seed;    /* any number; 1 */
+    double crease_angle;     /* degrees between the normals of two faces, 5 .. 175: what bends more is an edge, and what
+                                rounding would take four fifths of `far` off the mesh; 30 */
+    uint32_t edges;          /* HRBFNPR_EDGES_...; AUTO */
+    uint32_t reserved2;
 } hrbfnpr_mesh_fit_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_desc_init(hrbfnpr_mesh_fit_desc* desc, uint32_t struct_size);
@@ -2465,6 +2477,12 @@ typedef struct hrbfnpr_mesh_fit_info {
     double seconds_fit;          /* of all rounds */
     double seconds_measure;
     double seconds_total;
+    int32_t sheets;              /* smooth pieces that the surface is made of; 1: it has no edges */
+    uint32_t reserved;
+    double crease_length;        /* of the mesh's edges that are sharp */
+    double smooth_length;        /* of those that are not, as the mesh could not be cut there */
+    int64_t cells;               /* of space, in each of which a few sheets rule */
+    int64_t poor_cells;          /* in which no maximum and minimum of its sheets does all that the mesh does */
 } hrbfnpr_mesh_fit_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size);
@@ -2477,9 +2495,17 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* inf
  * last centres of the model, whose normal is the way to the mesh or from it.
  *
  * An end short of the tolerance is no error: `reached` is 0, and the log warns.
- * It comes with maximum_centres, or where more centres gain nothing.  Edges that
- * are sharp are rounded by some tenths of the samples' spacing there, and coarse
+ * It comes with maximum_centres, or where more centres gain nothing.  Of a smooth
+ * fit edges are rounded by some tenths of the samples' spacing there, and coarse
  * faces with smooth normals contradict these: both take many centres.
+ *
+ * A mesh with edges, as `edges` says, is cut along them into smooth patches.  Each
+ * gets a fit of its own, a sheet, and cells of space say which maximum and minimum
+ * of their sheets the surface is there [Ohtake et al. 2003, whose pieces are local];
+ * away from the surface they have the mesh's signs.  Sheets are held to a fortieth
+ * of the tolerance at edges, and to a quarter of it far from them.  An edge that ends
+ * within a patch is made to go on, smoothly.  The points and normals of such a model
+ * are places all over the mesh, not centres.
  * Trimmed by places on the mesh is what was fitted to an open one, or not reached.
  * desc may be NULL.  fit (may be NULL): kernel, solver, regularization and trim of
  * the fits; its points and normals must be empty, its tolerance and maximum_centres

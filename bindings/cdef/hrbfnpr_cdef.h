@@ -463,13 +463,17 @@ hrbfnpr_status hrbfnpr_comparison_init(hrbfnpr_comparison* comparison, uint32_t 
 hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model, const hrbfnpr_mesh* mesh,
     const hrbfnpr_compare_desc* desc, hrbfnpr_comparison* comparison, hrbfnpr_operation* operation,
     hrbfnpr_error* error);
+enum { HRBFNPR_EDGES_AUTO = 0, HRBFNPR_EDGES_SMOOTH = 1, HRBFNPR_EDGES_SHARP = 2 };
 typedef struct hrbfnpr_mesh_fit_desc { uint32_t struct_size; uint32_t reserved; double tolerance; double share;
-    double far; int64_t maximum_centres; int64_t candidates; uint64_t random_seed; } hrbfnpr_mesh_fit_desc;
+    double far; int64_t maximum_centres; int64_t candidates; uint64_t random_seed; double crease_angle; uint32_t edges;
+    uint32_t reserved2; } hrbfnpr_mesh_fit_desc;
 hrbfnpr_status hrbfnpr_mesh_fit_desc_init(hrbfnpr_mesh_fit_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_mesh_fit_info { uint32_t struct_size; uint32_t reached; double tolerance; double far;
     int64_t candidates; int64_t centres; int64_t off_surface_centres; int32_t rounds; uint32_t supported;
     double surface_share; double surface_p99; double surface_max; double mesh_share; double mesh_p99; double mesh_max;
-    double seconds_sample; double seconds_fit; double seconds_measure; double seconds_total; } hrbfnpr_mesh_fit_info;
+    double seconds_sample; double seconds_fit; double seconds_measure; double seconds_total; int32_t sheets;
+    uint32_t reserved; double crease_length; double smooth_length; int64_t cells; int64_t poor_cells;
+    } hrbfnpr_mesh_fit_info;
 hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
     const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation, hrbfnpr_model** out_model,

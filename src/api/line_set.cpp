@@ -144,9 +144,9 @@ struct SupportArrays {
         curves::SupportSettings settings{limit, points.span(), normals.span(), nullptr};
         settings.trim = limit > 0.0 ? nullptr : model.trim().trim.get();
         if (settings.trim != nullptr) return settings;
-        if (const implicit::HrbfData* const data = model.data(); data != nullptr && points.empty()) {
-            settings.points = data->sample_position.span();
-            settings.normals = data->sample_normal.span();
+        if (points.empty()) {
+            settings.points = model.samples().position;
+            settings.normals = model.sample_normals();
         }
         if (limit > 0.0 && settings.points.empty())
             fail(Status::invalid_argument,

@@ -8,12 +8,17 @@
 #include "api/mesh.h"
 #include "api/model_trim.h"
 #include "api/operation.h"
+#include "mesh/pieces/fit_pieces.h"
+#include "mesh/pieces/has_creases.h"
+#include "mesh/sample.h"
 
 #include <memory>
 #include <optional>
 #include <utility>
 
 using namespace hrbfnpr;
+
+static_assert(static_cast<std::uint32_t>(mesh::Edges::sharp) == HRBFNPR_EDGES_SHARP);
 
 namespace hrbfnpr::api {
 namespace {
@@ -42,7 +47,10 @@ constexpr auto fit_fields() noexcept {
         field("far", &Fit::far, &FitMeshSettings::far, rule::AtLeast{0.0}),
         field("maximum_centres", &Fit::maximum_centres, &FitMeshSettings::maximum_centres, rule::Between{16.0, 1e6}),
         field("candidates", &Fit::candidates, &FitMeshSettings::candidates, rule::Between{0.0, 1e7}),
-        field("random_seed", &Fit::random_seed, &FitMeshSettings::seed, rule::Any{})};
+        field("random_seed", &Fit::random_seed, &FitMeshSettings::seed, rule::Any{}),
+        field("crease_angle", &Fit::crease_angle, &FitMeshSettings::crease_angle, rule::Between{5.0, 175.0}),
+        field("edges", &Fit::edges, &FitMeshSettings::edges, rule::OneOf{HRBFNPR_EDGES_SHARP, "HRBFNPR_EDGES_..."}),
+        reserved("reserved2", &Fit::reserved2)};
 }
 static_assert(fit_fields().covers<Fit>());
 
@@ -78,7 +86,9 @@ constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
 constexpr double end_of_fit = 0.9; // of its progress; then it is looked for the surface's end
+constexpr double too_coarse = 0.8; // of `far`: how far faces may be from what they stand for
 constexpr double off_mesh = 0.009; // diagonals: how far from a mesh what is none of it lies
+constexpr std::int64_t places_of_trim = 20000;
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
 
@@ -96,15 +106,14 @@ void check_smallest(const char* owner, const char* name, double value, double sm
 
 // What the samples of a model bear out; null if it has none, or nobody asks.
 std::unique_ptr<surface::Support> support_of(const hrbfnpr_model& model, double limit, const base::Progress& progress) {
-    const implicit::HrbfData* const data = model.data();
     if (!(limit > 0.0)) return nullptr;
-    if (data == nullptr)
+    const std::span<const double> p = model.samples().position;
+    const std::span<const double> n = model.sample_normals();
+    if (p.empty())
         fail(Status::invalid_argument, "compare_desc.support is %g, but a custom model has no samples; give 0", limit);
     geometry::VecArray position(model.runtime().memory);
     geometry::VecArray normal(model.runtime().memory);
-    const double* const p = data->sample_position.data();
-    const double* const n = data->sample_normal.data();
-    for (std::int64_t i = 0; i < 3 * data->count(); i += 3) {
+    for (std::size_t i = 0; i < p.size(); i += 3) {
         position.push_back({p[i], p[i + 1], p[i + 2]});
         normal.push_back({n[i], n[i + 1], n[i + 2]});
     }
@@ -168,6 +177,7 @@ void log_fit(const base::Runtime& runtime, const mesh::FitMeshReport& report, st
 
 hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t centres) noexcept {
     hrbfnpr_mesh_fit_info to{};
+    to.sheets = 1;
     to.reached = report.reached ? 1 : 0;
     to.tolerance = report.tolerance;
     to.far = report.far;
@@ -204,6 +214,71 @@ hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint3
                        samples->normal, settings, progress);
 }
 
+// Where the mesh is to be sharp; nothing: nowhere.
+std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings,
+                                        const base::Progress& progress) {
+    if (settings.edges == mesh::Edges::smooth) return std::nullopt;
+    if (settings.edges == mesh::Edges::automatic) {
+        const mesh::CreaseEvidence found =
+            mesh::look_for_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, progress);
+        if (!found.creases && found.length > 0.0)
+            mesh.runtime().log(base::LogLevel::info,
+                               "mesh fit: the mesh bends by more than %g degrees along %.3g diagonals, but no edges "
+                               "stand out: the fit is smooth; edges SHARP makes them sharp",
+                               settings.crease_angle, found.length);
+        if (!found.creases) return std::nullopt;
+    }
+    const double tolerance =
+        settings.tolerance > 0.0 ? settings.tolerance : mesh::default_tolerance * mesh.mesh.bounds.diagonal();
+    const double coarse = too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance);
+    mesh::Creases creases = mesh::find_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, coarse, progress);
+    if (creases.patches < 2) return std::nullopt;
+    return creases;
+}
+
+void log_pieces(const base::Runtime& runtime, const mesh::PiecesReport& report) {
+    runtime.log(base::LogLevel::info, "mesh fit: %d sheets in %lld cells meet in creases %.4g long",
+                static_cast<int>(report.sheets), static_cast<long long>(report.cells), report.crease_length);
+    if (report.smooth_length > 0.0 || report.poor_cells > 0)
+        runtime.log(
+            base::LogLevel::warning,
+            "mesh fit: edges %.4g long stay smooth, and in %lld cells no maximum and minimum of the sheets there "
+            "is all that the mesh is",
+            report.smooth_length, static_cast<long long>(report.poor_cells));
+}
+
+hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings, const fit::FitInput& options,
+                          std::uint32_t trim, const mesh::Creases& creases, hrbfnpr_mesh_fit_info* info,
+                          const base::Progress& progress) {
+    const base::Runtime& runtime = mesh.runtime();
+    mesh::PiecesFit result =
+        mesh::fit_pieces(runtime, mesh.mesh, mesh.tree, creases, settings, options, progress.part(0.0, end_of_fit));
+    const std::int64_t centres = result.data.centres();
+    log_fit(runtime, result.mesh, centres);
+    log_pieces(runtime, result.pieces);
+    const bool whole = mesh.mesh.report.boundary_edges == 0 && result.mesh.reached;
+    hrbfnpr_model* model = nullptr;
+    if (trim == HRBFNPR_TRIM_NEVER || whole) {
+        progress.update(1.0);
+        model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
+    } else {
+        const mesh::MeshSamples places = mesh::random_samples(runtime, mesh.mesh, places_of_trim, settings.seed, 1, {});
+        generate::TrimSettings end;
+        end.hole = end.closest = off_mesh;
+        model = ended_model(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit),
+                            places.position, places.normal, end, progress.part(end_of_fit, 1.0));
+    }
+    if (info == nullptr) return model;
+    hrbfnpr_mesh_fit_info to = described(result.mesh, centres);
+    to.sheets = result.pieces.sheets;
+    to.crease_length = result.pieces.crease_length;
+    to.smooth_length = result.pieces.smooth_length;
+    to.cells = result.pieces.cells;
+    to.poor_cells = result.pieces.poor_cells;
+    write_struct(info, to);
+    return model;
+}
+
 hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const Fit& desc, const hrbfnpr_fit_desc& fit,
                         hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation) {
     if (info != nullptr) check_output_struct(info, "mesh_fit_info");
@@ -217,6 +292,8 @@ hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const Fit& desc, const hrbfnpr
     fit_fields().copy(desc, settings);
     const fit::FitInput options = checked_options(fit);
     const OperationUse use(operation);
+    if (const std::optional<mesh::Creases> creases = creases_of(mesh, settings, use.progress()))
+        return fit_pieces(mesh, settings, options, fit.trim, *creases, info, use.progress());
     mesh::MeshFit result =
         mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options, use.progress().part(0.0, end_of_fit));
     const std::int64_t centres = result.fit.data.count();

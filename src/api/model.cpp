@@ -287,6 +287,14 @@ hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
     info.polynomial_degree = -1;
     info.bytes = static_cast<std::int64_t>(sizeof(hrbfnpr_model)) + (solid != nullptr ? solid->bytes() : 0);
     set_box(info.bounds_min, info.bounds_max, model.implicit().bounds());
+    if (const implicit::PiecesData* pieces = model.pieces()) {
+        describe_fit(info, model.whole().report);
+        info.kernel = static_cast<std::uint32_t>(pieces->sheet[0].kernel);
+        info.polynomial_degree = pieces->sheet[0].polynomial_degree;
+        info.centres = pieces->centres();
+        info.spacing = pieces->spacing;
+        info.bytes += pieces->bytes();
+    }
     const implicit::HrbfData* data = model.data();
     if (data == nullptr) return info;
     describe_fit(info, model.whole().report);
@@ -305,11 +313,11 @@ hrbfnpr_array view_of(const hrbfnpr_model& model, std::uint32_t attribute) {
     if (attribute == HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY)
         return {model.whole().history.data(), model.whole().history.size(), sizeof(double), HRBFNPR_SCALAR_FLOAT64, 1};
     hrbfnpr_array view{nullptr, 0, 3 * sizeof(double), HRBFNPR_SCALAR_FLOAT64, 3};
-    if (const implicit::HrbfData* data = model.data()) {
-        const bool position = attribute == HRBFNPR_MODEL_ATTRIBUTE_POSITION;
-        view.data = (position ? data->sample_position : data->sample_normal).data();
-        view.count = data->count();
-    }
+    const std::span<const double> samples =
+        attribute == HRBFNPR_MODEL_ATTRIBUTE_POSITION ? model.samples().position : model.sample_normals();
+    if (samples.empty()) return view;
+    view.data = samples.data();
+    view.count = static_cast<std::int64_t>(samples.size() / 3);
     return view;
 }
 

@@ -9,6 +9,7 @@
 #include "generate/settings.h"
 #include "implicit/custom.h"
 #include "implicit/hrbf.h"
+#include "implicit/pieces.h"
 #include "implicit/prepared.h"
 #include "implicit/trimmed.h"
 
@@ -22,6 +23,11 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         : Child(context),
           surface(std::in_place_type<hrbfnpr::implicit::Hrbf>, context.runtime.instruction_set, std::move(fit.data)),
           report(fit.report), history(std::move(fit.history)) {}
+    hrbfnpr_model(hrbfnpr_context& context, hrbfnpr::implicit::PiecesData&& pieces,
+                  const hrbfnpr::fit::FitReport& fit) noexcept
+        : Child(context),
+          surface(std::in_place_type<hrbfnpr::implicit::Pieces>, context.runtime.instruction_set, std::move(pieces)),
+          report(fit), history(context.runtime.memory) {}
     // The same function, whose surface ends where the trim says; null: nowhere else.  Trims of a trimmed model are
     // of the whole one.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr_model& of, hrbfnpr::generate::FoundTrim&& found);
@@ -38,6 +44,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         if (whole_ != nullptr) return whole_->implicit();
         if (const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface)) return *hrbf;
         if (const hrbfnpr::api::CsgSolid* solid = csg()) return solid->own();
+        if (const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&surface)) return *made;
         return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
     }
     // nullptr for others, and for those that end.
@@ -54,20 +61,30 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     // call does.  Any thread.
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit_for(double evaluations,
                                                                   const hrbfnpr::base::Progress& progress) const;
-    // nullptr for a custom model and a tree.
+    // nullptr for a model that is not one fit.
     [[nodiscard]] const hrbfnpr::implicit::HrbfData* data() const noexcept {
         const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&whole().surface);
         return hrbf != nullptr ? &hrbf->data() : nullptr;
     }
+    // nullptr for a model without sheets.
+    [[nodiscard]] const hrbfnpr::implicit::PiecesData* pieces() const noexcept {
+        const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&whole().surface);
+        return made != nullptr ? &made->data() : nullptr;
+    }
     // Empty for a custom model and a tree.
     [[nodiscard]] hrbfnpr::generate::SampleHint samples() const noexcept {
-        const auto* hrbf = data();
-        return hrbf != nullptr ? hrbfnpr::generate::SampleHint{hrbf->sample_position.span(), hrbf->spacing}
-                               : hrbfnpr::generate::SampleHint{};
+        if (const auto* hrbf = data()) return {hrbf->sample_position.span(), hrbf->spacing};
+        if (const auto* made = pieces()) return {made->sample_position.span(), made->spacing};
+        return {};
+    }
+    [[nodiscard]] std::span<const double> sample_normals() const noexcept {
+        if (const auto* hrbf = data()) return hrbf->sample_normal.span();
+        if (const auto* made = pieces()) return made->sample_normal.span();
+        return {};
     }
 
-    std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Custom, std::unique_ptr<hrbfnpr::api::CsgSolid>,
-                 std::monostate>
+    std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Pieces, hrbfnpr::implicit::Custom,
+                 std::unique_ptr<hrbfnpr::api::CsgSolid>, std::monostate>
         surface; // nothing: of whole()
     // Of whole():
     hrbfnpr::fit::FitReport report;

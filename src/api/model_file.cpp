@@ -158,12 +158,12 @@ void save_csg(const CsgSolid& solid, const io::TrimFile& trim, io::Writer& write
     base::Array<Numbers> reports(memory, solid.models().size());
     base::Array<io::FitToSave> leaves(memory);
     for (const hrbfnpr_model* leaf : solid.models()) {
-        if (leaf->data() == nullptr)
+        if (leaf->data() == nullptr && leaf->pieces() == nullptr)
             fail(Status::invalid_argument,
                  "model has a custom one among its leaves: the function of that cannot be saved");
         Numbers& report = reports[leaves.size()];
         report = numbers_of(leaf->report);
-        leaves.push_back({leaf->data(), report});
+        leaves.push_back({leaf->data(), leaf->pieces(), report});
     }
     io::save_csg(solid.tree(), solid.own().bounds(), leaves.span(), &trim, writer);
 }
@@ -172,16 +172,19 @@ void save(const hrbfnpr_model& model, io::Writer& writer) {
     const io::TrimFile trim = file_of(model.runtime().memory, model.trim());
     if (const CsgSolid* const solid = model.whole().csg()) return save_csg(*solid, trim, writer);
     const implicit::HrbfData* data = model.data();
-    if (data == nullptr)
+    const implicit::PiecesData* pieces = model.pieces();
+    if (data == nullptr && pieces == nullptr)
         fail(Status::invalid_argument,
              "model is a custom one: its function cannot be saved; only fits can, and trees of them");
-    io::save_model(*data, numbers_of(model.whole().report), &trim, writer);
+    io::save_model({data, pieces, numbers_of(model.whole().report)}, &trim, writer);
 }
 
 // Takes the data out of the file.
 hrbfnpr_model* model_of(hrbfnpr_context& context, io::FitFile& file) {
-    return make_handle<hrbfnpr_model>(context, fit::FitResult{std::move(file.data), report_of(file.report.span()),
-                                                              base::Array<double>(context.runtime.memory)});
+    const fit::FitReport report = report_of(file.report.span());
+    if (file.pieces) return make_handle<hrbfnpr_model>(context, std::move(*file.pieces), report);
+    return make_handle<hrbfnpr_model>(
+        context, fit::FitResult{std::move(file.data), report, base::Array<double>(context.runtime.memory)});
 }
 
 // What the nodes of a file are not is no fault of the caller's.

@@ -53,11 +53,10 @@ geometry::VecArray points_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc
     base::Memory& memory = model.runtime().memory;
     const base::Array<double> given = finite_numbers(memory, desc.points, "trim_desc.points", points_type);
     if (!given.empty()) return vectors(memory, given.span());
-    const implicit::HrbfData* const data = model.data();
-    if (data == nullptr)
-        fail(Status::invalid_argument,
-             "trim_desc.points is empty and the model has no samples: it is no fit; give some");
-    return vectors(memory, data->sample_position.span());
+    const std::span<const double> samples = model.samples().position;
+    if (samples.empty())
+        fail(Status::invalid_argument, "trim_desc.points is empty and the model has no samples: it is no fit; give some");
+    return vectors(memory, samples);
 }
 
 [[noreturn]] void refuse_normal(std::int64_t i, bool given) {
@@ -79,7 +78,7 @@ geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_des
     if (!given.empty() && normals.size() != points.size())
         fail(Status::invalid_argument, "trim_desc.normals has %lld elements; it must have as many as points, %lld",
              static_cast<long long>(normals.size()), static_cast<long long>(points.size()));
-    if (normals.empty() && desc.points.count == 0) normals = vectors(memory, model.data()->sample_normal.span());
+    if (normals.empty() && desc.points.count == 0) normals = vectors(memory, model.sample_normals());
     if (normals.empty()) {
         normals.resize(points.size());
         implicit::evaluate_all(model.runtime(), model.implicit_for(static_cast<double>(points.size()), progress),

@@ -413,7 +413,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_comparison[] = {
 inline constexpr FieldLayout fields_of_hrbfnpr_mesh_fit_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(tolerance, "double"), FIELD(share, "double"),
     FIELD(far, "double"), FIELD(maximum_centres, "int64_t"), FIELD(candidates, "int64_t"),
-    FIELD(random_seed, "uint64_t")};
+    FIELD(random_seed, "uint64_t"), FIELD(crease_angle, "double"), FIELD(edges, "uint32_t"),
+    FIELD(reserved2, "uint32_t")};
 #undef RECORD
 
 #define RECORD hrbfnpr_mesh_fit_info
@@ -423,7 +424,9 @@ inline constexpr FieldLayout fields_of_hrbfnpr_mesh_fit_info[] = {
     FIELD(rounds, "int32_t"), FIELD(supported, "uint32_t"), FIELD(surface_share, "double"),
     FIELD(surface_p99, "double"), FIELD(surface_max, "double"), FIELD(mesh_share, "double"), FIELD(mesh_p99, "double"),
     FIELD(mesh_max, "double"), FIELD(seconds_sample, "double"), FIELD(seconds_fit, "double"),
-    FIELD(seconds_measure, "double"), FIELD(seconds_total, "double")};
+    FIELD(seconds_measure, "double"), FIELD(seconds_total, "double"), FIELD(sheets, "int32_t"),
+    FIELD(reserved, "uint32_t"), FIELD(crease_length, "double"), FIELD(smooth_length, "double"),
+    FIELD(cells, "int64_t"), FIELD(poor_cells, "int64_t")};
 #undef RECORD
 
 #define RECORD hrbfnpr_page_item

@@ -85,7 +85,7 @@ void save_csg(const implicit::CsgTree& tree, const geometry::Bounds& bounds, std
         encode_kind(encoder, {csg_kind, 0});
         encode(encoder, tree, bounds);
         encoder.section<std::uint32_t>(tag_leaves, std::array{static_cast<std::uint32_t>(leaves.size())});
-        for (const FitToSave& leaf : leaves) encode_fit(encoder, *leaf.data, leaf.report);
+        for (const FitToSave& leaf : leaves) encode_fit(encoder, leaf);
         encode_trim(encoder, trim);
     });
 }

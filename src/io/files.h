@@ -6,10 +6,12 @@
 #include "geometry/cell_grid.h"
 #include "implicit/csg_tree.h"
 #include "implicit/hrbf.h"
+#include "implicit/pieces.h"
 #include "io/stream.h"
 #include "marks/point_set.h"
 
 #include <new>
+#include <optional>
 
 namespace hrbfnpr::io {
 
@@ -24,9 +26,11 @@ struct TrimFile {
     base::Array<std::int64_t> kept, ends; // cells, packed
 };
 
+// Of one fit, or of sheets.
 struct FitFile {
     explicit FitFile(base::Memory& memory) noexcept : data(memory), report(memory) {}
     implicit::HrbfData data;
+    std::optional<implicit::PiecesData> pieces = std::nullopt;
     base::Array<double> report; // numbers in the order of fit::FitReport, opaque to this room
 };
 
@@ -64,14 +68,15 @@ struct ModelFile : FitFile {
     FitFiles leaves;
 };
 
-// What a leaf of a tree is saved as.
+// One of the two.
 struct FitToSave {
     const implicit::HrbfData* data = nullptr;
+    const implicit::PiecesData* pieces = nullptr;
     std::span<const double> report;
 };
 
 // trim: null or without samples where the model is not trimmed.
-void save_model(const implicit::HrbfData& data, std::span<const double> report, const TrimFile* trim, Writer& writer);
+void save_model(const FitToSave& fit, const TrimFile* trim, Writer& writer);
 void save_csg(const implicit::CsgTree& tree, const geometry::Bounds& bounds, std::span<const FitToSave> leaves,
               const TrimFile* trim, Writer& writer);
 // Throws Error{corrupt_data, version_mismatch, io, out_of_memory}; reads no byte beyond the file's end.

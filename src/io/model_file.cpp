@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "io/check.h"
-#include "io/encoder.h"
-#include "io/files.h"
 #include "io/model_sections.h"
 
 namespace hrbfnpr::io {
@@ -29,7 +27,6 @@ constexpr std::int32_t highest_degree = 3;
 constexpr std::int64_t longest_report = 1024;
 
 // What a fit accepts, and what can come of it: samples as far from each other as 1e-9 diagonals.
-constexpr double coordinate_limit = 1e100;
 constexpr double smallest_side = 1e-110;
 constexpr double most_scales = 1e12; // in a side of the bounds
 constexpr double radius_limit = 1e30;
@@ -66,9 +63,11 @@ void set_numbers(implicit::HrbfData& data, const Numbers& n) noexcept {
     data.spacing = n[11];
 }
 
-void encode(Encoder& encoder, const implicit::HrbfData& data, std::span<const double> report) {
+} // namespace
+
+void encode_hrbf(Encoder& encoder, const implicit::HrbfData& data) {
     // The degree is -1 at least.
-    const std::array<std::uint32_t, 2> kind{static_cast<std::uint32_t>(data.kernel),
+    const ModelKind kind{static_cast<std::uint32_t>(data.kernel),
                                             static_cast<std::uint32_t>(data.polynomial_degree + 1)};
     encoder.section<std::uint32_t>(tag_kind, kind);
     encoder.section<double>(tag_numbers, numbers_of(data));
@@ -82,8 +81,9 @@ void encode(Encoder& encoder, const implicit::HrbfData& data, std::span<const do
     encoder.section(tag_beta[1], data.beta.y.span());
     encoder.section(tag_beta[2], data.beta.z.span());
     encoder.section(tag_polynomial, data.polynomial.span());
-    encoder.section(tag_report, report);
 }
+
+namespace {
 
 void encode(Encoder& encoder, const TrimFile& trim) {
     const glm::dvec3& origin = trim.grid.origin;
@@ -231,32 +231,53 @@ ModelKind decode_kind(Decoder& decoder) {
     return kind;
 }
 
-void encode_fit(Encoder& encoder, const implicit::HrbfData& data, std::span<const double> report) {
-    encode(encoder, data, report);
+void decode_hrbf(Decoder& decoder, const ModelKind& kind, implicit::HrbfData& data) {
+    set_kind(decoder, kind, data);
+    Numbers numbers{};
+    decoder.section<double>(tag_numbers, numbers);
+    set_numbers(data, numbers);
+    decode_arrays(decoder, data);
+}
+
+void check_hrbf(const Decoder& decoder, const implicit::HrbfData& data) {
+    check_numbers(decoder, data);
+    check_arrays(decoder, data);
+}
+
+void encode_fit(Encoder& encoder, const FitToSave& fit) {
+    if (fit.pieces != nullptr) {
+        encode_kind(encoder, {sheets_kind, 0});
+        encode_pieces(encoder, *fit.pieces);
+    } else {
+        encode_hrbf(encoder, *fit.data);
+    }
+    encoder.section(tag_report, fit.report);
 }
 
 void decode_fit(Decoder& decoder, const ModelKind& kind, FitFile& file) {
-    set_kind(decoder, kind, file.data);
-    Numbers numbers{};
-    decoder.section<double>(tag_numbers, numbers);
-    set_numbers(file.data, numbers);
-    decode_arrays(decoder, file.data);
+    if (kind == ModelKind{sheets_kind, 0} && decoder.version() > fit_version)
+        decode_pieces(decoder, file.pieces.emplace(file.report.memory()));
+    else
+        decode_hrbf(decoder, kind, file.data);
     decoder.section(tag_report, file.report);
 }
 
 void check_fit(const Decoder& decoder, const FitFile& file) {
     if (file.report.size() > longest_report) decoder.damaged("its report is too long");
-    check_numbers(decoder, file.data);
-    check_arrays(decoder, file.data);
+    if (file.pieces)
+        check_pieces(decoder, *file.pieces);
+    else
+        check_hrbf(decoder, file.data);
 }
 
 void encode_trim(Encoder& encoder, const TrimFile* trim) {
     if (trim != nullptr && !trim->position.empty()) encode(encoder, *trim);
 }
 
-void save_model(const implicit::HrbfData& data, std::span<const double> report, const TrimFile* trim, Writer& writer) {
-    write_file(writer, kind_model, fit_version, [&](Encoder& encoder) {
-        encode(encoder, data, report);
+void save_model(const FitToSave& fit, const TrimFile* trim, Writer& writer) {
+    const std::uint32_t version = fit.pieces != nullptr ? model_version : fit_version;
+    write_file(writer, kind_model, version, [&](Encoder& encoder) {
+        encode_fit(encoder, fit);
         encode_trim(encoder, trim);
     });
 }

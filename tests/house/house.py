@@ -34,6 +34,7 @@ FLOORS = {
     "drawing": 6,
     "io": 6,
     "mesh/fit": 6,
+    "mesh/pieces": 7,
     "published": 6,
     "stipples": 6,
     "visibility": 6,

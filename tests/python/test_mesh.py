@@ -124,6 +124,26 @@ def test_fit_and_compare(ring):
         hrbfnpr.Model.fit_mesh(ring, share=2)
 
 
+def test_edges(tmp_path):
+    vertices = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
+    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    cube = hrbfnpr.Mesh(vertices, [t for a, b, c, d in faces for t in ((a, b, c), (a, c, d))])
+    sharp = hrbfnpr.Model.fit_mesh(cube)
+    assert sharp.mesh_fit.sheets == 6 and sharp.mesh_fit.reached and sharp.mesh_fit.poor_cells == 0
+    assert abs(sharp.mesh_fit.crease_length - 12) < 1e-6 and sharp.mesh_fit.smooth_length == 0
+    edge = np.stack([np.linspace(0.01, 0.99, 50), np.zeros(50), np.ones(50)], axis=1)
+    assert np.abs(sharp.evaluate(edge).value).max() < 1e-6
+    assert len(sharp.points) > 1000 > sharp.mesh_fit.centres == sharp.info.centres
+    smooth = hrbfnpr.Model.fit_mesh(cube, edges="smooth", maximum_centres=500)
+    assert smooth.mesh_fit.sheets == 1 and np.abs(smooth.evaluate(edge).value).max() > 1e-4
+    coarse = hrbfnpr.Model.fit_mesh(cube, edges="sharp", crease_angle=100)
+    assert coarse.mesh_fit.sheets == 6  # rounding would be far off
+    sharp.save(tmp_path / "cube.hrbf")
+    assert np.array_equal(hrbfnpr.Model.load(tmp_path / "cube.hrbf").evaluate(edge).value, sharp.evaluate(edge).value)
+    with pytest.raises(ValueError, match="edges"):
+        hrbfnpr.Model.fit_mesh(cube, edges="round")
+
+
 def test_cancelling(ring):
     operation = hrbfnpr.Operation()
     operation.cancel()

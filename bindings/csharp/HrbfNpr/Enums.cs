@@ -469,6 +469,18 @@ namespace HrbfNpr
         Keep = 1,
     }
 
+    /// <summary>What becomes of a mesh's edges.</summary>
+    [NativeConstants("HRBFNPR_EDGES_")]
+    public enum MeshEdges
+    {
+        /// <summary>Sharp where they stand out, as those of machine parts do (default).</summary>
+        Auto = 0,
+        /// <summary>The surface is one smooth fit, which rounds them.</summary>
+        Smooth = 1,
+        /// <summary>Sharp wherever faces meet at more than the crease angle.</summary>
+        Sharp = 2,
+    }
+
     /// <summary>What a mesh keeps.</summary>
     [NativeConstants("HRBFNPR_MESH_ATTRIBUTE_")]
     public enum MeshAttribute

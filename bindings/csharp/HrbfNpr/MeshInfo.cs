@@ -149,6 +149,23 @@ namespace HrbfNpr
         /// <summary>Seconds of the call.</summary>
         public readonly double SecondsTotal;
 
+        /// <summary>Smooth pieces that the surface is made of; 1: it has no edges.</summary>
+        public readonly int Sheets;
+
+        private readonly uint reserved;
+
+        /// <summary>Of the mesh's edges that are sharp.</summary>
+        public readonly double CreaseLength;
+
+        /// <summary>Of those that are not, as the mesh could not be cut there.</summary>
+        public readonly double SmoothLength;
+
+        /// <summary>Of space, in each of which a few sheets rule.</summary>
+        public readonly long Cells;
+
+        /// <summary>In which no maximum and minimum of its sheets does all that the mesh does.</summary>
+        public readonly long PoorCells;
+
         /// <summary>Whether tolerance, share and far are kept, both ways.</summary>
         public bool Reached
         {

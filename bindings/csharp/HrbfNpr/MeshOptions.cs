@@ -44,6 +44,12 @@ namespace HrbfNpr
         /// <summary>Any number; 1.</summary>
         public ulong RandomSeed { get; set; } = 1;
 
+        /// <summary>Degrees between the normals of two faces, 5 to 175: what bends more is an edge; 30.</summary>
+        public double CreaseAngle { get; set; } = 30;
+
+        /// <summary>What becomes of the mesh's edges: sharp where they stand out by default.</summary>
+        public MeshEdges Edges { get; set; }
+
         internal void Write(ref hrbfnpr_mesh_fit_desc desc)
         {
             desc.tolerance = Tolerance;
@@ -52,6 +58,8 @@ namespace HrbfNpr
             desc.maximum_centres = MaximumCentres;
             desc.candidates = Candidates;
             desc.random_seed = RandomSeed;
+            desc.crease_angle = CreaseAngle;
+            desc.edges = (uint)Edges;
         }
     }
 

@@ -94,6 +94,13 @@ class MeshFitInfo:
     mesh_share, mesh_p99, mesh_max : float
         Of the mesh: the same from the surface.
     seconds_sample, seconds_fit, seconds_measure, seconds_total : float
+    sheets : int
+        Smooth pieces that the surface is made of; 1: it has no edges.
+    crease_length, smooth_length : float
+        Of the mesh's edges: those that are sharp, and those that are not, as the mesh could not be cut there.
+    cells, poor_cells : int
+        Of space, in each of which a few sheets rule; and those in which no maximum and minimum of its sheets does all
+        that the mesh does.
     """
 
     reached: bool
@@ -114,6 +121,11 @@ class MeshFitInfo:
     seconds_fit: float
     seconds_measure: float
     seconds_total: float
+    sheets: int
+    crease_length: float
+    smooth_length: float
+    cells: int
+    poor_cells: int
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from ._errors import new_error, new_struct
 from ._handles import own
 from ._library import ffi, lib
 from ._mesh import Comparison, Mesh, MeshFitInfo, read_fit_info
-from ._names import KERNELS, SOLVERS, TRIMS, number_of
+from ._names import EDGES, KERNELS, SOLVERS, TRIMS, number_of
 from ._operation import Operation, Progress, running
 from ._structs import read_struct
 
@@ -37,6 +37,8 @@ class MeshFits:
         maximum_centres: int = 8000,
         candidates: int = 0,
         random_seed: int = 1,
+        edges: str = "auto",
+        crease_angle: float = 30.0,
         kernel: str = "triharmonic",
         kernel_radius: float = 0.0,
         polynomial_degree: int = 1,
@@ -63,6 +65,12 @@ class MeshFits:
         candidates : int
             Places on the mesh to choose from; 0 = by its area and its details.
         random_seed : int
+        edges : {"auto", "smooth", "sharp"}
+            What becomes of the mesh's edges: sharp where they stand out, as those of machine parts do; never; or wherever
+            it bends by more than `crease_angle`.
+        crease_angle : float
+            Degrees between the normals of two faces, 5 to 175: what bends more is an edge, and what rounding would take
+            four fifths of `far` off the mesh.
         trim : {"auto", "never"}
             Whether the surface ends where an open mesh does, and what lies more than 0.009 diagonals off a mesh that
             was not reached is left out.
@@ -73,9 +81,13 @@ class MeshFits:
         -----
         Where the surface goes on far from a mesh with an inside, f is held to the signed distance from the mesh at a few
         places off it: these are the last `mesh_fit.off_surface_centres` of `points`.
+
+        With sharp edges the model is made of `mesh_fit.sheets` smooth fits, and its `points` are places all over the
+        mesh.
         """
         desc, options = new_struct("hrbfnpr_mesh_fit_desc"), new_struct("hrbfnpr_fit_desc")
         desc.tolerance, desc.share, desc.far = tolerance, share, far
+        desc.edges, desc.crease_angle = number_of("edges", EDGES, edges), crease_angle
         desc.maximum_centres, desc.candidates, desc.random_seed = maximum_centres, candidates, random_seed
         options.kernel = number_of("kernel", KERNELS, kernel)
         options.kernel_radius, options.polynomial_degree = kernel_radius, polynomial_degree

@@ -7,6 +7,9 @@
 
 namespace hrbfnpr::mesh {
 
+// Same numbers as HRBFNPR_EDGES_...
+enum class Edges : std::uint32_t { automatic = 0, smooth = 1, sharp = 2 };
+
 struct FitMeshSettings {
     double tolerance = 0.0; // 0: 0.002 diagonals
     double share = 0.99;
@@ -14,6 +17,8 @@ struct FitMeshSettings {
     std::int64_t maximum_centres = 8000;
     std::int64_t candidates = 0; // 0: automatic
     std::uint64_t seed = 1;
+    double crease_angle = 30.0;     // degrees
+    Edges edges = Edges::automatic; // fit_mesh itself makes a smooth one
 };
 
 struct FitMeshReport {

@@ -377,6 +377,9 @@ namespace HrbfNpr
         internal long maximum_centres;
         internal long candidates;
         internal ulong random_seed;
+        internal double crease_angle;
+        internal uint edges;
+        internal uint reserved2;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_page_item")]

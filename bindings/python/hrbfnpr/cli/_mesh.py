@@ -85,15 +85,20 @@ def fit(read_mesh: Read, arguments: Any, report: Reporter) -> Model:
     options = {name: value for name in _CHOOSES if (value := getattr(arguments, name, None)) is not None}
     if arguments.regularization is not None:
         options["regularization"] = arguments.regularization
+    if arguments.edges is not None:
+        options["edges"], options["crease_angle"] = arguments.edges
     with report.stage("fit", "fitting") as stage:
         model = Model.fit_mesh(
             read_mesh.mesh, random_seed=_seed(arguments), trim="never", progress=stage.bar, **options
         )
         done = model.mesh_fit
         assert done is not None
-        stage.says = f"{done.centres} centres in {of(done.rounds, 'round')}; {in_words(done, diagonal(model))}"
+        how = of(done.rounds, "round") if done.sheets == 1 else f"{done.sheets} sheets"
+        stage.says = f"{done.centres} centres in {how}; {in_words(done, diagonal(model))}"
     if not done.reached:
         report.warn(_shortfall(done, model, arguments))
+    if done.smooth_length > 0.01 * diagonal(model):
+        report.note(f"edges {done.smooth_length / diagonal(model):.2g} diagonals long stay smooth")
     return model
 
 
@@ -140,7 +145,8 @@ def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:
     most = arguments.maximum_centres or 8000
     if done.centres >= 0.9 * most:
         return text + f"; --maximum-centres {2 * most} allows more samples"
-    return text + "; sharp edges and very thin parts are rounded"
+    rounded = "sharp edges and very thin parts" if done.sheets == 1 else "some edges and very thin parts"
+    return text + f"; {rounded} are rounded"
 
 
 def diagonal(model: Model) -> float:

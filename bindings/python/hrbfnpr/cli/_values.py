@@ -38,6 +38,19 @@ def number(text: str) -> float:
     return value
 
 
+def edges(text: str) -> Tuple[str, float]:
+    """What becomes of the edges of a mesh, and from which angle on they are some."""
+    if text in ("auto", "smooth"):
+        return text, 30.0
+    try:
+        angle = float(text)
+    except ValueError:
+        angle = math.nan
+    if not 5.0 <= angle <= 175.0:
+        raise argparse.ArgumentTypeError(f"auto, smooth, or degrees from 5 to 175 are needed, not {text!r}")
+    return "sharp", angle
+
+
 def number_or_auto(text: str) -> Union[float, str]:
     return text if text == "auto" else number(text)
 

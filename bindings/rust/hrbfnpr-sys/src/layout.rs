@@ -1047,7 +1047,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_mesh_fit_desc>() == 56);
+    assert!(size_of::<hrbfnpr_mesh_fit_desc>() == 72);
     assert!(align_of::<hrbfnpr_mesh_fit_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1061,10 +1061,13 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_mesh_fit_desc, maximum_centres) == 32);
     assert!(offset_of!(hrbfnpr_mesh_fit_desc, candidates) == 40);
     assert!(offset_of!(hrbfnpr_mesh_fit_desc, random_seed) == 48);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, crease_angle) == 56);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, edges) == 64);
+    assert!(offset_of!(hrbfnpr_mesh_fit_desc, reserved2) == 68);
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_mesh_fit_info>() == 136);
+    assert!(size_of::<hrbfnpr_mesh_fit_info>() == 176);
     assert!(align_of::<hrbfnpr_mesh_fit_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1089,6 +1092,12 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_mesh_fit_info, seconds_fit) == 112);
     assert!(offset_of!(hrbfnpr_mesh_fit_info, seconds_measure) == 120);
     assert!(offset_of!(hrbfnpr_mesh_fit_info, seconds_total) == 128);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, sheets) == 136);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, reserved) == 140);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, crease_length) == 144);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, smooth_length) == 152);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, cells) == 160);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, poor_cells) == 168);
 };
 
 const _: () = {

@@ -3488,6 +3488,15 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+// What becomes of a mesh's edges.
+/// sharp where the mesh has edges: they stand out, as those of machine parts do, from what is
+/// beside them; noise and coarse faces of round shapes do not
+pub const HRBFNPR_EDGES_AUTO: u32 = 0;
+/// the surface is one smooth fit, which rounds them
+pub const HRBFNPR_EDGES_SMOOTH: u32 = 1;
+/// sharp wherever faces meet at more than crease_angle
+pub const HRBFNPR_EDGES_SHARP: u32 = 2;
+
 /// How a mesh is fitted.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -3507,6 +3516,12 @@ pub struct hrbfnpr_mesh_fit_desc {
     pub candidates: i64,
     /// any number; 1
     pub random_seed: u64,
+    /// degrees between the normals of two faces, 5 .. 175: what bends more is an edge, and what
+    /// rounding would take four fifths of `far` off the mesh; 30
+    pub crease_angle: f64,
+    /// HRBFNPR_EDGES_...; AUTO
+    pub edges: u32,
+    pub reserved2: u32,
 }
 
 extern "C" {
@@ -3549,6 +3564,17 @@ pub struct hrbfnpr_mesh_fit_info {
     pub seconds_fit: f64,
     pub seconds_measure: f64,
     pub seconds_total: f64,
+    /// smooth pieces that the surface is made of; 1: it has no edges
+    pub sheets: i32,
+    pub reserved: u32,
+    /// of the mesh's edges that are sharp
+    pub crease_length: f64,
+    /// of those that are not, as the mesh could not be cut there
+    pub smooth_length: f64,
+    /// of space, in each of which a few sheets rule
+    pub cells: i64,
+    /// in which no maximum and minimum of its sheets does all that the mesh does
+    pub poor_cells: i64,
 }
 
 extern "C" {
@@ -3564,9 +3590,17 @@ extern "C" {
     /// last centres of the model, whose normal is the way to the mesh or from it.
     ///
     /// An end short of the tolerance is no error: `reached` is 0, and the log warns.
-    /// It comes with maximum_centres, or where more centres gain nothing.  Edges that
-    /// are sharp are rounded by some tenths of the samples' spacing there, and coarse
+    /// It comes with maximum_centres, or where more centres gain nothing.  Of a smooth
+    /// fit edges are rounded by some tenths of the samples' spacing there, and coarse
     /// faces with smooth normals contradict these: both take many centres.
+    ///
+    /// A mesh with edges, as `edges` says, is cut along them into smooth patches.  Each
+    /// gets a fit of its own, a sheet, and cells of space say which maximum and minimum
+    /// of their sheets the surface is there [Ohtake et al. 2003, whose pieces are local];
+    /// away from the surface they have the mesh's signs.  Sheets are held to a fortieth
+    /// of the tolerance at edges, and to a quarter of it far from them.  An edge that ends
+    /// within a patch is made to go on, smoothly.  The points and normals of such a model
+    /// are places all over the mesh, not centres.
     /// Trimmed by places on the mesh is what was fitted to an open one, or not reached.
     /// desc may be NULL.  fit (may be NULL): kernel, solver, regularization and trim of
     /// the fits; its points and normals must be empty, its tolerance and maximum_centres

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/pieces/creases.h"
+
+#include "mesh/pieces/patch_samples.h"
+#include "mesh/pieces/split_fading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::mesh {
+namespace {
+
+constexpr double radians = 0.017453292519943295;
+// A crease that ends is grown along edges that bend by so many degrees, ...
+constexpr double least_bend = 8.0;
+// ... and turn from it by an angle with at least this cosine.
+constexpr double aligned = 0.6;
+// A crease that parts nothing is noise if it is shorter than so many diagonals, or has fewer edges.
+constexpr double shortest_fading = 0.03;
+constexpr std::int64_t fewest_fading = 4;
+
+// An edge that bends.
+struct Bend {
+    std::int32_t from, to;
+    std::int32_t left, right;
+    double angle; // radians
+    bool sharp;
+};
+
+class Finder {
+public:
+    Finder(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse, const base::Progress& progress)
+        : runtime_(runtime), mesh_(mesh), angle_(angle * radians), coarse_(coarse), progress_(progress),
+          bend_(runtime.memory), first_(runtime.memory), at_(runtime.memory),
+          degree_(runtime.memory, mesh.vertex.size()), sides_(sides_by_edge(runtime, mesh.triangle)),
+          result_(runtime.memory) {}
+
+    [[nodiscard]] Creases run() {
+        find_bends();
+        index_by_vertex();
+        grow();
+        progress_.check();
+        find_patches();
+        if (sharpen_coarse()) find_patches();
+        if (drop_short_fading()) find_patches();
+        describe();
+        if (result_.fading > 0.0) {
+            split_fading(runtime_, mesh_, sides_, result_, progress_);
+            describe();
+        }
+        return std::move(result_);
+    }
+
+private:
+    [[nodiscard]] static bool is_plain(const Side* first, const Side* last) noexcept {
+        return last - first == 2 && first[0].forward != first[1].forward;
+    }
+
+    [[nodiscard]] double length_of(const Bend& bend) const noexcept {
+        return glm::distance(mesh_.vertex[bend.from], mesh_.vertex[bend.to]);
+    }
+
+    void find_bends() {
+        base::Array<glm::dvec3> normal(runtime_.memory);
+        for (std::int64_t face = 0; face < mesh_.faces(); ++face)
+            normal.push_back(glm::normalize(doubled_area(mesh_.corners(face))));
+        for_edges(sides_, [&](const Side* first, const Side* last) {
+            const auto low = static_cast<std::int32_t>(first->edge >> 32U);
+            const auto high = static_cast<std::int32_t>(first->edge & 0xFFFFFFFFU);
+            if (!is_plain(first, last)) { // patches end here, and so may creases
+                ++degree_[low];
+                ++degree_[high];
+                return;
+            }
+            const Side& left = first[0].forward != 0 ? first[0] : first[1];
+            const Side& right = first[0].forward != 0 ? first[1] : first[0];
+            const glm::dvec3 a = normal[left.face];
+            const glm::dvec3 b = normal[right.face];
+            const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+            if (angle < std::min(least_bend * radians, angle_)) return;
+            const bool sharp = angle > angle_;
+            bend_.push_back({low, high, left.face, right.face, angle, sharp});
+            degree_[low] += sharp ? 1 : 0;
+            degree_[high] += sharp ? 1 : 0;
+        });
+    }
+
+    void index_by_vertex() {
+        first_.resize(mesh_.vertex.size() + 1);
+        for (const Bend& bend : bend_) {
+            ++first_[bend.from + 1];
+            ++first_[bend.to + 1];
+        }
+        for (std::int64_t v = 0; v < mesh_.vertex.size(); ++v) first_[v + 1] += first_[v];
+        at_.resize(2 * bend_.size());
+        base::Array<std::int64_t> next(runtime_.memory);
+        for (const std::int64_t i : first_) next.push_back(i);
+        for (std::int64_t i = 0; i < bend_.size(); ++i) {
+            at_[next[bend_[i].from]++] = i;
+            at_[next[bend_[i].to]++] = i;
+        }
+    }
+
+    // Those that end nowhere go on, until they meet another or nothing goes on.
+    void grow() {
+        const std::int64_t count = bend_.size();
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (!bend_[i].sharp) continue;
+            for (const bool forward : {true, false}) {
+                const std::int32_t end = forward ? bend_[i].to : bend_[i].from;
+                if (degree_[end] == 1) grow_from(forward ? bend_[i].from : bend_[i].to, end);
+            }
+        }
+    }
+
+    void grow_from(std::int32_t before, std::int32_t end) {
+        while (degree_[end] == 1) {
+            const glm::dvec3 along = glm::normalize(mesh_.vertex[end] - mesh_.vertex[before]);
+            std::int64_t best = -1;
+            double best_score = 0.0;
+            for (std::int64_t k = first_[end]; k < first_[end + 1]; ++k) {
+                const Bend& bend = bend_[at_[k]];
+                if (bend.sharp) continue;
+                const std::int32_t other = bend.from == end ? bend.to : bend.from;
+                const double cosine = glm::dot(along, glm::normalize(mesh_.vertex[other] - mesh_.vertex[end]));
+                if (cosine < aligned || cosine * bend.angle <= best_score) continue;
+                best_score = cosine * bend.angle;
+                best = at_[k];
+            }
+            if (best < 0) return;
+            Bend& bend = bend_[best];
+            bend.sharp = true;
+            const std::int32_t other = bend.from == end ? bend.to : bend.from;
+            ++degree_[end];
+            ++degree_[other];
+            before = end;
+            end = other;
+        }
+    }
+
+    void find_patches() {
+        base::Array<std::uint8_t> sharp(runtime_.memory, 3 * mesh_.faces());
+        const auto side_of = [&](std::int32_t face, std::int32_t from) {
+            const Triangle& t = mesh_.triangle[face];
+            return 3 * std::int64_t{face} + (t[0] == from ? 0 : t[1] == from ? 1 : 2);
+        };
+        for (const Bend& bend : bend_)
+            if (bend.sharp) {
+                sharp[side_of(bend.left, bend.from)] = 1;
+                sharp[side_of(bend.right, bend.to)] = 1;
+            }
+        Sets sets(runtime_.memory, mesh_.faces());
+        for_edges(sides_, [&](const Side* first, const Side* last) {
+            const bool joined = is_plain(first, last);
+            const auto low = static_cast<std::int32_t>(first->edge >> 32U);
+            const auto high = static_cast<std::int32_t>(first->edge & 0xFFFFFFFFU);
+            for (const Side* side = first; side != last; ++side)
+                if (!joined) sharp[side_of(side->face, side->forward != 0 ? low : high)] = 1;
+            if (joined && sharp[side_of(first->face, first->forward != 0 ? low : high)] == 0)
+                sets.join(first[0].face, first[1].face);
+        });
+        result_.cut = std::move(sharp);
+        number(sets);
+    }
+
+    void number(Sets& sets) {
+        base::Array<std::int32_t> number(runtime_.memory, mesh_.faces());
+        result_.patch.resize(mesh_.faces());
+        result_.patches = 0;
+        for (std::int64_t face = 0; face < mesh_.faces(); ++face) {
+            std::int32_t& of = number[sets.of(static_cast<std::int32_t>(face))];
+            if (of == 0) of = ++result_.patches;
+            result_.patch[face] = of - 1;
+        }
+    }
+
+    // Whether there were faces too far from what is curved as their normals are.
+    [[nodiscard]] bool sharpen_coarse() {
+        const base::Array<glm::dvec3> normal = patch_normals(runtime_, mesh_, result_);
+        bool sharpened = false;
+        for (Bend& bend : bend_) {
+            if (bend.sharp ||
+                std::max(chord_error(mesh_, normal, bend.left), chord_error(mesh_, normal, bend.right)) <= coarse_)
+                continue;
+            bend.sharp = sharpened = true;
+        }
+        return sharpened;
+    }
+
+    // Whether there were any.
+    [[nodiscard]] bool drop_short_fading() {
+        Sets sets(runtime_.memory, mesh_.vertex.size());
+        for (const Bend& bend : bend_)
+            if (is_fading(bend)) sets.join(bend.from, bend.to);
+        base::Array<double> length(runtime_.memory, mesh_.vertex.size());
+        base::Array<std::int64_t> edges(runtime_.memory, mesh_.vertex.size());
+        for (const Bend& bend : bend_)
+            if (is_fading(bend)) {
+                length[sets.of(bend.from)] += length_of(bend);
+                ++edges[sets.of(bend.from)];
+            }
+        bool dropped = false;
+        for (Bend& bend : bend_) {
+            if (!is_fading(bend)) continue;
+            const std::int32_t set = sets.of(bend.from);
+            if (length[set] >= shortest_fading * mesh_.bounds.diagonal() && edges[set] >= fewest_fading) continue;
+            bend.sharp = false;
+            dropped = true;
+        }
+        return dropped;
+    }
+
+    [[nodiscard]] bool is_fading(const Bend& bend) const noexcept {
+        return bend.sharp && result_.patch[bend.left] == result_.patch[bend.right];
+    }
+
+    void describe() {
+        result_.edge.clear();
+        result_.length = result_.fading = 0.0;
+        for (const Bend& bend : bend_) {
+            if (!bend.sharp) continue;
+            result_.edge.push_back({bend.from, bend.to, bend.left, bend.right});
+            result_.length += length_of(bend);
+            result_.fading += is_fading(bend) ? length_of(bend) : 0.0;
+        }
+    }
+
+    const base::Runtime& runtime_;
+    const Mesh& mesh_;
+    const double angle_;
+    const double coarse_;
+    const base::Progress& progress_;
+    base::Array<Bend> bend_;
+    base::Array<std::int64_t> first_; // of the bends at each vertex, in at_
+    base::Array<std::int64_t> at_;
+    base::Array<std::int32_t> degree_; // of each vertex: creases and ends of patches there
+    base::Array<Side> sides_;
+    Creases result_;
+};
+
+} // namespace
+
+Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
+                     const base::Progress& progress) {
+    return Finder(runtime, mesh, angle, coarse, progress).run();
+}
+
+} // namespace hrbfnpr::mesh

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/pieces/fit_pieces.h"
+
+#include "base/clock.h"
+#include "mesh/fit/outer.h"
+#include "mesh/pieces/fit_sheet.h"
+#include "mesh/sample.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::mesh {
+namespace {
+
+// Shares of the fit's tolerance: at creases, where an error shows as a wave in a straight line, and far from them.
+constexpr double at_crease = 0.025;
+constexpr double far_from_crease = 0.25;
+constexpr double ramp = 0.05;      // diagonals
+constexpr std::int64_t fewest = 8; // centres that each sheet may have
+constexpr std::int64_t even_places = 2000;
+constexpr double cells_a_diagonal = 72.0; // that the surface is looked for in, when it is measured
+constexpr std::int64_t measured_places = 10000;
+
+class Fitter {
+public:
+    Fitter(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
+           const FitMeshSettings& settings, const fit::FitInput& options, const base::Progress& progress)
+        : runtime_(runtime), mesh_(mesh), tree_(tree), creases_(creases), settings_(settings), options_(options),
+          progress_(progress), result_{implicit::PiecesData(runtime.memory), {}, {}, {}} {
+        const double diagonal = mesh.bounds.diagonal();
+        result_.mesh.tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * diagonal;
+        result_.mesh.far = settings.far > 0.0 ? settings.far : 5.0 * result_.mesh.tolerance;
+        result_.mesh.supported = mesh.report.boundary_edges > 0;
+    }
+
+    [[nodiscard]] PiecesFit run() {
+        base::Stopwatch watch;
+        fit_sheets();
+        result_.mesh.seconds_fit = watch.seconds();
+        watch.restart();
+        make_cells();
+        result_.pieces.seconds_cells = watch.seconds();
+        watch.restart();
+        measure();
+        result_.mesh.seconds_measure = watch.seconds();
+        result_.pieces.sheets = static_cast<std::int32_t>(result_.data.sheet.size());
+        result_.pieces.crease_length = creases_.length - creases_.fading;
+        result_.pieces.smooth_length = creases_.fading;
+        result_.mesh.seconds_total = result_.fit.seconds_total = watch_.seconds();
+        progress_.update(1.0);
+        return std::move(result_);
+    }
+
+private:
+    // The faces of each patch, one after the other.
+    void group_faces() {
+        first_.resize(creases_.patches + 1);
+        for (const std::int32_t patch : creases_.patch) ++first_[patch + 1];
+        for (const Creases::Shared& shared : creases_.shared) ++first_[shared.patch + 1];
+        for (std::int32_t p = 0; p < creases_.patches; ++p) first_[p + 1] += first_[p];
+        faces_.resize(mesh_.faces() + creases_.shared.size());
+        base::Array<std::int64_t> next(runtime_.memory);
+        for (const std::int64_t at : first_) next.push_back(at);
+        for (std::int64_t face = 0; face < mesh_.faces(); ++face)
+            faces_[next[creases_.patch[face]]++] = static_cast<std::int32_t>(face);
+        for (const Creases::Shared& shared : creases_.shared) faces_[next[shared.patch]++] = shared.face;
+    }
+
+    // Small patches first: what they need not is left to the larger ones.
+    [[nodiscard]] base::Array<std::int32_t> small_first() const {
+        base::Array<std::int32_t> order(runtime_.memory);
+        for (std::int32_t p = 0; p < creases_.patches; ++p) order.push_back(p);
+        std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+            const std::int64_t of_a = first_[a + 1] - first_[a];
+            const std::int64_t of_b = first_[b + 1] - first_[b];
+            return of_a < of_b || (of_a == of_b && a < b);
+        });
+        return order;
+    }
+
+    void fit_sheets() {
+        group_faces();
+        const base::Array<glm::dvec3> normal = patch_normals(runtime_, mesh_, creases_);
+        chord_ = chord_errors(mesh_, normal);
+        const PatchTolerance tolerance{at_crease * result_.mesh.tolerance, far_from_crease * result_.mesh.tolerance,
+                                       ramp * mesh_.bounds.diagonal()};
+        std::int64_t faces_left = faces_.size();
+        std::int64_t centres = 0;
+        base::List<SheetFit> made(runtime_.memory);
+        base::Array<std::int64_t> at(runtime_.memory, creases_.patches);
+        for (const std::int32_t p : small_first()) {
+            at[p] = made.size();
+            const std::int64_t faces = first_[p + 1] - first_[p];
+            const double share = static_cast<double>(faces) / static_cast<double>(faces_left);
+            const std::int64_t room = std::max<std::int64_t>(settings_.maximum_centres - centres, 0);
+            const auto most = static_cast<std::int64_t>(share * static_cast<double>(room));
+            made.add(fit_patch(p, normal, tolerance, std::max(fewest, most)));
+            faces_left -= faces;
+            centres += made.back().data.count();
+            progress_.update(0.6 * (1.0 - static_cast<double>(faces_left) / static_cast<double>(faces_.size())));
+        }
+        for (std::int32_t p = 0; p < creases_.patches; ++p) result_.data.sheet.add(std::move(made[at[p]].data));
+        result_.fit.samples = result_.mesh.candidates;
+        gather_samples(normal);
+    }
+
+    // Places that whoever looks for the surface may begin at.
+    void gather_samples(const base::Array<glm::dvec3>& normal) {
+        MeshSamples even = even_samples(runtime_, mesh_, even_places, 4 * even_places, settings_.seed, progress_);
+        for (std::int64_t i = 0; i < even.position.size(); ++i) {
+            const glm::dvec3 shares = shares_of(mesh_.corners(even.face[i]), even.position[i]);
+            const glm::dvec3* const n = normal.data() + 3 * std::int64_t{even.face[i]};
+            even.normal.set(i, glm::normalize(shares.x * n[0] + shares.y * n[1] + shares.z * n[2]));
+        }
+        keep_outer(runtime_, mesh_, tree_, even.position, even.normal, progress_);
+        fit::Samples samples(runtime_.memory);
+        samples.position = std::move(even.position);
+        fit::measure_extent(runtime_, samples, progress_);
+        result_.data.spacing = samples.spacing;
+        for (std::int64_t i = 0; i < samples.position.size(); ++i)
+            for (int c = 0; c < 3; ++c) {
+                result_.data.sample_position.push_back(samples.position[i][c]);
+                result_.data.sample_normal.push_back(even.normal[i][c]);
+            }
+    }
+
+    [[nodiscard]] SheetFit fit_patch(std::int32_t p, const base::Array<glm::dvec3>& normal,
+                                     const PatchTolerance& tolerance, std::int64_t most) {
+        const std::span<const std::int32_t> faces = faces_.span().subspan(
+            static_cast<std::size_t>(first_[p]), static_cast<std::size_t>(first_[p + 1] - first_[p]));
+        const PatchSamples patch = sample_patch(runtime_, mesh_, creases_, normal, faces, tolerance, progress_);
+        SheetFit made = fit_sheet(runtime_, patch, options_, most, progress_.part(0.0, 0.0));
+        result_.mesh.candidates += patch.samples.position.size();
+        result_.mesh.rounds = std::max(result_.mesh.rounds, made.rounds);
+        runtime_.log(base::LogLevel::debug,
+                     "pieces: sheet %d: %lld faces, %lld samples, %lld centres in %d rounds, %lld outside, the worst "
+                     "by %.2f",
+                     static_cast<int>(p), static_cast<long long>(faces.size()),
+                     static_cast<long long>(patch.samples.position.size()), static_cast<long long>(made.data.count()),
+                     static_cast<int>(made.rounds), static_cast<long long>(made.outside), made.worst);
+        return made;
+    }
+
+    void make_cells() {
+        const Sides sides(runtime_, mesh_, tree_, progress_);
+        const CellsReport report = mesh::make_cells(runtime_, mesh_, creases_, sides, chord_, settings_.seed,
+                                                    result_.data, progress_.part(0.6, 0.85));
+        result_.pieces.cells = report.cells;
+        result_.pieces.poor_cells = report.poor_cells;
+        runtime_.log(base::LogLevel::debug, "pieces: %lld cells, %lld with surface, %lld of them poor",
+                     static_cast<long long>(report.cells), static_cast<long long>(report.surface_cells),
+                     static_cast<long long>(report.poor_cells));
+    }
+
+    // Both ways, at places of their own.
+    void measure() {
+        implicit::Pieces made(runtime_.instruction_set, std::move(result_.data));
+        CompareSettings settings;
+        settings.tolerance = result_.mesh.tolerance;
+        settings.far = result_.mesh.far;
+        settings.points = measured_places;
+        settings.cell_size = mesh_.bounds.diagonal() / cells_a_diagonal;
+        settings.seed = settings_.seed;
+        const Comparison found = compare(runtime_, made, mesh_, tree_, nullptr, settings, progress_.part(0.85, 1.0));
+        result_.mesh.surface = found.surface;
+        result_.mesh.mesh = found.mesh;
+        const auto good = [&](const Spread& spread) {
+            return spread.points > 0 && spread.share >= settings_.share && spread.most <= result_.mesh.far;
+        };
+        result_.mesh.reached = good(found.surface) && good(found.mesh);
+        result_.data = std::move(made).take();
+    }
+
+    const base::Runtime& runtime_;
+    const Mesh& mesh_;
+    const FaceTree& tree_;
+    const Creases& creases_;
+    const FitMeshSettings& settings_;
+    const fit::FitInput& options_;
+    const base::Progress& progress_;
+    const base::Stopwatch watch_;
+    base::Array<std::int64_t> first_{runtime_.memory};
+    base::Array<std::int32_t> faces_{runtime_.memory};
+    base::Array<double> chord_{runtime_.memory};
+    PiecesFit result_;
+};
+
+} // namespace
+
+PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
+                     const FitMeshSettings& settings, const fit::FitInput& options, const base::Progress& progress) {
+    return Fitter(runtime, mesh, tree, creases, settings, options, progress).run();
+}
+
+} // namespace hrbfnpr::mesh

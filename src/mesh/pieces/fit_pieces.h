@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// A mesh with creases as an implicit of pieces that has them too.
+#pragma once
+
+#include "implicit/pieces.h"
+#include "mesh/fit/fit_mesh.h"
+#include "mesh/pieces/cells.h"
+
+namespace hrbfnpr::mesh {
+
+struct PiecesReport {
+    std::int32_t sheets = 0;
+    double crease_length = 0.0; // of those that are sharp
+    double smooth_length = 0.0; // of creases that fade, which stay smooth
+    std::int64_t cells = 0;
+    std::int64_t poor_cells = 0;
+    double seconds_cells = 0.0;
+};
+
+struct PiecesFit {
+    implicit::PiecesData data;
+    fit::FitReport fit;
+    FitMeshReport mesh;
+    PiecesReport pieces;
+};
+
+// settings and options as of fit_mesh.
+[[nodiscard]] PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                   const Creases& creases, const FitMeshSettings& settings,
+                                   const fit::FitInput& options, const base::Progress& progress);
+
+} // namespace hrbfnpr::mesh

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// One sheet: a Hermite fit to a patch, with as many of its samples as it takes.
+#pragma once
+
+#include "fit/fit.h"
+#include "mesh/pieces/patch_samples.h"
+
+namespace hrbfnpr::mesh {
+
+struct SheetFit {
+    implicit::HrbfData data;
+    fit::FitReport report;
+    double worst = 0.0;       // distance of a sample, in its tolerance
+    std::int64_t outside = 0; // samples beyond their tolerance
+    std::int32_t rounds = 0;
+};
+
+// options: as of fit_mesh.  most: centres.
+[[nodiscard]] SheetFit fit_sheet(const base::Runtime& runtime, const PatchSamples& patch, const fit::FitInput& options,
+                                 std::int64_t most, const base::Progress& progress);
+
+} // namespace hrbfnpr::mesh

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Models with sharp edges through the C boundary.
+#include "fixture.h"
+#include "support/sharp_meshes.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace api_test {
+namespace {
+
+using hrbfnpr::test::Triangles;
+
+Mesh mesh_of(const Context& context, const Triangles& from) {
+    Error error;
+    auto desc = made(hrbfnpr_mesh_desc_init);
+    desc.vertices = in(from.vertices);
+    desc.triangles = in(from.triangles);
+    hrbfnpr_mesh* mesh = nullptr;
+    EXPECT_OK(hrbfnpr_mesh_create(context.get(), &desc, nullptr, &mesh, error));
+    return Mesh(mesh);
+}
+
+Model fitted(const Mesh& mesh, std::uint32_t edges, hrbfnpr_mesh_fit_info& info, double angle = 30.0) {
+    Error error;
+    auto desc = made(hrbfnpr_mesh_fit_desc_init);
+    desc.edges = edges;
+    desc.crease_angle = angle;
+    info = made(hrbfnpr_mesh_fit_info_init);
+    hrbfnpr_model* model = nullptr;
+    EXPECT_OK(hrbfnpr_model_fit_mesh(mesh.get(), &desc, nullptr, &info, nullptr, &model, error));
+    return Model(model);
+}
+
+std::vector<double> values(const Model& model, const std::vector<double>& points) {
+    Error error;
+    std::vector<double> result(points.size() / 3);
+    const hrbfnpr_array at = in(points);
+    const hrbfnpr_array_out to{result.data(), static_cast<std::int64_t>(result.size()), 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    EXPECT_OK(hrbfnpr_model_evaluate(model.get(), &at, &to, nullptr, nullptr, nullptr, error));
+    return result;
+}
+
+std::vector<std::uint8_t> saved(const Model& model) {
+    Error error;
+    std::int64_t size = 0;
+    EXPECT_EQ(hrbfnpr_model_save_memory(model.get(), nullptr, 0, &size, error), HRBFNPR_STATUS_BUFFER_TOO_SMALL);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+    EXPECT_OK(hrbfnpr_model_save_memory(model.get(), bytes.data(), size, &size, error));
+    return bytes;
+}
+
+TEST(MeshEdges, AreSharpWhereTheyStandOut) {
+    const Context context = make_context();
+    const Mesh mesh = mesh_of(context, hrbfnpr::test::drilled_cube(0.5, 48));
+    hrbfnpr_mesh_fit_info info{};
+    const Model model = fitted(mesh, HRBFNPR_EDGES_AUTO, info);
+    EXPECT_EQ(info.reached, 1U);
+    EXPECT_EQ(info.sheets, 7);
+    EXPECT_EQ(info.smooth_length, 0.0);
+    EXPECT_NEAR(info.crease_length, 24.0 + 2.0 * 3.14159, 0.01);
+    EXPECT_GT(info.cells, 100);
+    EXPECT_EQ(info.poor_cells, 0);
+    EXPECT_LT(info.centres, 400);
+    for (const double t : {0.0, 0.3, 0.9}) // on edges
+        for (const double v : values(model, {1.0, 1.0, t, t, -1.0, 1.0, 0.5 * std::cos(t), 0.5 * std::sin(t), 1.0}))
+            EXPECT_LT(std::abs(v), 2e-3);
+    hrbfnpr_mesh_fit_info smooth{};
+    (void)fitted(mesh, HRBFNPR_EDGES_SMOOTH, smooth);
+    EXPECT_EQ(smooth.sheets, 1);
+    EXPECT_EQ(smooth.crease_length, 0.0);
+    EXPECT_GT(smooth.centres, info.centres);
+}
+
+TEST(MeshEdges, AreAskedForByTheirAngle) {
+    const Context context = make_context();
+    const std::vector<hrbfnpr::test::Ring> rings{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.5}, {0.0, 0.5}};
+    const Mesh disc = mesh_of(context, hrbfnpr::test::ringed(rings, 30, 0.5)); // whose faces meet at 12 degrees
+    hrbfnpr_mesh_fit_info info{};
+    (void)fitted(disc, HRBFNPR_EDGES_SHARP, info, 30.0);
+    EXPECT_EQ(info.sheets, 3);
+    (void)fitted(disc, HRBFNPR_EDGES_SHARP, info, 10.0);
+    EXPECT_EQ(info.sheets, 2 + 30);
+    // At 42 degrees, and too coarse to be round.
+    (void)fitted(mesh_of(context, hrbfnpr::test::icosphere(0)), HRBFNPR_EDGES_SHARP, info, 45.0);
+    EXPECT_EQ(info.sheets, 20);
+    (void)fitted(mesh_of(context, hrbfnpr::test::icosphere(2)), HRBFNPR_EDGES_SHARP, info, 30.0);
+    EXPECT_EQ(info.sheets, 1);
+}
+
+// Bit for bit: what has no edges is fitted as without them.
+TEST(MeshEdges, ThatAreNoneChangeNothing) {
+    const Context context = make_context();
+    const Mesh mesh = mesh_of(context, hrbfnpr::test::torus(60, 24, 0.4));
+    hrbfnpr_mesh_fit_info one{};
+    hrbfnpr_mesh_fit_info other{};
+    const Model a = fitted(mesh, HRBFNPR_EDGES_AUTO, one);
+    const Model b = fitted(mesh, HRBFNPR_EDGES_SMOOTH, other);
+    EXPECT_EQ(one.sheets, 1);
+    ASSERT_EQ(one.centres, other.centres);
+    const std::vector<double> places{1.0, 0.1, 0.2, -0.4, 0.9, 0.1, 0.0, 0.0, 0.0, 3.0, 2.0, 1.0};
+    EXPECT_EQ(values(a, places), values(b, places));
+}
+
+TEST(MeshEdges, AreKeptInFiles) {
+    const Context context = make_context();
+    const Mesh mesh = mesh_of(context, hrbfnpr::test::stepped_shaft(48));
+    hrbfnpr_mesh_fit_info info{};
+    const Model model = fitted(mesh, HRBFNPR_EDGES_AUTO, info);
+    const std::vector<std::uint8_t> bytes = saved(model);
+    Error error;
+    hrbfnpr_model* raw = nullptr;
+    ASSERT_OK(
+        hrbfnpr_model_load_memory(context.get(), bytes.data(), static_cast<std::int64_t>(bytes.size()), &raw, error));
+    const Model loaded(raw);
+    EXPECT_EQ(saved(loaded), bytes);
+    std::vector<double> places;
+    for (int i = 0; i < 300; ++i) places.push_back(std::sin(1.7 * i) * 1.5 + (i % 3 == 2 ? 1.5 : 0.0));
+    EXPECT_EQ(values(model, places), values(loaded, places));
+    auto model_info = made(hrbfnpr_model_info_init);
+    ASSERT_OK(hrbfnpr_model_get_info(loaded.get(), &model_info, error));
+    EXPECT_EQ(model_info.centres, info.centres);
+    EXPECT_EQ(model_info.samples, info.candidates);
+    EXPECT_EQ(model_info.kernel, static_cast<std::uint32_t>(HRBFNPR_KERNEL_TRIHARMONIC));
+    EXPECT_GT(model_info.bytes, 60 * info.centres);
+    hrbfnpr_array view{};
+    ASSERT_OK(hrbfnpr_model_view(loaded.get(), HRBFNPR_MODEL_ATTRIBUTE_NORMAL, &view, error));
+    EXPECT_GT(view.count, 1000);
+    // It is compared, also by what its samples bear out, trimmed and drawn as any other.
+    auto desc = made(hrbfnpr_compare_desc_init);
+    desc.points = 2000;
+    desc.support = 3.0;
+    auto compared = made(hrbfnpr_comparison_init);
+    ASSERT_OK(hrbfnpr_model_compare_mesh(loaded.get(), mesh.get(), &desc, &compared, nullptr, error));
+    EXPECT_EQ(compared.mesh_share, 1.0);
+    EXPECT_EQ(compared.components, 1);
+    EXPECT_EQ(compared.genus, 0);
+    hrbfnpr_model* trimmed = nullptr;
+    ASSERT_OK(hrbfnpr_model_trim(loaded.get(), nullptr, nullptr, &trimmed, error));
+    EXPECT_FALSE(saved(Model(trimmed)).empty());
+    const PointSet set = generate(context, loaded, hrbfnpr::test::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 2000));
+    ASSERT_OK(hrbfnpr_point_set_view(set.get(), 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &view, error));
+    EXPECT_GT(view.count, 1000);
+}
+
+TEST(MeshEdges, CheckTheirFields) {
+    const Context context = make_context();
+    const Mesh mesh = mesh_of(context, hrbfnpr::test::box(1.0, 1.0, 1.0, 1));
+    Error error;
+    hrbfnpr_model* raw = nullptr;
+    const auto expect = [&](const hrbfnpr_mesh_fit_desc& desc, const char* part) {
+        EXPECT_FAILS(hrbfnpr_model_fit_mesh(mesh.get(), &desc, nullptr, nullptr, nullptr, &raw, error),
+                     HRBFNPR_STATUS_INVALID_ARGUMENT, part);
+        EXPECT_EQ(raw, nullptr);
+    };
+    auto desc = made(hrbfnpr_mesh_fit_desc_init);
+    EXPECT_EQ(desc.crease_angle, 30.0);
+    EXPECT_EQ(desc.edges, static_cast<std::uint32_t>(HRBFNPR_EDGES_AUTO));
+    desc.edges = 3;
+    expect(desc, "mesh_fit_desc.edges is 3; it must be one of HRBFNPR_EDGES_");
+    desc.edges = 0;
+    desc.crease_angle = 4.0;
+    expect(desc, "mesh_fit_desc.crease_angle is 4; it must be from 5 to 175");
+    desc.crease_angle = 30.0;
+    desc.reserved2 = 1;
+    expect(desc, "reserved2");
+}
+
+} // namespace
+} // namespace api_test

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/pieces/creases.h"
+
+#include "mesh/meshes.h"
+#include "mesh/pieces/has_creases.h"
+#include "support/runtime.h"
+#include "support/sharp_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace mesh = hrbfnpr::mesh;
+namespace test = hrbfnpr::test;
+using hrbfnpr::test::Triangles;
+
+namespace {
+
+struct Found {
+    explicit Found(const Triangles& from, double angle = 30.0, mesh::Parts parts = mesh::Parts::all)
+        : runtime(test::with_threads(2)), shape(mesh_test::made(runtime, from, parts)),
+          creases(mesh::find_creases(runtime, shape, angle, 0.008 * shape.bounds.diagonal(), {})),
+          evidence(mesh::look_for_creases(runtime, shape, angle, {})) {}
+
+    hrbfnpr::base::Runtime runtime;
+    mesh::Mesh shape;
+    mesh::Creases creases;
+    mesh::CreaseEvidence evidence;
+};
+
+TEST(Creases, CutABoxIntoItsSides) {
+    const Found box(test::box(1.0, 2.0, 3.0, 4));
+    EXPECT_EQ(box.creases.patches, 6);
+    EXPECT_NEAR(box.creases.length, 4.0 * (1.0 + 2.0 + 3.0), 1e-9);
+    EXPECT_EQ(box.creases.fading, 0.0);
+    EXPECT_EQ(box.creases.edge.size(), 48);
+    EXPECT_TRUE(box.evidence.creases);
+    for (std::int64_t face = 0; face < box.shape.faces(); ++face) {
+        const glm::dvec3 n = glm::normalize(mesh::doubled_area(box.shape.corners(face)));
+        for (std::int64_t other = 0; other < box.shape.faces(); ++other) {
+            const bool alike = glm::dot(n, glm::normalize(mesh::doubled_area(box.shape.corners(other)))) > 0.5;
+            EXPECT_EQ(box.creases.patch[face] == box.creases.patch[other], alike);
+        }
+    }
+}
+
+TEST(Creases, OfTurnedShapesAreTheirSteps) {
+    EXPECT_EQ(Found(test::stepped_shaft(96)).creases.patches, 11);
+    EXPECT_EQ(Found(test::drilled_cube(0.5, 96)).creases.patches, 7);
+    EXPECT_EQ(Found(test::gear(16, 2)).creases.patches, 16 * 4 + 3);
+    EXPECT_EQ(Found(test::box(1.0, 1.0, 0.004, 3).with(test::box(1.0, 1.0, 1.0, 3).moved(1.0, 3.0, 0.0, 0.0)))
+                  .creases.patches,
+              12);
+}
+
+TEST(Creases, AreNotThereWhereAMeshIsRoundOrRough) {
+    for (const Triangles& round : {test::icosphere(2), test::torus(60, 30, 0.4), test::wound_ring(200, 40)}) {
+        const Found found(round);
+        EXPECT_FALSE(found.evidence.creases);
+        EXPECT_EQ(found.creases.patches, 1);
+    }
+    // Rough: every vertex is off its place by a third of an edge.
+    Triangles rough = test::icosphere(4);
+    for (std::size_t i = 0; i < rough.vertices.size(); ++i)
+        rough.vertices[i] += 0.025 * std::sin(1e4 * static_cast<double>(i));
+    const Found found(rough);
+    EXPECT_GT(found.evidence.length, 1.0);
+    EXPECT_FALSE(found.evidence.creases);
+    // Coarse: 80 faces that meet at 20 to 40 degrees.
+    EXPECT_FALSE(Found(test::icosphere(1), 20.0).evidence.creases);
+}
+
+// A ridge that fades towards positive x: it is grown to the last edges that bend by 8 degrees, and the patch is cut on
+// from there, smoothly, and shared by both sheets.
+TEST(Creases, ThatFadeGoOnSmoothly) {
+    const auto ridge = [](double x, double y) { return x < 0.0 ? -x * x * std::abs(y) : 0.0; };
+    const Found found(test::height_field(40, ridge));
+    EXPECT_EQ(found.creases.patches, 2);
+    EXPECT_EQ(found.creases.fading, 0.0);
+    EXPECT_NEAR(found.creases.length, 0.75, 0.1); // to where the slope is 0.07
+    std::int64_t smooth = 0;
+    for (std::int64_t side = 0; side < found.creases.cut.size(); ++side) {
+        if (found.creases.cut[side] != 2) continue;
+        ++smooth;
+        EXPECT_GT(found.shape.corners(side / 3)[0].x, -0.3);
+    }
+    EXPECT_GT(smooth, 10);
+    EXPECT_GT(found.creases.shared.size(), 40);
+    for (const mesh::Creases::Shared& shared : found.creases.shared)
+        EXPECT_NE(shared.patch, found.creases.patch[shared.face]);
+}
+
+// A tube with one crease along it: a patch that meets only itself.
+TEST(Creases, AlongATubePartIt) {
+    Triangles tube;
+    constexpr int around = 48;
+    constexpr int along = 20;
+    for (int j = 0; j <= along; ++j)
+        for (int i = 0; i < around; ++i) {
+            const double t = 6.283185307179586 * i / around;
+            const double drop = 0.5 * (1.0 - std::cos(t)); // 0 at the crease
+            static_cast<void>(tube.add(1.0 - drop * 2.0, std::sin(t) * std::sin(0.5 * t), 0.1 * j));
+        }
+    for (int j = 0; j < along; ++j)
+        for (int i = 0; i < around; ++i) {
+            const int a = j * around + i;
+            const int b = j * around + (i + 1) % around;
+            tube.face(a, b, b + around);
+            tube.face(a, b + around, a + around);
+        }
+    const Found found(tube);
+    EXPECT_NEAR(found.creases.length, 2.0, 1e-9);
+    EXPECT_EQ(found.creases.patches, 2);
+    EXPECT_EQ(found.creases.fading, 0.0);
+}
+
+// Two boxes that share an edge of four faces.
+TEST(Creases, EndAtEdgesOfMoreThanTwoFaces) {
+    const Found found(test::box(1.0, 1.0, 1.0, 3).with(test::box(1.0, 1.0, 1.0, 3).moved(1.0, 1.0, 1.0, 0.0)));
+    EXPECT_GT(found.shape.report.nonmanifold_edges, 0);
+    EXPECT_EQ(found.creases.patches, 12);
+}
+
+// Bends of 12 degrees make a cylinder, of 28 a prism.
+TEST(Creases, OfCoarseFacesStayFlat) {
+    const std::vector<test::Ring> rings{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.5}, {0.0, 0.5}};
+    EXPECT_EQ(Found(test::ringed(rings, 30, 0.5)).creases.patches, 3);
+    EXPECT_EQ(Found(test::ringed(rings, 13, 0.5)).creases.patches, 2 + 13);
+}
+
+TEST(Creases, AreTheSameForAnyNumberOfThreads) {
+    const Triangles shape = test::stepped_shaft(48);
+    const auto one = test::with_threads(1);
+    const auto three = test::with_threads(3);
+    const mesh::Mesh a = mesh_test::made(one, shape);
+    const mesh::Mesh b = mesh_test::made(three, shape);
+    EXPECT_TRUE(test::same_bits(mesh::find_creases(one, a, 30.0, 1.0, {}).patch,
+                                mesh::find_creases(three, b, 30.0, 1.0, {}).patch));
+}
+
+} // namespace

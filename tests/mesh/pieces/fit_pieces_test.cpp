@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/pieces/fit_pieces.h"
+
+#include "base/random.h"
+#include "base/status.h"
+#include "mesh/meshes.h"
+#include "mesh/sample.h"
+#include "support/runtime.h"
+#include "support/sharp_meshes.h"
+#include "support/watched_operation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace implicit = hrbfnpr::implicit;
+namespace mesh = hrbfnpr::mesh;
+namespace test = hrbfnpr::test;
+using hrbfnpr::test::Triangles;
+
+namespace {
+
+struct Fitted {
+    explicit Fitted(const Triangles& from, int threads = 2)
+        : runtime(test::with_threads(threads)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
+          tree(runtime, shape.vertex, shape.triangle, {}),
+          creases(mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {})),
+          result(mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, {})),
+          f(runtime.instruction_set, std::move(result.data)) {}
+
+    [[nodiscard]] double value(const glm::dvec3& p) const {
+        double value = 0.0;
+        f.evaluate({&p.x, &p.y, &p.z, 1}, {&value, {}, {}});
+        return value;
+    }
+    // Of places on the true edges, by how far along the middle between both normals the surface is.
+    [[nodiscard]] double edge_offset(const glm::dvec3& p, const glm::dvec3& out) const {
+        const double diagonal = shape.bounds.diagonal();
+        for (double reach = 1e-5; reach < 0.02; reach *= 1.3)
+            if ((value(p + reach * diagonal * out) > 0.0) != (value(p - reach * diagonal * out) > 0.0)) return reach;
+        return 1.0;
+    }
+    // How many places have the wrong sign, of random ones in the box and of some beside the mesh, that are farther from
+    // it than 0.1 % of the diagonal.
+    template <class Inside>
+    [[nodiscard]] int wrong_signs(Inside&& inside) const {
+        const double diagonal = shape.bounds.diagonal();
+        const mesh::MeshSamples on = mesh::random_samples(runtime, shape, 3000, 5, 3, {});
+        int wrong = 0;
+        for (std::int64_t i = 0; i < 6000; ++i) {
+            const auto random =
+                hrbfnpr::base::uniform4(9, static_cast<std::uint64_t>(i), hrbfnpr::base::Purpose::probe);
+            const glm::dvec3 unit(random[0], random[1], random[2]);
+            const glm::dvec3 p = i % 2 == 0
+                                     ? shape.bounds.min - 0.1 * diagonal + unit * (shape.bounds.size() + 0.2 * diagonal)
+                                     : on.position[i / 2] + 0.02 * diagonal * (2.0 * unit - 1.0);
+            if (tree.distance(p) < 0.001 * diagonal) continue;
+            wrong += (value(p) < 0.0) != inside(p) ? 1 : 0;
+        }
+        return wrong;
+    }
+
+    hrbfnpr::base::Runtime runtime;
+    mesh::Mesh shape;
+    mesh::FaceTree tree;
+    mesh::Creases creases;
+    mesh::PiecesFit result;
+    implicit::Pieces f;
+};
+
+bool in_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) {
+    return glm::all(glm::lessThan(low, p)) && glm::all(glm::lessThan(p, high));
+}
+
+TEST(FitPieces, OfACubeIsTheCube) {
+    const Fitted cube(test::box(1.0, 1.0, 1.0, 5));
+    EXPECT_EQ(cube.result.pieces.sheets, 6);
+    EXPECT_EQ(cube.result.pieces.poor_cells, 0);
+    EXPECT_NEAR(cube.result.pieces.crease_length, 12.0, 1e-9);
+    EXPECT_TRUE(cube.result.mesh.reached);
+    EXPECT_LT(cube.result.mesh.mesh.most, 1e-6);
+    EXPECT_LT(cube.f.data().centres(), 120);
+    const double r = std::sqrt(0.5);
+    for (int i = 1; i < 100; ++i) { // at corners three sides meet
+        EXPECT_LT(cube.edge_offset({0.01 * i, 0.0, 1.0}, {0.0, -r, r}), 1.1e-5);
+        EXPECT_LT(cube.edge_offset({1.0, 1.0, 0.01 * i}, {r, r, 0.0}), 1.1e-5);
+    }
+    EXPECT_EQ(cube.wrong_signs([](const glm::dvec3& p) { return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)); }), 0);
+}
+
+// Concave edges, round ones, and a sheet that is one all around.
+TEST(FitPieces, OfADrilledCubeIsSharpAroundTheHole) {
+    const Fitted drilled(test::drilled_cube(0.5, 96));
+    EXPECT_EQ(drilled.result.pieces.sheets, 7);
+    EXPECT_EQ(drilled.result.pieces.poor_cells, 0);
+    for (int i = 0; i < 300; ++i) {
+        const double c = std::cos(0.0209 * i);
+        const double s = std::sin(0.0209 * i);
+        EXPECT_LT(drilled.edge_offset({0.5 * c, 0.5 * s, 1.0}, std::sqrt(0.5) * glm::dvec3(-c, -s, 1.0)), 1e-4) << i;
+    }
+    EXPECT_EQ(drilled.wrong_signs([](const glm::dvec3& p) {
+        return in_box(p, glm::dvec3(-1.0), glm::dvec3(1.0)) && std::hypot(p.x, p.y) > 0.5;
+    }),
+              0);
+}
+
+TEST(FitPieces, OfASteppedShaftHasItsSteps) {
+    const Fitted shaft(test::stepped_shaft(96));
+    EXPECT_EQ(shaft.result.pieces.poor_cells, 0);
+    EXPECT_TRUE(shaft.result.mesh.reached);
+    const double r = std::sqrt(0.5);
+    struct Step {
+        double radius, z, out, up;
+    };
+    for (const Step& step : {Step{1.0, 0.8, r, r}, Step{0.6, 0.8, r, r}, Step{0.5, 1.4, r, -r}, Step{0.35, 3.0, r, r}})
+        for (int i = 0; i < 200; ++i) {
+            const double c = std::cos(0.0314 * i);
+            const double s = std::sin(0.0314 * i);
+            EXPECT_LT(
+                shaft.edge_offset({step.radius * c, step.radius * s, step.z}, {step.out * c, step.out * s, step.up}),
+                1e-4)
+                << step.z << ' ' << i;
+        }
+    EXPECT_EQ(shaft.wrong_signs([](const glm::dvec3& p) {
+        const double radius = p.z < 0.8 ? 1.0 : p.z < 1.2 ? 0.6 : p.z < 1.4 ? 0.5 : p.z < 2.2 ? 0.6 : 0.35;
+        return p.z > 0.0 && p.z < 3.0 && std::hypot(p.x, p.y) < radius;
+    }),
+              0);
+}
+
+TEST(FitPieces, OfAThinPlateHasBothSides) {
+    const double thick = 0.0042; // 0.3 % of the diagonal
+    const Fitted plate(test::box(1.0, 1.0, thick, 6));
+    EXPECT_EQ(plate.result.pieces.sheets, 6);
+    EXPECT_EQ(plate.result.pieces.poor_cells, 0);
+    EXPECT_EQ(
+        plate.wrong_signs([&](const glm::dvec3& p) { return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0, 1.0, thick)); }),
+        0);
+    EXPECT_LT(plate.value({0.5, 0.5, 0.5 * thick}), 0.0);
+}
+
+// Parts that are no farther apart than 0.6 % of the diagonal, one inside the other's hull.
+TEST(FitPieces, KeepPartsApart) {
+    const Fitted two(test::box(1.0, 1.0, 1.0, 4).with(test::box(1.0, 1.0, 1.0, 4).moved(1.0, 1.015, 0.2, 0.0)));
+    EXPECT_EQ(two.wrong_signs([](const glm::dvec3& p) {
+        return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)) ||
+               in_box(p, glm::dvec3(1.015, 0.2, 0.0), glm::dvec3(2.015, 1.2, 1.0));
+    }),
+              0);
+    EXPECT_GT(two.value({1.0075, 0.5, 0.5}), 0.0);
+}
+
+TEST(FitPieces, OfPartsThatOverlapAreTheirUnion) {
+    const Fitted two(test::box(1.0, 1.0, 1.0, 4).with(test::box(1.0, 1.0, 1.0, 4).moved(0.9, 0.5, 0.5, 0.5)));
+    EXPECT_LT(two.result.pieces.cells, 5000);
+    EXPECT_EQ(two.wrong_signs([](const glm::dvec3& p) {
+        return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)) || in_box(p, glm::dvec3(0.5), glm::dvec3(1.4));
+    }),
+              0);
+}
+
+TEST(FitPieces, OfAShellInAShellHasACavity) {
+    const Fitted shell(
+        test::box(1.0, 1.0, 1.0, 4).with(test::box(1.0, 1.0, 1.0, 4).moved(0.9, 0.05, 0.05, 0.05).turned()));
+    EXPECT_EQ(shell.result.pieces.sheets, 12);
+    EXPECT_EQ(shell.wrong_signs([](const glm::dvec3& p) {
+        return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)) && !in_box(p, glm::dvec3(0.05), glm::dvec3(0.95));
+    }),
+              0);
+}
+
+// A roof: beyond its border the sheets go on.
+TEST(FitPieces, OfAnOpenSheetGoOnBeyondItsBorder) {
+    const Fitted roof(test::height_field(20, [](double, double y) { return -std::abs(y); }));
+    EXPECT_EQ(roof.result.pieces.sheets, 2);
+    for (const double x : {-1.2, -0.7, 0.0, 0.9, 1.2})
+        for (const double y : {-1.1, -0.5, 0.3, 1.1})
+            for (const double off : {-0.6, -0.02, 0.02, 0.6})
+                EXPECT_EQ(roof.value({x, y, off - std::abs(y)}) > 0.0, off > 0.0) << x << ' ' << y << ' ' << off;
+    for (int i = -50; i <= 50; ++i) EXPECT_LT(roof.edge_offset({0.02 * i, 0.0, 0.0}, {0.0, 0.0, 1.0}), 1.1e-5);
+}
+
+TEST(FitPieces, FollowACreaseThatFades) {
+    const auto ridge = [](double x, double y) { return x < 0.0 ? -x * x * std::abs(y) : 0.0; };
+    const Fitted fading(test::height_field(60, ridge));
+    EXPECT_EQ(fading.result.pieces.smooth_length, 0.0);
+    EXPECT_TRUE(fading.result.mesh.reached);
+    for (int i = 0; i <= 100; ++i) EXPECT_LT(fading.edge_offset({-0.01 * i, 0.0, 0.0}, {0.0, 0.0, 1.0}), 4e-4) << i;
+    // On from the crease's end both sheets are one.
+    for (int i = 0; i <= 50; ++i) EXPECT_LT(fading.edge_offset({0.018 * i, 0.0, 0.0}, {0.0, 0.0, 1.0}), 4e-4) << i;
+}
+
+TEST(FitPieces, StandWhereFourFacesShareAnEdge) {
+    const Fitted two(test::box(1.0, 1.0, 1.0, 3).with(test::box(1.0, 1.0, 1.0, 3).moved(1.0, 1.0, 1.0, 0.0)));
+    EXPECT_LE(two.wrong_signs([](const glm::dvec3& p) {
+        return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)) ||
+               in_box(p, glm::dvec3(1.0, 1.0, 0.0), glm::dvec3(2.0, 2.0, 1.0));
+    }),
+              0);
+}
+
+TEST(FitPieces, AreTheSameForAnyNumberOfThreads) {
+    const Triangles shape = test::drilled_cube(0.4, 48);
+    const Fitted one(shape, 1);
+    const Fitted three(shape, 3);
+    const implicit::PiecesData& a = one.f.data();
+    const implicit::PiecesData& b = three.f.data();
+    ASSERT_EQ(a.sheet.size(), b.sheet.size());
+    for (std::int64_t i = 0; i < a.sheet.size(); ++i) EXPECT_TRUE(test::same_bits(a.sheet[i].alpha, b.sheet[i].alpha));
+    EXPECT_TRUE(test::same_bits(a.child, b.child));
+    EXPECT_TRUE(test::same_bits(a.program, b.program));
+    EXPECT_TRUE(test::same_bits(a.plain, b.plain));
+    EXPECT_TRUE(test::same_bits(a.sample_position, b.sample_position));
+}
+
+TEST(FitPieces, CanBeCancelledAndTellsItsProgress) {
+    const auto runtime = test::with_threads(2);
+    const mesh::Mesh shape = mesh_test::made(runtime, test::stepped_shaft(48));
+    const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
+    const mesh::Creases creases = mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {});
+    for (const double when : {0.1, 0.65, 0.9}) {
+        test::WatchedOperation operation(when);
+        EXPECT_THROW((void)mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, operation.progress()),
+                     hrbfnpr::Error);
+    }
+    test::WatchedOperation operation;
+    (void)mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, operation.progress());
+    EXPECT_FALSE(operation.watcher.fell());
+    EXPECT_EQ(operation.watcher.last(), 1.0);
+    EXPECT_GT(operation.watcher.values.size(), 10U);
+}
+
+// Every hundredth allocation is refused once: all others are given back.
+TEST(FitPieces, GiveBackAllMemoryWhereSomeIsRefused) {
+    for (std::int64_t at = 1; at < 100'000; at = at * 3 + 1) {
+        test::Allocator allocator;
+        std::int64_t before = 0;
+        {
+            const auto runtime = test::with_allocator(allocator);
+            const mesh::Mesh shape = mesh_test::made(runtime, test::box(1.0, 1.0, 1.0, 2));
+            const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
+            before = allocator.calls;
+            allocator.refuse_at = before + at;
+            try {
+                const mesh::Creases creases =
+                    mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {});
+                (void)mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, {});
+                EXPECT_LT(allocator.calls, before + at); // all was given
+            } catch (const hrbfnpr::Error& error) {
+                EXPECT_EQ(error.status(), hrbfnpr::Status::out_of_memory);
+            }
+        }
+        EXPECT_EQ(allocator.blocks, 0);
+    }
+}
+
+} // namespace
