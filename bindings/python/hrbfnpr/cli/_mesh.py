@@ -139,7 +139,7 @@ def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:
     )
     most = arguments.maximum_centres or 8000
     if done.centres >= 0.9 * most:
-        return text + f"; --maximum-centres {2 * most} allows more samples"
+        return text + f"; --max-centres {2 * most} allows more samples"
     return text + "; sharp edges and very thin parts are rounded"
 
 
