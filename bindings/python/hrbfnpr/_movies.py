@@ -2,13 +2,17 @@
 """Frames as a GIF, an animated PNG, a film or a row of pictures.  Needs Pillow; films need the program ffmpeg."""
 from __future__ import annotations
 
+import io
 import os
 import re
 import shutil
+import struct
 import subprocess
 import tempfile
+import zlib
+from fractions import Fraction
 from pathlib import Path
-from typing import Any, BinaryIO, Iterable, Iterator, List, Sequence, Union
+from typing import Any, BinaryIO, Dict, Iterable, Iterator, List, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -68,9 +72,9 @@ def write(path: Path_, frames: Iterable[Array], fps: float, loops: int, paper: S
         _film(path, (_opaque(frame, paper) for frame in frames), fps)
     elif ending == ".gif":
         pictures = _indexed(_opaque(frame, paper) for frame in frames)
-        write_atomically(path, lambda file: _animation(file, "GIF", pictures, fps, loops))
+        write_atomically(path, lambda file: _gif(file, pictures, fps, loops))
     else:
-        write_atomically(path, lambda file: _animation(file, "PNG", map(to_pil, frames), fps, loops))
+        write_atomically(path, lambda file: _animated_png(file, frames, fps, loops))
 
 
 def _pictures_of(path: Path_, frames: Iterable[Array]) -> None:
@@ -79,16 +83,50 @@ def _pictures_of(path: Path_, frames: Iterable[Array]) -> None:
         save(to_pil(frame), Path(path).with_name(name), None)
 
 
-def _animation(file: BinaryIO, format: str, pictures: Iterable[Any], fps: float, loops: int) -> None:
+def _gif(file: BinaryIO, pictures: Iterable[Any], fps: float, loops: int) -> None:
     first, *others = pictures
-    options = {"append_images": others, "save_all": True, "duration": 1000 / fps}
-    if format == "GIF":
-        options["duration"] = max(10 * round(100 / fps), 20)  # hundredths of a second; browsers slow down shorter ones
-        if loops != 1:
-            options["loop"] = max(loops - 1, 0)  # a GIF counts repetitions
-        first.save(file, format, **options, optimize=False, disposal=1)
-    else:
-        first.save(file, format, **options, loop=loops, disposal=0, blend=0)
+    delay = max(10 * round(100 / fps), 20)  # hundredths of a second; browsers slow down shorter ones
+    options: Dict[str, Any] = {} if loops == 1 else {"loop": max(loops - 1, 0)}  # a GIF counts repetitions
+    # Pillow joins frames that are the same, and adds their times where each has its own.
+    times = [delay] * (1 + len(others))
+    first.save(file, "GIF", append_images=others, save_all=True, duration=times, optimize=False, disposal=1, **options)
+
+
+def _animated_png(file: BinaryIO, frames: Iterable[Array], fps: float, loops: int) -> None:
+    """Every frame whole: Pillow would leave out those that differ in transparency alone."""
+    header, pixels = b"", []
+    for frame in frames:
+        buffer = io.BytesIO()
+        to_pil(frame).save(buffer, "PNG")
+        chunks = list(_chunks(buffer.getvalue()))
+        header = header or next(data for kind, data in chunks if kind == b"IHDR")
+        pixels.append(b"".join(data for kind, data in chunks if kind == b"IDAT"))
+    seconds = Fraction(1 / fps).limit_denominator(60_000)
+    delay = struct.pack(">HHBB", min(seconds.numerator, 0xFFFF), seconds.denominator, 0, 0)
+    file.write(b"\x89PNG\r\n\x1a\n")
+    _write_chunk(file, b"IHDR", header)
+    _write_chunk(file, b"acTL", struct.pack(">II", len(pixels), loops))
+    number = 0
+    for data in pixels:
+        _write_chunk(file, b"fcTL", struct.pack(">I", number) + header[:8] + struct.pack(">II", 0, 0) + delay)
+        if number == 0:
+            _write_chunk(file, b"IDAT", data)
+        else:
+            _write_chunk(file, b"fdAT", struct.pack(">I", number + 1) + data)
+        number += 1 if number == 0 else 2
+    _write_chunk(file, b"IEND", b"")
+
+
+def _chunks(png: bytes) -> Iterator[Tuple[bytes, bytes]]:
+    at = 8
+    while at < len(png):
+        length = int.from_bytes(png[at : at + 4], "big")
+        yield png[at + 4 : at + 8], png[at + 8 : at + 8 + length]
+        at += 12 + length
+
+
+def _write_chunk(file: BinaryIO, kind: bytes, data: bytes) -> None:
+    file.write(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)))
 
 
 def _opaque(frame: Array, paper: Sequence[float]) -> Array:
