@@ -10,7 +10,8 @@ from test_cli import rows
 from test_shapes import write
 
 import hrbfnpr
-from hrbfnpr.cli import _draw, _sheet, main
+from hrbfnpr import _scene
+from hrbfnpr.cli import _sheet, main
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -94,13 +95,13 @@ def test_the_same_bits_at_any_number_of_threads(ring_file, tmp_path):
 
 def test_marks_are_made_once_for_styles_with_the_same_layers(ring_file, tmp_path, monkeypatch):
     made = []
-    generate = _draw.generate
+    generate = _scene.generate
 
     def count(arguments, model, layers, *others):
         made.append([layer.kind for layer in layers])
         return generate(arguments, model, layers, *others)
 
-    monkeypatch.setattr(_draw, "generate", count)
+    monkeypatch.setattr(_scene, "generate", count)
     sheet([ring_file, *QUICK, "--styles", "silhouette,stipple,xray,contour-and-stipple"], tmp_path / "out.png")
     assert made == [["stipples"]]
 

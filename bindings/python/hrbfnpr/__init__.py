@@ -15,7 +15,7 @@ Arrays are NumPy arrays.  NumPy is optional: without it anything with the buffer
 nested sequences, is taken, and memoryviews of the same shape are returned.  Long calls release the
 interpreter lock, report progress and can be cancelled (`Operation`, Ctrl-C).
 """
-from typing import Any
+from typing import TYPE_CHECKING, Any, List
 
 from ._camera import Camera
 from ._context import Context, ContextInfo, build_info, default_context, set_default_context
@@ -77,10 +77,34 @@ __all__ = [
 ]  # fmt: skip
 
 
-def __getattr__(name: str) -> Any:
-    # Only on demand: it needs NumPy.
-    if name == "shapes":
-        import importlib
+# Only on demand: they need NumPy, and some of them other packages.
+_MODULES = ("shapes", "datasets")
+_ON_DEMAND = {
+    "Animation": "_animate", "DrawingWarning": "_call_report", "Picture": "_draw_call", "animate": "_animate",
+    "draw": "_draw_call",
+}  # fmt: skip
 
-        return importlib.import_module(".shapes", __name__)
+if TYPE_CHECKING:
+    from . import datasets as datasets
+    from . import shapes as shapes
+    from ._animate import Animation as Animation
+    from ._animate import animate as animate
+    from ._call_report import DrawingWarning as DrawingWarning
+    from ._draw_call import Picture as Picture
+    from ._draw_call import draw as draw
+
+
+def __getattr__(name: str) -> Any:
+    import importlib
+
+    if name in _MODULES:
+        return importlib.import_module(f".{name}", __name__)
+    if name in _ON_DEMAND:
+        value = getattr(importlib.import_module(f".{_ON_DEMAND[name]}", __name__), name)
+        globals()[name] = value
+        return value
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> List[str]:
+    return sorted({*globals(), *_MODULES, *_ON_DEMAND})

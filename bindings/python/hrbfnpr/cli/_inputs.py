@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a command works on: a saved model or point set, or a model fitted to what a file holds.
 
-The stages of points are read, sample, orient, fit and end: `_read`, `_samples`, `_normals`, `Model.fit` and `_ends.end`.
+The stages of points are read, sample, orient, fit and end: `_usable`, `_samples`, `_normals`, `Model.fit` and `_ends.end`.
 Points without normals get some from `_orient.make`.  A mesh is looked at by `_mesh.read`; the rest is the same.
 """
 from __future__ import annotations
@@ -76,8 +76,8 @@ def in_words(shape: Shape) -> str:
     return f"{shape.format}: {count}"
 
 
-def _read(path: Path, report: Reporter) -> Shape:
-    shape, left_out = finite_faces(shapes.read(path))
+def _usable(shape: Shape, report: Reporter) -> Shape:
+    shape, left_out = finite_faces(shape)
     if left_out:
         report.warn(f"{_nearness.of(left_out, 'face')} with a corner that is not finite left out")
     for note in shape.notes:
@@ -163,11 +163,25 @@ def load(path: Path, arguments: Any, context: Context, report: Reporter) -> Load
         return _load_script(path, arguments, context, report)
     with report.stage("read", "reading") as stage:
         saved = load_saved(path, context)
-        shape = None if saved is not None else _read(path, report)
+        shape = None if saved is not None else _usable(shapes.read(path), report)
         stage.says = in_words(shape) if shape is not None else _saved_in_words(saved)
     if saved is not None:
-        return Loaded(saved, None, _up_of_saved(saved, arguments, context, report))
+        return of_made(saved, arguments, context, report)
     assert shape is not None
+    return _fitted(shape, arguments, context, report)
+
+
+def of_made(made: Union[Model, PointSet], arguments: Any, context: Context, report: Reporter) -> Loaded:
+    """A model or a point set that is there."""
+    return Loaded(made, None, _up_of_saved(made, arguments, context, report))
+
+
+def of_shape(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Loaded:
+    """A model fitted to points or a mesh that are there."""
+    return _fitted(_usable(shape, report), arguments, context, report)
+
+
+def _fitted(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Loaded:
     if shape.is_mesh:
         return _load_mesh(shape, arguments, context, report)
     made = arguments.normals == "none" or not has_normals(shape)

@@ -21,6 +21,7 @@ from ._blank import BlankError
 from ._clock import process_start
 from ._inputs import Loaded, load, load_saved
 from ._options import build
+from ._outputs import check as check_output
 from ._outputs import check_all, check_drawing, check_picture, check_saved
 from ._progress import Reporter
 from ._values import words_of
@@ -71,20 +72,11 @@ def _fail(message: str, code: int) -> int:
 
 
 def _run(arguments: Any, report: Reporter) -> int:
-    context = Context(
-        arguments.threads or 0, log=lambda _level, message: _warn_of_parts(message, report), log_level="warning"
-    )
-    commands = {"draw": _draw, "csg": _draw, "sheet": _sheet, "sheet-views": _sheet_views, "fit": _fit, "points": _points,
-                "info": _info, "check": _check}  # fmt: skip
+    context = Context(arguments.threads or 0, log=report.logged, log_level="warning")
+    commands = {"draw": _draw, "csg": _draw, "turntable": _turntable, "sheet": _sheet, "sheet-views": _sheet_views,
+                "fit": _fit, "points": _points, "info": _info, "check": _check}  # fmt: skip
     with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
         return commands[arguments.command](arguments, context, report) or 0
-
-
-def _warn_of_parts(message: str, report: Reporter) -> None:
-    """What the library alone knows of a mesh."""
-    start = "mesh fit: parts "
-    if message.startswith(start):
-        report.warn(f"parts {message[len(start):]} (--tolerance)")
 
 
 def _load(arguments: Any, context: Context, report: Reporter) -> Loaded:
@@ -107,6 +99,16 @@ def _draw(arguments: Any, context: Context, report: Reporter) -> None:
         raise UsageError(f"{', '.join(unused)} is of vectors, and no file is: name one that ends in .svg, .pdf, .hpgl or "
                          ".gcode")  # fmt: skip
     draw(arguments, _load(arguments, context, report), context, report)
+
+
+def _turntable(arguments: Any, context: Context, report: Reporter) -> None:
+    from .._movies import check_movie
+    from ._turntable import output_of, turn
+
+    output = output_of(arguments)
+    check_movie(output, arguments.fps)
+    check_output(output)
+    turn(arguments, output, _load(arguments, context, report), context, report)
 
 
 def _sheet(arguments: Any, context: Context, report: Reporter) -> None:
@@ -145,7 +147,7 @@ def _fit(arguments: Any, context: Context, report: Reporter) -> None:
 
 
 def _points(arguments: Any, context: Context, report: Reporter) -> None:
-    from ._draw import generate, make_layers
+    from .._scene import generate, make_layers
 
     check_saved(arguments.output, "point set", ".ply")
     model = _load(arguments, context, report).content

@@ -144,7 +144,7 @@ def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:
     )
     most = arguments.maximum_centres or 8000
     if done.centres >= 0.9 * most:
-        return text + f"; --maximum-centres {2 * most} allows more samples"
+        return text + f"; --max-centres {2 * most} allows more samples"
     rounded = "sharp edges and very thin parts" if done.sheets == 1 else "some edges and very thin parts"
     return text + f"; {rounded} are rounded"
 

@@ -247,15 +247,44 @@ def _add_style(parser: Parser) -> None:
                        "principal.directions=first or stipples.ink=#800000; may be repeated")  # fmt: skip
 
 
+def _add_turn(parser: Parser) -> None:
+    parser.add_argument("output", metavar="OUTPUT", nargs="?", help="animation (.gif, .png or .apng, .mp4), or pictures "
+                        "where it has a number, such as %%03d.png; INPUT's name with .gif by default")  # fmt: skip
+    parser.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the same as an option")
+    group = parser.add_argument_group("turntable")
+    for option, kind, default, metavar, words in (
+        ("--frames", values.count(1, 100_000), 36, "N", "how many"),
+        ("--fps", values.number, 12.0, "N", "frames in a second"),
+        ("--turn", values.number, 360.0, "DEGREES", "of the camera about the up axis, from --azimuth on"),
+        ("--loops", values.count(0, 65535), 0, "N", "how often .gif and .png are shown, 0 = without end"),
+        ("--size", values.size, 480, "WxH", "pixels, or the longer side alone"),
+    ):
+        group.add_argument(option, type=kind, default=default, metavar=metavar, help=f"{words}; {default:g}")
+
+
+def _add_blank(parser: Parser) -> None:
+    parser.add_argument("--allow-blank", action="store_true", help="write the picture even if hardly anything is seen")
+
+
+# What a drawing is like, whoever asks for it.
+_DRAWING = (_add_name, _add_size, _add_style, _add_camera, _add_marks, _add_fit, _add_input)
+
+
+def of_a_drawing() -> Parser:
+    """The options of a drawing alone, without files: for `hrbfnpr.draw`."""
+    parser = Parser(prog="hrbfnpr.draw", add_help=False)
+    for add in (_add_blank, *_DRAWING, _vectors.add_options):
+        add(parser)
+    return parser
+
+
 def _add_drawing(draw: Parser) -> None:
     _add_output(draw, ".png")
     draw.add_argument("--also", action="append", default=[], metavar="FILE", help="the same drawing in another format; "
                       "may be repeated")  # fmt: skip
     draw.add_argument("--save-model", metavar="FILE", help="save the model too")
     draw.add_argument("--save-points", metavar="FILE", help="save the marks too")
-    draw.add_argument("--allow-blank", action="store_true", help="write the picture even if hardly anything is seen")
-    for add in (_add_name, _add_size, _add_style, _add_camera, _add_marks, _add_fit, _add_input, _vectors.add_options,
-                _add_common):  # fmt: skip
+    for add in (_add_blank, *_DRAWING, _vectors.add_options, _add_common):
         add(draw)
 
 
@@ -281,6 +310,12 @@ def build() -> Parser:
     _add_output(sheet, "-sheet.png")
     for add in (_add_cells, _add_style, _add_camera, _add_marks, _add_fit, _add_input, _add_common):
         add(sheet)
+
+    turn = commands.add_parser("turntable", help="draw an orbit as an animation", description="Draw an orbit about a model "
+                               "as an animation.")  # fmt: skip
+    turn.add_argument("input", metavar="INPUT", help=f"{source} or point set")
+    for add in (_add_turn, _add_blank, *(add for add in _DRAWING if add is not _add_size), _add_common):
+        add(turn)
 
     views = commands.add_parser("sheet-views", help="draw views and sections on a sheet, to scale", description="Draw "
                                 "views and sections of a model on a sheet, to scale, by the conventions of technical "

@@ -57,6 +57,12 @@ class Reporter:
         if self._about + text not in self._warnings:
             self._warnings.append(self._about + text)
 
+    def logged(self, level: str, message: str) -> None:
+        """A line of the library's log: what it alone knows of a mesh is warned of."""
+        start = "mesh fit: parts "
+        if message.startswith(start):
+            self.warn(f"parts {message[len(start):]} (--tolerance)")
+
     def say(self, text: str) -> None:
         """A line on stdout."""
         if not self.quiet:

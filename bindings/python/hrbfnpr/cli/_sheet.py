@@ -7,13 +7,13 @@ import math
 from pathlib import Path
 from typing import Any, Dict, List, NamedTuple, Tuple
 
-from .. import _pictures
+from .. import _pictures, _scene
 from .._camera import Camera
 from .._context import Context
 from .._model import Model
 from .._names import PRESETS
 from .._renderer import Item, Renderer
-from . import _automatic, _blank, _draw, _lines
+from . import _automatic, _blank, _lines
 from ._progress import Reporter
 from ._values import VIEWS
 
@@ -78,22 +78,22 @@ class _Artist:
         self._lines: Dict[Any, Any] = {}
 
     def camera(self, cell: Cell) -> Camera:
-        return _draw.make_camera(cell.arguments, self._model, self._places)
+        return _scene.make_camera(cell.arguments, self._model, self._places)
 
     def draw(self, cell: Cell) -> Any:
         """A PIL.Image, the same as `draw` makes."""
         camera = self.camera(cell)
         about = self._report.without_bars(cell.label)
-        style, layers = _draw.plan(cell.arguments, self._model, self._known, camera, about)
+        style, layers = _scene.plan(cell.arguments, self._model, self._known, camera, about)
         marks, line_set = self._marks_of(cell, layers), self._lines_of(cell, style, camera)
         drawing = self._renderer.draw(Item(marks, style, line_set=line_set), camera)
         try:
             _blank.check(drawing, self._model, camera, style, cell.arguments.flip)
         except _blank.BlankError as error:  # the others may be worth having
             about.warn(str(error))
-        if not _draw.is_plate(cell.arguments):
+        if not _scene.is_plate(cell.arguments):
             return drawing.to_pil()
-        return _draw.plate(
+        return _scene.plate(
             cell.arguments, drawing, self._model, marks, line_set, camera, style, self._context
         ).convert("RGBA")
 
@@ -101,12 +101,12 @@ class _Artist:
         for wanted, marks in self._marks:
             if wanted == layers:
                 return marks
-        marks = _draw.generate(cell.arguments, self._model, layers, self._context, self._report)
+        marks = _scene.generate(cell.arguments, self._model, layers, self._context, self._report)
         self._marks.append((layers, marks))
         return marks
 
     def _lines_of(self, cell: Cell, style: Any, camera: Camera) -> Any:
-        more = _draw.section_lines(cell.arguments, self._model, camera)
+        more = _scene.section_lines(cell.arguments, self._model, camera)
         if more:  # of this camera alone
             return _lines.make(cell.arguments, self._model, style, self._context, self._report, more)
         if not style.lines or style.visibility == "published":

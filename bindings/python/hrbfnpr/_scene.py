@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: MIT
+"""From a model or marks and options to a picture: what the command line and `hrbfnpr.draw` have in common.
+
+Options are the attributes of a namespace as the command line's grammar makes it (`cli/_options.py`); two more come from
+programs only: `own_style`, a Style that is used as it is, and `own_camera`.
+"""
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import shapes
+from ._camera import Camera, corners
+from ._context import Context
+from ._drawing import Drawing
+from ._layer import Layer, preset_layers
+from ._line_set import Lines, LineSet
+from ._model import Model
+from ._names import MADE_KINDS
+from ._page import PageItem
+from ._pictures import save as save_picture
+from ._point_set import PointSet
+from ._renderer import Item, Renderer
+from ._style import Style
+from .cli import _automatic, _blank, _lines, _plate, _vectors
+from .cli import _values as values
+from .cli._inputs import Loaded, given
+from .cli._progress import Reporter
+
+_GENERATE = (
+    "distribution", "initial_step", "seed_source", "box_resolution", "box_jitter", "tone_ranges", "shared_budget",
+    "projection_tolerance", "random_seed",
+)  # fmt: skip
+_STROKES = ("separation", "step", "length", "symmetry", "start", "start_level")
+_HATCH = ("separation", "step", "guide", "guide_direction", "guide_weight")
+_HATCH_PIXELS = ("hatch_spacing", "hatch_pen", "hatch_white", "hatch_taper", "hatch_shortest", "hatch_overshoot")
+_STYLE = (
+    "paper", "hidden_lines", "visibility", "silhouette_threshold", "silhouette_law", "silhouette_width",
+    "attenuation_front", "attenuation_back", "splat_radius", "splat_overlap", "halo_width", "tone", "tone_rule",
+    "tone_curve", "tone_fade", "tone_exponent", "fill_light", "light", "light_space", "zoom_reference", "zoom_exponent",
+    "ink",
+)  # fmt: skip
+
+
+def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
+    """The named style with what was given on the command line, marks sized for the picture."""
+    own: Optional[Style] = getattr(arguments, "own_style", None)
+    style = Style(arguments.style) if own is None else own.copy()
+    if arguments.distribution == "published":
+        _draw_as_published(style)
+    style.layer("any")
+    # The named styles are made for a pen of one pixel.
+    pen = 1.0 if own is not None else arguments.mark_radius or _automatic.pen_radius(size)
+    for layer in style.layers:
+        layer.radius *= pen
+        for field in _HATCH_PIXELS:
+            setattr(layer, field, pen * getattr(layer, field))
+        if arguments.share is not None:
+            layer.share *= arguments.share
+        if arguments.shape is not None:
+            layer.shape = arguments.shape
+    style.silhouette_radius *= pen
+    style.halo_width *= pen
+    if arguments.contours_of is not None:
+        for kind in MADE_KINDS:
+            style.layer(kind).contours = kind in arguments.contours_of
+        style.layer("any").contours = False
+    _lines.style_lines(arguments, style, pen)
+    style.update(**given(arguments, _STYLE))
+    style.update(**given(arguments, ("silhouette_ink", "silhouette_radius")))
+    if arguments.silhouette_ink is not None:
+        for line in style.lines:
+            line.ink = arguments.silhouette_ink
+    if arguments.transparent:
+        red, green, blue, _ = style.paper
+        style.paper = (red, green, blue, 0.0)
+    if arguments.depth_range is not None:
+        style.depth_min, style.depth_max = arguments.depth_range
+    for owner, field, text in arguments.assignments:
+        values.assign(style, owner, field, text)
+    return style
+
+
+def _draw_as_published(style: Style) -> None:
+    """Marks of the recursion are dots of one size."""
+    for layer in style.layers:
+        if layer.kind == "combing" and layer.shown:
+            layer.shape, layer.radius, layer.share = "dots", 1.1, 1.0
+        if layer.kind == "stipples" and style.preset == "full":
+            layer.radius = layer.share = 1.0
+
+
+def make_camera(arguments: Any, source: Any, points: Any) -> Camera:
+    """The camera asked for; without --eye one that sees all of the points, of a source or a box."""
+    own: Optional[Camera] = getattr(arguments, "own_camera", None)
+    if own is not None:
+        return own
+    up = arguments.up
+    # Finds are drawn as they are measured.
+    fov = 0.0 if _is_find(arguments) else 30.0
+    angle = math.radians(fov if arguments.fov is None else arguments.fov)
+    size = arguments.size or _automatic.LONG_SIDE
+    if arguments.eye is not None:
+        return _camera_at(arguments, source, up, angle, (size, size) if isinstance(size, int) else size)
+    azimuth = 30.0 if arguments.azimuth is None else arguments.azimuth
+    elevation = 20.0 if arguments.elevation is None else arguments.elevation
+    direction = arguments.direction or _automatic.view_direction(up, azimuth, elevation)
+    margin = 0.05 if arguments.margin is None else arguments.margin
+    camera = Camera.fit(source, direction, up, vertical_angle=angle, margin=margin)
+    return _automatic.frame(camera, points, size, margin)
+
+
+def _camera_at(arguments: Any, source: Any, up: Any, angle: float, size: Tuple[int, int]) -> Camera:
+    """From --eye towards --target or the middle of the model."""
+    low, high = (np.asarray(corner) for corner in corners(source))
+    target = (low + high) / 2 if arguments.target is None else arguments.target
+    distance = float(np.linalg.norm(np.subtract(target, arguments.eye)))
+    radius = float(np.linalg.norm(high - low))
+    camera = Camera.look_at(arguments.eye, target, up)
+    if angle == 0:
+        return camera.orthographic(radius, size, -distance - radius, distance + radius)
+    return camera.perspective(angle, size, max(distance - 2 * radius, distance / 1000), distance + 2 * radius)
+
+
+def _is_find(arguments: Any) -> bool:
+    return bool(arguments.style == "archaeological")
+
+
+def make_layers(arguments: Any, wanted: Sequence[Layer]) -> List[Layer]:
+    """These layers with what was given on the command line."""
+    layers = []
+    for layer in wanted:
+        kind = layer.kind
+        fields = {"stipples": ("density", "density_strength"), "hatch": _HATCH}.get(kind, _STROKES)
+        layer = replace(layer, **given(arguments, (*fields, "tone_smoothing")))
+        for field, numbers in (("budget", arguments.budget), ("levels", arguments.levels)):
+            if numbers is not None and kind in numbers:
+                layer = replace(layer, **{field: numbers[kind]})
+        if kind == "hatch" and arguments.hatch_angle is not None:
+            layer = replace(layer, angle=layer.angle + arguments.hatch_angle)
+        layers.append(replace(layer, with_curvature=kind in (arguments.curvature_of or ())))
+    return layers
+
+
+def _wanted_layers(arguments: Any) -> List[Layer]:
+    """Those asked for, or those of the style, whose strokes follow each other from light to dark unless told not to."""
+    if arguments.layers:
+        return [Layer(kind) for kind in arguments.layers]
+    layers = preset_layers(arguments.style, arguments.distribution or "blue_noise")
+    return layers if arguments.tone_ranges is None else [replace(one, tone=None, second_tone=None) for one in layers]
+
+
+def generate(arguments: Any, model: Model, layers: Sequence[Layer], context: Context, report: Reporter) -> PointSet:
+    """Place the marks."""
+    options = given(arguments, _GENERATE)
+    if arguments.seed_points is not None:
+        options["seed_points"] = shapes.read(arguments.seed_points).points
+    with report.stage("place marks", "placing marks") as stage:
+        marks = PointSet.generate(model, layers, progress=stage.bar, context=context, **options)
+        stage.says = f"{len(marks)} marks: {', '.join(layer.name or layer.kind for layer in marks.layers)}"
+    return marks
+
+
+def plan(
+    arguments: Any, model: Model, known: PointSet, camera: Camera, report: Reporter
+) -> Tuple[Style, List[Layer]]:
+    """The style for a camera, and the layers that it wants with what fills the darkest tone."""
+    style = make_style(arguments, camera.size)
+    low, high = model.bounds
+    pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
+    area = known.info.spacing**2 * len(known)
+    published, seeds = arguments.distribution == "published", max(model.info.centres, 1)
+    layers = make_layers(arguments, _wanted_layers(arguments))
+    layers = _automatic.marks(layers, style, area, pixels, published, seeds, report.note)
+    if arguments.tone_ranges == "in-turn":
+        layers = _automatic.in_turn(layers, style)
+    return style, layers
+
+
+def _has_section(arguments: Any) -> bool:
+    return _is_find(arguments) if arguments.profile is None else bool(arguments.profile == "yes")
+
+
+def _unit_of_bar(arguments: Any) -> str:
+    unit = arguments.scale_bar or ("units" if _is_find(arguments) else "none")
+    return "" if unit == "none" else str(unit)
+
+
+def is_plate(arguments: Any) -> bool:
+    """Whether there is more on the paper than the drawing."""
+    return _has_section(arguments) or _unit_of_bar(arguments) != ""
+
+
+def section_lines(arguments: Any, model: Model, camera: Camera) -> List[Lines]:
+    """What a section beside the drawing needs of the line set."""
+    return [_plate.section(model, camera)] if _has_section(arguments) else []
+
+
+def plate(
+    arguments: Any,
+    drawing: Drawing,
+    model: Model,
+    marks: PointSet,
+    line_set: Optional[LineSet],
+    camera: Camera,
+    style: Style,
+    context: Context,
+) -> Any:
+    """A PIL.Image: the drawing with a section beside it and a scale bar."""
+    section = line_set if _has_section(arguments) else None
+    unit = _unit_of_bar(arguments)
+    return _plate.compose(drawing.to_pil(), model, marks, section, camera, style, unit, context)
+
+
+@dataclass
+class Scene:
+    """What is drawn, by any number of cameras: one model, its marks and lines, and a renderer.
+
+    Lines keep their numbers, and wobble the same, from one drawing to the next.  `places` are points spread over the
+    surface, shape (n, 3), which cameras are fitted to.
+    """
+
+    arguments: Any
+    source: Union[Model, PointSet]
+    marks: PointSet
+    line_set: Optional[LineSet]
+    style: Style
+    camera: Camera
+    places: Any
+    context: Context
+    renderer: Renderer = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.renderer = Renderer(context=self.context)
+
+    def draw(self, camera: Camera) -> Drawing:
+        """The drawing alone, without what a plate adds."""
+        return self.renderer.draw(Item(self.marks, self.style, line_set=self.line_set), camera)
+
+    @property
+    def is_plate(self) -> bool:
+        """Whether there is more on the paper than the drawing."""
+        return isinstance(self.source, Model) and is_plate(self.arguments)
+
+    def picture(self, drawing: Drawing, camera: Camera) -> Any:
+        """A PIL.Image of a drawing, with a section beside it and a scale bar where they are wanted."""
+        if not (isinstance(self.source, Model) and is_plate(self.arguments)):
+            return drawing.to_pil()
+        return plate(
+            self.arguments, drawing, self.source, self.marks, self.line_set, camera, self.style, self.context
+        )
+
+    def check(self, drawing: Drawing, camera: Camera) -> None:
+        """Raise a ValueError if hardly anything can be seen, unless that is allowed."""
+        if not self.arguments.allow_blank:
+            _blank.check(drawing, self.source, camera, self.style, self.arguments.flip)
+
+    def write(self, path: Path, drawing: Drawing, camera: Camera, report: Reporter) -> None:
+        """A drawing in the format that the path's ending says."""
+        if _vectors.is_vector(path):
+            self._vectors(path, drawing, camera, report)
+        else:
+            save_picture(self.picture(drawing, camera), path, None)
+
+    def _vectors(self, path: Path, drawing: Drawing, camera: Camera, report: Reporter) -> None:
+        items: List[PageItem] = [PageItem(drawing)]
+        notes: List[Any] = []
+        size: Tuple[float, float] = drawing.size
+        if isinstance(self.source, Model) and is_plate(self.arguments):
+            section = self.line_set if _has_section(self.arguments) else None
+            items, notes, size = _plate.vectors(
+                drawing, self.source, self.marks, section, camera, self.style, _unit_of_bar(self.arguments), self.context
+            )
+        _vectors.write(self.arguments, items, size, path, notes, self._metadata(camera), report)
+
+    def _metadata(self, camera: Camera) -> str:
+        """What the drawing is of, as JSON."""
+        facts: Dict[str, Any] = {"input": Path(self.arguments.input).name, "style": self.arguments.style}
+        if isinstance(self.source, Model):
+            info = self.source.info
+            facts["model"] = {"centres": info.centres, "kernel": info.kernel, "samples": info.samples}
+        facts["marks"] = len(self.marks)
+        facts["camera"] = {
+            "view": np.asarray(camera.view).tolist(), "projection": np.asarray(camera.projection).tolist(),
+            "viewport": list(camera.viewport),
+        }  # fmt: skip
+        return json.dumps(facts)
+
+
+Look = Callable[[Any, Any, Any], Camera]
+"""From options, a model or a point set, and points spread over it, to a camera."""
+
+
+def set_scene(
+    arguments: Any, loaded: Loaded, context: Context, report: Reporter, look: Look = make_camera
+) -> Scene:
+    """The camera, the marks and the lines of a model; saved marks are used as they are."""
+    source = loaded.content
+    arguments.up, arguments.input_shape = loaded.up, loaded.shape
+    arguments.has_end = isinstance(source, Model) and source.trim_info.is_trimmed
+    known = _automatic.probe(source, context) if isinstance(source, Model) else source
+    places = _automatic.positions(known)
+    camera = look(arguments, source, places)
+    if not isinstance(source, Model):
+        if arguments.lines:
+            report.note("lines are drawn of a model, not of saved points: contours come from marks")
+        return Scene(arguments, source, source, None, make_style(arguments, camera.size), camera, places, context)
+    style, layers = plan(arguments, source, known, camera, report)
+    marks = generate(arguments, source, layers, context, report)
+    line_set = _lines.make(arguments, source, style, context, report, section_lines(arguments, source, camera))
+    return Scene(arguments, source, marks, line_set, style, camera, places, context)
+
+
+def draw_scene(scene: Scene, report: Reporter) -> Drawing:
+    """By its own camera; a picture that would be blank is an error."""
+    with report.stage("frame", "drawing") as stage:
+        drawing = scene.draw(scene.camera)
+        stage.says = f"{drawing.info.shown} of {len(scene.marks)} marks shown, {drawing.info.line_curves} curves"
+        scene.check(drawing, scene.camera)
+    return drawing
