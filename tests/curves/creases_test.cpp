@@ -216,21 +216,6 @@ TEST(Creases, FacesInOnePlaneAreOne) {
     EXPECT_EQ(flat, 0.0);
 }
 
-// Curvatures beside a crease are those of the sheet: no ridges, valleys or parabolic lines run along it.
-TEST(Creases, AreNoRidges) {
-    for (const bool shaft : {true, false}) {
-        const auto shape = shaft ? stepped_shaft() : bored_cube();
-        std::array<LineRequest, 2> requests;
-        requests[0].kind = LineKind::ridge;
-        requests[1].kind = LineKind::valley;
-        LineSetSettings settings;
-        settings.side = 0.1;
-        settings.lines = requests;
-        const LineSet lines(runtime(), *shape, std::make_unique<implicit::DifferencedShape>(*shape), settings, {});
-        for (const FoundLines& found : lines.found()) EXPECT_EQ(found.lines.curves.count(), 0) << shaft;
-    }
-}
-
 // A section of a cube is a polygon, one line for each face; of a bored one there is a circle or an arc as well.
 TEST(Creases, SectionsHaveCorners) {
     const auto shape = bored_cube(0.6, glm::dmat3(1.0));
