@@ -195,19 +195,25 @@ TEST(Creases, AngleFades) {
     EXPECT_GT(longest, 0.8);
 }
 
-// Curvatures beside a crease are those of the sheet: no ridges, valleys or parabolic lines run along it.
-TEST(Creases, AreNoRidges) {
-    for (const bool shaft : {true, false}) {
-        const auto shape = shaft ? stepped_shaft() : bored_cube();
-        std::array<LineRequest, 2> requests;
-        requests[0].kind = LineKind::ridge;
-        requests[1].kind = LineKind::valley;
-        LineSetSettings settings;
-        settings.side = 0.1;
-        settings.lines = requests;
-        const LineSet lines(runtime(), *shape, std::make_unique<implicit::DifferencedShape>(*shape), settings, {});
-        for (const FoundLines& found : lines.found()) EXPECT_EQ(found.lines.curves.count(), 0) << shaft;
-    }
+// Two boxes whose long faces lie in four planes, and overlap: one box, whichever of two equal faces is active.
+TEST(Creases, FacesInOnePlaneAreOne) {
+    const auto box = [](double low, double high) {
+        return max_of({plane({1, 0, 0}, high), plane({-1, 0, 0}, -low), plane({0, 1, 0}, 0.7), plane({0, -1, 0}, 0.7),
+                       plane({0, 0, 1}, 0.6), plane({0, 0, -1}, 0.6)});
+    };
+    const SharpShape shape(geometry::Bounds{{-1.0, -0.7, -0.6}, {1.5, 0.7, 0.6}},
+                           min_of({box(-1.0, 0.5), box(0.1, 1.5)}));
+    const auto lines = line_set(shape, 0.13);
+    const Creases& creases = lines->creases();
+    double length = 0.0;
+    double flat = 0.0;
+    for (std::int64_t c = 0; c < creases.count(); ++c)
+        for (std::int64_t i = creases.first[c] + 1; i < creases.first[c + 1]; ++i) {
+            const double step = glm::distance(creases.point[i].position, creases.point[i - 1].position);
+            (std::abs(creases.point[i].angle()) > 1.0 ? length : flat) += step;
+        }
+    EXPECT_NEAR(length, 4.0 * (2.5 + 1.4 + 1.2), 1e-6);
+    EXPECT_EQ(flat, 0.0);
 }
 
 // A section of a cube is a polygon, one line for each face; of a bored one there is a circle or an arc as well.

@@ -23,9 +23,9 @@ std::unique_ptr<curves::LineSet> line_set(const implicit::Implicit& shape, doubl
 }
 
 // Contours sheet by sheet, creases that are contours, and the others.
-class Sharp {
+class SharpScene {
 public:
-    Sharp(const curves::LineSet& set, const Eye& eye)
+    SharpScene(const curves::LineSet& set, const Eye& eye)
         : set_(set), view_(eye.view()),
           parts_(curves::parts_in_view(runtime(), *set.surface().sheets(), set.creases(), view_)),
           picture(runtime(), Stage(), eye) {
@@ -51,6 +51,7 @@ private:
         subject.view = view_;
         subject.side = set_.mesh().side;
         subject.sheets = sheets;
+        subject.joined = true;
         if (level == nullptr) subject.clear = clear_of_creases;
         picture.add(subject);
     }
@@ -86,7 +87,7 @@ std::vector<glm::dvec3> ends_of(const curves::Curves& curves) {
 }
 
 // Contours end at creases, and where a contour ends a crease begins to be one: each end is an end of another line.
-void expect_joined(const Sharp& sharp, double within) {
+void expect_joined(const SharpScene& sharp, double within) {
     std::vector<glm::dvec3> ends = ends_of(sharp.parts().folds.curves);
     for (const auto& curves : sharp.contours())
         for (const glm::dvec3& end : ends_of(*curves)) ends.push_back(end);
@@ -103,7 +104,7 @@ void look_at(const SharpShape& shape, double side, double distance, int places, 
     int compared = 0;
     for (const Eye& eye : test::eyes(cube_directions(0.1), distance)) {
         SCOPED_TRACE(named(eye));
-        const Sharp sharp(*set, eye);
+        const SharpScene sharp(*set, eye);
         EXPECT_EQ(sharp.broken, 0);
         compared += expect_right(sharp.picture, places);
         expect_joined(sharp, 1e-6);
@@ -118,11 +119,76 @@ TEST(CreasesSeen, JoinedBalls) { look_at(*two_balls(true), 0.1, 5.0, 40, 1500); 
 TEST(CreasesSeen, BallsInCommon) { look_at(*two_balls(false), 0.1, 5.0, 40, 1500); }
 TEST(CreasesSeen, CappedCone) { look_at(*capped_cone(), 0.1, 5.0, 40, 1500); }
 
+// Balls, cylinders and half-spaces at random, joined, cut and taken away.
+FieldFunction random_leaf(std::uint64_t number) {
+    const auto u = base::uniform4(7, number, base::Purpose::probe, 1);
+    const auto v = base::uniform4(7, number, base::Purpose::probe, 2);
+    const glm::dvec3 at = 1.2 * glm::dvec3(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5);
+    if (u[3] < 0.5) return sphere(at, 0.35 + 0.4 * v[0]);
+    if (u[3] < 0.8) return turned(cylinder(0.25 + 0.3 * v[0], at), odd_turn());
+    return plane(glm::dvec3(v[0] - 0.5, v[1] - 0.5, v[2] - 0.5), 0.4 * v[3]);
+}
+Sharp random_tree(std::uint64_t number, int depth) {
+    if (depth == 0) return {random_leaf(number)};
+    const double u = base::uniform4(7, number, base::Purpose::probe, 3)[0];
+    Sharp a = random_tree(2 * number + 1, depth - 1);
+    if (u < 0.25) return max_of({std::move(a), Sharp(without(random_leaf(2 * number + 2)))});
+    Sharp b = random_tree(2 * number + 2, depth - 1);
+    std::vector<Sharp> both;
+    both.push_back(std::move(a));
+    both.push_back(std::move(b));
+    return u < 0.75 ? min_of(std::move(both)) : max_of(std::move(both));
+}
+
+TEST(CreasesSeen, RandomTrees) {
+    int compared = 0;
+    int wrong = 0;
+    std::int64_t lines = 0;
+    std::int64_t settled = 0;
+    std::int64_t broken = 0;
+    int shapes = 0;
+    for (std::uint64_t tree = 0; tree < 20; ++tree) {
+        SCOPED_TRACE(tree);
+        std::vector<Sharp> parts;
+        parts.push_back(random_tree(1000 * (tree + 1), 3));
+        parts.emplace_back(sphere(glm::dvec3(0.0), 1.3));
+        const SharpShape shape(cube(1.3), max_of(std::move(parts)));
+        std::unique_ptr<curves::LineSet> set;
+        try {
+            set = line_set(shape, 0.08);
+        } catch (const Error&) {
+            continue; // nothing is left of it
+        }
+        ++shapes;
+        for (const Eye& eye : {Eye::at({0.5, 0.7, 0.9}, 5.0, true), Eye::at({-0.8, 0.4, -0.3}, 5.0, false)}) {
+            const SharpScene sharp(*set, eye);
+            broken += sharp.broken;
+            settled += sharp.picture.found->report.settled;
+            lines += sharp.picture.found->report.lines;
+            for (int i = 0; i < 40; ++i) {
+                const Place place = sharp.picture.random_place(i);
+                const std::optional<std::int32_t> sheets = sharp.picture.sheets_at(place);
+                if (!sheets) continue;
+                ++compared;
+                const bool off = *sheets != sharp.picture.dense_count(place, 600) &&
+                                 *sheets != sharp.picture.dense_count(place, 20000);
+                wrong += off ? 1 : 0;
+            }
+        }
+    }
+    // What is smaller than a cell may be missed.
+    EXPECT_GE(shapes, 15);
+    EXPECT_GT(compared, 1000);
+    EXPECT_EQ(broken, 0);
+    EXPECT_LE(settled, lines / 50);
+    EXPECT_LE(wrong, compared / 50);
+}
+
 // Nine edges of a cube that is seen from a corner bound its three faces: six of them its outline.
 TEST(CreasesSeen, CubeFromACorner) {
     const auto shape = sharp_cube(glm::dmat3(1.0));
     const auto set = line_set(*shape, 0.23);
-    const Sharp sharp(*set, Eye::at({1.0, 0.9, 1.1}, 6.0, true));
+    const SharpScene sharp(*set, Eye::at({1.0, 0.9, 1.1}, 6.0, true));
     EXPECT_EQ(sharp.parts().folds.curves.count(), 6);
     EXPECT_EQ(sharp.parts().outside.curves.count(), 3);
     EXPECT_EQ(sharp.parts().inside.curves.count(), 3);
