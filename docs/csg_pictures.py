@@ -20,8 +20,8 @@ STYLE = ["--style", "engraving", "--up", "z", "--quiet"]
 BLENDS = """bar = cylinder(0.5, 3, axis=(1, 0, 0))
 post = cylinder(0.5, 3)
 sharp = bar | post
-cubic = bar.blend(post, 0.5).translated(3.4, 0, 0)
-arc = bar.blend(post, 0.5, 2).translated(6.8, 0, 0)
+cubic = bar.blend(post, 0.5).translated(3.4, 0.02, 0)
+arc = bar.blend(post, 0.5, 2).translated(6.8, 0.04, 0)
 union(sharp, cubic, arc)
 """
 

@@ -12,6 +12,8 @@ void copy(const CsgRegister& from, std::int64_t count, const FieldBatch& to) noe
     for (std::size_t c = 0; to.wants_hessian() && c < 6; ++c) std::copy_n(from.hessian[c], count, to.hessian[c]);
 }
 
+constexpr std::int64_t most_celled = 64; // each point is looked for in all of them
+
 // work(first, points) for each block.
 template <class F>
 void for_blocks(const PointBatch& points, F&& work) {
@@ -23,26 +25,36 @@ void for_blocks(const PointBatch& points, F&& work) {
 
 Csg::Csg(const base::Runtime& runtime, const CsgPlan& plan, base::Array<const Implicit*>&& leaves,
          const geometry::Bounds& bounds)
-    : plan_(plan), leaves_(std::move(leaves)), bounds_(bounds), scratch_(runtime) {
-    std::int64_t most = 0;
+    : plan_(plan), leaves_(std::move(leaves)), bounds_(bounds), celled_(runtime.memory), scratch_(runtime) {
     for (const CsgOp& op : plan.ops()) {
         if (op.kind != CsgOp::Kind::model) continue;
         const CsgPlace& place = plan.place(op);
         const Implicit& leaf = *leaves_[place.model];
         concurrent_ = concurrent_ && leaf.concurrent();
-        if (leaf.cells() <= most) continue;
-        most = leaf.cells();
-        celled_ = &place;
+        if (leaf.cells() == 0 || celled_.size() == most_celled) continue;
+        celled_.push_back({&place, cells_});
+        cells_ += leaf.cells();
     }
+    if (cells_ > std::numeric_limits<std::int32_t>::max()) cells_ = 0;
 }
 
 Csg::~Csg() = default;
 
-std::int64_t Csg::cells() const noexcept { return celled_ != nullptr ? leaves_[celled_->model]->cells() : 0; }
-
+// In that leaf whose box the point is farthest inside of, or nearest to: others are hardly asked there.
 std::int32_t Csg::cell_of(const glm::dvec3& point) const noexcept {
-    if (celled_ == nullptr) return 0;
-    return leaves_[celled_->model]->cell_of(celled_->to_local * point + celled_->shift);
+    if (cells_ == 0) return 0;
+    double least = std::numeric_limits<double>::infinity();
+    std::int64_t cell = 0;
+    for (const Celled& leaf : celled_) {
+        const CsgPlace& place = *leaf.place;
+        const glm::dvec3 p = place.to_local * point + place.shift;
+        std::int32_t side = 0;
+        const double beyond = std::abs(place.scale) * place.shape.value(p - place.centre, side);
+        if (!(beyond < least)) continue;
+        least = beyond;
+        cell = leaf.first + leaves_[place.model]->cell_of(p);
+    }
+    return static_cast<std::int32_t>(cell);
 }
 
 void Csg::evaluate(const PointBatch& points, const FieldBatch& fields) const {

@@ -21,7 +21,8 @@ public:
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return concurrent_; }
-    [[nodiscard]] std::int64_t cells() const noexcept override;
+    // Those of all leaves, one leaf's behind the other's.
+    [[nodiscard]] std::int64_t cells() const noexcept override { return cells_; }
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& point) const noexcept override;
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return bounds_; }
     [[nodiscard]] double lipschitz() const noexcept override { return plan_.root().lipschitz; }
@@ -44,7 +45,12 @@ private:
     const CsgPlan& plan_;
     base::Array<const Implicit*> leaves_;
     geometry::Bounds bounds_;
-    const CsgPlace* celled_ = nullptr; // the leaf with the most cells
+    struct Celled {
+        const CsgPlace* place;
+        std::int64_t first; // its cells
+    };
+    base::Array<Celled> celled_; // leaves that have cells
+    std::int64_t cells_ = 0;
     bool concurrent_ = true;
     SheetsOf sheets_{*this};
     mutable base::ScratchPool<Scratch> scratch_; // of the calls

@@ -6,6 +6,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// Lengths are 1e-100 to 1e100: faster than std::hypot, and the same everywhere.
+double root_of_squares(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
+
 // A function of the distance from the z axis and of z, with its derivatives.
 struct Profile {
     double value = 0.0;
@@ -44,7 +47,7 @@ CsgJet sphere(const glm::dvec3& p, double radius) noexcept {
 
 Profile tube(double rho, double z, double radius, double tube_radius) noexcept {
     const double across = rho - radius;
-    const double length = std::hypot(across, z);
+    const double length = root_of_squares(across, z);
     if (length == 0.0) return {-tube_radius, 0.0, 0.0, 0.0, 0.0, 0.0};
     const double u = across / length;
     const double v = z / length;
@@ -54,7 +57,7 @@ Profile tube(double rho, double z, double radius, double tube_radius) noexcept {
 // How far a disc about the z axis reaches along each axis, moved.
 glm::dvec3 reach_of_disc(const glm::dmat3& linear, double radius) noexcept {
     glm::dvec3 reach;
-    for (int i = 0; i < 3; ++i) reach[i] = radius * std::hypot(linear[0][i], linear[1][i]);
+    for (int i = 0; i < 3; ++i) reach[i] = radius * root_of_squares(linear[0][i], linear[1][i]);
     return reach;
 }
 
@@ -88,7 +91,7 @@ CsgShape::CsgShape(const CsgNode& node) noexcept
     if (kind_ != CsgKind::cylinder && kind_ != CsgKind::cone) return;
     half_.z = 0.5 * node.height;
     const double narrows = radius_ - second_radius_;
-    const double length = std::hypot(node.height, narrows);
+    const double length = root_of_squares(node.height, narrows);
     slant_ = {node.height / length, narrows / length};
 }
 
@@ -106,7 +109,7 @@ double CsgShape::value(const glm::dvec3& p, std::int32_t& sheet) const noexcept 
     switch (kind_) {
     case CsgKind::half_space: return p.z;
     case CsgKind::sphere: return glm::length(p) - radius_;
-    case CsgKind::torus: return std::hypot(std::hypot(p.x, p.y) - radius_, p.z) - second_radius_;
+    case CsgKind::torus: return root_of_squares(root_of_squares(p.x, p.y) - radius_, p.z) - second_radius_;
     case CsgKind::box: {
         const glm::dvec3 beyond = glm::abs(p) - half_;
         int axis = beyond.y > beyond.x ? 1 : 0;
@@ -116,7 +119,7 @@ double CsgShape::value(const glm::dvec3& p, std::int32_t& sheet) const noexcept 
     }
     default: break;
     }
-    const double beside = side(std::hypot(p.x, p.y), p.z);
+    const double beside = side(root_of_squares(p.x, p.y), p.z);
     const double beyond = std::abs(p.z) - half_.z;
     if (!(beyond > beside)) return beside;
     sheet = p.z < 0.0 ? 2 : 1;
@@ -128,7 +131,7 @@ CsgJet CsgShape::jet(std::int32_t sheet, const glm::dvec3& p) const noexcept {
     case CsgKind::half_space: return plane(2, 1.0, p.z);
     case CsgKind::sphere: return sphere(p, radius_);
     case CsgKind::torus: {
-        const double rho = std::hypot(p.x, p.y);
+        const double rho = root_of_squares(p.x, p.y);
         return around_axis(p, rho, tube(rho, p.z, radius_, second_radius_));
     }
     case CsgKind::box: {
@@ -139,7 +142,7 @@ CsgJet CsgShape::jet(std::int32_t sheet, const glm::dvec3& p) const noexcept {
     default: break;
     }
     if (sheet > 0) return plane(2, sheet == 1 ? 1.0 : -1.0, (sheet == 1 ? p.z : -p.z) - half_.z);
-    const double rho = std::hypot(p.x, p.y);
+    const double rho = root_of_squares(p.x, p.y);
     return around_axis(p, rho, {side(rho, p.z), slant_.x, slant_.y, 0.0, 0.0, 0.0});
 }
 
