@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Turntables and batches on Dask: two workers, one killed."""
 import os
+import re
 import signal
+import subprocess
 import sys
 import time
 import warnings
 
 import numpy as np
 import pytest
-from conftest import torus
+from conftest import ROOT, torus
 from test_cli import rows
 from test_shapes import write
 
@@ -177,3 +179,14 @@ def test_without_dask_it_is_said_what_is_missing(monkeypatch, tmp_path):
         batch.turntable((POINTS, NORMALS), "a.avi")
     with pytest.raises(ValueError, match="frames must be at least 1"):
         next(batch.frames_of((POINTS, NORMALS), frames=0))
+
+
+def test_the_example_of_the_documentation(tmp_path):
+    pytest.importorskip("distributed", reason="dask.distributed is not installed (Debian: python3-distributed)")
+    text = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    (block,) = [one for one in re.findall(r"^```py\n(.*?)^```$", text, re.DOTALL | re.MULTILINE) if "hrbfnpr.batch" in one]
+    (tmp_path / "script.py").write_text(block)
+    run = subprocess.run([sys.executable, "script.py"], cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert run.returncode == 0, run.stderr
+    lines = run.stdout.splitlines()
+    assert sorted(line[0] for line in lines) == sorted("01234501") and Image.open(tmp_path / "ring.gif").n_frames == 6

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Pictures in matplotlib's axes, and the viewer."""
 import io
+import re
 import subprocess
 import sys
 
 import numpy as np
 import pytest
-from conftest import torus
+from conftest import ROOT, torus
 
 import hrbfnpr
 
@@ -104,3 +105,15 @@ def test_a_viewer_says_what_fails(monkeypatch):
     monkeypatch.setattr(hrbfnpr.Picture, "restyled", fail)
     viewer.style.value = "silhouette"
     assert viewer.message.value == "the picture would be blank" and np.array_equal(shown(viewer), before)
+
+
+def test_the_example_of_the_documentation():
+    matplotlib = pytest.importorskip("matplotlib", reason="matplotlib is not installed (Debian: python3-matplotlib)")
+    pytest.importorskip("ipywidgets", reason="ipywidgets is not installed (Debian: python3-ipywidgets)")
+    matplotlib.use("agg")
+    text = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    (block,) = [one for one in re.findall(r"^```py\n(.*?)^```$", text, re.DOTALL | re.MULTILINE) if "matplotlib_show" in one]
+    names = {}
+    exec(compile(block, "python.md", "exec"), names)
+    assert [len(ax.images) for ax in names["axes"]] == [1, 1] and names["viewer"].message.value == ""
+    matplotlib.pyplot.close("all")

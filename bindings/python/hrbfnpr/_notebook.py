@@ -137,4 +137,5 @@ def widget(
     --------
     >>> hrbfnpr.widget("bunny.ply", "hatch")
     """
-    return Viewer(draw(source, style, progress=progress, context=context, **{"size": SIZE, **options}))
+    options.setdefault("size", SIZE)
+    return Viewer(draw(source, style, progress=progress, context=context, **options))
