@@ -19,6 +19,7 @@ package_set() {
     test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev binutils librsvg2-bin ;;
     abi) echo tcc abigail-tools ;;
     valid) echo libxml2-utils w3c-sgml-lib qpdf ;;
+    dask) echo python3-distributed ;;
     csharp) echo mono-mcs mono-runtime ;;
     love) echo love luajit xvfb xauth ;;
     godot) echo godot3-server godot3-runner xvfb xauth ;;

@@ -32,7 +32,7 @@ TEST(Golden, ModelOfVersion1) {
     EXPECT_EQ(file.data.kernel, kernel::Kind::triharmonic);
     EXPECT_EQ(file.data.polynomial_degree, 1);
     BytesWriter writer;
-    save_model(file.data, file.report.span(), nullptr, writer);
+    save_model({&file.data, nullptr, file.report.span()}, nullptr, writer);
     EXPECT_EQ(writer.bytes, bytes); // fits are still of this version
 
     const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),

@@ -40,7 +40,7 @@ PiecesData pieces(base::Memory& memory) {
 
 Bytes bytes_of(const PiecesData& data, const TrimFile* trim = nullptr) {
     BytesWriter writer;
-    save_model(data, report(), trim, writer);
+    save_model({nullptr, &data, report()}, trim, writer);
     return writer.bytes;
 }
 

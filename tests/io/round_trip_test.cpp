@@ -37,7 +37,7 @@ TEST(ModelFile, KeepsEveryBit) {
             MemoryReader reader = reader_of(first);
             const ModelFile loaded = load_model(memory, reader);
             BytesWriter second;
-            save_model(loaded.data, loaded.report.span(), &loaded.trim, second);
+            save_model({&loaded.data, nullptr, loaded.report.span()}, &loaded.trim, second);
             EXPECT_EQ(first, second.bytes);
             EXPECT_EQ(loaded.data.kernel, kind);
             EXPECT_EQ(loaded.data.polynomial_degree, degree);
@@ -52,7 +52,7 @@ TEST(ModelFile, HoldsWhereATrimmedModelEnds) {
     fill(file.trim);
     const auto bytes_with = [&](const TrimFile& trim) {
         BytesWriter writer;
-        save_model(file.data, report(), &trim, writer);
+        save_model({&file.data, nullptr, report()}, &trim, writer);
         return writer.bytes;
     };
     const Bytes bytes = bytes_with(file.trim);

@@ -116,7 +116,7 @@ inline marks::PointSet point_set(base::Memory& memory, std::int64_t count) {
 
 inline Bytes bytes_of(const implicit::HrbfData& data) {
     BytesWriter writer;
-    save_model(data, report(), nullptr, writer);
+    save_model({&data, nullptr, report()}, nullptr, writer);
     return writer.bytes;
 }
 
@@ -150,7 +150,7 @@ inline Bytes trimmed_model_bytes(std::int64_t count = 2) {
     ModelFile file(memory);
     file.data = model(memory, count);
     BytesWriter writer;
-    save_model(file.data, report(), &fill(file.trim), writer);
+    save_model({&file.data, nullptr, report()}, &fill(file.trim), writer);
     return writer.bytes;
 }
 
@@ -184,7 +184,7 @@ inline Bytes csg_model_bytes(std::int64_t count = 2) {
     base::Memory memory;
     const implicit::HrbfData data = model(memory, count);
     const std::vector<double> numbers = report();
-    const FitToSave leaf{&data, numbers};
+    const FitToSave leaf{&data, nullptr, numbers};
     return bytes_of(csg_tree(memory), {glm::dvec3(-2.0), glm::dvec3(3.0)}, {&leaf, 1});
 }
 

@@ -74,17 +74,19 @@ def test_the_examples_of_the_documentation_run(tmp_path, monkeypatch):
     text = (ROOT / "docs" / "python.md").read_text()
     blocks = re.findall(r"^```python\n(.*?)^```$", text, flags=re.DOTALL | re.MULTILINE)
     assert len(blocks) >= 3
-    names = {"np": np, "tqdm": tqdm}
+    names = {"np": np, "tqdm": tqdm, "hrbfnpr": hrbfnpr}
     for block in blocks:
         exec(compile(block, "python.md", "exec"), names)
     assert (tmp_path / "bunny.png").stat().st_size > 1000
+    for name in ("stippled.png", "torus.gif", "torus.png", "torus-07.png"):
+        assert (tmp_path / name).stat().st_size > 1000
     assert names["ball"].evaluate([0, 0, 3]).value == pytest.approx(2)
 
 
 def test_everything_public_is_documented():
     import inspect
 
-    for name in hrbfnpr.__all__:
+    for name in (*hrbfnpr.__all__, *hrbfnpr._ON_DEMAND):
         value = getattr(hrbfnpr, name)
         if not (inspect.isclass(value) or inspect.isfunction(value)):
             continue

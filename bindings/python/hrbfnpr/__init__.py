@@ -78,13 +78,14 @@ __all__ = [
 
 
 # Only on demand: they need NumPy, and some of them other packages.
-_MODULES = ("shapes", "datasets")
+_MODULES = ("shapes", "datasets", "batch")
 _ON_DEMAND = {
     "Animation": "_animate", "DrawingWarning": "_call_report", "Picture": "_draw_call", "animate": "_animate",
-    "draw": "_draw_call",
+    "draw": "_draw_call", "matplotlib_show": "_notebook", "widget": "_notebook", "Viewer": "_notebook",
 }  # fmt: skip
 
 if TYPE_CHECKING:
+    from . import batch as batch
     from . import datasets as datasets
     from . import shapes as shapes
     from ._animate import Animation as Animation
@@ -92,6 +93,9 @@ if TYPE_CHECKING:
     from ._call_report import DrawingWarning as DrawingWarning
     from ._draw_call import Picture as Picture
     from ._draw_call import draw as draw
+    from ._notebook import Viewer as Viewer
+    from ._notebook import matplotlib_show as matplotlib_show
+    from ._notebook import widget as widget
 
 
 def __getattr__(name: str) -> Any:

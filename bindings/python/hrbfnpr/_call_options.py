@@ -57,24 +57,30 @@ def namespace(style: Any, camera: Optional[Camera], name: str, options: Mapping[
     """
     grammar = _shared()
     arguments: argparse.Namespace = grammar.parser.parse_args([])
-    arguments.input = name
+    arguments.input, arguments.own_camera = name, None
     for option, value in options.items():
         action = grammar.action(option)
         if action.dest == "assignments":
             arguments.assignments = _assignments(value)
         elif value is not None:
             setattr(arguments, action.dest, _parsed(option, action, value))
-    if isinstance(style, Style):
-        if arguments.mark_radius is not None:
-            raise ValueError("mark_radius sizes named styles; a Style has the radii of its layers")
-        arguments.own_style, arguments.style = style.copy(), style.preset or arguments.style
-    else:
-        arguments.style = _parsed("style", grammar.action("style"), style)
+    set_style(arguments, style)
     if camera is not None:
         if not isinstance(camera, Camera):
             raise TypeError(f"camera must be a hrbfnpr.Camera, not {type(camera).__name__}")
         arguments.own_camera = camera
     return arguments
+
+
+def set_style(arguments: argparse.Namespace, style: Any) -> None:
+    """A named style, or one that is used as it is."""
+    if not isinstance(style, Style):
+        arguments.own_style = None
+        arguments.style = _parsed("style", _shared().action("style"), style)
+        return
+    if arguments.mark_radius is not None:
+        raise ValueError("mark_radius sizes named styles; a Style has the radii of its layers")
+    arguments.own_style, arguments.style = style.copy(), style.preset or arguments.style
 
 
 def _parsed(option: str, action: argparse.Action, value: Any) -> Any:

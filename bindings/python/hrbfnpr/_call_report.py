@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import warnings
 from contextlib import contextmanager
+from functools import partial
 from typing import Any, Callable, Iterator, List, Optional, Union
 
 from ._call_options import in_python
@@ -44,25 +45,30 @@ class CallReport(Reporter):
         """Kept for the result."""
         self.notes.append(in_python(self._about + text))
 
+    def taken(self) -> List[str]:
+        """The warnings, which are then gone."""
+        told = [in_python(text) for text in self._warnings]
+        self._warnings.clear()
+        return told
+
     def finish(self) -> None:
         """Raise Python's warnings, for the line that called this package."""
-        told, depth = [in_python(text) for text in self._warnings], _depth_of_caller()
-        self._warnings.clear()
-        for text in told:
+        depth = _depth_of_caller()
+        for text in self.taken():
             warnings.warn(text, DrawingWarning, stacklevel=depth)
 
     @contextmanager
     def stage(self, name: str, doing: str) -> Iterator[Stage]:
         """A part of the work: from 0 to 1 while it runs."""
-        tell = self.told
-        if tell is None:
+        if self.told is None:
             yield Stage(None)
             return
-        tell(doing, 0.0)
-        bar = _Bar(lambda fraction: tell(doing, fraction))
+        tell = partial(self.told, doing)
+        tell(0.0)
+        bar = _Bar(tell)
         yield Stage(bar)
         if bar.n < 1.0:
-            tell(doing, 1.0)
+            tell(1.0)
 
 
 def _depth_of_caller() -> int:

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _pictures
 from ._arrays import Array
-from ._call_options import in_python, namespace
+from ._call_options import in_python, namespace, set_style
 from ._call_report import CallReport, Progress
 from ._camera import Camera
 from ._context import Context
@@ -41,8 +41,16 @@ class Picture:
         What was chosen or repaired on the way.
     """
 
-    def __init__(self, scene: Scene, drawing: Drawing, camera: Camera, notes: Tuple[str, ...] = ()) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        drawing: Drawing,
+        camera: Camera,
+        notes: Tuple[str, ...] = (),
+        view: Optional[argparse.Namespace] = None,
+    ) -> None:
         self._scene = scene
+        self._view = scene.arguments if view is None else view  # options of its camera
         self.drawing, self.camera, self.notes = drawing, camera, notes
 
     @property
@@ -94,17 +102,29 @@ class Picture:
         camera : Camera, optional
             Instead of all of these.
         """
-        changes = {"azimuth": azimuth, "elevation": elevation, "direction": direction, "own_camera": camera}
-        scene = self._scene
-        arguments = argparse.Namespace(**vars(scene.arguments))
-        if direction is None and (azimuth is not None or elevation is not None):
-            arguments.direction = arguments.eye = None
-        arguments.own_camera = None
-        for name, value in changes.items():
-            if value is not None:
-                setattr(arguments, name, value)
-        seen_by = make_camera(arguments, scene.source, scene.places)
-        return Picture(scene, scene.draw(seen_by), seen_by, self.notes)
+        scene, view = self._scene, argparse.Namespace(**vars(self._view))
+        if camera is not None:
+            view.own_camera = camera
+        elif direction is not None or azimuth is not None or elevation is not None:
+            view.own_camera = view.eye = None
+            view.direction = direction
+            view.azimuth = view.azimuth if azimuth is None else azimuth
+            view.elevation = view.elevation if elevation is None else elevation
+        seen_by = make_camera(view, scene.source, scene.places)
+        return Picture(scene, scene.draw(seen_by), seen_by, self.notes, view)
+
+    def restyled(self, style: Union[str, Style]) -> Picture:
+        """The same surface from the same side in another style; marks are placed, and lines looked for, anew."""
+        arguments = argparse.Namespace(**vars(self._scene.arguments))
+        set_style(arguments, style)
+        arguments.own_camera = self.camera
+        report = CallReport()
+        loaded = Loaded(self._scene.source, arguments.input_shape, arguments.up)
+        with said_in_python():
+            scene = set_scene(arguments, loaded, self._scene.context, report)
+            drawing = draw_scene(scene, report)
+        report.finish()
+        return Picture(scene, drawing, self.camera, tuple(report.notes), self._view)
 
     def to_pil(self) -> Any:
         """A PIL.Image.  Needs Pillow."""

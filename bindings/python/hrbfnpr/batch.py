@@ -1,0 +1,338 @@
+# SPDX-License-Identifier: MIT
+"""Turntables and batches of drawings on many processes or machines, by Dask.  Needs NumPy and dask.distributed.
+
+A model is fitted, and its marks are placed, here; both are sent to every worker once, as saved bytes.  Each worker makes
+its context, looks for lines once, and draws its frames.  Results come back as they are ready.  What a worker was drawing
+when it died is drawn by another one.
+
+>>> hrbfnpr.batch.turntable("bunny.ply", "bunny.gif", frames=72)
+>>> for number, image in hrbfnpr.batch.draw(["a.ply", "b.ply"], "hatch", scheduler="tcp://10.0.0.5:8786"):
+...     ...
+
+A local cluster starts its processes anew, never by fork: a script that uses one wants ``if __name__ == "__main__":``.
+"""
+from __future__ import annotations
+
+import argparse
+import os
+import threading
+from collections import OrderedDict
+from contextlib import closing, contextmanager
+from typing import Any, Callable, Dict, Generator, Iterable, Iterator, List, NamedTuple, Optional, Tuple, Union
+from uuid import uuid4
+
+import numpy as np
+
+from . import _movies
+from ._animate import SIZE, turntable_of
+from ._arrays import Array
+from ._call_report import CallReport, Progress
+from ._camera import Camera
+from ._context import Context
+from ._draw_call import said_in_python, scene_of
+from ._model import Model
+from ._orbit import cameras_of
+from ._point_set import PointSet
+from ._scene import Scene, draw_scene, make_style, section_lines
+from ._style import Style
+from .cli import _lines
+
+RETRIES = 3  # of what fails because its worker died
+_KEPT = 2  # scenes of a worker
+
+Numbered = Tuple[int, Array]
+
+
+class Sent(NamedTuple):
+    """What a worker draws: the saved model and marks, and how."""
+
+    name: str
+    model: Optional[bytes]
+    marks: bytes
+    arguments: argparse.Namespace
+    camera: Camera
+    threads: int
+
+
+class WorkerError(RuntimeError):
+    """Workers died again and again while they drew."""
+
+
+def turntable(
+    source: Any,
+    path: Union[str, "os.PathLike[str]"],
+    style: Union[str, Style] = "contour-and-stipple",
+    *,
+    frames: int = 36,
+    fps: float = 12.0,
+    turn: float = 360.0,
+    loops: int = 0,
+    **options: Any,
+) -> None:
+    """As `hrbfnpr.animate`, by many workers.
+
+    Parameters
+    ----------
+    source, path, style, frames, fps, turn, loops
+        As there.
+    **options
+        `scheduler`, `workers`, `camera`, `progress` and `context` of `frames_of`, and the options of `hrbfnpr.draw`.
+    """
+    _movies.check_movie(path, fps)
+    paper: List[Any] = []
+    drawn = frames_of(source, style, frames=frames, turn=turn, tell=lambda scene: paper.extend(scene.style.paper), **options)
+    first = next(drawn)  # by now the paper is known
+
+    def ordered() -> Iterator[Array]:
+        waiting: Dict[int, Array] = dict([first])
+        for number in range(frames):
+            while number not in waiting:
+                waiting.update([next(drawn)])
+            yield waiting.pop(number)
+
+    with closing(drawn):
+        _movies.write(path, ordered(), fps, loops, paper)
+
+
+def frames_of(
+    source: Any,
+    style: Union[str, Style] = "contour-and-stipple",
+    *,
+    frames: int = 36,
+    turn: float = 360.0,
+    scheduler: Any = None,
+    workers: Optional[int] = None,
+    camera: Optional[Camera] = None,
+    progress: Progress = None,
+    context: Optional[Context] = None,
+    tell: Optional[Callable[[Scene], Any]] = None,
+    **options: Any,
+) -> Generator[Numbered, None, None]:
+    """The frames of a turntable, as they are ready: number and image, in any order.
+
+    Parameters
+    ----------
+    source, style, frames, turn, camera, progress, **options
+        As in `hrbfnpr.animate`.
+    scheduler : str or Client, optional
+        Address of Dask's scheduler, such as "tcp://10.0.0.5:8786", or a client that is left open; a local cluster of
+        processes for this call if omitted.
+    workers : int, optional
+        Processes of that cluster; as many as processors.
+    context : Context, optional
+        For the fit and the marks.
+    tell : callable, optional
+        Called with what is going to be drawn, before the first frame.
+
+    Raises
+    ------
+    ImportError
+        Without dask.distributed.
+    WorkerError
+        If a frame's workers died more than `RETRIES` times.
+    """
+    if frames < 1:
+        raise ValueError(f"frames must be at least 1, not {frames}")
+    _distributed()
+    report = CallReport(progress)
+    scene = turntable_of(source, style, frames, turn, camera, context, {"size": SIZE, **options}, report)
+    if tell is not None:
+        tell(scene)
+    with _client(scheduler, workers) as (client, threads):
+        sent = _sent(scene, threads)
+        cameras = cameras_of(scene, frames, turn)
+        yield from _results(client, _frame, sent, cameras, report)
+
+
+def draw(
+    sources: Iterable[Any],
+    style: Union[str, Style] = "contour-and-stipple",
+    *,
+    scheduler: Any = None,
+    workers: Optional[int] = None,
+    progress: Progress = None,
+    **options: Any,
+) -> Iterator[Numbered]:
+    """Drawings of many sources, as they are ready: number and image, in any order.
+
+    Parameters
+    ----------
+    sources : iterable
+        Of what `hrbfnpr.draw` takes, as far as it can be pickled; paths are read by the workers.
+    style, **options
+        As there.
+    scheduler, workers, progress
+        As in `frames_of`.
+
+    Raises
+    ------
+    ValueError, OSError, ...
+        What `hrbfnpr.draw` raises for one of them, as it comes.
+
+    Warns
+    -----
+    DrawingWarning
+        As `hrbfnpr.draw` does, with the number of the source.
+    """
+    _distributed()
+    with _client(scheduler, workers) as (client, threads):
+        report, sent = CallReport(progress), (style, options, threads)
+        for number, (image, told) in _results(client, _whole, sent, list(sources), report):
+            for text in told:
+                report.warn(f"number {number}: {text}")
+            report.finish()
+            yield number, image
+
+
+def _distributed() -> Any:
+    try:
+        import distributed
+    except ImportError as error:
+        raise ImportError("hrbfnpr.batch needs dask.distributed (Debian: python3-distributed)") from error
+    return distributed
+
+
+@contextmanager
+def _client(scheduler: Any, workers: Optional[int]) -> Iterator[Tuple[Any, int]]:
+    """A client, and how many threads each worker may have, 0 = all of its machine."""
+    distributed = _distributed()
+    if scheduler is not None:
+        if isinstance(scheduler, distributed.Client):
+            yield scheduler, 0
+            return
+        with distributed.Client(scheduler) as client:
+            yield client, 0
+        return
+    import dask
+
+    processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    count = processors if workers is None else workers
+    if count < 1:
+        raise ValueError(f"workers must be at least 1, not {count}")
+    settings = {"distributed.worker.multiprocessing-method": "spawn"}
+    with dask.config.set(settings), distributed.LocalCluster(
+        n_workers=count, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as cluster, distributed.Client(cluster) as client:
+        yield client, max(1, processors // count)
+
+
+def _sent(scene: Scene, threads: int) -> Sent:
+    arguments = argparse.Namespace(**vars(scene.arguments))
+    model = scene.source.to_bytes() if isinstance(scene.source, Model) else None
+    return Sent(uuid4().hex, model, scene.marks.to_bytes(), arguments, scene.camera, threads)
+
+
+class _Work:
+    """Tasks on a client; what is lost is done again."""
+
+    def __init__(self, client: Any, function: Any, sent: Any, parts: List[Any]) -> None:
+        self._client, self._function, self._sent, self._parts = client, function, sent, parts
+        self._data = self._scattered()
+        self._numbers: Dict[Any, int] = {}  # by the futures that are open
+        self._tries = [0] * len(parts)
+
+    def _scattered(self) -> Any:
+        """To every worker, once."""
+        return self._client.scatter([self._sent], broadcast=True, hash=False)[0]
+
+    def submit(self, number: int) -> Any:
+        self._tries[number] += 1
+        future = self._client.submit(self._function, self._data, self._parts[number], pure=False)
+        self._numbers[future] = number
+        return future
+
+    def number_of(self, future: Any) -> int:
+        return self._numbers.pop(future)
+
+    def again(self, number: int, error: BaseException) -> Any:
+        """After its worker died, perhaps several."""
+        if self._tries[number] > RETRIES:
+            raise WorkerError(f"workers died {self._tries[number]} times while they drew number {number}") from error
+        if self._data.status != "finished":  # the last worker that had it is gone
+            self._data = self._scattered()
+        return self.submit(number)
+
+    def stop(self) -> None:
+        """What nobody waits for any more."""
+        if self._numbers:
+            self._client.cancel(list(self._numbers))
+        self._numbers.clear()
+
+
+def _results(
+    client: Any, function: Any, sent: Any, parts: List[Any], report: CallReport
+) -> Iterator[Tuple[int, Any]]:
+    """What `function` makes of what was sent and each part, as it comes."""
+    distributed = _distributed()
+    lost = (distributed.KilledWorker, distributed.CancelledError)
+    work = _Work(client, function, sent, parts)
+    try:
+        with report.stage("frames", "drawing frames") as stage:
+            waiting = distributed.as_completed([work.submit(number) for number in range(len(parts))])
+            for future in waiting:
+                number = work.number_of(future)
+                try:
+                    result = future.result()
+                except lost as error:
+                    waiting.add(work.again(number, error))
+                    continue
+                del future  # or the worker would keep the result
+                if stage.bar is not None:
+                    stage.bar.update(1 / len(parts))
+                yield number, result
+    finally:
+        work.stop()
+
+
+_scenes: "OrderedDict[str, Scene]" = OrderedDict()  # of this worker
+_making = threading.Lock()
+
+
+def _scene(sent: Sent) -> Scene:
+    """Made once for all frames that a worker draws."""
+    with _making:
+        found = _scenes.get(sent.name)
+        if found is None:
+            found = _scenes[sent.name] = _made(sent)
+            while len(_scenes) > _KEPT:
+                _scenes.popitem(last=False)
+        return found
+
+
+def _made(sent: Sent) -> Scene:
+    context, report = Context(sent.threads), CallReport()
+    marks = PointSet.load(sent.marks, context=context)
+    style = make_style(sent.arguments, sent.camera.size)
+    if sent.model is None:
+        return Scene(sent.arguments, marks, marks, None, style, sent.camera, None, context)
+    model = Model.load(sent.model, context=context)
+    more = section_lines(sent.arguments, model, sent.camera)
+    lines = _lines.make(sent.arguments, model, style, context, report, more)
+    return Scene(sent.arguments, model, marks, lines, style, sent.camera, None, context)
+
+
+def _frame(sent: Sent, camera: Camera) -> Array:
+    """On a worker."""
+    return _scene(sent).draw(camera).image()
+
+
+def _whole(sent: Any, source: Any) -> Tuple[Array, List[str]]:
+    """On a worker: the image, and what is to be warned of."""
+    style, options, threads = sent
+    report = CallReport()
+    with said_in_python():
+        scene = scene_of(source, style, None, _context(threads), options, report)
+        drawing = draw_scene(scene, report)
+        for doubt in _lines.doubts(drawing.info):
+            report.warn(doubt)
+    return np.asarray(scene.picture(drawing, scene.camera).convert("RGBA")), report.taken()
+
+
+_contexts: Dict[int, Context] = {}  # of this worker
+
+
+def _context(threads: int) -> Context:
+    with _making:
+        if threads not in _contexts:
+            _contexts[threads] = Context(threads)
+        return _contexts[threads]
