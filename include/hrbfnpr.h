@@ -707,7 +707,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hr
                                                   hrbfnpr_error* error);
 
 enum {
-    HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, /* the centres, FLOAT64 x 3 */
+    HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, /* the centres; of a model of sheets places all over the surface, FLOAT64 x 3 */
     HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,   /* their unit normals, FLOAT64 x 3 */
     HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY = 2 /* relative residual after each iteration of ITERATIVE,
                                                     FLOAT64 x 1; empty after DIRECT or loading */

@@ -256,7 +256,8 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
     const std::int64_t centres = result.data.centres();
     log_fit(runtime, result.mesh, centres);
     log_pieces(runtime, result.pieces);
-    const bool whole = mesh.mesh.report.boundary_edges == 0 && result.mesh.reached;
+    // What is inside and outside was taken from the mesh, so that there is nothing that it does not have.
+    const bool whole = mesh.mesh.report.boundary_edges == 0;
     hrbfnpr_model* model = nullptr;
     if (trim == HRBFNPR_TRIM_NEVER || whole) {
         progress.update(1.0);

@@ -83,6 +83,34 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void EdgesStaySharp()
+        {
+            double[] vertices = { 0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0, 1, 0, 1, 1, 1, 0, 1, 1, 1 };
+            int[] triangles =
+            {
+                0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3
+            };
+            using (var cube = new TriangleMesh(vertices, triangles))
+            {
+                using (Model model = Model.FitMesh(cube, out MeshFitInfo info))
+                {
+                    Assert.True(info.Reached);
+                    Assert.Equal(6, info.Sheets);
+                    Assert.Equal(12.0, info.CreaseLength, 1e-9);
+                    Assert.Equal(0.0, info.SmoothLength);
+                    Assert.True(info.Cells > 0 && info.PoorCells == 0);
+                }
+                var options = new MeshFitOptions { Edges = MeshEdges.Smooth, MaximumCentres = 200 };
+                using (Model model = Model.FitMesh(cube, out MeshFitInfo info, options))
+                {
+                    Assert.Equal(1, info.Sheets);
+                }
+                Assert.Throws<InvalidArgumentException>(
+                    () => Model.FitMesh(cube, out _, new MeshFitOptions { CreaseAngle = 1 }));
+            }
+        }
+
+        [Fact]
         public void SamplesAndFarthestPointsAreEven()
         {
             double[] vertices = Torus(60, 30, out int[] triangles);

@@ -46,7 +46,8 @@ Vectors points_of(const hrbfnpr_model* model, const hrbfnpr_model_info& info) {
     Call call("model_view");
     hrbfnpr_array samples;
     call.expect(hrbfnpr_model_view(model, HRBFNPR_MODEL_ATTRIBUTE_POSITION, &samples, call.error()));
-    require(samples.count == info.centres, "the centres can be seen");
+    // Of a model of sheets: places all over the surface; of a tree: none.
+    require((samples.count >= 1) == (info.centres >= 1), "the centres, or places of the surface, can be seen");
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double size = info.bounds_max[axis] - info.bounds_min[axis];
         points[axis] = info.bounds_max[axis] + 0.1 * static_cast<double>(1 + axis) * size;

@@ -49,7 +49,7 @@ TEST(Golden, ModelOfVersion1) {
     EXPECT_NEAR(value[2], -0.41510708690424475, 1e-13);
 }
 
-TEST(Golden, ModelOfVersion2) {
+TEST(Golden, TreeOfVersion2) {
     base::Memory memory;
     const Bytes bytes = golden("sphere_6_cut.model.v2");
     MemoryReader reader = reader_of(bytes);
@@ -63,10 +63,35 @@ TEST(Golden, ModelOfVersion2) {
     EXPECT_EQ(file.bounds.max.x, 1.0);
     ASSERT_EQ(file.leaves.size(), 1);
     EXPECT_EQ(file.leaves[0].data.count(), 6);
-    const FitToSave leaf{&file.leaves[0].data, file.leaves[0].report.span()};
+    const FitToSave leaf{&file.leaves[0].data, nullptr, file.leaves[0].report.span()};
     BytesWriter writer;
     save_csg(file.tree, file.bounds, {&leaf, 1}, nullptr, writer);
     EXPECT_EQ(writer.bytes, bytes); // until there is a version 3
+}
+
+// Three sheets in eight cells, two of which are plain (pieces_file_test.cpp).
+TEST(Golden, SheetsOfVersion2) {
+    base::Memory memory;
+    const Bytes bytes = golden("three_sheets.model.v2");
+    MemoryReader reader = reader_of(bytes);
+    ModelFile file = load_model(memory, reader);
+    ASSERT_TRUE(file.pieces.has_value());
+    BytesWriter writer;
+    save_model({nullptr, &*file.pieces, file.report.span()}, nullptr, writer);
+    EXPECT_EQ(writer.bytes, bytes); // until there is a version 3
+    const implicit::Pieces f(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
+                             std::move(*file.pieces));
+    const std::array<double, 3> x{0.9, 1.2, -3.0};
+    const std::array<double, 3> y{-2.1, -1.5, 4.0};
+    const std::array<double, 3> z{2.8, 3.5, 9.0};
+    std::array<double, 3> value{};
+    std::array<std::int32_t, 3> sheet{};
+    f.evaluate({x.data(), y.data(), z.data(), 3}, {value.data(), {}, {}});
+    f.active({x.data(), y.data(), z.data(), 3}, sheet.data());
+    EXPECT_NEAR(value[0], -2.1096395518698814, 1e-12);
+    EXPECT_NEAR(value[1], -1.6994268213157082, 1e-12);
+    EXPECT_NEAR(value[2], 6.3808172147978377, 1e-12);
+    EXPECT_EQ(sheet, (std::array<std::int32_t, 3>{0, 3, 3}));
 }
 
 TEST(Golden, PointSetOfVersion1) {

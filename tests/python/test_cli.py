@@ -66,6 +66,15 @@ def test_draw_every_kind(files, tmp_path, kind, capsys):
     assert all(line.startswith("hrbfnpr: warning: ") for line in err.splitlines()) and bool(err) == edged
 
 
+def test_edges(files, tmp_path, capsys):
+    model = str(tmp_path / "cube.hrbf")
+    for options, says in (([], "6 sheets"), (["--edges", "30"], "6 sheets"), (["--edges", "smooth"], "round")):
+        assert main(["fit", str(files["obj"]), model, "--max-centres", "200", *options]) == 0
+        assert says in capsys.readouterr().out
+    assert main(["fit", str(files["obj"]), model, "--edges", "4"]) == 2
+    assert "auto, smooth, or degrees from 5 to 175 are needed, not '4'" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("style", hrbfnpr.PRESETS)
 def test_every_style(files, tmp_path, style):
     output = tmp_path / "out.png"

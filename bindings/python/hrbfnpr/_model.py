@@ -437,7 +437,8 @@ class Model(MeshFits, Trimming, Combining):
 
     @property
     def points(self) -> Array:
-        """The centres, float64 (n, 3): a read-only view, nothing is copied.  Empty for a function."""
+        """The centres, or, with sharp edges, places all over the surface, float64 (n, 3): a read-only view, nothing is
+        copied.  Empty for a function."""
         return self._view("POSITION")
 
     @property

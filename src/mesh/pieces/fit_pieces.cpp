@@ -30,6 +30,7 @@ public:
         const double diagonal = mesh.bounds.diagonal();
         result_.mesh.tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * diagonal;
         result_.mesh.far = settings.far > 0.0 ? settings.far : 5.0 * result_.mesh.tolerance;
+        unit_ = at_crease * result_.mesh.tolerance;
         result_.mesh.supported = mesh.report.boundary_edges > 0;
     }
 
@@ -100,7 +101,7 @@ private:
             progress_.update(0.6 * (1.0 - static_cast<double>(faces_left) / static_cast<double>(faces_.size())));
         }
         for (std::int32_t p = 0; p < creases_.patches; ++p) result_.data.sheet.add(std::move(made[at[p]].data));
-        result_.fit.samples = result_.mesh.candidates;
+        finish_report();
         gather_samples(normal);
     }
 
@@ -131,6 +132,7 @@ private:
         const PatchSamples patch = sample_patch(runtime_, mesh_, creases_, normal, faces, tolerance, progress_);
         SheetFit made = fit_sheet(runtime_, patch, options_, most, progress_.part(0.0, 0.0));
         result_.mesh.candidates += patch.samples.position.size();
+        add_to_report(made);
         result_.mesh.rounds = std::max(result_.mesh.rounds, made.rounds);
         runtime_.log(base::LogLevel::debug,
                      "pieces: sheet %d: %lld faces, %lld samples, %lld centres in %d rounds, %lld outside, the worst "
@@ -139,6 +141,39 @@ private:
                      static_cast<long long>(patch.samples.position.size()), static_cast<long long>(made.data.count()),
                      static_cast<int>(made.rounds), static_cast<long long>(made.outside), made.worst);
         return made;
+    }
+
+    // The worst of all sheets; means over all.
+    void add_to_report(const SheetFit& made) noexcept {
+        fit::FitReport& all = result_.fit;
+        const fit::FitReport& one = made.report;
+        const auto count = static_cast<double>(made.data.count());
+        all.kernel_radius = std::max(all.kernel_radius, one.kernel_radius);
+        all.regularization = std::max(all.regularization, one.regularization);
+        all.solver_residual = std::max(all.solver_residual, one.solver_residual);
+        all.condition_estimate = std::max(all.condition_estimate, one.condition_estimate);
+        all.iterations = std::max(all.iterations, one.iterations);
+        all.choice_rounds = std::max(all.choice_rounds, one.choice_rounds);
+        all.fallback = all.fallback || one.fallback;
+        if (one.solver == fit::SolverKind::iterative) all.solver = one.solver;
+        all.value_residual_max = std::max(all.value_residual_max, one.value_residual_max);
+        all.gradient_residual_max = std::max(all.gradient_residual_max, one.gradient_residual_max);
+        values_ += count * (one.value_residual_rms / unit_) * (one.value_residual_rms / unit_);
+        gradients_ += count * one.gradient_residual_rms * one.gradient_residual_rms;
+        squares_ += made.squares;
+        centres_ += count;
+        all.input_distance_max = std::max(all.input_distance_max, one.input_distance_max);
+        all.seconds_assemble += one.seconds_assemble;
+        all.seconds_precondition += one.seconds_precondition;
+        all.seconds_solve += one.seconds_solve;
+    }
+
+    void finish_report() noexcept {
+        fit::FitReport& all = result_.fit;
+        all.samples = result_.mesh.candidates;
+        all.value_residual_rms = unit_ * std::sqrt(values_ / centres_);
+        all.gradient_residual_rms = std::sqrt(gradients_ / centres_);
+        all.input_distance_rms = std::sqrt(squares_ / static_cast<double>(all.samples));
     }
 
     void make_cells() {
@@ -181,6 +216,8 @@ private:
     const base::Stopwatch watch_;
     base::Array<std::int64_t> first_{runtime_.memory};
     base::Array<std::int32_t> faces_{runtime_.memory};
+    double unit_ = 0.0; // the least tolerance of a sample
+    double values_ = 0.0, gradients_ = 0.0, squares_ = 0.0, centres_ = 0.0;
     base::Array<double> chord_{runtime_.memory};
     PiecesFit result_;
 };

@@ -48,7 +48,8 @@ public:
         std::sort(centres_.begin(), centres_.end());
         while (fit_round() && add_centres()) {
         }
-        return {std::move(fit_->result.data), fit_->result.report, worst_, outside_, rounds_};
+        describe();
+        return {std::move(fit_->result.data), fit_->result.report, squares_, worst_, outside_, rounds_};
     }
 
 private:
@@ -73,9 +74,13 @@ private:
     // False if all is well, or nothing can be added.
     [[nodiscard]] bool add_centres() {
         fit::Distances distances = fit::measure_distances(runtime_, fit_->result.data, patch_.samples, progress_);
-        worst_ = 0.0;
+        worst_ = squares_ = 0.0;
         outside_ = 0;
+        fit_->result.report.input_distance_max = 0.0;
         for (std::int64_t i = 0; i < distances.distance.size(); ++i) {
+            const double distance = std::abs(distances.distance[i]);
+            fit_->result.report.input_distance_max = std::max(fit_->result.report.input_distance_max, distance);
+            squares_ += distance * distance;
             distances.distance[i] *= unit_ / patch_.tolerance[i];
             const double off = std::abs(distances.distance[i]) / unit_;
             worst_ = std::max(worst_, off);
@@ -93,6 +98,29 @@ private:
         return !added.chosen.empty();
     }
 
+    void describe() {
+        const implicit::HrbfData& data = fit_->result.data;
+        fit::FitReport& to = fit_->result.report;
+        fit::Samples centres(runtime_.memory);
+        const double* const p = data.sample_position.data();
+        for (std::int64_t i = 0; i < 3 * data.count(); i += 3) centres.position.push_back({p[i], p[i + 1], p[i + 2]});
+        const fit::Distances at = fit::measure_distances(runtime_, data, centres, progress_);
+        const double* const n = data.sample_normal.data();
+        double values = 0.0;
+        double gradients = 0.0;
+        for (std::int64_t i = 0; i < data.count(); ++i) {
+            const double off = std::abs(at.value[i]);
+            const double turned = glm::distance(at.gradient[i], {n[3 * i], n[3 * i + 1], n[3 * i + 2]});
+            to.value_residual_max = std::max(to.value_residual_max, off);
+            to.gradient_residual_max = std::max(to.gradient_residual_max, turned);
+            values += (off / data.scale) * (off / data.scale);
+            gradients += turned * turned;
+        }
+        to.value_residual_rms = data.scale * std::sqrt(values / static_cast<double>(data.count()));
+        to.gradient_residual_rms = std::sqrt(gradients / static_cast<double>(data.count()));
+        to.choice_rounds = rounds_;
+    }
+
     const base::Runtime& runtime_;
     const PatchSamples& patch_;
     fit::FitInput options_;
@@ -101,6 +129,7 @@ private:
     double unit_ = 0.0; // the least tolerance
     base::Array<std::int64_t> centres_;
     std::optional<fit::CentreFit> fit_;
+    double squares_ = 0.0;
     double worst_ = 0.0;
     std::int64_t outside_ = 0;
     std::int32_t rounds_ = 0;

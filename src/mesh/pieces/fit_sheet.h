@@ -9,7 +9,8 @@ namespace hrbfnpr::mesh {
 
 struct SheetFit {
     implicit::HrbfData data;
-    fit::FitReport report;
+    fit::FitReport report;    // residuals at the centres, distances of all samples
+    double squares = 0.0;     // sum of the samples' squared distances
     double worst = 0.0;       // distance of a sample, in its tolerance
     std::int64_t outside = 0; // samples beyond their tolerance
     std::int32_t rounds = 0;

@@ -80,6 +80,9 @@ TEST(FitPieces, OfACubeIsTheCube) {
     EXPECT_TRUE(cube.result.mesh.reached);
     EXPECT_LT(cube.result.mesh.mesh.most, 1e-6);
     EXPECT_LT(cube.f.data().centres(), 120);
+    EXPECT_LT(cube.result.fit.value_residual_max, 1e-9);
+    EXPECT_LT(cube.result.fit.gradient_residual_max, 1e-9);
+    EXPECT_EQ(cube.result.fit.samples, cube.result.mesh.candidates);
     const double r = std::sqrt(0.5);
     for (int i = 1; i < 100; ++i) { // at corners three sides meet
         EXPECT_LT(cube.edge_offset({0.01 * i, 0.0, 1.0}, {0.0, -r, r}), 1.1e-5);
@@ -197,6 +200,31 @@ TEST(FitPieces, StandWhereFourFacesShareAnEdge) {
                in_box(p, glm::dvec3(1.0, 1.0, 0.0), glm::dvec3(2.0, 2.0, 1.0));
     }),
               0);
+}
+
+// A box whose top is cut otherwise than its sides, and its halves otherwise than each other: no edge there is shared.
+TEST(FitPieces, BridgeTJunctions) {
+    Triangles shape = test::box(1.0, 1.0, 1.0, 4).where([](double, double, double z) { return z < 0.999; });
+    const auto half = [&](double low, double high, int cuts) {
+        for (int i = 0; i < cuts; ++i) {
+            const double a = static_cast<double>(i) / cuts;
+            const double b = static_cast<double>(i + 1) / cuts;
+            const std::int32_t p = shape.add(a, low, 1.0);
+            const std::int32_t q = shape.add(b, low, 1.0);
+            const std::int32_t r = shape.add(b, high, 1.0);
+            shape.face(p, q, r);
+            shape.face(p, r, shape.add(a, high, 1.0));
+        }
+    };
+    half(0.0, 0.5, 3);
+    half(0.5, 1.0, 7);
+    const Fitted tee(shape);
+    EXPECT_GT(tee.shape.report.boundary_edges, 10);
+    EXPECT_EQ(tee.result.pieces.sheets, 7);
+    EXPECT_EQ(tee.result.pieces.poor_cells, 0);
+    EXPECT_EQ(tee.wrong_signs([](const glm::dvec3& p) { return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)); }), 0);
+    for (int i = 1; i < 100; ++i)
+        EXPECT_LT(tee.edge_offset({0.01 * i, 0.0, 1.0}, std::sqrt(0.5) * glm::dvec3(0.0, -1.0, 1.0)), 1.1e-5);
 }
 
 TEST(FitPieces, AreTheSameForAnyNumberOfThreads) {

@@ -989,7 +989,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// the centres, FLOAT64 x 3
+/// the centres; of a model of sheets places all over the surface, FLOAT64 x 3
 pub const HRBFNPR_MODEL_ATTRIBUTE_POSITION: u32 = 0;
 /// their unit normals, FLOAT64 x 3
 pub const HRBFNPR_MODEL_ATTRIBUTE_NORMAL: u32 = 1;
