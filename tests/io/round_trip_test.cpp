@@ -94,7 +94,7 @@ TEST(ModelFile, HoldsATreeWithItsLeaves) {
     EXPECT_EQ(loaded.tree[1].model, 0);
     EXPECT_EQ(loaded.tree[2].linear[1], glm::dvec3(0.0, 2.0, 0.5));
     EXPECT_EQ(loaded.tree[2].translation, glm::dvec3(1.0, 2.0, 3.0));
-    const FitToSave leaf{&loaded.leaves[0].data, loaded.leaves[0].report.span()};
+    const FitToSave leaf{&loaded.leaves[0].data, nullptr, loaded.leaves[0].report.span()};
     EXPECT_EQ(bytes_of(loaded.tree, loaded.bounds, {&leaf, 1}), bytes);
     // With an end, too.
     TrimFile trim(memory);
@@ -106,7 +106,7 @@ TEST(ModelFile, HoldsATreeWithItsLeaves) {
 TEST(ModelFile, WhatIsNoTreeIsRefused) {
     base::Memory memory;
     const implicit::HrbfData data = model(memory, 2);
-    const FitToSave leaf{&data, {}};
+    const FitToSave leaf{&data, nullptr, {}};
     const auto message = [&](const std::function<void(implicit::CsgTree&, geometry::Bounds&)>& change,
                              bool leaves = true) {
         implicit::CsgTree tree = csg_tree(memory);
