@@ -73,8 +73,8 @@ def _fail(message: str, code: int) -> int:
 
 def _run(arguments: Any, report: Reporter) -> int:
     context = Context(arguments.threads or 0, log=report.logged, log_level="warning")
-    commands = {"draw": _draw, "turntable": _turntable, "sheet": _sheet, "sheet-views": _sheet_views, "fit": _fit, "points": _points,
-                "info": _info, "check": _check}  # fmt: skip
+    commands = {"draw": _draw, "turntable": _turntable, "sheet": _sheet, "sheet-views": _sheet_views, "fit": _fit,
+                "points": _points, "info": _info, "check": _check}  # fmt: skip
     with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
         return commands[arguments.command](arguments, context, report) or 0
 
