@@ -7,8 +7,7 @@ enum { HRBFNPR_STATUS_OK = 0, HRBFNPR_STATUS_INVALID_ARGUMENT = -1, HRBFNPR_STAT
     HRBFNPR_STATUS_BUFFER_TOO_SMALL = -3, HRBFNPR_STATUS_UNSUPPORTED_STRUCT = -4, HRBFNPR_STATUS_SINGULAR_SYSTEM = -5,
     HRBFNPR_STATUS_NOT_CONVERGED = -6, HRBFNPR_STATUS_CANCELLED = -7, HRBFNPR_STATUS_IO = -8,
     HRBFNPR_STATUS_CORRUPT_DATA = -9, HRBFNPR_STATUS_VERSION_MISMATCH = -10, HRBFNPR_STATUS_CALLBACK = -11,
-    HRBFNPR_STATUS_INTERNAL = -99 };
-const char* hrbfnpr_status_name(hrbfnpr_status status);
+    HRBFNPR_STATUS_INTERNAL = -99 }; const char* hrbfnpr_status_name(hrbfnpr_status status);
 typedef struct hrbfnpr_error { uint32_t struct_size; hrbfnpr_status status; char message[248]; } hrbfnpr_error;
 hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed);
@@ -23,8 +22,7 @@ enum { HRBFNPR_FORMAT_RGBA8 = 1, HRBFNPR_FORMAT_BGRA8 = 2, HRBFNPR_FORMAT_RGBA8_
     HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4, HRBFNPR_FORMAT_RGBA32F = 5, HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED = 6,
     HRBFNPR_FORMAT_COVERAGE8 = 7 };
 typedef struct hrbfnpr_image { uint32_t struct_size; uint32_t format; int32_t width; int32_t height; void* pixels;
-    int64_t row_stride; } hrbfnpr_image;
-hrbfnpr_status hrbfnpr_image_init(hrbfnpr_image* image, uint32_t struct_size);
+    int64_t row_stride; } hrbfnpr_image; hrbfnpr_status hrbfnpr_image_init(hrbfnpr_image* image, uint32_t struct_size);
 typedef struct hrbfnpr_context hrbfnpr_context;
 typedef void* (*hrbfnpr_allocate_fn)(void* user, uint64_t size, uint64_t alignment);
 typedef void (*hrbfnpr_deallocate_fn)(void* user, void* memory, uint64_t size, uint64_t alignment);
@@ -42,24 +40,22 @@ typedef struct hrbfnpr_context_desc { uint32_t struct_size; uint32_t abi_version
     uint32_t reserved; hrbfnpr_run_tasks_fn run_tasks; void* run_tasks_user; } hrbfnpr_context_desc;
 hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_context** out_context,
-    hrbfnpr_error* error);
-void hrbfnpr_context_retain(hrbfnpr_context* context); void hrbfnpr_context_release(hrbfnpr_context* context);
+    hrbfnpr_error* error); void hrbfnpr_context_retain(hrbfnpr_context* context);
+void hrbfnpr_context_release(hrbfnpr_context* context);
 typedef struct hrbfnpr_context_info { uint32_t struct_size; int32_t thread_count; uint32_t instruction_set;
     uint32_t thread_backend; int64_t bytes_now; int64_t bytes_peak; } hrbfnpr_context_info;
 hrbfnpr_status hrbfnpr_context_info_init(hrbfnpr_context_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context, hrbfnpr_context_info* info,
-    hrbfnpr_error* error);
-typedef struct hrbfnpr_operation hrbfnpr_operation; typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
+    hrbfnpr_error* error); typedef struct hrbfnpr_operation hrbfnpr_operation;
+typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
 hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context, hrbfnpr_operation** out_operation,
-    hrbfnpr_error* error);
-void hrbfnpr_operation_retain(hrbfnpr_operation* operation);
+    hrbfnpr_error* error); void hrbfnpr_operation_retain(hrbfnpr_operation* operation);
 void hrbfnpr_operation_release(hrbfnpr_operation* operation);
 void hrbfnpr_operation_cancel(hrbfnpr_operation* operation);
 int32_t hrbfnpr_operation_is_cancelled(const hrbfnpr_operation* operation);
 double hrbfnpr_operation_progress(const hrbfnpr_operation* operation);
 hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation, hrbfnpr_progress_fn callback, void* user,
-    hrbfnpr_error* error);
-typedef int32_t (*hrbfnpr_write_fn)(void* user, const void* data, uint64_t size);
+    hrbfnpr_error* error); typedef int32_t (*hrbfnpr_write_fn)(void* user, const void* data, uint64_t size);
 typedef int64_t (*hrbfnpr_read_fn)(void* user, void* data, uint64_t size); typedef struct hrbfnpr_model hrbfnpr_model;
 enum { HRBFNPR_KERNEL_TRIHARMONIC = 0, HRBFNPR_KERNEL_GAUSSIAN = 1, HRBFNPR_KERNEL_WENDLAND_C2 = 2,
     HRBFNPR_KERNEL_CUSTOM = 3, HRBFNPR_KERNEL_CSG = 4 };
@@ -69,8 +65,7 @@ enum { HRBFNPR_SOLVER_REASON_REQUESTED = 0, HRBFNPR_SOLVER_REASON_SMALL = 1, HRB
 enum { HRBFNPR_REPAIR_KEEP = 0, HRBFNPR_REPAIR_DROP = 1, HRBFNPR_REPAIR_REORIENT = 2 };
 enum { HRBFNPR_REGULARIZATION_GIVEN = 0, HRBFNPR_REGULARIZATION_AUTO = 1 };
 enum { HRBFNPR_NORMALS_GIVEN = 0, HRBFNPR_NORMALS_NONE = 1, HRBFNPR_NORMALS_UNORIENTED = 2, HRBFNPR_NORMALS_MIXED = 3,
-    HRBFNPR_NORMALS_INWARD = 4, HRBFNPR_NORMALS_AUTO = 5 };
-enum { HRBFNPR_TRIM_NEVER = 0, HRBFNPR_TRIM_AUTO = 1 };
+    HRBFNPR_NORMALS_INWARD = 4, HRBFNPR_NORMALS_AUTO = 5 }; enum { HRBFNPR_TRIM_NEVER = 0, HRBFNPR_TRIM_AUTO = 1 };
 typedef struct hrbfnpr_fit_desc { uint32_t struct_size; uint32_t kernel; hrbfnpr_array points; hrbfnpr_array normals;
     double kernel_radius; int32_t polynomial_degree; uint32_t regularization_mode; double regularization;
     uint32_t outliers; uint32_t flipped_normals; double tolerance; int64_t maximum_centres; uint32_t solver;
@@ -95,11 +90,10 @@ typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* 
 enum { HRBFNPR_CUSTOM_HAS_GRADIENT = 1, HRBFNPR_CUSTOM_HAS_HESSIAN = 2, HRBFNPR_CUSTOM_THREAD_SAFE = 4 };
 typedef struct hrbfnpr_custom_desc { uint32_t struct_size; uint32_t flags; hrbfnpr_implicit_fn function; void* user;
     void (*release)(void* user); double bounds_min[3]; double bounds_max[3]; double difference_step;
-    } hrbfnpr_custom_desc;
-hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size);
+    } hrbfnpr_custom_desc; hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context, const hrbfnpr_custom_desc* desc,
-    hrbfnpr_model** out_model, hrbfnpr_error* error);
-void hrbfnpr_model_retain(const hrbfnpr_model* model); void hrbfnpr_model_release(const hrbfnpr_model* model);
+    hrbfnpr_model** out_model, hrbfnpr_error* error); void hrbfnpr_model_retain(const hrbfnpr_model* model);
+void hrbfnpr_model_release(const hrbfnpr_model* model);
 typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32_t polynomial_degree;
     int32_t choice_rounds; int64_t samples; int64_t centres; int64_t merged_samples; int64_t near_duplicates;
     int64_t rescaled_normals; int64_t outliers_found; int64_t outliers_dropped; int64_t flipped_found;
@@ -140,8 +134,7 @@ enum { HRBFNPR_RAY_HIT = 0, HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRB
     HRBFNPR_RAY_NOT_FINITE = 4 };
 typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; int32_t evaluation_limit;
     uint32_t reserved; double t_min; double t_max; double lipschitz; double smallest_step; double tolerance;
-    } hrbfnpr_cast_desc;
-hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
+    } hrbfnpr_cast_desc; hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_ray_hits { uint32_t struct_size; uint32_t reserved; hrbfnpr_array_out count; hrbfnpr_array_out t;
     hrbfnpr_array_out position; hrbfnpr_array_out normal; hrbfnpr_array_out entering; hrbfnpr_array_out status;
     int64_t hit_rays; } hrbfnpr_ray_hits;
@@ -185,12 +178,10 @@ hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* desti
 hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user, hrbfnpr_model** out_model,
     hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
-    hrbfnpr_model** out_model, hrbfnpr_error* error);
-typedef struct hrbfnpr_point_set hrbfnpr_point_set;
+    hrbfnpr_model** out_model, hrbfnpr_error* error); typedef struct hrbfnpr_point_set hrbfnpr_point_set;
 enum { HRBFNPR_LAYER_KIND_ANY = 0, HRBFNPR_LAYER_KIND_STIPPLES = 1, HRBFNPR_LAYER_KIND_PRINCIPAL = 2,
     HRBFNPR_LAYER_KIND_COMBING = 3, HRBFNPR_LAYER_KIND_FIELD = 4, HRBFNPR_LAYER_KIND_OWN = 5,
-    HRBFNPR_LAYER_KIND_HATCH = 6 };
-enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
+    HRBFNPR_LAYER_KIND_HATCH = 6 }; enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
 enum { HRBFNPR_SYMMETRY_LINE = 0, HRBFNPR_SYMMETRY_CROSS = 1 };
 enum { HRBFNPR_HATCH_GUIDE_CURVATURE = 0, HRBFNPR_HATCH_GUIDE_COMBING = 1, HRBFNPR_HATCH_GUIDE_SECTIONS = 2,
     HRBFNPR_HATCH_GUIDE_LIGHT = 3, HRBFNPR_HATCH_GUIDE_SILHOUETTE = 4 };
@@ -200,16 +191,15 @@ enum { HRBFNPR_DENSITY_UNIFORM = 0, HRBFNPR_DENSITY_CURVATURE = 1, HRBFNPR_DENSI
 typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions, const double* normals,
     double* density);
 typedef int32_t (*hrbfnpr_direction_fn)(void* user, int64_t count, const double* positions, const double* normals,
-    double* directions);
-enum { HRBFNPR_TONE_RANGES_FULL = 0, HRBFNPR_TONE_RANGES_IN_TURN = 1 }; enum { HRBFNPR_LAYER_WITH_CURVATURE = 1 };
+    double* directions); enum { HRBFNPR_TONE_RANGES_FULL = 0, HRBFNPR_TONE_RANGES_IN_TURN = 1 };
+enum { HRBFNPR_LAYER_WITH_CURVATURE = 1 };
 typedef struct hrbfnpr_layer_desc { uint32_t struct_size; uint32_t kind; const char* name; int64_t budget;
     float tone_begin; float tone_end; float second_tone_begin; float second_tone_end; uint32_t flags; uint32_t density;
     double density_strength; hrbfnpr_density_fn density_function; void* density_user; double separation; double step;
     double length; hrbfnpr_direction_fn direction_function; void* direction_user; uint32_t symmetry; uint32_t start;
     int32_t start_level; int32_t levels; double angle; double smoothing; double axis[3]; double axis_weight;
     double tone_smoothing; uint32_t guide; uint32_t reserved; double guide_direction[3]; double guide_weight;
-    } hrbfnpr_layer_desc;
-hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
+    } hrbfnpr_layer_desc; hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t distribution; const hrbfnpr_layer_desc* layers;
     int64_t layer_count; int64_t layer_stride; int64_t shared_budget; uint32_t tone_ranges; uint32_t seed_source;
     hrbfnpr_array seed_points; double box_jitter; uint32_t box_resolution; uint32_t reserved; double initial_step;
@@ -265,16 +255,14 @@ hrbfnpr_status hrbfnpr_point_set_save_memory(const hrbfnpr_point_set* set, void*
 hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
-    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
-typedef struct hrbfnpr_line_set hrbfnpr_line_set;
+    hrbfnpr_point_set** out_point_set, hrbfnpr_error* error); typedef struct hrbfnpr_line_set hrbfnpr_line_set;
 enum { HRBFNPR_LINE_KIND_CONTOUR = 1, HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3,
     HRBFNPR_LINE_KIND_VALLEY = 4, HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6,
     HRBFNPR_LINE_KIND_ISOPHOTE = 7, HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9,
     HRBFNPR_LINE_KIND_OWN = 10, HRBFNPR_LINE_KIND_CREASE = 11 };
 typedef struct hrbfnpr_line_desc { uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper;
     double shortest; double plane[3]; hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first;
-    } hrbfnpr_line_desc;
-hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
+    } hrbfnpr_line_desc; hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
 enum { HRBFNPR_LINE_SET_WITH_CURVATURE = 1 };
 typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t flags; double cell_size;
     hrbfnpr_array seed_points; const hrbfnpr_line_desc* lines; int64_t line_count; int64_t line_stride; double support;
@@ -282,8 +270,7 @@ typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t flags; dou
 hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_line_set_create(hrbfnpr_context* context, const hrbfnpr_model* model,
     const hrbfnpr_line_set_desc* desc, hrbfnpr_operation* operation, hrbfnpr_line_set** out_line_set,
-    hrbfnpr_error* error);
-void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set);
+    hrbfnpr_error* error); void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set);
 void hrbfnpr_line_set_release(const hrbfnpr_line_set* line_set);
 typedef struct hrbfnpr_line_set_info { uint32_t struct_size; uint32_t reserved; int64_t triangles; int64_t turned;
     int64_t missed_seeds; int64_t lines; int64_t borders; double cell_size; double seconds; int64_t bytes;
@@ -324,8 +311,7 @@ typedef struct hrbfnpr_layer_style { uint32_t struct_size; uint32_t kind; const 
     uint32_t reserved3; } hrbfnpr_layer_style;
 hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
 enum { HRBFNPR_HIDDEN_PARTS_NONE = 0, HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, HRBFNPR_HIDDEN_PARTS_DASHED = 2,
-    HRBFNPR_HIDDEN_PARTS_SHOWN = 3 };
-enum { HRBFNPR_CAP_ROUND = 0, HRBFNPR_CAP_FLAT = 1, HRBFNPR_CAP_POINTED = 2 };
+    HRBFNPR_HIDDEN_PARTS_SHOWN = 3 }; enum { HRBFNPR_CAP_ROUND = 0, HRBFNPR_CAP_FLAT = 1, HRBFNPR_CAP_POINTED = 2 };
 enum { HRBFNPR_CREASES_ALL = 0, HRBFNPR_CREASES_CONVEX = 1, HRBFNPR_CREASES_CONCAVE = 2 };
 typedef struct hrbfnpr_line_style { uint32_t struct_size; uint32_t kind; const char* name; uint32_t hidden;
     uint32_t cap; float width; float taper; float hidden_width; float hidden_opacity; float dash; float gap;
@@ -341,16 +327,14 @@ typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[
     double attenuation_front; double attenuation_back; float splat_radius; float splat_overlap; float halo_width;
     uint32_t reserved; double depth_min; double depth_max; double zoom_reference; double zoom_exponent;
     const hrbfnpr_line_style* lines; int64_t line_count; int64_t line_stride; float fill_light; uint32_t reserved2;
-    } hrbfnpr_style;
-hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
+    } hrbfnpr_style; hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,
     HRBFNPR_PRESET_FULL = 7, HRBFNPR_PRESET_ENGRAVING = 8, HRBFNPR_PRESET_ETCHING = 9, HRBFNPR_PRESET_WOODCUT = 10,
     HRBFNPR_PRESET_SCIENTIFIC_STIPPLE = 11, HRBFNPR_PRESET_SKETCH = 12, HRBFNPR_PRESET_BLUEPRINT = 13,
     HRBFNPR_PRESET_ARCHAEOLOGICAL = 14 };
 hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
-    hrbfnpr_error* error);
-const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
+    hrbfnpr_error* error); const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
 const char* hrbfnpr_preset_name(uint32_t preset); typedef struct hrbfnpr_renderer hrbfnpr_renderer;
 typedef struct hrbfnpr_drawing hrbfnpr_drawing;
 hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer, hrbfnpr_error* error);
@@ -420,8 +404,7 @@ typedef struct hrbfnpr_mark_identity { uint32_t struct_size; uint32_t id; int64_
     int64_t stroke; int64_t place; } hrbfnpr_mark_identity;
 hrbfnpr_status hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawing, uint32_t id, hrbfnpr_mark_identity* identity,
-    hrbfnpr_error* error);
-typedef struct hrbfnpr_mesh hrbfnpr_mesh;
+    hrbfnpr_error* error); typedef struct hrbfnpr_mesh hrbfnpr_mesh;
 enum { HRBFNPR_PARTS_OUTER = 0, HRBFNPR_PARTS_ALL = 1, HRBFNPR_PARTS_LARGEST = 2 };
 enum { HRBFNPR_FACES_TURN = 0, HRBFNPR_FACES_KEEP = 1 };
 typedef struct hrbfnpr_mesh_desc { uint32_t struct_size; uint32_t parts; hrbfnpr_array vertices;
@@ -443,8 +426,7 @@ enum { HRBFNPR_MESH_ATTRIBUTE_VERTEX = 0, HRBFNPR_MESH_ATTRIBUTE_TRIANGLE = 1, H
 hrbfnpr_status hrbfnpr_mesh_view(const hrbfnpr_mesh* mesh, uint32_t attribute, hrbfnpr_array* out_view,
     hrbfnpr_error* error);
 typedef struct hrbfnpr_sample_desc { uint32_t struct_size; uint32_t reserved; int64_t candidates; uint64_t random_seed;
-    } hrbfnpr_sample_desc;
-hrbfnpr_status hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint32_t struct_size);
+    } hrbfnpr_sample_desc; hrbfnpr_status hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_mesh_sample(const hrbfnpr_mesh* mesh, const hrbfnpr_sample_desc* desc,
     const hrbfnpr_array_out* points, const hrbfnpr_array_out* normals, hrbfnpr_operation* operation,
     hrbfnpr_error* error);
@@ -462,8 +444,7 @@ typedef struct hrbfnpr_comparison { uint32_t struct_size; uint32_t reserved; int
 hrbfnpr_status hrbfnpr_comparison_init(hrbfnpr_comparison* comparison, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model, const hrbfnpr_mesh* mesh,
     const hrbfnpr_compare_desc* desc, hrbfnpr_comparison* comparison, hrbfnpr_operation* operation,
-    hrbfnpr_error* error);
-enum { HRBFNPR_EDGES_AUTO = 0, HRBFNPR_EDGES_SMOOTH = 1, HRBFNPR_EDGES_SHARP = 2 };
+    hrbfnpr_error* error); enum { HRBFNPR_EDGES_AUTO = 0, HRBFNPR_EDGES_SMOOTH = 1, HRBFNPR_EDGES_SHARP = 2 };
 typedef struct hrbfnpr_mesh_fit_desc { uint32_t struct_size; uint32_t reserved; double tolerance; double share;
     double far; int64_t maximum_centres; int64_t candidates; uint64_t random_seed; double crease_angle; uint32_t edges;
     uint32_t reserved2; } hrbfnpr_mesh_fit_desc;
@@ -479,8 +460,7 @@ hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_me
     const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation, hrbfnpr_model** out_model,
     hrbfnpr_error* error);
 enum { HRBFNPR_PAGE_FORMAT_SVG = 0, HRBFNPR_PAGE_FORMAT_PDF = 1, HRBFNPR_PAGE_FORMAT_HPGL = 2,
-    HRBFNPR_PAGE_FORMAT_GCODE = 3 };
-enum { HRBFNPR_WIDTHS_OUTLINES = 0, HRBFNPR_WIDTHS_CLASSES = 1 };
+    HRBFNPR_PAGE_FORMAT_GCODE = 3 }; enum { HRBFNPR_WIDTHS_OUTLINES = 0, HRBFNPR_WIDTHS_CLASSES = 1 };
 enum { HRBFNPR_DOT_SHAPE_CIRCLES = 0, HRBFNPR_DOT_SHAPE_LINES = 1, HRBFNPR_DOT_SHAPE_SPIRALS = 2 };
 enum { HRBFNPR_PAGE_IN_PLOT_ORDER = 1, HRBFNPR_PAGE_SINGLE_PASS = 4, HRBFNPR_PAGE_WITHOUT_PAPER = 2 };
 enum { HRBFNPR_LINE_TYPE_AS_DRAWN = 0, HRBFNPR_LINE_TYPE_CONTINUOUS = 1, HRBFNPR_LINE_TYPE_DASHED = 2,
@@ -506,12 +486,10 @@ typedef struct hrbfnpr_page_desc { uint32_t struct_size; uint32_t format; uint32
     const char* pen_down; const char* pen_up; const char* title; const char* description; const char* metadata;
     const hrbfnpr_page_item* items; int64_t item_count; int64_t item_stride; const hrbfnpr_pen* pens; int64_t pen_count;
     int64_t pen_stride; const hrbfnpr_annotation* annotations; int64_t annotation_count; int64_t annotation_stride;
-    } hrbfnpr_page_desc;
-hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size);
+    } hrbfnpr_page_desc; hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_page_info { uint32_t struct_size; uint32_t reserved; int64_t bytes; int64_t groups;
     int64_t paths; int64_t segments; int64_t dots; int64_t joined; int64_t dropped_paths; int64_t dropped_dots;
     double width; double height; double drawn; double travelled; double seconds; int64_t filled_paths;
-    } hrbfnpr_page_info;
-hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
+    } hrbfnpr_page_info; hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc, hrbfnpr_write_fn write,
     void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error);

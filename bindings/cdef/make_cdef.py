@@ -40,14 +40,14 @@ def folded(text):
 
 
 def c_text(api):
-    """All declarations in the header's order; short ones that follow each other share a line."""
+    """All declarations in the header's order; a short one goes on in the line before, where it fits."""
     lines = []
     for kind, entry in declarations(api):
-        text = folded(text_of(kind, entry)).rstrip("\n")
-        if lines and "\n" not in lines[-1] + text and len(lines[-1]) + 1 + len(text) <= WIDTH:
-            lines[-1] += " " + text
+        first, *more = folded(text_of(kind, entry)).rstrip("\n").split("\n")
+        if lines and not more and len(lines[-1]) + 1 + len(first) <= WIDTH:
+            lines[-1] += " " + first
         else:
-            lines.append(text)
+            lines += [first, *more]
     return "".join(line + "\n" for line in lines)
 
 

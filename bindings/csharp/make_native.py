@@ -116,8 +116,7 @@ def method_file(functions, condition, attribute, modifiers, usings):
     for result, name, parameters in methods(functions):
         lines += ["        " + part for part in attribute]
         lines += wrapped(f"        internal static {modifiers} {result} {name}(", parameters, ");")
-        lines.append("")
-    lines[-1:] = ["    }", "}", "#endif", ""]
+    lines += ["    }", "}", "#endif", ""]
     return "\n".join(lines)
 
 

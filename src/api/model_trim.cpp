@@ -55,7 +55,8 @@ geometry::VecArray points_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc
     if (!given.empty()) return vectors(memory, given.span());
     const std::span<const double> samples = model.samples().position;
     if (samples.empty())
-        fail(Status::invalid_argument, "trim_desc.points is empty and the model has no samples: it is no fit; give some");
+        fail(Status::invalid_argument,
+             "trim_desc.points is empty and the model has no samples: it is no fit; give some");
     return vectors(memory, samples);
 }
 

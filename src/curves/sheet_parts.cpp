@@ -27,6 +27,7 @@ base::List<std::unique_ptr<SheetPart>> sheet_parts(const base::Runtime& runtime,
     const std::int32_t sheets = all->count();
     const BySheet by(runtime.memory, mesh, sheets);
     base::Array<std::int32_t> number(runtime.memory, mesh.mesh.vertices()); // in its part, and 1
+    geometry::VecArray creases(runtime.memory);
     for (std::int32_t sheet = 0; sheet < sheets; ++sheet) {
         if (by.begin[sheet] == by.begin[sheet + 1]) continue;
         SheetPart& part = *parts.add(std::make_unique<SheetPart>(runtime.memory, whole, *all, sheet));
@@ -46,11 +47,13 @@ base::List<std::unique_ptr<SheetPart>> sheet_parts(const base::Runtime& runtime,
         part.mesh.neighbour = find_neighbours(runtime, part.mesh.corner, part.mesh.vertices());
         part.mesh.region = mesh.mesh.region;
         part.mesh.side = mesh.mesh.side;
-        geometry::VecArray creases(runtime.memory);
         for (std::int64_t e = 0; e < part.mesh.corner.size(); ++e)
             if (part.mesh.neighbour[e] < 0) creases.push_back(part.mesh.position[part.mesh.corner[e]]);
-        part.end = std::make_unique<SheetEnd>(whole, *all, sheet, creases, mesh.mesh.side, mesh.mesh.end);
-        part.mesh.end = part.end.get();
+    }
+    const auto grid = SheetEnd::grid_of(creases, mesh.mesh.side);
+    for (const std::unique_ptr<SheetPart>& part : parts) {
+        part->end = std::make_unique<SheetEnd>(whole, *all, part->sheet, grid, part->mesh, mesh.mesh.end);
+        part->mesh.end = part->end.get();
     }
     return parts;
 }

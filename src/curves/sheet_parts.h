@@ -12,9 +12,10 @@
 namespace hrbfnpr::curves {
 
 struct SheetPart {
-    SheetPart(base::Memory& memory, const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet)
-        : surface(whole, sheets, sheet), mesh(memory) {}
+    SheetPart(base::Memory& memory, const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t of)
+        : sheet(of), surface(whole, sheets, of), mesh(memory) {}
 
+    std::int32_t sheet;
     implicit::OneSheet surface;
     SurfaceMesh mesh; // of this sheet alone; it ends at its creases
     std::unique_ptr<const SheetEnd> end;

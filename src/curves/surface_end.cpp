@@ -11,8 +11,10 @@ namespace {
 
 // Where no sample is near s has no slope: large enough that nothing is led there.
 constexpr double nowhere = 1e6;
-// In sides: a place of a sheet that is nearer to the whole surface is on it, whichever of two equal sheets is active.
+// In sides: a place of a sheet that is nearer to the whole surface is on it, whichever of two equal sheets is active,
+// if it is nearer than that to a vertex of the sheet.
 constexpr double on_surface = 1e-7;
+constexpr double of_own = 1.5;
 
 } // namespace
 
@@ -26,24 +28,35 @@ bool SupportEnd::near_border(const glm::dvec3& place) const {
     return near;
 }
 
+std::shared_ptr<const geometry::PointGrid> SheetEnd::grid_of(const geometry::VecArray& creases, double side) {
+    return std::make_shared<const geometry::PointGrid>(creases, reach * side);
+}
+
 SheetEnd::SheetEnd(const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet,
-                   const geometry::VecArray& creases, double side, const SurfaceEnd* base)
-    : whole_(whole), sheets_(sheets), sheet_(sheet), tolerance_(on_surface * side), grid_(creases, reach * side),
-      base_(base) {}
+                   std::shared_ptr<const geometry::PointGrid> creases, const SurfaceMesh& own, const SurfaceEnd* base)
+    : whole_(whole), sheets_(sheets), sheet_(sheet), vertices_(own.position), side_(own.side),
+      creases_(std::move(creases)), own_(own.position, of_own * side_), base_(base) {}
 
 bool SheetEnd::near_border(const glm::dvec3& place) const {
     bool near = base_ != nullptr && base_->near_border(place);
-    if (!near) grid_.around(place, [&](std::int64_t) { near = true; });
+    if (!near) creases_->around(place, [&](std::int64_t) { near = true; });
     return near;
 }
 
 double SheetEnd::beyond(const glm::dvec3& place, const glm::dvec3& gradient) const {
-    double value = 0.0;
-    glm::dvec3 slope(0.0);
-    whole_.evaluate({&place.x, &place.y, &place.z, 1}, {&value, {&slope.x, &slope.y, &slope.z}, {}});
-    const double off = std::abs(value) / glm::length(slope);
-    if (!(off <= tolerance_) && surface::active_at(sheets_, place) != sheet_) return off;
-    return base_ != nullptr && base_->near_border(place) ? base_->beyond(place, gradient) : -tolerance_;
+    if (surface::active_at(sheets_, place) != sheet_) {
+        double value = 0.0;
+        glm::dvec3 slope(0.0);
+        whole_.evaluate({&place.x, &place.y, &place.z, 1}, {&value, {&slope.x, &slope.y, &slope.z}, {}});
+        const double off = std::abs(value) / glm::length(slope);
+        if (!(off <= on_surface * side_)) return off;
+        bool is_own = false;
+        own_.around(place, [&](std::int64_t at) {
+            is_own = is_own || glm::distance(vertices_[own_.index(at)], place) <= of_own * side_;
+        });
+        if (!is_own) return side_;
+    }
+    return base_ != nullptr && base_->near_border(place) ? base_->beyond(place, gradient) : -on_surface * side_;
 }
 
 void SupportLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {

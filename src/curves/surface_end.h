@@ -4,9 +4,12 @@
 #pragma once
 
 #include "curves/level.h"
+#include "curves/surface_mesh.h"
 #include "geometry/point_grid.h"
 #include "implicit/sheets.h"
 #include "surface/support.h"
+
+#include <memory>
 
 namespace hrbfnpr::curves {
 
@@ -56,21 +59,28 @@ private:
 // Where a sheet of an implicit with creases ends: another one is f there.
 class SheetEnd final : public SurfaceEnd {
 public:
-    // creases: places along those of the sheet, no farther apart than a side; base: where the whole surface ends, or
-    // null.
+    // Near any crease it may end: a curve that leaves one sheet may come to another one that is the same function, as
+    // of cylinders on one axis.
+    [[nodiscard]] static std::shared_ptr<const geometry::PointGrid> grid_of(const geometry::VecArray& creases,
+                                                                            double side);
+
+    // creases: places along those of all sheets, no farther apart than a side; own: the sheet's triangles, kept;
+    // base: where the whole surface ends, or null.
     SheetEnd(const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet,
-             const geometry::VecArray& creases, double side, const SurfaceEnd* base);
+             std::shared_ptr<const geometry::PointGrid> creases, const SurfaceMesh& own, const SurfaceEnd* base);
 
     [[nodiscard]] bool near_border(const glm::dvec3& place) const override;
-    // How far from the whole surface, unless the sheet is the active one.
+    // How far from the whole surface, or from the sheet's triangles, unless the sheet is the active one.
     [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override;
 
 private:
     const implicit::Implicit& whole_;
     const implicit::Sheets& sheets_;
     std::int32_t sheet_;
-    double tolerance_;
-    geometry::PointGrid grid_;
+    const geometry::VecArray& vertices_;
+    double side_;
+    std::shared_ptr<const geometry::PointGrid> creases_;
+    geometry::PointGrid own_;
     const SurfaceEnd* base_;
 };
 

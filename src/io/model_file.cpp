@@ -68,7 +68,7 @@ void set_numbers(implicit::HrbfData& data, const Numbers& n) noexcept {
 void encode_hrbf(Encoder& encoder, const implicit::HrbfData& data) {
     // The degree is -1 at least.
     const ModelKind kind{static_cast<std::uint32_t>(data.kernel),
-                                            static_cast<std::uint32_t>(data.polynomial_degree + 1)};
+                         static_cast<std::uint32_t>(data.polynomial_degree + 1)};
     encoder.section<std::uint32_t>(tag_kind, kind);
     encoder.section<double>(tag_numbers, numbers_of(data));
     encoder.section(tag_sample_position, data.sample_position.span());

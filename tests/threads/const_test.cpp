@@ -241,6 +241,11 @@ void add_point_sets(std::map<std::string, Call>& calls) {
         status = hrbfnpr_model_get_trim_info(s.model.get(), &info, error);
         result.add(info);
     });
+    CALL(hrbfnpr_model_get_csg_info) {
+        auto info = made(hrbfnpr_csg_info_init);
+        status = hrbfnpr_model_get_csg_info(s.model.get(), &info, error); // of a fit: no nodes
+        result.add(info);
+    });
     CALL(hrbfnpr_line_set_create) {
         hrbfnpr_line_set* lines = nullptr;
         status = hrbfnpr_line_set_create(s.context.get(), s.model.get(), nullptr, nullptr, &lines, error);

@@ -2,6 +2,7 @@
 #include "mesh/pieces/fit_pieces.h"
 
 #include "base/clock.h"
+#include "mesh/fit/flat.h"
 #include "mesh/fit/outer.h"
 #include "mesh/pieces/fit_sheet.h"
 #include "mesh/sample.h"
@@ -226,6 +227,7 @@ private:
 
 PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
                      const FitMeshSettings& settings, const fit::FitInput& options, const base::Progress& progress) {
+    refuse_flat_solid(mesh);
     return Fitter(runtime, mesh, tree, creases, settings, options, progress).run();
 }
 

@@ -273,6 +273,7 @@ _DRAWING = (_add_name, _add_size, _add_style, _add_camera, _add_marks, _add_fit,
 def of_a_drawing() -> Parser:
     """The options of a drawing alone, without files: for `hrbfnpr.draw`."""
     parser = Parser(prog="hrbfnpr.draw", add_help=False)
+    parser.set_defaults(command="draw")
     for add in (_add_blank, *_DRAWING, _vectors.add_options):
         add(parser)
     return parser
