@@ -417,5 +417,43 @@ TEST(CsgModel, IsDrawnWithItsContours) {
     EXPECT_LT(dark, 128 * 64);
 }
 
+// The sides of both are one function, and between them there is a gap that a step of a contour leaps over.
+TEST(CsgModel, ContoursOfCylindersOnOneAxisEndWithThem) {
+    Error error;
+    const Context context = make_context();
+    CsgNodes bars;
+    bars.add(HRBFNPR_CSG_UNION);
+    for (const double z : {0.0, 3.4}) bars.add(HRBFNPR_CSG_CYLINDER, 0, 0.0, 0.0, z).height = 3.0;
+    for (std::size_t i = 1; i < 3; ++i) bars.nodes[i].radius = 0.5;
+    const Model model = create(context, bars);
+    hrbfnpr_line_set* made_set = nullptr;
+    ASSERT_OK(hrbfnpr_line_set_create(context.get(), model.get(), nullptr, nullptr, &made_set, error));
+    const hrbfnpr::test::LineSet lines(made_set);
+    Generation desc = small_desc();
+    const PointSet set = generate(context, model, desc);
+    hrbfnpr_style style;
+    ASSERT_OK(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_SILHOUETTE, error));
+    hrbfnpr_item item = item_of(set, &style);
+    item.model = model.get();
+    item.line_set = lines.get();
+    auto camera = made(hrbfnpr_camera_init);
+    const double eye[3] = {0.0, -10.0, 1.7};
+    const double target[3] = {0.0, 0.0, 1.7};
+    const double up[3] = {0.0, 0.0, 1.0};
+    constexpr int side = 256; // 25.6 pixels in a unit
+    ASSERT_OK(hrbfnpr_camera_look_at(&camera, eye, target, up, error));
+    ASSERT_OK(hrbfnpr_camera_orthographic(&camera, 10.0, side, side, 1.0, 20.0, error));
+    const Renderer renderer = make_renderer(context);
+    const std::vector<std::uint8_t> pixels = rasterize(draw_item(renderer, item, camera), side);
+    const auto dark_rows = [&](int begin, int end) {
+        int dark = 0;
+        for (int i = 4 * side * begin; i < 4 * side * end; i += 4) dark += pixels[static_cast<std::size_t>(i)] < 128;
+        return dark;
+    };
+    EXPECT_GT(dark_rows(44, 212), 500); // from z = 5 down to -1.6
+    EXPECT_EQ(dark_rows(0, 43), 0);     // beyond 4.9
+    EXPECT_EQ(dark_rows(214, side), 0); // and -1.5
+}
+
 } // namespace
 } // namespace api_test
