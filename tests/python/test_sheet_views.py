@@ -366,3 +366,20 @@ def test_short_gaps_are_bridged():
     curves = [_view_order.Curve(np.array(((a, 0.0), (b, 0.0))), flags) for a, b in at]
     pieces = _view_order.in_order(curves)["outlines"]
     assert sorted((min(p[:, 0]), max(p[:, 0])) for p in pieces) == [(0, 20), (24, 30)]
+
+
+def test_flat_faces_of_solids_that_are_seen_edge_on_have_their_edges(tmp_path):
+    (tmp_path / "disc.csg").write_text("cylinder(0.5, 1) - cylinder(0.2, 3)\n")
+    sheet = tmp_path / "disc.svg"
+    options = ["--views", "left", "--section", "x", "--scale", "50:1"]
+    assert main(["sheet-views", str(tmp_path / "disc.csg"), str(sheet), *options]) == 0
+    paths = paths_of(sheet)
+    assert len(paths["hatching A-A"]) > 10
+    for view in ("left", "A-A"):
+        points = np.vstack(paths[f"outlines {view}"])
+        low, high = points.min(axis=0), points.max(axis=0)
+        assert high - low == pytest.approx((50, 50), abs=0.1)
+        for axis in (0, 1):  # outlines along each side
+            for end in (low, high):
+                on = points[np.abs(points[:, axis] - end[axis]) < 0.1]
+                assert np.ptp(on[:, 1 - axis]) == pytest.approx(50, abs=0.2)
