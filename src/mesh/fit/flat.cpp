@@ -46,10 +46,11 @@ void refuse_flat_solid(const Mesh& mesh) {
     }
     const double all = toward + away;
     if (std::min(toward, away) > other_way * all)
-        fail(Status::invalid_argument,
-             "the mesh is flat: all of its faces lie in one plane, %.0f %% of their area looks one way and %.0f %% the "
-             "other, so it has no inside; keep the faces of one side, or give it a thickness",
-             100.0 * std::max(toward, away) / all, 100.0 * std::min(toward, away) / all);
+        fail(
+            Status::invalid_argument,
+            "the mesh is flat: all of its vertices lie in one plane, %.0f %% of the area looks one way and %.0f %% the "
+            "other, so it has no inside; keep the faces of one side, or give it a thickness",
+            100.0 * std::max(toward, away) / all, 100.0 * std::min(toward, away) / all);
 }
 
 } // namespace hrbfnpr::mesh
