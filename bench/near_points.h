@@ -18,17 +18,25 @@ public:
     }
 
     [[nodiscard]] bool is_within(const double* p, double distance) const {
+        return !visit(p, distance, [](std::size_t, double) { return false; });
+    }
+
+    // Calls see(i, distance) of each point within `distance`, until that gives false; whether it never did.
+    template <class See>
+    bool visit(const double* p, double distance, See&& see) const {
         const int reach = static_cast<int>(std::ceil(distance / side_));
         for (int x = -reach; x <= reach; ++x)
             for (int y = -reach; y <= reach; ++y)
                 for (int z = -reach; z <= reach; ++z) {
                     const auto found = cells_.find(cell(p, x, y, z));
                     if (found == cells_.end()) continue;
-                    for (const std::size_t i : found->second)
-                        if (std::hypot(points_[i] - p[0], points_[i + 1] - p[1], points_[i + 2] - p[2]) <= distance)
-                            return true;
+                    for (const std::size_t i : found->second) {
+                        const double there =
+                            std::hypot(points_[i] - p[0], points_[i + 1] - p[1], points_[i + 2] - p[2]);
+                        if (there <= distance && !see(i / 3, there)) return false;
+                    }
                 }
-        return false;
+        return true;
     }
 
 private:

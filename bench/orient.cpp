@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Normals of points without any: how many are right, how far their directions are off, and how long it takes.
 //
-//   bench_orient [--models=DIR] [--named=TEXT] [--only=clean,noisy,times] [--noise=0.01] [--seed=N]
+//   bench_orient [--models=DIR] [--named=TEXT] [--only=clean,noisy,bound,times] [--noise=0.01] [--seed=N]
 //                [--large]
 //
 // Clouds are those of orient_shapes.h and, with --models, the PLY files of a folder that have normals, which are
-// dropped.  Of open sheets the sign of the whole is a rule's, not the surface's: where it is, the better sign counts.
+// dropped.  bound: how right a reader who knows the surface is on noisy points (orient_bound.h).  Of open sheets the
+// sign of the whole is a rule's, not the surface's: where it is, the better sign counts.
 // --large: a million points, too.
 
+#include "orient_bound.h"
 #include "orient_shapes.h"
 #include "read_models.h"
 
@@ -27,7 +29,7 @@ using bench::Samples;
 struct Options {
     std::string models;
     std::string named;
-    std::string only = "clean,noisy,times";
+    std::string only = "clean,noisy,bound,times";
     double noise = 0.01; // diagonals
     std::uint64_t seed = 12345;
     bool large = false;
@@ -109,6 +111,27 @@ std::vector<NamedCloud> clouds_of(const Options& options) {
     return clouds;
 }
 
+// Both sheets of a wall that is thinner than that are one band of noise.
+[[nodiscard]] bool is_thin(const NamedCloud& cloud, double noise) {
+    return cloud.wall < 4.0 * noise * bench::diagonal_of(cloud.samples);
+}
+
+void measure_bound(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, double noise, std::uint64_t seed) {
+    double right = 1.0;
+    double angle = 0.0;
+    for (const NamedCloud& cloud : clouds) {
+        if (is_thin(cloud, noise)) continue;
+        const bench::Bound bound = bench::bound_of(context, cloud.samples, bench::noisy(cloud.samples, noise, seed),
+                                                   noise * bench::diagonal_of(cloud.samples));
+        std::printf("%-22s bound  right %.4f  angle %5.1f\n", cloud.name.c_str(), bound.right, bound.angle);
+        std::fflush(stdout);
+        right = std::min(right, bound.right);
+        if (cloud.smooth) angle = std::max(angle, bound.angle);
+    }
+    std::printf("orient.bound.right_min %.4f\n", right);
+    std::printf("orient.bound.smooth_angle_max %.2f\n", angle);
+}
+
 // Prints a line a cloud, and the worst of all.
 void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, double noise, std::uint64_t seed) {
     const char* kind = noise > 0.0 ? "noisy" : "clean";
@@ -119,8 +142,7 @@ void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, do
     double sure_of_failed = 0.0;
     int thin = 0;
     for (const NamedCloud& cloud : clouds) {
-        // Both sheets of a wall that is thinner than that are one band of noise.
-        if (cloud.wall < 4.0 * noise * bench::diagonal_of(cloud.samples)) {
+        if (is_thin(cloud, noise)) {
             ++thin;
             continue;
         }
@@ -167,6 +189,7 @@ int main(int count, char** words) {
     const std::vector<NamedCloud> clouds = clouds_of(options);
     if (wants("clean")) measure(context, clouds, 0.0, 0);
     if (wants("noisy")) measure(context, clouds, options.noise, options.seed);
+    if (wants("bound")) measure_bound(context, clouds, options.noise, options.seed);
     if (wants("times")) measure_time(context, "50k", 50000);
     if (wants("times") && options.large) measure_time(context, "1m", 1000000);
     hrbfnpr_context_release(context);
