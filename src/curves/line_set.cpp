@@ -122,7 +122,7 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     if (mesh_->triangles() == 0)
         fail(Status::not_converged, "no surface was found to draw lines of: f has no zero near the seeds; give "
                                     "seed_points on the surface");
-    sheets_.emplace(runtime, *mesh_);
+    sheets_.emplace(runtime, *mesh_, progress);
 }
 
 // Normals that nobody gave are the surface's own.

@@ -18,7 +18,8 @@ namespace hrbfnpr::curves {
 // Made once for a mesh, which must outlive it; const afterwards, for any number of threads.
 class SheetCounter {
 public:
-    SheetCounter(const base::Runtime& runtime, const SurfaceMesh& mesh) : mesh_(mesh), tree_(runtime, mesh) {}
+    SheetCounter(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress = {})
+        : mesh_(mesh), tree_(runtime, mesh, progress) {}
 
     struct Answer {
         std::int32_t sheets = 0;

@@ -132,7 +132,7 @@ std::int64_t count_all(const base::Runtime& runtime, std::int64_t total, const b
 
 std::int64_t count_missed(const base::Runtime& runtime, const surface::Projection& seeds, const SurfaceMesh& mesh,
                           const base::Progress& progress) {
-    const TriangleTree tree(runtime, mesh);
+    const TriangleTree tree(runtime, mesh, progress);
     return count_all(runtime, seeds.position.size(), progress, [&](std::int64_t i) {
         return !tree.any_facing(seeds.position[i], seeds.gradient[i], seed_reach * mesh.side);
     });

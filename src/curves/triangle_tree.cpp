@@ -54,13 +54,14 @@ double distance_to_box(const geometry::Bounds& box, const glm::dvec3& p) noexcep
 
 } // namespace
 
-TriangleTree::TriangleTree(const base::Runtime& runtime, const SurfaceMesh& mesh)
+TriangleTree::TriangleTree(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress)
     : mesh_(mesh), box_(runtime.memory), bulge_(runtime.memory, mesh.triangles()) {
     while (leaves_ * leaf_size < mesh.triangles()) leaves_ *= 2;
     box_.resize(2 * leaves_);
     std::fill(box_.begin(), box_.end(), geometry::Bounds{});
     const std::int64_t used = (mesh.triangles() + leaf_size - 1) / leaf_size;
     runtime.parallel.for_chunks(used, 1024, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         for (std::int64_t t = begin * leaf_size; t < std::min(end * leaf_size, mesh.triangles()); ++t) {
             bulge_[t] = bulge_of(mesh, t);
             geometry::Bounds own;

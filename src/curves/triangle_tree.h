@@ -13,7 +13,7 @@ namespace hrbfnpr::curves {
 class TriangleTree {
 public:
     // The mesh must outlive it.
-    TriangleTree(const base::Runtime& runtime, const SurfaceMesh& mesh);
+    TriangleTree(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress = {});
 
     // Whether a triangle within the distance of p faces the way that the direction points to.
     [[nodiscard]] bool any_facing(const glm::dvec3& p, const glm::dvec3& direction, double distance) const noexcept;

@@ -41,7 +41,7 @@ public:
     [[nodiscard]] std::int64_t tile_count() const noexcept { return tiles_ * (tiles_ + 1) / 2; }
 
     // 1-norm of the matrix, before factor().
-    [[nodiscard]] double norm(const base::Parallel& parallel) const;
+    [[nodiscard]] double norm(const base::Parallel& parallel, const base::Progress& progress) const;
     // False if the matrix is not (numerically) positive definite.
     [[nodiscard]] bool factor(const base::Parallel& parallel, const base::Progress& progress);
     // x, padded() long with zeros from size() on, becomes the inverse times x.  After factor().

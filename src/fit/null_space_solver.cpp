@@ -64,7 +64,7 @@ void NullSpaceSolver::assemble(const HermiteSystem& system, const base::Progress
         assemble_tile(system, x_data.data(), at.i, at.j);
     });
     if (terms > 0) assemble_border(system, x_data.data());
-    norm_ = cholesky_.norm(runtime_.parallel);
+    norm_ = cholesky_.norm(runtime_.parallel, progress);
     progress.update(1.0);
 }
 

@@ -37,6 +37,7 @@ constexpr double nearest = 0.35;
 constexpr double shortest = 3.0;
 constexpr int smoothings = 2;
 constexpr std::int64_t lines_a_task = 16;
+constexpr std::int64_t points_a_check = 512; // one look for a cancel
 
 // Between two points of a line beside another.
 struct Neighbour {
@@ -53,10 +54,10 @@ struct Line {
 
 class Evener {
 public:
-    Evener(const base::Runtime& runtime, double separation)
-        : runtime_(runtime), separation_(separation), position_(runtime.memory), normal_(runtime.memory),
-          across_(runtime.memory), level_(runtime.memory), line_of_(runtime.memory), line_(runtime.memory),
-          neighbour_(runtime.memory), move_(runtime.memory), wanted_(runtime.memory) {}
+    Evener(const base::Runtime& runtime, double separation, const base::Progress& progress)
+        : runtime_(runtime), progress_(progress), separation_(separation), position_(runtime.memory),
+          normal_(runtime.memory), across_(runtime.memory), level_(runtime.memory), line_of_(runtime.memory),
+          line_(runtime.memory), neighbour_(runtime.memory), move_(runtime.memory), wanted_(runtime.memory) {}
 
     void sample(const StripeLines& lines);
     void find_neighbours();
@@ -68,8 +69,10 @@ private:
     template <class Visit>
     void for_lines(Visit&& visit) const {
         runtime_.parallel.for_chunks(line_.size(), lines_a_task, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t l = begin; l < end; ++l)
+            for (std::int64_t l = begin; l < end; ++l) {
+                progress_.check();
                 if (line_[l].begin < line_[l].end) visit(line_[l]); // not what has been cut off
+            }
         });
     }
     [[nodiscard]] bool is_left(std::int64_t i) const noexcept {
@@ -93,6 +96,7 @@ private:
     void average(const Line& line);
 
     const base::Runtime& runtime_;
+    const base::Progress& progress_;
     double separation_;
     geometry::VecArray position_, normal_;
     geometry::VecArray across_; // unit, tangent
@@ -105,6 +109,7 @@ private:
 
 void Evener::sample(const StripeLines& lines) {
     for (std::int64_t l = 0; l < lines.count(); ++l) {
+        if (l % lines_a_task == 0) progress_.check();
         const LineWalk walk(lines, l);
         if (!(walk.length() >= shortest * separation_)) continue;
         const auto steps = static_cast<std::int64_t>(std::round(walk.length() / (step * separation_)));
@@ -156,6 +161,7 @@ void Evener::find_neighbours() {
     const geometry::PointGrid grid(position_, (reach + step) * separation_);
     for_lines([&](const Line& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) {
+            if ((i - line.begin) % points_a_check == 0) progress_.check();
             look_around(grid, i);
         }
     });
@@ -297,10 +303,9 @@ StripeLines Evener::result() const {
 
 StripeLines evened(const base::Runtime& runtime, const StripeLines& lines, double separation,
                    const base::Progress& progress) {
-    Evener evener(runtime, separation);
+    Evener evener(runtime, separation, progress);
     evener.sample(lines);
     for (int round = 0; round < rounds; ++round) {
-        progress.check();
         evener.find_neighbours();
         if (round > 0) evener.cut_ends();
         evener.move();

@@ -69,7 +69,7 @@ base::Array<Complex> guide(const marks::Site& site, const SampleGraph& graph, co
     }
     base::Array<surface::Curvature> curvature(site.memory());
     surface::principal_curvatures(site.runtime, site.implicit, graph.position, curvature, progress);
-    const base::Array<Bend> bend = average_bends(site.runtime, graph, curvature);
+    const base::Array<Bend> bend = average_bends(site.runtime, graph, curvature, progress);
     guide = guide_by_curvature(site.runtime, graph, bend, settings.field);
     if (settings.field.guide != Guide::curvature) mix_named_guide(graph, bend, settings.field, guide);
     add_axis(graph, settings.field, guide);
@@ -107,7 +107,7 @@ StripeLines stripes_of(const marks::Site& site, const LineSamples& samples, cons
     const StripeLines lines = find_stripes(site.runtime, mesh, vertices, std::ldexp(finest, -finer), halvings - finer,
                                            progress.part(0.8, 1.0));
     const double separation = std::ldexp(finest, -halvings);
-    return evened(site.runtime, joined(site.memory(), lines, widest_gap * separation), separation, progress);
+    return evened(site.runtime, joined(site.memory(), lines, widest_gap * separation, progress), separation, progress);
 }
 
 } // namespace

@@ -17,6 +17,7 @@ constexpr double straight_enough = 0.8;
 // know their place to a part of the mesh's cells.
 constexpr double back = 0.5;
 constexpr std::int64_t fewest_back = 3;
+constexpr std::int64_t ends_a_check = 256;
 
 // End 2 l is the begin of line l, 2 l + 1 its end.
 class Joiner {
@@ -39,8 +40,8 @@ public:
             }
     }
 
-    void find(double reach);
-    [[nodiscard]] StripeLines join();
+    void find(double reach, const base::Progress& progress);
+    [[nodiscard]] StripeLines join(const base::Progress& progress);
 
 private:
     struct Pair {
@@ -67,10 +68,11 @@ bool Joiner::faces(std::int64_t a, std::int64_t b, double reach) const noexcept 
 }
 
 // The nearest first.
-void Joiner::find(double reach) {
+void Joiner::find(double reach, const base::Progress& progress) {
     const geometry::PointGrid grid(place_, reach);
     base::Array<Pair> pairs(memory_);
     for (std::int64_t a = 0; a < place_.size(); ++a) {
+        if (a % ends_a_check == 0) progress.check();
         if (lines_.closed[a / 2] != 0) continue;
         grid.around(place_[a], [&](std::int64_t at) {
             const std::int64_t b = grid.index(at);
@@ -124,21 +126,23 @@ void Joiner::follow(std::int64_t from, StripeLines& result) {
     result.closed.push_back(closed ? 1 : 0);
 }
 
-StripeLines Joiner::join() {
+StripeLines Joiner::join(const base::Progress& progress) {
     StripeLines result(memory_);
     for (const bool free : {true, false})
-        for (std::int64_t end = 0; end < place_.size(); ++end)
+        for (std::int64_t end = 0; end < place_.size(); ++end) {
+            if (end % ends_a_check == 0) progress.check();
             if (taken_[end / 2] == 0 && (!free || (partner_[end] < 0 && lines_.closed[end / 2] == 0)))
                 follow(end, result);
+        }
     return result;
 }
 
 } // namespace
 
-StripeLines joined(base::Memory& memory, const StripeLines& lines, double reach) {
+StripeLines joined(base::Memory& memory, const StripeLines& lines, double reach, const base::Progress& progress) {
     Joiner joiner(memory, lines, reach);
-    joiner.find(reach);
-    return joiner.join();
+    joiner.find(reach, progress);
+    return joiner.join(progress);
 }
 
 } // namespace hrbfnpr::hatching

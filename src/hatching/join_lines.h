@@ -7,6 +7,7 @@
 namespace hrbfnpr::hatching {
 
 // Ends no farther apart than `reach`, that run towards each other.
-[[nodiscard]] StripeLines joined(base::Memory& memory, const StripeLines& lines, double reach);
+[[nodiscard]] StripeLines joined(base::Memory& memory, const StripeLines& lines, double reach,
+                                 const base::Progress& progress);
 
 } // namespace hrbfnpr::hatching

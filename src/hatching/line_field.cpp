@@ -16,8 +16,9 @@ constexpr double to_unit = 0.2;
 constexpr int pulls = 2;
 
 void average(const base::Runtime& runtime, const SampleGraph& graph, const base::Array<Bend>& from,
-             base::Array<Bend>& to) {
+             base::Array<Bend>& to, const base::Progress& progress) {
     runtime.parallel.for_chunks(graph.size(), samples_a_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
             Bend sum = from[i];
             double count = 1.0;
@@ -34,7 +35,7 @@ void average(const base::Runtime& runtime, const SampleGraph& graph, const base:
 } // namespace
 
 base::Array<Bend> average_bends(const base::Runtime& runtime, const SampleGraph& graph,
-                                const base::Array<surface::Curvature>& curvature) {
+                                const base::Array<surface::Curvature>& curvature, const base::Progress& progress) {
     base::Array<Bend> bend(runtime.memory, graph.size());
     base::Array<Bend> next(runtime.memory, graph.size());
     const double largest = 1.0 / (0.25 * graph.spacing); // what is sharper the samples do not know
@@ -45,7 +46,7 @@ base::Array<Bend> average_bends(const base::Runtime& runtime, const SampleGraph&
         bend[i] = {0.5 * (k1 + k2), 0.5 * (k1 - k2) * std::polar(1.0, 2.0 * graph.angle(i, c.d1))};
     }
     for (int k = 0; k < averages; ++k) {
-        average(runtime, graph, bend, next);
+        average(runtime, graph, bend, next, progress);
         std::swap(bend, next);
     }
     return bend;

@@ -32,7 +32,8 @@ struct Bend {
 
 // Averaged over some four spacings.
 [[nodiscard]] base::Array<Bend> average_bends(const base::Runtime& runtime, const SampleGraph& graph,
-                                              const base::Array<surface::Curvature>& curvature);
+                                              const base::Array<surface::Curvature>& curvature,
+                                              const base::Progress& progress);
 
 // Lines that are wanted, and how sure each is, in [0, 1]: exp(2 i angle) times that.
 // Along the larger of both principal curvatures by amount.

@@ -45,10 +45,10 @@ public:
           point_(site.memory()), level_(site.memory()), position_(site.memory()), normal_(site.memory()),
           placed_(site.memory()), ends_(site.memory()), pieces_(site.memory()) {}
 
-    void resample();
+    void resample(const base::Progress& progress);
     void project(const base::Progress& progress);
-    void cut();
-    void append();
+    void cut(const base::Progress& progress);
+    void append(const base::Progress& progress);
 
 private:
     void resample(std::int64_t line);
@@ -123,8 +123,11 @@ void Laying::vote(const Path& path) {
     std::copy(median.begin(), median.end(), level_.data() + path.begin);
 }
 
-void Laying::resample() {
-    for (std::int64_t line = 0; line < lines_.count(); ++line) resample(line);
+void Laying::resample(const base::Progress& progress) {
+    for (std::int64_t line = 0; line < lines_.count(); ++line) {
+        progress.check();
+        resample(line);
+    }
 }
 
 void Laying::project(const base::Progress& progress) {
@@ -165,8 +168,11 @@ void Laying::cut(const Path& path) {
     }
 }
 
-void Laying::cut() {
-    for (const Path& path : paths_) cut(path);
+void Laying::cut(const base::Progress& progress) {
+    for (const Path& path : paths_) {
+        progress.check();
+        cut(path);
+    }
     // Of equal levels as they stand, along the paths; std::stable_sort would take memory that is not the caller's.
     base::sort_long(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
         return a.level != b.level ? a.level < b.level : a.begin < b.begin;
@@ -195,12 +201,13 @@ void Laying::append(const Piece& piece, std::uint32_t number, float rank) {
 }
 
 // Marks that no line is made of were placed for nothing.
-void Laying::append() {
+void Laying::append(const base::Progress& progress) {
     std::int64_t all = 0;
     for (const Piece& piece : pieces_) all += piece.count;
     std::int64_t before = 0;
     std::uint32_t number = 0;
     for (const Piece& piece : pieces_) {
+        progress.check();
         const double middle = static_cast<double>(before) + 0.5 * static_cast<double>(piece.count);
         append(piece, number++, marks::rank_of(1.0 - middle / static_cast<double>(all)));
         before += piece.count;
@@ -215,10 +222,10 @@ void Laying::append() {
 void add_line_marks(const marks::Site& site, const StripeLines& lines, const LineMarkSettings& settings,
                     marks::Marks& marks, marks::LayerReport& report, const base::Progress& progress) {
     Laying laying(site, lines, settings, marks, report);
-    laying.resample();
+    laying.resample(progress);
     laying.project(progress);
-    laying.cut();
-    laying.append();
+    laying.cut(progress);
+    laying.append(progress);
     report.full_count = marks.count();
 }
 

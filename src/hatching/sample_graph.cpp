@@ -17,6 +17,9 @@ constexpr double least_cosine = 0.3;
 constexpr double steepest = 0.5;
 // In spacings: farther ones are none.
 constexpr double farthest = 3.0;
+// One look for a cancel for so many.
+constexpr std::int64_t samples_a_check = 512;
+constexpr std::int64_t pairs_a_check = 4096;
 
 } // namespace
 
@@ -61,15 +64,18 @@ SampleGraph::SampleGraph(const base::Runtime& runtime, geometry::VecArray positi
         auto operator<=>(const Pair&) const = default;
     };
     base::Array<Pair> pairs(runtime.memory);
-    for (std::int64_t i = 0; i < size(); ++i)
+    for (std::int64_t i = 0; i < size(); ++i) {
+        if (i % samples_a_check == 0) progress.check();
         for (const std::int64_t j : near.of(i)) {
             if (!is_linked(i, j)) continue;
             pairs.push_back({i, j});
             pairs.push_back({j, i});
         }
+    }
     std::sort(pairs.begin(), pairs.end());
     pairs.resize(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
     for (const Pair& pair : pairs) {
+        if (link.size() % pairs_a_check == 0) progress.check();
         const double turned = turn(pair.from, pair.to);
         link.push_back(
             {static_cast<std::int32_t>(pair.to), static_cast<float>(turned), std::polar(1.0, -2.0 * turned)});

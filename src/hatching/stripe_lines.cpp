@@ -36,7 +36,7 @@ public:
 
     void cross_edges(const base::Progress& progress);
     void link_triangles(const base::Progress& progress);
-    [[nodiscard]] StripeLines walk() const;
+    [[nodiscard]] StripeLines walk(const base::Progress& progress) const;
 
 private:
     [[nodiscard]] std::int64_t finest() const noexcept { return vertices_.wave.size() - 1; }
@@ -135,6 +135,7 @@ void Stripes::cross_edges(const base::Progress& progress) {
     link_.resize(2 * first_[edges]);
     std::fill(link_.begin(), link_.end(), -1);
     runtime_.parallel.for_chunks(edges, triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         for (std::int64_t edge = begin; edge < end; ++edge) {
             std::int64_t at = first_[edge];
             if (owns(edge)) visit_crossings(edge, [&](const Crossing& c) { crossing_[at++] = c; });
@@ -220,11 +221,12 @@ void Stripes::add_line(std::int64_t from, base::Array<std::uint8_t>& taken, Stri
     lines.closed.push_back(closed ? 1 : 0);
 }
 
-StripeLines Stripes::walk() const {
+StripeLines Stripes::walk(const base::Progress& progress) const {
     StripeLines lines(runtime_.memory);
     base::Array<std::uint8_t> taken(runtime_.memory, crossing_.size());
     for (const bool ends : {true, false})
         for (std::int64_t c = 0; c < crossing_.size(); ++c) {
+            if (c % triangles_a_task == 0) progress.check();
             const bool is_end = link_[2 * c] < 0 || link_[2 * c + 1] < 0;
             const bool alone = link_[2 * c] < 0 && link_[2 * c + 1] < 0;
             if (taken[c] == 0 && !alone && (is_end || !ends)) add_line(c, taken, lines);
@@ -239,7 +241,7 @@ StripeLines find_stripes(const base::Runtime& runtime, const curves::SurfaceMesh
     Stripes stripes(runtime, mesh, vertices, period, halvings);
     stripes.cross_edges(progress);
     stripes.link_triangles(progress);
-    return stripes.walk();
+    return stripes.walk(progress);
 }
 
 } // namespace hrbfnpr::hatching

@@ -23,10 +23,11 @@ constexpr int averages = 20;
 
 // By how much the phase grows along each link, and whether the lines point to opposite ways.
 struct Waves {
-    Waves(const base::Runtime& runtime, const LineSamples& samples, double period)
+    Waves(const base::Runtime& runtime, const LineSamples& samples, double period, const base::Progress& progress)
         : graph(samples.graph), factor(runtime.memory, graph.link.size()), turned(runtime.memory, graph.link.size()) {
         const double frequency = 2.0 * std::numbers::pi / period;
         runtime.parallel.for_chunks(graph.size(), samples_a_task, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
             for (std::int64_t i = begin; i < end; ++i) {
                 const glm::dvec3 across = glm::cross(graph.normal[i], samples.along[i]);
                 for (std::int64_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
@@ -88,7 +89,7 @@ void spread(const base::Runtime& runtime, const Waves& waves, int rounds, Phases
 
 Phases first_phases(const base::Runtime& runtime, const LineSamples& samples, double period, std::uint64_t seed,
                     const base::Progress& progress) {
-    const Waves waves(runtime, samples, period);
+    const Waves waves(runtime, samples, period, progress);
     const SampleGraph& graph = samples.graph;
     Phases x(runtime.memory, graph.size());
     for (std::int64_t i = 0; i < graph.size(); ++i)
@@ -112,7 +113,7 @@ Phases first_phases(const base::Runtime& runtime, const LineSamples& samples, do
 
 Phases doubled(const base::Runtime& runtime, const LineSamples& samples, const Phases& phases, double period,
                const base::Progress& progress) {
-    const Waves waves(runtime, samples, 0.5 * period);
+    const Waves waves(runtime, samples, 0.5 * period, progress);
     Phases z(runtime.memory, phases.size());
     for (std::int64_t i = 0; i < z.size(); ++i) z[i] = phases[i] * phases[i];
     spread(runtime, waves, means, z, progress);

@@ -126,9 +126,11 @@ namespace {
 
 // What the neighbours of a vertex say of its wave.
 struct MeshWaves {
-    MeshWaves(const base::Runtime& runtime, const StripeVertices& vertices, const VertexLinks& its_links, double period)
+    MeshWaves(const base::Runtime& runtime, const StripeVertices& vertices, const VertexLinks& its_links, double period,
+              const base::Progress& progress)
         : links(its_links), factor(runtime.memory, its_links.to.size()), turned(runtime.memory, its_links.to.size()) {
         runtime.parallel.for_chunks(links.first.size() - 1, vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
             for (std::int64_t v = begin; v < end; ++v)
                 for (std::int64_t k = links.first[v]; k < links.first[v + 1]; ++k) {
                     const bool other = vertices.turned(static_cast<std::int32_t>(v), links.to[k]);
@@ -163,7 +165,7 @@ void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceM
     const VertexLinks links(runtime.memory, mesh);
     base::Array<Complex> next(runtime.memory, mesh.vertices());
     for (int halving = 1; halving <= halvings; ++halving) {
-        const MeshWaves waves(runtime, *this, links, std::ldexp(period, -halving));
+        const MeshWaves waves(runtime, *this, links, std::ldexp(period, -halving), progress);
         base::Array<Complex> z(runtime.memory, mesh.vertices());
         const base::Array<Complex>& before = wave[wave.size() - 1];
         progress.check();
@@ -171,6 +173,7 @@ void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceM
         for (int round = 0; round <= averages; ++round) {
             progress.check();
             runtime.parallel.for_chunks(z.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
+                progress.check();
                 for (std::int64_t v = begin; v < end; ++v) {
                     const Complex mean = waves.mean(v, z);
                     next[v] = round < means || round == averages ? mean : unit(mean);

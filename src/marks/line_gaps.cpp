@@ -135,9 +135,11 @@ void measure_gaps(const base::Runtime& runtime, const Layer& layer, base::Array<
     if (!gaps.are_few()) return;
     gap.resize(layer.count());
     runtime.parallel.for_chunks(layer.strokes(), chunk, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
         base::Array<float> asked(runtime.memory);
-        for (std::int64_t s = begin; s < end; ++s) gaps.measure(s, asked, gap);
+        for (std::int64_t s = begin; s < end; ++s) {
+            progress.check();
+            gaps.measure(s, asked, gap);
+        }
     });
 }
 

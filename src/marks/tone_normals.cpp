@@ -16,6 +16,7 @@ constexpr double reach = 2.0; // lengths
 constexpr double enough = 64.0;
 // What leaves the tangent plane more steeply is another sheet.
 constexpr double steepest = 0.7;
+constexpr std::int64_t marks_a_check = 256;
 
 // Every n-th mark.
 struct Sources {
@@ -73,8 +74,8 @@ void soften_normals(const Site& site, const Marks& marks, double length, double 
     const Softener softener(sources, radius);
     result.resize(3 * marks.count());
     site.runtime.parallel.for_chunks(marks.count(), chunk_size, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
+            if ((i - begin) % marks_a_check == 0) progress.check();
             const glm::dvec3 normal =
                 softener.around(marks.position[i], marks.normal[i], sheets.empty() ? 0 : sheets[i]);
             for (int k = 0; k < 3; ++k) result[3 * i + k] = static_cast<float>(normal[k]);

@@ -54,7 +54,7 @@ void put(const Projection& projection, std::int64_t place, Candidates& candidate
 
 // Both cell by cell, each with groups of its own; cells without any are left out.
 void merge(const marks::Site& site, const SurfaceCells& cells, const PlaneCandidates& planes,
-           const base::Array<Projection>& projections, Candidates& candidates) {
+           const base::Array<Projection>& projections, Candidates& candidates, const base::Progress& progress) {
     const std::int64_t count = cells.cell.size();
     base::Array<std::int64_t> next(site.memory(), count); // place of each cell's next candidate; at first, their number
     for (const Projection& projection : projections) ++next[projection.cell];
@@ -71,6 +71,7 @@ void merge(const marks::Site& site, const SurfaceCells& cells, const PlaneCandid
     }
     make_room(candidates, groups);
     site.runtime.parallel.for_chunks(count, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         for (std::int64_t cell = begin; cell < end; ++cell)
             if (planes.count_in(cell) > 0) planes.put(cell, next[cell], candidates);
     });
@@ -95,7 +96,7 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     PlaneCandidates planes(site, cells, numbers, marks::stream_of(kind), progress);
     LayerCandidates layer(site, cells, numbers, planes.kind(), marks::stream_of(kind), wanted);
     draw(cells, planes, layer, wanted, progress);
-    merge(site, cells, planes, layer.projections(), candidates);
+    merge(site, cells, planes, layer.projections(), candidates, progress);
     candidates.report.placed = candidates.count;
     candidates.report.dropped_strayed = layer.strayed();
     candidates.report.attempted = candidates.report.placed + candidates.report.dropped_strayed;
@@ -104,7 +105,8 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     return candidates;
 }
 
-Candidates thinned(const marks::Site& site, Candidates& candidates, std::uint64_t ticket_limit) {
+Candidates thinned(const marks::Site& site, Candidates& candidates, std::uint64_t ticket_limit,
+                   const base::Progress& progress) {
     Candidates some(site.memory());
     some.grid = candidates.grid;
     some.region = candidates.region;
@@ -114,6 +116,7 @@ Candidates thinned(const marks::Site& site, Candidates& candidates, std::uint64_
     some.number.resize(cells);
     some.first.resize_for_overwrite(cells);
     site.runtime.parallel.for_chunks(cells, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         for (std::int64_t cell = begin; cell < end; ++cell) {
             some.code[cell] = candidates.code[cell];
             candidates.for_taken(cell, ticket_limit, [&](std::int64_t) { ++some.number[cell]; });
@@ -125,6 +128,7 @@ Candidates thinned(const marks::Site& site, Candidates& candidates, std::uint64_
     }
     make_room(some, groups_for(some.count));
     site.runtime.parallel.for_chunks(cells, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         for (std::int64_t cell = begin; cell < end; ++cell) {
             std::int64_t to = some.first[cell];
             candidates.for_taken(cell, ticket_limit, [&](std::int64_t place) {

@@ -40,6 +40,7 @@ struct Candidates {
                                          marks::Kind kind, const base::Progress& progress);
 
 // Those with smaller tickets, in the same cells, of which some may hold none; close together.
-[[nodiscard]] Candidates thinned(const marks::Site& site, Candidates& candidates, std::uint64_t ticket_limit);
+[[nodiscard]] Candidates thinned(const marks::Site& site, Candidates& candidates, std::uint64_t ticket_limit,
+                                 const base::Progress& progress);
 
 } // namespace hrbfnpr::stipples

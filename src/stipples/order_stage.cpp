@@ -109,6 +109,7 @@ void OrderStage::Impl::copy_taken(Candidates& candidates, const base::Array<std:
     groups_ = group_.data();
     site_.runtime.parallel.for_chunks(cell_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) {
+            progress_.check();
             cell_[c].group += task_begin[begin / grain];
             const OrderBlock block = block_of(cell_[c]);
             std::int64_t count = 0;
@@ -244,6 +245,7 @@ void OrderStage::Impl::note(std::int32_t cell, const OrderLowest& found) noexcep
 void OrderStage::Impl::drop_nearer(double distance) {
     const auto enough = static_cast<float>(distance * distance);
     site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        progress_.check();
         for (std::int64_t c = begin; c < end; ++c) {
             cell_[c].groups = static_cast<std::int32_t>(groups_for(keep(block_of(cell_[c]), enough)));
             floor_[c] = 0.0F; // so that the best one is found again
@@ -253,6 +255,7 @@ void OrderStage::Impl::drop_nearer(double distance) {
 
 float OrderStage::Impl::lowest() {
     site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+        progress_.check();
         for (std::int64_t c = begin; c < end; ++c) refresh(static_cast<std::int32_t>(c), enough_);
     });
     return *std::min_element(lowest_.begin(), lowest_.end());

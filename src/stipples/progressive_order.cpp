@@ -201,7 +201,8 @@ OrderedMarks Ordering::run(const base::Progress& progress) {
     while (level < geometry::CellGrid::bits && side(level) < reach_of_energy * densest(1.0)) ++level;
     // Early stages would only pass over most candidates.
     const std::int32_t early = home_level_ + 2;
-    Candidates few = thinned(site_, candidates_, level < early ? 0 : settings_of(early, marks_at(early)).ticket_limit);
+    Candidates few =
+        thinned(site_, candidates_, level < early ? 0 : settings_of(early, marks_at(early)).ticket_limit, progress);
     for (; level > home_level_; --level) {
         const std::int64_t last = std::max(marks_at(level), marks_.size());
         if (last > marks_.size() && !run_stage(level < early ? candidates_ : few, level, last, progress)) break;

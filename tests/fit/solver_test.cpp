@@ -198,7 +198,7 @@ TEST(TiledCholesky, FactorsAndEstimates) {
                 padded.block(at.i * side, at.j * side, side, side);
         }
         const double norm = matrix.cwiseAbs().colwise().sum().maxCoeff();
-        EXPECT_NEAR(tiled.norm(runtime.parallel), norm, 1e-12 * norm);
+        EXPECT_NEAR(tiled.norm(runtime.parallel, {}), norm, 1e-12 * norm);
         ASSERT_TRUE(tiled.factor(runtime.parallel, {}));
         Eigen::VectorXd x = Eigen::VectorXd::Zero(tiled.padded());
         x.head(size) = right_hand_side(size);

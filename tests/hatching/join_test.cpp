@@ -38,7 +38,7 @@ protected:
             all.first.push_back(all.position.size());
             all.closed.push_back(0);
         }
-        return hatching::joined(runtime.memory, all, 2.0);
+        return hatching::joined(runtime.memory, all, 2.0, base::Progress());
     }
     // How far a line goes back along x, at most.
     static double back(const StripeLines& lines) {
