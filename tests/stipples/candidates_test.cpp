@@ -122,7 +122,7 @@ TEST(PlaneCandidates, APartByTicketsIsSpreadLikeAll) {
     Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples, {});
     for (const double share : {0.5, 0.1, 0.01}) {
         const auto limit = static_cast<std::uint64_t>(share * 4294967296.0);
-        Candidates some = thinned(cover.site, candidates, limit);
+        Candidates some = thinned(cover.site, candidates, limit, {});
         const double expected = share * static_cast<double>(candidates.count);
         EXPECT_NEAR(static_cast<double>(some.count), expected, 4.0 * std::sqrt(expected));
         EXPECT_EQ(some.area, candidates.area);
