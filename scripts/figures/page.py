@@ -35,7 +35,7 @@ def _panel(name, title, command):
 
 
 def _section(figure, drawn, left_out):
-    heading = figure.title if figure.number == "ours" else f"Figure {figure.number}: {figure.title}"
+    heading = f"Figure {figure.number}: {figure.title}" if figure.number.isdigit() else figure.title
     yield f'<section id="figure-{figure.number}">\n<h2>{escape(heading)}</h2>\n<p>{escape(figure.caption)}</p>\n'
     if figure.settings:
         yield f"<p><em>Here:</em> {escape(figure.settings)}</p>\n"

@@ -11,11 +11,13 @@
         (or, for a .py, the file itself)
         leaves a drawing in the current folder
     docs.py tutorial ROOT                   the code of docs/tutorial.md runs, and draws the pictures that are committed
+    docs.py cookbook ROOT                   the same of docs/cookbook.md
 """
 
 import importlib.util
 import json
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -246,27 +248,40 @@ def unlike(picture, committed):
     return None
 
 
-def tutorial(root):
-    skip_without("cffi", "numpy", "PIL")
-    shown = set(re.findall(r'src="images/tutorial/([^"]+)"', (root / "docs/tutorial.md").read_text(encoding="utf-8")))
+def drawn_page(root, name):
+    """A page of docs whose code draws its pictures: what it shows, what is drawn and what is committed are the same."""
+    shown = set(re.findall(rf'src="images/{name}/([^"]+)"', (root / f"docs/{name}.md").read_text(encoding="utf-8")))
     with tempfile.TemporaryDirectory() as folder:
-        command = [sys.executable, "-B", str(root / "docs/tutorial_pictures.py"), folder]
+        command = [sys.executable, "-B", str(root / f"docs/{name}_pictures.py"), folder]
         result = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         print(result.stdout)
         if result.returncode != 0:
-            yield f"the code of docs/tutorial.md failed with {result.returncode}"
+            yield f"the code of docs/{name}.md failed with {result.returncode}"
             return
         drawn = {path.name for path in Path(folder).iterdir()}
-        committed = {path.name for path in (root / "docs/images/tutorial").iterdir()}
+        committed = {path.name for path in (root / f"docs/images/{name}").iterdir()}
         if not shown or not shown == drawn == committed:
-            yield f"docs/tutorial.md shows {sorted(shown)}, its code draws {sorted(drawn)}, {sorted(committed)} are committed"
-        for name in sorted(drawn & committed):
-            why = unlike(Path(folder) / name, root / "docs/images/tutorial" / name)
+            yield f"docs/{name}.md shows {sorted(shown)}, its code draws {sorted(drawn)}, {sorted(committed)} are committed"
+        for picture in sorted(drawn & committed):
+            why = unlike(Path(folder) / picture, root / f"docs/images/{name}" / picture)
             if why:
-                yield f"docs/images/tutorial/{name} {why}: run docs/tutorial_pictures.py"
+                yield f"docs/images/{name}/{picture} {why}: run docs/{name}_pictures.py"
 
 
-CHECKS = {"links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets, "versions": wrong_versions, "tutorial": tutorial}
+def tutorial(root):
+    skip_without("cffi", "numpy", "PIL")
+    yield from drawn_page(root, "tutorial")
+
+
+def cookbook(root):
+    skip_without("cffi", "numpy", "PIL")
+    if shutil.which("rsvg-convert") is None:
+        print("skipped: there is no rsvg-convert here (Debian: librsvg2-bin)")
+        sys.exit(SKIPPED)
+    yield from drawn_page(root, "cookbook")
+
+
+CHECKS = {"links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets, "versions": wrong_versions, "tutorial": tutorial, "cookbook": cookbook}
 
 
 def main():
