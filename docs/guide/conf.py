@@ -12,6 +12,17 @@ html_show_sourcelink = False
 html_show_sphinx = False
 html_copy_source = False
 templates_path = []
+# Debian's build of the theme has lost its own of the dark mode.
+html_theme_options = {
+    "dark_css_variables": {
+        "color-problematic": "#ee5151", "color-foreground-primary": "#ffffffcc", "color-foreground-secondary": "#9ca0a5",
+        "color-foreground-muted": "#81868d", "color-foreground-border": "#666666", "color-background-primary": "#131416",
+        "color-background-secondary": "#1a1c1e", "color-background-hover": "#1e2124", "color-background-border": "#303335",
+        "color-background-hover--transparent": "#1e212400", "color-background-item": "#444444",
+        "color-brand-primary": "#5aa7f2", "color-brand-content": "#5aa7f2", "color-highlighted-background": "#083563",
+        "color-highlight-on-target": "#333300", "color-admonition-background": "#18181a",
+    },
+}  # fmt: skip
 
 myst_heading_anchors = 4  # as forges make them
 myst_enable_extensions = ["colon_fence"]

@@ -26,8 +26,11 @@ def public(package):
 
 def entry(package, name):
     thing = getattr(package, name)
+    if inspect.isclass(thing) and hasattr(thing, "_fields"):  # a named tuple: what its fields are is in its docstring
+        fields = "".join(f"   .. py:attribute:: {field}\n\n" for field in thing._fields)
+        return f".. autoclass:: hrbfnpr.{name}\n   :exclude-members: __new__, __init__\n\n{fields}"
     if inspect.isclass(thing):
-        inherited = "" if issubclass(thing, (BaseException, tuple)) else "   :inherited-members:\n"
+        inherited = "" if issubclass(thing, BaseException) else "   :inherited-members:\n"
         return f".. autoclass:: hrbfnpr.{name}\n   :members:\n{inherited}\n"
     if callable(thing):
         return f".. autofunction:: hrbfnpr.{name}\n\n"
