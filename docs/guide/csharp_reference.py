@@ -5,6 +5,8 @@ import re
 from html import unescape
 
 TYPE = re.compile(r"public (?:[\w ]*? )?(class|struct|enum|interface|delegate) ")
+HIDDEN = re.compile(r"(?:(?:internal|private|protected|static|sealed|abstract|unsafe|readonly|partial) )*"
+                    r"(?:class|struct|enum|interface) \w")  # fmt: skip
 
 
 def words(comment):
@@ -27,7 +29,7 @@ def signature(lines):
 
 
 def declarations(source):
-    """(depth, comment, declaration) of all that is public in a file."""
+    """(depth, comment, declaration) of all that is public in a file; no declaration where a type begins that is not."""
     lines, comment, number = source.splitlines(), [], 0
     in_enum = None
     while number < len(lines):
@@ -51,6 +53,8 @@ def declarations(source):
                 in_enum = depth
             comment = []
         else:
+            if HIDDEN.match(text):
+                yield depth, "", None
             comment = []
         number += 1
 
@@ -65,15 +69,19 @@ def types(folder):
     for path in sorted(folder.rglob("*.cs")):
         if {"bin", "obj"} & set(path.parts):
             continue
-        current = None
+        around = []  # the types that a line is within: their depth, and their name if they are public
         for depth, comment, declaration in declarations(path.read_text(encoding="utf-8-sig")):
-            if TYPE.match(declaration + " "):
+            while around and around[-1][0] >= depth:
+                around.pop()
+            if declaration is None:
+                around.append((depth, None))
+            elif TYPE.match(declaration + " ") and all(name for _, name in around):
                 match = name_of(declaration)
-                current = match.group(1) or match.group(2)
-                known = found.setdefault(current, [declaration, comment, []])
+                around.append((depth, match.group(1) or match.group(2)))
+                known = found.setdefault(around[-1][1], [declaration, comment, []])
                 known[1] = known[1] or comment
-            elif current is not None:
-                found[current][2].append((declaration, comment))
+            elif around and all(name for _, name in around):
+                found[around[-1][1]][2].append((declaration, comment))
     return found
 
 

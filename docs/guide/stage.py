@@ -87,6 +87,13 @@ def write(path, text):
         path.write_text(text, encoding="utf-8")
 
 
+def index(names):
+    """The first page; pages that its lists of contents lack stand at the end of those on use."""
+    text = (HERE / "index.md").read_text(encoding="utf-8")
+    left = sorted(name for name in names.values() if not re.search(rf"^{re.escape(name)}$", text, re.MULTILINE))
+    return text.replace("\nfile-format\n", "\n" + "\n".join(["file-format", *left]) + "\n")
+
+
 def torus(folder):
     """The picture of the quick start."""
     text = (ROOT / "examples/quickstart.py").read_text(encoding="utf-8").replace('"torus.png"', repr(str(folder / "torus.png")))
@@ -109,7 +116,7 @@ def main():
         write(target / f"quickstart-{file}.md", f"# Quick start in {language}\n\nA torus of 192 samples, as on the [first page](index.md).\n\n{shown}")
     (target / "files").mkdir(exist_ok=True)
     shutil.copy(ROOT / "examples/quickstart.py", target / "files")
-    write(target / "index.md", (HERE / "index.md").read_text(encoding="utf-8"))
+    write(target / "index.md", index(names))
     for name, text in c_reference.pages(ROOT / "bindings/api.json"):
         write(target / "c" / f"{name}.rst", text)
     for name, text in python_reference.pages(hrbfnpr):

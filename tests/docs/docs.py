@@ -12,6 +12,7 @@
         leaves a drawing in the current folder
     docs.py tutorial ROOT                   the code of docs/tutorial.md runs, and draws the pictures that are committed
     docs.py cookbook ROOT                   the same of docs/cookbook.md
+    docs.py guide ROOT FOLDER               Sphinx makes the guide without a warning, such as of links that lead nowhere
 """
 
 import importlib.util
@@ -29,8 +30,10 @@ LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
 
 
 def documents(root):
+    """All but docs/guide, which is in Sphinx's terms: the check of the guide reads it."""
     folders = ("*.md", "docs/**/*.md", "bindings/**/README.md", "examples/**/*.md")
-    return sorted(path for folder in folders for path in root.glob(folder) if "build" not in path.relative_to(root).parts)
+    found = {path for folder in folders for path in root.glob(folder) if "build" not in path.relative_to(root).parts}
+    return sorted(path for path in found if path.parent != root / "docs/guide")
 
 
 def prose(document):
@@ -281,7 +284,24 @@ def cookbook(root):
     yield from drawn_page(root, "cookbook")
 
 
-CHECKS = {"links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets, "versions": wrong_versions, "tutorial": tutorial, "cookbook": cookbook}
+def guide(root, folder):
+    skip_without("cffi", "numpy", "PIL", "sphinx", "myst_parser", "furo")
+    stage = [str(root / "docs/guide/stage.py"), f"{folder}/source"]
+    sphinx = ["-m", "sphinx", "-q", "-E", "-n", "-W", "--keep-going", "-d", f"{folder}/doctrees", f"{folder}/source", f"{folder}/html"]
+    for command in (stage, sphinx):
+        run = subprocess.run([sys.executable, "-B", *command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if run.returncode != 0 or run.stdout.strip():
+            yield f"the guide is not as it should be:\n{run.stdout}"
+            return
+    for page in ("index", "tutorial", "cookbook", "c/model", "python/model", "reference-csharp"):
+        text = (Path(folder) / "html" / f"{page}.html").read_text(encoding="utf-8")
+        for source in re.findall(r'<img [^>]*src="([^"]+)"', text):
+            if not (Path(folder) / "html" / page).parent.joinpath(source).is_file():
+                yield f"{page}.html shows {source}, which is not there"
+
+
+CHECKS = {"links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets, "versions": wrong_versions, "tutorial": tutorial, "cookbook": cookbook,
+          "guide": guide}
 
 
 def main():
@@ -289,7 +309,7 @@ def main():
     if what == "quickstart":
         findings = list(quickstart(root, sys.argv[3], sys.argv[4:]))
     else:
-        findings = list(CHECKS[what](root))
+        findings = list(CHECKS[what](root, *sys.argv[3:]))
     print("\n".join(findings) if findings else f"{what}: as it should be")
     return 1 if findings else 0
 
