@@ -38,7 +38,8 @@ What is not in the article, by subject. Below each picture is the command that d
 article's figures again, as published and in our way, larger, on a page of its own. Models are not part of the project: files
 named here are samples and meshes of the sources [below](#credits), and `bunny-1.0.1.obj` is what `scripts/fetch_bunny` fetches.
 
-This page and its pictures are written by `docs/gallery_pictures.py` from `scripts/figures/ours.py`.
+All named styles of one model are in [presets.md](presets.md). This page and its pictures are written by
+`docs/gallery_pictures.py` from `scripts/figures/ours.py`.
 
 """
 
@@ -77,6 +78,8 @@ def main():
         for figure in OURS:
             text += f"## {figure.title}\n\n{figure.caption}{' ' + figure.settings if figure.settings else ''}\n\n"
             for panel in figure.panels:
+                if panel.kind == "sheet":  # docs/presets.md has all styles, larger
+                    continue
                 name = f"{figure.number}-{panel.name}"
                 target = DOCS / "images" / "gallery" / f"{name}.png"
                 drawn = Path(scratch) / target.name
@@ -88,7 +91,7 @@ def main():
                     shrink(drawn, target, 64 if panel.kind == "plot" else 16)
                     if name in BEST:
                         tile(drawn, DOCS / "images" / "best" / target.name)
-    text += "## Credits\n\n" + "".join(f"- {credit}\n" for credit in sorted(credits))
+    text += "## Credits\n\n" + "".join(f"- {credit}\n" for credit in sorted(credits) if not credit.startswith("made"))
     (DOCS / "gallery.md").write_text(text, encoding="utf-8")
 
 

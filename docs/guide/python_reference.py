@@ -30,8 +30,10 @@ def entry(package, name):
         fields = "".join(f"   .. py:attribute:: {field}\n\n" for field in thing._fields)
         return f".. autoclass:: hrbfnpr.{name}\n   :exclude-members: __new__, __init__\n\n{fields}"
     if inspect.isclass(thing):
-        inherited = "" if issubclass(thing, BaseException) else "   :inherited-members:\n"
-        return f".. autoclass:: hrbfnpr.{name}\n   :members:\n{inherited}\n"
+        more = "" if issubclass(thing, BaseException) else "   :inherited-members:\n"
+        if "handle" in getattr(thing.__init__, "__code__", entry.__code__).co_varnames:  # which only other calls of the package have
+            more += "   :exclude-members: __init__, __new__\n"
+        return f".. autoclass:: hrbfnpr.{name}\n   :members:\n{more}\n"
     if callable(thing):
         return f".. autofunction:: hrbfnpr.{name}\n\n"
     return f".. py:data:: hrbfnpr.{name}\n\n   ``{', '.join(map(str, thing))}``\n\n"

@@ -117,11 +117,11 @@ class Models:
 
     def source(self, name):
         """The file of a model, options of `draw` that go with it, and its credit."""
-        given = self._given(name)
+        given = self._bunny if name == "bunny_mesh" and self._bunny is not None else self._given(name)
         if given is not None:
             return given, MORE.get(name, []), FILES[name][1]
-        if name in ("bunny", "bunny_mesh") and self._bunny is not None:
-            return self._bunny, MORE.get(name, ["--samples", "256"]), FILES[name][1]
+        if name == "bunny" and self._bunny is not None:
+            return self._bunny, ["--samples", "256"], FILES[name][1]
         if (SOLIDS / f"{name}.csg").is_file():
             return SOLIDS / f"{name}.csg", [], "made from a script"
         if name == "cloud":
