@@ -21,7 +21,7 @@ FILES = {
         "Human heart (male), modified: Kristen Browne, HuBMAP Human Reference Atlas, "
         "doi:10.48539/HBM373.VSTV.568, CC BY 4.0",
     ),
-    "head": ("head_4096.ply", "Bust of Demosthenes: photo scan by ryanfb, CC BY 4.0"),
+    "head": ("head_4096.ply", "Bust of Demosthenes: photo scan by ryanfb, from github.com/odedstein/meshes, CC BY 4.0, sampled"),
     "lamp": ("lamp_mesh.ply", "Lantern of KayKit Halloween Bits: Kay Lousberg, CC0 1.0"),
     "canyon": ("canyon_512.ply", "Yosemite Valley: USGS National Elevation Dataset, public domain"),
 }

@@ -47,7 +47,7 @@ OURS = (
         (
             Panel("features", "contours, suggestive contours and the border", "canyon",
                   f"{CANYON} --style silhouette --lines contour,suggestive,border"),
-            Panel("sections", "sections", "heart", f"{HEART} --style silhouette --lines contour,section=y:24"),
+            Panel("sections", "sections", "heart", f"{HEART} --style silhouette --lines contour,section=y:24 --hidden none"),
             Panel("hidden", "hidden parts dashed", "tori", f"{TORI} --style xray"),
             Panel("blueprint", "the same as a blueprint", "tori", f"{TORI} --style blueprint"),
         ),
