@@ -81,10 +81,8 @@ def staged(path, names):
 
 
 def write(path, text):
-    """Only what has changed, so that Sphinx need not read the rest again."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.exists() or path.read_text(encoding="utf-8") != text:
-        path.write_text(text, encoding="utf-8")
+    path.write_text(text, encoding="utf-8")
 
 
 def index(names):
@@ -102,19 +100,20 @@ def torus(folder):
 
 def main():
     target = Path(sys.argv[1]).resolve()
-    target.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(target, ignore_errors=True)  # pages that are no more
+    target.mkdir(parents=True)
     names = {path.relative_to(ROOT).as_posix(): path.stem for path in (ROOT / "docs").glob("*.md")}
     names.update(OTHERS)
     for relative, name in names.items():
         write(target / f"{name}.md", staged(ROOT / relative, names))
-    shutil.copytree(ROOT / "docs/images", target / "images", dirs_exist_ok=True)
-    shutil.copytree(HERE / "static", target / "static", dirs_exist_ok=True)
+    shutil.copytree(ROOT / "docs/images", target / "images")
+    shutil.copytree(HERE / "static", target / "static")
     torus(target / "images")
     for file, language, suffix in QUICKSTARTS:
         shutil.copy(ROOT / f"examples/quickstart.{suffix}", target)
         shown = f"```{{literalinclude}} quickstart.{suffix}\n:language: {file}\n:lines: 2-\n```\n"
         write(target / f"quickstart-{file}.md", f"# Quick start in {language}\n\nA torus of 192 samples, as on the [first page](index.md).\n\n{shown}")
-    (target / "files").mkdir(exist_ok=True)
+    (target / "files").mkdir()
     shutil.copy(ROOT / "examples/quickstart.py", target / "files")
     write(target / "index.md", index(names))
     for name, text in c_reference.pages(ROOT / "bindings/api.json"):

@@ -5,6 +5,7 @@
     docs.py glossary ROOT                   docs/glossary.md is sorted; each entry names a work that is listed, or is ours
     docs.py names ROOT                      names of the C interface, of the build and of files that documents name are there
     docs.py presets ROOT                    docs/presets.md has a section and a picture for each named style of the header
+    docs.py pictures ROOT                   pictures in docs/images are small, and shown somewhere
     docs.py versions ROOT                   CHANGELOG.md, CITATION.cff and Cargo.toml name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
         README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
@@ -26,6 +27,7 @@ import unicodedata
 from pathlib import Path
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
+LARGEST = {".png": 250_000, ".gif": 1_000_000}  # bytes of a picture
 LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
 
 
@@ -167,6 +169,17 @@ def wrong_presets(root):
         yield f"pictures of presets have {sum(pictures.values())} bytes, more than 1.5 MB"
 
 
+def wrong_pictures(root):
+    """Pictures of documents are small, and each is shown."""
+    shown = "".join(document.read_text(encoding="utf-8") for document in documents(root))
+    for path in sorted(path for path in (root / "docs/images").rglob("*") if path.is_file()):
+        name, size = path.relative_to(root / "docs").as_posix(), path.stat().st_size
+        if size > LARGEST.get(path.suffix, 0):
+            yield f"docs/{name} has {size} bytes, and may have {LARGEST.get(path.suffix, 0)}: draw less, or in fewer colours"
+        if name not in shown:
+            yield f"docs/{name} is shown by no document"
+
+
 def wrong_versions(root):
     cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
     version = re.search(r"^\s*VERSION (\d+\.\d+\.\d+)$", cmake, re.MULTILINE).group(1)
@@ -300,8 +313,10 @@ def guide(root, folder):
                 yield f"{page}.html shows {source}, which is not there"
 
 
-CHECKS = {"links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets, "versions": wrong_versions, "tutorial": tutorial, "cookbook": cookbook,
-          "guide": guide}
+CHECKS = {
+    "links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets,
+    "pictures": wrong_pictures, "versions": wrong_versions, "tutorial": tutorial, "cookbook": cookbook, "guide": guide,
+}  # fmt: skip
 
 
 def main():

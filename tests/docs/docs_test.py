@@ -93,6 +93,8 @@ BREAKS = [
     ("presets", "include/hrbfnpr.h", "PRESET_X_RAY = 0", "PRESET_XRAY = 0"),
     ("presets", "include/hrbfnpr.h", "= 0", "= 0, HRBFNPR_PRESET_WASH = 1"),
     ("presets", "include/hrbfnpr.h", "PRESET", "PRE"),
+    ("pictures", "docs/images/presets/x-ray.png", "a picture", "a" * 250_001),
+    ("pictures", "docs/presets.md", 'src="images/presets/x-ray.png"', 'src="images/presets/xray.png"'),
     ("names", "docs/glossary.md", "change.", "change, such as hrbfnpr_invented."),
 ]
 
@@ -109,7 +111,7 @@ class Documents(unittest.TestCase):
         self.folder.cleanup()
 
     def test_right_documents_pass(self):
-        for check in ("links", "glossary", "names", "presets"):
+        for check in ("links", "glossary", "names", "presets", "pictures"):
             with self.subTest(check=check):
                 self.assertEqual(list(docs.CHECKS[check](self.root)), [])
 
