@@ -98,10 +98,22 @@ def torus(folder):
     exec(compile(text, "quickstart.py", "exec"), {})
 
 
+def quickstarts(target):
+    """Pages of the examples in other languages."""
+    for file, language, suffix in QUICKSTARTS:
+        shutil.copy(ROOT / f"examples/quickstart.{suffix}", target)
+        shown = f"```{{literalinclude}} quickstart.{suffix}\n:language: {file}\n:lines: 2-\n```\n"
+        about = f"# Quick start in {language}\n\nA torus of 192 samples, as on the [first page](index.md).\n\n"
+        write(target / f"quickstart-{file}.md", about + shown)
+
+
 def main():
     target = Path(sys.argv[1]).resolve()
+    if target.exists() and not (target / "conf.py").is_file():
+        raise SystemExit(f"stage.py: {target} is not a folder that it has made: name one that is not there")
     shutil.rmtree(target, ignore_errors=True)  # pages that are no more
     target.mkdir(parents=True)
+    shutil.copy(HERE / "conf.py", target)
     names = {path.relative_to(ROOT).as_posix(): path.stem for path in (ROOT / "docs").glob("*.md")}
     names.update(OTHERS)
     for relative, name in names.items():
@@ -109,10 +121,7 @@ def main():
     shutil.copytree(ROOT / "docs/images", target / "images")
     shutil.copytree(HERE / "static", target / "static")
     torus(target / "images")
-    for file, language, suffix in QUICKSTARTS:
-        shutil.copy(ROOT / f"examples/quickstart.{suffix}", target)
-        shown = f"```{{literalinclude}} quickstart.{suffix}\n:language: {file}\n:lines: 2-\n```\n"
-        write(target / f"quickstart-{file}.md", f"# Quick start in {language}\n\nA torus of 192 samples, as on the [first page](index.md).\n\n{shown}")
+    quickstarts(target)
     (target / "files").mkdir()
     shutil.copy(ROOT / "examples/quickstart.py", target / "files")
     write(target / "index.md", index(names))
@@ -121,7 +130,6 @@ def main():
     for name, text in python_reference.pages(hrbfnpr):
         write(target / "python" / f"{name}.rst", text)
     write(target / "reference-csharp.md", csharp_reference.page(ROOT / "bindings/csharp/HrbfNpr"))
-    shutil.copy(HERE / "conf.py", target)
 
 
 if __name__ == "__main__":
