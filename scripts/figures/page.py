@@ -22,7 +22,7 @@ code { font-size: 0.8rem; overflow-wrap: anywhere }
 <body>
 <h1>Figures drawn again</h1>
 <p>Figures of E. Vital Brazil, I. Macêdo, M. Costa Sousa, L. Velho, L. H. de Figueiredo: <cite>A Few Good Samples: Shape
-&amp; Tone Depiction for Hermite RBF Implicits</cite>, NPAR 2010, drawn by hrbfnpr: as published, and in its own way.</p>
+&amp; Tone Depiction for Hermite RBF Implicits</cite>, NPAR 2010, drawn by hrbfnpr: as published, and in its own way.  After them comes what the article does not have.</p>
 """
 
 
