@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of docs/csg.md: its first script, and the blends.
+"""Draws the pictures of docs/csg.md: its first script, and examples/blends.csg.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/csg_pictures.py [FOLDER]
 
@@ -17,13 +17,6 @@ from PIL import Image
 from hrbfnpr import cli
 
 STYLE = ["--style", "engraving", "--up", "z", "--quiet"]
-BLENDS = """bar = cylinder(0.5, 3, axis=(1, 0, 0))
-post = cylinder(0.5, 3)
-sharp = bar | post
-cubic = bar.blend(post, 0.5).translated(3.4, 0.02, 0)
-arc = bar.blend(post, 0.5, 2).translated(6.8, 0.04, 0)
-union(sharp, cubic, arc)
-"""
 
 
 def script_of(page, name):
@@ -47,11 +40,11 @@ def draw(text, target, *options):
 
 
 def main():
-    page = Path(__file__).parent / "csg.md"
+    page = Path(__file__).resolve().parent / "csg.md"
     pictures = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent) / "images" / "csg"
     pictures.mkdir(parents=True, exist_ok=True)
     draw(script_of(page, "flange.csg"), pictures / "flange.png", "--size", "640", "--elevation", "35")
-    draw(BLENDS, pictures / "blends.png", "--size", "800", "--azimuth", "0", "--fov", "0")
+    draw((page.parents[1] / "examples" / "blends.csg").read_text(encoding="utf-8"), pictures / "blends.png", "--size", "800", "--azimuth", "0", "--fov", "0")
 
 
 if __name__ == "__main__":

@@ -17,6 +17,8 @@ package_set() {
     build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev libhwy-dev ;;
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
     test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev binutils librsvg2-bin ;;
+    gallery) echo librsvg2-bin ;;
+    guide) echo python3-sphinx python3-myst-parser furo ;;
     abi) echo tcc abigail-tools ;;
     valid) echo libxml2-utils w3c-sgml-lib qpdf ;;
     dask) echo python3-distributed ;;

@@ -4,12 +4,19 @@
 import contextlib
 import io
 import shlex
+import shutil
+import subprocess
+from pathlib import Path
 
 import numpy as np
+import plot
+from models import Missing
 from PIL import Image, ImageDraw
 
 import hrbfnpr
 from hrbfnpr import cli, shapes
+
+SUFFIXES = {"sheet-views": ".svg", "svg": ".svg", "plot": ".hpgl"}
 
 
 class Failed(Exception):
@@ -73,28 +80,60 @@ def _decay(size, target):
     picture.save(target)
 
 
+def _from_svg(source, target, size, part):
+    """The picture of an SVG, or of a part of it that is as large."""
+    if shutil.which("rsvg-convert") is None:
+        raise Missing("rsvg-convert is not at hand, which makes a picture of an SVG (Debian: librsvg2-bin)")
+    length = size if part is None else round(size / (part[2] - part[0]))
+    command = ["rsvg-convert", "--keep-aspect-ratio", "-b", "white", "-w", str(length), "-h", str(length), "-o", str(target)]
+    subprocess.run([*command, str(source)], check=True)
+    source.unlink()
+    if part is not None:
+        _cut(target, part)
+
+
 def _cut(target, part):
     picture = Image.open(target)
     size = (picture.width, picture.height, picture.width, picture.height)
     picture.crop(tuple(round(share * length) for share, length in zip(part, size))).save(target)
 
 
-def draw(panel, models, size, target):
-    """Write the picture; returns the command that draws it, with the file's name alone, and the credit."""
-    path, more, credit = models.source(panel.model)
-    size = max(16, round(panel.scale * size))
+def _command(panel, path, more, size):
+    """The command that draws a panel, and its options."""
     whole = size / panel.scale
-    options = _pens(panel.options.format(**_numbers(path, whole)), whole)
-    if panel.kind == "samples":
-        _samples(path, more, options, size, target)
-        return "", credit
+    options = panel.options.format(**_numbers(path, whole)) if "{" in panel.options else panel.options
+    command = panel.kind if panel.kind in ("sheet", "sheet-views", "csg") else "draw"
+    words = [*more, *_pens(options, whole)]
+    if command != "sheet-views":
+        words += ["--size", str(max(16, size // 2) if command == "sheet" else size)]
+    return command, words
+
+
+def command(panel, models, size, name):
+    """The command line that draws a panel, with the names of files alone, and the credit; "" if there is no such."""
+    path, more, credit = models.source(panel.model)
+    if panel.kind in ("samples", "decay"):
+        return "", "made from a formula" if panel.kind == "decay" else credit
+    what, words = _command(panel, path, more, max(16, round(panel.scale * size)))
+    written = Path(name).with_suffix(SUFFIXES.get(panel.kind, ".png")).name
+    return "python3 -m hrbfnpr " + shlex.join([what, path.name, written, *words]), credit
+
+
+def draw(panel, models, size, target):
+    """Write the picture."""
+    path, more, _ = models.source(panel.model)
+    size = max(16, round(panel.scale * size))
     if panel.kind == "decay":
-        _decay(size, target)
-        return "", "made from a formula"
-    command = "sheet" if panel.kind == "sheet" else "draw"
-    length = str(max(16, size // 2) if command == "sheet" else size)
-    _run([command, str(path), str(target), *more, *options, "--size", length])
-    if panel.part is not None:
+        return _decay(size, target)
+    what, words = _command(panel, path, more, size)
+    if panel.kind == "samples":
+        return _samples(path, more, words[len(more) : -2], size, target)
+    written = target.with_suffix(SUFFIXES.get(panel.kind, ".png"))
+    _run([what, str(path), str(written), *words])
+    if panel.kind == "plot":
+        plot.paint(written, target, size)
+    elif written != target:
+        _from_svg(written, target, size, panel.part)
+    elif panel.part is not None:
         _cut(target, panel.part)
-    words = [command, path.name, target.name, *more, *options, "--size", length]
-    return "python3 -m hrbfnpr " + shlex.join(words), credit
+    return None

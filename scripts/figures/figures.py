@@ -4,59 +4,11 @@
 Pixels of --mark-radius and --halo are those of figures whose longer side has 640; larger ones have them larger.
 """
 
-from typing import NamedTuple, Optional, Tuple
+from panels import (
+    ALONG_FIRST, ALONG_SECOND, BOX, BUNNY, CANYON, FIRST, HEAD, HEART, KNOT, LAMP, MANY, RAKING, SECOND, TORI, Figure, Panel, both,
+)  # fmt: skip
 
-# The article's own method in all its parts.
-PUBLISHED = (
-    "--distribution published --visibility published --tone-rule published --tone-curve linear "
-    "--silhouette-law angle --tone-fade 0"
-)
-
-
-class Panel(NamedTuple):
-    """One drawing.  A part is left, upper, right, lower as shares of a larger picture."""
-
-    name: str
-    title: str
-    model: str
-    options: str
-    kind: str = "draw"  # or "samples", "decay", "sheet"
-    part: Optional[Tuple[float, float, float, float]] = None
-    scale: float = 1.0  # of the size
-
-
-class Figure(NamedTuple):
-    number: str
-    title: str
-    caption: str
-    settings: str
-    panels: Tuple[Panel, ...]
-
-
-def both(name, title, model, options, ours, **more):
-    """The article's way and ours, beside it."""
-    return (
-        Panel(f"{name}_published", f"{title}, as published", model, f"{PUBLISHED} {options}", **more),
-        Panel(f"{name}_ours", f"{title}, ours", model, ours, **more),
-    )
-
-
-HEAD = "--azimuth 20 --elevation 5"
-KNOT = "--up z --azimuth 20 --elevation 50"
-TORI = "--up z --azimuth 25 --elevation 35"
-HEART = "--azimuth 20 --elevation 10"
-CANYON = "--up z --azimuth 20 --elevation 30"
-RAKING = "--light-space world --light -0.8,-0.3,0.8"  # what is flat is bright by any other light
-MANY = "--levels 4 --mark-radius 0.5"
-LAMP = "--azimuth 30 --elevation 15"
-BUNNY = "--azimuth 20 --elevation 15"
-BOX = "--seeds box --box-resolution 8"
-# By the article's first direction the surface bends most, around a limb; in the library the first is that of the
-# larger curvature by sign, which is the other one where the surface is convex.
-FIRST, SECOND = "--set principal.directions=second", "--set principal.directions=first"
-ALONG_FIRST, ALONG_SECOND = "--style hatch", "--style hatch --hatch-angle 90"
-
-FIGURES = (
+PAPER = (
     Figure(
         "1",
         "Steps of drawing a head",
@@ -283,21 +235,4 @@ FIGURES = (
             ),
         ),
     ),
-    Figure(
-        "ours",
-        "What is not in the article",
-        "All named styles on one sheet; hatching whose width makes the tone; feature lines; sections; hidden parts "
-        "dashed.",
-        "",
-        (
-            Panel("sheet", "all named styles", "knot", KNOT, "sheet"),
-            Panel("engraving", "engraving", "knot", f"{KNOT} --style engraving"),
-            Panel("etching", "etching", "tori", f"{TORI} --style etching"),
-            Panel("woodcut", "woodcut", "heart", f"{HEART} --style woodcut"),
-            Panel("lines", "suggestive contours, ridges and valleys", "bunny",
-                  f"{BUNNY} --style silhouette --lines contour,suggestive,ridges,valleys"),
-            Panel("sections", "sections", "heart", f"{HEART} --style silhouette --lines contour,section=y:24"),
-            Panel("xray", "hidden parts dashed", "tori", f"{TORI} --style xray"),
-        ),
-    ),
-)  # fmt: skip
+)

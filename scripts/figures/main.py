@@ -6,10 +6,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-from draw import Failed, draw
-from figures import FIGURES
+from draw import Failed, command, draw
+from figures import PAPER
 from models import Missing, Models
+from ours import OURS
 from page import page
+
+FIGURES = (*PAPER, *OURS)
 
 
 def arguments():
@@ -59,12 +62,13 @@ def draw_figure(figure, models, given, credits, begin):
         begin(f"figure {figure.number}, {panel.name}")
         target = given.out / f"figure_{figure.number}_{panel.name}.png"
         try:
-            command, credit = draw(panel, models, given.size, target)
+            draw(panel, models, given.size, target)
+            words, credit = command(panel, models, given.size, target.name)
         except Missing as reason:
             left_out.append(str(reason))
             continue
         credits.add(credit)
-        drawn.append((target.name, panel.title, command))
+        drawn.append((target.name, panel.title, words))
     return figure, drawn, left_out
 
 

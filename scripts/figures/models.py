@@ -21,10 +21,15 @@ FILES = {
         "Human heart (male), modified: Kristen Browne, HuBMAP Human Reference Atlas, "
         "doi:10.48539/HBM373.VSTV.568, CC BY 4.0",
     ),
-    "head": ("head_4096.ply", "Bust of Demosthenes: photo scan by ryanfb, CC BY 4.0"),
+    "head": ("head_4096.ply", "Bust of Demosthenes: photo scan by ryanfb, from github.com/odedstein/meshes, CC BY 4.0, sampled"),
     "lamp": ("lamp_mesh.ply", "Lantern of KayKit Halloween Bits: Kay Lousberg, CC0 1.0"),
     "canyon": ("canyon_512.ply", "Yosemite Valley: USGS National Elevation Dataset, public domain"),
 }
+# Other things made of these: a model with other options, and points alone.
+FILES["bunny_mesh"] = ("bunny_zipper.ply", FILES["bunny"][1])
+FILES["lantern"] = FILES["lamp"]
+MORE = {"lamp": ["--samples", "1500", "--crease", "30"], "bunny_mesh": ["--samples", "1100"]}
+SOLIDS = Path(__file__).resolve().parents[2] / "examples"
 SAMPLES = {"sphere": 6, "tori": 256, "knot": 1024, "bunny": 256, "heart": 512, "lamp": 1500}
 
 
@@ -107,20 +112,29 @@ class Models:
 
     def _given(self, name):
         folders = (".", "points", "meshes") if self._data is not None else ()
-        paths = [self._data / folder / FILES[name][0] for folder in folders]
+        paths = [self._data / folder / FILES[name][0] for folder in folders if name in FILES]
         return next((path for path in paths if path.is_file()), None)
 
     def source(self, name):
         """The file of a model, options of `draw` that go with it, and its credit."""
-        given = self._given(name)
+        given = self._bunny if name == "bunny_mesh" and self._bunny is not None else self._given(name)
         if given is not None:
-            more = ["--samples", "1500", "--crease", "30"] if name == "lamp" else []
-            return given, more, FILES[name][1]
+            return given, MORE.get(name, []), FILES[name][1]
         if name == "bunny" and self._bunny is not None:
             return self._bunny, ["--samples", "256"], FILES[name][1]
+        if (SOLIDS / f"{name}.csg").is_file():
+            return SOLIDS / f"{name}.csg", [], "made from a script"
+        if name == "cloud":
+            return self._points_alone(name, "knot"), ["--samples", "2000"], "made from a formula"
         if name in MADE:
             return self._write(name), ["--samples", str(SAMPLES[name])], "made from a formula"
         raise Missing(f"{FILES[name][0]} is not at hand: --data DIR names a folder that has it")
+
+    def _points_alone(self, name, source):
+        path = Path(self._scratch) / f"{name}.xyz"
+        if not path.exists():
+            np.savetxt(path, MADE[source]()[0], fmt="%.9g")
+        return path
 
     def _write(self, name):
         path = Path(self._scratch) / f"{name}.xyz"

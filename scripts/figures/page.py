@@ -22,7 +22,7 @@ code { font-size: 0.8rem; overflow-wrap: anywhere }
 <body>
 <h1>Figures drawn again</h1>
 <p>Figures of E. Vital Brazil, I. Macêdo, M. Costa Sousa, L. Velho, L. H. de Figueiredo: <cite>A Few Good Samples: Shape
-&amp; Tone Depiction for Hermite RBF Implicits</cite>, NPAR 2010, drawn by hrbfnpr: as published, and in its own way.</p>
+&amp; Tone Depiction for Hermite RBF Implicits</cite>, NPAR 2010, drawn by hrbfnpr: as published, and in its own way.  After them comes what the article does not have.</p>
 """
 
 
@@ -35,7 +35,7 @@ def _panel(name, title, command):
 
 
 def _section(figure, drawn, left_out):
-    heading = figure.title if figure.number == "ours" else f"Figure {figure.number}: {figure.title}"
+    heading = f"Figure {figure.number}: {figure.title}" if figure.number.isdigit() else figure.title
     yield f'<section id="figure-{figure.number}">\n<h2>{escape(heading)}</h2>\n<p>{escape(figure.caption)}</p>\n'
     if figure.settings:
         yield f"<p><em>Here:</em> {escape(figure.settings)}</p>\n"

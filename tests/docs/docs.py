@@ -5,17 +5,21 @@
     docs.py glossary ROOT                   docs/glossary.md is sorted; each entry names a work that is listed, or is ours
     docs.py names ROOT                      names of the C interface, of the build and of files that documents name are there
     docs.py presets ROOT                    docs/presets.md has a section and a picture for each named style of the header
+    docs.py pictures ROOT                   pictures in docs/images are small, and shown somewhere
     docs.py versions ROOT                   CHANGELOG.md, CITATION.cff and Cargo.toml name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
         README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
         (or, for a .py, the file itself)
         leaves a drawing in the current folder
     docs.py tutorial ROOT                   the code of docs/tutorial.md runs, and draws the pictures that are committed
+    docs.py cookbook ROOT                   the same of docs/cookbook.md
+    docs.py guide ROOT FOLDER               Sphinx makes the guide without a warning, such as of links that lead nowhere
 """
 
 import importlib.util
 import json
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -23,12 +27,15 @@ import unicodedata
 from pathlib import Path
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
+LARGEST = {".png": 250_000, ".gif": 1_000_000}  # bytes of a picture
 LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
 
 
 def documents(root):
+    """All but docs/guide, which is in Sphinx's terms: the check of the guide reads it."""
     folders = ("*.md", "docs/**/*.md", "bindings/**/README.md", "examples/**/*.md")
-    return sorted(path for folder in folders for path in root.glob(folder) if "build" not in path.relative_to(root).parts)
+    found = {path for folder in folders for path in root.glob(folder) if "build" not in path.relative_to(root).parts}
+    return sorted(path for path in found if path.parent != root / "docs/guide")
 
 
 def prose(document):
@@ -162,6 +169,17 @@ def wrong_presets(root):
         yield f"pictures of presets have {sum(pictures.values())} bytes, more than 1.5 MB"
 
 
+def wrong_pictures(root):
+    """Pictures of documents are small, and each is shown."""
+    shown = "".join(document.read_text(encoding="utf-8") for document in documents(root))
+    for path in sorted(path for path in (root / "docs/images").rglob("*") if path.is_file()):
+        name, size = path.relative_to(root / "docs").as_posix(), path.stat().st_size
+        if size > LARGEST.get(path.suffix, 0):
+            yield f"docs/{name} has {size} bytes, and may have {LARGEST.get(path.suffix, 0)}: draw less, or in fewer colours"
+        if name not in shown:
+            yield f"docs/{name} is shown by no document"
+
+
 def wrong_versions(root):
     cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
     version = re.search(r"^\s*VERSION (\d+\.\d+\.\d+)$", cmake, re.MULTILINE).group(1)
@@ -246,27 +264,59 @@ def unlike(picture, committed):
     return None
 
 
-def tutorial(root):
-    skip_without("cffi", "numpy", "PIL")
-    shown = set(re.findall(r'src="images/tutorial/([^"]+)"', (root / "docs/tutorial.md").read_text(encoding="utf-8")))
+def drawn_page(root, name):
+    """A page of docs whose code draws its pictures: what it shows, what is drawn and what is committed are the same."""
+    shown = set(re.findall(rf'src="images/{name}/([^"]+)"', (root / f"docs/{name}.md").read_text(encoding="utf-8")))
     with tempfile.TemporaryDirectory() as folder:
-        command = [sys.executable, "-B", str(root / "docs/tutorial_pictures.py"), folder]
+        command = [sys.executable, "-B", str(root / f"docs/{name}_pictures.py"), folder]
         result = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         print(result.stdout)
         if result.returncode != 0:
-            yield f"the code of docs/tutorial.md failed with {result.returncode}"
+            yield f"the code of docs/{name}.md failed with {result.returncode}"
             return
         drawn = {path.name for path in Path(folder).iterdir()}
-        committed = {path.name for path in (root / "docs/images/tutorial").iterdir()}
+        committed = {path.name for path in (root / f"docs/images/{name}").iterdir()}
         if not shown or not shown == drawn == committed:
-            yield f"docs/tutorial.md shows {sorted(shown)}, its code draws {sorted(drawn)}, {sorted(committed)} are committed"
-        for name in sorted(drawn & committed):
-            why = unlike(Path(folder) / name, root / "docs/images/tutorial" / name)
+            yield f"docs/{name}.md shows {sorted(shown)}, its code draws {sorted(drawn)}, {sorted(committed)} are committed"
+        for picture in sorted(drawn & committed):
+            why = unlike(Path(folder) / picture, root / f"docs/images/{name}" / picture)
             if why:
-                yield f"docs/images/tutorial/{name} {why}: run docs/tutorial_pictures.py"
+                yield f"docs/images/{name}/{picture} {why}: run docs/{name}_pictures.py"
 
 
-CHECKS = {"links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets, "versions": wrong_versions, "tutorial": tutorial}
+def tutorial(root):
+    skip_without("cffi", "numpy", "PIL")
+    yield from drawn_page(root, "tutorial")
+
+
+def cookbook(root):
+    skip_without("cffi", "numpy", "PIL")
+    if shutil.which("rsvg-convert") is None:
+        print("skipped: there is no rsvg-convert here (Debian: librsvg2-bin)")
+        sys.exit(SKIPPED)
+    yield from drawn_page(root, "cookbook")
+
+
+def guide(root, folder):
+    skip_without("cffi", "numpy", "PIL", "sphinx", "myst_parser", "furo")
+    stage = [str(root / "docs/guide/stage.py"), f"{folder}/source"]
+    sphinx = ["-m", "sphinx", "-q", "-E", "-n", "-W", "--keep-going", "-d", f"{folder}/doctrees", f"{folder}/source", f"{folder}/html"]
+    for command in (stage, sphinx):
+        run = subprocess.run([sys.executable, "-B", *command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if run.returncode != 0 or run.stdout.strip():
+            yield f"the guide is not as it should be:\n{run.stdout}"
+            return
+    for page in ("index", "tutorial", "cookbook", "c/model", "python/model", "reference-csharp"):
+        text = (Path(folder) / "html" / f"{page}.html").read_text(encoding="utf-8")
+        for source in re.findall(r'<img [^>]*src="([^"]+)"', text):
+            if not (Path(folder) / "html" / page).parent.joinpath(source).is_file():
+                yield f"{page}.html shows {source}, which is not there"
+
+
+CHECKS = {
+    "links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets,
+    "pictures": wrong_pictures, "versions": wrong_versions, "tutorial": tutorial, "cookbook": cookbook, "guide": guide,
+}  # fmt: skip
 
 
 def main():
@@ -274,7 +324,7 @@ def main():
     if what == "quickstart":
         findings = list(quickstart(root, sys.argv[3], sys.argv[4:]))
     else:
-        findings = list(CHECKS[what](root))
+        findings = list(CHECKS[what](root, *sys.argv[3:]))
     print("\n".join(findings) if findings else f"{what}: as it should be")
     return 1 if findings else 0
 

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""Checks of docs.py pass on small documents that are right, and find what is wrong with others."""
+"""Checks of docs.py and snippets.py pass on small documents that are right, and find what is wrong with others."""
 
+import shutil
 import tempfile
 import unittest
 from pathlib import Path
 
 import docs
+import snippets
 
 README = """# The title
 
 See [below](#the-end), [the words](docs/glossary.md#references), <img src="docs/a.png"> and [afar](https://a.example/b).
 
-```
+```text
 [not a link](nowhere.md)
 ```
 
@@ -91,6 +93,8 @@ BREAKS = [
     ("presets", "include/hrbfnpr.h", "PRESET_X_RAY = 0", "PRESET_XRAY = 0"),
     ("presets", "include/hrbfnpr.h", "= 0", "= 0, HRBFNPR_PRESET_WASH = 1"),
     ("presets", "include/hrbfnpr.h", "PRESET", "PRE"),
+    ("pictures", "docs/images/presets/x-ray.png", "a picture", "a" * 250_001),
+    ("pictures", "docs/presets.md", 'src="images/presets/x-ray.png"', 'src="images/presets/xray.png"'),
     ("names", "docs/glossary.md", "change.", "change, such as hrbfnpr_invented."),
 ]
 
@@ -107,7 +111,7 @@ class Documents(unittest.TestCase):
         self.folder.cleanup()
 
     def test_right_documents_pass(self):
-        for check in ("links", "glossary", "names", "presets"):
+        for check in ("links", "glossary", "names", "presets", "pictures"):
             with self.subTest(check=check):
                 self.assertEqual(list(docs.CHECKS[check](self.root)), [])
 
@@ -120,6 +124,42 @@ class Documents(unittest.TestCase):
                 path.write_text(text.replace(before, after, 1), encoding="utf-8")
                 self.assertNotEqual(list(docs.CHECKS[check](self.root)), [])
                 path.write_text(text, encoding="utf-8")
+
+    def findings(self, check, text):
+        (self.root / "README.md").write_text(text, encoding="utf-8")
+        (self.root / "scripts").mkdir(exist_ok=True)
+        (self.root / "scripts" / "draw").write_text("")
+        return [found for found in snippets.CHECKS[check](self.root) if found.startswith("README.md")]
+
+    def test_blocks_are_read_by_a_test_or_say_why_not(self):
+        block = "```cpp\nint main() {}\n```\n"
+        self.assertEqual(self.findings("all", "# T\n\n<!-- not run: it is a sketch -->\n" + block), [])
+        self.assertNotEqual(self.findings("all", "# T\n\n" + block), [])  # README.md's test is not in this folder
+        self.assertNotEqual(self.findings("all", "# T\n\n<!-- not run: -->\n" + block), [])
+        self.assertNotEqual(self.findings("all", "# T\n\n```\nno language\n```\n"), [])
+
+    def test_commands(self):
+        try:
+            import hrbfnpr.cli  # noqa: F401
+        except ImportError:
+            self.skipTest("no hrbfnpr, cffi or numpy")
+        right = ("scripts/draw --style x  # a comment", "A=b python3 -m hrbfnpr draw a.ply b.png --style hatch && cmake .",
+                 "python3 -m hrbfnpr draw a.ply b.png \\\n  --size 400")  # fmt: skip
+        wrong = ("scripts/drawn", "python3 -m hrbfnpr draw a.ply b.png --stile hatch", "cmake . && nosuchprogram a",
+                 "python3 -m hrbfnpr paint a.ply", "python3 -m hrbfnpr draw a.ply b.png \\\n  --siz X")  # fmt: skip
+        for command in (*right, *wrong):
+            with self.subTest(command=command):
+                found = self.findings("commands", f"# T\n\n```sh\n{command}\n```\n")
+                self.assertEqual(len(found), command in wrong)
+
+    def test_c_that_does_not_compile(self):
+        compiler = shutil.which("cc") or shutil.which("gcc")
+        if compiler is None:
+            self.skipTest("no C compiler")
+        (self.root / "README.md").write_text("# T\n\n```c\nint f(void) { return 1; }\n```\n", encoding="utf-8")
+        self.assertEqual(list(snippets.wrong_c(self.root, compiler)), [])
+        (self.root / "README.md").write_text("# T\n\n```c\nint f(void) { return g(); }\n```\n", encoding="utf-8")
+        self.assertNotEqual(list(snippets.wrong_c(self.root, compiler)), [])
 
 
 if __name__ == "__main__":

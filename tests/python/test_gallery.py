@@ -2,6 +2,7 @@
 """scripts/figures: the article's figures, small, of models that are made here."""
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -34,19 +35,39 @@ def test_figures_without_data(tmp_path):
     assert page.count("Left out:") == 2 and 'name="viewport"' in page and "--visibility published" in page
 
 
+def ply_of(points):
+    """A file of a ball's points, which are their own normals."""
+    header = f"ply\nformat ascii 1.0\nelement vertex {len(points)}\n"
+    header += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz")) + "end_header\n"
+    return header + rows(np.hstack([points, points]))
+
+
 def test_a_folder_of_data(tmp_path):
-    points = fibonacci_sphere(80)
     data = tmp_path / "data" / "points"
     data.mkdir(parents=True)
-    header = "ply\nformat ascii 1.0\nelement vertex 80\n"
-    header += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz")) + "end_header\n"
     for name in ("bunny_256", "sphere_6"):
-        (data / f"{name}.ply").write_text(header + rows(np.hstack([points, points])))
+        (data / f"{name}.ply").write_text(ply_of(fibonacci_sphere(80)))
     run = gallery("--data", tmp_path / "data", "--size", "40", "--figures", "7", tmp_path)
     assert run.returncode == 0, run.stderr
     page = (tmp_path / "index.html").read_text(encoding="utf-8")
     assert "Left out" not in page and "Stanford Computer Graphics Laboratory" in page
     assert len(list(tmp_path.glob("figure_7_*.png"))) == 9
+
+
+@pytest.mark.skipif(shutil.which("rsvg-convert") is None, reason="no rsvg-convert here (Debian: librsvg2-bin)")
+def test_vectors_and_plots(tmp_path):
+    points = fibonacci_sphere(80)
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "bunny_zipper.ply").write_text(ply_of(points))
+    run = gallery("--data", tmp_path / "data", "--size", "64", "--figures", "vectors", tmp_path)
+    assert run.returncode == 0, run.stderr
+    page = (tmp_path / "index.html").read_text(encoding="utf-8")
+    assert "figure_vectors_plot.hpgl" in page and "figure_vectors_svg.svg" in page  # of the commands
+    names = {path.name for path in tmp_path.glob("figure_*")}
+    assert names == {f"figure_vectors_{name}.png" for name in ("svg", "detail", "plot")}
+    plot = np.asarray(Image.open(tmp_path / "figure_vectors_plot.png").convert("RGB")).astype(int)
+    blue, red = plot[..., 2] - plot[..., 0] > 60, plot[..., 0] - plot[..., 2] > 60
+    assert blue.any() and red.any()  # the beginning of the pen's way, and its end
 
 
 @pytest.mark.parametrize(

@@ -383,3 +383,10 @@ def test_flat_faces_of_solids_that_are_seen_edge_on_have_their_edges(tmp_path):
             for end in (low, high):
                 on = points[np.abs(points[:, axis] - end[axis]) < 0.1]
                 assert np.ptp(on[:, 1 - axis]) == pytest.approx(50, abs=0.2)
+
+
+def test_solids_have_centre_lines(tmp_path):
+    (tmp_path / "part.csg").write_text("box((4, 2, 1)) - cylinder(0.7, 2, center=(1, 0, 0))\n")
+    paths = drawn(tmp_path / "part.csg", tmp_path, "--views", "top", "--centre-lines", "--scale", "10:1", "--up", "z")
+    low, high = box_of(paths, "centre lines top")
+    assert high - low == pytest.approx((46, 0), abs=0.5)  # along x alone: the hole is not in the middle of it

@@ -148,7 +148,7 @@ def terrain(
 ) -> Shape:
     """An open sheet over [−1, 1]²: z = Σ aᵢ sin(kᵢ · (x, y) + φᵢ), i < `waves`, normals upward.
 
-    Wave vectors kᵢ have lengths from 2 to 9 and amplitudes 1/|kᵢ|, all random by the seed, scaled so that the sum's
+    Wave vectors kᵢ have lengths from 2 to 9 and amplitudes 1/abs(kᵢ), all random by the seed, scaled so that the sum's
     root mean square is `height`.
     """
     if waves < 1:

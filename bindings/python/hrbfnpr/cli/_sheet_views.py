@@ -208,9 +208,18 @@ def _mark_view(
         _view_marks.name_of(lines, cell.view, cell.box(scale).moved(*centre))
 
 
+def _on_surface(model: Model) -> Floats:
+    """Points of the surface: the centres of a fit; stipples of what has none, as a solid put together from others."""
+    points = np.asarray(model.points, dtype=float)
+    if len(points) > 0:
+        return points
+    stipples = model.generate("stipples", budget=1000)
+    return np.asarray(stipples.layers[0].positions, dtype=float) + np.asarray(stipples.origin)
+
+
 def _symmetric(model: Model, sheet: _Sheet) -> List[Floats]:
     """Normals of the planes through the middle that the surface is symmetric to."""
-    points = np.asarray(model.points, dtype=float)
+    points = _on_surface(model)
     points = points[:: max(1, len(points) // 1000)]
     found = []
     for normal in sheet.axes:

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: MIT
+"""The C interface as pages of reStructuredText, from bindings/api.json: every symbol is there, by the header's sections."""
+
+import json
+import re
+
+LINKED = r"\b(hrbfnpr_\w+|HRBFNPR_[A-Z0-9_]+)\b(?!\.\.\.|_)"
+ROLES = {"function": "func", "struct": "struct", "callback": "type", "handle": "type", "typedef": "type", "constant": "enumerator"}
+
+
+class Names:
+    """Which symbols there are, of which kind."""
+
+    def __init__(self, api):
+        self.kinds = {one["name"]: "function" for one in api["functions"]}
+        self.kinds.update({one["name"]: "struct" for one in api["structs"]})
+        self.kinds.update({one["name"]: "callback" for one in api["callbacks"]})
+        self.kinds.update({one["name"]: "handle" for one in api["handles"]})
+        self.kinds.update({one["name"]: "typedef" for one in api["typedefs"]})
+        self.kinds.update({one["name"]: "constant" for group in api["constants"] for one in group["constants"]})
+
+    def linked(self, text):
+        """Plain text as reStructuredText, with links to symbols."""
+        parts = re.split(r"(`[^`]+`)|" + LINKED, text)
+        made = ""
+        for code, name, plain in zip(parts[1::3] + [None], parts[2::3] + [None], parts[0::3]):
+            made += re.sub(r"([\\*`|_])", r"\\\1", plain)
+            if name in self.kinds:
+                made += f":c:{ROLES[self.kinds[name]]}:`{name}`\\ "
+            elif name or code:
+                made += f"``{(name or code).strip('`')}``\\ "
+        return made.strip()
+
+
+def paragraphs(text):
+    """Blocks of a comment, and whether each is prose; formulas and tables are indented or have columns."""
+    text = re.sub(r"^-{8,}$", "", text, flags=re.MULTILINE)
+    for block in re.split(r"\n\s*\n", text.strip("\n")):
+        lines = block.splitlines()
+        if not any(line.strip() for line in lines):
+            continue
+        columns = sum(bool(re.search(r"\S   +\S", line)) for line in lines)
+        yield lines, not (columns > 1 or all(line.startswith("   ") for line in lines))
+
+
+def prose(names, text, indent=""):
+    for lines, plain in paragraphs(text):
+        if plain:
+            words = names.linked(" ".join(line.strip() for line in lines))
+            words = re.sub(r"^([-+]|\d+[.)]|\w[.)]) ", r"\\\1 ", words)
+            yield f"{indent}{words}\n\n"
+        else:
+            yield f"{indent}::\n\n" + "".join(f"{indent}   {line.rstrip()}\n" for line in lines) + "\n"
+
+
+def declared(kind, name):
+    """A type of C with the name that is declared in its place: behind it, or within that of a pointer to a function."""
+    return kind.replace("(*)", f"(*{name})", 1) if "(*)" in kind else f"{kind} {name}"
+
+
+def parameters(one):
+    return ", ".join(declared(p["type"]["c"], p["name"]) for p in one["parameters"]) or "void"
+
+
+def enum(names, group):
+    yield f".. rubric:: ``{group['prefix']}_...``\n\n"
+    yield from prose(names, group["doc"])
+    for one in group["constants"]:
+        yield f".. c:enumerator:: {one['name']} = {one['value']}\n\n"
+        yield from prose(names, one["doc"], "   ")
+
+
+def struct(names, one):
+    yield f".. c:struct:: {one['name']}\n\n"
+    yield from prose(names, one["doc"], "   ")
+    for field in one["fields"]:
+        size = "".join(f"[{n}]" for n in field["array"])
+        yield f"   .. c:member:: {declared(field['type']['c'], field['name'] + size)}\n\n"
+        yield from prose(names, field["doc"], "      ")
+
+
+def callback(names, one):
+    yield f".. c:type:: {one['returns']['c']} (*{one['name']})({parameters(one)})\n\n"
+    yield from prose(names, one["doc"], "   ")
+
+
+def function(names, one):
+    yield f".. c:function:: {one['returns']['c']} {one['name']}({parameters(one)})\n\n"
+    yield from prose(names, one["doc"], "   ")
+
+
+def handle(names, one):
+    yield f".. c:type:: struct {one['name']} {one['name']}\n\n   A handle; what it points to is the library's.\n\n"
+    yield from prose(names, one["doc"], "   ")
+
+
+def typedef(names, one):
+    yield f".. c:type:: {one['type']['c']} {one['name']}\n\n"
+    yield from prose(names, one["doc"], "   ")
+
+
+WRITERS = {"enum": enum, "struct": struct, "callback": callback, "function": function, "handle": handle, "typedef": typedef}
+
+
+def heading(section):
+    """The title of a section in small letters, and what stands behind its colon."""
+    title, _, rest = re.sub(r"\s*\[NPAR[^]]*\]", "", section["title"]).partition(":")
+    short = re.match(r"[A-Z]+(?: [A-Z]+)*", title).group(0)
+    return short.capitalize(), (title[len(short) :] + (": " + rest if rest else "")).strip(": ")
+
+
+def pages(path):
+    """Names and texts of the pages."""
+    api = json.loads(path.read_text(encoding="utf-8"))
+    names = Names(api)
+    of_kind = {
+        "enum": {one["prefix"]: one for one in api["constants"]}, "struct": {one["name"]: one for one in api["structs"]},
+        "callback": {one["name"]: one for one in api["callbacks"]}, "function": {one["name"]: one for one in api["functions"]},
+        "handle": {one["name"]: one for one in api["handles"]}, "typedef": {one["name"]: one for one in api["typedefs"]},
+    }  # fmt: skip
+    entries = []
+    for section in api["sections"]:
+        title, more = heading(section)
+        name = re.sub(r"\W+", "-", title.lower())
+        text = f"{title}\n{'=' * len(title)}\n\n" + (f"{names.linked(more[:1].upper() + more[1:])}.\n\n" if more else "")
+        text += "".join(prose(names, section.get("text", "")))
+        for kind, symbol in api["order"]:
+            one = of_kind[kind][symbol]
+            if one["section"] == section["number"]:
+                text += "".join(WRITERS[kind](names, one))
+        entries.append(name)
+        yield name, text
+    intro = f"""The C interface
+===============
+
+``hrbfnpr.h``, version {api['version']}, ABI version {api['abi_version']}: usable from C99 and C++11 on.  What holds for every function
+is on the first page.  Each other one is a section of the header.
+
+.. toctree::
+   :maxdepth: 1
+
+"""
+    yield "index", intro + "".join(f"   {entry}\n" for entry in entries)
