@@ -110,10 +110,10 @@ void write_png(const std::string& path, const std::vector<std::uint8_t>& rgba, S
 void write_export(const Export& what, const std::string& path) {
     if (ends_with(path, ".png") || page_format(path) >= 0) return write_picture(what, path);
     if (ends_with(path, ".hrbf")) return write_model(what, path);
-    if (ends_with(path, ".hrbp")) return write_marks(what, path);
+    if (ends_with(path, ".hrbm")) return write_marks(what, path);
     if (ends_with(path, ".json")) return write_settings(what.settings, path);
     throw Failure(path + ": the name must end in .png, .svg, .pdf, .hpgl or .gcode for a picture, .hrbf for the model, "
-                         ".hrbp for the marks, or .json for settings");
+                         ".hrbm for the marks, or .json for settings");
 }
 
 std::string numbered(const std::string& pattern, int number) {

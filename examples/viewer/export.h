@@ -8,7 +8,7 @@ namespace viewer {
 
 void write_png(const std::string& path, const std::vector<std::uint8_t>& rgba, Size size);
 
-// By its ending: .png, .svg, .pdf, .hpgl, .gcode a picture; .hrbf the model; .hrbp the marks; .json settings.
+// By its ending: .png, .svg, .pdf, .hpgl, .gcode a picture; .hrbf the model; .hrbm the marks; .json settings.
 // Throws where the ending is none of these.
 struct Export {
     const Context& context;

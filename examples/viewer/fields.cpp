@@ -81,7 +81,8 @@ std::vector<Field> read_layout(const std::string& c_name) {
     const char* const layout = hrbfnpr_layout(c_name.c_str());
     if (layout == nullptr) throw Failure("the library has no struct " + c_name);
     std::vector<Field> result;
-    for (const Json& each : Json::parse(layout).at("fields")) {
+    const Json description = Json::parse(layout);
+    for (const Json& each : description.at("fields")) {
         Field field{each.at("name"), each.at("type"), each.at("offset"), 1, {}, 0};
         if (const std::size_t open = field.type.find('['); open != std::string::npos) {
             field.count = std::stoul(field.type.substr(open + 1));

@@ -80,7 +80,7 @@ void export_panel(App& app, Ui& ui) {
     ImGui::InputTextWithHint("##target", "drawing.svg", ui.target, sizeof ui.target);
     ImGui::SameLine();
     if (ImGui::Button("Write")) app.save(ui.target);
-    ImGui::TextWrapped(".png .svg .pdf .hpgl .gcode: the picture; .hrbf: the model; .hrbp: the marks");
+    ImGui::TextWrapped(".png .svg .pdf .hpgl .gcode: the picture; .hrbf: the model; .hrbm: the marks");
     if (ImGui::DragInt2("size", ui.export_size, 2, 0, 8192)) {
         const bool given = ui.export_size[0] > 0 && ui.export_size[1] > 0;
         app.settings.size = given ? Size{ui.export_size[0], ui.export_size[1]} : Size{};

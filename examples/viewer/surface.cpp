@@ -97,8 +97,12 @@ Model fit_mesh(const Shape& shape, const Settings& settings, Work& work) {
     const Mesh mesh = mesh_of(shape, work);
     auto mesh_info = defaults<hrbfnpr_mesh_info>(hrbfnpr_mesh_info_init);
     checked([&](auto* error) { return hrbfnpr_mesh_get_info(mesh.get(), &mesh_info, error); });
-    hrbfnpr_fit_desc fit = settings.fit;
-    fit.normal_mode = HRBFNPR_NORMALS_GIVEN;
+    auto fit = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init); // what a fit to a mesh takes of it
+    fit.kernel = settings.fit.kernel;
+    fit.kernel_radius = settings.fit.kernel_radius;
+    fit.polynomial_degree = settings.fit.polynomial_degree;
+    fit.regularization = settings.fit.regularization;
+    fit.solver = settings.fit.solver;
     fit.trim = HRBFNPR_TRIM_NEVER;
     auto info = defaults<hrbfnpr_mesh_fit_info>(hrbfnpr_mesh_fit_info_init);
     hrbfnpr_model* made = nullptr;

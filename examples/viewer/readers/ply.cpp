@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <sstream>
 
 namespace viewer {
 
@@ -123,9 +124,10 @@ class Source {
     }
 
     [[noreturn]] void refuse(const std::string& what) const {
-        std::string where = *what_ + " " + std::to_string(row_);
-        if (form_ == Form::ascii) where = "line " + std::to_string(header_lines_ + lines_.number()) + ", " + where;
-        throw Failure(where + ": " + what);
+        std::ostringstream where;
+        if (form_ == Form::ascii) where << "line " << header_lines_ + lines_.number() << ", ";
+        where << *what_ << " " << row_ << ": " << what;
+        throw Failure(where.str());
     }
 
   private:
