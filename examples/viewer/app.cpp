@@ -23,8 +23,8 @@ Vec first_direction(const Vec& up) {
     Vec front = std::abs(up[2]) < 0.9 ? Vec{0, 0, 1} : Vec{0, -1, 0};
     front = unit(front - dot(front, up) * up);
     const double around = degree * first_azimuth_elevation[0], above = degree * first_azimuth_elevation[1];
-    const Vec eye = std::cos(above) * (std::cos(around) * front + std::sin(around) * cross(up, front)) +
-                    std::sin(above) * up;
+    const Vec eye =
+        std::cos(above) * (std::cos(around) * front + std::sin(around) * cross(up, front)) + std::sin(above) * up;
     return -1.0 * eye;
 }
 
@@ -36,9 +36,11 @@ View first_view(const Surface& surface, Size size) {
 } // namespace
 
 App::App()
-    : context_(make<hrbfnpr_context>(hrbfnpr_context_release,
-                                     [](auto** out, auto* error) { return hrbfnpr_context_create(nullptr, out, error); })),
-      worker_(context_), renderer_(new_renderer(context_)), tone_(std::make_unique<PaintedMap>(settings.paint, Map::tone)) {}
+    : context_(
+          make<hrbfnpr_context>(hrbfnpr_context_release,
+                                [](auto** out, auto* error) { return hrbfnpr_context_create(nullptr, out, error); })),
+      worker_(context_), renderer_(new_renderer(context_)),
+      tone_(std::make_unique<PaintedMap>(settings.paint, Map::tone)) {}
 
 void App::start_loading(std::function<Surface(const Settings&, Work&)> open) {
     worker_.cancel();
@@ -77,6 +79,7 @@ void App::set_distribution(std::uint32_t distribution) {
 
 void App::show_patches(bool shown) {
     patches_shown_ = shown;
+    is_stale_ = true;
     if (shown) wants_marks_ = true;
 }
 
@@ -154,8 +157,10 @@ void App::update() {
         load_ = nullptr;
     }
     if (wants_marks_ && surface_ && !is_loading_) {
-        if (worker_.is_busy()) worker_.cancel(); // what it makes is not wanted any more
-        else start_marks();
+        if (worker_.is_busy())
+            worker_.cancel(); // what it makes is not wanted any more
+        else
+            start_marks();
     }
     if (!surface_ && !worker_.is_busy()) wants_marks_ = false;
     if (turntable_ && ink_) record_frame();
@@ -166,8 +171,8 @@ void App::start_marks() {
     if (!settings.view) settings.view = first_view(*surface_, canvas_);
     const Size size = settings.size.width > 0 ? settings.size : canvas_;
     auto ink = std::make_shared<Ink>();
-    worker_.start([ink, surface = surface_, with = settings, size, patches = patches_shown_](
-                      Work& work) { *ink = ink_of(*surface, with, size, patches, work); },
+    worker_.start([ink, surface = surface_, with = settings, size,
+                   patches = patches_shown_](Work& work) { *ink = ink_of(*surface, with, size, patches, work); },
                   [this, ink](Work&) {
                       ink_ = ink;
                       is_stale_ = true;
@@ -189,6 +194,7 @@ bool App::draw() {
     if (!is_stale_ || !ink_) return false;
     is_stale_ = false;
     try {
+        frame_.wants_depth = patches_shown_; // they are hidden by what is before them
         draw_frame(frame_, renderer_, *surface_, *ink_, settings, *tone_, canvas_);
         return true;
     } catch (const Failure& failure) {
@@ -301,7 +307,8 @@ bool App::hit(double x, double y, Vec& place, Vec& normal) const {
     hits.position = {&place, 1, 0, HRBFNPR_SCALAR_FLOAT64, 3};
     hits.normal = {&normal, 1, 0, HRBFNPR_SCALAR_FLOAT64, 3};
     Error error;
-    const auto status = hrbfnpr_model_cast_rays(surface_->model.get(), &origins, &directions, &desc, &hits, nullptr, error);
+    const auto status =
+        hrbfnpr_model_cast_rays(surface_->model.get(), &origins, &directions, &desc, &hits, nullptr, error);
     return status == HRBFNPR_STATUS_OK && hits.hit_rays == 1;
 }
 

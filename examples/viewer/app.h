@@ -26,7 +26,7 @@ struct Turntable {
 };
 
 class App {
-  public:
+public:
     App();
 
     // ---- Commands.  Long work goes to the worker; a Failure becomes the message.
@@ -87,7 +87,7 @@ class App {
 
     double window_milliseconds = 0; // of the last whole frame of the window, the library's part included
 
-  private:
+private:
     void start_loading(std::function<Surface(const Settings&, Work&)> open);
     void start_marks();
     void fail(const std::exception& failure) { message = failure.what(); }

@@ -21,8 +21,10 @@ Axes axes_of(const View& view) {
 void take_over(View& view) {
     if (!view.view) return;
     const auto& m = *view.view;
-    const auto row = [&](int r) { return Vec{m[static_cast<std::size_t>(r)], m[static_cast<std::size_t>(r) + 4],
-                                             m[static_cast<std::size_t>(r) + 8]}; };
+    const auto row = [&](int r) {
+        return Vec{m[static_cast<std::size_t>(r)], m[static_cast<std::size_t>(r) + 4],
+                   m[static_cast<std::size_t>(r) + 8]};
+    };
     const Vec right = row(0), up = row(1), back = row(2);
     const double distance = std::max(std::abs(m[14]), 1e-9);
     view.eye = -1.0 * (m[12] * right + m[13] * up + m[14] * back);
@@ -67,11 +69,10 @@ hrbfnpr_camera camera_of(const View& view, Size size) {
         return hrbfnpr_camera_look_at(&camera, view.eye.data(), view.target.data(), view.up.data(), error);
     });
     checked([&](auto* error) {
-        return view.vertical_angle > 0
-                   ? hrbfnpr_camera_perspective(&camera, view.vertical_angle, width, height, view.near_plane,
-                                                view.far_plane, error)
-                   : hrbfnpr_camera_orthographic(&camera, view.view_height, width, height, view.near_plane,
-                                                 view.far_plane, error);
+        return view.vertical_angle > 0 ? hrbfnpr_camera_perspective(&camera, view.vertical_angle, width, height,
+                                                                    view.near_plane, view.far_plane, error)
+                                       : hrbfnpr_camera_orthographic(&camera, view.view_height, width, height,
+                                                                     view.near_plane, view.far_plane, error);
     });
     return camera;
 }
@@ -92,7 +93,8 @@ View view_of_all(const std::vector<Vec>& points, const Vec& direction, const Vec
     double distance = 1e-9, height = 1e-9;
     for (const Vec& p : points) {
         const Vec away = p - view.target;
-        const double wanted = std::max(std::abs(dot(away, axes.right)) / room_across, std::abs(dot(away, axes.up)) / room_up);
+        const double wanted =
+            std::max(std::abs(dot(away, axes.right)) / room_across, std::abs(dot(away, axes.up)) / room_up);
         distance = std::max(distance, dot(away, axes.back) + wanted);
         height = std::max(height, 2 * wanted);
     }

@@ -10,7 +10,7 @@ namespace {
 
 // A file that has its name only once it is whole.
 class Target {
-  public:
+public:
     explicit Target(const std::string& path)
         : path_(path), part_(path + ".part"), file_(std::fopen(part_.c_str(), "wb")) {
         if (file_ == nullptr) throw Failure(path + ": cannot be written; is there such a folder?");
@@ -31,7 +31,7 @@ class Target {
         throw Failure(path_ + ": cannot be written; is there room for it?");
     }
 
-  private:
+private:
     std::string path_, part_;
     std::FILE* file_;
 };
@@ -74,22 +74,24 @@ void write_page(const Export& what, const Frame& frame, const std::string& path)
 void write_picture(const Export& what, const std::string& path) {
     Frame frame;
     draw_frame(frame, what.renderer, what.surface, what.ink, what.settings, what.tone, what.size);
-    if (page_format(path) >= 0) write_page(what, frame, path);
-    else write_png(path, frame.pixels, frame.size);
+    if (page_format(path) >= 0)
+        write_page(what, frame, path);
+    else
+        write_png(path, frame.pixels, frame.size);
 }
 
 void write_model(const Export& what, const std::string& path) {
     if (what.surface.model == nullptr) throw Failure(path + ": there is no model, but saved marks alone");
     Target target(path);
-    checked([&](auto* error) {
-        return hrbfnpr_model_save(what.surface.model.get(), write_bytes, target.file(), error);
-    });
+    checked(
+        [&](auto* error) { return hrbfnpr_model_save(what.surface.model.get(), write_bytes, target.file(), error); });
     target.finish();
 }
 
 void write_marks(const Export& what, const std::string& path) {
     Target target(path);
-    checked([&](auto* error) { return hrbfnpr_point_set_save(what.ink.marks.get(), write_bytes, target.file(), error); });
+    checked(
+        [&](auto* error) { return hrbfnpr_point_set_save(what.ink.marks.get(), write_bytes, target.file(), error); });
     target.finish();
 }
 

@@ -58,8 +58,7 @@ const std::map<std::string, std::vector<Choice>>& choices() {
           {"solver", 0, {"auto", "direct", "iterative"}},
           {"normal_mode", 0, {"given", "none", "unoriented", "mixed", "inward", "auto"}},
           {"trim", 0, {"never", "auto"}}}},
-        {"hrbfnpr_line_desc",
-         {{"kind", 3, {"ridge", "valley", "apparent_ridge", "parabolic", "isophote", "section"}}}},
+        {"hrbfnpr_line_desc", {{"kind", 3, {"ridge", "valley", "apparent_ridge", "parabolic", "isophote", "section"}}}},
         {"hrbfnpr_mesh_fit_desc", {{"edges", 0, {"auto", "smooth", "sharp"}}}},
     };
     return all;
@@ -72,8 +71,8 @@ bool is_plain(const std::string& type) {
 }
 
 bool is_ours(const std::string& name) { // not how the struct is passed on
-    static const std::set<std::string> not_settings = {"struct_size", "flags", "layer_count", "layer_stride",
-                                                       "line_count", "line_stride"};
+    static const std::set<std::string> not_settings = {"struct_size",  "flags",      "layer_count",
+                                                       "layer_stride", "line_count", "line_stride"};
     return not_settings.count(name) == 0 && name.rfind("reserved", 0) != 0;
 }
 
@@ -154,8 +153,8 @@ T whole(const Json& json, const std::string& where) {
     if (json.is_boolean()) return static_cast<T>(json.get<bool>());
     if (!json.is_number_integer()) refuse(where, "a whole number", json);
     const bool negative = !json.is_number_unsigned() && json.get<std::int64_t>() < 0;
-    const auto value = static_cast<T>(negative ? static_cast<T>(json.get<std::int64_t>())
-                                               : static_cast<T>(json.get<std::uint64_t>()));
+    const auto value =
+        static_cast<T>(negative ? static_cast<T>(json.get<std::int64_t>()) : static_cast<T>(json.get<std::uint64_t>()));
     if (Json(value) != json) refuse(where, "a number that fits " + std::to_string(8 * sizeof(T)) + " bits", json);
     return value;
 }

@@ -29,7 +29,8 @@ template <class Number>
 bool edit_number(ImGuiDataType type, void* value, int count, const char* label, const char* format) {
     const double size = std::abs(static_cast<double>(*static_cast<Number*>(value)));
     const bool whole = type != ImGuiDataType_Float && type != ImGuiDataType_Double;
-    const float speed = whole ? static_cast<float>(std::max(0.2, 0.01 * size)) : static_cast<float>(std::max(0.002, 0.01 * size));
+    const float speed =
+        whole ? static_cast<float>(std::max(0.2, 0.01 * size)) : static_cast<float>(std::max(0.002, 0.01 * size));
     return ImGui::DragScalarN(label, type, value, count, speed, nullptr, nullptr, format);
 }
 

@@ -142,20 +142,27 @@ Shape heart() {
 } // namespace
 
 const std::vector<std::string>& formulas() {
-    static const std::vector<std::string> names = {"torus", "linked tori", "drilled cube", "tangle cube", "trefoil knot",
-                                                   "heart"};
+    static const std::vector<std::string> names = {"torus",       "linked tori",  "drilled cube",
+                                                   "tangle cube", "trefoil knot", "heart"};
     return names;
 }
 
 Surface surface_of_formula(const std::string& name, const Settings& settings, Work& work) {
     Surface surface;
-    if (name == "torus") surface = surface_of_model(solid({torus(-1, 0.4)}, work), work);
-    else if (name == "linked tori") surface = surface_of_model(solid(linked_tori(), work), work);
-    else if (name == "drilled cube") surface = surface_of_model(solid(drilled_cube(), work), work);
-    else if (name == "tangle cube") surface = surface_of_model(tangle_cube(work), work);
-    else if (name == "trefoil knot") surface = surface_of_samples(trefoil(), settings, work);
-    else if (name == "heart") surface = surface_of_samples(heart(), settings, work);
-    else throw Failure("there is no model called \"" + name + "\"");
+    if (name == "torus")
+        surface = surface_of_model(solid({torus(-1, 0.4)}, work), work);
+    else if (name == "linked tori")
+        surface = surface_of_model(solid(linked_tori(), work), work);
+    else if (name == "drilled cube")
+        surface = surface_of_model(solid(drilled_cube(), work), work);
+    else if (name == "tangle cube")
+        surface = surface_of_model(tangle_cube(work), work);
+    else if (name == "trefoil knot")
+        surface = surface_of_samples(trefoil(), settings, work);
+    else if (name == "heart")
+        surface = surface_of_samples(heart(), settings, work);
+    else
+        throw Failure("there is no model called \"" + name + "\"");
     surface.name = name;
     surface.up = name == "torus" || name == "linked tori" || name == "trefoil knot" ? Vec{0, 0, 1} : Vec{0, 1, 0};
     surface.timings = work.timings;

@@ -8,26 +8,27 @@ namespace viewer {
 namespace {
 
 class Stopwatch {
-  public:
+public:
     double milliseconds() const {
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
     }
 
-  private:
+private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 void rasterize(Frame& frame) {
     const auto width = static_cast<std::size_t>(frame.size.width), height = static_cast<std::size_t>(frame.size.height);
     frame.pixels.resize(4 * width * height);
-    frame.depth.resize(width * height);
+    frame.depth.resize(frame.wants_depth ? width * height : 0);
     auto image = defaults<hrbfnpr_image>(hrbfnpr_image_init);
     image.format = HRBFNPR_FORMAT_RGBA8;
     image.width = frame.size.width;
     image.height = frame.size.height;
     image.pixels = frame.pixels.data();
     auto desc = defaults<hrbfnpr_raster_desc>(hrbfnpr_raster_desc_init);
-    desc.depth = {frame.depth.data(), static_cast<std::int64_t>(frame.depth.size()), 0, HRBFNPR_SCALAR_FLOAT32, 1};
+    if (frame.wants_depth)
+        desc.depth = {frame.depth.data(), static_cast<std::int64_t>(frame.depth.size()), 0, HRBFNPR_SCALAR_FLOAT32, 1};
     checked([&](auto* error) { return hrbfnpr_drawing_rasterize(frame.drawing.get(), &image, &desc, error); });
 }
 
@@ -55,10 +56,11 @@ void draw_frame(Frame& frame, const Renderer& renderer, const Surface& surface, 
     item.line_set = ink.lines.get();
     frame.drawing.reset(); // its memory serves the next one
     const Stopwatch drawing;
-    frame.drawing = make<hrbfnpr_drawing>(
-        [](hrbfnpr_drawing* drawn) { hrbfnpr_drawing_release(drawn); }, [&](auto** out, auto* error) {
-            return hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &frame.camera, out, error);
-        });
+    frame.drawing =
+        make<hrbfnpr_drawing>([](hrbfnpr_drawing* drawn) { hrbfnpr_drawing_release(drawn); },
+                              [&](auto** out, auto* error) {
+                                  return hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &frame.camera, out, error);
+                              });
     frame.draw_milliseconds = drawing.milliseconds();
     const Stopwatch pixels;
     rasterize(frame);

@@ -12,9 +12,10 @@ struct Frame {
     hrbfnpr_drawing_info info{};
     Size size;
     std::vector<std::uint8_t> pixels; // RGBA, rows from the top
-    std::vector<float> depth;         // 0 near .. 1 far
-    double draw_milliseconds = 0;     // of the library: the drawing ...
-    double raster_milliseconds = 0;   // ... and its pixels
+    bool wants_depth = false;
+    std::vector<float> depth;       // 0 near .. 1 far, if it is wanted
+    double draw_milliseconds = 0;   // of the library: the drawing ...
+    double raster_milliseconds = 0; // ... and its pixels
 };
 
 // `tone`: painted tones, may be empty.

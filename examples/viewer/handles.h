@@ -38,14 +38,14 @@ struct Failure : std::runtime_error {
 
 // The last argument of a call, and what becomes of its result.
 class Error {
-  public:
+public:
     Error() { hrbfnpr_error_init(&error_, sizeof error_); }
     operator hrbfnpr_error*() { return &error_; }
     void check(hrbfnpr_status status) const {
         if (status != HRBFNPR_STATUS_OK) throw Failure(error_.message, status);
     }
 
-  private:
+private:
     hrbfnpr_error error_;
 };
 

@@ -24,10 +24,10 @@ bool is_for(const hrbfnpr_layer_style& style, const hrbfnpr_layer_desc& layer) {
     return kind && name;
 }
 
-double radius_of(const Style& style, const hrbfnpr_layer_desc& layer) {
+hrbfnpr_layer_style style_of(const Style& style, const hrbfnpr_layer_desc& layer) {
     for (const auto& each : style.layers)
-        if (is_for(each, layer)) return each.radius;
-    return defaults<hrbfnpr_layer_style>(hrbfnpr_layer_style_init).radius;
+        if (is_for(each, layer)) return each;
+    return defaults<hrbfnpr_layer_style>(hrbfnpr_layer_style_init);
 }
 
 std::int64_t budget_of(double wanted) {
@@ -35,12 +35,16 @@ std::int64_t budget_of(double wanted) {
 }
 
 // As many marks as make the darkest tone nearly black; `pixels`: in a unit of length.
-void fill_even(hrbfnpr_layer_desc& layer, double radius, double area, double pixels) {
+void fill_even(hrbfnpr_layer_desc& layer, const hrbfnpr_layer_style& style, double area, double pixels) {
+    const double radius = style.radius;
     if (layer.kind == HRBFNPR_LAYER_KIND_HATCH) {
-        if (layer.separation == 0) layer.separation = std::sqrt(area) / hatch_lines;
+        // Lines finer than the window has room for, at twice its scale, are not worth waiting for.
+        const double finest = 0.5 * style.hatch_spacing / pixels;
+        if (layer.separation == 0) layer.separation = std::max(std::sqrt(area) / hatch_lines, finest);
         layer.budget = 0; // as many as there are of that separation
     } else if (layer.kind == HRBFNPR_LAYER_KIND_STIPPLES) {
-        layer.budget = budget_of(stipple_coverage * area * (pixels * pixels) / (pi * (radius * radius)));
+        const double wanted = stipple_coverage * area * (pixels * pixels) / (pi * (radius * radius));
+        layer.budget = budget_of(style.shown ? wanted : 0.25 * wanted); // else they only hide what is behind
     } else {
         const double step = stroke_spacing * radius / pixels;
         if (layer.step == 0) layer.step = step;
@@ -68,11 +72,11 @@ std::vector<hrbfnpr_layer_desc> layers_for(const Surface& surface, const Setting
     checked([&](auto* error) { return hrbfnpr_model_get_info(surface.model.get(), &info, error); });
     std::vector<hrbfnpr_layer_desc> layers = preset_layers(settings.preset, settings.marks.distribution);
     for (auto& layer : layers) {
-        const double radius = radius_of(style, layer);
         if (published)
-            fill_published(layer, radius, surface.area, pixels, std::max<double>(static_cast<double>(info.centres), 1));
+            fill_published(layer, style_of(style, layer).radius, surface.area, pixels,
+                           std::max<double>(static_cast<double>(info.centres), 1));
         else
-            fill_even(layer, radius, surface.area, pixels);
+            fill_even(layer, style_of(style, layer), surface.area, pixels);
     }
     return layers;
 }
@@ -142,9 +146,8 @@ std::vector<hrbfnpr_layer_info> infos_of(const PointSet& marks) {
     std::vector<hrbfnpr_layer_info> infos;
     for (std::int64_t layer = 0; layer < info.layers; ++layer) {
         infos.push_back(defaults<hrbfnpr_layer_info>(hrbfnpr_layer_info_init));
-        checked([&](auto* error) {
-            return hrbfnpr_point_set_get_layer_info(marks.get(), layer, &infos.back(), error);
-        });
+        checked(
+            [&](auto* error) { return hrbfnpr_point_set_get_layer_info(marks.get(), layer, &infos.back(), error); });
     }
     return infos;
 }

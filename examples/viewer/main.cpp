@@ -34,10 +34,14 @@ Options options_of(int argc, char** argv) {
     };
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--model") options.model = value(i);
-        else if (word == "--settings") options.settings = value(i);
-        else if (word == "--screenshot") options.screenshot = value(i);
-        else if (word == "--script") options.script = value(i);
+        if (word == "--model")
+            options.model = value(i);
+        else if (word == "--settings")
+            options.settings = value(i);
+        else if (word == "--screenshot")
+            options.screenshot = value(i);
+        else if (word == "--script")
+            options.script = value(i);
         else if (word == "--size") {
             const std::string size = value(i);
             if (std::sscanf(size.c_str(), "%dx%d", &options.size.width, &options.size.height) != 2 ||
@@ -55,8 +59,10 @@ Options options_of(int argc, char** argv) {
 
 void set_up(App& app, Script& script, const Options& options) {
     if (!options.settings.empty()) app.load_settings(options.settings);
-    if (!options.file.empty()) app.load(options.file);
-    else if (options.model != "none") app.load_formula(options.model);
+    if (!options.file.empty())
+        app.load(options.file);
+    else if (options.model != "none")
+        app.load_formula(options.model);
     if (!options.screenshot.empty()) {
         script.add("wait");
         script.add("shot " + options.screenshot);
@@ -87,9 +93,12 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
     try {
-        if (argc == 2 && std::strcmp(argv[1], "--help") == 0) std::fputs(viewer::usage, stdout);
-        else if (argc == 2 && std::strcmp(argv[1], "--print-schema") == 0) std::cout << viewer::schema().dump(2) << '\n';
-        else viewer::run(viewer::options_of(argc, argv));
+        if (argc == 2 && std::strcmp(argv[1], "--help") == 0)
+            std::fputs(viewer::usage, stdout);
+        else if (argc == 2 && std::strcmp(argv[1], "--print-schema") == 0)
+            std::cout << viewer::schema().dump(2) << '\n';
+        else
+            viewer::run(viewer::options_of(argc, argv));
         return 0;
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "hrbfnpr-view: %s\n", failure.what());

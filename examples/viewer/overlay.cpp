@@ -27,10 +27,12 @@ bool is_over_canvas(const Ui& ui) {
 
 // Whether the surface that is drawn is no nearer at a pixel than a place, but for some percent of the model.
 bool is_seen(const Frame& frame, const Vec& window, double slack) {
+    if (frame.depth.empty()) return true; // it is not known in this frame
     const int x = static_cast<int>(window[0]), y = static_cast<int>(window[1]);
     if (x < 0 || y < 0 || x >= frame.size.width || y >= frame.size.height) return false;
-    const double depth = static_cast<double>(
-        frame.depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.size.width) + static_cast<std::size_t>(x)]);
+    const double depth =
+        static_cast<double>(frame.depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.size.width) +
+                                        static_cast<std::size_t>(x)]);
     const double* const p = frame.camera.projection;
     const double clip = 2 * depth - 1;
     // The distance before the eye that has this depth.
@@ -89,7 +91,8 @@ void light_handle(App& app, Ui& ui) {
 void mouse_on_canvas(App& app, Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool over = is_over_canvas(ui);
-    const double x = static_cast<double>(io.MousePos.x - ui.canvas_min.x), y = static_cast<double>(io.MousePos.y - ui.canvas_min.y);
+    const double x = static_cast<double>(io.MousePos.x - ui.canvas_min.x),
+                 y = static_cast<double>(io.MousePos.y - ui.canvas_min.y);
     const bool brushes = app.brush.kind != Brush::off;
     const bool is_down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
     if (!is_down) ui.holds = false;
@@ -109,8 +112,10 @@ void mouse_on_canvas(App& app, Ui& ui) {
     if (over && io.MouseWheel != 0) app.zoom_by(static_cast<double>(io.MouseWheel));
     if (!ui.holds || ui.aims || ui.paints || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
     const double dx = static_cast<double>(io.MouseDelta.x), dy = static_cast<double>(io.MouseDelta.y);
-    if (ImGui::IsMouseDown(2) || io.KeyShift) app.pan_by(dx, dy);
-    else app.orbit_by(dx, dy);
+    if (ImGui::IsMouseDown(2) || io.KeyShift)
+        app.pan_by(dx, dy);
+    else
+        app.orbit_by(dx, dy);
 }
 
 } // namespace viewer

@@ -22,7 +22,7 @@ struct Dab {
 
 // The dabs of one map, ready for many questions.
 class PaintedMap {
-  public:
+public:
     PaintedMap(const std::vector<Dab>& dabs, Map map);
     bool is_empty() const { return dabs_.empty(); }
     // What was `value` before at a place with a unit normal.
@@ -30,7 +30,7 @@ class PaintedMap {
     // The direction there; 0 where none was painted.
     Vec direction(const Vec& place, const Vec& normal) const;
 
-  private:
+private:
     // Numbers of the dabs that reach into a cell, in their order.
     const std::vector<std::uint32_t>* near(const Vec& place) const;
     std::uint64_t cell_of(std::int64_t x, std::int64_t y, std::int64_t z) const;

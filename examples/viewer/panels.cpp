@@ -9,7 +9,8 @@ namespace viewer {
 void model_panel(App& app, Ui& ui) {
     for (std::size_t i = 0; i < formulas().size(); ++i) {
         if (i % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetWindowWidth());
-        if (ImGui::Button(formulas()[i].c_str(), ImVec2(0.46F * ImGui::GetWindowWidth(), 0))) app.load_formula(formulas()[i]);
+        if (ImGui::Button(formulas()[i].c_str(), ImVec2(0.46F * ImGui::GetWindowWidth(), 0)))
+            app.load_formula(formulas()[i]);
     }
     if (ImGui::Button("Stanford bunny", ImVec2(-1, 0))) app.load_bunny();
     ImGui::InputTextWithHint("##file", "a file, or drop one here", ui.file, sizeof ui.file);
@@ -30,7 +31,8 @@ void model_panel(App& app, Ui& ui) {
 }
 
 void brush_panel(App& app) {
-    static const char* const names[] = {"off", "darken", "lighten", "fewer stipples", "restore stipples", "comb hatching"};
+    static const char* const names[] = {"off",          "darken", "lighten", "fewer stipples", "restore stipples",
+                                        "comb hatching"};
     const bool can_paint = app.surface() != nullptr && app.surface()->model != nullptr;
     if (!can_paint) {
         ImGui::TextWrapped("Saved marks have no surface to paint on: open a model.");
@@ -58,7 +60,8 @@ void camera_panel(App& app) {
         const double height = old > 0 ? 2 * distance * std::tan(old / 2) : view.view_height;
         const double angle = degrees < 1 ? 0 : degrees / 57.29577951308232; // the model keeps its size
         view.view_height = height;
-        if (angle > 0) view.eye = view.target + (height / (2 * std::tan(angle / 2)) / distance) * (view.eye - view.target);
+        if (angle > 0)
+            view.eye = view.target + (height / (2 * std::tan(angle / 2)) / distance) * (view.eye - view.target);
         view.vertical_angle = angle;
         app.zoom_by(0);
     }

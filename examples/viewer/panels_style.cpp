@@ -18,6 +18,16 @@ std::string label_of(const hrbfnpr_layer_style& layer) {
     return layer.name != nullptr ? layer.name : layer.kind < 7 ? kinds[layer.kind] : "?";
 }
 
+// Whether there are marks that it is for.
+bool is_drawn(const App& app, const hrbfnpr_layer_style& style) {
+    if (app.ink() == nullptr) return false;
+    const auto& infos = app.ink()->infos;
+    return std::any_of(infos.begin(), infos.end(), [&](const auto& info) {
+        const bool kind = style.kind == HRBFNPR_LAYER_KIND_ANY || style.kind == info.kind;
+        return kind && (style.name == nullptr || style.name == std::string(info.name));
+    });
+}
+
 bool edit_layer(hrbfnpr_layer_style& layer) {
     bool changed = edit_field(layer_name, "shown", &layer);
     changed |= ImGui::SliderFloat("share", &layer.share, 0, 1);
@@ -71,6 +81,7 @@ void style_panel(App& app) {
     changed |= edit_field(style_name, "hidden_lines", &style.fields);
     changed |= ImGui::SliderFloat("halo", &style.fields.halo_width, 0, 12);
     for (std::size_t i = 0; i < style.layers.size(); ++i) {
+        if (!is_drawn(app, style.layers[i])) continue;
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::TreeNode(label_of(style.layers[i]).c_str())) {
             changed |= edit_layer(style.layers[i]);
@@ -104,7 +115,8 @@ void lines_panel(App& app) {
                 lines.push_back(defaults<hrbfnpr_line_style>(hrbfnpr_line_style_init));
                 lines.back().kind = kind;
                 if (kind != HRBFNPR_LINE_KIND_CONTOUR) lines.back().width = 1.3F; // finer
-                if (kind == HRBFNPR_LINE_KIND_ISOPHOTE) lines.back().levels = kept(std::vector<double>{0.25, 0.5, 0.75});
+                if (kind == HRBFNPR_LINE_KIND_ISOPHOTE)
+                    lines.back().levels = kept(std::vector<double>{0.25, 0.5, 0.75});
             } else {
                 lines.erase(here);
             }

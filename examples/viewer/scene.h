@@ -9,12 +9,12 @@ namespace viewer {
 
 struct Surface {
     std::string name;
-    Model model;                 // none: saved marks
-    PointSet marks;              // saved ones
-    std::vector<Vec> places;     // spread over it
-    Vec low{}, high{};           // the bounds of these
+    Model model;             // none: saved marks
+    PointSet marks;          // saved ones
+    std::vector<Vec> places; // spread over it
+    Vec low{}, high{};       // the bounds of these
     double area = 0;
-    double lipschitz = 0;        // for rays
+    double lipschitz = 0; // for rays
     bool is_trimmed = false;
     Vec up{0, 1, 0};
     std::vector<Timing> timings;

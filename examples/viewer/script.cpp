@@ -96,12 +96,18 @@ bool Script::run(const std::vector<std::string>& words, App& app, Ui& ui, Window
         return true;
     }
     if (name == "wait-busy") return app.worker().is_busy() || app.turntable() != nullptr;
-    if (name == "load") app.load(text);
-    else if (name == "model") app.load_formula(text);
-    else if (name == "style") app.use_preset(preset_of(text, "style"));
-    else if (name == "settings") app.load_settings(text);
-    else if (name == "save") app.save(text);
-    else if (name == "drag") drag(words, ui);
+    if (name == "load")
+        app.load(text);
+    else if (name == "model")
+        app.load_formula(text);
+    else if (name == "style")
+        app.use_preset(preset_of(text, "style"));
+    else if (name == "settings")
+        app.load_settings(text);
+    else if (name == "save")
+        app.save(text);
+    else if (name == "drag")
+        drag(words, ui);
     else if (name == "wheel") {
         ScriptedMouse mouse{ui.canvas_min.x + 20, ui.canvas_min.y + 20};
         mouse.wheel = static_cast<float>(number(words, 1));
@@ -111,19 +117,32 @@ bool Script::run(const std::vector<std::string>& words, App& app, Ui& ui, Window
         event.type = SDL_DROPFILE;
         event.drop.file = SDL_strdup(text.c_str());
         SDL_PushEvent(&event);
-    } else if (name == "open") ui.open_panels.assign(words.begin() + 1, words.end());
-    else if (name == "brush") app.brush.kind = brush_of(text);
-    else if (name == "published") app.set_distribution(HRBFNPR_DISTRIBUTION_PUBLISHED);
-    else if (name == "patches") app.show_patches(text != "off");
-    else if (name == "step") app.set_step(0.01 * number(words, 1) * app.ink()->patches.estimate);
-    else if (name == "record") app.record(words.at(1), number(words, 2), {number(words, 3), number(words, 4)});
-    else if (name == "size") app.settings.size = {number(words, 1), number(words, 2)};
-    else if (name == "window") window.resize({number(words, 1), number(words, 2)});
-    else if (name == "cancel") app.cancel();
-    else if (name == "undo") app.undo_stroke();
-    else if (name == "shot") window.take_screenshot(text);
-    else if (name == "report") report(app);
-    else if (name == "turn") turning_ = number(words, 1), turned_ = 0, window_sum_ = library_sum_ = 0;
+    } else if (name == "open")
+        ui.open_panels.assign(words.begin() + 1, words.end());
+    else if (name == "brush")
+        app.brush.kind = brush_of(text);
+    else if (name == "published")
+        app.set_distribution(HRBFNPR_DISTRIBUTION_PUBLISHED);
+    else if (name == "patches")
+        app.show_patches(text != "off");
+    else if (name == "step")
+        app.set_step(0.01 * number(words, 1) * app.ink()->patches.estimate);
+    else if (name == "record")
+        app.record(words.at(1), number(words, 2), {number(words, 3), number(words, 4)});
+    else if (name == "size")
+        app.settings.size = {number(words, 1), number(words, 2)};
+    else if (name == "window")
+        window.resize({number(words, 1), number(words, 2)});
+    else if (name == "cancel")
+        app.cancel();
+    else if (name == "undo")
+        app.undo_stroke();
+    else if (name == "shot")
+        window.take_screenshot(text);
+    else if (name == "report")
+        report(app);
+    else if (name == "turn")
+        turning_ = number(words, 1), turned_ = 0, window_sum_ = library_sum_ = 0;
     else if (name == "expect") {
         if (app.message.find(text) == std::string::npos)
             throw Failure("`" + text + "` was expected in the message \"" + app.message + "\"");

@@ -9,7 +9,7 @@
 namespace viewer {
 
 class Script {
-  public:
+public:
     void add(const std::string& line) { commands_.push_back(line); }
     void add_file(const std::string& path);
 
@@ -17,7 +17,7 @@ class Script {
     bool step(App& app, Ui& ui, Window& window);
     bool is_done() const { return commands_.empty() && mouse_.empty(); }
 
-  private:
+private:
     bool run(const std::vector<std::string>& words, App& app, Ui& ui, Window& window);
     void drag(const std::vector<std::string>& words, const Ui& ui);
     void report(const App& app) const;

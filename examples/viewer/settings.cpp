@@ -10,8 +10,8 @@ const char* const magic = "hrbfnpr_settings";
 
 // Fields in pixels, which grow with the pen.
 constexpr float hrbfnpr_layer_style::*layer_lengths[] = {
-    &hrbfnpr_layer_style::radius,         &hrbfnpr_layer_style::hatch_spacing,  &hrbfnpr_layer_style::hatch_pen,
-    &hrbfnpr_layer_style::hatch_white,    &hrbfnpr_layer_style::hatch_taper,    &hrbfnpr_layer_style::hatch_shortest,
+    &hrbfnpr_layer_style::radius,         &hrbfnpr_layer_style::hatch_spacing, &hrbfnpr_layer_style::hatch_pen,
+    &hrbfnpr_layer_style::hatch_white,    &hrbfnpr_layer_style::hatch_taper,   &hrbfnpr_layer_style::hatch_shortest,
     &hrbfnpr_layer_style::hatch_overshoot};
 constexpr float hrbfnpr_line_style::*line_lengths[] = {&hrbfnpr_line_style::width, &hrbfnpr_line_style::hidden_width,
                                                        &hrbfnpr_line_style::taper, &hrbfnpr_line_style::shortest};
@@ -180,8 +180,10 @@ Json dab_to_json(const Dab& dab) {
                  {"normal", dab.normal},
                  {"radius", dab.radius},
                  {"strength", dab.strength}};
-    if (dab.map == Map::direction) json["direction"] = dab.direction;
-    else json["value"] = dab.value;
+    if (dab.map == Map::direction)
+        json["direction"] = dab.direction;
+    else
+        json["value"] = dab.value;
     return json;
 }
 
@@ -199,8 +201,10 @@ Dab dab_from_json(const Json& json, const std::string& where) {
     dab.strength = number_of(needed(json, where, "strength"), where + ".strength");
     if (!(dab.radius > 0)) throw Failure(where + ".radius: a number above 0 is needed");
     if (!(dab.strength >= 0 && dab.strength <= 1)) throw Failure(where + ".strength: a number from 0 to 1 is needed");
-    if (dab.map == Map::direction) dab.direction = vec_of(needed(json, where, "direction"), where + ".direction");
-    else dab.value = number_of(needed(json, where, "value"), where + ".value");
+    if (dab.map == Map::direction)
+        dab.direction = vec_of(needed(json, where, "direction"), where + ".direction");
+    else
+        dab.value = number_of(needed(json, where, "value"), where + ".value");
     return dab;
 }
 
@@ -224,9 +228,7 @@ Settings::Settings()
 
 Style preset_style(std::uint32_t preset) {
     Style style;
-    checked([&](auto* error) {
-        return hrbfnpr_style_init_preset(&style.fields, sizeof style.fields, preset, error);
-    });
+    checked([&](auto* error) { return hrbfnpr_style_init_preset(&style.fields, sizeof style.fields, preset, error); });
     style.layers = elements(style.fields.layers, style.fields.layer_count, style.fields.layer_stride);
     style.lines = elements(style.fields.lines, style.fields.line_count, style.fields.line_stride);
     return style;
@@ -256,8 +258,8 @@ hrbfnpr_style pointed(const Style& style) {
 
 std::vector<hrbfnpr_layer_desc> preset_layers(std::uint32_t preset, std::uint32_t distribution) {
     if (distribution == HRBFNPR_DISTRIBUTION_PUBLISHED) { // which has no lines of hatching, but strokes
-        const bool strokes = preset == HRBFNPR_PRESET_HATCH || preset == HRBFNPR_PRESET_CROSS_HATCH ||
-                             preset == HRBFNPR_PRESET_FULL;
+        const bool strokes =
+            preset == HRBFNPR_PRESET_HATCH || preset == HRBFNPR_PRESET_CROSS_HATCH || preset == HRBFNPR_PRESET_FULL;
         std::vector<hrbfnpr_layer_desc> layers(1, defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init));
         if (strokes || preset == HRBFNPR_PRESET_COMBING) {
             layers.push_back(layers.front());
@@ -322,10 +324,9 @@ Json to_json(const Settings& settings) {
 Settings settings_from_json(const Json& json) {
     if (!json.is_object() || !json.contains(magic))
         throw Failure("these are no settings: they begin with {\"hrbfnpr_settings\": 1}");
-    if (json[magic] != version)
-        throw Failure("hrbfnpr_settings: version 1 is known here, not " + json[magic].dump());
-    check_keys(json, "settings", {magic, "preset", "size", "pen", "camera", "style", "marks", "fit", "mesh_fit",
-                                  "line_set", "paint"});
+    if (json[magic] != version) throw Failure("hrbfnpr_settings: version 1 is known here, not " + json[magic].dump());
+    check_keys(json, "settings",
+               {magic, "preset", "size", "pen", "camera", "style", "marks", "fit", "mesh_fit", "line_set", "paint"});
     const auto part = [&](const char* name) -> const Json* { return json.contains(name) ? &json[name] : nullptr; };
     Settings settings;
     if (const Json* preset = part("preset")) {

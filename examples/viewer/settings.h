@@ -25,8 +25,8 @@ struct Settings {
     Settings();
 
     std::uint32_t preset = HRBFNPR_PRESET_CONTOUR_AND_STIPPLE;
-    Size size;          // 0: that of the window
-    double pen = 0;     // pixels; 0 = by the picture's size
+    Size size;                // 0: that of the window
+    double pen = 0;           // pixels; 0 = by the picture's size
     std::optional<View> view; // else the model fills the picture
     Style style;
     hrbfnpr_generate_desc marks;

@@ -73,10 +73,14 @@ void write_settings(const Settings& settings, const std::string& path) {
 }
 
 Json schema() {
-    return {{"style", section("hrbfnpr_style")},       {"style.layers", section("hrbfnpr_layer_style")},
-            {"style.lines", section("hrbfnpr_line_style")}, {"marks", section("hrbfnpr_generate_desc")},
-            {"marks.layers", section("hrbfnpr_layer_desc")}, {"fit", section("hrbfnpr_fit_desc")},
-            {"mesh_fit", section("hrbfnpr_mesh_fit_desc")}, {"line_set", section("hrbfnpr_line_set_desc")},
+    return {{"style", section("hrbfnpr_style")},
+            {"style.layers", section("hrbfnpr_layer_style")},
+            {"style.lines", section("hrbfnpr_line_style")},
+            {"marks", section("hrbfnpr_generate_desc")},
+            {"marks.layers", section("hrbfnpr_layer_desc")},
+            {"fit", section("hrbfnpr_fit_desc")},
+            {"mesh_fit", section("hrbfnpr_mesh_fit_desc")},
+            {"line_set", section("hrbfnpr_line_set_desc")},
             {"line_set.lines", section("hrbfnpr_line_desc")}};
 }
 

@@ -37,8 +37,8 @@ void add_places(Surface& surface, const PointSet& marks) {
         });
         const auto* const at = static_cast<const float*>(view.data);
         for (std::int64_t i = 0; i < view.count; ++i)
-            surface.places.push_back({info.origin[0] + at[3 * i], info.origin[1] + at[3 * i + 1],
-                                      info.origin[2] + at[3 * i + 2]});
+            surface.places.push_back(
+                {info.origin[0] + at[3 * i], info.origin[1] + at[3 * i + 1], info.origin[2] + at[3 * i + 2]});
     }
     surface.area = info.spacing * info.spacing * static_cast<double>(info.marks);
 }
@@ -138,7 +138,8 @@ void choose(std::vector<Vec>& points, std::vector<Vec>& normals, Work& work) {
         for (const std::int64_t i : chosen) some.push_back(from[static_cast<std::size_t>(i)]);
         from = std::move(some);
     };
-    work.notes.push_back(std::to_string(points.size()) + " points, of which " + std::to_string(most_samples) + " are used");
+    work.notes.push_back(std::to_string(points.size()) + " points, of which " + std::to_string(most_samples) +
+                         " are used");
     pick(points);
     if (!normals.empty()) pick(normals);
 }
@@ -222,7 +223,8 @@ Surface surface_of_file(const std::string& path, const Settings& settings, Work&
         Shape shape;
         work.own_stage("read", [&] { shape = read_shape(path); });
         try {
-            surface.model = shape.triangles.empty() ? fit_points(shape, settings, work) : fit_mesh(shape, settings, work);
+            surface.model =
+                shape.triangles.empty() ? fit_points(shape, settings, work) : fit_mesh(shape, settings, work);
         } catch (const Failure& failure) {
             if (failure.status == HRBFNPR_STATUS_CANCELLED) throw;
             throw Failure(path + ": " + failure.what(), failure.status);

@@ -54,7 +54,8 @@ void progress_window(App& app, const Ui& ui) {
         std::snprintf(text, sizeof text, "frame %d", app.turntable()->done);
     } else {
         share = static_cast<float>(app.worker().work().progress());
-        std::snprintf(text, sizeof text, "%s %.0f %%", app.worker().work().stage_now(), 100.0 * static_cast<double>(share));
+        std::snprintf(text, sizeof text, "%s %.0f %%", app.worker().work().stage_now(),
+                      100.0 * static_cast<double>(share));
     }
     ImGui::ProgressBar(share, ImVec2(width - 90, 0), text);
     ImGui::SameLine();
@@ -87,8 +88,9 @@ void picture(const App& app, const Ui& ui) {
     if (app.is_busy()) return;
     const char* const hint = "Choose a model, or drop a file here";
     const ImVec2 size = ImGui::CalcTextSize(hint);
-    list->AddText(ImVec2(0.5F * (ui.canvas_min.x + ui.canvas_max.x - size.x), 0.5F * (ui.canvas_min.y + ui.canvas_max.y)),
-                  IM_COL32(90, 90, 90, 255), hint);
+    list->AddText(
+        ImVec2(0.5F * (ui.canvas_min.x + ui.canvas_max.x - size.x), 0.5F * (ui.canvas_min.y + ui.canvas_max.y)),
+        IM_COL32(90, 90, 90, 255), hint);
 }
 
 } // namespace

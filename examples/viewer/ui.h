@@ -19,7 +19,7 @@ struct Ui {
     // Where the picture is in the window.
     ImVec2 canvas_min{}, canvas_max{};
     bool holds = false, aims = false, paints = false; // a drag that is under way, and what it does
-    std::vector<std::string> open_panels; // to be opened in the next frame, the others closed
+    std::vector<std::string> open_panels;             // to be opened in the next frame, the others closed
     ImTextureID texture = nullptr;
 };
 

@@ -37,8 +37,10 @@ bool handle(App& app, const SDL_Event& event) {
     if (event.type == SDL_DROPFILE) {
         const std::string path = event.drop.file;
         SDL_free(event.drop.file);
-        if (ends_in_json(path)) app.load_settings(path);
-        else app.load(path);
+        if (ends_in_json(path))
+            app.load_settings(path);
+        else
+            app.load(path);
     }
     return event.type != SDL_QUIT;
 }

@@ -16,7 +16,7 @@ struct ScriptedMouse {
 };
 
 class Window {
-  public:
+public:
     explicit Window(Size size);
     ~Window();
     Window(const Window&) = delete;
@@ -31,7 +31,7 @@ class Window {
 
     std::optional<ScriptedMouse> mouse; // in place of the real one
 
-  private:
+private:
     void upload(const Frame& frame);
     void save_screenshot();
 

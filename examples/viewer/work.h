@@ -18,7 +18,7 @@ struct Timing {
 
 // What a job is given.
 class Work {
-  public:
+public:
     explicit Work(const Context& context) : context(context) {
         operation = make<hrbfnpr_operation>(hrbfnpr_operation_release, [&](auto** out, auto* error) {
             return hrbfnpr_operation_create(context.get(), out, error);
@@ -52,13 +52,13 @@ class Work {
     std::vector<Timing> timings;
     std::vector<std::string> notes;
 
-  private:
+private:
     std::atomic<const char*> stage_{"starting"};
 };
 
 // Runs jobs one at a time.  All but the job itself is for the thread that has it.
 class Worker {
-  public:
+public:
     explicit Worker(const Context& context) : context_(context) {}
     ~Worker() { stop(); }
     Worker(const Worker&) = delete;
@@ -73,7 +73,7 @@ class Worker {
     const Work& work() const { return *work_; }
     bool was_cancelled() const { return was_cancelled_; }
 
-  private:
+private:
     void stop(); // cancels and waits
 
     Context context_;

@@ -39,8 +39,8 @@ bool set_type(Property& property, std::string_view type, Lines& lines) {
         const char *name, *other;
         std::size_t size;
         char kind;
-    } types[] = {{"char", "int8", 1, 'i'},   {"uchar", "uint8", 1, 'u'}, {"short", "int16", 2, 'i'},
-                 {"ushort", "uint16", 2, 'u'}, {"int", "int32", 4, 'i'},   {"uint", "uint32", 4, 'u'},
+    } types[] = {{"char", "int8", 1, 'i'},     {"uchar", "uint8", 1, 'u'},   {"short", "int16", 2, 'i'},
+                 {"ushort", "uint16", 2, 'u'}, {"int", "int32", 4, 'i'},     {"uint", "uint32", 4, 'u'},
                  {"float", "float32", 4, 'f'}, {"double", "float64", 8, 'f'}};
     for (const auto& each : types)
         if (type == each.name || type == each.other) {
@@ -78,10 +78,14 @@ Header header_of(const std::string& data) {
             return header;
         }
         if (words[0] == "format" && words.size() >= 2) {
-            if (words[1] == "ascii") header.form = Form::ascii;
-            else if (words[1] == "binary_little_endian") header.form = Form::little;
-            else if (words[1] == "binary_big_endian") header.form = Form::big;
-            else lines.refuse("there is no format \"" + std::string(words[1]) + "\"");
+            if (words[1] == "ascii")
+                header.form = Form::ascii;
+            else if (words[1] == "binary_little_endian")
+                header.form = Form::little;
+            else if (words[1] == "binary_big_endian")
+                header.form = Form::big;
+            else
+                lines.refuse("there is no format \"" + std::string(words[1]) + "\"");
         } else if (words[0] == "element" && words.size() == 3) {
             std::int64_t count = -1;
             if (!parse_number(words[2], count) || count < 0) lines.refuse("an element has a name and a number");
@@ -97,7 +101,7 @@ Header header_of(const std::string& data) {
 
 // Numbers one after the other, from text or bytes.
 class Source {
-  public:
+public:
     Source(const std::string& data, const Header& header)
         : data_(data), form_(header.form), at_(header.end), lines_(std::string_view(data).substr(header.end)),
           header_lines_(header.lines) {}
@@ -130,7 +134,7 @@ class Source {
         throw Failure(where.str());
     }
 
-  private:
+private:
     double bytes(std::size_t size, char kind) {
         if (data_.size() - at_ < size) refuse("the file ends before it");
         std::array<unsigned char, 8> raw{};

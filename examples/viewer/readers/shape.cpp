@@ -25,10 +25,11 @@ Shape read_as(const std::string& ending, const std::string& data) {
     if (ending == "ply") throw Failure("it does not begin with \"ply\", so it is none");
     if (ending == "obj") return read_obj(data);
     if (ending == "stl") return read_stl(data);
-    const bool is_text = ending == "xyz" || ending == "xyzn" || ending == "txt" || ending == "csv" ||
-                         ending == "asc" || ending == "pts" || ending == "npts";
+    const bool is_text = ending == "xyz" || ending == "xyzn" || ending == "txt" || ending == "csv" || ending == "asc" ||
+                         ending == "pts" || ending == "npts";
     if (is_text) return read_xyz(data);
-    throw Failure("files that end in \"" + ending + "\" are not read here, but .ply, .obj, .stl, .xyz and saved models");
+    throw Failure("files that end in \"" + ending +
+                  "\" are not read here, but .ply, .obj, .stl, .xyz and saved models");
 }
 
 // What the library would refuse later, with a number that means nothing to the user then.

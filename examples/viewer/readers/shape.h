@@ -11,7 +11,7 @@ namespace viewer {
 
 struct Shape {
     std::vector<Vec> points;
-    std::vector<Vec> normals; // of a cloud: none, or one for each point
+    std::vector<Vec> normals;                           // of a cloud: none, or one for each point
     std::vector<std::array<std::int32_t, 3>> triangles; // none: a cloud
     std::string format;
 };
@@ -29,7 +29,7 @@ Shape read_xyz(const std::string& data);
 
 // Lines of a text, one after the other, without their ends.
 class Lines {
-  public:
+public:
     explicit Lines(std::string_view text) : text_(text) {}
     bool next(std::string_view& line);
     std::size_t number() const { return number_; }
@@ -37,7 +37,7 @@ class Lines {
     // A Failure that names the line.
     [[noreturn]] void refuse(const std::string& what) const;
 
-  private:
+private:
     std::string_view text_;
     std::size_t offset_ = 0, number_ = 0;
 };

@@ -57,12 +57,14 @@ Shape read_obj(const std::string& data) {
         if (words[0] != "f") continue;
         if (words.size() < 4) lines.refuse("a face has three corners or more");
         corners.clear();
-        for (std::size_t k = 1; k < words.size(); ++k) corners.push_back(corner_of(words[k], shape.points.size(), lines));
+        for (std::size_t k = 1; k < words.size(); ++k)
+            corners.push_back(corner_of(words[k], shape.points.size(), lines));
         faces.emplace_back(lines.number(), corners);
     }
     for (const auto& [number, face] : faces)
-        add_polygon(shape, face, shape.points.size(),
-                    [&, at = number](const std::string& what) { throw Failure("line " + std::to_string(at) + ": " + what); });
+        add_polygon(shape, face, shape.points.size(), [&, at = number](const std::string& what) {
+            throw Failure("line " + std::to_string(at) + ": " + what);
+        });
     if (!shape.triangles.empty() || shape.normals.size() != shape.points.size()) shape.normals.clear();
     return shape;
 }
@@ -73,7 +75,8 @@ Shape read_stl(const std::string& data) {
     const bool is_text = data.rfind("solid", 0) == 0 && data.find("facet") != std::string::npos;
     if (is_text && data.size() != 84 + 50 * std::size_t{count}) return read_ascii_stl(data);
     if (data.size() < 84 + 50 * std::size_t{count} || data.size() < 84)
-        throw Failure("it says that it has " + std::to_string(count) + " faces, and is too short for them: it is cut "
+        throw Failure("it says that it has " + std::to_string(count) +
+                      " faces, and is too short for them: it is cut "
                       "off, or no STL");
     Shape shape;
     shape.format = "STL";
