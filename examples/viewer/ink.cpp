@@ -13,7 +13,7 @@ constexpr double stroke_spacing = 1.25; // of marks along a stroke, in radii: ne
 constexpr double hatch_lines = 300;     // of hatching, all levels, in the root of the area
 constexpr double most_marks = 2000000;
 constexpr int most_levels = 6;
-constexpr std::int64_t patch_count = 96;
+constexpr std::int64_t patch_count = 48;
 // Ink over area at the darkest tone; of strokes that of one direction.
 constexpr double stipple_coverage = 0.8, stroke_coverage = 0.55;
 constexpr double pi = 3.141592653589793;

@@ -158,14 +158,14 @@ void choose_step(App& app, Ui& ui) {
     const bool is_given = app.settings.marks.initial_step > 0;
     if (!ImGui::IsAnyItemActive())
         ui.step_ratio = is_given ? static_cast<float>(app.settings.marks.initial_step / patches->estimate) : 1;
-    ImGui::SliderFloat("rho_0", &ui.step_ratio, 0.1F, 4, "%.2f of the estimate", ImGuiSliderFlags_Logarithmic);
+    ImGui::SliderFloat("rho_0", &ui.step_ratio, 0.1F, 4, "%.2f estimates", ImGuiSliderFlags_Logarithmic);
     if (ImGui::IsItemDeactivatedAfterEdit()) app.set_step(ui.step_ratio * patches->estimate);
     ImGui::Text("= %.4g (estimate %.4g)", ui.step_ratio * patches->estimate, patches->estimate);
     if (is_given && ImGui::Button("Take the estimate")) app.set_step(0);
 }
 
 bool edit_levels(hrbfnpr_layer_desc& layer) {
-    ImGui::SliderInt("refinement steps", &layer.levels, 0, 7);
+    ImGui::SliderInt("steps", &layer.levels, 0, 7);
     return ImGui::IsItemDeactivatedAfterEdit();
 }
 

@@ -118,7 +118,7 @@ void draw_ui(App& app, Ui& ui) {
     ImGui::SetNextWindowPos(ImVec2(0, 0));
     ImGui::SetNextWindowSize(ImVec2(side, window.y));
     ImGui::Begin("##panels", nullptr, fixed);
-    ImGui::PushItemWidth(0.52F * side);
+    ImGui::PushItemWidth(-0.44F * side); // the rest is for labels, however far they are indented
     panels(app, ui);
     ImGui::PopItemWidth();
     if (!app.said.empty()) {
